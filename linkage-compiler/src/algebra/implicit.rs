@@ -1,0 +1,205 @@
+//! Derivatives of the solutions of loops, by the implicit function theorem.
+//!
+//! A group of loops is `F = sum of coefficient * factor = 0`, where the factors are made of the group's own unknowns and
+//! the coefficients of everything known before. Its rates by `x` solve `J r = -sum of d(coefficient)/dx * factor`, and
+//! every further derivative follows by differentiating that linear system, so that the square root of the
+//! closed form is never differentiated. Each rate is a symbol of its own: common parts are computed once.
+
+use linkage_symbolic::{Calculus, DerivativeMemo, Graph, NodeId, SymbolId, differentiate};
+
+use super::Algebra;
+
+/// How a symbol that lives by its definition is differentiated.
+#[derive(Clone, Debug)]
+pub(crate) enum Rule {
+    /// Like this expression, which is equal to the definition.
+    Follow(NodeId),
+    /// The cosine, sine or value of an angle that a group solves for; `sense` is -1 if the group works with its
+    /// negative.
+    Cosine(AngleRule),
+    Sine(AngleRule),
+    Value(AngleRule),
+    /// Unknown `position` of a group.
+    Unknown {
+        group: usize,
+        position: usize,
+    },
+    /// A derivative of unknown `position` of a group.
+    Rate {
+        group: usize,
+        position: usize,
+        by: Vec<SymbolId>,
+    },
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AngleRule {
+    pub(crate) group: usize,
+    pub(crate) position: usize,
+    pub(crate) sense: f64,
+    pub(crate) cos: NodeId,
+    pub(crate) sin: NodeId,
+}
+
+/// One term of a group's equations.
+#[derive(Clone, Debug)]
+pub(crate) struct Term {
+    /// One for each equation.
+    pub(crate) coefficient: Vec<NodeId>,
+    pub(crate) factor: NodeId,
+}
+
+/// What differentiation needs to know of a solved group of one or two equations.
+#[derive(Clone, Debug)]
+pub(crate) struct Solution {
+    pub(crate) terms: Vec<Term>,
+    /// Columns: the derivatives of the equations by each unknown.
+    pub(crate) jacobian: Vec<Vec<NodeId>>,
+    pub(crate) determinant: NodeId,
+}
+
+/// Derivatives of a group's unknowns by some variables, and the right-hand side that they solve.
+#[derive(Clone, Debug)]
+pub(crate) struct Rates {
+    right: Vec<NodeId>,
+    rates: Vec<NodeId>,
+}
+
+impl Calculus for Algebra<'_> {
+    fn graph(&mut self) -> &mut Graph {
+        &mut self.graph
+    }
+
+    fn memo(&mut self) -> &mut DerivativeMemo {
+        &mut self.memo
+    }
+
+    fn symbol_derivative(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
+        match self.rules.get(&symbol).cloned() {
+            None => self.graph.zero(),
+            Some(Rule::Follow(node)) => differentiate(self, node, variable),
+            Some(Rule::Cosine(rule)) => {
+                let rate = self.angle_rate(rule, variable);
+                let product = self.graph.mul(rule.sin, rate);
+                self.graph.neg(product)
+            }
+            Some(Rule::Sine(rule)) => {
+                let rate = self.angle_rate(rule, variable);
+                self.graph.mul(rule.cos, rate)
+            }
+            Some(Rule::Value(rule)) => self.angle_rate(rule, variable),
+            Some(Rule::Unknown { group, position }) => {
+                self.rates(group, vec![variable]).rates[position]
+            }
+            Some(Rule::Rate {
+                group,
+                position,
+                mut by,
+            }) => {
+                by.push(variable);
+                by.sort_unstable();
+                self.rates(group, by).rates[position]
+            }
+        }
+    }
+}
+
+impl Algebra<'_> {
+    pub(crate) fn derivative(&mut self, node: NodeId, variable: SymbolId) -> NodeId {
+        differentiate(self, node, variable)
+    }
+
+    fn angle_rate(&mut self, rule: AngleRule, variable: SymbolId) -> NodeId {
+        let rate = self.rates(rule.group, vec![variable]).rates[rule.position];
+        if rule.sense < 0.0 {
+            self.graph.neg(rate)
+        } else {
+            rate
+        }
+    }
+
+    /// The derivatives of a group's unknowns by the variables `by`, which are in order.
+    fn rates(&mut self, group: usize, by: Vec<SymbolId>) -> Rates {
+        let key = (group, by);
+        if let Some(known) = self.rates.get(&key) {
+            return known.clone();
+        }
+        let right = self.right_hand_side(group, &key.1);
+        let rates = self.solve(group, &right, &key.1);
+        let rates = Rates { right, rates };
+        self.rates.insert(key, rates.clone());
+        rates
+    }
+
+    fn right_hand_side(&mut self, group: usize, by: &[SymbolId]) -> Vec<NodeId> {
+        let (&last, before) = by.split_last().expect("a derivative has a variable");
+        let solution = self.solutions[group].clone();
+        let equations = solution.jacobian[0].len();
+        if before.is_empty() {
+            let zero = self.graph.zero();
+            return (0..equations)
+                .map(|row| {
+                    solution.terms.iter().fold(zero, |sum, term| {
+                        let slope = differentiate(self, term.coefficient[row], last);
+                        let product = self.graph.mul(slope, term.factor);
+                        self.graph.sub(sum, product)
+                    })
+                })
+                .collect();
+        }
+        let lower = self.rates(group, before.to_vec());
+        (0..equations)
+            .map(|row| {
+                let start = differentiate(self, lower.right[row], last);
+                solution
+                    .jacobian
+                    .iter()
+                    .zip(&lower.rates)
+                    .fold(start, |sum, (column, &rate)| {
+                        let slope = differentiate(self, column[row], last);
+                        let product = self.graph.mul(slope, rate);
+                        self.graph.sub(sum, product)
+                    })
+            })
+            .collect()
+    }
+
+    /// Cramer's rule. The determinant is known from the closed form.
+    fn solve(&mut self, group: usize, right: &[NodeId], by: &[SymbolId]) -> Vec<NodeId> {
+        let solution = &self.solutions[group];
+        let (determinant, count) = (solution.determinant, solution.jacobian.len());
+        if right.iter().all(|&b| self.graph.is_zero(b)) {
+            return right.to_vec();
+        }
+        let numerators = match *right {
+            [b] => vec![b],
+            [x, y] => {
+                let [first, second] = [0, 1].map(|k| {
+                    let column = &self.solutions[group].jacobian[k];
+                    [column[0], column[1]]
+                });
+                vec![self.cross([x, y], second), self.cross(first, [x, y])]
+            }
+            _ => unreachable!("closed forms have one or two equations"),
+        };
+        (0..count)
+            .map(|position| {
+                let quotient = self.graph.div(numerators[position], determinant);
+                if self.graph.constant_value(quotient).is_some() {
+                    return quotient;
+                }
+                let (symbol, node) = self
+                    .graph
+                    .unknown(format!("rate {group}.{position} {by:?}"));
+                self.graph.define(symbol, quotient);
+                let rule = Rule::Rate {
+                    group,
+                    position,
+                    by: by.to_vec(),
+                };
+                self.rules.insert(symbol, rule);
+                node
+            })
+            .collect()
+    }
+}

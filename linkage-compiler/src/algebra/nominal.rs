@@ -1,0 +1,70 @@
+//! The numbers of the mechanism as written: defaults, tolerances, reference position, estimates.
+
+use linkage_symbolic::interpret::evaluate;
+use linkage_symbolic::program::Source;
+
+use crate::model::Expr;
+
+use super::{Algebra, Translate, Value};
+
+/// Values known at compile time.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Nominal {
+    pub(crate) parameters: Vec<f64>,
+    pub(crate) tolerances: Vec<f64>,
+    pub(crate) inputs: Vec<f64>,
+    pub(crate) ranges: Vec<Option<(f64, f64)>>,
+    /// Components of each unknown's start estimate.
+    pub(crate) estimates: Vec<Vec<f64>>,
+}
+
+impl Nominal {
+    pub(crate) fn of(algebra: &mut Algebra) -> Self {
+        let mechanism = algebra.mechanism;
+        let mut nominal = Self::default();
+        for parameter in &mechanism.parameters {
+            let count = parameter.tolerances.len();
+            nominal
+                .parameters
+                .extend(algebra.numbers(&parameter.nominal, count, &[]));
+            for tolerance in &parameter.tolerances {
+                let value = tolerance
+                    .as_ref()
+                    .map_or(0.0, |t| algebra.numbers(t, 1, &[])[0]);
+                nominal.tolerances.push(value);
+            }
+        }
+        for input in &mechanism.inputs {
+            nominal
+                .inputs
+                .push(algebra.numbers(&input.reference, 1, &[])[0]);
+            let range = input.range.as_ref().map(|(low, high)| {
+                (
+                    algebra.numbers(low, 1, &[])[0],
+                    algebra.numbers(high, 1, &[])[0],
+                )
+            });
+            nominal.ranges.push(range);
+        }
+        for (unknown, item) in mechanism.unknowns.iter().enumerate() {
+            let count = algebra.components_of(unknown);
+            let estimate = algebra.numbers(&item.estimate, count, &nominal.parameters);
+            nominal.estimates.push(estimate);
+        }
+        nominal
+    }
+}
+
+impl Algebra<'_> {
+    /// An expression of constants and parameters as numbers.
+    fn numbers(&mut self, expr: &Expr, count: usize, parameters: &[f64]) -> Vec<f64> {
+        let nodes = match self.translate(expr) {
+            Value::Vector(components) => components,
+            scalar => vec![self.as_node(&scalar); count],
+        };
+        evaluate(&self.graph, &nodes, |source| match source {
+            Source::Parameter(index) => parameters.get(index).copied().unwrap_or(f64::NAN),
+            _ => f64::NAN,
+        })
+    }
+}

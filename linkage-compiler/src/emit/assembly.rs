@@ -1,0 +1,293 @@
+//! The assembled mechanism: its type, how it comes about, and the private functions behind that.
+
+use linkage_symbolic::program::Program;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::docs::doc;
+use super::facts::Facts;
+use super::load::loader;
+use super::outline::{Outline, plain};
+use super::{attribute, body, literal};
+use crate::lower::Lowered;
+
+/// The assembly type and the public functions that make one.
+pub(super) fn items(outline: &Outline) -> TokenStream {
+    let mut items = structure(outline);
+    items.extend(accessors(outline));
+    items.extend(constructors(outline));
+    items
+}
+
+fn structure(outline: &Outline) -> TokenStream {
+    let Outline {
+        runtime,
+        visibility,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let doc = doc(&format!(
+        "An assembled `{}`: closed loops in one assembly mode, everything prepared that does not depend on the inputs.",
+        outline.title()
+    ));
+    let derives = attribute::derives([]);
+    let modes = literal::index(outline.modes.len());
+    let prepared = literal::index(outline.prepared);
+    let allow = attribute::allow();
+    quote! {
+        #doc
+        #allow
+        #derives
+        #visibility struct #assembly<T = ::core::primitive::f64> {
+            __mechanism: #name<T>,
+            __modes: [#runtime::AssemblyMode; #modes],
+            __prepared: [T; #prepared],
+        }
+    }
+}
+
+/// `mechanism()` and `modes()`, unless the user's functions have these names.
+fn accessors(outline: &Outline) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let free = |accessor: &str| outline.functions.iter().all(|f| plain(f.name) != accessor);
+    let mechanism = free("mechanism").then(|| {
+        quote! {
+            /// The dimensions that it was assembled with.
+            #[must_use]
+            pub const fn mechanism(&self) -> &#name<T> { &self.__mechanism }
+        }
+    });
+    let modes = free("modes").then(|| {
+        let count = literal::index(outline.modes.len());
+        quote! {
+            /// The assembly mode of each group that has two; `STRUCTURE` says which group is which.
+            #[must_use]
+            pub const fn modes(&self) -> &[#runtime::AssemblyMode; #count] { &self.__modes }
+        }
+    });
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        impl<T> #assembly<T> { #mechanism #modes }
+    }
+}
+
+fn constructors(outline: &Outline) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let modes = outline.default_modes();
+    let references: Vec<_> = outline
+        .inputs
+        .iter()
+        .map(|input| {
+            let reference = literal::float(input.reference);
+            quote!(T::from_f64(#reference))
+        })
+        .collect();
+    let assemble = outline.body(quote!(#assembly::__assemble(self, #modes, [#(#references),*])));
+    let enumerate = |at: TokenStream| {
+        let title = outline.title();
+        outline.body(quote! {
+            #runtime::assemblies(#title, #modes, |__modes| #assembly::__assemble(self, __modes, #at))
+        })
+    };
+    let assemblies = enumerate(quote!([#(#references),*]));
+    let error = quote!(#runtime::AssemblyError);
+    let list = quote!(::core::result::Result<#runtime::Vec<#assembly<T>>, #error>);
+    let at = (!outline.inputs.is_empty()).then(|| {
+        let names: Vec<_> = outline.inputs.iter().map(|input| input.name).collect();
+        let body = enumerate(quote!([#(#names),*]));
+        quote! {
+            /// Every real assembly at the given inputs, each ready to evaluate; the one that the start estimates
+            /// choose comes first if it is real there.
+            ///
+            /// # Errors
+            ///
+            /// As `assemblies()`.
+            pub fn assemblies_at(&self, #(#names: T),*) -> #list { #body }
+        }
+    });
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        impl<T: #runtime::Scalar> #name<T> {
+            /// Closes the loops at the reference inputs in the assembly mode that the start estimates choose, and
+            /// computes what depends on the dimensions alone.
+            ///
+            /// # Errors
+            ///
+            /// Says which loop cannot close and by how much it misses, or which dimension is not a finite number.
+            pub fn assemble(&self) -> ::core::result::Result<#assembly<T>, #error> { #assemble }
+        }
+        #runtime::if_alloc! {
+            #allow
+            impl<T: #runtime::Scalar> #name<T> {
+                /// Every real assembly at the reference inputs, each ready to evaluate; the one that the start
+                /// estimates choose comes first if it is real. The list is empty if no assembly is.
+                ///
+                /// # Errors
+                ///
+                /// Fails if a dimension is not a finite number, or if there are more than 16 groups with two modes.
+                pub fn assemblies(&self) -> #list { #assemblies }
+                #at
+            }
+        }
+    }
+}
+
+/// The private functions of the assembly: `__assemble` and the programs that it runs.
+pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let types = Types::new(outline, facts, lowered);
+    let Types {
+        modes,
+        inputs,
+        turns,
+        prepared,
+        gaps,
+    } = &types;
+    let turning = turning(outline, lowered);
+    let close = close(outline, facts);
+    let prepare_body = program(outline, facts, &lowered.prepare);
+    let gaps_body = program(outline, facts, &lowered.gaps);
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        impl<T: #runtime::Scalar> #assembly<T> {
+            fn __assemble(
+                __m: &#name<T>,
+                __modes: #modes,
+                __at: #inputs,
+            ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+                let __turns: #turns = #turning;
+                let __prepared = Self::__prepare(__m, &__modes, &__turns);
+                Self::__close(__m, &__modes, &__prepared, __at)?;
+                ::core::result::Result::Ok(Self { __mechanism: *__m, __modes, __prepared })
+            }
+
+            fn __close(
+                __m: &#name<T>,
+                __modes: &#modes,
+                __prepared: &#prepared,
+                __at: #inputs,
+            ) -> ::core::result::Result<(), #runtime::AssemblyError> {
+                let __gaps = Self::__gaps(__m, __modes, __prepared, __at);
+                #close
+            }
+
+            fn __prepare(__m: &#name<T>, __modes: &#modes, __turns: &#turns) -> #prepared { #prepare_body }
+
+            fn __gaps(
+                __m: &#name<T>,
+                __modes: &#modes,
+                __prepared: &#prepared,
+                __x: #inputs,
+            ) -> #gaps { #gaps_body }
+        }
+    }
+}
+
+/// The array types of the plumbing, over `T`.
+pub(super) struct Types {
+    pub modes: TokenStream,
+    pub inputs: TokenStream,
+    pub turns: TokenStream,
+    pub prepared: TokenStream,
+    gaps: TokenStream,
+}
+
+impl Types {
+    pub(super) fn new(outline: &Outline, facts: &Facts, lowered: &Lowered) -> Self {
+        let runtime = &outline.runtime;
+        let modes = literal::index(outline.modes.len());
+        let inputs = literal::index(facts.inputs.len());
+        let prepared = literal::index(outline.prepared);
+        let angles = literal::index(lowered.continuous_angles.len());
+        let gaps = literal::index(lowered.gaps.outputs.len());
+        Self {
+            modes: quote!([#runtime::AssemblyMode; #modes]),
+            inputs: quote!([T; #inputs]),
+            turns: quote!(#runtime::Turns<T, #angles, #inputs>),
+            prepared: quote!([T; #prepared]),
+            gaps: quote!([T; #gaps]),
+        }
+    }
+}
+
+/// The centres and windings of the continuous angles, lane by lane. Where they cannot be found because a loop does not
+/// close, the error is about that loop.
+fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        inputs,
+        ..
+    } = outline;
+    if lowered.continuous_angles.is_empty() {
+        return quote!(#runtime::Turns { centres: [], windings: [] });
+    }
+    let title = outline.title();
+    let estimates = lowered
+        .continuous_angles
+        .iter()
+        .map(|angle| literal::float(angle.estimate));
+    let lane = (0..inputs.len()).map(|input| {
+        let input = literal::index(input);
+        quote!(T::lane(__at[#input], __lane))
+    });
+    quote! {
+        match #runtime::turns(|__lane| {
+            let __lane_mechanism: #name<::core::primitive::f64> = #name::__lane(__m, __lane);
+            #assembly::<::core::primitive::f64>::__wind(&__lane_mechanism, &__modes, [#(#lane),*])
+        }) {
+            ::core::result::Result::Ok(__turns) => __turns,
+            ::core::result::Result::Err(__unknown) => {
+                let __turns = #runtime::Turns::at_estimates([#(#estimates),*]);
+                let __prepared = Self::__prepare(__m, &__modes, &__turns);
+                Self::__close(__m, &__modes, &__prepared, __at)?;
+                return ::core::result::Result::Err(#runtime::AssemblyError::NoWinding {
+                    mechanism: #title,
+                    unknown: __unknown,
+                });
+            }
+        }
+    }
+}
+
+fn close(outline: &Outline, facts: &Facts) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let title = outline.title();
+    let units = facts.groups.iter().map(|group| &group.gap_unit);
+    quote! {
+        #runtime::close(
+            #title,
+            #name::<::core::primitive::f64>::STRUCTURE.groups,
+            &[#(#units),*],
+            &__gaps,
+        )
+    }
+}
+
+/// A program over all inputs of the mechanism, ending in the array of its outputs.
+fn program(outline: &Outline, facts: &Facts, program: &Program) -> TokenStream {
+    let inputs: Vec<usize> = (0..facts.inputs.len()).collect();
+    let statements = body::statements(program, &loader(outline, &inputs));
+    let outputs = body::outputs(program);
+    quote!(#statements #outputs)
+}

@@ -1,0 +1,88 @@
+//! Doc strings of generated items, and the words in them.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::model::{Dimension, LengthUnit};
+use crate::syntax::Attribute;
+
+/// `#[doc = " ..."]` for each line.
+pub(super) fn doc(text: &str) -> TokenStream {
+    text.lines()
+        .map(|line| {
+            let line = if line.is_empty() {
+                String::new()
+            } else {
+                format!(" {line}")
+            };
+            quote!(#[doc = #line])
+        })
+        .collect()
+}
+
+/// The user's attributes, docs included, and then a generated paragraph: `note` after the docs, `alone` where there are
+/// none.
+pub(super) fn with_note(
+    attributes: &[&TokenStream],
+    documented: bool,
+    note: &str,
+    alone: &str,
+) -> TokenStream {
+    let doc = match (documented, note.is_empty()) {
+        (true, true) => TokenStream::new(),
+        (true, false) => doc(&format!("\n{note}")),
+        (false, _) => doc(alone),
+    };
+    quote!(#(#attributes)* #doc)
+}
+
+/// The tokens of attributes.
+pub(super) fn tokens(attributes: &[Attribute]) -> Vec<&TokenStream> {
+    attributes.iter().map(|a| &a.tokens).collect()
+}
+
+/// True if the user wrote a doc comment.
+pub(super) fn documented(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|a| a.name == "doc")
+}
+
+pub(super) fn length_word(unit: LengthUnit) -> &'static str {
+    match unit {
+        LengthUnit::Metre => "m",
+        LengthUnit::Millimetre => "mm",
+        LengthUnit::Centimetre => "cm",
+        LengthUnit::Micrometre => "um",
+        LengthUnit::Inch => "inch",
+    }
+}
+
+/// `mm`, `mm^2`, `mm^(1/2)`, `rad`, `1`.
+pub(super) fn unit_word(dimension: Dimension, unit: LengthUnit) -> String {
+    let word = length_word(unit);
+    match dimension.half_lengths {
+        0 if dimension.angle => "rad".to_owned(),
+        0 => "1".to_owned(),
+        2 => word.to_owned(),
+        halves if halves % 2 == 0 => format!("{word}^{}", halves / 2),
+        halves => format!("{word}^({halves}/2)"),
+    }
+}
+
+/// `, in mm`, or nothing for a pure number.
+pub(super) fn in_unit(unit: &str) -> String {
+    if unit == "1" || unit.is_empty() {
+        String::new()
+    } else {
+        format!(", in {unit}")
+    }
+}
+
+/// A number as an engineer writes it.
+pub(super) fn decimal(x: f64) -> String {
+    let plain = x == 0.0 || (1e-4..1e9).contains(&x.abs());
+    if plain {
+        format!("{x}")
+    } else {
+        format!("{x:e}")
+    }
+}

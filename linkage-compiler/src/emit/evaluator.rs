@@ -1,0 +1,161 @@
+//! One function of the `impl` block: its result type, the method, and the program behind it.
+
+use linkage_symbolic::program::Program;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::docs::{doc, documented, in_unit, tokens, with_note};
+use super::load::loader;
+use super::mechanism::{marker_field, marker_value};
+use super::outline::{Field, Function, Outline, plain};
+use super::{attribute, body, literal};
+
+/// The result type and the public method.
+pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
+    let mut items = result(outline, function);
+    items.extend(method(outline, function));
+    items
+}
+
+fn result(outline: &Outline, function: &Function) -> TokenStream {
+    let Function {
+        visibility, result, ..
+    } = function;
+    let split = attribute::split(function.attributes);
+    let everywhere = &split.everywhere;
+    let user_derives = split.result.iter().map(|a| &a.tokens);
+    let derives = attribute::derives(split.result.iter().copied());
+    let head = doc(&format!(
+        "What `{}::{}` returns.",
+        outline.assembly,
+        plain(function.name)
+    ));
+    let fields = function
+        .fields
+        .iter()
+        .map(|field| field_item(outline, field));
+    let marker = function.fields.is_empty().then(marker_field);
+    let allow = attribute::allow();
+    quote! {
+        #(#everywhere)*
+        #head
+        #allow
+        #derives
+        #(#user_derives)*
+        #visibility struct #result<T = ::core::primitive::f64> { #(#fields)* #marker }
+    }
+}
+
+fn field_item(outline: &Outline, field: &Field) -> TokenStream {
+    let name = field.name;
+    let ty = outline.field_type(&field.shape, &quote!(T));
+    let unit = in_unit(&field.unit);
+    let summary = format!("`{}`{unit}.", plain(name));
+    let note = match unit.strip_prefix(", in ") {
+        Some(unit) if documented(field.attributes) => format!("In {unit}."),
+        _ => String::new(),
+    };
+    let attributes = tokens(field.attributes);
+    let head = with_note(&attributes, documented(field.attributes), &note, &summary);
+    quote!(#head pub #name: #ty,)
+}
+
+fn method(outline: &Outline, function: &Function) -> TokenStream {
+    let Outline {
+        runtime, assembly, ..
+    } = outline;
+    let Function {
+        visibility,
+        name,
+        result,
+        kernel,
+        arguments,
+        ..
+    } = function;
+    let split = attribute::split(function.attributes);
+    let everywhere = &split.everywhere;
+    let names: Vec<_> = function
+        .fields
+        .iter()
+        .map(|f| format!("`{}`", plain(f.name)))
+        .collect();
+    let notes = &function.notes;
+    let head = with_note(
+        &split.method,
+        documented(function.attributes),
+        notes,
+        &format!("Computes {} at one position.\n\n{notes}", names.join(", ")),
+    );
+    let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
+    let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
+    let body = outline.body(quote!(#result::__from_row(self.#kernel([#(#arguments),*]))));
+    let allow = attribute::allow();
+    quote! {
+        #(#everywhere)*
+        #allow
+        impl<T: #runtime::Scalar> #assembly<T> {
+            #head
+            #must_use
+            #inline
+            #visibility fn #name(&self, #(#arguments: T),*) -> #result<T> { #body }
+        }
+    }
+}
+
+/// The method that runs the program, and the way from its outputs to the result type.
+pub(super) fn kernel(
+    outline: &Outline,
+    function: &Function,
+    program: &Program,
+    inputs: &[usize],
+) -> TokenStream {
+    let Outline {
+        runtime, assembly, ..
+    } = outline;
+    let Function { result, kernel, .. } = function;
+    let split = attribute::split(function.attributes);
+    let everywhere = &split.everywhere;
+    let count = literal::index(inputs.len());
+    let width = literal::index(function.width());
+    let statements = body::statements(program, &loader(outline, inputs));
+    let outputs = body::outputs(program);
+    let fields = row_fields(outline, function);
+    let allow = attribute::allow();
+    quote! {
+        #(#everywhere)*
+        #allow
+        impl<T: #runtime::Scalar> #assembly<T> {
+            #[inline(always)]
+            fn #kernel(&self, __x: [T; #count]) -> [T; #width] {
+                let Self { __mechanism: __m, __modes, __prepared } = self;
+                #statements
+                #outputs
+            }
+        }
+        #(#everywhere)*
+        #allow
+        impl<T: #runtime::Scalar> #result<T> {
+            #[inline(always)]
+            fn __from_row(__row: [T; #width]) -> Self { Self { #fields } }
+        }
+    }
+}
+
+/// `tracer: Vector2::new(__row[0], __row[1]), ...`
+fn row_fields(outline: &Outline, function: &Function) -> TokenStream {
+    let mut scalars = (0..function.width()).map(|index| {
+        let index = literal::index(index);
+        quote!(__row[#index])
+    });
+    let fields: Vec<_> = function
+        .fields
+        .iter()
+        .map(|field| {
+            let name = field.name;
+            let value = outline.field_value(&field.shape, &mut scalars);
+            quote!(#name: #value,)
+        })
+        .collect();
+    let marker = function.fields.is_empty().then(marker_value);
+    quote!(#(#fields)* #marker)
+}

@@ -1,0 +1,217 @@
+//! The struct of dimensions: fields, default, conversion, constants.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use super::docs::{decimal, doc, documented, tokens, with_note};
+use super::outline::{Component, Outline, Parameter, plain};
+use super::{attribute, literal};
+
+/// The struct, its default and its conversions.
+pub(super) fn items(outline: &Outline) -> TokenStream {
+    let mut items = structure(outline);
+    items.extend(default(outline));
+    items.extend(conversions(outline));
+    items
+}
+
+fn structure(outline: &Outline) -> TokenStream {
+    let Outline {
+        visibility,
+        name,
+        attributes,
+        ..
+    } = outline;
+    let derives = attribute::derives(*attributes);
+    let head = with_note(
+        &tokens(attributes),
+        documented(attributes),
+        "",
+        &format!("Dimensions of the mechanism `{}`.", outline.title()),
+    );
+    let scalar = quote!(T);
+    let fields = outline.parameters.iter().map(|parameter| {
+        let name = parameter.name;
+        let ty = outline.field_type(&parameter.shape, &scalar);
+        let [note, alone] = parameter_notes(outline, parameter);
+        let head = with_note(
+            &tokens(parameter.attributes),
+            documented(parameter.attributes),
+            &note,
+            &alone,
+        );
+        quote!(#head pub #name: #ty,)
+    });
+    let marker = outline.parameters.is_empty().then(marker_field);
+    let allow = attribute::allow();
+    quote! {
+        #head
+        #allow
+        #derives
+        #visibility struct #name<T = ::core::primitive::f64> { #(#fields)* #marker }
+    }
+}
+
+/// Carries the scalar type where a struct has no field.
+pub(super) fn marker_field() -> TokenStream {
+    quote!(#[doc(hidden)] pub __scalar: ::core::marker::PhantomData<T>,)
+}
+
+pub(super) fn marker_value() -> TokenStream {
+    quote!(__scalar: ::core::marker::PhantomData,)
+}
+
+/// The docs of a parameter after those of the user, `In mm; default 50, tolerance 0.012.`, and those where there are
+/// none, `` `crank`, in mm; default 50, tolerance 0.012. ``
+fn parameter_notes(outline: &Outline, parameter: &Parameter) -> [String; 2] {
+    let name = plain(parameter.name);
+    if !outline.complete {
+        return [String::new(), format!("`{name}`.")];
+    }
+    let list = |number: fn(&Component) -> f64| {
+        let words = parameter.components.iter().map(|c| decimal(number(c)));
+        let words = words.collect::<Vec<_>>().join(", ");
+        if parameter.components.len() == 1 {
+            words
+        } else {
+            format!("({words})")
+        }
+    };
+    let mut values = format!("default {}", list(|c| c.nominal));
+    if parameter.components.iter().any(|c| c.tolerance != 0.0) {
+        values.push_str(&format!(", tolerance {}", list(|c| c.tolerance)));
+    }
+    match parameter
+        .components
+        .first()
+        .map_or("1", |c| c.unit.as_str())
+    {
+        "1" => [
+            format!("A number; {values}."),
+            format!("`{name}`; {values}."),
+        ],
+        unit => [
+            format!("In {unit}; {values}."),
+            format!("`{name}`, in {unit}; {values}."),
+        ],
+    }
+}
+
+fn default(outline: &Outline) -> TokenStream {
+    let name = outline.name;
+    let fields = outline.parameters.iter().map(|parameter| {
+        let name = parameter.name;
+        let mut numbers = parameter
+            .components
+            .iter()
+            .map(|c| literal::float(c.nominal));
+        let value = outline.field_value(&parameter.shape, &mut numbers);
+        quote!(#name: #value,)
+    });
+    let marker = outline.parameters.is_empty().then(marker_value);
+    let body = outline.body(quote!(Self { #(#fields)* #marker }));
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        #[automatically_derived]
+        impl ::core::default::Default for #name<::core::primitive::f64> {
+            fn default() -> Self { #body }
+        }
+    }
+}
+
+fn conversions(outline: &Outline) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let cast = convert(
+        outline,
+        &|field| quote!(<U as #runtime::Scalar>::from_f64(self.#field)),
+    );
+    let lane = convert(outline, &|field| quote!(T::lane(self.#field, __lane)));
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        impl #name<::core::primitive::f64> {
+            /// The same dimensions in another scalar type: single precision, lanes, dual numbers.
+            #[must_use]
+            pub fn cast<U: #runtime::Scalar>(&self) -> #name<U> { #cast }
+        }
+        #allow
+        impl<T: #runtime::Scalar> #name<T> {
+            /// The dimensions of one lane.
+            fn __lane(&self, __lane: ::core::primitive::usize) -> #name<::core::primitive::f64> { #lane }
+        }
+    }
+}
+
+/// The struct again with each scalar `field` converted.
+fn convert(outline: &Outline, scalar: &dyn Fn(&TokenStream) -> TokenStream) -> TokenStream {
+    let name = outline.name;
+    let fields = outline.parameters.iter().map(|parameter| {
+        let name = parameter.name;
+        let scalars: Vec<_> = parameter.scalar_fields().iter().map(scalar).collect();
+        let value = outline.field_value(&parameter.shape, &mut scalars.into_iter());
+        quote!(#name: #value,)
+    });
+    let marker = outline.parameters.is_empty().then(marker_value);
+    outline.body(quote!(#name { #(#fields)* #marker }))
+}
+
+/// `PARAMETERS`, `STRUCTURE` and the named indices.
+pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let components = outline.parameters.iter().flat_map(|p| &p.components);
+    let rows = components.map(|component| {
+        let (name, unit) = (&component.name, &component.unit);
+        let nominal = literal::float(component.nominal);
+        let tolerance = literal::float(component.tolerance);
+        quote!(#runtime::Parameter { name: #name, unit: #unit, nominal: #nominal, tolerance: #tolerance })
+    });
+    let indices = index_names(outline)
+        .into_iter()
+        .enumerate()
+        .map(|(index, (constant, name))| {
+            let constant = Ident::new(&constant, Span::call_site());
+            let doc = doc(&format!(
+                "Index of `{name}` in `PARAMETERS` and in the arrays of `sensitivity`."
+            ));
+            let index = literal::index(index);
+            quote!(#doc pub const #constant: ::core::primitive::usize = #index;)
+        });
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        impl #name<::core::primitive::f64> {
+            /// The scalar parameters in declaration order, with the defaults and tolerances of the declaration, in
+            /// the units of the fields.
+            pub const PARAMETERS: &'static [#runtime::Parameter] = &[#(#rows),*];
+            /// The groups in the order in which they are solved, their methods, and operation counts.
+            pub const STRUCTURE: &'static #runtime::Structure = &#structure;
+            #(#indices)*
+        }
+    }
+}
+
+/// Names of the index constants with the parameters that they stand for. `INDEX_PIVOT_D_X` for `pivot_d.x`; where
+/// two parameters would share a name (`a` and `A`), the later one keeps its spelling.
+fn index_names(outline: &Outline) -> Vec<(String, String)> {
+    let mut taken = BTreeSet::new();
+    let components = outline.parameters.iter().flat_map(|p| &p.components);
+    components
+        .enumerate()
+        .map(|(index, component)| {
+            let joined = component.name.replace('.', "_");
+            let candidates = [
+                format!("INDEX_{}", joined.to_uppercase()),
+                format!("INDEX_{joined}"),
+                format!("INDEX_{}", component.name.replace('.', "__")),
+                format!("INDEX_{joined}_{index}"),
+            ];
+            let free = candidates.iter().find(|name| !taken.contains(*name));
+            let name = free.unwrap_or(&candidates[3]).clone();
+            taken.insert(name.clone());
+            (name, component.name.clone())
+        })
+        .collect()
+}

@@ -1,0 +1,293 @@
+//! What the generated items are: names, types and docs, with or without the programs behind them.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::count::Count;
+use super::docs;
+use super::facts::Facts;
+use super::shape::of_type;
+use crate::lower::{Evaluator, Lowered, Shape};
+use crate::model::{self, Mechanism};
+use crate::syntax::{Attribute, FunctionDef, Item, MechanismDef, ParamItem, QuantityDef};
+
+/// The surface of one mechanism.
+pub(super) struct Outline<'a> {
+    /// `$crate::__private`
+    pub runtime: TokenStream,
+    pub attributes: &'a [Attribute],
+    pub visibility: &'a TokenStream,
+    pub name: &'a Ident,
+    /// The type of an assembled mechanism.
+    pub assembly: Ident,
+    pub parameters: Vec<Parameter<'a>>,
+    pub inputs: Vec<Input<'a>>,
+    pub functions: Vec<Function<'a>>,
+    /// The default assembly modes; true for `Plus`.
+    pub modes: Vec<bool>,
+    /// How many prepared slots.
+    pub prepared: usize,
+    /// False after errors: the bodies are `unimplemented!()`.
+    pub complete: bool,
+}
+
+/// A public field of the mechanism.
+pub(super) struct Parameter<'a> {
+    pub name: &'a Ident,
+    pub attributes: &'a [Attribute],
+    pub shape: Shape,
+    pub components: Vec<Component>,
+}
+
+/// A scalar parameter.
+pub(super) struct Component {
+    pub name: String,
+    pub unit: String,
+    pub nominal: f64,
+    pub tolerance: f64,
+}
+
+pub(super) struct Input<'a> {
+    pub name: &'a Ident,
+    pub unit: String,
+    pub reference: f64,
+}
+
+pub(super) struct Function<'a> {
+    pub attributes: &'a [Attribute],
+    pub visibility: &'a TokenStream,
+    pub name: &'a Ident,
+    /// The result type, and the type of a column of results.
+    pub result: &'a Ident,
+    pub columns: Ident,
+    /// The method that computes all scalars of the result.
+    pub kernel: Ident,
+    pub arguments: Vec<&'a Ident>,
+    pub fields: Vec<Field<'a>>,
+    /// Paragraphs for the docs of the method.
+    pub notes: String,
+}
+
+pub(super) struct Field<'a> {
+    pub name: &'a Ident,
+    pub attributes: &'a [Attribute],
+    pub shape: Shape,
+    pub unit: String,
+}
+
+impl<'a> Outline<'a> {
+    /// The outline of a mechanism without mistakes.
+    pub(super) fn complete(
+        krate: &TokenStream,
+        def: &'a MechanismDef,
+        mechanism: &Mechanism,
+        facts: &Facts,
+        lowered: &Lowered,
+    ) -> Self {
+        let inputs: Vec<Input> = inputs(def)
+            .zip(&mechanism.inputs)
+            .zip(&facts.inputs)
+            .map(|((name, input), facts)| Input {
+                name,
+                unit: docs::unit_word(input.dimension, mechanism.unit),
+                reference: facts.reference,
+            })
+            .collect();
+        let mut modes: Vec<(usize, bool)> = facts
+            .groups
+            .iter()
+            .filter_map(|g| g.mode.map(|mode| (mode, g.plus)))
+            .collect();
+        modes.sort_unstable();
+        Self {
+            parameters: params(def)
+                .zip(&mechanism.parameters)
+                .map(|(item, parameter)| complete_parameter(item, parameter, mechanism, facts))
+                .collect(),
+            functions: def
+                .functions
+                .iter()
+                .zip(&lowered.evaluators)
+                .map(|(function, evaluator)| complete_function(function, evaluator, &inputs))
+                .collect(),
+            inputs,
+            modes: modes.into_iter().map(|(_, plus)| plus).collect(),
+            prepared: lowered.prepare.outputs.len(),
+            complete: true,
+            ..Self::empty(krate, def)
+        }
+    }
+
+    /// An outline without any parameter, input or function.
+    pub(super) fn empty(krate: &TokenStream, def: &'a MechanismDef) -> Self {
+        Self {
+            runtime: quote!(#krate::__private),
+            attributes: &def.attributes,
+            visibility: &def.visibility,
+            name: &def.name,
+            assembly: format_ident!("{}Assembly", def.name),
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+            functions: Vec::new(),
+            modes: Vec::new(),
+            prepared: 0,
+            complete: false,
+        }
+    }
+
+    /// `body`, or a panic where there is no program behind the outline.
+    pub(super) fn body(&self, body: TokenStream) -> TokenStream {
+        if self.complete {
+            body
+        } else {
+            quote!(::core::unimplemented!("the mechanism has errors"))
+        }
+    }
+
+    /// Field accesses of all scalar parameters in order: `crank`, `pivot_d.x`, ...
+    pub(super) fn scalar_fields(&self) -> Vec<TokenStream> {
+        self.parameters
+            .iter()
+            .flat_map(Parameter::scalar_fields)
+            .collect()
+    }
+
+    /// The name of the mechanism as a string.
+    pub(super) fn title(&self) -> String {
+        plain(self.name)
+    }
+
+    /// `[Plus, Minus, ...]`: the assembly modes that the start estimates choose.
+    pub(super) fn default_modes(&self) -> TokenStream {
+        let runtime = &self.runtime;
+        let modes = self.modes.iter().map(|plus| match plus {
+            true => quote!(#runtime::AssemblyMode::Plus),
+            false => quote!(#runtime::AssemblyMode::Minus),
+        });
+        quote!([#(#modes),*])
+    }
+}
+
+impl Parameter<'_> {
+    pub(super) fn scalar_fields(&self) -> Vec<TokenStream> {
+        let name = self.name;
+        match self.shape {
+            Shape::Vector(n) => ["x", "y", "z"][..n.min(3)]
+                .iter()
+                .map(|component| {
+                    let component = format_ident!("{component}");
+                    quote!(#name.#component)
+                })
+                .collect(),
+            _ => vec![quote!(#name)],
+        }
+    }
+}
+
+impl Function<'_> {
+    /// How many scalars the result holds.
+    pub(super) fn width(&self) -> usize {
+        self.fields.iter().map(|field| field.shape.width()).sum()
+    }
+}
+
+/// A name without the `r#` of a raw identifier.
+pub(super) fn plain(name: &Ident) -> String {
+    let text = name.to_string();
+    text.strip_prefix("r#").map(str::to_owned).unwrap_or(text)
+}
+
+pub(super) fn params(def: &MechanismDef) -> impl Iterator<Item = &ParamItem> {
+    def.items.iter().filter_map(|item| match item {
+        Item::Param(param) => Some(param),
+        _ => None,
+    })
+}
+
+pub(super) fn inputs(def: &MechanismDef) -> impl Iterator<Item = &Ident> {
+    def.items.iter().filter_map(|item| match item {
+        Item::Input(input) => Some(&input.name),
+        _ => None,
+    })
+}
+
+/// A function with its fields still to come.
+pub(super) fn function<'a>(def: &'a FunctionDef, fields: Vec<Field<'a>>) -> Function<'a> {
+    Function {
+        attributes: &def.attributes,
+        visibility: &def.visibility,
+        name: &def.name,
+        result: &def.result,
+        columns: format_ident!("{}Columns", def.result),
+        kernel: format_ident!("__evaluate_{}", def.name),
+        arguments: def.inputs.iter().collect(),
+        fields,
+        notes: String::new(),
+    }
+}
+
+pub(super) fn field<'a>(quantity: &'a QuantityDef, shape: Shape, unit: String) -> Field<'a> {
+    Field {
+        name: &quantity.field,
+        attributes: &quantity.attributes,
+        shape,
+        unit,
+    }
+}
+
+fn complete_parameter<'a>(
+    item: &'a ParamItem,
+    parameter: &model::Parameter,
+    mechanism: &Mechanism,
+    facts: &Facts,
+) -> Parameter<'a> {
+    let shape = of_type(&parameter.ty);
+    let first = parameter.first_scalar.0;
+    let components = (first..first + shape.width())
+        .map(|index| {
+            let scalar = &mechanism.scalar_parameters[index];
+            Component {
+                name: scalar.name.clone(),
+                unit: docs::unit_word(scalar.dimension, mechanism.unit),
+                nominal: facts.nominal[index],
+                tolerance: facts.tolerance[index],
+            }
+        })
+        .collect();
+    Parameter {
+        name: &item.name,
+        attributes: &item.attributes,
+        shape,
+        components,
+    }
+}
+
+fn complete_function<'a>(
+    def: &'a FunctionDef,
+    evaluator: &Evaluator,
+    inputs: &[Input],
+) -> Function<'a> {
+    let fields = def
+        .quantities
+        .iter()
+        .zip(&evaluator.fields)
+        .map(|(quantity, lowered)| field(quantity, lowered.shape.clone(), lowered.unit.clone()))
+        .collect();
+    let arguments: Vec<String> = def
+        .inputs
+        .iter()
+        .filter_map(|name| inputs.iter().find(|input| input.name == name))
+        .map(|input| format!("`{}`{}", plain(input.name), docs::in_unit(&input.unit)))
+        .collect();
+    let mut notes = String::new();
+    if !arguments.is_empty() {
+        notes = format!("Takes {}.\n\n", arguments.join("; "));
+    }
+    let count = Count::of(&evaluator.program).words();
+    notes.push_str("A quantity that depends on something which cannot be assembled is NaN.\n\n");
+    notes.push_str(&format!("Operations: {count}."));
+    Function {
+        notes,
+        ..function(def, fields)
+    }
+}

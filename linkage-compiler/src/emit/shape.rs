@@ -1,0 +1,61 @@
+//! Types and values of fields from their shapes.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::literal;
+use super::outline::Outline;
+use crate::lower::Shape;
+use crate::model::Type;
+
+impl Outline<'_> {
+    /// The Rust type of a field over the scalar type `scalar`.
+    pub(super) fn field_type(&self, shape: &Shape, scalar: &TokenStream) -> TokenStream {
+        let runtime = &self.runtime;
+        match shape {
+            Shape::Scalar => scalar.clone(),
+            Shape::Vector(2) => quote!(#runtime::Vector2<#scalar>),
+            Shape::Vector(_) => quote!(#runtime::Vector3<#scalar>),
+            Shape::Array(n, entry) => {
+                let entry = self.field_type(entry, scalar);
+                let n = literal::index(*n);
+                quote!([#entry; #n])
+            }
+        }
+    }
+
+    /// The value of a field from its scalars in order.
+    pub(super) fn field_value(
+        &self,
+        shape: &Shape,
+        scalars: &mut dyn Iterator<Item = TokenStream>,
+    ) -> TokenStream {
+        let runtime = &self.runtime;
+        match shape {
+            Shape::Scalar => scalars.next().unwrap_or_default(),
+            Shape::Vector(n) => {
+                let components: Vec<_> = scalars.take(*n).collect();
+                match n {
+                    2 => quote!(#runtime::Vector2::new(#(#components),*)),
+                    _ => quote!(#runtime::Vector3::new(#(#components),*)),
+                }
+            }
+            Shape::Array(n, entry) => {
+                let entries: Vec<_> = (0..*n).map(|_| self.field_value(entry, scalars)).collect();
+                quote!([#(#entries),*])
+            }
+        }
+    }
+}
+
+/// The shape of a checked type; a type spoilt by a mistake counts as a scalar.
+pub(super) fn of_type(ty: &Type) -> Shape {
+    match ty {
+        Type::Vector(n, _) | Type::Zero(n) if *n > 1 => Shape::Vector(*n),
+        Type::Array(entries) => {
+            let entry = entries.first().map_or(Shape::Scalar, of_type);
+            Shape::Array(entries.len(), Box::new(entry))
+        }
+        _ => Shape::Scalar,
+    }
+}

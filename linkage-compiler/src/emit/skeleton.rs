@@ -1,0 +1,133 @@
+//! The items of a mechanism that has mistakes: names and types as far as they can be known, panicking bodies. So that
+//! code which uses the mechanism still has its types, and editors their completions, while the mistake is repaired.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
+
+use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
+use super::shape::of_type;
+use super::{assembly, columns, evaluator, guess::Guess, mechanism, structure};
+use crate::lower::Shape;
+use crate::model::Mechanism;
+use crate::syntax::{FunctionDef, MechanismDef};
+
+/// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
+pub fn skeleton(
+    krate: &TokenStream,
+    def: &MechanismDef,
+    mechanism: Option<&Mechanism>,
+) -> TokenStream {
+    let outline = sketch(krate, def, mechanism);
+    let mut items = mechanism::items(&outline);
+    items.extend(mechanism::constants(&outline, &structure::empty(&outline)));
+    items.extend(assembly::items(&outline));
+    for function in &outline.functions {
+        items.extend(evaluator::items(&outline, function));
+        items.extend(columns::items(&outline, function));
+    }
+    items
+}
+
+fn sketch<'a>(
+    krate: &TokenStream,
+    def: &'a MechanismDef,
+    mechanism: Option<&Mechanism>,
+) -> Outline<'a> {
+    let guess = Guess::new(def);
+    let mut seen = Seen::default();
+    let parameters = params(def)
+        .filter(|param| seen.first(&param.name))
+        .map(|param| {
+            let known = mechanism.and_then(|m| m.parameters.iter().find(|p| param.name == p.name));
+            let shape = known.map_or_else(|| guess.parameter(param), |p| of_type(&p.ty));
+            let components = components(&param.name, &shape);
+            Parameter {
+                name: &param.name,
+                attributes: &param.attributes,
+                shape,
+                components,
+            }
+        })
+        .collect();
+    let mut seen = Seen::default();
+    let inputs = outline::inputs(def)
+        .filter(|name| seen.first(name))
+        .map(|name| Input {
+            name,
+            unit: String::new(),
+            reference: 0.0,
+        })
+        .collect();
+    let (mut names, mut results) = (Seen::default(), Seen::default());
+    let functions = def
+        .functions
+        .iter()
+        .filter(|function| names.first(&function.name) && results.first(&function.result))
+        .map(|function| sketch_function(function, &guess, mechanism))
+        .collect();
+    Outline {
+        parameters,
+        inputs,
+        functions,
+        ..Outline::empty(krate, def)
+    }
+}
+
+fn sketch_function<'a>(
+    def: &'a FunctionDef,
+    guess: &Guess,
+    mechanism: Option<&Mechanism>,
+) -> Function<'a> {
+    let known = mechanism.and_then(|m| m.evaluators.iter().find(|e| def.name == e.name));
+    let mut seen = Seen::default();
+    let fields: Vec<Field> = def
+        .quantities
+        .iter()
+        .filter(|quantity| seen.first(&quantity.field))
+        .map(|quantity| {
+            let known = known.and_then(|e| e.quantities.iter().find(|q| quantity.field == q.field));
+            let shape = known.map_or_else(
+                || guess.shape(&quantity.value, def.inputs.len()),
+                |q| of_type(&q.value.ty),
+            );
+            outline::field(quantity, shape, String::new())
+        })
+        .collect();
+    let mut seen = Seen::default();
+    let arguments = def.inputs.iter().filter(|name| seen.first(name)).collect();
+    Function {
+        arguments,
+        ..outline::function(def, fields)
+    }
+}
+
+/// Names met so far: the second of two items with one name is left out.
+#[derive(Default)]
+struct Seen(BTreeSet<String>);
+
+impl Seen {
+    fn first(&mut self, name: &Ident) -> bool {
+        self.0.insert(plain(name))
+    }
+}
+
+fn components(name: &Ident, shape: &Shape) -> Vec<Component> {
+    let name = plain(name);
+    let names = match shape {
+        Shape::Vector(n) => ["x", "y", "z"][..(*n).min(3)]
+            .iter()
+            .map(|c| format!("{name}.{c}"))
+            .collect(),
+        _ => vec![name],
+    };
+    names
+        .into_iter()
+        .map(|name| Component {
+            name,
+            unit: "1".to_owned(),
+            nominal: 0.0,
+            tolerance: 0.0,
+        })
+        .collect()
+}

@@ -1,0 +1,180 @@
+//! Emission of a mechanism written by hand, read back as Rust.
+
+mod programs;
+mod sample;
+
+use linkage_symbolic::program::{Instruction, Program, Source, Unary, Value};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use self::sample::{Sample, derive, slider_crank};
+use super::count::Count;
+use super::{attribute, body, emit, literal, skeleton};
+
+fn pretty(tokens: TokenStream) -> String {
+    let file: syn::File = syn::parse2(tokens).expect("generated items are Rust");
+    prettyplease::unparse(&file)
+}
+
+fn emitted(sample: &Sample) -> String {
+    let Sample {
+        def,
+        mechanism,
+        facts,
+        lowered,
+    } = sample;
+    pretty(emit(&quote!(::linkage), def, mechanism, facts, lowered))
+}
+
+#[track_caller]
+fn assert_contains(text: &str, pieces: &[&str]) {
+    for piece in pieces {
+        assert!(text.contains(piece), "`{piece}` is missing in\n{text}");
+    }
+}
+
+#[test]
+fn the_surface_is_complete() {
+    assert_contains(
+        &emitted(&slider_crank()),
+        &[
+            "pub struct SliderCrank<T = ::core::primitive::f64> {",
+            "pub pivot: ::linkage::__private::Vector2<T>,",
+            "::linkage::__private::Vector2::new(1.0f64, (-2.0f64)),",
+            "/// Length of the crank.\n    ///\n    /// In mm; default 10.\n    pub crank: T,",
+            "/// `pivot`, in mm; default (1, -2), tolerance (0.5, 0).",
+            "pub const INDEX_PIVOT_Y: ::core::primitive::usize = 1;",
+            "name: \"pivot.x\",",
+            "kind: \"RRP\",",
+            "pub struct Turning<T = ::core::primitive::f64> {",
+            "pub v: [::linkage::__private::Vector2<T>; 2],",
+            "pub fn path(&self, phi: T) -> Path<T> {",
+            "pub fn fixed(&self) -> Fixed<T> {",
+        ],
+    );
+}
+
+#[test]
+fn equal_input_gives_equal_output() {
+    assert_eq!(emitted(&slider_crank()), emitted(&slider_crank()));
+}
+
+#[test]
+fn an_argument_may_be_called_columns() {
+    let Sample {
+        mut def,
+        mechanism,
+        facts,
+        lowered,
+    } = slider_crank();
+    def.functions[0].inputs = vec![quote::format_ident!("columns")];
+    let text = emit(&quote!(::linkage), &def, &mechanism, &facts, &lowered).to_string();
+    let arguments = quote!((&self, columns: &[T], __columns: &mut PathColumns<T>));
+    assert_contains(&text, &[&arguments.to_string()]);
+}
+
+#[test]
+fn index_names_stay_distinct() {
+    let text = emitted(&slider_crank());
+    assert_contains(
+        &text,
+        &["pub const INDEX_CRANK: ", "pub const INDEX_Crank: "],
+    );
+}
+
+#[test]
+fn a_user_function_takes_the_name_of_an_accessor() {
+    let text = emitted(&slider_crank());
+    assert_eq!(text.matches("pub fn modes(").count(), 1, "{text}");
+    assert_contains(&text, &["pub const fn mechanism("]);
+}
+
+#[test]
+fn sine_and_cosine_share_a_call() {
+    let sine = Instruction::Unary(Unary::Sin, Value(0));
+    let cosine = Instruction::Unary(Unary::Cos, Value(0));
+    let input = Instruction::Load(Source::Input(0));
+    let printed = |instructions: Vec<Instruction>| {
+        let program = Program {
+            instructions,
+            outputs: vec![],
+        };
+        assert_eq!(Count::of(&program).sin_cos, 1);
+        body::statements(&program, &|_| quote!(x)).to_string()
+    };
+    let both = quote!(let __v0 = x; let (__v2, __v1) = T::sin_cos(__v0););
+    assert_eq!(printed(vec![input, cosine, sine]), both.to_string());
+    let one = quote!(let __v0 = x; let (_, __v1) = T::sin_cos(__v0););
+    assert_eq!(printed(vec![input, cosine]), one.to_string());
+    let twice = quote!(let __v0 = x; let (__v1, _) = T::sin_cos(__v0); let __v2 = __v1;);
+    assert_eq!(printed(vec![input, sine, sine]), twice.to_string());
+}
+
+#[test]
+fn literals_read_back_the_same() {
+    for x in [
+        0.0,
+        1.5,
+        0.1,
+        1e300,
+        5e-324,
+        f64::MAX,
+        1e16,
+        1e-7,
+        f64::EPSILON,
+    ] {
+        let text = literal::float(x).to_string();
+        let digits = text.strip_suffix("f64").expect("suffixed");
+        assert_eq!(digits.parse::<f64>(), Ok(x), "{text}");
+        assert!(text.len() < 30, "{text}");
+    }
+    assert_eq!(
+        literal::float(-1.5).to_string(),
+        quote!((-1.5f64)).to_string()
+    );
+    assert_eq!(
+        literal::float(-0.0).to_string(),
+        quote!((-0.0f64)).to_string()
+    );
+    assert!(literal::float(f64::NAN).to_string().ends_with("NAN"));
+}
+
+#[test]
+fn derives_of_the_user_are_not_repeated() {
+    let user = [
+        derive(quote!(std::clone::Clone, serde::Serialize)),
+        derive(quote!(Copy,)),
+    ];
+    let derives = attribute::derives(&user).to_string();
+    let rest = quote!(#[derive(::core::fmt::Debug, ::core::cmp::PartialEq)]);
+    assert_eq!(derives, rest.to_string());
+}
+
+#[test]
+fn the_skeleton_has_the_same_items() {
+    let Sample { def, mechanism, .. } = slider_crank();
+    let guessed = pretty(skeleton(&quote!(::linkage), &def, None));
+    assert_contains(
+        &guessed,
+        &[
+            "pub pivot: ::linkage::__private::Vector2<T>,",
+            "pub crank: T,",
+            "pub a: ::linkage::__private::Vector2<T>,",
+            "pub s: T,",
+            "pub fn path(&self, phi: T) -> Path<T> {\n        ::core::unimplemented!",
+        ],
+    );
+    let known = pretty(skeleton(&quote!(::linkage), &def, Some(&mechanism)));
+    assert_contains(&known, &["pub pivot: ::linkage::__private::Vector2<T>,"]);
+}
+
+#[test]
+fn the_skeleton_leaves_out_second_items_of_one_name() {
+    let mut sample = slider_crank();
+    let double = slider_crank().def;
+    sample.def.items.extend(double.items);
+    sample.def.functions.extend(double.functions);
+    let text = pretty(skeleton(&quote!(::linkage), &sample.def, None));
+    assert_eq!(text.matches("pub crank: T").count(), 1, "{text}");
+    assert_eq!(text.matches("pub fn path(").count(), 1, "{text}");
+}

@@ -1,0 +1,177 @@
+//! The programs of the slider-crank.
+
+use linkage_symbolic::program::{Binary, Instruction, Program, Source, Ternary, Unary, Value};
+
+use crate::lower::{ContinuousAngle, Evaluator, Field, Lowered, Shape};
+
+/// Appends instructions.
+#[derive(Default)]
+struct Builder(Program);
+
+impl Builder {
+    fn push(&mut self, instruction: Instruction) -> Value {
+        self.0.instructions.push(instruction);
+        Value(self.0.instructions.len() - 1)
+    }
+
+    fn load(&mut self, source: Source) -> Value {
+        self.push(Instruction::Load(source))
+    }
+
+    fn unary(&mut self, operation: Unary, x: Value) -> Value {
+        self.push(Instruction::Unary(operation, x))
+    }
+
+    fn binary(&mut self, operation: Binary, a: Value, b: Value) -> Value {
+        self.push(Instruction::Binary(operation, a, b))
+    }
+
+    fn finish(mut self, outputs: Vec<Value>) -> Program {
+        self.0.outputs = outputs;
+        self.0
+    }
+
+    /// The crank pin.
+    fn pin(&mut self) -> [Value; 2] {
+        let phi = self.load(Source::Input(0));
+        let crank = self.load(Source::Parameter(2));
+        let cosine = self.unary(Unary::Cos, phi);
+        let sine = self.unary(Unary::Sin, phi);
+        [(cosine, 0), (sine, 1)].map(|(direction, component)| {
+            let pivot = self.load(Source::Parameter(component));
+            let along = self.binary(Binary::Mul, crank, direction);
+            self.binary(Binary::Add, pivot, along)
+        })
+    }
+
+    /// From the pin to the slider, along x.
+    fn reach(&mut self, pin_y: Value) -> Value {
+        let rod2 = self.load(Source::Prepared(0));
+        let mode = self.load(Source::Prepared(1));
+        let square = self.binary(Binary::Mul, pin_y, pin_y);
+        let rest = self.binary(Binary::Sub, rod2, square);
+        let root = self.binary(Binary::Root, rest, rod2);
+        self.binary(Binary::Mul, mode, root)
+    }
+
+    fn directions(&mut self) -> Vec<Value> {
+        let [_, y] = self.pin();
+        let dx = self.reach(y);
+        let down = self.unary(Unary::Neg, y);
+        vec![dx, down, Value(2), Value(3)]
+    }
+}
+
+fn prepare() -> Program {
+    let mut builder = Builder::default();
+    let rod = builder.load(Source::Parameter(3));
+    let mut outputs = vec![builder.binary(Binary::Mul, rod, rod)];
+    outputs.push(builder.load(Source::Mode(0)));
+    for angle in 0..2 {
+        outputs.push(builder.load(Source::Centre(angle)));
+        outputs.push(builder.load(Source::Winding(angle, 0)));
+    }
+    builder.finish(outputs)
+}
+
+fn gaps() -> Program {
+    let mut builder = Builder::default();
+    let [_, y] = builder.pin();
+    let height = builder.unary(Unary::Abs, y);
+    let rod = builder.load(Source::Parameter(3));
+    let gap = builder.binary(Binary::Sub, height, rod);
+    builder.finish(vec![gap])
+}
+
+fn angles() -> Program {
+    let mut builder = Builder::default();
+    let outputs = builder.directions();
+    builder.finish(outputs)
+}
+
+fn path() -> Program {
+    let mut builder = Builder::default();
+    let [x, y] = builder.pin();
+    let dx = builder.reach(y);
+    let s = builder.binary(Binary::Add, x, dx);
+    builder.finish(vec![x, y, s])
+}
+
+fn turning() -> Program {
+    let mut builder = Builder::default();
+    let directions = builder.directions();
+    let mut outputs: Vec<Value> = (0..2)
+        .map(|angle| {
+            let phi = Value(0);
+            let centre = builder.load(Source::Prepared(2 + 2 * angle));
+            let winding = builder.load(Source::Prepared(3 + 2 * angle));
+            let turned = builder.binary(Binary::Mul, winding, phi);
+            let guide = builder.binary(Binary::Add, centre, turned);
+            let (cosine, sine) = (directions[2 * angle], directions[2 * angle + 1]);
+            builder.push(Instruction::Ternary(
+                Ternary::AngleNear,
+                sine,
+                cosine,
+                guide,
+            ))
+        })
+        .collect();
+    let factor = builder.push(Instruction::Constant(-1.5));
+    for index in 0..4 {
+        let entry = outputs[index % 2];
+        outputs.push(builder.binary(Binary::Mul, entry, factor));
+    }
+    builder.finish(outputs)
+}
+
+/// Every program of the slider-crank.
+pub(crate) fn lowered() -> Lowered {
+    let field = |name: &str, shape: Shape, unit: &str| Field {
+        name: name.to_owned(),
+        shape,
+        unit: unit.to_owned(),
+    };
+    let mut fixed = Builder::default();
+    let rod2 = fixed.load(Source::Prepared(0));
+    Lowered {
+        prepare: prepare(),
+        gaps: gaps(),
+        angles: angles(),
+        continuous_angles: vec![
+            ContinuousAngle {
+                unknown: 0,
+                inputs: vec![0],
+                estimate: 0.0,
+            },
+            ContinuousAngle {
+                unknown: 1,
+                inputs: vec![0],
+                estimate: 0.5,
+            },
+        ],
+        evaluators: vec![
+            Evaluator {
+                index: 0,
+                program: path(),
+                fields: vec![
+                    field("a", Shape::Vector(2), "mm"),
+                    field("s", Shape::Scalar, "mm"),
+                ],
+            },
+            Evaluator {
+                index: 1,
+                program: turning(),
+                fields: vec![
+                    field("len", Shape::Scalar, "rad"),
+                    field("wheel", Shape::Scalar, "rad"),
+                    field("v", Shape::Array(2, Box::new(Shape::Vector(2))), "1"),
+                ],
+            },
+            Evaluator {
+                index: 2,
+                program: fixed.finish(vec![rod2]),
+                fields: vec![field("rod2", Shape::Scalar, "mm^2")],
+            },
+        ],
+    }
+}

@@ -1,0 +1,123 @@
+//! How the continuous angles of one lane are followed through the ranges of the inputs.
+
+use std::f64::consts::PI;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::assembly::Types;
+use super::body;
+use super::facts::Facts;
+use super::load::loader;
+use super::outline::Outline;
+use super::{attribute, literal};
+use crate::lower::{ContinuousAngle, Lowered};
+use crate::model::Mechanism;
+
+/// `__wind` and the program of the directions; nothing for a mechanism without continuous angles.
+pub(super) fn items(
+    outline: &Outline,
+    mechanism: &Mechanism,
+    facts: &Facts,
+    lowered: &Lowered,
+) -> TokenStream {
+    if lowered.continuous_angles.is_empty() {
+        return TokenStream::new();
+    }
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let Types {
+        modes,
+        inputs,
+        prepared,
+        ..
+    } = Types::new(outline, facts, lowered);
+    let angle_count = literal::index(lowered.continuous_angles.len());
+    let input_count = literal::index(facts.inputs.len());
+    let table = lowered
+        .continuous_angles
+        .iter()
+        .map(|a| search(outline, mechanism, facts, a));
+    let references = facts
+        .inputs
+        .iter()
+        .map(|input| literal::float(input.reference));
+    let directions = directions(outline, facts, lowered);
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        impl #assembly<::core::primitive::f64> {
+            fn __wind(
+                __m: &#name<::core::primitive::f64>,
+                __modes: &#modes,
+                __at: [::core::primitive::f64; #input_count],
+            ) -> ::core::result::Result<
+                #runtime::Turns<::core::primitive::f64, #angle_count, #input_count>,
+                &'static ::core::primitive::str,
+            > {
+                #runtime::wind(&[#(#table),*], [#(#references),*], __at, |__turns| {
+                    let __prepared = Self::__prepare(__m, __modes, __turns);
+                    move |__x| Self::__directions(__m, __modes, &__prepared, __x)
+                })
+            }
+        }
+        #allow
+        impl<T: #runtime::Scalar> #assembly<T> {
+            fn __directions(
+                __m: &#name<T>,
+                __modes: &#modes,
+                __prepared: &#prepared,
+                __x: #inputs,
+            ) -> [[T; 2]; #angle_count] { #directions }
+        }
+    }
+}
+
+/// The runtime's `Angle`: which angle, and along which inputs it is followed.
+fn search(
+    outline: &Outline,
+    mechanism: &Mechanism,
+    facts: &Facts,
+    angle: &ContinuousAngle,
+) -> TokenStream {
+    let runtime = &outline.runtime;
+    let unknown = &mechanism.unknowns[angle.unknown].name;
+    let estimate = literal::float(angle.estimate);
+    let along = angle.inputs.iter().map(|&input| {
+        let (low, high) = span(mechanism, facts, input);
+        let (low, high) = (literal::float(low), literal::float(high));
+        let rates = facts.inputs[input]
+            .rates
+            .iter()
+            .map(|rate| literal::float(*rate));
+        let input = literal::index(input);
+        quote!(#runtime::Along { input: #input, low: #low, high: #high, rates: &[#(#rates),*] })
+    });
+    quote!(#runtime::Angle { unknown: #unknown, estimate: #estimate, along: &[#(#along),*] })
+}
+
+/// The range of an input; without one, a whole turn about the reference for an angle, only the reference for a length.
+fn span(mechanism: &Mechanism, facts: &Facts, input: usize) -> (f64, f64) {
+    let reference = facts.inputs[input].reference;
+    facts.inputs[input]
+        .range
+        .unwrap_or(match mechanism.inputs[input].dimension.half_lengths {
+            0 => (reference - PI, reference + PI),
+            _ => (reference, reference),
+        })
+}
+
+/// The program of the directions, ending in `[[cosine, sine], ...]`.
+fn directions(outline: &Outline, facts: &Facts, lowered: &Lowered) -> TokenStream {
+    let inputs: Vec<usize> = (0..facts.inputs.len()).collect();
+    let statements = body::statements(&lowered.angles, &loader(outline, &inputs));
+    let pairs = lowered.angles.outputs.chunks(2).map(|pair| {
+        let names = pair.iter().map(|value| body::name(*value));
+        quote!([#(#names),*])
+    });
+    quote!(#statements [#(#pairs),*])
+}

@@ -1,0 +1,60 @@
+//! What emission prints beside the programs.
+
+use crate::algebra::{Algebra, Nominal};
+use crate::emit::facts::{Facts, GroupFacts, InputFacts};
+use crate::formulate::{Formulation, Reference, Solved, candidate_rates};
+use crate::model::Type;
+
+pub(crate) fn collect(
+    algebra: &Algebra,
+    formulation: &Formulation,
+    nominal: &Nominal,
+    reference: &Reference,
+) -> Facts {
+    let inputs = (0..nominal.inputs.len()).map(|input| InputFacts {
+        reference: nominal.inputs[input],
+        range: nominal.ranges[input],
+        rates: candidate_rates(algebra, input),
+    });
+    Facts {
+        nominal: nominal.parameters.clone(),
+        tolerance: nominal.tolerances.clone(),
+        inputs: inputs.collect(),
+        groups: formulation
+            .groups
+            .iter()
+            .map(|g| group_facts(algebra, g, reference))
+            .collect(),
+        mobility: formulation.mobility,
+    }
+}
+
+fn group_facts(algebra: &Algebra, solved: &Solved, reference: &Reference) -> GroupFacts {
+    let mechanism = algebra.mechanism;
+    let unknown = |&k: &usize| mechanism.unknowns[k].name.clone();
+    let length = solved
+        .group
+        .loops
+        .iter()
+        .all(|&k| match mechanism.loops[k].left.ty {
+            Type::Scalar(dimension) => dimension.half_lengths == 2,
+            _ => true,
+        });
+    GroupFacts {
+        class: solved.closed.class,
+        order: solved.closed.order,
+        kind: solved.closed.kind,
+        loops: solved.group.loops.iter().map(|k| k + 1).collect(),
+        unknowns: solved.group.unknowns.iter().map(unknown).collect(),
+        mode: solved.mode,
+        plus: solved
+            .mode
+            .is_none_or(|mode| reference.machine.modes[mode] > 0.0),
+        method: solved.closed.method,
+        gap_unit: if length && solved.closed.gap_is_length {
+            mechanism.unit.name().to_owned()
+        } else {
+            "1".to_owned()
+        },
+    }
+}

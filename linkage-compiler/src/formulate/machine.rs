@@ -1,0 +1,149 @@
+//! The mechanism on numbers: one program for all groups, run by the interpreter at compile time.
+
+use std::collections::HashMap;
+
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::interpret::run_steps;
+use linkage_symbolic::program::{Program, Source, Value};
+use linkage_symbolic::schedule::schedule_stages;
+use linkage_symbolic::{Graph, NodeId};
+
+use crate::algebra::{Algebra, Bound, Nominal};
+
+use super::Formulation;
+
+/// Where a group's numbers stand among the program's outputs.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Stage {
+    /// Unknowns that are compared with their estimates here: (unknown, first output).
+    pub(crate) unknowns: Vec<(usize, usize)>,
+    pub(crate) gap: usize,
+    pub(crate) slack: usize,
+    pub(crate) margin: usize,
+    /// Instructions up to here compute this group and those before.
+    pub(crate) end: usize,
+}
+
+/// The program with its data.
+#[derive(Clone, Debug)]
+pub(crate) struct Machine {
+    program: Program,
+    pub(crate) stages: Vec<Stage>,
+    pub(crate) parameters: Vec<f64>,
+    pub(crate) modes: Vec<f64>,
+    pub(crate) centres: HashMap<usize, f64>,
+    pub(crate) windings: HashMap<(usize, usize), f64>,
+    /// Angles whose values the groups themselves use, and their outputs (cosine; the sine follows).
+    pub(crate) valued: Vec<(usize, usize)>,
+}
+
+impl Machine {
+    pub(crate) fn new(algebra: &Algebra, formulation: &Formulation, nominal: &Nominal) -> Self {
+        let mut inliner = Inliner::default();
+        let mut lists: Vec<Vec<NodeId>> = Vec::new();
+        let mut stages = Vec::new();
+        let mut next = 0;
+        for (index, solved) in formulation.groups.iter().enumerate() {
+            let mut stage = Stage::default();
+            let mut nodes = Vec::new();
+            for &unknown in &solved.group.unknowns {
+                if formulation.last_group_with(unknown) != Some(index) {
+                    continue;
+                }
+                stage.unknowns.push((unknown, next + nodes.len()));
+                nodes.extend(unknown_nodes(algebra, unknown));
+            }
+            stage.gap = next + nodes.len();
+            stage.slack = stage.gap + 1;
+            stage.margin = stage.gap + 2;
+            nodes.extend([solved.closed.gap, solved.closed.slack, solved.closed.margin]);
+            next += nodes.len();
+            lists.push(
+                nodes
+                    .iter()
+                    .map(|&node| inliner.copy(&algebra.graph, node))
+                    .collect(),
+            );
+            stages.push(stage);
+        }
+        let mut machine = Self {
+            program: Program::default(),
+            stages,
+            parameters: nominal.parameters.clone(),
+            modes: vec![1.0; formulation.modes()],
+            centres: HashMap::new(),
+            windings: HashMap::new(),
+            valued: Vec::new(),
+        };
+        let mut units = Vec::new();
+        let valued = valued_angles(&inliner.target, &lists.concat());
+        for angle in formulation.in_order(algebra, valued) {
+            machine.valued.push((angle, next + units.len()));
+            let symbols = &algebra.angles[angle];
+            units.extend([symbols.cos_node, symbols.sin_node]);
+        }
+        lists.push(
+            units
+                .iter()
+                .map(|&node| inliner.copy(&algebra.graph, node))
+                .collect(),
+        );
+        let (program, ends) = schedule_stages(&inliner.target, &lists);
+        machine.program = program;
+        for (stage, end) in machine.stages.iter_mut().zip(ends) {
+            stage.end = end;
+        }
+        machine
+    }
+
+    /// The values of the instructions `from..to` at given inputs; `values` holds those before.
+    pub(crate) fn advance(&self, values: &mut Vec<f64>, from: usize, to: usize, inputs: &[f64]) {
+        run_steps(&self.program, from, to, values, |source| match source {
+            Source::Parameter(index) => self.parameters[index],
+            Source::Input(index) => inputs[index],
+            Source::Mode(index) => self.modes[index],
+            Source::Centre(angle) => self.centres.get(&angle).copied().unwrap_or(f64::NAN),
+            Source::Winding(angle, input) => {
+                self.windings.get(&(angle, input)).copied().unwrap_or(0.0)
+            }
+            Source::Prepared(_) => f64::NAN,
+        });
+    }
+
+    /// All values at given inputs.
+    pub(crate) fn run(&self, values: &mut Vec<f64>, inputs: &[f64]) {
+        values.clear();
+        self.advance(values, 0, self.program.instructions.len(), inputs);
+    }
+
+    /// An output's value.
+    pub(crate) fn output(&self, values: &[f64], output: usize) -> f64 {
+        let Value(place) = self.program.outputs[output];
+        values[place]
+    }
+}
+
+/// The nodes of an unknown: cosine and sine of an angle, components of a length or point.
+pub(crate) fn unknown_nodes(algebra: &Algebra, unknown: usize) -> Vec<NodeId> {
+    match &algebra.bound[unknown] {
+        Bound::Angle(angle) => {
+            let angle = &algebra.angles[*angle];
+            vec![angle.cos_node, angle.sin_node]
+        }
+        Bound::Lengths(symbols) => symbols.iter().map(|(_, node)| *node).collect(),
+    }
+}
+
+/// The angles whose values nodes of a plain graph are computed from.
+pub(crate) fn valued_angles(graph: &Graph, nodes: &[NodeId]) -> Vec<usize> {
+    let mut angles: Vec<usize> = graph
+        .symbols_of(nodes)
+        .into_iter()
+        .filter_map(|symbol| match graph.symbol(symbol).source {
+            Some(Source::Centre(angle)) => Some(angle),
+            _ => None,
+        })
+        .collect();
+    angles.sort_unstable();
+    angles
+}

@@ -1,0 +1,244 @@
+//! Closing the loops at the reference input: the assembly mode of each group, chosen by the start estimates.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::algebra::{Algebra, Bound, Nominal};
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::structure::report::loop_list;
+
+use super::machine::{Machine, Stage};
+use super::words::Words;
+use super::{Formulation, Solved};
+
+/// Below this margin a position cannot be told from a dead point.
+const SINGULAR: f64 = 1e-6;
+
+/// Estimates whose distances to two modes differ by less than this share do not choose.
+const AMBIGUOUS: f64 = 0.01;
+
+/// The mechanism assembled at the reference input.
+#[derive(Debug)]
+pub(crate) struct Reference {
+    pub(crate) machine: Machine,
+    /// Signs that make the slack of groups with one solution positive.
+    pub(crate) signs: Vec<f64>,
+    /// True if all groups closed.
+    pub(crate) closed: bool,
+}
+
+/// Chooses the modes; what does not close, is singular or ambiguous is reported.
+pub(crate) fn assemble_reference(
+    algebra: &Algebra,
+    formulation: &Formulation,
+    nominal: &Nominal,
+    origins: &Origins,
+    diagnostics: &mut Diagnostics,
+) -> Reference {
+    let machine = Machine::new(algebra, formulation, nominal);
+    let longest = longest_link(algebra, nominal);
+    let mut assembly = Assembly {
+        words: Words::new(algebra.mechanism),
+        algebra,
+        nominal,
+        origins,
+        diagnostics,
+        machine,
+        longest,
+        values: Vec::new(),
+    };
+    assembly.centre_estimates();
+    let mut signs = Vec::new();
+    let mut closed = true;
+    let mut start = 0;
+    for (index, solved) in formulation.groups.iter().enumerate() {
+        let stage = assembly.machine.stages[index].clone();
+        closed &= assembly.close(solved, &stage, start);
+        let slack = assembly.output(stage.slack);
+        signs.push(if slack < 0.0 { -1.0 } else { 1.0 });
+        start = stage.end;
+    }
+    Reference {
+        machine: assembly.machine,
+        signs,
+        closed,
+    }
+}
+
+struct Assembly<'a, 'm> {
+    algebra: &'a Algebra<'m>,
+    words: Words<'m>,
+    nominal: &'a Nominal,
+    origins: &'a Origins,
+    diagnostics: &'a mut Diagnostics,
+    machine: Machine,
+    longest: f64,
+    values: Vec<f64>,
+}
+
+/// One candidate solution of a group.
+struct Candidate {
+    sign: f64,
+    gap: f64,
+    margin: f64,
+    distance: f64,
+    /// The unknowns in words.
+    position: String,
+}
+
+impl Assembly<'_, '_> {
+    fn output(&self, output: usize) -> f64 {
+        self.machine.output(&self.values, output)
+    }
+
+    /// At the reference every angle is the one nearest to its estimate.
+    fn centre_estimates(&mut self) {
+        for (index, angle) in self.algebra.angles.iter().enumerate() {
+            let estimate = match (angle.unknown, angle.estimate) {
+                (Some(unknown), _) => self.nominal.estimates[unknown][0],
+                (None, estimate) => estimate.unwrap_or(0.0),
+            };
+            self.machine.centres.insert(index, estimate);
+        }
+    }
+
+    /// Closes one group; false if that was not possible.
+    fn close(&mut self, solved: &Solved, stage: &Stage, start: usize) -> bool {
+        let candidates: Vec<Candidate> = match solved.mode {
+            None => vec![self.candidate(solved, stage, start, 1.0)],
+            Some(_) => [1.0, -1.0]
+                .map(|sign| self.candidate(solved, stage, start, sign))
+                .into(),
+        };
+        let chosen = candidates
+            .iter()
+            .min_by(|a, b| a.distance.total_cmp(&b.distance))
+            .expect("there is a candidate");
+        let (gap, margin, sign) = (chosen.gap, chosen.margin, chosen.sign);
+        if solved.mode.is_some() {
+            self.advance(solved, stage, start, sign);
+        }
+        let span = self
+            .origins
+            .span(self.algebra.mechanism.loops[solved.group.loops[0]].origin);
+        let loops = loop_list(&solved.group.loops);
+        let unknowns = self.words.unknowns(&solved.group.unknowns);
+        let place = self.words.inputs(&self.nominal.inputs);
+        if gap.is_nan() && solved.closed.two_modes {
+            // A group before this one did not close and has been reported.
+            return false;
+        }
+        if gap > 0.0 {
+            let miss = self.words.gap(solved, gap);
+            self.diagnostics.error(
+                span,
+                format!(
+                    "{loops} ({unknowns}) cannot close at the reference input {place}: misses by {miss}\n\
+                     help: change a length, or give a reference input at which the links reach each other"
+                ),
+            );
+            return false;
+        }
+        if margin.is_nan() || margin < SINGULAR {
+            self.diagnostics.error(
+                span,
+                format!(
+                    "{loops} ({unknowns}) is singular at the reference input {place}: margin {margin:.1e}, a dead point\n\
+                     help: choose a reference input away from the dead point"
+                ),
+            );
+            return false;
+        }
+        if let [a, b] = &candidates[..] {
+            let larger = a.distance.max(b.distance);
+            if (a.distance - b.distance).abs() <= AMBIGUOUS * larger {
+                let message = format!(
+                    "the start estimates of {unknowns} lie equally near to two assembly modes of {loops} at {place}: \
+                     {} at distance {:.4}, {} at distance {:.4}\n\
+                     help: move the estimates towards the assembly that is meant",
+                    a.position, a.distance, b.position, b.distance
+                );
+                let unknown = solved.group.unknowns.first().copied();
+                let origin = unknown.map(|u| self.algebra.mechanism.unknowns[u].origin);
+                self.diagnostics
+                    .error(origin.map_or(span, |o| self.origins.span(o)), message);
+                return false;
+            }
+        }
+        true
+    }
+
+    fn advance(&mut self, solved: &Solved, stage: &Stage, start: usize, sign: f64) {
+        if let Some(mode) = solved.mode {
+            self.machine.modes[mode] = sign;
+        }
+        // The mode is loaded anew: loads of earlier groups' modes do not change.
+        let inputs = self.nominal.inputs.clone();
+        self.machine
+            .advance(&mut self.values, start, stage.end, &inputs);
+    }
+
+    fn candidate(&mut self, solved: &Solved, stage: &Stage, start: usize, sign: f64) -> Candidate {
+        self.advance(solved, stage, start, sign);
+        let mut square = 0.0;
+        let mut position = Vec::new();
+        for &(unknown, output) in &stage.unknowns {
+            let estimate = &self.nominal.estimates[unknown];
+            let value: Vec<f64> = match self.algebra.bound[unknown] {
+                Bound::Angle(_) => {
+                    let angle = self.output(output + 1).atan2(self.output(output));
+                    let turns = ((estimate[0] - angle) / TAU).round_ties_even();
+                    square += (angle + TAU * turns - estimate[0]).clamp(-PI, PI).powi(2);
+                    vec![angle + TAU * turns]
+                }
+                Bound::Lengths(_) => {
+                    let value: Vec<f64> = (0..estimate.len())
+                        .map(|k| self.output(output + k))
+                        .collect();
+                    let pairs = value.iter().zip(estimate);
+                    square += pairs
+                        .map(|(x, e)| ((x - e) / self.longest).powi(2))
+                        .sum::<f64>();
+                    value
+                }
+            };
+            position.push(self.words.unknown_value(unknown, &value));
+        }
+        let distance = square.sqrt();
+        Candidate {
+            sign,
+            gap: self.output(stage.gap),
+            margin: self.output(stage.margin),
+            distance: if distance.is_nan() {
+                f64::INFINITY
+            } else {
+                distance
+            },
+            position: position.join(", "),
+        }
+    }
+}
+
+/// The unit in which lengths are compared with angles.
+fn longest_link(algebra: &Algebra, nominal: &Nominal) -> f64 {
+    let parameters = algebra
+        .mechanism
+        .scalar_parameters
+        .iter()
+        .zip(&nominal.parameters);
+    let lengths = parameters
+        .filter(|(p, _)| p.dimension.half_lengths == 2)
+        .map(|(_, x)| x.abs());
+    let slides = nominal
+        .estimates
+        .iter()
+        .filter(|e| e.len() > 1)
+        .flatten()
+        .map(|x| x.abs());
+    let longest = lengths.fold(0.0, f64::max);
+    let longest = if longest > 0.0 {
+        longest
+    } else {
+        slides.fold(0.0, f64::max)
+    };
+    if longest > 0.0 { longest } else { 1.0 }
+}

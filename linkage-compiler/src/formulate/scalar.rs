@@ -1,0 +1,86 @@
+//! Scalar loops that need no root: linear equations and angle relations.
+
+use linkage_symbolic::program::Binary;
+use linkage_symbolic::{NodeId, SymbolId};
+
+use crate::algebra::{Rule, Scalar, Solution, Term};
+
+use super::{Closed, Solver};
+
+impl Solver<'_, '_> {
+    /// `a x + b = 0`
+    pub(super) fn linear(&mut self, symbol: SymbolId, a: NodeId, b: NodeId) -> Closed {
+        let graph = &mut self.algebra.graph;
+        let quotient = graph.div(b, a);
+        let value = graph.neg(quotient);
+        self.define_length(symbol, value, 0);
+        let x = self.algebra.graph.symbol_node(symbol);
+        let terms = vec![
+            Term {
+                coefficient: vec![a],
+                factor: x,
+            },
+            self.known_term(&[b]),
+        ];
+        self.push_solution(Solution {
+            terms,
+            jacobian: vec![vec![a]],
+            determinant: a,
+        });
+
+        // The factor's largest value is not known; a direction's component reaches 1.
+        let one = self.algebra.graph.one();
+        let (margin, slack) = if self.algebra.is_fixed(a) {
+            (one, one)
+        } else {
+            let size = self.abs(a);
+            (self.algebra.graph.binary(Binary::Min, size, one), a)
+        };
+        Closed {
+            kind: "linear",
+            class: 0,
+            order: 0,
+            method: "linear equation",
+            two_modes: false,
+            margin,
+            slack,
+            gap: self.linear_gap(a),
+            gap_is_length: true,
+        }
+    }
+
+    /// An angle given by others.
+    pub(super) fn relation(&mut self, angle: usize, value: &Scalar) -> Closed {
+        let [cos, sin] = self.algebra.direction(value);
+        let node = self.algebra.node(value);
+        let symbols = self.algebra.angles[angle].clone();
+        for (symbol, value) in [
+            (symbols.cos, cos),
+            (symbols.sin, sin),
+            (symbols.value, node),
+        ] {
+            self.algebra.graph.define(symbol, value);
+            self.algebra.rules.insert(symbol, Rule::Follow(value));
+            self.defined.push(symbol);
+        }
+        let zero = self.algebra.graph.zero();
+        let one = self.algebra.graph.one();
+        let solution = Solution {
+            terms: Vec::new(),
+            jacobian: vec![vec![one]],
+            determinant: one,
+        };
+        self.push_solution(solution);
+        Closed {
+            kind: "angle relation",
+            class: 0,
+            order: 0,
+            method: "sum of angles",
+            two_modes: false,
+            margin: one,
+            slack: one,
+            gap: zero,
+            gap_is_length: false,
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! A scalar loop with one unknown angle.
+
+use linkage_symbolic::NodeId;
+
+use crate::algebra::{Solution, Term};
+
+use super::{Closed, Solver};
+
+impl Solver<'_, '_> {
+    /// `A cos + B sin = C`: with `R = sqrt(A^2 + B^2)` and `h = sqrt((R - C)(R + C))` the unit vector is
+    /// `(A C - w B h, B C + w A h) / R^2`.
+    pub(super) fn trigonometric(
+        &mut self,
+        angle: usize,
+        a: NodeId,
+        b: NodeId,
+        known: NodeId,
+    ) -> Closed {
+        let w = self.mode_sign();
+        let c = self.algebra.graph.neg(known);
+        let r = self.algebra.length(&[a, b]);
+        let q = self.difference_of_squares(r, c);
+        let r2 = self.square([a, b]);
+        let h = self.root(q, r2);
+        let graph = &mut self.algebra.graph;
+        let hw = graph.mul(w, h);
+        let [along, across] = [c, hw].map(|x| graph.div(x, r2));
+        let turned = self.perp([a, b]);
+        let unit = self.combine(along, [a, b], across, turned);
+        self.define_angle(angle, 1.0, unit, 0);
+
+        let symbols = self.algebra.angles[angle].clone();
+        let (cos, sin) = (symbols.cos_node, symbols.sin_node);
+        let slope = self.algebra.cross([cos, sin], [a, b]);
+        let graph = &mut self.algebra.graph;
+        let determinant = graph.neg(hw);
+        let determinant = self.alias("det", determinant, slope);
+        let terms = vec![
+            Term {
+                coefficient: vec![a],
+                factor: cos,
+            },
+            Term {
+                coefficient: vec![b],
+                factor: sin,
+            },
+            self.known_term(&[known]),
+        ];
+        let jacobian = vec![vec![determinant]];
+        self.push_solution(Solution {
+            terms,
+            jacobian,
+            determinant,
+        });
+
+        let size = self.abs(c);
+        let miss = self.algebra.graph.sub(size, r);
+        let gap = self.gap(q, r2, miss);
+        let graph = &mut self.algebra.graph;
+        Closed {
+            kind: "A cos x + B sin x = C",
+            class: 0,
+            order: 0,
+            method: "unit vector from the tangent to a circle",
+            two_modes: true,
+            margin: graph.div(h, r),
+            slack: graph.div(q, r2),
+            gap,
+            gap_is_length: true,
+        }
+    }
+}

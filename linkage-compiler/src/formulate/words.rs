@@ -1,0 +1,87 @@
+//! Positions in the words of a message.
+
+use crate::model::{Dimension, Mechanism, Type};
+
+use super::Solved;
+
+/// Prints quantities of one mechanism.
+pub(crate) struct Words<'m> {
+    mechanism: &'m Mechanism,
+}
+
+impl<'m> Words<'m> {
+    pub(crate) fn new(mechanism: &'m Mechanism) -> Self {
+        Self { mechanism }
+    }
+
+    /// `theta`, `psi` in back-ticks.
+    pub(crate) fn unknowns(&self, unknowns: &[usize]) -> String {
+        let name = |&k: &usize| format!("`{}`", self.mechanism.unknowns[k].name);
+        unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+
+    /// `phi = 30deg, s = 12mm`
+    pub(crate) fn inputs(&self, values: &[f64]) -> String {
+        let each = self.mechanism.inputs.iter().zip(values);
+        let words: Vec<String> = each
+            .map(|(input, &x)| format!("`{} = {}`", input.name, self.scalar(input.dimension, x)))
+            .collect();
+        if words.is_empty() {
+            "(no input)".to_owned()
+        } else {
+            words.join(", ")
+        }
+    }
+
+    pub(crate) fn unknown_value(&self, unknown: usize, value: &[f64]) -> String {
+        let item = &self.mechanism.unknowns[unknown];
+        let dimension = match item.ty {
+            Type::Scalar(dimension) | Type::Vector(_, dimension) => dimension,
+            _ => Dimension {
+                half_lengths: 2,
+                angle: false,
+            },
+        };
+        let parts: Vec<String> = value.iter().map(|&x| self.scalar(dimension, x)).collect();
+        match &parts[..] {
+            [one] => format!("{} = {one}", item.name),
+            all => format!("{} = ({})", item.name, all.join(", ")),
+        }
+    }
+
+    pub(crate) fn gap(&self, solved: &Solved, gap: f64) -> String {
+        let loops = &solved.group.loops;
+        let scalar = loops.iter().any(
+            |&k| matches!(self.mechanism.loops[k].left.ty, Type::Scalar(d) if d.half_lengths != 2),
+        );
+        match solved.closed.gap_is_length && !scalar {
+            true => format!("{}{}", significant(gap), self.mechanism.unit.name()),
+            false => significant(gap),
+        }
+    }
+
+    pub(crate) fn scalar(&self, dimension: Dimension, x: f64) -> String {
+        match dimension.half_lengths {
+            0 => format!("{}deg", significant(x.to_degrees())),
+            2 => format!("{}{}", significant(x), self.mechanism.unit.name()),
+            _ => significant(x),
+        }
+    }
+}
+
+/// Up to seven significant digits, without trailing zeros.
+fn significant(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return format!("{x}");
+    }
+    let digits = (6 - x.abs().log10().floor() as i32).clamp(0, 17) as usize;
+    if !(1e-6..1e12).contains(&x.abs()) {
+        return format!("{x:.6e}");
+    }
+    let text = format!("{x:.digits$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}

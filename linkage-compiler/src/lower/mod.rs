@@ -1,0 +1,167 @@
+//! From requested quantities to programs: differentiate, simplify, slice, share, split by binding time, schedule.
+
+mod needs;
+mod quantity;
+mod types;
+
+use linkage_symbolic::NodeId;
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::program::{Instruction, Program, Source};
+use linkage_symbolic::schedule::{Slots, schedule};
+
+use crate::algebra::{Algebra, Nominal};
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::formulate::{Formulation, valued_angles};
+use crate::model::{Dimension, EvaluatorDef, Type};
+
+pub use types::{ContinuousAngle, Evaluator, Field, Lowered, Shape};
+
+/// Lowers all functions of the mechanism. An argument list that does not fit its quantities is reported.
+pub(crate) fn lower(
+    algebra: &mut Algebra,
+    formulation: &Formulation,
+    nominal: &Nominal,
+    origins: &Origins,
+    diagnostics: &mut Diagnostics,
+) -> Lowered {
+    let mechanism = algebra.mechanism;
+    let mut inliner = Inliner::default();
+    let mut requests = Vec::new();
+    for definition in &mechanism.evaluators {
+        let request = quantity::request(algebra, formulation, definition);
+        needs::check_inputs(algebra, definition, &request, origins, diagnostics);
+        requests.push(copy(&mut inliner, algebra, &request.nodes));
+    }
+    let gaps: Vec<NodeId> = formulation
+        .groups
+        .iter()
+        .map(|group| group.closed.gap)
+        .collect();
+    let gaps = copy(&mut inliner, algebra, &gaps);
+
+    let all: Vec<NodeId> = requests.iter().flatten().chain(&gaps).copied().collect();
+    let angles = formulation.in_order(algebra, valued_angles(&inliner.target, &all));
+    let units: Vec<NodeId> = angles
+        .iter()
+        .flat_map(|&angle| {
+            [
+                algebra.angles[angle].cos_node,
+                algebra.angles[angle].sin_node,
+            ]
+        })
+        .collect();
+    let units = copy(&mut inliner, algebra, &units);
+
+    let mut slots = Slots::default();
+    let graph = &inliner.target;
+    let evaluators = requests.iter().enumerate().map(|(index, outputs)| {
+        let definition = &mechanism.evaluators[index];
+        let program = schedule(graph, outputs, &mut slots);
+        Evaluator {
+            index,
+            program,
+            fields: fields(algebra, definition),
+        }
+    });
+    let mut lowered = Lowered {
+        evaluators: evaluators.collect(),
+        gaps: schedule(graph, &gaps, &mut slots),
+        angles: schedule(graph, &units, &mut slots),
+        prepare: slots.prepare(graph),
+        continuous_angles: Vec::new(),
+    };
+    lowered.continuous_angles = angles
+        .iter()
+        .map(|&k| continuous(algebra, nominal, k))
+        .collect();
+    renumber(&mut lowered, &angles);
+    lowered
+}
+
+fn copy(inliner: &mut Inliner, algebra: &Algebra, nodes: &[NodeId]) -> Vec<NodeId> {
+    nodes
+        .iter()
+        .map(|&node| inliner.copy(&algebra.graph, node))
+        .collect()
+}
+
+fn continuous(algebra: &mut Algebra, nominal: &Nominal, index: usize) -> ContinuousAngle {
+    let angle = algebra.angles[index].clone();
+    let estimate = match angle.unknown {
+        Some(unknown) => nominal.estimates[unknown][0],
+        None => angle.estimate.unwrap_or(0.0),
+    };
+    let inputs = algebra.inputs_below(&[angle.cos_node, angle.sin_node]);
+    ContinuousAngle {
+        unknown: angle.unknown.unwrap_or(0),
+        inputs,
+        estimate,
+    }
+}
+
+/// Centres and windings count the continuous angles only.
+fn renumber(lowered: &mut Lowered, angles: &[usize]) {
+    let number = |angle: usize| angles.iter().position(|&a| a == angle).unwrap_or(angle);
+    let evaluators = lowered
+        .evaluators
+        .iter_mut()
+        .map(|evaluator| &mut evaluator.program);
+    let programs = [&mut lowered.prepare, &mut lowered.gaps, &mut lowered.angles];
+    for program in evaluators.chain(programs) {
+        renumber_program(program, number);
+    }
+}
+
+fn renumber_program(program: &mut Program, number: impl Fn(usize) -> usize) {
+    for instruction in &mut program.instructions {
+        if let Instruction::Load(Source::Centre(angle) | Source::Winding(angle, _)) = instruction {
+            *angle = number(*angle);
+        }
+    }
+}
+
+fn fields(algebra: &Algebra, definition: &EvaluatorDef) -> Vec<Field> {
+    let unit = algebra.mechanism.unit.name();
+    let field = |quantity: &crate::model::Quantity| Field {
+        name: quantity.field.clone(),
+        shape: shape(&quantity.value.ty),
+        unit: unit_words(&quantity.value.ty, unit),
+    };
+    definition.quantities.iter().map(field).collect()
+}
+
+fn shape(ty: &Type) -> Shape {
+    match ty {
+        Type::Scalar(_) | Type::Zero(1) | Type::Error => Shape::Scalar,
+        Type::Vector(count, _) | Type::Zero(count) => Shape::Vector(*count),
+        Type::Array(entries) => {
+            let entry = entries.first().map_or(Shape::Scalar, shape);
+            Shape::Array(entries.len(), Box::new(entry))
+        }
+    }
+}
+
+/// `mm`, `mm^2`, `rad`, `1`; entries of an array may differ.
+fn unit_words(ty: &Type, length: &str) -> String {
+    match ty {
+        Type::Scalar(dimension) | Type::Vector(_, dimension) => dimension_words(*dimension, length),
+        Type::Array(entries) => {
+            let words: Vec<String> = entries.iter().map(|e| unit_words(e, length)).collect();
+            match words.first() {
+                Some(first) if words.iter().all(|w| w == first) => first.clone(),
+                _ => "various units".to_owned(),
+            }
+        }
+        Type::Zero(_) | Type::Error => "1".to_owned(),
+    }
+}
+
+fn dimension_words(dimension: Dimension, length: &str) -> String {
+    match dimension.half_lengths {
+        0 if dimension.angle => "rad".to_owned(),
+        0 => "1".to_owned(),
+        2 => length.to_owned(),
+        halves if halves % 2 == 0 => format!("{length}^{}", halves / 2),
+        halves => format!("{length}^({halves}/2)"),
+    }
+}

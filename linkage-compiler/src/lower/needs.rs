@@ -1,0 +1,56 @@
+//! Do the arguments of a function fit its quantities?
+
+use crate::algebra::Algebra;
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::model::EvaluatorDef;
+
+use super::quantity::Requested;
+
+/// Reports inputs that are listed but not needed, and needed but not listed.
+pub(super) fn check_inputs(
+    algebra: &mut Algebra,
+    definition: &EvaluatorDef,
+    requested: &Requested,
+    origins: &Origins,
+    diagnostics: &mut Diagnostics,
+) {
+    let mechanism = algebra.mechanism;
+    let name = |input: usize| &mechanism.inputs[input].name;
+    let mut needed = algebra.inputs_below(&requested.underlying);
+    let computed = algebra.inputs_below(&requested.nodes);
+    needed.extend(&requested.variables);
+    for (&input, &origin) in definition.inputs.iter().zip(&definition.input_origins) {
+        if !needed.contains(&input) {
+            diagnostics.error(
+                origins.span(origin),
+                format!(
+                    "`{}` does not need the input `{}`: none of its quantities depends on it\n\
+                     help: remove the argument",
+                    definition.name,
+                    name(input)
+                ),
+            );
+        }
+    }
+    let missing: Vec<usize> = computed
+        .into_iter()
+        .filter(|input| !definition.inputs.contains(input))
+        .collect();
+    if !missing.is_empty() {
+        let names: Vec<&str> = missing.iter().map(|&input| name(input).as_str()).collect();
+        let listed = definition.inputs.iter().map(|&input| name(input).as_str());
+        let complete: Vec<&str> = listed.chain(names.iter().copied()).collect();
+        diagnostics.error(
+            origins.span(definition.origin),
+            format!(
+                "`{}` needs the input{} `{}`, on which its quantities depend\n\
+                 help: write `fn {}({})`",
+                definition.name,
+                if names.len() == 1 { "" } else { "s" },
+                names.join("`, `"),
+                definition.name,
+                complete.join(", ")
+            ),
+        );
+    }
+}

@@ -1,0 +1,170 @@
+//! Requested quantities as graph nodes: values, derivatives, sensitivities, margins.
+
+use linkage_symbolic::program::Binary;
+use linkage_symbolic::{NodeId, SymbolId};
+
+use crate::algebra::{Algebra, Translate, Value};
+use crate::formulate::Formulation;
+use crate::model::{EvaluatorDef, Expr, ExprKind, Variable};
+
+/// What one function computes.
+#[derive(Debug, Default)]
+pub(super) struct Requested {
+    /// All scalars in the order of the fields.
+    pub(super) nodes: Vec<NodeId>,
+    /// The quantities before they were differentiated: they tell which inputs the function is about.
+    pub(super) underlying: Vec<NodeId>,
+    /// Inputs that the function differentiates by.
+    pub(super) variables: Vec<usize>,
+}
+
+pub(super) fn request<'m>(
+    algebra: &mut Algebra<'m>,
+    formulation: &Formulation,
+    definition: &EvaluatorDef,
+) -> Requested {
+    let mut request = Request {
+        algebra,
+        definition,
+        margin: None,
+        requested: Requested::default(),
+    };
+    // Which groups the margin is taken over follows from the other quantities.
+    let nodes = request.all();
+    let margin = request.margin_over(formulation, &nodes);
+    request.margin = Some(margin);
+    request.requested = Requested::default();
+    request.requested.nodes = request.all();
+    request.requested
+}
+
+struct Request<'a, 'm> {
+    algebra: &'a mut Algebra<'m>,
+    definition: &'a EvaluatorDef,
+    /// The smallest margin; `None` while it is not known yet.
+    margin: Option<NodeId>,
+    requested: Requested,
+}
+
+impl Request<'_, '_> {
+    fn all(&mut self) -> Vec<NodeId> {
+        let mut nodes = Vec::new();
+        for quantity in &self.definition.quantities {
+            let value = self.translate(&quantity.value);
+            self.flatten(&value, &mut nodes);
+        }
+        self.requested.underlying.extend(&nodes);
+        nodes
+    }
+
+    fn flatten(&mut self, value: &Value, nodes: &mut Vec<NodeId>) {
+        match value {
+            Value::Scalar(scalar) => nodes.push(self.algebra.node(scalar)),
+            Value::Vector(components) => nodes.extend(components),
+            Value::Array(entries) => entries.iter().for_each(|entry| self.flatten(entry, nodes)),
+        }
+    }
+
+    /// The smallest margin of the groups that `nodes` use; of all groups if they use none.
+    fn margin_over(&mut self, formulation: &Formulation, nodes: &[NodeId]) -> NodeId {
+        let mut groups = formulation.groups_of(self.algebra, nodes);
+        if groups.is_empty() {
+            groups = (0..formulation.groups.len()).collect();
+        }
+        let one = self.algebra.graph.one();
+        let margins = groups
+            .iter()
+            .map(|&group| formulation.groups[group].closed.margin);
+        margins
+            .reduce(|least, margin| match least == margin {
+                true => least,
+                false => self.algebra.graph.binary(Binary::Min, least, margin),
+            })
+            .unwrap_or(one)
+    }
+
+    fn derivative(&mut self, value: &Value, variable: SymbolId) -> Value {
+        match value {
+            Value::Scalar(scalar) => {
+                let node = self.algebra.node(scalar);
+                Value::Scalar(self.algebra.derivative(node, variable).into())
+            }
+            Value::Vector(components) => Value::Vector(
+                components
+                    .iter()
+                    .map(|&x| self.algebra.derivative(x, variable))
+                    .collect(),
+            ),
+            Value::Array(entries) => Value::Array(
+                entries
+                    .iter()
+                    .map(|entry| self.derivative(entry, variable))
+                    .collect(),
+            ),
+        }
+    }
+
+    /// The quantity to be differentiated; what it depends on counts even if the derivative does not.
+    fn underlying(&mut self, quantity: &Expr) -> Value {
+        let value = self.translate(quantity);
+        let mut nodes = Vec::new();
+        self.flatten(&value, &mut nodes);
+        self.requested.underlying.extend(nodes);
+        value
+    }
+
+    /// The derivative of an order by all inputs of the function: nested arrays if there are several.
+    fn by_inputs(&mut self, value: &Value, order: u8) -> Value {
+        if order == 0 {
+            return value.clone();
+        }
+        let inputs = self.definition.inputs.clone();
+        let mut entries = inputs.iter().map(|&input| {
+            self.requested.variables.push(input);
+            let variable = self.algebra.variable(Variable::Input(input));
+            let slope = self.derivative(value, variable);
+            self.by_inputs(&slope, order - 1)
+        });
+        match inputs.len() {
+            1 => entries.next().expect("one entry"),
+            _ => Value::Array(entries.collect()),
+        }
+    }
+}
+
+impl<'m> Translate<'m> for Request<'_, 'm> {
+    fn algebra(&mut self) -> &mut Algebra<'m> {
+        self.algebra
+    }
+
+    fn quantity(&mut self, expr: &Expr) -> Value {
+        match &expr.kind {
+            ExprKind::Derivative(quantity, variables) => {
+                let value = self.underlying(quantity);
+                variables.iter().fold(value, |value, &variable| {
+                    if let Variable::Input(input) = variable {
+                        self.requested.variables.push(input);
+                    }
+                    let variable = self.algebra.variable(variable);
+                    self.derivative(&value, variable)
+                })
+            }
+            ExprKind::InputDerivative(quantity, order) => {
+                let value = self.underlying(quantity);
+                self.by_inputs(&value, *order)
+            }
+            ExprKind::Sensitivity(quantity, parameters) => {
+                let value = self.underlying(quantity);
+                let entries = parameters.iter().map(|&parameter| {
+                    let variable = self.algebra.variable(Variable::Parameter(parameter));
+                    self.derivative(&value, variable)
+                });
+                Value::Array(entries.collect())
+            }
+            _ => {
+                let one = self.algebra.graph.one();
+                Value::Scalar(self.margin.unwrap_or(one).into())
+            }
+        }
+    }
+}

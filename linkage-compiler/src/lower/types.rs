@@ -1,0 +1,68 @@
+//! What lowering hands to emission: straight-line programs and the shapes of their results.
+
+use linkage_symbolic::program::Program;
+
+/// Everything that becomes code.
+#[derive(Clone, Debug, Default)]
+pub struct Lowered {
+    /// Computes all prepared slots in `assemble()`: loads parameters, modes, centres and windings; output `k` is slot
+    /// `k`.
+    pub prepare: Program,
+    /// For each group in order, by how much it misses closing at given inputs: a length (or a number for an angle relation), positive if
+    /// the group cannot be assembled, at most 0 if it can. Loads prepared slots and inputs (all inputs of the mechanism).
+    pub gaps: Program,
+    /// For each continuous angle `a`: outputs `2 a` and `2 a + 1` are its cosine and sine. Loads prepared slots and
+    /// inputs. The centre and winding of angle `a` are not needed for its own outputs, only for later ones.
+    pub angles: Program,
+    pub continuous_angles: Vec<ContinuousAngle>,
+    /// One for each function of the `impl` block, in order.
+    pub evaluators: Vec<Evaluator>,
+}
+
+/// An unknown angle whose value (not only its direction) is used by some function.
+#[derive(Clone, Debug)]
+pub struct ContinuousAngle {
+    /// Index in `Mechanism::unknowns`.
+    pub unknown: usize,
+    /// The inputs it depends on.
+    pub inputs: Vec<usize>,
+    /// Start estimate at the reference inputs, radians.
+    pub estimate: f64,
+}
+
+#[derive(Clone, Debug)]
+pub struct Evaluator {
+    /// Index in `Mechanism::evaluators`.
+    pub index: usize,
+    /// Loads prepared slots, parameters and inputs; outputs are the fields' scalars in order, each field flattened
+    /// outermost index first, vector components innermost.
+    pub program: Program,
+    pub fields: Vec<Field>,
+}
+
+#[derive(Clone, Debug)]
+pub struct Field {
+    pub name: String,
+    pub shape: Shape,
+    /// Words for the docs: `mm`, `rad`, `mm/rad`, `1`, ...
+    pub unit: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Shape {
+    Scalar,
+    /// 2 or 3 components.
+    Vector(usize),
+    Array(usize, Box<Shape>),
+}
+
+impl Shape {
+    /// How many scalars it holds.
+    pub fn width(&self) -> usize {
+        match self {
+            Self::Scalar => 1,
+            Self::Vector(n) => *n,
+            Self::Array(n, entry) => n * entry.width(),
+        }
+    }
+}

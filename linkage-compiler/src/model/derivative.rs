@@ -1,0 +1,245 @@
+//! `d`, `velocity`, `acceleration`, `jerk`, `sensitivity`, `margin`: only in the functions of the `impl` block.
+
+use proc_macro2::Ident;
+
+use super::names::{Context, Place, Resolver};
+use super::types::{Dimension, Expr, ExprKind, Name, Type, Variable};
+use crate::diagnostic::text::count;
+use crate::syntax::{self, SourceSpan};
+
+pub(super) const QUANTITIES: [&str; 6] = [
+    "d",
+    "velocity",
+    "acceleration",
+    "jerk",
+    "sensitivity",
+    "margin",
+];
+
+/// Most entries of an array, those of inner arrays counted.
+const ENTRY_LIMIT: usize = 10_000;
+
+impl Resolver<'_> {
+    pub(super) fn quantity_call(
+        &mut self,
+        name: &str,
+        ident: &Ident,
+        arguments: &[syntax::Expr],
+        context: Context,
+        span: SourceSpan,
+    ) -> Expr {
+        let Place::Function(inputs) = context.place else {
+            let fact = format!("`{name}` is only known in the functions of the `impl` block");
+            let help = "move it there, as a quantity of a function";
+            self.diagnostics.error_with_help(ident.into(), fact, help);
+            return self.failed(span);
+        };
+        match name {
+            "margin" => self.margin(arguments, span),
+            "d" => self.derivative(arguments, context, span),
+            "sensitivity" => self.sensitivity(arguments, context, span),
+            "velocity" => self.input_derivative(1, inputs, name, arguments, context, span),
+            "acceleration" => self.input_derivative(2, inputs, name, arguments, context, span),
+            _ => self.input_derivative(3, inputs, name, arguments, context, span),
+        }
+    }
+
+    fn margin(&mut self, arguments: &[syntax::Expr], span: SourceSpan) -> Expr {
+        if !arguments.is_empty() {
+            self.wrong_count("margin", &[], arguments.len(), span);
+            return self.failed(span);
+        }
+        self.make(ExprKind::Margin, Type::NUMBER, span)
+    }
+
+    /// `d(q, x)`, `d(q, x, y)`
+    fn derivative(
+        &mut self,
+        arguments: &[syntax::Expr],
+        context: Context,
+        span: SourceSpan,
+    ) -> Expr {
+        let Some(([quantity], variables)) = arguments.split_first_chunk::<1>() else {
+            self.wrong_count("d", &["quantity", "x"], 0, span);
+            return self.failed(span);
+        };
+        let value = self.differentiable(quantity, context);
+        if !(1..=2).contains(&variables.len()) {
+            let found = count(variables.len(), "variable");
+            let fact = format!("`d` takes a quantity and one or two variables, found {found}");
+            let help = "write `d(quantity, x)` or `d(quantity, x, y)`";
+            self.diagnostics.error_with_help(span, fact, help);
+            return self.failed(span);
+        }
+        let variables: Vec<_> = variables
+            .iter()
+            .map(|variable| self.variable(variable))
+            .collect();
+        let Some(variables) = variables.into_iter().collect::<Option<Vec<_>>>() else {
+            return self.failed(span);
+        };
+        let mut ty = value.ty.clone();
+        for variable in &variables {
+            ty = self.by_variable(&ty, *variable);
+        }
+        self.finish(ExprKind::Derivative(Box::new(value), variables), ty, span)
+    }
+
+    fn sensitivity(
+        &mut self,
+        arguments: &[syntax::Expr],
+        context: Context,
+        span: SourceSpan,
+    ) -> Expr {
+        let (quantity, parameters) = match arguments {
+            [quantity] => (quantity, self.all_parameters(span)),
+            [quantity, list] => (quantity, self.listed_parameters(list)),
+            _ => {
+                let fact = format!(
+                    "`sensitivity` takes a quantity and perhaps a list of parameters, found {}",
+                    count(arguments.len(), "argument")
+                );
+                let help = "write `sensitivity(q)` or `sensitivity(q, [crank, rocker])`";
+                self.diagnostics.error_with_help(span, fact, help);
+                return self.failed(span);
+            }
+        };
+        let value = self.differentiable(quantity, context);
+        let Some(parameters) = parameters else {
+            return self.failed(span);
+        };
+        if self.too_many_entries(&value.ty, parameters.len(), span) {
+            return self.failed(span);
+        }
+        let variables = parameters
+            .iter()
+            .map(|parameter| Variable::Parameter(*parameter));
+        let entries = variables
+            .map(|variable| self.by_variable(&value.ty, variable))
+            .collect();
+        let kind = ExprKind::Sensitivity(Box::new(value), parameters);
+        self.finish(kind, Type::Array(entries), span)
+    }
+
+    fn input_derivative(
+        &mut self,
+        order: u8,
+        inputs: Option<&[usize]>,
+        name: &str,
+        arguments: &[syntax::Expr],
+        context: Context,
+        span: SourceSpan,
+    ) -> Expr {
+        let [quantity] = arguments else {
+            self.wrong_count(name, &["quantity"], arguments.len(), span);
+            return self.failed(span);
+        };
+        let value = self.differentiable(quantity, context);
+        // A mistake in the list of inputs has been reported.
+        let Some(inputs) = inputs else {
+            return self.failed(span);
+        };
+        if inputs.is_empty() {
+            let fact = format!("`{name}` in a function without an input");
+            let help = match self.names_of(|name| matches!(name, Name::Input(_))).first() {
+                Some(input) => format!("list the input: `fn name({input})`"),
+                None => "declare an `input` in the struct block".to_owned(),
+            };
+            self.diagnostics.error_with_help(span, fact, help);
+            return self.failed(span);
+        }
+        if order == 3 && inputs.len() > 1 {
+            let fact = format!("`jerk` needs one input, the function has {}", inputs.len());
+            let help = "differentiate an entry: `d(acceleration(q)[0][0], x)`";
+            self.diagnostics.error_with_help(span, fact, help);
+            return self.failed(span);
+        }
+        let entries = inputs.len().pow(u32::from(order));
+        if self.too_many_entries(&value.ty, entries, span) {
+            return self.failed(span);
+        }
+        let ty = self.by_inputs(&value.ty, inputs, order);
+        self.finish(ExprKind::InputDerivative(Box::new(value), order), ty, span)
+    }
+
+    /// Derivatives of arrays multiply the numbers of entries.
+    fn too_many_entries(&mut self, ty: &Type, factor: usize, span: SourceSpan) -> bool {
+        let entries = leaves(ty).saturating_mul(factor);
+        if entries > ENTRY_LIMIT {
+            let fact = format!("an array of {entries} entries, more than {ENTRY_LIMIT}");
+            let help = "differentiate single entries `[0]` or by a list of parameters";
+            self.diagnostics.error_with_help(span, fact, help);
+        }
+        entries > ENTRY_LIMIT
+    }
+
+    /// The first argument: anything but an array literal; zero is a number.
+    fn differentiable(&mut self, quantity: &syntax::Expr, context: Context) -> Expr {
+        let mut value = self.expression(quantity, context);
+        super::operators::settle_alone(&mut value);
+        value
+    }
+
+    fn finish(&mut self, kind: ExprKind, ty: Type, span: SourceSpan) -> Expr {
+        match ty.is_error() {
+            true => self.failed(span),
+            false => self.make(kind, ty, span),
+        }
+    }
+
+    /// One input: the derivative itself; several: an array for each order.
+    fn by_inputs(&self, ty: &Type, inputs: &[usize], order: u8) -> Type {
+        if order == 0 {
+            return ty.clone();
+        }
+        let by = |input: &usize| self.by_variable(ty, Variable::Input(*input));
+        if let [input] = inputs {
+            return self.by_inputs(&by(input), inputs, order - 1);
+        }
+        Type::Array(
+            inputs
+                .iter()
+                .map(|input| self.by_inputs(&by(input), inputs, order - 1))
+                .collect(),
+        )
+    }
+
+    /// The type of a derivative: dimensions divide.
+    fn by_variable(&self, ty: &Type, variable: Variable) -> Type {
+        let Some(by) = self.dimension_of(variable) else {
+            return Type::Error;
+        };
+        match ty {
+            Type::Array(entries) => Type::Array(
+                entries
+                    .iter()
+                    .map(|entry| self.by_variable(entry, variable))
+                    .collect(),
+            ),
+            other => {
+                let quotient = other.dimension().and_then(|dimension| dimension.over(by));
+                quotient.map_or(Type::Error, |dimension| other.with(dimension))
+            }
+        }
+    }
+
+    fn dimension_of(&self, variable: Variable) -> Option<Dimension> {
+        match variable {
+            Variable::Parameter(scalar) => Some(self.scalar_parameters[scalar.0].dimension),
+            Variable::Input(input) => {
+                let symbol = self
+                    .symbols
+                    .iter()
+                    .find(|symbol| symbol.name == Name::Input(input))?;
+                symbol.ty.dimension()
+            }
+        }
+    }
+}
+
+fn leaves(ty: &Type) -> usize {
+    match ty {
+        Type::Array(entries) => entries.iter().map(leaves).sum(),
+        _ => 1,
+    }
+}

@@ -1,0 +1,225 @@
+//! The model as text, for golden files.
+
+use std::fmt::{self, Display, Formatter, Write};
+
+use super::types::{BinaryOp, Expr, ExprKind, Mechanism, Name, Type, Variable};
+
+/// One line for each item and quantity; every operation in parentheses, numbers in the mechanism's unit and radians.
+pub fn dump(mechanism: &Mechanism) -> String {
+    let mut text = String::new();
+    write_items(&mut text, mechanism)
+        .and_then(|()| write_functions(&mut text, mechanism))
+        .expect("a String takes everything");
+    text
+}
+
+fn write_items(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
+    let show = |expr| Show { expr, mechanism };
+    writeln!(
+        out,
+        "mechanism {}, lengths in {}",
+        mechanism.name,
+        mechanism.unit.name()
+    )?;
+    for item in &mechanism.constants {
+        writeln!(
+            out,
+            "const {} = {}: {}",
+            item.name,
+            show(&item.value),
+            item.value.ty
+        )?;
+    }
+    for item in &mechanism.parameters {
+        write!(out, "param {} = {}", item.name, show(&item.nominal))?;
+        for tolerance in &item.tolerances {
+            match tolerance {
+                Some(tolerance) => write!(out, " +- {}", show(tolerance))?,
+                None => write!(out, " +- none")?,
+            }
+        }
+        writeln!(out, ": {}", item.ty)?;
+    }
+    for item in &mechanism.inputs {
+        write!(out, "input {} = {}", item.name, show(&item.reference))?;
+        if let Some((low, high)) = &item.range {
+            write!(out, " in {}..{}", show(low), show(high))?;
+        }
+        writeln!(out, ": {}", item.dimension)?;
+    }
+    for item in &mechanism.unknowns {
+        writeln!(
+            out,
+            "unknown {} = {}: {}",
+            item.name,
+            show(&item.estimate),
+            item.ty
+        )?;
+    }
+    for item in &mechanism.lets {
+        writeln!(
+            out,
+            "let {} = {}: {}",
+            item.name,
+            show(&item.value),
+            item.value.ty
+        )?;
+    }
+    for item in &mechanism.loops {
+        writeln!(
+            out,
+            "loop {} = {}: {}",
+            show(&item.left),
+            show(&item.right),
+            item.left.ty
+        )?;
+    }
+    Ok(())
+}
+
+fn write_functions(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
+    for function in &mechanism.evaluators {
+        let inputs = function
+            .inputs
+            .iter()
+            .map(|input| mechanism.inputs[*input].name.as_str());
+        let inputs: Vec<&str> = inputs.collect();
+        writeln!(
+            out,
+            "fn {}({}) -> {}",
+            function.name,
+            inputs.join(", "),
+            function.result
+        )?;
+        for quantity in &function.quantities {
+            let value = Show {
+                expr: &quantity.value,
+                mechanism,
+            };
+            writeln!(
+                out,
+                "  {}: {value}: {}",
+                quantity.field,
+                Full(&quantity.value.ty)
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// A type with the types of an array's entries.
+struct Full<'a>(&'a Type);
+
+impl Display for Full<'_> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let Type::Array(entries) = self.0 else {
+            return write!(f, "{}", self.0);
+        };
+        separated(f, "[", entries.iter().map(Full), "]")
+    }
+}
+
+struct Show<'a> {
+    expr: &'a Expr,
+    mechanism: &'a Mechanism,
+}
+
+impl<'a> Show<'a> {
+    fn inner(&self, expr: &'a Expr) -> Show<'a> {
+        Show {
+            expr,
+            mechanism: self.mechanism,
+        }
+    }
+
+    fn name(&self, name: Name) -> &str {
+        let mechanism = self.mechanism;
+        match name {
+            Name::Const(index) => &mechanism.constants[index].name,
+            Name::Parameter(index) => &mechanism.parameters[index].name,
+            Name::Input(index) => &mechanism.inputs[index].name,
+            Name::Unknown(index) => &mechanism.unknowns[index].name,
+            Name::Let(index) => &mechanism.lets[index].name,
+            Name::Pi => "PI",
+        }
+    }
+
+    fn variable(&self, variable: Variable) -> &str {
+        match variable {
+            Variable::Input(index) => &self.mechanism.inputs[index].name,
+            Variable::Parameter(scalar) => &self.mechanism.scalar_parameters[scalar.0].name,
+        }
+    }
+}
+
+impl Display for Show<'_> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        match &self.expr.kind {
+            ExprKind::Number(value) => write!(f, "{value:?}"),
+            ExprKind::Name(name) => f.write_str(self.name(*name)),
+            ExprKind::Vector(components) => separated(
+                f,
+                "(",
+                components.iter().map(|value| self.inner(value)),
+                ")",
+            ),
+            ExprKind::Component(value, index) => {
+                write!(
+                    f,
+                    "{}.{}",
+                    self.inner(value),
+                    super::parameter::COMPONENTS[*index]
+                )
+            }
+            ExprKind::Index(value, index) => write!(f, "{}[{index}]", self.inner(value)),
+            ExprKind::Negate(value) => write!(f, "(-{})", self.inner(value)),
+            ExprKind::Binary(operator, left, right) => {
+                let sign = match operator {
+                    BinaryOp::Add => '+',
+                    BinaryOp::Sub => '-',
+                    BinaryOp::Mul => '*',
+                    BinaryOp::Div => '/',
+                };
+                write!(f, "({} {sign} {})", self.inner(left), self.inner(right))
+            }
+            ExprKind::Call(function, arguments) => {
+                f.write_str(function.name())?;
+                separated(f, "(", arguments.iter().map(|value| self.inner(value)), ")")
+            }
+            ExprKind::Derivative(value, variables) => {
+                write!(f, "d({}, ", self.inner(value))?;
+                separated(
+                    f,
+                    "",
+                    variables.iter().map(|variable| self.variable(*variable)),
+                    ")",
+                )
+            }
+            ExprKind::InputDerivative(value, order) => {
+                let name = ["velocity", "acceleration", "jerk"][usize::from(*order) - 1];
+                write!(f, "{name}({})", self.inner(value))
+            }
+            ExprKind::Sensitivity(value, parameters) => {
+                write!(f, "sensitivity({}, ", self.inner(value))?;
+                let names = parameters.iter().map(|scalar| Variable::Parameter(*scalar));
+                separated(f, "[", names.map(|variable| self.variable(variable)), "])")
+            }
+            ExprKind::Margin => f.write_str("margin()"),
+            ExprKind::Error => f.write_str("<error>"),
+        }
+    }
+}
+
+fn separated<T: Display>(
+    f: &mut Formatter,
+    open: &str,
+    entries: impl Iterator<Item = T>,
+    close: &str,
+) -> fmt::Result {
+    f.write_str(open)?;
+    for (index, entry) in entries.enumerate() {
+        let separator = if index == 0 { "" } else { ", " };
+        write!(f, "{separator}{entry}")?;
+    }
+    f.write_str(close)
+}

@@ -1,0 +1,250 @@
+//! The items of the struct block.
+
+use super::names::{Context, Place, Resolver};
+use super::types::{
+    Constant, Dimension, Expr, Input, LengthUnit, Let, Loop, Mechanism, Name, Type, Unknown,
+};
+use super::units::LENGTH_UNIT_NAMES;
+use crate::diagnostic::text::nearest;
+use crate::syntax::{InputItem, Item, LoopItem, MechanismDef, NamedItem, UnitItem};
+
+impl Resolver<'_> {
+    /// All items. Kinds are resolved one after the other, so that only `let` and `const` depend on the order.
+    pub(super) fn items(&mut self, definition: &MechanismDef) -> Mechanism {
+        self.unit = self.length_unit(definition);
+        let mut mechanism = Mechanism {
+            name: definition.name.to_string(),
+            unit: self.unit,
+            constants: Vec::new(),
+            parameters: Vec::new(),
+            scalar_parameters: Vec::new(),
+            inputs: Vec::new(),
+            unknowns: Vec::new(),
+            lets: Vec::new(),
+            loops: Vec::new(),
+            evaluators: Vec::new(),
+            origin: self.origins.add((&definition.name).into()),
+        };
+        let items = || definition.items.iter().enumerate();
+        for (position, item) in items() {
+            if let Item::Const(item) = item {
+                let context = Context {
+                    place: Place::Constant,
+                    item: position,
+                };
+                let name = Name::Const(mechanism.constants.len());
+                let (value, origin) = (self.named(item, name, context), self.name_origin(item));
+                let name = item.name.to_string();
+                mechanism.constants.push(Constant {
+                    name,
+                    value,
+                    origin,
+                });
+            }
+        }
+        for (position, item) in items() {
+            if let Item::Param(item) = item {
+                let index = mechanism.parameters.len();
+                mechanism
+                    .parameters
+                    .push(self.parameter(item, index, position));
+            }
+        }
+        for (position, item) in items() {
+            match item {
+                Item::Input(item) => {
+                    let index = mechanism.inputs.len();
+                    mechanism.inputs.push(self.input(item, index, position));
+                }
+                Item::Unknown(item) => {
+                    let index = mechanism.unknowns.len();
+                    mechanism.unknowns.push(self.unknown(item, index, position));
+                }
+                _ => {}
+            }
+        }
+        for (position, item) in items() {
+            let context = Context {
+                place: Place::Body,
+                item: position,
+            };
+            match item {
+                Item::Let(item) => {
+                    let name = Name::Let(mechanism.lets.len());
+                    let value = self.named(item, name, context);
+                    let (name, origin) = (item.name.to_string(), self.name_origin(item));
+                    mechanism.lets.push(Let {
+                        name,
+                        value,
+                        origin,
+                    });
+                }
+                Item::Loop(item) => mechanism.loops.push(self.closure(item, context)),
+                _ => {}
+            }
+        }
+        mechanism
+            .scalar_parameters
+            .clone_from(&self.scalar_parameters);
+        mechanism
+    }
+
+    fn length_unit(&mut self, definition: &MechanismDef) -> LengthUnit {
+        let mut first: Option<&UnitItem> = None;
+        for item in &definition.items {
+            let Item::Unit(item) = item else { continue };
+            match first {
+                None => first = Some(item),
+                Some(first) => {
+                    let help = "leave one of them out";
+                    self.diagnostics
+                        .error_with_help(item.span, "a second `unit`", help);
+                    self.diagnostics
+                        .error(first.span, "`unit` is first given here");
+                }
+            }
+        }
+        let Some(item) = first else {
+            return LengthUnit::Metre;
+        };
+        let text = item.unit.to_string();
+        LengthUnit::from_name(&text).unwrap_or_else(|| {
+            let help = match nearest(&text, LENGTH_UNIT_NAMES) {
+                Some(name) => format!("did you mean `{name}`?"),
+                None => format!("length units are {}", LENGTH_UNIT_NAMES.join(" ")),
+            };
+            let fact = format!("`{text}` is not a length unit");
+            self.diagnostics
+                .error_with_help((&item.unit).into(), fact, help);
+            LengthUnit::Metre
+        })
+    }
+
+    fn name_origin(&mut self, item: &NamedItem) -> super::OriginId {
+        self.origins.add((&item.name).into())
+    }
+
+    /// Value of a constant or `let`. Zero stays zero: it fits every dimension under its name, too.
+    fn named(&mut self, item: &NamedItem, name: Name, context: Context) -> Expr {
+        let value = self.expression(&item.value, context);
+        self.set_type(name, value.ty.clone(), false);
+        value
+    }
+
+    pub(super) fn set_type(&mut self, name: Name, ty: Type, bare_zero: bool) {
+        if let Some(symbol) = self.symbol_mut(name) {
+            symbol.ty = ty;
+            symbol.bare_zero = bare_zero;
+        }
+    }
+
+    fn input(&mut self, item: &InputItem, index: usize, position: usize) -> Input {
+        let context = Context {
+            place: Place::Input,
+            item: position,
+        };
+        let mut reference = self.expression(&item.value, context);
+        let mut range = item.range.as_ref().map(|(low, high)| {
+            (
+                self.expression(low, context),
+                self.expression(high, context),
+            )
+        });
+        let mut all: Vec<&mut Expr> = vec![&mut reference];
+        if let Some((low, high)) = &mut range {
+            all.extend([low, high]);
+        }
+        let ty = self.common_type(&mut all, "the reference and the range of an input");
+        let bare_zero = all.iter().all(|value| matches!(value.ty, Type::Zero(_)));
+        let ty = self.declared(Name::Input(index), &ty);
+        all.into_iter().for_each(|value| value.settle(&ty));
+        let dimension = match &ty {
+            Type::Scalar(dimension) => self.coordinate(*dimension, "an input", &item.value),
+            Type::Error => None,
+            other => {
+                let fact = format!("an input is an angle or a length, found {other}");
+                let help = "declare one input for each coordinate";
+                self.diagnostics
+                    .error_with_help(item.value.span, fact, help);
+                None
+            }
+        };
+        let ty = dimension.map_or(Type::Error, Type::Scalar);
+        self.set_type(Name::Input(index), ty, bare_zero);
+        Input {
+            name: item.name.to_string(),
+            dimension: dimension.unwrap_or(Dimension::NUMBER),
+            reference,
+            range,
+            origin: self.origins.add((&item.name).into()),
+        }
+    }
+
+    fn unknown(&mut self, item: &NamedItem, index: usize, position: usize) -> Unknown {
+        let context = Context {
+            place: Place::Estimate,
+            item: position,
+        };
+        let mut estimate = self.expression(&item.value, context);
+        let bare_zero = matches!(estimate.ty, Type::Zero(_));
+        let mut ty = self.declared(Name::Unknown(index), &estimate.ty);
+        estimate.settle(&ty);
+        if let Some(dimension) = ty.dimension()
+            && self
+                .coordinate(dimension, "an unknown", &item.value)
+                .is_none()
+        {
+            ty = Type::Error;
+        }
+        self.set_type(Name::Unknown(index), ty.clone(), bare_zero);
+        let origin = self.name_origin(item);
+        Unknown {
+            name: item.name.to_string(),
+            ty,
+            estimate,
+            origin,
+        }
+    }
+
+    /// Inputs and unknowns are angles (or numbers) and lengths.
+    fn coordinate(
+        &mut self,
+        dimension: Dimension,
+        what: &str,
+        value: &crate::syntax::Expr,
+    ) -> Option<Dimension> {
+        if dimension.is_number_or_angle() || dimension.fits(Dimension::LENGTH) {
+            return Some(dimension);
+        }
+        let fact = format!("{what} is an angle or a length, found {dimension}");
+        self.diagnostics
+            .error_with_help(value.span, fact, "use another coordinate");
+        None
+    }
+
+    fn closure(&mut self, item: &LoopItem, context: Context) -> Loop {
+        let mut left = self.expression(&item.left, context);
+        let mut right = self.expression(&item.right, context);
+        let origin = self.origins.add(item.span);
+        let Some(ty) = Type::common(&left.ty, &right.ty) else {
+            if !left.ty.is_error() && !right.ty.is_error() {
+                let fact = format!("the sides of the loop differ: {} = {}", left.ty, right.ty);
+                let help = self.mismatch_help(&left, &right);
+                self.diagnostics.error_with_help(item.span, fact, help);
+            }
+            return Loop {
+                left,
+                right,
+                origin,
+            };
+        };
+        let ty = ty.settled();
+        left.settle(&ty);
+        right.settle(&ty);
+        Loop {
+            left,
+            right,
+            origin,
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! Syntax tree to model: names become ids, dimensions are checked, numbers get one unit.
+
+mod calls;
+mod decimal;
+mod derivative;
+mod dimension;
+mod dump;
+mod evaluators;
+mod expression;
+mod functions;
+mod items;
+mod names;
+mod operators;
+mod parameter;
+#[cfg(test)]
+mod tests;
+mod types;
+pub(crate) mod units;
+mod variable;
+mod zeros;
+
+pub use dump::dump;
+pub use types::*;
+
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::syntax::MechanismDef;
+
+/// Checks names, dimensions and argument counts. `None` if anything was wrong, here or in the syntax; as much as can
+/// be found is reported, consequences of what has been reported are not. What `origins` held before is replaced.
+pub fn resolve(
+    definition: &MechanismDef,
+    origins: &mut Origins,
+    diagnostics: &mut Diagnostics,
+) -> Option<Mechanism> {
+    let attempt = zeros::best_attempt(definition);
+    *origins = attempt.origins;
+    diagnostics.append(attempt.diagnostics);
+    diagnostics.is_empty().then_some(attempt.mechanism)
+}

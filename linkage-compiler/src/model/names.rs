@@ -1,0 +1,262 @@
+//! What each name stands for, and where it may be used.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::Ident;
+
+use super::types::{Dimension, LengthUnit, Name, ScalarParameter, Type};
+use crate::diagnostic::text::nearest;
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::syntax::{Item, MechanismDef, SourceSpan};
+
+/// One declared name.
+pub(super) struct Symbol {
+    pub(super) name: Name,
+    pub(super) text: String,
+    /// An error until the item has been resolved.
+    pub(super) ty: Type,
+    /// Position of its item in the struct block.
+    pub(super) item: usize,
+    /// Declared with a `0` that has no unit.
+    pub(super) bare_zero: bool,
+    pub(super) span: SourceSpan,
+}
+
+/// Where an expression stands: which names it may use.
+#[derive(Clone, Copy)]
+pub(super) enum Place<'a> {
+    Constant,
+    Parameter,
+    Input,
+    Estimate,
+    /// A `let` or `loop`.
+    Body,
+    /// A function of these inputs; `None` if its list has a mistake.
+    Function(Option<&'a [usize]>),
+}
+
+#[derive(Clone, Copy)]
+pub(super) struct Context<'a> {
+    pub(super) place: Place<'a>,
+    /// Position of the item, to find uses before the definition.
+    pub(super) item: usize,
+}
+
+pub(super) struct Resolver<'a> {
+    pub(super) symbols: Vec<Symbol>,
+    by_name: BTreeMap<String, usize>,
+    pub(super) unit: LengthUnit,
+    pub(super) scalar_parameters: Vec<ScalarParameter>,
+    /// Names whose bare zero is a length, not a number.
+    zero_lengths: &'a [Name],
+    pub(super) origins: &'a mut Origins,
+    pub(super) diagnostics: &'a mut Diagnostics,
+}
+
+impl<'a> Resolver<'a> {
+    /// Declares all names of the struct block.
+    pub(super) fn new(
+        definition: &MechanismDef,
+        zero_lengths: &'a [Name],
+        origins: &'a mut Origins,
+        diagnostics: &'a mut Diagnostics,
+    ) -> Self {
+        let mut resolver = Resolver {
+            symbols: Vec::new(),
+            by_name: BTreeMap::new(),
+            unit: LengthUnit::Metre,
+            scalar_parameters: Vec::new(),
+            zero_lengths,
+            origins,
+            diagnostics,
+        };
+        resolver.check_reserved(&definition.name);
+        let mut counts = [0; 5];
+        for (position, item) in definition.items.iter().enumerate() {
+            if let Some(ident) = item.name() {
+                resolver.declare(ident, position, next_name(item, &mut counts));
+            }
+        }
+        resolver
+    }
+
+    fn declare(&mut self, ident: &Ident, item: usize, name: Name) {
+        let text = ident.to_string();
+        let span = SourceSpan::from(ident);
+        self.check_reserved(ident);
+        match self.by_name.get(&text) {
+            Some(first) => {
+                let first = self.symbols[*first].span;
+                self.duplicate(
+                    &format!("the name `{text}` is defined twice"),
+                    &text,
+                    span,
+                    first,
+                );
+            }
+            None => {
+                self.by_name.insert(text.clone(), self.symbols.len());
+            }
+        }
+        let ty = Type::Error;
+        self.symbols.push(Symbol {
+            name,
+            text,
+            ty,
+            item,
+            bare_zero: false,
+            span,
+        });
+    }
+
+    /// The type of a declared value; a bare zero is a number or a length.
+    pub(super) fn declared(&self, name: Name, ty: &Type) -> Type {
+        match ty {
+            Type::Zero(_) if self.zero_lengths.contains(&name) => ty.with(Dimension::LENGTH),
+            _ => ty.settled(),
+        }
+    }
+
+    /// Reports both places.
+    pub(super) fn duplicate(
+        &mut self,
+        fact: &str,
+        text: &str,
+        span: SourceSpan,
+        first: SourceSpan,
+    ) {
+        self.diagnostics
+            .error_with_help(span, fact, "choose another name");
+        self.diagnostics
+            .error(first, format!("`{text}` is first defined here"));
+    }
+
+    pub(super) fn check_reserved(&mut self, ident: &Ident) {
+        let text = ident.to_string();
+        if text.starts_with("__") {
+            let fact = format!("the name `{text}` starts with `__`, which generated code uses");
+            let help = match text.trim_start_matches('_') {
+                "" => "choose another name".to_owned(),
+                plain => format!("write `{plain}`"),
+            };
+            self.diagnostics.error_with_help(ident.into(), fact, help);
+        }
+    }
+
+    pub(super) fn find(&self, text: &str) -> Option<&Symbol> {
+        self.by_name.get(text).map(|index| &self.symbols[*index])
+    }
+
+    /// The declaration of an item, by the kind and number of its name.
+    pub(super) fn symbol_mut(&mut self, name: Name) -> Option<&mut Symbol> {
+        self.symbols.iter_mut().find(|symbol| symbol.name == name)
+    }
+
+    /// The symbol that a name may stand for here; reports it if there is none.
+    pub(super) fn look_up(&mut self, ident: &Ident, context: Context) -> Option<(Name, Type)> {
+        let text = ident.to_string();
+        let Some(symbol) = self.find(&text) else {
+            if text == "PI" {
+                return Some((Name::Pi, Type::NUMBER));
+            }
+            self.unknown_name(ident);
+            return None;
+        };
+        if let Some((fact, help)) = refusal(symbol, context) {
+            self.diagnostics.error_with_help(ident.into(), fact, help);
+            return None;
+        }
+        Some((symbol.name, symbol.ty.clone()))
+    }
+
+    pub(super) fn unknown_name(&mut self, ident: &Ident) {
+        let text = ident.to_string();
+        let names = self
+            .symbols
+            .iter()
+            .map(|symbol| symbol.text.as_str())
+            .chain(["PI"]);
+        let fact = format!("unknown name `{text}`");
+        let help = match nearest(&text, names) {
+            Some(name) => format!("did you mean `{name}`?"),
+            None if super::functions::is_function(&text) => {
+                format!("`{text}` is a function: write `{text}(...)`")
+            }
+            None => "declare it in the struct block, for example with `let`".to_owned(),
+        };
+        self.diagnostics.error_with_help(ident.into(), fact, help);
+    }
+
+    /// Names of one sort, for help texts.
+    pub(super) fn names_of(&self, wanted: fn(Name) -> bool) -> Vec<&str> {
+        let symbols = self.symbols.iter().filter(|symbol| wanted(symbol.name));
+        symbols.map(|symbol| symbol.text.as_str()).collect()
+    }
+}
+
+/// Each kind of item counts on its own.
+fn next_name(item: &Item, counts: &mut [usize; 5]) -> Name {
+    let (kind, name): (usize, fn(usize) -> Name) = match item {
+        Item::Const(_) => (0, Name::Const),
+        Item::Param(_) => (1, Name::Parameter),
+        Item::Input(_) => (2, Name::Input),
+        Item::Unknown(_) => (3, Name::Unknown),
+        Item::Let(_) | Item::Unit(_) | Item::Loop(_) => (4, Name::Let),
+    };
+    counts[kind] += 1;
+    name(counts[kind] - 1)
+}
+
+/// Why a name cannot be used here, and what to do.
+fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
+    let text = &symbol.text;
+    let constant = matches!(symbol.name, Name::Const(_));
+    let parameter = matches!(symbol.name, Name::Parameter(_));
+    let rule = match context.place {
+        Place::Constant if !constant => "a constant may use numbers, functions and constants only",
+        Place::Parameter if !constant => {
+            "a default or tolerance may use numbers, functions and constants only"
+        }
+        Place::Input if !constant => {
+            "the reference and range of an input may use numbers, functions and constants only"
+        }
+        Place::Estimate if !constant && !parameter => {
+            "an estimate may use numbers, functions, constants and parameters only"
+        }
+        _ => "",
+    };
+    if !rule.is_empty() {
+        return Some((
+            format!(
+                "`{text}` is {}, which cannot be used here",
+                kind(symbol.name)
+            ),
+            rule.to_owned(),
+        ));
+    }
+    let ordered = match context.place {
+        Place::Constant => constant,
+        Place::Body => matches!(symbol.name, Name::Let(_)),
+        _ => false,
+    };
+    if ordered && symbol.item == context.item {
+        let fact = format!("`{text}` is used in its own definition");
+        return Some((fact, "an `unknown` is found from the loops".to_owned()));
+    }
+    if ordered && symbol.item > context.item {
+        let fact = format!("`{text}` is used before its definition");
+        return Some((fact, format!("move the definition of `{text}` up")));
+    }
+    None
+}
+
+/// The sort of a name in words.
+pub(super) fn kind(name: Name) -> &'static str {
+    match name {
+        Name::Const(_) | Name::Pi => "a constant",
+        Name::Parameter(_) => "a parameter",
+        Name::Input(_) => "an input",
+        Name::Unknown(_) => "an unknown",
+        Name::Let(_) => "a derived quantity",
+    }
+}

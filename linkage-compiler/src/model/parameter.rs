@@ -1,0 +1,178 @@
+//! Parameters: defaults, tolerances, scalar components.
+
+use super::names::{Context, Place, Resolver};
+use super::types::{
+    Dimension, Expr, ExprKind, Name, Parameter, ScalarParameter, ScalarParameterId, Type,
+};
+use crate::syntax::{self, ParamItem, SourceSpan, Toleranced};
+
+/// Names of the components of a vector.
+pub(super) const COMPONENTS: [&str; 3] = ["x", "y", "z"];
+
+impl Resolver<'_> {
+    pub(super) fn parameter(
+        &mut self,
+        item: &ParamItem,
+        index: usize,
+        position: usize,
+    ) -> Parameter {
+        let context = Context {
+            place: Place::Parameter,
+            item: position,
+        };
+        let (mut nominal, mut tolerances) = match &item.value {
+            Toleranced::Single { nominal, tolerance } => {
+                let nominal = self.expression(nominal, context);
+                let tolerance = tolerance
+                    .as_ref()
+                    .map(|tolerance| self.tolerance(tolerance, context));
+                let tolerances = self.spread(&nominal, tolerance);
+                (nominal, tolerances)
+            }
+            Toleranced::Components { components, span } => {
+                self.components(components, *span, context)
+            }
+        };
+        let mut ty = nominal.ty.clone();
+        let mut bare_zero = matches!(ty, Type::Zero(_));
+        if bare_zero && let Some(tolerance) = tolerances.iter().flatten().next() {
+            // `0 +- 0.1mm` is a length.
+            if let (Type::Scalar(dimension), Some(count)) = (&tolerance.ty, ty.components()) {
+                ty = if count == 1 {
+                    tolerance.ty.clone()
+                } else {
+                    Type::Vector(count, *dimension)
+                };
+                bare_zero = false;
+            }
+        }
+        let ty = self.declared(Name::Parameter(index), &ty);
+        nominal.settle(&ty);
+        let mut checked = None;
+        let wanted = Type::Scalar(ty.dimension().unwrap_or(Dimension::NUMBER));
+        for tolerance in tolerances.iter_mut().flatten().filter(|_| !ty.is_error()) {
+            tolerance.settle(&wanted);
+            // One tolerance for all components is one mistake.
+            if checked != Some(tolerance.origin) {
+                self.check_tolerance(tolerance, &wanted);
+            }
+            checked = Some(tolerance.origin);
+        }
+        self.set_type(Name::Parameter(index), ty.clone(), bare_zero);
+        let first_scalar = self.add_scalars(&item.name.to_string(), index, &ty);
+        let origin = self.origins.add((&item.name).into());
+        Parameter {
+            name: item.name.to_string(),
+            ty,
+            nominal,
+            tolerances,
+            first_scalar,
+            origin,
+        }
+    }
+
+    /// One tolerance for each component.
+    fn spread(&mut self, nominal: &Expr, tolerance: Option<Expr>) -> Vec<Option<Expr>> {
+        let count = nominal.ty.components().unwrap_or(1);
+        let Some(tolerance) = tolerance else {
+            return vec![None; count];
+        };
+        match tolerance.ty.components() {
+            Some(found) if found > 1 && found == count => (0..count)
+                .map(|component| Some(tolerance.component(component)))
+                .collect(),
+            Some(found) if found > 1 && !nominal.ty.is_error() => {
+                let fact = format!("{} cannot have {} as tolerance", nominal.ty, tolerance.ty);
+                let help = "write one tolerance for each component";
+                let span = self.origins.span(tolerance.origin);
+                self.diagnostics.error_with_help(span, fact, help);
+                vec![None; count]
+            }
+            _ => vec![Some(tolerance); count],
+        }
+    }
+
+    /// `(x +- tx, y +- ty)`
+    fn components(
+        &mut self,
+        components: &[(syntax::Expr, Option<syntax::Expr>)],
+        span: SourceSpan,
+        context: Context,
+    ) -> (Expr, Vec<Option<Expr>>) {
+        let mut nominals = Vec::new();
+        let mut tolerances = Vec::new();
+        for (nominal, tolerance) in components {
+            nominals.push(self.expression(nominal, context));
+            let tolerance = tolerance
+                .as_ref()
+                .map(|tolerance| self.tolerance(tolerance, context));
+            tolerances.push(tolerance);
+        }
+        (self.vector(nominals, span), tolerances)
+    }
+
+    fn tolerance(&mut self, tolerance: &syntax::Expr, context: Context) -> Expr {
+        if let syntax::ExprKind::Negate(value) = &tolerance.kind
+            && let syntax::ExprKind::Number { text, suffix } = &value.kind
+        {
+            let fact = format!("the tolerance -{text}{suffix} is negative");
+            let help = format!("write `+- {text}{suffix}`");
+            self.diagnostics.error_with_help(tolerance.span, fact, help);
+        }
+        self.expression(tolerance, context)
+    }
+
+    fn check_tolerance(&mut self, tolerance: &Expr, wanted: &Type) {
+        if tolerance.ty.is_error() || Type::common(&tolerance.ty, wanted).is_some() {
+            return;
+        }
+        let fact = format!(
+            "the nominal value is {wanted}, its tolerance {}",
+            tolerance.ty
+        );
+        let help = "give both the same dimension, for example `50mm +- 0.01mm`";
+        let span = self.origins.span(tolerance.origin);
+        self.diagnostics.error_with_help(span, fact, help);
+    }
+
+    fn add_scalars(&mut self, name: &str, parameter: usize, ty: &Type) -> ScalarParameterId {
+        let first = ScalarParameterId(self.scalar_parameters.len());
+        if let (Some(count), Some(dimension)) = (ty.components(), ty.dimension()) {
+            for (component, letter) in COMPONENTS.iter().enumerate().take(count) {
+                let name = if count == 1 {
+                    name.to_owned()
+                } else {
+                    format!("{name}.{letter}")
+                };
+                let scalar = ScalarParameter {
+                    name,
+                    parameter,
+                    component,
+                    dimension,
+                };
+                self.scalar_parameters.push(scalar);
+            }
+        }
+        first
+    }
+}
+
+impl Expr {
+    /// One component of a vector.
+    fn component(&self, component: usize) -> Expr {
+        if let ExprKind::Vector(components) = &self.kind {
+            return components[component].clone();
+        }
+        let ty = match &self.ty {
+            Type::Vector(_, dimension) => Type::Scalar(*dimension),
+            Type::Zero(_) => Type::Zero(1),
+            other => other.clone(),
+        };
+        let kind = ExprKind::Component(Box::new(self.clone()), component);
+        Expr {
+            kind,
+            ty,
+            origin: self.origin,
+        }
+    }
+}

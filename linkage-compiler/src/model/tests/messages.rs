@@ -1,0 +1,149 @@
+//! Every message about expressions, once.
+
+use super::check;
+use super::dimensions::with_let;
+
+#[test]
+fn expressions() {
+    for (value, expected) in [
+        (
+            "zreo + a",
+            "unknown name `zreo`\nhelp: did you mean `zero`?",
+        ),
+        ("pi * l", "unknown name `pi`\nhelp: did you mean `PI`?"),
+        ("norm * l", "`norm` is a function: write `norm(...)`"),
+        ("elsewhere", "help: declare it in the struct block"),
+        (
+            "l + a",
+            "cannot add a length and an angle\nhelp: both must have the same dimension",
+        ),
+        (
+            "l - 3",
+            "cannot subtract a number from a length\nhelp: give the number its unit: `3mm`",
+        ),
+        (
+            "l + p",
+            "cannot add a length and a plane vector of lengths\nhelp: write a vector",
+        ),
+        (
+            "p + s",
+            "cannot add a plane vector of lengths and a space vector of lengths\nhelp: give both vectors the same number of components",
+        ),
+        (
+            "(l + zero) * sin(zero)",
+            "help: declare `zero` with a unit: `0mm` or `0deg`",
+        ),
+        (
+            "p * q",
+            "a product of two vectors (2 and 2 components)\nhelp: write `dot(a, b)` or `cross(a, b)`",
+        ),
+        (
+            "l / p",
+            "cannot divide by a vector\nhelp: divide by `norm(v)`",
+        ),
+        ("sqrt(sqrt(l))", "not a multiple of one half"),
+        (
+            "(l, a)",
+            "the components of a vector differ in dimension: a length and an angle",
+        ),
+        ("(l,)", "a vector has two or three components, found 1"),
+        ("(l, l, l, l)", "found 4"),
+        (
+            "(p, l)",
+            "a component must be a scalar, found a plane vector of lengths",
+        ),
+        (
+            "p.z",
+            "a plane vector of lengths has no component `z`\nhelp: components are `.x`, `.y`",
+        ),
+        (
+            "l.x",
+            "a length has no component `x`\nhelp: only vectors have components",
+        ),
+        (
+            "p[0]",
+            "a plane vector of lengths has no entries\nhelp: components of a vector are",
+        ),
+        ("[l, k]", "a list in brackets cannot stand here"),
+        ("1e400", "`1e400` is too large for a 64-bit number"),
+        ("1e-400mm", "`1e-400mm` is so small that it becomes zero"),
+        (
+            "polar(a, l)",
+            "the arguments of `polar` are swapped: found an angle and a length\nhelp: write `polar(length, angle)`",
+        ),
+        (
+            "rotate(a, p)",
+            "the arguments of `rotate` are swapped: found an angle and a plane vector of lengths\nhelp: write `rotate(vector, angle)`",
+        ),
+        (
+            "rotate(s, a)",
+            "`rotate` takes a plane vector here, found a space vector of lengths\nhelp: `turn(v, axis, angle)` turns space vectors",
+        ),
+        (
+            "turn(p, t, a)",
+            "`turn` takes a space vector here, found a plane vector of lengths",
+        ),
+        (
+            "polar(l, k)",
+            "`polar` takes an angle or a number here, found a length",
+        ),
+        (
+            "polar(p, a)",
+            "`polar` takes a scalar here, found a plane vector of lengths",
+        ),
+        (
+            "sin(l)",
+            "`sin` takes an angle or a number here, found a length",
+        ),
+        ("sin(p)", "help: `angle(v)` is the angle of a plane vector"),
+        ("asin(l)", "`asin` takes an angle or a number here"),
+        (
+            "atan2(l, a)",
+            "the arguments of `atan2` differ in dimension: a length and an angle",
+        ),
+        ("min(l, 3)", "help: give the number its unit: `3mm`"),
+        ("hypot(p, q)", "`hypot` takes a scalar here"),
+        (
+            "distance(l, k)",
+            "`distance` takes a vector here, found a length",
+        ),
+        ("distance(p, s)", "the arguments of `distance` differ"),
+        (
+            "dot(p, s)",
+            "`dot` takes a plane vector here, found a space vector of lengths",
+        ),
+        ("cross(s, p)", "`cross` takes a space vector here"),
+        ("angle(s)", "`angle` takes a plane vector here"),
+        (
+            "triangle_angle(l, k, a)",
+            "the arguments of `triangle_angle` differ",
+        ),
+        (
+            "norm(p, q)",
+            "`norm` takes 1 argument, found 2\nhelp: write `norm(vector)`",
+        ),
+        (
+            "nrm(p)",
+            "unknown function `nrm`\nhelp: did you mean `norm`?",
+        ),
+        ("frobnicate(p)", "help: functions are polar dir"),
+        ("pow(l, 2)", "help: write `a * a` for a square"),
+        (
+            "l(2)",
+            "`l` is a parameter, not a function\nhelp: write `l * (...)` for a product",
+        ),
+        (
+            "velocity(p)",
+            "`velocity` is only known in the functions of the `impl` block",
+        ),
+        ("d(p, l)", "`d` is only known in the functions"),
+        ("value + 1", "`value` is used in its own definition"),
+        ("nope + nope2", "unknown name `nope`"),
+    ] {
+        let both = ["unknown name `nope`", "unknown name `nope2`"];
+        match value {
+            "nope + nope2" => check(&with_let(value), &both),
+            _ => check(&with_let(value), &[expected]),
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! From source text to the model.
+
+mod derivatives;
+mod dimensions;
+mod golden;
+mod item_messages;
+mod messages;
+mod mutations;
+
+use super::{Mechanism, resolve};
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::syntax::parse;
+
+/// The model, if there is no mistake, and the messages.
+pub(super) fn model(source: &str) -> (Option<Mechanism>, Vec<String>) {
+    let mut diagnostics = Diagnostics::default();
+    let mut origins = Origins::default();
+    let tokens = source.parse().expect("the source has tokens");
+    let definition = parse(tokens, &mut diagnostics);
+    let mechanism =
+        definition.and_then(|definition| resolve(&definition, &mut origins, &mut diagnostics));
+    let messages: Vec<String> = diagnostics
+        .iter()
+        .map(|diagnostic| diagnostic.message.clone())
+        .collect();
+    assert_eq!(mechanism.is_none(), !messages.is_empty(), "{messages:#?}");
+    (mechanism, messages)
+}
+
+/// Each message must contain its part.
+fn check(source: &str, expected: &[&str]) {
+    let (_, messages) = model(source);
+    assert_eq!(messages.len(), expected.len(), "{source}: {messages:#?}");
+    for (message, expected) in messages.iter().zip(expected) {
+        assert!(
+            message.contains(expected),
+            "{source}:\n{message}\nlacks\n{expected}"
+        );
+    }
+}
+
+const CRANK_ROCKER: &str = include_str!("crank_rocker.mech");
+const TWO_INPUTS: &str = include_str!("two_inputs.mech");
+const SPATIAL: &str = include_str!("spatial.mech");
+
+#[test]
+fn the_largest_expressions_fit_the_stack() {
+    let nested = format!("{}1{}", "sin(".repeat(60), ")".repeat(60));
+    let chain = vec![nested; 16].join(" + ");
+    let long = vec!["1"; 980].join(" + ");
+    let (mechanism, messages) = model(&format!("struct A {{ let a = {chain}; let b = {long}; }}"));
+    assert!(mechanism.is_some(), "{messages:#?}");
+}

@@ -1,0 +1,83 @@
+//! No input makes the front end panic.
+
+use proc_macro2::{Group, TokenStream, TokenTree};
+
+use super::{CRANK_ROCKER, SPATIAL, TWO_INPUTS};
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::model::resolve;
+use crate::syntax::{dump, parse};
+
+/// A small generator of its own, so that a failure can be repeated.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % limit as u64) as usize
+    }
+}
+
+/// All tokens, those inside of groups too.
+fn collect(tokens: TokenStream, all: &mut Vec<TokenTree>) {
+    for token in tokens {
+        if let TokenTree::Group(group) = &token {
+            collect(group.stream(), all);
+        }
+        all.push(token);
+    }
+}
+
+/// Deletes, doubles, swaps or replaces tokens at one level.
+fn mutate(tokens: TokenStream, pool: &[TokenTree], random: &mut Random) -> TokenStream {
+    let mut tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    if tokens.is_empty() {
+        return tokens.into_iter().collect();
+    }
+    let place = random.below(tokens.len());
+    if let TokenTree::Group(group) = &tokens[place]
+        && random.below(8) > 0
+    {
+        let inner = mutate(group.stream(), pool, random);
+        tokens[place] = TokenTree::Group(Group::new(group.delimiter(), inner));
+        return tokens.into_iter().collect();
+    }
+    let other = random.below(tokens.len());
+    match random.below(4) {
+        0 => drop(tokens.remove(place)),
+        1 => tokens.insert(place, tokens[place].clone()),
+        2 => tokens.swap(place, other),
+        _ => tokens[place] = pool[random.below(pool.len())].clone(),
+    }
+    tokens.into_iter().collect()
+}
+
+#[test]
+fn mutated_mechanisms_do_not_panic() {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let samples: Vec<TokenStream> = [CRANK_ROCKER, TWO_INPUTS, SPATIAL]
+        .iter()
+        .map(|source| source.parse().expect("the source has tokens"))
+        .collect();
+    let mut pool = Vec::new();
+    samples
+        .iter()
+        .for_each(|sample| collect(sample.clone(), &mut pool));
+    for round in 0..6000 {
+        let mut tokens = samples[round % samples.len()].clone();
+        for _ in 0..1 + random.below(4) {
+            tokens = mutate(tokens, &pool, &mut random);
+        }
+        let mut diagnostics = Diagnostics::default();
+        let mut origins = Origins::default();
+        let Some(definition) = parse(tokens, &mut diagnostics) else {
+            assert!(!diagnostics.is_empty());
+            continue;
+        };
+        dump(&definition);
+        let mechanism = resolve(&definition, &mut origins, &mut diagnostics);
+        assert_eq!(mechanism.is_some(), diagnostics.is_empty());
+        diagnostics.to_tokens();
+    }
+}

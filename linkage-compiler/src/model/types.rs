@@ -1,0 +1,226 @@
+//! The resolved mechanism: ids instead of names, checked dimensions, one length unit, angles in radians.
+//!
+//! No spans here: an [`OriginId`] leads back to the source text.
+
+/// Index into [`Origins`](crate::diagnostic::Origins): where in the source something was written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct OriginId(pub u32);
+
+/// Power of length of a quantity, in halves so that square roots stay exact (`2` is a length, `4` an area). Numbers
+/// and angles convert freely, so both have power 0; `angle` only chooses words in messages, units in docs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dimension {
+    pub half_lengths: i32,
+    pub angle: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum Type {
+    Scalar(Dimension),
+    /// Two or three components of one dimension.
+    Vector(usize, Dimension),
+    /// `velocity` with several inputs, `sensitivity`: entries that may differ in dimension.
+    Array(Vec<Type>),
+    /// The literal `0` (or a vector of such): fits every dimension. The count is 1 for a scalar.
+    Zero(usize),
+    /// Follows from a mistake already reported.
+    Error,
+}
+
+#[derive(Clone, Debug)]
+pub struct Expr {
+    pub kind: ExprKind,
+    pub ty: Type,
+    pub origin: OriginId,
+}
+
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// In the mechanism's length unit, or radians.
+    Number(f64),
+    Name(Name),
+    Vector(Vec<Expr>),
+    Component(Box<Expr>, usize),
+    /// Entry of an array (`velocity(p)[1]`).
+    Index(Box<Expr>, usize),
+    Negate(Box<Expr>),
+    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    Call(Function, Vec<Expr>),
+    /// `d(q, x)`, `d(q, x, y)`.
+    Derivative(Box<Expr>, Vec<Variable>),
+    /// `velocity` 1, `acceleration` 2, `jerk` 3: by the inputs of the function that asks.
+    InputDerivative(Box<Expr>, u8),
+    /// By these scalar parameters, in this order.
+    Sensitivity(Box<Expr>, Vec<ScalarParameterId>),
+    Margin,
+    Error,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BinaryOp {
+    Add,
+    Sub,
+    Mul,
+    Div,
+}
+
+/// What a name stands for; each index counts its own kind in declaration order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Name {
+    Const(usize),
+    Parameter(usize),
+    Input(usize),
+    Unknown(usize),
+    Let(usize),
+    /// `PI`
+    Pi,
+}
+
+/// Index into [`Mechanism::scalar_parameters`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ScalarParameterId(pub usize);
+
+/// What one can differentiate by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Variable {
+    Input(usize),
+    Parameter(ScalarParameterId),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Function {
+    Polar,
+    Dir,
+    Rotate,
+    Turn,
+    Dot,
+    Cross,
+    Norm,
+    Distance,
+    Unit,
+    Angle,
+    TriangleAngle,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Atan2,
+    Sqrt,
+    Hypot,
+    Abs,
+    Min,
+    Max,
+}
+
+#[derive(Clone, Debug)]
+pub struct Constant {
+    pub name: String,
+    pub value: Expr,
+    pub origin: OriginId,
+}
+
+/// One declared parameter; vectors have one scalar parameter for each component.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    pub name: String,
+    pub ty: Type,
+    /// The default: numbers, functions and constants only.
+    pub nominal: Expr,
+    /// Per component; `None`: no tolerance, zero.
+    pub tolerances: Vec<Option<Expr>>,
+    /// Its scalar parameters are `first_scalar .. first_scalar + components`.
+    pub first_scalar: ScalarParameterId,
+    pub origin: OriginId,
+}
+
+#[derive(Clone, Debug)]
+pub struct ScalarParameter {
+    /// `crank`, `pivot_d.x`
+    pub name: String,
+    pub parameter: usize,
+    /// 0 for a scalar.
+    pub component: usize,
+    pub dimension: Dimension,
+}
+
+#[derive(Clone, Debug)]
+pub struct Input {
+    pub name: String,
+    pub dimension: Dimension,
+    pub reference: Expr,
+    pub range: Option<(Expr, Expr)>,
+    pub origin: OriginId,
+}
+
+#[derive(Clone, Debug)]
+pub struct Unknown {
+    pub name: String,
+    /// A scalar, or a two- or three-component vector (an unknown point).
+    pub ty: Type,
+    /// The start estimate: numbers, constants and parameters only.
+    pub estimate: Expr,
+    pub origin: OriginId,
+}
+
+#[derive(Clone, Debug)]
+pub struct Let {
+    pub name: String,
+    /// Uses only names declared before it.
+    pub value: Expr,
+    pub origin: OriginId,
+}
+
+/// `left = right`, both of one type: a scalar or a vector of two or three components.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    pub left: Expr,
+    pub right: Expr,
+    pub origin: OriginId,
+}
+
+#[derive(Clone, Debug)]
+pub struct EvaluatorDef {
+    pub name: String,
+    pub result: String,
+    /// Inputs in the order of the function's arguments.
+    pub inputs: Vec<usize>,
+    /// Origins of the arguments, same order.
+    pub input_origins: Vec<OriginId>,
+    pub quantities: Vec<Quantity>,
+    pub origin: OriginId,
+}
+
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    pub field: String,
+    pub value: Expr,
+    pub origin: OriginId,
+}
+
+/// The length unit of fields and results.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LengthUnit {
+    Metre,
+    Millimetre,
+    Centimetre,
+    Micrometre,
+    Inch,
+}
+
+/// A mechanism without a mistake in names, dimensions or arity.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    pub name: String,
+    pub unit: LengthUnit,
+    pub constants: Vec<Constant>,
+    pub parameters: Vec<Parameter>,
+    pub scalar_parameters: Vec<ScalarParameter>,
+    pub inputs: Vec<Input>,
+    pub unknowns: Vec<Unknown>,
+    pub lets: Vec<Let>,
+    pub loops: Vec<Loop>,
+    pub evaluators: Vec<EvaluatorDef>,
+    pub origin: OriginId,
+}

@@ -1,0 +1,178 @@
+//! What one differentiates by: inputs, scalar parameters, components of vector parameters.
+
+use proc_macro2::Ident;
+
+use super::names::{Resolver, kind};
+use super::parameter::COMPONENTS;
+use super::types::{Name, ScalarParameterId, Type, Variable};
+use crate::diagnostic::text::list;
+use crate::syntax::{self, SourceSpan};
+
+impl Resolver<'_> {
+    /// A variable of `d`; `None` after a report.
+    pub(super) fn variable(&mut self, expr: &syntax::Expr) -> Option<Variable> {
+        let (ident, field) = match &expr.kind {
+            syntax::ExprKind::Error => return None,
+            syntax::ExprKind::Name(ident) => (ident, None),
+            syntax::ExprKind::Field(value, field) => match &value.kind {
+                syntax::ExprKind::Name(ident) => (ident, Some(field)),
+                _ => return self.not_a_variable("an expression", expr.span),
+            },
+            syntax::ExprKind::Number { .. } => {
+                return self.not_a_variable("a constant", expr.span);
+            }
+            _ => return self.not_a_variable("an expression", expr.span),
+        };
+        let text = ident.to_string();
+        let Some((name, ty)) = self
+            .find(&text)
+            .map(|symbol| (symbol.name, symbol.ty.clone()))
+        else {
+            if text == "PI" {
+                return self.not_a_variable("a constant", expr.span);
+            }
+            self.unknown_name(ident);
+            return None;
+        };
+        if ty.is_error() {
+            return None;
+        }
+        match (name, field) {
+            (Name::Input(input), None) => Some(Variable::Input(input)),
+            (Name::Parameter(parameter), _) => {
+                let scalars = self.scalars(ident, parameter, &ty, field)?;
+                match scalars[..] {
+                    [scalar] => Some(Variable::Parameter(scalar)),
+                    _ => {
+                        let fact = format!("derivative with respect to `{text}`, a vector");
+                        let help = format!("name a component, like `{text}.x`");
+                        self.diagnostics.error_with_help(expr.span, fact, help);
+                        None
+                    }
+                }
+            }
+            _ => self.not_a_variable(&format!("`{text}`, {}", kind(name)), expr.span),
+        }
+    }
+
+    fn not_a_variable<T>(&mut self, what: &str, span: SourceSpan) -> Option<T> {
+        let inputs = self.names_of(|name| matches!(name, Name::Input(_)));
+        let parameters: Vec<&str> = self
+            .scalar_parameters
+            .iter()
+            .map(|scalar| scalar.name.as_str())
+            .collect();
+        let variables = [&inputs[..], &parameters[..]].concat();
+        let help = match variables.is_empty() {
+            true => "declare an `input` or a `param`".to_owned(),
+            false => format!("variables are {}", list(&variables)),
+        };
+        let fact = format!("derivative with respect to {what}");
+        self.diagnostics.error_with_help(span, fact, help);
+        None
+    }
+
+    /// The scalar parameters of a parameter, or one of its components.
+    fn scalars(
+        &mut self,
+        ident: &Ident,
+        parameter: usize,
+        ty: &Type,
+        field: Option<&Ident>,
+    ) -> Option<Vec<ScalarParameterId>> {
+        let all = self.scalar_parameters.iter().enumerate();
+        let mine = all.filter(|(_, scalar)| scalar.parameter == parameter);
+        let mine: Vec<_> = mine.map(|(index, _)| ScalarParameterId(index)).collect();
+        let Some(field) = field else {
+            return Some(mine);
+        };
+        let component = COMPONENTS.iter().position(|component| field == component);
+        match component.and_then(|component| mine.get(component)) {
+            Some(scalar) if mine.len() > 1 => Some(vec![*scalar]),
+            _ => {
+                let fact = format!("`{ident}`, {ty}, has no component `{field}`");
+                let help = match mine.len() {
+                    1 => format!("write `{ident}`"),
+                    count => format!("components are `.{}`", COMPONENTS[..count].join("`, `.")),
+                };
+                self.diagnostics.error_with_help(field.into(), fact, help);
+                None
+            }
+        }
+    }
+
+    pub(super) fn all_parameters(&mut self, span: SourceSpan) -> Option<Vec<ScalarParameterId>> {
+        if self
+            .symbols
+            .iter()
+            .any(|symbol| matches!(symbol.name, Name::Parameter(_)))
+        {
+            return Some(
+                (0..self.scalar_parameters.len())
+                    .map(ScalarParameterId)
+                    .collect(),
+            );
+        }
+        let fact = "`sensitivity` in a mechanism without parameters";
+        self.diagnostics
+            .error_with_help(span, fact, "declare a `param`");
+        None
+    }
+
+    /// `[crank, pivot_d.x]`; a vector stands for its components.
+    pub(super) fn listed_parameters(
+        &mut self,
+        expr: &syntax::Expr,
+    ) -> Option<Vec<ScalarParameterId>> {
+        let syntax::ExprKind::List(entries) = &expr.kind else {
+            let fact = "expected a list of parameters";
+            let help = "write them in brackets: `[crank, rocker]`";
+            self.diagnostics.error_with_help(expr.span, fact, help);
+            return None;
+        };
+        if entries.is_empty() {
+            let fact = "the list of parameters is empty";
+            let help = "leave it out for all parameters";
+            self.diagnostics.error_with_help(expr.span, fact, help);
+            return None;
+        }
+        let mut found = Vec::new();
+        let mut sound = true;
+        for entry in entries {
+            match self.listed(entry) {
+                Some(scalars) if scalars.iter().any(|scalar| found.contains(scalar)) => {
+                    let fact = "the parameter is listed twice";
+                    self.diagnostics
+                        .error_with_help(entry.span, fact, "leave one of them out");
+                    sound = false;
+                }
+                Some(scalars) => found.extend(scalars),
+                None => sound = false,
+            }
+        }
+        sound.then_some(found)
+    }
+
+    fn listed(&mut self, entry: &syntax::Expr) -> Option<Vec<ScalarParameterId>> {
+        if let syntax::ExprKind::Name(ident) = &entry.kind
+            && let Some(symbol) = self.find(&ident.to_string())
+            && let Name::Parameter(parameter) = symbol.name
+        {
+            let ty = symbol.ty.clone();
+            return if ty.is_error() {
+                None
+            } else {
+                self.scalars(ident, parameter, &ty, None)
+            };
+        }
+        match self.variable(entry)? {
+            Variable::Parameter(scalar) => Some(vec![scalar]),
+            Variable::Input(_) => {
+                let fact = "a sensitivity is by parameters, found an input";
+                let help = "write `d(q, x)` for the derivative with respect to an input";
+                self.diagnostics.error_with_help(entry.span, fact, help);
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Recognising a group by its mathematics: its loop as a polynomial in its unknowns.
+
+use linkage_symbolic::{NodeId, Polynomial, SymbolId, collect};
+
+use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::{Analysis, Form, Rotor};
+
+/// The equations of a group as polynomials in the symbols of its coordinates.
+pub(super) struct Polynomials {
+    pub(super) rows: Vec<Polynomial>,
+    symbols: Vec<SymbolId>,
+}
+
+impl Polynomials {
+    fn monomial(&self, symbols: &[SymbolId]) -> Vec<u8> {
+        let mut exponents = vec![0; self.symbols.len()];
+        for symbol in symbols {
+            if let Some(place) = self.symbols.iter().position(|s| s == symbol) {
+                exponents[place] += 1;
+            }
+        }
+        exponents
+    }
+
+    /// Removes and returns the coefficients of a product of symbols, one for each row; 0 where there is none.
+    fn take(&mut self, symbols: &[SymbolId], zero: NodeId) -> Vec<NodeId> {
+        let monomial = self.monomial(symbols);
+        self.rows
+            .iter_mut()
+            .map(|row| row.remove(&monomial).unwrap_or(zero))
+            .collect()
+    }
+
+    fn take_pair(&mut self, symbols: &[SymbolId], zero: NodeId) -> [NodeId; 2] {
+        let pair = self.take(symbols, zero);
+        [pair[0], pair[1]]
+    }
+
+    /// True if every term has been taken.
+    fn is_exhausted(&self) -> bool {
+        self.rows.iter().all(Polynomial::is_empty)
+    }
+}
+
+impl Analysis<'_, '_> {
+    /// The rows of an equation as polynomials in coordinates; `None` if they are none (a square root, an angle's value).
+    pub(super) fn polynomials(
+        &mut self,
+        rows: &[NodeId],
+        coordinates: &[Coordinate],
+    ) -> Option<Polynomials> {
+        let mut symbols = Vec::new();
+        let mut unit_pairs = Vec::new();
+        for coordinate in coordinates {
+            if let CoordinateKind::Angle(_) = coordinate.kind {
+                unit_pairs.push((symbols.len(), symbols.len() + 1));
+            }
+            symbols.extend(self.symbols(coordinate));
+        }
+        let graph = &mut self.algebra.graph;
+        let rows = rows
+            .iter()
+            .map(|&row| collect(graph, row, &symbols, &unit_pairs))
+            .collect::<Option<Vec<Polynomial>>>()?;
+        Some(Polynomials { rows, symbols })
+    }
+
+    /// The form in which one equation is solved for all its coordinates, if it has one of the known forms.
+    pub(super) fn classify(
+        &mut self,
+        equation: &Equation,
+        coordinates: &[Coordinate],
+    ) -> Option<Form> {
+        use CoordinateKind::{Angle, Length};
+        if let ([coordinate], 1) = (coordinates, equation.rows.len()) {
+            return self.classify_scalar(equation, coordinate);
+        }
+        if equation.rows.len() != 2 || coordinates.len() != 2 {
+            return None;
+        }
+        let polynomials = self.polynomials(&equation.rows, coordinates)?;
+        match (coordinates[0].kind, coordinates[1].kind) {
+            (Angle(first), Angle(second)) => self.two_rotors(polynomials, first, second),
+            (Angle(angle), Length(slide)) | (Length(slide), Angle(angle)) => {
+                self.rotor_and_slide(polynomials, angle, slide)
+            }
+            (Length(first), Length(second)) => self.two_slides(polynomials, [first, second]),
+        }
+    }
+
+    /// The terms with an angle's unit vector (times `with`), if they are a vector turning with it.
+    fn take_rotor(
+        &mut self,
+        polynomials: &mut Polynomials,
+        index: usize,
+        with: &[SymbolId],
+    ) -> Option<Rotor> {
+        let angle = &self.algebra.angles[index];
+        let (cos, sin) = (angle.cos, angle.sin);
+        let zero = self.algebra.graph.zero();
+        let along = polynomials.take_pair(&[&[cos], with].concat(), zero);
+        let across = polynomials.take_pair(&[&[sin], with].concat(), zero);
+        let graph = &mut self.algebra.graph;
+        let perp = [graph.neg(along[1]), along[0]];
+        let back = [along[1], graph.neg(along[0])];
+        let sense = match across {
+            _ if across == perp => 1.0,
+            _ if across == back => -1.0,
+            _ => return None,
+        };
+        Some(Rotor {
+            angle: index,
+            sense,
+            z: along,
+        })
+    }
+
+    fn two_rotors(&mut self, mut rest: Polynomials, first: usize, second: usize) -> Option<Form> {
+        let first = self.take_rotor(&mut rest, first, &[])?;
+        let second = self.take_rotor(&mut rest, second, &[])?;
+        let zero = self.algebra.graph.zero();
+        let known = rest.take_pair(&[], zero);
+        let complete = rest.is_exhausted() && self.is_vector(first.z) && self.is_vector(second.z);
+        complete.then_some(Form::TwoRotors {
+            first,
+            second,
+            known,
+        })
+    }
+
+    fn rotor_and_slide(
+        &mut self,
+        mut rest: Polynomials,
+        angle: usize,
+        slide: SymbolId,
+    ) -> Option<Form> {
+        let zero = self.algebra.graph.zero();
+        let rotor = self.take_rotor(&mut rest, angle, &[])?;
+        let moving = self.take_rotor(&mut rest, angle, &[slide])?;
+        let fixed = rest.take_pair(&[slide], zero);
+        let known = rest.take_pair(&[], zero);
+        if !rest.is_exhausted() {
+            return None;
+        }
+        match (self.is_vector(fixed), self.is_vector(moving.z)) {
+            (true, false) if self.is_vector(rotor.z) => Some(Form::RotorAndSlide {
+                rotor,
+                slide,
+                guide: fixed,
+                known,
+            }),
+            (false, true) if !self.is_vector(rotor.z) || moving.sense == rotor.sense => {
+                let rotor = Rotor {
+                    z: rotor.z,
+                    ..moving.clone()
+                };
+                Some(Form::SlideOnRotor {
+                    rotor,
+                    slide,
+                    guide: moving.z,
+                    known,
+                })
+            }
+            _ => None,
+        }
+    }
+
+    fn two_slides(&mut self, mut rest: Polynomials, slides: [SymbolId; 2]) -> Option<Form> {
+        let zero = self.algebra.graph.zero();
+        let guides = slides.map(|slide| rest.take_pair(&[slide], zero));
+        let known = rest.take_pair(&[], zero);
+        rest.is_exhausted().then_some(Form::TwoSlides {
+            slides,
+            guides,
+            known,
+        })
+    }
+
+    fn is_vector(&self, v: [NodeId; 2]) -> bool {
+        !v.iter().all(|&x| self.algebra.graph.is_zero(x))
+    }
+
+    fn classify_scalar(&mut self, equation: &Equation, coordinate: &Coordinate) -> Option<Form> {
+        if let CoordinateKind::Angle(angle) = coordinate.kind
+            && let Some(value) = self.solved_relation(equation, angle)
+        {
+            return Some(Form::Relation { angle, value });
+        }
+        let mut rest = self.polynomials(&equation.rows, std::slice::from_ref(coordinate))?;
+        let zero = self.algebra.graph.zero();
+        let mut take = |symbols: &[SymbolId]| rest.take(symbols, zero)[0];
+        let form = match coordinate.kind {
+            CoordinateKind::Angle(angle) => {
+                let symbols = &self.algebra.angles[angle];
+                let (a, b) = (take(&[symbols.cos]), take(&[symbols.sin]));
+                Form::Trigonometric {
+                    angle,
+                    a,
+                    b,
+                    c: take(&[]),
+                }
+            }
+            CoordinateKind::Length(symbol) => {
+                let (a, b) = (take(&[symbol, symbol]), take(&[symbol]));
+                let c = take(&[]);
+                match self.algebra.graph.is_zero(a) {
+                    true => Form::Linear { symbol, a: b, b: c },
+                    false => Form::Quadratic { symbol, a, b, c },
+                }
+            }
+        };
+        rest.is_exhausted().then_some(form)
+    }
+}

@@ -1,0 +1,152 @@
+//! Equations and coordinates: the two sides of the bipartite graph.
+
+use linkage_symbolic::{NodeId, SymbolId, substitute};
+
+use crate::algebra::{Bound, Scalar, Translate, Value};
+use crate::model::Loop;
+
+use super::Analysis;
+
+/// A loop, or what became of one: one or two scalar equations `row = 0`.
+#[derive(Clone, Debug)]
+pub(crate) struct Equation {
+    pub(crate) rows: Vec<NodeId>,
+    /// A scalar loop as a linear form in angles.
+    pub(crate) relation: Option<Scalar>,
+    /// The loops it comes from.
+    pub(crate) loops: Vec<usize>,
+    /// Unknowns of the model that were eliminated into it.
+    pub(crate) eliminated: Vec<usize>,
+}
+
+/// One scalar unknown.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Coordinate {
+    pub(crate) kind: CoordinateKind,
+    /// The model's unknown; `None` for one that the compiler introduced.
+    pub(crate) unknown: Option<usize>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum CoordinateKind {
+    Angle(usize),
+    Length(SymbolId),
+}
+
+impl Analysis<'_, '_> {
+    /// All loops as equations, all unknowns as coordinates.
+    pub(super) fn equations(&mut self) -> (Vec<Equation>, Vec<Coordinate>) {
+        let mechanism = self.algebra.mechanism;
+        let mut equations = Vec::new();
+        for (index, item) in mechanism.loops.iter().enumerate() {
+            match self.equation(index, item) {
+                Some(equation) => equations.push(equation),
+                None => self.diagnostics.error(
+                    self.origins.span(item.origin),
+                    format!(
+                        "loop {} is a loop in space, which is not supported yet\n\
+                         help: loops between vectors `(x, y)` of the plane can be solved",
+                        index + 1
+                    ),
+                ),
+            }
+        }
+        let mut coordinates = Vec::new();
+        for (unknown, bound) in self.algebra.bound.iter().enumerate() {
+            let kinds: Vec<CoordinateKind> = match bound {
+                Bound::Angle(angle) => vec![CoordinateKind::Angle(*angle)],
+                Bound::Lengths(symbols) => symbols
+                    .iter()
+                    .map(|(symbol, _)| CoordinateKind::Length(*symbol))
+                    .collect(),
+            };
+            let named = kinds.into_iter().map(|kind| Coordinate {
+                kind,
+                unknown: Some(unknown),
+            });
+            coordinates.extend(named);
+        }
+        (equations, coordinates)
+    }
+
+    fn equation(&mut self, index: usize, item: &Loop) -> Option<Equation> {
+        let left = self.algebra.translate(&item.left);
+        let right = self.algebra.translate(&item.right);
+        let (rows, relation) = match (&left, &right) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let relation = self.algebra.combine(a, b, -1.0);
+                (vec![self.algebra.node(&relation)], Some(relation))
+            }
+            _ => {
+                let a = self.algebra.components(&left);
+                let b = self.algebra.components(&right);
+                let rows = a
+                    .iter()
+                    .zip(&b)
+                    .map(|(&x, &y)| self.algebra.graph.sub(x, y))
+                    .collect();
+                (rows, None)
+            }
+        };
+        let equation = Equation {
+            rows,
+            relation,
+            loops: vec![index],
+            eliminated: Vec::new(),
+        };
+        (equation.rows.len() < 3).then_some(equation)
+    }
+
+    /// The symbols of a coordinate.
+    pub(super) fn symbols(&self, coordinate: &Coordinate) -> Vec<SymbolId> {
+        match coordinate.kind {
+            CoordinateKind::Length(symbol) => vec![symbol],
+            CoordinateKind::Angle(index) => {
+                let angle = &self.algebra.angles[index];
+                vec![angle.cos, angle.sin, angle.value]
+            }
+        }
+    }
+
+    /// Which coordinates an equation contains.
+    pub(super) fn incidence(&self, equation: &Equation, coordinates: &[Coordinate]) -> Vec<usize> {
+        let present = self.algebra.graph.symbols_of(&equation.rows);
+        (0..coordinates.len())
+            .filter(|&k| {
+                self.symbols(&coordinates[k])
+                    .iter()
+                    .any(|s| present.contains(s))
+            })
+            .collect()
+    }
+
+    pub(super) fn contains(&self, node: NodeId, coordinate: &Coordinate) -> bool {
+        let present = self.algebra.graph.symbols_of(&[node]);
+        self.symbols(coordinate).iter().any(|s| present.contains(s))
+    }
+
+    /// Replaces eliminated symbols in an equation.
+    pub(super) fn substituted(&mut self, equation: &Equation) -> Equation {
+        self.substitute_norms(&equation.rows);
+        let rows = substitute(&mut self.algebra.graph, &equation.rows, &self.substitutions);
+        let relation = equation.relation.clone().filter(|_| rows == equation.rows);
+        Equation {
+            rows,
+            relation,
+            ..equation.clone()
+        }
+    }
+
+    /// Lengths in the rows stay known as lengths of vectors.
+    fn substitute_norms(&mut self, rows: &[NodeId]) {
+        for node in self.algebra.graph.reachable(rows) {
+            if let Some(&[x, y]) = self.algebra.norms.get(&node) {
+                let graph = &mut self.algebra.graph;
+                let renewed = substitute(graph, &[node, x, y], &self.substitutions);
+                self.algebra
+                    .norms
+                    .insert(renewed[0], [renewed[1], renewed[2]]);
+            }
+        }
+    }
+}

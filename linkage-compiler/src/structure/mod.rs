@@ -1,0 +1,217 @@
+//! The structural analysis: which unknowns can be solved together, in which order, and in which form.
+//!
+//! Loops and unknowns form a bipartite graph. A maximum matching and the strongly connected components of the
+//! directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups, in order. Each group is then brought
+//! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
+
+mod classify;
+mod eliminate;
+mod equations;
+mod matching;
+pub(crate) mod report;
+
+use linkage_symbolic::{NodeId, SymbolId};
+
+use crate::algebra::{Algebra, Nominal, Scalar};
+use crate::diagnostic::{Diagnostics, Origins};
+
+pub(crate) use equations::{Coordinate, Equation};
+
+/// A vector that turns with an unknown angle: `z (cos + i sense sin)` in complex numbers.
+#[derive(Clone, Debug)]
+pub(crate) struct Rotor {
+    pub(crate) angle: usize,
+    /// -1 if the vector turns against the angle.
+    pub(crate) sense: f64,
+    pub(crate) z: [NodeId; 2],
+}
+
+/// A group in the form in which it is solved. Each equation is `sum = 0`.
+#[derive(Clone, Debug)]
+pub(crate) enum Form {
+    /// `first + second + known = 0`: RRR
+    TwoRotors {
+        first: Rotor,
+        second: Rotor,
+        known: [NodeId; 2],
+    },
+    /// `rotor + slide * guide + known = 0`: RRP, PRR
+    RotorAndSlide {
+        rotor: Rotor,
+        slide: SymbolId,
+        guide: [NodeId; 2],
+        known: [NodeId; 2],
+    },
+    /// `(rotor + slide * guide) turning with one angle + known = 0`: RPR. The rotor's vector is the offset.
+    SlideOnRotor {
+        rotor: Rotor,
+        slide: SymbolId,
+        guide: [NodeId; 2],
+        known: [NodeId; 2],
+    },
+    /// `slide 1 * guide 1 + slide 2 * guide 2 + known = 0`: PRP, RPP
+    TwoSlides {
+        slides: [SymbolId; 2],
+        guides: [[NodeId; 2]; 2],
+        known: [NodeId; 2],
+    },
+    /// `a cos + b sin + c = 0`
+    Trigonometric {
+        angle: usize,
+        a: NodeId,
+        b: NodeId,
+        c: NodeId,
+    },
+    /// `a x^2 + b x + c = 0`
+    Quadratic {
+        symbol: SymbolId,
+        a: NodeId,
+        b: NodeId,
+        c: NodeId,
+    },
+    /// `a x + b = 0`
+    Linear {
+        symbol: SymbolId,
+        a: NodeId,
+        b: NodeId,
+    },
+    /// An angle given by others.
+    Relation { angle: usize, value: Scalar },
+}
+
+impl Form {
+    /// For dumps.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Self::TwoRotors { .. } => "two rotors",
+            Self::RotorAndSlide { .. } => "rotor and slide",
+            Self::SlideOnRotor { .. } => "slide on rotor",
+            Self::TwoSlides { .. } => "two slides",
+            Self::Trigonometric { .. } => "trigonometric",
+            Self::Quadratic { .. } => "quadratic",
+            Self::Linear { .. } => "linear",
+            Self::Relation { .. } => "relation",
+        }
+    }
+}
+
+/// One Assur group.
+#[derive(Clone, Debug)]
+pub(crate) struct Group {
+    /// Indices of its loops in the mechanism.
+    pub(crate) loops: Vec<usize>,
+    /// Indices of the unknowns that it finds, in the model.
+    pub(crate) unknowns: Vec<usize>,
+    pub(crate) form: Form,
+}
+
+/// An unknown that is an explicit expression of others and was eliminated before its group was solved.
+#[derive(Clone, Debug)]
+pub(crate) struct Explicit {
+    pub(crate) symbol: SymbolId,
+    pub(crate) value: NodeId,
+}
+
+/// The groups in an order in which they can be solved.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Structure {
+    pub(crate) groups: Vec<Group>,
+    pub(crate) explicit: Vec<Explicit>,
+    /// Inputs + unknowns - equations.
+    pub(crate) mobility: usize,
+}
+
+/// Finds the groups; what cannot be solved is reported.
+pub(crate) fn decompose(
+    algebra: &mut Algebra,
+    nominal: &Nominal,
+    origins: &Origins,
+    diagnostics: &mut Diagnostics,
+) -> Structure {
+    let mut analysis = Analysis {
+        algebra,
+        nominal,
+        origins,
+        diagnostics,
+        structure: Structure::default(),
+        substitutions: Default::default(),
+        steps: 0,
+    };
+    analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
+    let (equations, coordinates) = analysis.equations();
+    analysis.solve(equations, coordinates);
+    analysis.structure
+}
+
+/// The state of the analysis.
+struct Analysis<'a, 'm> {
+    algebra: &'a mut Algebra<'m>,
+    nominal: &'a Nominal,
+    origins: &'a Origins,
+    diagnostics: &'a mut Diagnostics,
+    structure: Structure,
+    /// Eliminated symbols and what they stand for.
+    substitutions: std::collections::HashMap<SymbolId, NodeId>,
+    /// Reductions so far.
+    steps: usize,
+}
+
+/// No mechanism needs as many reductions for each of its loops.
+const STEPS_PER_LOOP: usize = 10;
+
+impl Analysis<'_, '_> {
+    /// Splits equations into groups and solves each for its coordinates.
+    fn solve(&mut self, equations: Vec<Equation>, coordinates: Vec<Coordinate>) {
+        let incidence: Vec<Vec<usize>> = equations
+            .iter()
+            .map(|e| self.incidence(e, &coordinates))
+            .collect();
+        let rows: Vec<usize> = equations.iter().map(|e| e.rows.len()).collect();
+        let matching = matching::maximum(&rows, &incidence, coordinates.len());
+        if !self.report_mobility(&equations, &coordinates, &incidence, &matching) {
+            return;
+        }
+        for component in matching::components(&incidence, &matching) {
+            let own =
+                |k: &usize| component.contains(&matching.equation_of[*k].unwrap_or(usize::MAX));
+            let coordinates: Vec<Coordinate> = (0..coordinates.len())
+                .filter(own)
+                .map(|k| coordinates[k].clone())
+                .collect();
+            let equations = component.iter().map(|&k| equations[k].clone()).collect();
+            self.component(equations, coordinates);
+        }
+    }
+
+    /// One strongly connected component: recognised, reduced, or reported.
+    fn component(&mut self, equations: Vec<Equation>, coordinates: Vec<Coordinate>) {
+        if let [equation] = &equations[..]
+            && let Some(form) = self.classify(equation, &coordinates)
+        {
+            return self.push_group(equation, &coordinates, form);
+        }
+        self.steps += 1;
+        let allowed = self.steps <= STEPS_PER_LOOP * self.algebra.mechanism.loops.len();
+        let reduced = if allowed {
+            self.reduce(&equations, &coordinates)
+        } else {
+            None
+        };
+        match reduced {
+            Some((equations, coordinates)) => self.solve(equations, coordinates),
+            None => self.report_unsolved(&equations, &coordinates),
+        }
+    }
+
+    fn push_group(&mut self, equation: &Equation, coordinates: &[Coordinate], form: Form) {
+        let mut unknowns: Vec<usize> = coordinates.iter().filter_map(|c| c.unknown).collect();
+        unknowns.extend(&equation.eliminated);
+        unknowns.sort_unstable();
+        unknowns.dedup();
+        self.structure.groups.push(Group {
+            loops: equation.loops.clone(),
+            unknowns,
+            form,
+        });
+    }
+}

@@ -1,0 +1,211 @@
+//! Messages of the structural analysis: mobility, and groups that have no closed form.
+
+use linkage_symbolic::Polynomial;
+
+use super::Analysis;
+use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::matching::{self, Matching};
+
+impl Analysis<'_, '_> {
+    /// Reports unknowns without equations and equations without unknowns; true if there are none.
+    pub(super) fn report_mobility(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+        incidence: &[Vec<usize>],
+        matching: &Matching,
+    ) -> bool {
+        let mut complete = true;
+        let mut told: Vec<usize> = Vec::new();
+        for (k, coordinate) in coordinates.iter().enumerate() {
+            if matching.equation_of[k].is_some() || told.contains(&k) {
+                continue;
+            }
+            complete = false;
+            let (undetermined, sharing) = matching::undetermined_with(k, incidence, matching);
+            self.report_undetermined(coordinate, &undetermined, &sharing, equations, coordinates);
+            told.extend(undetermined);
+        }
+        for (k, equation) in equations.iter().enumerate() {
+            let surplus = equation.rows.len() - matching.coordinates_of[k].len();
+            if surplus > 0 && (complete || incidence[k].is_empty()) {
+                complete = false;
+                self.report_surplus(equation, surplus, &incidence[k], coordinates);
+            }
+        }
+        complete
+    }
+
+    fn report_undetermined(
+        &mut self,
+        coordinate: &Coordinate,
+        undetermined: &[usize],
+        sharing: &[usize],
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) {
+        let Some(unknown) = coordinate.unknown else {
+            return;
+        };
+        let span = self
+            .origins
+            .span(self.algebra.mechanism.unknowns[unknown].origin);
+        let name = &self.algebra.mechanism.unknowns[unknown].name;
+        if sharing.is_empty() {
+            return self.diagnostics.error(
+                span,
+                format!(
+                    "unknown `{name}` is in no loop\n\
+                     help: add a `loop` that contains it, or write it as `let` or `input`"
+                ),
+            );
+        }
+        let rows: usize = sharing.iter().map(|&k| equations[k].rows.len()).sum();
+        let surplus = undetermined.len() - rows;
+        let inputs = self.algebra.mechanism.inputs.len();
+        let message = format!(
+            "more unknowns than equations: {} ({}) but {} from {}; mobility {}, driven inputs {inputs}\n\
+             help: add a loop, or make {} of these unknowns an `input`",
+            counted(undetermined.len(), "unknown"),
+            self.unknown_names(undetermined.iter().map(|&k| &coordinates[k])),
+            counted(rows, "equation"),
+            loop_list(sharing.iter().flat_map(|&k| &equations[k].loops)),
+            inputs + surplus,
+            if surplus == 1 {
+                "one".to_owned()
+            } else {
+                surplus.to_string()
+            },
+        );
+        self.diagnostics.error(span, message);
+    }
+
+    fn report_surplus(
+        &mut self,
+        equation: &Equation,
+        surplus: usize,
+        contained: &[usize],
+        coordinates: &[Coordinate],
+    ) {
+        let number = equation.loops[0];
+        let span = self
+            .origins
+            .span(self.algebra.mechanism.loops[number].origin);
+        let loops = loop_list(&equation.loops);
+        let message = if contained.is_empty() {
+            format!(
+                "{loops} contains no unknown\nhelp: a loop closes by unknowns; add an `unknown` to it or remove it"
+            )
+        } else {
+            let all = counted(coordinates.len(), "unknown");
+            format!(
+                "more equations than unknowns: {loops} {} too many for {} ({all} in all)\n\
+                 help: make a dimension or an angle of {loops} an `unknown`, or remove the loop",
+                if surplus == 1 {
+                    "has one equation".to_owned()
+                } else {
+                    format!("has {surplus} equations")
+                },
+                self.unknown_names(contained.iter().map(|&k| &coordinates[k])),
+            )
+        };
+        self.diagnostics.error(span, message);
+    }
+
+    /// A coupled group without a closed form.
+    pub(super) fn report_unsolved(&mut self, equations: &[Equation], coordinates: &[Coordinate]) {
+        let loops = loop_list(equations.iter().flat_map(|e| &e.loops));
+        let own = coordinates.iter().filter_map(|c| c.unknown);
+        let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
+        let names = self.names(own.chain(eliminated).collect());
+        let span = self
+            .origins
+            .span(self.algebra.mechanism.loops[equations[0].loops[0]].origin);
+        let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
+        let message = if rows <= 2 {
+            format!(
+                "no closed form for {names} in {loops}\n\
+                 help: an unknown angle may stand in `polar`, `dir`, `rotate`, `sin`, `cos`, an unknown length may be \
+                 multiplied by known quantities or by a direction"
+            )
+        } else {
+            format!(
+                "a group of {rows} unknowns ({names}) in {loops}: {}, not supported yet\n\
+                 help: groups of class II (two unknowns in one loop) are solved; check that the loops need to be coupled",
+                self.class_name(equations, coordinates)
+            )
+        };
+        self.diagnostics.error(span, message);
+    }
+
+    /// Class and order of a coupled group. Two loops with four unknowns are of class III if one link carries three joints,
+    /// of class IV if the closed contour has two such links: a link carries more than two joints if it enters the
+    /// loops with different vectors.
+    fn class_name(&mut self, equations: &[Equation], coordinates: &[Coordinate]) -> &'static str {
+        let [first, second] = equations else {
+            return "class III or higher";
+        };
+        let rows: Vec<_> = [&first.rows[..], &second.rows[..]].concat();
+        if rows.len() != 4 {
+            return "class III or higher";
+        }
+        let Some(polynomials) = self.polynomials(&rows, coordinates) else {
+            return "class III or higher";
+        };
+        let mut ternary = 0;
+        let mut place = 0;
+        for coordinate in coordinates {
+            if let CoordinateKind::Angle(_) = coordinate.kind {
+                let share = |p: &Polynomial| -> Vec<_> {
+                    p.iter()
+                        .filter(|(m, _)| m[place] > 0)
+                        .map(|(m, &x)| (m.clone(), x))
+                        .collect()
+                };
+                let [ax, ay, bx, by] = [0, 1, 2, 3].map(|k| share(&polynomials.rows[k]));
+                let absent = (ax.is_empty() && ay.is_empty()) || (bx.is_empty() && by.is_empty());
+                let mut negative = |p: Vec<(Vec<u8>, _)>| -> Vec<_> {
+                    p.into_iter()
+                        .map(|(m, x)| (m, self.algebra.graph.neg(x)))
+                        .collect()
+                };
+                let equal = (ax == bx && ay == by)
+                    || (negative(ax.clone()) == bx && negative(ay.clone()) == by);
+                if !absent && !equal {
+                    ternary += 1;
+                }
+            }
+            place += self.symbols(coordinate).len();
+        }
+        if ternary > 1 { "class IV" } else { "class III" }
+    }
+
+    fn unknown_names<'c>(&self, coordinates: impl Iterator<Item = &'c Coordinate>) -> String {
+        self.names(coordinates.filter_map(|c| c.unknown).collect())
+    }
+
+    fn names(&self, mut unknowns: Vec<usize>) -> String {
+        unknowns.sort_unstable();
+        unknowns.dedup();
+        let name = |&k: &usize| format!("`{}`", self.algebra.mechanism.unknowns[k].name);
+        unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// `loop 2`, `loops 2 and 3`, `loops 1, 2 and 3`
+pub(crate) fn loop_list<'a>(loops: impl IntoIterator<Item = &'a usize>) -> String {
+    let mut numbers: Vec<usize> = loops.into_iter().map(|k| k + 1).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    let words: Vec<String> = numbers.iter().map(usize::to_string).collect();
+    match &words[..] {
+        [one] => format!("loop {one}"),
+        [before @ .., last] => format!("loops {} and {last}", before.join(", ")),
+        [] => "no loop".to_owned(),
+    }
+}
+
+/// `1 unknown`, `3 unknowns`
+fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}

@@ -1,0 +1,210 @@
+//! The syntax tree: one type per grammar rule, names with their spans, numbers as written.
+
+use proc_macro2::{Ident, Span, TokenStream};
+
+/// First and last token of a piece of source text; messages underline all that lies between.
+#[derive(Clone, Copy, Debug)]
+pub struct SourceSpan {
+    pub first: Span,
+    pub last: Span,
+}
+
+/// The whole macro input: the struct block and the `impl` block.
+#[derive(Debug)]
+pub struct MechanismDef {
+    /// Outer attributes of the struct, doc comments included, as written (`#[...] #[...]`).
+    pub attributes: Vec<Attribute>,
+    /// `pub`, `pub(crate)` or nothing.
+    pub visibility: TokenStream,
+    pub name: Ident,
+    pub items: Vec<Item>,
+    pub functions: Vec<FunctionDef>,
+}
+
+/// One outer attribute.
+#[derive(Clone, Debug)]
+pub struct Attribute {
+    /// The path's last segment: `doc`, `derive`, `allow`, ...
+    pub name: String,
+    /// The complete attribute, `#` and brackets included.
+    pub tokens: TokenStream,
+    /// The tokens between the brackets after the path (`derive(...)`: the group).
+    pub arguments: TokenStream,
+    pub span: SourceSpan,
+}
+
+#[derive(Debug)]
+pub enum Item {
+    Unit(UnitItem),
+    Const(NamedItem),
+    Param(ParamItem),
+    Input(InputItem),
+    Unknown(NamedItem),
+    Let(NamedItem),
+    Loop(LoopItem),
+}
+
+/// `unit mm;`
+#[derive(Debug)]
+pub struct UnitItem {
+    pub unit: Ident,
+    pub span: SourceSpan,
+}
+
+/// `const NAME = expr;`, `let NAME = expr;`, `unknown NAME = expr;`
+#[derive(Debug)]
+pub struct NamedItem {
+    pub attributes: Vec<Attribute>,
+    pub name: Ident,
+    pub value: Expr,
+}
+
+/// `param NAME = expr [+- tol];`
+#[derive(Debug)]
+pub struct ParamItem {
+    pub attributes: Vec<Attribute>,
+    pub name: Ident,
+    pub value: Toleranced,
+}
+
+/// A parameter's value: a single toleranced expression, or a vector whose components have tolerances of their own.
+#[derive(Debug)]
+pub enum Toleranced {
+    /// `nominal [+- tolerance]`; the nominal value may be a scalar or a vector.
+    Single {
+        nominal: Expr,
+        tolerance: Option<Expr>,
+    },
+    /// `(x [+- tx], y [+- ty])` where at least one component has a tolerance.
+    Components {
+        components: Vec<(Expr, Option<Expr>)>,
+        span: SourceSpan,
+    },
+}
+
+/// `input NAME = expr [in lo..hi];`
+#[derive(Debug)]
+pub struct InputItem {
+    pub attributes: Vec<Attribute>,
+    pub name: Ident,
+    pub value: Expr,
+    /// `lo..hi` (`lo..=hi` is accepted and means the same).
+    pub range: Option<(Expr, Expr)>,
+}
+
+/// `loop expr = expr;`
+#[derive(Debug)]
+pub struct LoopItem {
+    pub left: Expr,
+    pub right: Expr,
+    pub span: SourceSpan,
+}
+
+#[derive(Clone, Debug)]
+pub struct Expr {
+    pub kind: ExprKind,
+    pub span: SourceSpan,
+}
+
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// A number and its unit suffix (empty: none), both as written; `text` has no underscores.
+    Number {
+        text: String,
+        suffix: String,
+    },
+    Name(Ident),
+    /// `(a, b)` or `(a, b, c)`; any other count is kept too, for `resolve` to refuse.
+    Tuple(Vec<Expr>),
+    /// `v.x`
+    Field(Box<Expr>, Ident),
+    /// `v[0]`
+    Index(Box<Expr>, Box<Expr>),
+    Negate(Box<Expr>),
+    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// `name(args)`, also `d(...)`, `sensitivity(q, [..])`, `margin()`.
+    Call(Ident, Vec<Expr>),
+    /// `[a, b]`, only meaningful as second argument of `sensitivity`.
+    List(Vec<Expr>),
+    /// What a syntax error left behind; it has been reported, later phases stay silent about it.
+    Error,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BinaryOp {
+    Add,
+    Sub,
+    Mul,
+    Div,
+}
+
+/// `pub fn NAME(inputs) -> TYPE { quantities }`
+#[derive(Debug)]
+pub struct FunctionDef {
+    pub attributes: Vec<Attribute>,
+    pub visibility: TokenStream,
+    pub name: Ident,
+    pub inputs: Vec<Ident>,
+    pub result: Ident,
+    pub quantities: Vec<QuantityDef>,
+}
+
+/// `tracer` or `field: expr`
+#[derive(Debug)]
+pub struct QuantityDef {
+    pub attributes: Vec<Attribute>,
+    pub field: Ident,
+    pub value: Expr,
+}
+
+impl SourceSpan {
+    /// One token, or a group with its delimiters.
+    pub fn single(span: Span) -> Self {
+        SourceSpan {
+            first: span,
+            last: span,
+        }
+    }
+
+    /// From the start of `self` to the end of `last`.
+    pub fn to(self, last: SourceSpan) -> Self {
+        SourceSpan {
+            first: self.first,
+            last: last.last,
+        }
+    }
+}
+
+impl From<Span> for SourceSpan {
+    fn from(span: Span) -> Self {
+        SourceSpan::single(span)
+    }
+}
+
+impl From<&Ident> for SourceSpan {
+    fn from(ident: &Ident) -> Self {
+        SourceSpan::single(ident.span())
+    }
+}
+
+impl Expr {
+    /// What a mistake leaves behind.
+    pub fn error(span: SourceSpan) -> Self {
+        Expr {
+            kind: ExprKind::Error,
+            span,
+        }
+    }
+}
+
+impl Item {
+    /// The name it declares; `unit` and `loop` declare none.
+    pub fn name(&self) -> Option<&Ident> {
+        match self {
+            Item::Const(item) | Item::Unknown(item) | Item::Let(item) => Some(&item.name),
+            Item::Param(item) => Some(&item.name),
+            Item::Input(item) => Some(&item.name),
+            Item::Unit(_) | Item::Loop(_) => None,
+        }
+    }
+}

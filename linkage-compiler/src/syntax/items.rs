@@ -1,0 +1,242 @@
+//! The items of the struct block.
+
+use proc_macro2::Delimiter;
+
+use super::ast::{
+    Attribute, Expr, InputItem, Item, LoopItem, NamedItem, ParamItem, SourceSpan, Toleranced,
+    UnitItem,
+};
+use super::expression::PlusMinus;
+use super::parser::{Parsed, Parser};
+use super::words::{ITEMS, is_keyword};
+use crate::diagnostic::text::nearest;
+
+impl Parser<'_> {
+    /// All items up to the end of the block; those that cannot be read are reported and left out.
+    pub(super) fn items(&mut self) -> Vec<Item> {
+        let mut items = Vec::new();
+        while !self.stream.at_end() {
+            self.start_item();
+            if self.stream.eat_punct(';') {
+                continue;
+            }
+            items.extend(self.item());
+        }
+        items
+    }
+
+    /// One item with its `;`. Its name alone is enough to keep it: the value is then an error.
+    fn item(&mut self) -> Option<Item> {
+        let item = self
+            .attributes()
+            .and_then(|attributes| self.item_after(attributes));
+        match item {
+            Ok((item, complete)) => {
+                if !complete {
+                    self.skip_item();
+                }
+                Some(item)
+            }
+            Err(_) => {
+                self.skip_item();
+                None
+            }
+        }
+    }
+
+    /// The item, and whether its end has been reached.
+    fn item_after(&mut self, attributes: Vec<Attribute>) -> Parsed<(Item, bool)> {
+        let word = self.item_word()?;
+        let start = self.stream.span();
+        self.stream.skip(1);
+        if word != "param" {
+            self.only_documentation(&attributes, &format!("`{word}`"));
+        }
+        match word {
+            "unit" => {
+                let item = Item::Unit(self.unit(start)?);
+                Ok((item, self.end_of_item().is_ok()))
+            }
+            "loop" => {
+                let item = Item::Loop(self.closure(start)?);
+                Ok((item, self.end_of_item().is_ok()))
+            }
+            "param" => {
+                let name = self.name(&format!("a name after `{word}`"))?;
+                let (value, complete) = self.value(Self::toleranced);
+                let lost = |span| Toleranced::Single {
+                    nominal: Expr::error(span),
+                    tolerance: None,
+                };
+                let value = value.unwrap_or_else(lost);
+                Ok((
+                    Item::Param(ParamItem {
+                        attributes,
+                        name,
+                        value,
+                    }),
+                    complete,
+                ))
+            }
+            "input" => {
+                let name = self.name(&format!("a name after `{word}`"))?;
+                let (value, complete) = self.value(Self::with_range);
+                let (value, range) = value.unwrap_or_else(|span| (Expr::error(span), None));
+                Ok((
+                    Item::Input(InputItem {
+                        attributes,
+                        name,
+                        value,
+                        range,
+                    }),
+                    complete,
+                ))
+            }
+            _ => {
+                let name = self.name(&format!("a name after `{word}`"))?;
+                let plus_minus = match word {
+                    "let" => PlusMinus::IsSum,
+                    _ => PlusMinus::JointIsMistake,
+                };
+                let (value, complete) = self.value(|parser| parser.sum(plus_minus));
+                let value = value.unwrap_or_else(Expr::error);
+                let item = NamedItem {
+                    attributes,
+                    name,
+                    value,
+                };
+                let item = match word {
+                    "const" => Item::Const(item),
+                    "unknown" => Item::Unknown(item),
+                    _ => Item::Let(item),
+                };
+                Ok((item, complete))
+            }
+        }
+    }
+
+    fn item_word(&mut self) -> Parsed<&'static str> {
+        let Some(word) = self.stream.ident(0).map(ToString::to_string) else {
+            return self.expected("an item", &format!("items are {}", ITEMS.join(" ")));
+        };
+        if let Some(item) = ITEMS.iter().find(|item| **item == word) {
+            return Ok(item);
+        }
+        let help = match word.as_str() {
+            "fn" => "functions belong in the `impl` block after the struct".to_owned(),
+            "pub" => "leave `pub` out: every `param` is a public field".to_owned(),
+            _ => match nearest(&word, ITEMS) {
+                Some(item) => format!("did you mean `{item}`?"),
+                None => format!("items are {}", ITEMS.join(" ")),
+            },
+        };
+        self.expected("an item", &help)
+    }
+
+    /// `= RULE ;`. A mistake in it leaves the span of the item so far; the flag says whether the end was reached.
+    fn value<T>(
+        &mut self,
+        rule: impl FnOnce(&mut Self) -> Parsed<T>,
+    ) -> (Result<T, SourceSpan>, bool) {
+        let span = self.stream.previous_span();
+        let value = match self.equals() {
+            Ok(()) => rule(self),
+            Err(reported) => Err(reported),
+        };
+        match value {
+            Ok(value) => (Ok(value), self.end_of_item().is_ok()),
+            Err(_) => (Err(span), false),
+        }
+    }
+
+    fn equals(&mut self) -> Parsed<()> {
+        if self.stream.eat_punct('=') {
+            return match self.stream.is_punct(0, '=') {
+                true => self.fail("expected `=`, found `==`", "write `=`"),
+                false => Ok(()),
+            };
+        }
+        let help = match self.stream.is_punct(0, ':') {
+            true => "leave the type out: the value gives it",
+            false => "",
+        };
+        self.expected("`=`", help)
+    }
+
+    /// `;`, which the last item may lack; a missing one before the next item is reported and read over.
+    fn end_of_item(&mut self) -> Parsed<()> {
+        if self.stream.eat_punct(';') || self.stream.at_end() {
+            return Ok(());
+        }
+        if self.at_item() || self.stream.is_punct(0, '#') {
+            let span = self.stream.previous_span();
+            let _ = self.fail_at::<()>(span, "the item lacks its `;`", "write `;` here");
+            return Ok(());
+        }
+        self.unexpected_after_expression("`;`")
+    }
+
+    /// The beginning of an item, judging by its words.
+    pub(super) fn at_item(&self) -> bool {
+        let Some(word) = self.stream.ident(0).map(ToString::to_string) else {
+            return false;
+        };
+        let declares = self.stream.ident(1).is_some() && !self.stream.is_word(1, "in");
+        ITEMS.contains(&word.as_str()) && (declares || is_keyword(&word))
+    }
+
+    /// To the start of the next item, after a mistake.
+    fn skip_item(&mut self) {
+        while !self.stream.at_end() && !self.at_item() {
+            if self.stream.eat_punct(';') {
+                return;
+            }
+            self.stream.skip(1);
+        }
+    }
+
+    fn unit(&mut self, start: SourceSpan) -> Parsed<UnitItem> {
+        let Some(unit) = self.stream.ident(0).cloned() else {
+            return self.expected("a length unit", "write `unit mm;`");
+        };
+        self.stream.skip(1);
+        let span = start.to((&unit).into());
+        Ok(UnitItem { unit, span })
+    }
+
+    fn closure(&mut self, start: SourceSpan) -> Parsed<LoopItem> {
+        if self.stream.group(0, Delimiter::Brace).is_some() {
+            let help = "write `loop expression = expression;`";
+            return self.fail("`loop` is an equation here", help);
+        }
+        let left = self.expression()?;
+        if !self.stream.is_punct(0, '=') {
+            return self.unexpected_after_expression("`=`");
+        }
+        self.equals()?;
+        let right = self.expression()?;
+        let span = start.to(right.span);
+        Ok(LoopItem { left, right, span })
+    }
+
+    fn with_range(&mut self) -> Parsed<(Expr, Option<(Expr, Expr)>)> {
+        let value = self.sum(PlusMinus::JointIsMistake)?;
+        if !self.stream.eat_word("in") {
+            return Ok((value, None));
+        }
+        let low = self.expression()?;
+        if !self.stream.is_puncts("..") {
+            return self.unexpected_after_expression("`..` between the ends of the range");
+        }
+        self.stream.skip(2);
+        self.stream.eat_punct('=');
+        if self.stream.at_end() || self.stream.is_punct(0, ';') {
+            return self.fail(
+                "the range has no upper end",
+                "write both ends: `0deg..360deg`",
+            );
+        }
+        let high = self.expression()?;
+        Ok((value, Some((low, high))))
+    }
+}

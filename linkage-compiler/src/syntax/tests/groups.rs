@@ -1,0 +1,45 @@
+//! Invisible groups: what fragments of a `macro_rules` macro arrive in.
+
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+
+use crate::diagnostic::Diagnostics;
+use crate::syntax::{dump, parse};
+
+fn tokens(source: &str) -> TokenStream {
+    source.parse().expect("the source has tokens")
+}
+
+/// Replaces each `[...]` by an invisible group.
+fn with_invisible_groups(stream: TokenStream) -> TokenStream {
+    let replace = |token| match token {
+        TokenTree::Group(group) => {
+            let delimiter = match group.delimiter() {
+                Delimiter::Bracket => Delimiter::None,
+                other => other,
+            };
+            TokenTree::Group(Group::new(delimiter, with_invisible_groups(group.stream())))
+        }
+        other => other,
+    };
+    stream.into_iter().map(replace).collect()
+}
+
+#[test]
+fn invisible_groups_are_opened() {
+    for (source, expected) in [
+        ("param a = [-3mm];", "param a = (-3mm)"),
+        ("param [a] = [3mm] +- [1um];", "param a = 3mm +- 1um"),
+        ("param a = [3mm +- 1um];", "param a = 3mm +- 1um"),
+        ("param a = [3] mm;", "param a = 3mm"),
+        ("let a = 2 * [b + c];", "let a = (2 * (b + c))"),
+        ("let a = [[b]].x;", "let a = b.x"),
+        ("let a = [(b, c)];", "let a = (b, c)"),
+    ] {
+        let stream = with_invisible_groups(tokens(&format!("[pub] struct A {{ {source} }}")));
+        let mut diagnostics = Diagnostics::default();
+        let definition = parse(stream, &mut diagnostics).expect("a struct block");
+        assert!(diagnostics.is_empty(), "{source} {diagnostics:?}");
+        assert_eq!(dump(&definition), format!("struct A\n  {expected}\n"));
+        assert_eq!(definition.visibility.to_string(), "pub");
+    }
+}

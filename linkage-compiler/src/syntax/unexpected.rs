@@ -1,0 +1,64 @@
+//! Hints for what people write after a complete expression.
+
+use proc_macro2::{Delimiter, TokenTree};
+
+use super::parser::{Parsed, Parser};
+
+impl Parser<'_> {
+    /// Reports the token after a complete expression, where only `wanted` may stand.
+    pub(super) fn unexpected_after_expression<T>(&mut self, wanted: &str) -> Parsed<T> {
+        if self.stream.is_punct(0, '^') {
+            return self.no_powers();
+        }
+        if self.stream.is_punct(0, ',')
+            && let Some(number) = self.decimal_comma()
+        {
+            let help = format!("write `{number}`: the decimal sign is a point");
+            return self.expected(wanted, &help);
+        }
+        if self.at_tolerance() {
+            return self.misplaced_tolerance();
+        }
+        let help = self.missing_operator();
+        self.expected(wanted, &help)
+    }
+
+    pub(super) fn no_powers<T>(&mut self) -> Parsed<T> {
+        self.fail(
+            "there is no operator for powers",
+            "write `a * a` for a square",
+        )
+    }
+
+    /// `1,5mm` read as `1` so far: what was meant.
+    fn decimal_comma(&self) -> Option<String> {
+        let Some(TokenTree::Literal(before)) = self.stream.previous() else {
+            return None;
+        };
+        let before = before.to_string();
+        let is_integer = before.chars().all(|digit| digit.is_ascii_digit());
+        let after = self.stream.literal(1)?;
+        is_integer.then(|| format!("{before}.{after}"))
+    }
+
+    fn missing_operator(&self) -> String {
+        let before = match self.stream.previous() {
+            Some(token @ (TokenTree::Literal(_) | TokenTree::Ident(_))) => token.to_string(),
+            Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
+                "(...)".to_owned()
+            }
+            _ => return String::new(),
+        };
+        match self.stream.peek(0) {
+            Some(TokenTree::Literal(after)) => format!(
+                "write `{before} +- {after}` for a tolerance, `{before} * {after}` for a product"
+            ),
+            Some(TokenTree::Ident(after)) if after == "as" => "leave the conversion out".to_owned(),
+            Some(TokenTree::Ident(after)) => format!("write `{before} * {after}` for a product"),
+            Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
+                format!("write `{before} * (...)` for a product")
+            }
+            _ => String::new(),
+        }
+    }
+}

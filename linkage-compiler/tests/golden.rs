@@ -1,0 +1,87 @@
+//! Every phase's text for four mechanisms, compared with files in `tests/golden`.
+//!
+//! `UPDATE=1 cargo test -p linkage-compiler --test golden` writes them anew; read the difference before you commit it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use linkage_compiler::trace::{Trace, trace};
+use proc_macro2::TokenStream;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden")
+}
+
+fn read(name: &str) -> TokenStream {
+    let path = folder().join(format!("{name}.mech"));
+    let text = fs::read_to_string(&path).expect("the mechanism can be read");
+    text.parse().expect("the mechanism is made of tokens")
+}
+
+fn pretty(tokens: &TokenStream) -> String {
+    let file: syn::File = syn::parse2(tokens.clone()).expect("the output is Rust");
+    prettyplease::unparse(&file)
+}
+
+fn compare(name: &str, phase: &str, text: &str) {
+    let path = folder().join(format!("{name}.{phase}.txt"));
+    if std::env::var_os("UPDATE").is_some() {
+        fs::write(&path, text).expect("the golden file can be written");
+        return;
+    }
+    let expected = fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        text == expected,
+        "{phase} of {name} differs from {}; UPDATE=1 accepts the new text\n{text}",
+        path.display()
+    );
+}
+
+fn check(name: &str) {
+    let Trace {
+        syntax,
+        model,
+        structure,
+        formulate,
+        lower,
+        emit,
+        messages,
+    } = trace(read(name));
+    assert!(messages.is_empty(), "{messages:?}");
+    compare(name, "1-syntax", &syntax);
+    compare(name, "2-model", &model);
+    compare(name, "3-structure", &structure);
+    compare(name, "4-formulate", &formulate);
+    compare(name, "5-lower", &lower);
+    compare(name, "6-emit", &pretty(&emit));
+}
+
+#[test]
+fn crank_rocker() {
+    check("crank_rocker");
+}
+
+#[test]
+fn favorit() {
+    check("favorit");
+}
+
+#[test]
+fn shaper() {
+    check("shaper");
+}
+
+#[test]
+fn loader() {
+    check("loader");
+}
+
+/// Equal input gives equal output, whatever ran before in this process.
+#[test]
+fn output_is_deterministic() {
+    for name in ["crank_rocker", "favorit", "shaper", "loader"] {
+        let first = trace(read(name)).emit.to_string();
+        let _ = trace(read("favorit"));
+        assert_eq!(first, trace(read(name)).emit.to_string(), "{name}");
+    }
+}

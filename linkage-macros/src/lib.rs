@@ -1,0 +1,9 @@
+//! The procedural macro behind `linkage::mechanism!`. Everything it does is in `linkage-compiler`.
+
+use proc_macro::TokenStream;
+
+/// Called by the facade's `mechanism!` with the path of the facade in front: `[$crate] ...`.
+#[proc_macro]
+pub fn mechanism(input: TokenStream) -> TokenStream {
+    linkage_compiler::compile(input.into()).into()
+}

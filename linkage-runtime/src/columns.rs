@@ -1,0 +1,150 @@
+//! Columns for the results of a sweep.
+
+use crate::Scalar;
+use alloc::vec::Vec;
+use core::fmt;
+
+/// Bytes of a cache line.
+const LINE: usize = 64;
+
+/// A table in one contiguous buffer: columns of equal length, one per quantity, one row per
+/// position.
+///
+/// The distance between columns is an odd number of cache lines, so that writing many columns at
+/// once does not make them compete for the same place in the cache.
+///
+/// ```
+/// use linkage_runtime::Columns;
+///
+/// let mut columns = Columns::<f64>::new(2, 3);
+/// columns.set_row(0, [1.0, 10.0]);
+/// columns.column_mut(1)[2] = 30.0;
+/// assert_eq!(columns.get(0, 1), 10.0);
+/// assert_eq!(columns.column(1)[2], 30.0);
+/// assert!(columns.get(1, 0).is_nan());
+/// ```
+#[derive(Clone)]
+pub struct Columns<T> {
+    data: Vec<T>,
+    width: usize,
+    len: usize,
+    distance: usize,
+}
+
+impl<T: Scalar> Columns<T> {
+    /// `width` columns of `len` values, all NaN.
+    #[must_use]
+    pub fn new(width: usize, len: usize) -> Self {
+        let mut columns = Self {
+            data: Vec::new(),
+            width,
+            len: 0,
+            distance: 0,
+        };
+        columns.resize(len);
+        columns
+    }
+
+    /// Changes the length; allocates only if the capacity is too small.
+    ///
+    /// With the same length nothing happens; otherwise all values become NaN.
+    pub fn resize(&mut self, len: usize) {
+        if len == self.len {
+            return;
+        }
+        self.len = len;
+        self.distance = distance(len, size_of::<T>());
+        self.data.clear();
+        self.data
+            .resize(self.width * self.distance, T::from_f64(f64::NAN));
+    }
+}
+
+impl<T: Copy> Columns<T> {
+    /// Length of every column: the number of rows.
+    #[must_use]
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are no rows.
+    #[must_use]
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Number of columns.
+    #[must_use]
+    #[inline]
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// One column.
+    ///
+    /// # Panics
+    /// If `index` is not below [`width`](Self::width).
+    #[must_use]
+    #[inline]
+    pub fn column(&self, index: usize) -> &[T] {
+        assert!(index < self.width, "column {index} of {}", self.width);
+        &self.data[index * self.distance..][..self.len]
+    }
+
+    /// One column, to write to.
+    ///
+    /// # Panics
+    /// If `index` is not below [`width`](Self::width).
+    #[must_use]
+    #[inline]
+    pub fn column_mut(&mut self, index: usize) -> &mut [T] {
+        assert!(index < self.width, "column {index} of {}", self.width);
+        &mut self.data[index * self.distance..][..self.len]
+    }
+
+    /// Writes a row: the first value into the first column and so on; values beyond the last column
+    /// are ignored.
+    ///
+    /// # Panics
+    /// If `row` is not below [`len`](Self::len).
+    #[inline]
+    pub fn set_row(&mut self, row: usize, values: impl IntoIterator<Item = T>) {
+        assert!(row < self.len, "row {row} of {}", self.len);
+        let cells = self.data.iter_mut().skip(row).step_by(self.distance);
+        cells.zip(values).for_each(|(cell, value)| *cell = value);
+    }
+
+    /// One value.
+    ///
+    /// # Panics
+    /// If `row` is not below [`len`](Self::len) or `column` not below [`width`](Self::width).
+    #[must_use]
+    #[inline]
+    pub fn get(&self, row: usize, column: usize) -> T {
+        self.column(column)[row]
+    }
+}
+
+/// Distance between columns, in elements of `size` bytes: an odd number of cache lines, or of
+/// elements where these are larger.
+fn distance(len: usize, size: usize) -> usize {
+    let unit = (LINE / size.max(1)).max(1);
+    (len.div_ceil(unit) | 1) * unit
+}
+
+impl<T: Copy + PartialEq> PartialEq for Columns<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.width == other.width
+            && self.len == other.len
+            && (0..self.width).all(|index| self.column(index) == other.column(index))
+    }
+}
+
+impl<T: Copy + fmt::Debug> fmt::Debug for Columns<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let columns = (0..self.width).map(|index| self.column(index));
+        f.debug_list().entries(columns).finish()
+    }
+}

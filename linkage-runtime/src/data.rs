@@ -1,0 +1,118 @@
+//! What a generated mechanism says about itself.
+
+use core::fmt;
+
+/// A scalar dimension of a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameter {
+    /// Name as in the mechanism, with `.x`, `.y`, `.z` for a component of a vector.
+    pub name: &'static str,
+    /// Unit of `nominal` and `tolerance`: the mechanism's length unit, `rad`, or empty for a number.
+    pub unit: &'static str,
+    /// The default value.
+    pub nominal: f64,
+    /// Half the width of the tolerance zone; 0 where none is given.
+    pub tolerance: f64,
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}", self.name, self.nominal)?;
+        if self.tolerance != 0.0 {
+            write!(f, " +- {}", self.tolerance)?;
+        }
+        if !self.unit.is_empty() {
+            write!(f, " {}", self.unit)?;
+        }
+        Ok(())
+    }
+}
+
+/// Which of the two solutions of a group its assembly uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum AssemblyMode {
+    /// The solution with the positive root.
+    Plus,
+    /// The solution with the negative root.
+    Minus,
+}
+
+impl AssemblyMode {
+    /// +1 or -1.
+    #[must_use]
+    pub const fn sign(self) -> f64 {
+        match self {
+            Self::Plus => 1.0,
+            Self::Minus => -1.0,
+        }
+    }
+
+    /// The other mode.
+    #[must_use]
+    pub const fn flipped(self) -> Self {
+        match self {
+            Self::Plus => Self::Minus,
+            Self::Minus => Self::Plus,
+        }
+    }
+}
+
+impl fmt::Display for AssemblyMode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Plus => "+",
+            Self::Minus => "-",
+        })
+    }
+}
+
+/// How many operations a generated function executes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Additions and subtractions.
+    pub add: u32,
+    /// Multiplications.
+    pub mul: u32,
+    /// Divisions.
+    pub div: u32,
+    /// Square roots.
+    pub sqrt: u32,
+    /// Pairs of sine and cosine.
+    pub sin_cos: u32,
+    /// Angles of vectors.
+    pub atan2: u32,
+    /// Everything else: minimum, choice, arc sine and so on.
+    pub other: u32,
+}
+
+impl Operations {
+    /// All operations together.
+    #[must_use]
+    pub const fn total(&self) -> u32 {
+        self.add + self.mul + self.div + self.sqrt + self.sin_cos + self.atan2 + self.other
+    }
+}
+
+/// The operations that occur, as in `12 add, 9 mul, 1 sqrt`.
+impl fmt::Display for Operations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counts = [
+            (self.add, "add"),
+            (self.mul, "mul"),
+            (self.div, "div"),
+            (self.sqrt, "sqrt"),
+            (self.sin_cos, "sin_cos"),
+            (self.atan2, "atan2"),
+            (self.other, "other"),
+        ];
+        let mut separator = "";
+        for (count, word) in counts.into_iter().filter(|(count, _)| *count > 0) {
+            write!(f, "{separator}{count} {word}")?;
+            separator = ", ";
+        }
+        if separator.is_empty() {
+            f.write_str("none")?;
+        }
+        Ok(())
+    }
+}

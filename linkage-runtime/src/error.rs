@@ -1,0 +1,148 @@
+//! Why a mechanism could not be assembled.
+
+use crate::words::{join, numbers, rounded};
+use core::fmt;
+
+/// Why `assemble()` found no assembly.
+///
+/// ```
+/// use linkage_runtime::AssemblyError;
+///
+/// let error = AssemblyError::CannotClose {
+///     mechanism: "CrankRocker",
+///     group: 0,
+///     kind: "RRR",
+///     loops: &[1],
+///     unknowns: &["theta", "psi"],
+///     miss: 12.5,
+///     unit: "mm",
+/// };
+/// assert_eq!(
+///     error.to_string(),
+///     "CrankRocker: loop 1 (theta, psi; RRR) cannot close at the reference input: \
+///      it misses by 12.5 mm"
+/// );
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum AssemblyError {
+    /// The links of a group do not reach each other at the reference input.
+    CannotClose {
+        /// Name of the mechanism.
+        mechanism: &'static str,
+        /// Index of the group in `STRUCTURE`.
+        group: usize,
+        /// Its kind, such as `RRR`.
+        kind: &'static str,
+        /// Its loops, the first loop of the mechanism being 1.
+        loops: &'static [usize],
+        /// Its unknowns.
+        unknowns: &'static [&'static str],
+        /// By how much it misses.
+        miss: f64,
+        /// Unit of `miss`; empty for a number.
+        unit: &'static str,
+    },
+    /// A dimension is NaN or infinite, or the equations of a group are singular at the reference
+    /// input.
+    NotFinite {
+        /// Name of the mechanism.
+        mechanism: &'static str,
+        /// Index of the group in `STRUCTURE`.
+        group: usize,
+        /// Its kind, such as `RRR`.
+        kind: &'static str,
+        /// Its loops, the first loop of the mechanism being 1.
+        loops: &'static [usize],
+        /// Its unknowns.
+        unknowns: &'static [&'static str],
+    },
+    /// An angle could not be followed through the range of the input, so that its turns cannot be
+    /// counted.
+    NoWinding {
+        /// Name of the mechanism.
+        mechanism: &'static str,
+        /// The unknown angle.
+        unknown: &'static str,
+    },
+    /// The groups have too many assembly modes to list every assembly.
+    TooManyAssemblies {
+        /// Name of the mechanism.
+        mechanism: &'static str,
+        /// Number of groups with two modes.
+        modes: usize,
+    },
+}
+
+impl fmt::Display for AssemblyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::CannotClose {
+                mechanism,
+                group,
+                kind,
+                loops,
+                unknowns,
+                miss,
+                unit,
+            } => {
+                write!(f, "{mechanism}: ")?;
+                place(f, group, kind, loops, unknowns)?;
+                let (miss, gap) = (rounded(miss), if unit.is_empty() { "" } else { " " });
+                write!(
+                    f,
+                    " cannot close at the reference input: it misses by {miss}{gap}{unit}"
+                )
+            }
+            Self::NotFinite {
+                mechanism,
+                group,
+                kind,
+                loops,
+                unknowns,
+            } => {
+                write!(f, "{mechanism}: ")?;
+                place(f, group, kind, loops, unknowns)?;
+                f.write_str(
+                    " has no finite solution at the reference input: a dimension is not finite \
+                     or the position is singular",
+                )
+            }
+            Self::NoWinding { mechanism, unknown } => write!(
+                f,
+                "{mechanism}: the turns of {unknown} cannot be counted over the range of the input"
+            ),
+            Self::TooManyAssemblies { mechanism, modes } => write!(
+                f,
+                "{mechanism}: {modes} groups with two assembly modes each give too many \
+                 assemblies to list"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for AssemblyError {}
+
+/// `loop 1 (theta, psi; RRR)`; a group without loops is named by its number.
+fn place(
+    f: &mut fmt::Formatter<'_>,
+    group: usize,
+    kind: &str,
+    loops: &[usize],
+    unknowns: &[&str],
+) -> fmt::Result {
+    match loops {
+        [] => write!(f, "group {}", group + 1)?,
+        [only] => write!(f, "loop {only}")?,
+        [first @ .., last] => write!(f, "loops {} and {last}", numbers(first, ", "))?,
+    }
+    let separator = if unknowns.is_empty() || kind.is_empty() {
+        ""
+    } else {
+        "; "
+    };
+    match (unknowns, kind) {
+        ([], "") => Ok(()),
+        _ => write!(f, " ({}{separator}{kind})", join(unknowns, ", ")),
+    }
+}

@@ -1,0 +1,89 @@
+//! What `assemble()` and `assemblies()` of generated code do with the gaps of the groups.
+
+#[cfg(feature = "alloc")]
+use crate::AssemblyMode;
+use crate::{AssemblyError, Group, Scalar};
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
+/// Fails at the first group that does not close: in one lane its gap is positive or not a number. `units` says what
+/// each gap is measured in.
+pub fn close<T: Scalar>(
+    mechanism: &'static str,
+    groups: &'static [Group],
+    units: &[&'static str],
+    gaps: &[T],
+) -> Result<(), AssemblyError> {
+    for (index, gap) in gaps.iter().enumerate() {
+        let Group {
+            kind,
+            loops,
+            unknowns,
+            ..
+        } = groups[index];
+        let mut miss = 0.0;
+        for lane in 0..T::LANES {
+            let gap = gap.lane(lane);
+            if gap.is_nan() {
+                return Err(AssemblyError::NotFinite {
+                    mechanism,
+                    group: index,
+                    kind,
+                    loops,
+                    unknowns,
+                });
+            }
+            miss = f64::max(miss, gap);
+        }
+        if miss > 0.0 {
+            let unit = units[index];
+            return Err(AssemblyError::CannotClose {
+                mechanism,
+                group: index,
+                kind,
+                loops,
+                unknowns,
+                miss,
+                unit,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// More modes than this are not listed.
+#[cfg(feature = "alloc")]
+const MOST_MODES: usize = 16;
+
+/// Every assembly that closes, the default modes first. An error that is not about a loop that cannot close is
+/// returned if nothing closes.
+#[cfg(feature = "alloc")]
+pub fn assemblies<A, const MODES: usize>(
+    mechanism: &'static str,
+    default: [AssemblyMode; MODES],
+    assemble: impl Fn([AssemblyMode; MODES]) -> Result<A, AssemblyError>,
+) -> Result<Vec<A>, AssemblyError> {
+    if MODES > MOST_MODES {
+        return Err(AssemblyError::TooManyAssemblies {
+            mechanism,
+            modes: MODES,
+        });
+    }
+    let mut found = Vec::new();
+    let mut failure = None;
+    for flips in 0..1_u32 << MODES {
+        let modes = core::array::from_fn(|mode| match flips >> mode & 1 {
+            0 => default[mode],
+            _ => default[mode].flipped(),
+        });
+        match assemble(modes) {
+            Ok(assembly) => found.push(assembly),
+            Err(AssemblyError::CannotClose { .. }) => {}
+            Err(error) => failure = failure.or(Some(error)),
+        }
+    }
+    match failure {
+        Some(error) if found.is_empty() => Err(error),
+        _ => Ok(found),
+    }
+}

@@ -1,0 +1,152 @@
+//! Centres and windings of continuous angles: `angle = angle_near(.., centre + sum of winding * input)`.
+
+use core::f64::consts::PI;
+
+use crate::Scalar;
+use crate::numeric::winding::follow;
+
+/// The centre of each of `A` angles, and the turns it makes for each turn of each of `I` inputs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turns<T, const A: usize, const I: usize> {
+    /// In radians.
+    pub centres: [T; A],
+    /// By angle and input.
+    pub windings: [[T; I]; A],
+}
+
+impl<T: Scalar, const A: usize, const I: usize> Turns<T, A, I> {
+    /// Centres at the start estimates, no winding: right at the reference position.
+    pub fn at_estimates(estimates: [f64; A]) -> Self {
+        Self {
+            centres: estimates.map(T::from_f64),
+            windings: [[T::from_f64(0.0); I]; A],
+        }
+    }
+}
+
+/// An angle to follow.
+#[derive(Clone, Copy, Debug)]
+pub struct Angle {
+    /// Its name.
+    pub unknown: &'static str,
+    /// Its value at the reference inputs, about.
+    pub estimate: f64,
+    /// The inputs it depends on.
+    pub along: &'static [Along],
+}
+
+/// The range of one input along which an angle is followed.
+#[derive(Clone, Copy, Debug)]
+pub struct Along {
+    /// Index of the input.
+    pub input: usize,
+    /// Lower end; equal to the upper end where the angle is not followed along this input.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// Candidates for the winding.
+    pub rates: &'static [f64],
+}
+
+/// Finds the turns of every lane by `search`.
+///
+/// # Errors
+///
+/// The name of the angle that cannot be followed.
+pub fn turns<T: Scalar, const A: usize, const I: usize>(
+    mut search: impl FnMut(usize) -> Result<Turns<f64, A, I>, &'static str>,
+) -> Result<Turns<T, A, I>, &'static str> {
+    let mut all = Turns::at_estimates([0.0; A]);
+    for lane in 0..T::LANES {
+        let one = search(lane)?;
+        let set = |all: T, one: f64| T::from_lanes(|i| if i == lane { one } else { all.lane(i) });
+        for angle in 0..A {
+            all.centres[angle] = set(all.centres[angle], one.centres[angle]);
+            for input in 0..I {
+                all.windings[angle][input] =
+                    set(all.windings[angle][input], one.windings[angle][input]);
+            }
+        }
+    }
+    Ok(all)
+}
+
+/// Follows the angles one after the other along their inputs, from the reference position, or from `at` if it does not
+/// assemble there. `prepare` gives the directions `[cosine, sine]` of all angles as a function of the inputs; those of
+/// an angle may depend on the turns of the angles before it.
+///
+/// # Errors
+///
+/// The name of the first angle that cannot be followed.
+pub fn wind<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
+    angles: &[Angle; A],
+    reference: [f64; I],
+    at: [f64; I],
+    prepare: impl Fn(&Turns<f64, A, I>) -> D,
+) -> Result<Turns<f64, A, I>, &'static str> {
+    match wind_from(angles, reference, &prepare) {
+        Err(_) if at != reference => wind_from(angles, at, &prepare),
+        result => result,
+    }
+}
+
+fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
+    angles: &[Angle; A],
+    start: [f64; I],
+    prepare: impl Fn(&Turns<f64, A, I>) -> D,
+) -> Result<Turns<f64, A, I>, &'static str> {
+    let mut turns = Turns::at_estimates(core::array::from_fn(|angle| angles[angle].estimate));
+    for (index, angle) in angles.iter().enumerate() {
+        let directions = prepare(&turns);
+        let (centre, windings) =
+            wind_one(angle, start, |x| directions(x)[index]).ok_or(angle.unknown)?;
+        turns.centres[index] = centre;
+        turns.windings[index] = windings;
+    }
+    Ok(turns)
+}
+
+/// Centre and windings of one angle. Along input `i` alone, `angle = c_i + k_i x_i + remainder`, the remainder lying
+/// evenly about zero; `m_i = c_i + k_i x_i - angle` at the start is how far the middle of the motion along `i` is from
+/// the angle there. Motions along several inputs add up, and so do their middles:
+/// `c = angle + sum m_i - sum k_i x_i`, all at the start. Where the sum is so large that the angle at the start would
+/// be a turn off, their mean takes its place.
+fn wind_one<const I: usize>(
+    angle: &Angle,
+    start: [f64; I],
+    direction: impl Fn([f64; I]) -> [f64; 2],
+) -> Option<(f64, [f64; I])> {
+    let [cosine, sine] = direction(start);
+    let here = <f64 as Scalar>::angle_near(sine, cosine, angle.estimate);
+    if !here.is_finite() {
+        return None;
+    }
+    let mut windings = [0.0; I];
+    let mut middle = 0.0;
+    let mut turned = 0.0;
+    for &Along {
+        input,
+        low,
+        high,
+        rates,
+    } in angle.along
+    {
+        let x = start[input];
+        let (low, high) = (low.min(x), high.max(x));
+        if low == high {
+            continue;
+        }
+        let along = follow(low, high, x, here, rates, |x| {
+            let mut inputs = start;
+            inputs[input] = x;
+            direction(inputs)
+        })?;
+        windings[input] = along.turns;
+        middle += along.centre + along.turns * x - here;
+        turned += along.turns * x;
+    }
+    if middle.abs() > 0.9 * PI {
+        middle /= angle.along.len() as f64;
+    }
+    Some((here + middle - turned, windings))
+}

@@ -1,0 +1,44 @@
+//! What mechanisms compiled by `linkage` call at run time, and the numeric core that the compiler
+//! shares with them.
+//!
+//! Users reach everything here through the facade crate `linkage`.
+//!
+//! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
+//! everything that computes angles), `alloc` (part of `std`: `Columns`), `nalgebra` (`Vector2`,
+//! `Vector3`), `simba` (`Lanes`) and `num-dual` (`Dual`).
+#![no_std]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+#[cfg(feature = "alloc")]
+mod columns;
+mod data;
+mod error;
+#[doc(hidden)]
+pub mod generated;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod math;
+mod motion;
+pub mod numeric;
+mod scalar;
+mod structure;
+mod words;
+
+#[cfg(feature = "alloc")]
+pub use columns::Columns;
+pub use data::{AssemblyMode, Operations, Parameter};
+pub use error::AssemblyError;
+pub use motion::{true_acceleration, true_velocity};
+#[cfg(feature = "nalgebra")]
+pub use nalgebra::{Vector2, Vector3};
+#[cfg(feature = "num-dual")]
+pub use scalar::Dual;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use scalar::Float;
+#[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
+pub use scalar::Lanes;
+pub use scalar::Scalar;
+pub use structure::{FunctionInfo, Group, Structure};

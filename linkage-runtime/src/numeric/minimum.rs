@@ -1,0 +1,60 @@
+//! The lowest point of a function in an interval.
+
+/// An input value and the margin there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Point {
+    pub(crate) x: f64,
+    pub(crate) margin: f64,
+}
+
+impl Point {
+    pub(crate) fn at(x: f64, margin: &mut impl FnMut(f64) -> f64) -> Self {
+        Self {
+            x,
+            margin: margin(x),
+        }
+    }
+
+    /// The lower of two points; one without a margin is the lowest of all.
+    pub(crate) fn lower(self, other: Self) -> Self {
+        if self.margin.is_nan() || self.margin <= other.margin {
+            self
+        } else {
+            other
+        }
+    }
+}
+
+/// Golden section search between `a` and `b`: the lowest point seen, or the first one for which
+/// `enough` holds.
+pub(crate) fn descend(
+    a: Point,
+    b: Point,
+    margin: &mut impl FnMut(f64) -> f64,
+    enough: impl Fn(Point) -> bool,
+) -> Point {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    const STEPS: usize = 70;
+
+    let (mut low, mut high) = (a.x, b.x);
+    let mut left = Point::at(high - GOLDEN * (high - low), margin);
+    let mut right = Point::at(low + GOLDEN * (high - low), margin);
+    let mut best = a.lower(b).lower(left).lower(right);
+    for _ in 0..STEPS {
+        if enough(best) || left.x >= right.x {
+            break;
+        }
+        if left.margin <= right.margin {
+            high = right.x;
+            right = left;
+            left = Point::at(high - GOLDEN * (high - low), margin);
+            best = best.lower(left);
+        } else {
+            low = left.x;
+            left = right;
+            right = Point::at(low + GOLDEN * (high - low), margin);
+            best = best.lower(right);
+        }
+    }
+    best
+}

@@ -1,0 +1,236 @@
+//! How an angle turns while an input runs through its range.
+
+use crate::math::double::atan2;
+use core::f64::consts::{PI, TAU};
+
+/// Remainders should stay below this, so that inputs a little outside the range are served too.
+const COMFORT: f64 = 0.8 * PI;
+
+/// Remainders must stay below this.
+const LIMIT: f64 = 0.95 * PI;
+
+/// The angle is within half a turn of `centre + turns * x` for every input `x` of a range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Winding {
+    /// The guide at `x = 0`, radians.
+    pub centre: f64,
+    /// Slope of the guide, radians per unit of input: turns for each turn of an angle.
+    pub turns: f64,
+}
+
+/// Follows an angle over the range `lo..hi` and finds a straight line near to it.
+///
+/// `direction(x)` is a vector (not of any particular length) at the angle, NaN where there is none;
+/// the angle is continuous, and at `reference` it is the one nearest to `estimate`. It is followed
+/// both ways as far as it exists. Of the candidate `rates` (radians per unit of input) the slowest
+/// one is taken from which the angle strays by less than 0.8 pi, whole rates before fractions
+/// because they hold beyond the range too; else the one from which it strays least, else its mean
+/// slope. `None` if it strays by 0.95 pi or more from all of them or does not exist at the
+/// reference.
+///
+/// ```
+/// use linkage_runtime::numeric::winding::follow;
+///
+/// // A crank that turns with the input, 20 degrees ahead.
+/// let angle = |x: f64| x + 0.35;
+/// let winding = follow(0.0, 6.28, 0.5, 0.9, &[0.0, 1.0, -1.0], |x| {
+///     let (sin, cos) = angle(x).sin_cos();
+///     [cos, sin]
+/// })
+/// .unwrap();
+/// assert_eq!(winding.turns, 1.0);
+/// assert!((winding.centre - 0.35).abs() < 1e-12);
+/// ```
+pub fn follow(
+    lo: f64,
+    hi: f64,
+    reference: f64,
+    estimate: f64,
+    rates: &[f64],
+    mut direction: impl FnMut(f64) -> [f64; 2],
+) -> Option<Winding> {
+    let (lo, hi) = if hi < lo { (hi, lo) } else { (lo, hi) };
+    if !(lo.is_finite() && hi.is_finite() && reference.is_finite() && estimate.is_finite()) {
+        return None;
+    }
+    let step = step(hi - lo, rates);
+    let mut path = Path {
+        reference,
+        estimate,
+        direction: &mut direction,
+    };
+
+    let mut best: Option<Stray> = None;
+    let mut slope = None;
+    for rates in rates.chunks(TOGETHER) {
+        let mut strays = [Stray::new(0.0); TOGETHER];
+        for (stray, rate) in strays.iter_mut().zip(rates) {
+            *stray = Stray::new(*rate);
+        }
+        slope = Some(path.walk([lo, hi], step, &mut strays[..rates.len()])?);
+        for stray in &strays[..rates.len()] {
+            best = Some(best.map_or(*stray, |best| best.or(*stray)));
+        }
+    }
+    if best.is_none_or(|best| best.width() >= LIMIT) {
+        let rate = match slope {
+            Some(slope) => slope,
+            None => path.walk([lo, hi], step, &mut [])?,
+        };
+        let mut mean = [Stray::new(rate)];
+        path.walk([lo, hi], step, &mut mean)?;
+        best = Some(mean[0]);
+    }
+    best.filter(|best| best.width() < LIMIT).map(Stray::winding)
+}
+
+/// Candidate rates that are compared in one walk.
+const TOGETHER: usize = 8;
+
+/// First step of a walk: short enough that the fastest candidate turns by a quarter radian.
+fn step(range: f64, rates: &[f64]) -> f64 {
+    let fastest = rates
+        .iter()
+        .fold(1.0, |fastest: f64, rate| fastest.max(rate.abs()));
+    (range / 256.0).min(0.25 / fastest).max(range / 65536.0)
+}
+
+/// How far an angle strays from a line of a given rate.
+#[derive(Clone, Copy)]
+struct Stray {
+    rate: f64,
+    least: f64,
+    most: f64,
+}
+
+impl Stray {
+    fn new(rate: f64) -> Self {
+        Self {
+            rate,
+            least: f64::INFINITY,
+            most: f64::NEG_INFINITY,
+        }
+    }
+
+    fn include(&mut self, x: f64, angle: f64) {
+        let rest = angle - self.rate * x;
+        self.least = self.least.min(rest);
+        self.most = self.most.max(rest);
+    }
+
+    fn width(&self) -> f64 {
+        0.5 * (self.most - self.least)
+    }
+
+    /// The better of two: among those that stray little a whole rate, then the slower one; else the
+    /// one that strays less.
+    fn or(self, other: Self) -> Self {
+        let (mine, its) = (self.width(), other.width());
+        let whole = self.is_whole();
+        let faster = other.rate.abs() - self.rate.abs();
+        let other_is_better = match (mine < COMFORT, its < COMFORT) {
+            (true, true) if whole != other.is_whole() => !whole,
+            (true, true) => faster < 0.0 || (faster == 0.0 && its < mine),
+            (true, false) => false,
+            (false, true) => true,
+            (false, false) => its < mine,
+        };
+        if other_is_better { other } else { self }
+    }
+
+    /// Whether the line repeats with every turn of the input, and so serves beyond the range too.
+    fn is_whole(&self) -> bool {
+        self.rate % 1.0 == 0.0
+    }
+
+    fn winding(self) -> Winding {
+        Winding {
+            centre: 0.5 * (self.least + self.most),
+            turns: self.rate,
+        }
+    }
+}
+
+/// An angle that is followed from the reference.
+struct Path<'a, F> {
+    reference: f64,
+    estimate: f64,
+    direction: &'a mut F,
+}
+
+impl<F: FnMut(f64) -> [f64; 2]> Path<'_, F> {
+    /// Follows the angle to both ends and returns its mean slope.
+    fn walk(&mut self, ends: [f64; 2], step: f64, strays: &mut [Stray]) -> Option<f64> {
+        let angle = self.near(self.reference, self.estimate)?;
+        let [lower, upper] = ends.map(|end| self.one_way(end, step, angle, strays));
+        let run = upper.0 - lower.0;
+        Some(if run > 0.0 {
+            (upper.1 - lower.1) / run
+        } else {
+            0.0
+        })
+    }
+
+    /// Follows the angle from the reference to one end; returns where it got to, and the angle.
+    fn one_way(&mut self, end: f64, step: f64, angle: f64, strays: &mut [Stray]) -> (f64, f64) {
+        let run = end - self.reference;
+        let steps = if step > 0.0 {
+            (run.abs() / step) as usize + 1
+        } else {
+            1
+        };
+        let mut last = (self.reference, angle);
+        strays
+            .iter_mut()
+            .for_each(|stray| stray.include(last.0, last.1));
+        for index in 1..=steps {
+            let target = if index == steps {
+                end
+            } else {
+                self.reference + run * (index as f64 / steps as f64)
+            };
+            while last.0 != target {
+                let Some(next) = self.advance(last, target) else {
+                    return last;
+                };
+                last = next;
+                strays
+                    .iter_mut()
+                    .for_each(|stray| stray.include(last.0, last.1));
+            }
+        }
+        last
+    }
+
+    /// Steps towards `target`, halving the step while the angle turns by much.
+    fn advance(&mut self, from: (f64, f64), target: f64) -> Option<(f64, f64)> {
+        const MUCH: f64 = 0.5;
+        const HALVINGS: usize = 30;
+
+        let mut to = target;
+        let mut next = self.near(to, from.1);
+        for _ in 0..HALVINGS {
+            let small = next.is_some_and(|angle| (angle - from.1).abs() <= MUCH);
+            let middle = from.0 + 0.5 * (to - from.0);
+            if small || middle == from.0 || middle == to {
+                break;
+            }
+            to = middle;
+            next = self.near(to, from.1);
+        }
+        next.map(|angle| (to, angle))
+    }
+
+    /// The angle at `x` that is nearest to `guide`.
+    fn near(&mut self, x: f64, guide: f64) -> Option<f64> {
+        let [cos, sin] = (self.direction)(x);
+        let exists = cos.is_finite() && sin.is_finite() && (cos != 0.0 || sin != 0.0);
+        exists.then(|| {
+            let turn = atan2(sin, cos) - guide;
+            // Adding and subtracting 1.5 * 2^52 rounds to an integer.
+            const ROUND: f64 = 6_755_399_441_055_744.0;
+            let turns = (turn / TAU + ROUND) - ROUND;
+            guide + (turn - TAU * turns)
+        })
+    }
+}

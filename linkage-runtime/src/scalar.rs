@@ -1,0 +1,134 @@
+//! The numbers that generated functions compute with.
+
+#[cfg(feature = "num-dual")]
+mod dual;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod float;
+#[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
+mod lanes;
+#[cfg(any(
+    feature = "num-dual",
+    all(feature = "simba", feature = "libm"),
+    all(feature = "simba", feature = "std")
+))]
+mod operators;
+
+#[cfg(feature = "num-dual")]
+pub use dual::Dual;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use float::Float;
+#[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
+pub use lanes::Lanes;
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number, or several side by side (lanes), or one with derivatives (a dual number).
+///
+/// Implemented for `f64` and `f32`; `Lanes` (feature `simba`) and `Dual` (feature `num-dual`)
+/// adapt the types of other crates, and an extended precision type can implement it too.
+///
+/// Angles are in radians. NaN stands for "cannot be assembled" and is passed on by every method.
+/// The methods that are not elementary functions have no branch and no call in machine code, so
+/// that loops over them become vector code.
+///
+/// ```
+/// use linkage_runtime::Scalar;
+///
+/// fn third_side<T: Scalar>(a: T, b: T, angle: T) -> T {
+///     let (_, cos) = angle.sin_cos();
+///     let scale = a * a + b * b;
+///     T::root(scale - (a + a) * b * cos, scale)
+/// }
+/// assert!((third_side(3.0_f64, 4.0, core::f64::consts::FRAC_PI_2) - 5.0).abs() < 1e-15);
+/// assert!((third_side(3.0_f32, 4.0, core::f32::consts::FRAC_PI_2) - 5.0).abs() < 1e-6);
+/// ```
+pub trait Scalar:
+    Copy
+    + Debug
+    + PartialEq
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// How many numbers are held side by side; 1 for a plain number.
+    const LANES: usize;
+
+    /// A constant, the same in every lane, with derivative zero.
+    fn from_f64(x: f64) -> Self;
+
+    /// The real part of one lane; a type with one lane does not look at `index`.
+    ///
+    /// # Panics
+    /// If the type has several lanes and `index` is not below [`LANES`](Self::LANES).
+    fn lane(self, index: usize) -> f64;
+
+    /// Constants, lane by lane.
+    fn from_lanes(f: impl FnMut(usize) -> f64) -> Self;
+
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// Square root; NaN for a negative number.
+    fn sqrt(self) -> Self;
+    /// Tangent of an angle.
+    fn tan(self) -> Self;
+    /// Arc sine, from -pi/2 to pi/2; NaN outside -1 to 1.
+    fn asin(self) -> Self;
+    /// Arc cosine, from 0 to pi; NaN outside -1 to 1.
+    fn acos(self) -> Self;
+    /// Arc tangent, from -pi/2 to pi/2.
+    fn atan(self) -> Self;
+    /// Sine and cosine of an angle; NaN for an infinite one.
+    fn sin_cos(self) -> (Self, Self);
+    /// Angle of the vector (`x`, `self`) from the x axis, from -pi to pi.
+    fn atan2(self, x: Self) -> Self;
+
+    /// A power of two near `1 / |self|`, for scaling without rounding: a constant, derivative zero.
+    ///
+    /// It is 1 for zero, infinities and NaN, and always finite; for `f64` its square is finite too
+    /// when `|self|` is between 1e-150 and 1e150 (`f32`: 1e-18 and 1e18).
+    fn inverse_scale(self) -> Self;
+
+    /// Square root of a discriminant `self` that was computed from terms of the size `scale`.
+    ///
+    /// It is 0 for a negative value that can be rounding only (down to `-8 EPSILON |scale|`), so
+    /// that a position at a dead point has a value, and NaN below that.
+    fn root(self, scale: Self) -> Self;
+
+    /// The angle of the vector (`x`, `y`) that lies nearest to `guide`, turns counted.
+    ///
+    /// Accurate to about a unit in the last place for up to a million turns (`f32`: 2000).
+    fn angle_near(y: Self, x: Self, guide: Self) -> Self;
+
+    /// `a` where `s >= 0`, `b` where `s < 0`, NaN where `s` is NaN.
+    fn select(s: Self, a: Self, b: Self) -> Self;
+
+    /// The smaller of two numbers; NaN if either is NaN.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self::select(other - self, self, other)
+    }
+
+    /// The larger of two numbers; NaN if either is NaN.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self::select(self - other, self, other)
+    }
+
+    /// +1 for zero and above, -1 below, NaN for NaN.
+    #[inline(always)]
+    fn sign(self) -> Self {
+        Self::select(self, Self::from_f64(1.0), Self::from_f64(-1.0))
+    }
+
+    /// Length of the vector (`self`, `other`), without overflow or underflow on the way.
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        let scale = self.abs().max(other.abs()).inverse_scale();
+        let (a, b) = (self * scale, other * scale);
+        (a * a + b * b).sqrt() * scale.inverse_scale()
+    }
+}

@@ -1,0 +1,45 @@
+//! Lists and numbers in messages.
+
+use core::fmt;
+
+/// Items with `separator` between them.
+pub(crate) fn join<'a>(items: &'a [&'a str], separator: &'a str) -> impl fmt::Display + 'a {
+    fmt::from_fn(move |f| separated(f, items, separator))
+}
+
+/// Numbers with `separator` between them.
+pub(crate) fn numbers<'a>(items: &'a [usize], separator: &'a str) -> impl fmt::Display + 'a {
+    fmt::from_fn(move |f| separated(f, items, separator))
+}
+
+fn separated(
+    f: &mut fmt::Formatter<'_>,
+    items: &[impl fmt::Display],
+    separator: &str,
+) -> fmt::Result {
+    for (index, item) in items.iter().enumerate() {
+        let between = if index == 0 { "" } else { separator };
+        write!(f, "{between}{item}")?;
+    }
+    Ok(())
+}
+
+/// A number rounded to six significant digits, printed as short as possible.
+pub(crate) fn rounded(x: f64) -> impl fmt::Display {
+    fmt::from_fn(move |f| {
+        let size = x.abs();
+        if size == 0.0 {
+            return f.write_str("0");
+        }
+        if !(1e-4..1e6).contains(&size) {
+            return write!(f, "{x:.5e}");
+        }
+        let mut power = 1.0;
+        while size * power < 1e5 {
+            power *= 10.0;
+        }
+        // Adding and subtracting 1.5 * 2^52 rounds to an integer.
+        const ROUND: f64 = 6_755_399_441_055_744.0;
+        write!(f, "{}", ((x * power + ROUND) - ROUND) / power)
+    })
+}

@@ -1,0 +1,216 @@
+//! What mechanisms print about themselves and their errors.
+
+use linkage_runtime::{
+    AssemblyError, AssemblyMode, FunctionInfo, Group, Operations, Parameter, Structure,
+    true_acceleration, true_velocity,
+};
+
+const NONE: Operations = Operations {
+    add: 0,
+    mul: 0,
+    div: 0,
+    sqrt: 0,
+    sin_cos: 0,
+    atan2: 0,
+    other: 0,
+};
+
+#[test]
+fn a_structure_is_a_table() {
+    const STRUCTURE: Structure = Structure {
+        mobility: 1,
+        groups: &[
+            Group {
+                class: 2,
+                order: 2,
+                kind: "RRR",
+                loops: &[1],
+                unknowns: &["theta", "psi"],
+                mode: Some(0),
+                method: "quadratic",
+            },
+            Group {
+                class: 0,
+                order: 0,
+                kind: "",
+                loops: &[2, 3],
+                unknowns: &["s"],
+                mode: None,
+                method: "linear",
+            },
+        ],
+        functions: &[FunctionInfo {
+            name: "path",
+            operations: Operations { sqrt: 2, ..NONE },
+        }],
+        prepare: NONE,
+    };
+    let expected = "\
+mobility 1
+group  kind  class  order  mode  loops  unknowns    method
+1      RRR   2      2      0     1      theta, psi  quadratic
+2            0      0      -     2, 3   s           linear
+assemble: 0 operations (none)
+path: 2 operations (2 sqrt)
+";
+    assert_eq!(STRUCTURE.to_string(), expected);
+    let empty = Structure {
+        mobility: 0,
+        groups: &[],
+        functions: &[],
+        prepare: NONE,
+    };
+    assert_eq!(
+        empty.to_string(),
+        "mobility 0\nassemble: 0 operations (none)\n"
+    );
+}
+
+#[test]
+fn operations_are_counted() {
+    let all = Operations {
+        add: 1,
+        mul: 2,
+        div: 3,
+        sqrt: 4,
+        sin_cos: 5,
+        atan2: 6,
+        other: 7,
+    };
+    assert_eq!(all.total(), 28);
+    let expected = "1 add, 2 mul, 3 div, 4 sqrt, 5 sin_cos, 6 atan2, 7 other";
+    assert_eq!(all.to_string(), expected);
+}
+
+#[test]
+fn parameters_and_modes_print() {
+    let crank = Parameter {
+        name: "crank",
+        unit: "mm",
+        nominal: 50.0,
+        tolerance: 0.012,
+    };
+    assert_eq!(crank.to_string(), "crank = 50 +- 0.012 mm");
+    let ratio = Parameter {
+        name: "ratio",
+        unit: "",
+        nominal: 2.0,
+        tolerance: 0.0,
+    };
+    assert_eq!(ratio.to_string(), "ratio = 2");
+    assert_eq!(AssemblyMode::Plus.flipped(), AssemblyMode::Minus);
+    assert_eq!(
+        AssemblyMode::Minus.flipped().sign() + AssemblyMode::Minus.sign(),
+        0.0
+    );
+    assert_eq!(
+        format!("{}{:>3}", AssemblyMode::Plus, AssemblyMode::Minus),
+        "+  -"
+    );
+}
+
+fn miss(loops: &'static [usize], kind: &'static str, miss: f64, unit: &'static str) -> String {
+    let unknowns: &[_] = if loops.is_empty() {
+        &[]
+    } else {
+        &["theta", "s"]
+    };
+    AssemblyError::CannotClose {
+        mechanism: "M",
+        group: 1,
+        kind,
+        loops,
+        unknowns,
+        miss,
+        unit,
+    }
+    .to_string()
+}
+
+#[test]
+fn an_error_names_the_loop_and_the_miss() {
+    assert_eq!(
+        miss(&[1, 2, 4], "RRP", 0.1 + 0.2, "mm"),
+        "M: loops 1, 2 and 4 (theta, s; RRP) cannot close at the reference input: it misses by \
+         0.3 mm"
+    );
+    assert_eq!(
+        miss(&[], "", 2.0, ""),
+        "M: group 2 cannot close at the reference input: it misses by 2"
+    );
+    for (size, expected) in [
+        (12.499999999999, "12.5 mm"),
+        (123456.7, "123457 mm"),
+        (0.000123456789, "0.000123457 mm"),
+        (1.0 / 3.0, "0.333333 mm"),
+        (4.2e9, "4.20000e9 mm"),
+        (-2.5, "-2.5 mm"),
+        (0.0, "0 mm"),
+        (f64::NAN, "NaN mm"),
+    ] {
+        assert!(
+            miss(&[1], "RRR", size, "mm").ends_with(&format!(" by {expected}")),
+            "{size}"
+        );
+    }
+}
+
+#[test]
+fn other_errors_say_what_is_wrong() {
+    let errors: [&dyn core::error::Error; 3] = [
+        &AssemblyError::NotFinite {
+            mechanism: "M",
+            group: 0,
+            kind: "RRR",
+            loops: &[1],
+            unknowns: &["theta", "psi"],
+        },
+        &AssemblyError::NoWinding {
+            mechanism: "M",
+            unknown: "theta",
+        },
+        &AssemblyError::TooManyAssemblies {
+            mechanism: "M",
+            modes: 17,
+        },
+    ];
+    for (error, words) in errors
+        .iter()
+        .zip(["loop 1 (theta, psi; RRR) has no", "theta", "17"])
+    {
+        assert!(error.to_string().starts_with("M: ") && error.to_string().contains(words));
+    }
+}
+
+#[test]
+fn true_motion_of_numbers() {
+    assert_eq!(true_velocity(0.5_f32, 10.0), 5.0);
+    assert_eq!(true_acceleration(0.5, -0.2, 10.0, 4.0), -18.0);
+}
+
+#[cfg(feature = "nalgebra")]
+#[test]
+fn true_motion_of_vectors() {
+    use linkage_runtime::{Vector2, Vector3};
+    let (v1, a1) = (Vector2::new(1.0, 2.0), Vector2::new(-1.0, 0.5));
+    assert_eq!(true_velocity(v1, 3.0), Vector2::new(3.0, 6.0));
+    assert_eq!(true_acceleration(v1, a1, 3.0, 2.0), Vector2::new(-7.0, 8.5));
+    assert_eq!(
+        true_velocity(Vector3::new(1.0_f32, 2.0, 3.0), 2.0),
+        Vector3::new(2.0, 4.0, 6.0)
+    );
+}
+
+#[cfg(feature = "num-dual")]
+#[test]
+fn true_motion_of_vectors_of_dual_numbers() {
+    use linkage_runtime::{Dual, Scalar, Vector2};
+    let number = |x: f64| Dual::<num_dual::Dual64>::from_f64(x);
+    let v1 = Vector2::new(number(1.0), number(2.0));
+    assert_eq!(
+        true_acceleration(v1, v1, number(3.0), number(2.0))
+            .y
+            .lane(0),
+        22.0
+    );
+}

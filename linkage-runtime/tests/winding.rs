@@ -1,0 +1,114 @@
+//! How angles turn over a range.
+#![cfg(any(feature = "std", feature = "libm"))]
+
+use linkage_runtime::Scalar;
+use linkage_runtime::numeric::winding::{Winding, follow};
+use std::f64::consts::{PI, TAU};
+
+const RATES: [f64; 7] = [0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5];
+
+fn direction(angle: f64) -> [f64; 2] {
+    [3.0 * angle.cos(), 3.0 * angle.sin()]
+}
+
+/// Follows `angle` and checks that the guide leads back to it everywhere.
+fn guided(lo: f64, hi: f64, reference: f64, angle: impl Fn(f64) -> f64) -> Winding {
+    let estimate = angle(reference) + 0.4;
+    let winding = follow(lo, hi, reference, estimate, &RATES, |x| direction(angle(x))).unwrap();
+    for step in 0..=1000 {
+        let x = lo + (hi - lo) * f64::from(step) / 1000.0;
+        let [cos, sin] = direction(angle(x));
+        let found = f64::angle_near(sin, cos, winding.centre + winding.turns * x);
+        assert!(
+            (found - angle(x)).abs() < 1e-9,
+            "at {x}: {found}, not {}",
+            angle(x)
+        );
+    }
+    winding
+}
+
+#[test]
+fn a_crank_turns_with_the_input() {
+    let winding = guided(0.0, TAU, 0.5, |x| x + 0.3);
+    assert_eq!(winding.turns, 1.0);
+    assert!((winding.centre - 0.3).abs() < 1e-12);
+    assert_eq!(guided(0.0, TAU, 0.5, |x| 1.0 - x).turns, -1.0);
+}
+
+#[test]
+fn a_drag_link_turns_with_the_input() {
+    let winding = guided(0.0, 2.0 * TAU, 0.5, |x| x + 0.9 * x.sin());
+    assert_eq!(winding.turns, 1.0);
+}
+
+#[test]
+fn a_rocker_does_not_turn() {
+    let winding = guided(0.0, TAU, 0.5, |x| 2.0 + 0.8 * x.cos());
+    assert_eq!(winding.turns, 0.0);
+    assert!((winding.centre - 2.0).abs() < 1e-3);
+}
+
+#[test]
+fn a_gear_turns_at_its_ratio() {
+    assert_eq!(guided(0.0, 4.0 * TAU, 0.5, |x| 0.5 * x).turns, 0.5);
+    assert_eq!(guided(0.0, 4.0 * TAU, 0.5, |x| 4.0 - 2.0 * x).turns, -2.0);
+    // None of the candidates: the mean slope.
+    assert!((guided(0.0, 5.0 * TAU, 0.5, |x| 1.0 - 3.5 * x).turns + 3.5).abs() < 1e-12);
+}
+
+#[test]
+fn whole_turns_of_the_estimate_are_kept() {
+    let estimate = 0.3 + 5.0 * TAU;
+    let winding = follow(0.0, TAU, 0.0, estimate, &RATES, |x| direction(x + 0.2)).unwrap();
+    assert!((winding.centre - 0.2 - 5.0 * TAU).abs() < 1e-12);
+}
+
+#[test]
+fn a_range_of_many_turns_is_followed() {
+    let winding = guided(-300.0 * TAU, 700.0 * TAU, 0.5, |x| x + 0.5 * x.sin());
+    assert_eq!(winding.turns, 1.0);
+}
+
+#[test]
+fn a_short_range_needs_no_turns() {
+    assert_eq!(guided(0.0, 2.0, 0.5, |x| x + 0.3).turns, 0.0);
+}
+
+#[test]
+fn a_fast_swing_is_followed_in_small_steps() {
+    // Three turns within a hundredth of the range, and back.
+    let angle = |x: f64| 3.0 * PI * ((x - 3.0) * 400.0).tanh() + 3.0 * PI;
+    let swing = |x: f64| angle(x) - 3.0 * PI * ((x - 3.2) * 400.0).tanh();
+    let found = follow(0.0, TAU, 0.5, 0.0, &RATES, |x| direction(swing(x)));
+    // It strays by three turns from every line.
+    assert_eq!(found, None);
+    let winding = guided(0.0, TAU, 0.5, |x| 1.2 * ((x - 3.0) * 400.0).tanh());
+    assert_eq!(winding.turns, 0.0);
+}
+
+#[test]
+fn the_angle_is_followed_as_far_as_it_exists() {
+    // Works for |x| < 2 only, with infinite slope at the ends.
+    let angle = |x: f64| (0.5 * x).acos();
+    let winding = follow(-3.0, 3.0, 0.0, 1.5, &RATES, |x| direction(angle(x))).unwrap();
+    assert_eq!(winding.turns, 0.0);
+    assert!((winding.centre - 0.5 * PI).abs() < 1e-3, "{winding:?}");
+}
+
+#[test]
+fn nothing_to_follow() {
+    let nowhere = |_: f64| [f64::NAN, 0.0];
+    assert_eq!(follow(0.0, 1.0, 0.5, 0.0, &RATES, nowhere), None);
+    assert_eq!(follow(0.0, 1.0, 0.5, 0.0, &RATES, |_| [0.0, 0.0]), None);
+    assert_eq!(follow(0.0, f64::NAN, 0.5, 0.0, &RATES, direction), None);
+    let point = follow(1.0, 1.0, 1.0, 0.0, &RATES, direction).unwrap();
+    assert_eq!(point.turns, 0.0);
+    assert!((point.centre - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn without_candidates_the_mean_slope_is_taken() {
+    let winding = follow(0.0, 3.0 * TAU, 0.0, 0.0, &[], direction).unwrap();
+    assert!((winding.turns - 1.0).abs() < 1e-12);
+}

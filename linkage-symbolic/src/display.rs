@@ -1,0 +1,91 @@
+//! Programs as text: for golden files and for reading.
+
+use std::fmt;
+
+use crate::program::{Binary, Instruction, Program, Source, Ternary, Unary};
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter(index) => write!(f, "parameter {index}"),
+            Self::Input(index) => write!(f, "input {index}"),
+            Self::Mode(index) => write!(f, "mode {index}"),
+            Self::Centre(angle) => write!(f, "centre {angle}"),
+            Self::Winding(angle, input) => write!(f, "winding {angle} {input}"),
+            Self::Prepared(slot) => write!(f, "prepared {slot}"),
+        }
+    }
+}
+
+impl Unary {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Neg => "neg",
+            Self::Abs => "abs",
+            Self::Sqrt => "sqrt",
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Tan => "tan",
+            Self::Asin => "asin",
+            Self::Acos => "acos",
+            Self::Atan => "atan",
+            Self::Sign => "sign",
+            Self::InverseScale => "inverse_scale",
+        }
+    }
+}
+
+impl Binary {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Add => "+",
+            Self::Sub => "-",
+            Self::Mul => "*",
+            Self::Div => "/",
+            Self::Atan2 => "atan2",
+            Self::Hypot => "hypot",
+            Self::Min => "min",
+            Self::Max => "max",
+            Self::Root => "root",
+        }
+    }
+}
+
+impl Ternary {
+    fn word(self) -> &'static str {
+        match self {
+            Self::AngleNear => "angle_near",
+            Self::Select => "select",
+        }
+    }
+}
+
+impl fmt::Display for Instruction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Constant(value) => write!(f, "{value:?}"),
+            Self::Load(source) => write!(f, "{source}"),
+            Self::Unary(op, a) => write!(f, "{} v{}", op.word(), a.0),
+            Self::Binary(op, a, b) => match op {
+                Binary::Add | Binary::Sub | Binary::Mul | Binary::Div => {
+                    write!(f, "v{} {} v{}", a.0, op.word(), b.0)
+                }
+                _ => write!(f, "{} v{} v{}", op.word(), a.0, b.0),
+            },
+            Self::Ternary(op, a, b, c) => {
+                write!(f, "{} v{} v{} v{}", op.word(), a.0, b.0, c.0)
+            }
+        }
+    }
+}
+
+/// One line for each instruction, then the outputs.
+impl fmt::Display for Program {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, instruction) in self.instructions.iter().enumerate() {
+            writeln!(f, "v{index} = {instruction}")?;
+        }
+        let outputs: Vec<String> = self.outputs.iter().map(|v| format!("v{}", v.0)).collect();
+        writeln!(f, "return {}", outputs.join(" "))
+    }
+}

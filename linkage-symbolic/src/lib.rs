@@ -1,0 +1,25 @@
+//! The symbolic engine of the linkage compiler.
+//!
+//! A [`Graph`] is a flat arena of hash-consed operations, children before parents. Symbols are its leaves; a symbol may
+//! have a definition (another node), which is how the solution of a loop enters: derivatives of such a symbol come from
+//! [`Calculus::symbol_derivative`], its value from the definition. [`inline`] removes the definitions and
+//! leaves a plain graph of parameters and inputs, [`schedule`] slices and orders it as a
+//! [`Program`](program::Program), and [`interpret`] runs that.
+//!
+//! No tokens, spans or syntax here.
+
+mod build;
+mod differentiate;
+mod display;
+mod graph;
+pub mod inline;
+pub mod interpret;
+mod polynomial;
+pub mod program;
+pub mod schedule;
+mod substitute;
+
+pub use differentiate::{Calculus, DerivativeMemo, differentiate};
+pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
+pub use polynomial::{Monomial, Polynomial, collect};
+pub use substitute::substitute;

@@ -1,0 +1,87 @@
+//! Straight-line programs: what a sliced, scheduled graph becomes before it is printed as code.
+
+/// Where a program finds a number that it does not compute itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Source {
+    /// A scalar parameter of the mechanism, by index.
+    Parameter(usize),
+    /// A driving coordinate, by index in the mechanism.
+    Input(usize),
+    /// The assembly mode of a group with two modes, by mode index: `+1` or `-1`.
+    Mode(usize),
+    /// The centre of a continuous angle, by index among the continuous angles.
+    Centre(usize),
+    /// How many turns a continuous angle makes for each turn of an input.
+    Winding(usize, usize),
+    /// A value computed once in `assemble()`, by slot.
+    Prepared(usize),
+}
+
+/// The result of an earlier instruction, by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Value(pub usize);
+
+/// One operation. `Unary`, `Binary` and `Ternary` operands are results of earlier instructions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Instruction {
+    Constant(f64),
+    Load(Source),
+    Unary(Unary, Value),
+    Binary(Binary, Value, Value),
+    Ternary(Ternary, Value, Value, Value),
+}
+
+/// Operations of one operand. `Sin` and `Cos` of the same operand become one call where code is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Unary {
+    Neg,
+    Abs,
+    Sqrt,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    /// `+1` for a number that is positive or `+0`, `-1` for a negative one: the derivative of `Abs`.
+    Sign,
+    /// A power of two near `1/|x|` (1 for 0 and non-finite numbers): scales lengths without rounding.
+    InverseScale,
+}
+
+/// Operations of two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Binary {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    /// `atan2(y, x)`
+    Atan2,
+    /// `sqrt(x^2 + y^2)` without overflow.
+    Hypot,
+    /// NaN if an operand is.
+    Min,
+    /// NaN if an operand is.
+    Max,
+    /// `root(q, scale)`: the square root of `q`; 0 where `q` is negative by no more than 8 roundoffs of `scale`;
+    /// NaN below that. It closes a group up to the dead point and refuses beyond.
+    Root,
+}
+
+/// Operations of three operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Ternary {
+    /// `angle_near(y, x, guide)`: the argument of `x + i y`, plus the number of whole turns that brings it nearest to
+    /// `guide`.
+    AngleNear,
+    /// `select(s, a, b)`: `a` where `s >= 0`, `b` where it is negative, NaN where it is NaN.
+    Select,
+}
+
+/// A straight-line program: instructions in order of execution, results by index.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Program {
+    pub instructions: Vec<Instruction>,
+    pub outputs: Vec<Value>,
+}
