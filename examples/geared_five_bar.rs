@@ -1,0 +1,139 @@
+//! Geared five-bar: one crank turns twice as fast as the other, and their phase can be set.
+//!
+//! The phase is a second input, so that the coupler point is a function of two variables and has
+//! two first and three second derivatives.
+
+mod check;
+
+use check::Check;
+use linkage::mechanism;
+use std::error::Error;
+
+mechanism! {
+    /// Five-bar with gear ratio 2 and an adjustable phase of the second crank.
+    pub struct GearedFiveBar {
+        unit mm;
+
+        const ratio = 2;
+        param crank_1 = 30mm;
+        param crank_2 = 25mm;
+        param rod_1   = 90mm;
+        param rod_2   = 85mm;
+        param frame   = 80mm;
+
+        input phi   = 70deg in 0deg..360deg;
+        input phase = 25deg in -60deg..60deg;
+
+        unknown alpha = 42deg;
+        unknown beta  = 76deg;
+        let pin_1 = polar(crank_1, phi);
+        let pin_2 = (frame, 0) + polar(crank_2, ratio * phi + phase);
+        let point = pin_1 + polar(rod_1, alpha);
+        loop point = pin_2 + polar(rod_2, beta);
+    }
+
+    impl GearedFiveBar {
+        /// The point in which the rods meet, and both crank pins.
+        pub fn points(phi, phase) -> FiveBarPoints { point, pin_1, pin_2 }
+        /// The point with all its first and second derivatives.
+        pub fn motion(phi, phase) -> FiveBarMotion {
+            point,
+            v: velocity(point),
+            a: acceleration(point),
+            alpha,
+            mixed: d(alpha, phi, phase),
+        }
+        /// The second rod's angle and what the lengths do to it.
+        pub fn accuracy(phi, phase) -> FiveBarAccuracy { beta, e: sensitivity(beta) }
+    }
+}
+
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+    let mut check = Check::default();
+    let mechanism = GearedFiveBar::default();
+    let linkage = mechanism.assemble()?;
+    println!("{}", GearedFiveBar::STRUCTURE);
+    check.holds(
+        "two degrees of freedom",
+        GearedFiveBar::STRUCTURE.mobility == 2,
+    );
+
+    println!("At phi = 70, phase = 25 degrees:");
+    let (phi, phase) = (70f64.to_radians(), 25f64.to_radians());
+    let m = linkage.motion(phi, phase);
+    let (x, y) = (|v: [f64; 2]| v[0], |v: [f64; 2]| v[1]);
+    for (name, value, known) in [
+        ("point, mm", m.point, [76.732715851032, 88.865801375255]),
+        ("d/dphi", m.v[0], [36.755092835630, -60.890406720016]),
+        ("d/dphase", m.v[1], [30.622597082348, -33.548379496750]),
+        ("d2/dphi2", m.a[0][0], [-188.907579296230, 14.571612618458]),
+        (
+            "d2/dphi dphase",
+            m.a[0][1],
+            [-56.533577734894, -10.183862477803],
+        ),
+        (
+            "d2/dphase dphi",
+            m.a[1][0],
+            [-56.533577734894, -10.183862477803],
+        ),
+        (
+            "d2/dphase2",
+            m.a[1][1],
+            [-18.860460931408, -13.342270332526],
+        ),
+    ] {
+        check.near(&format!("{name}, x"), value.x, x(known), 1e-9);
+        check.near(&format!("{name}, y"), value.y, y(known), 1e-9);
+    }
+    check.near("alpha, deg", m.alpha.to_degrees(), 42.389490086662, 1e-10);
+    check.near("d2 alpha/dphi dphase", m.mixed, 0.339905342303, 1e-11);
+
+    println!("Over the whole range of both inputs:");
+    let grid =
+        (0..=72).flat_map(|i| (-6..=6).map(move |j| (5.0 * f64::from(i), 10.0 * f64::from(j))));
+    let grid: Vec<(f64, f64)> = grid
+        .map(|(phi, phase)| (phi.to_radians(), phase.to_radians()))
+        .collect();
+    let rods = grid.iter().flat_map(|&(phi, phase)| {
+        let p = linkage.points(phi, phase);
+        [
+            ((p.point - p.pin_1).norm(), mechanism.rod_1),
+            ((p.point - p.pin_2).norm(), mechanism.rod_2),
+        ]
+    });
+    check.all_near("the rods keep their lengths, mm", rods, 1e-12);
+
+    // Central differences of the velocities, against the second derivatives.
+    let h = 1e-5;
+    let second = grid.iter().flat_map(|&(phi, phase)| {
+        let a = linkage.motion(phi, phase).a;
+        let v = |dphi: f64, dphase: f64| linkage.motion(phi + dphi, phase + dphase).v;
+        let by_phi = (v(h, 0.0)[1] - v(-h, 0.0)[1]) / (2.0 * h);
+        let by_phase = (v(0.0, h)[1] - v(0.0, -h)[1]) / (2.0 * h);
+        [
+            (a[0][1].x, by_phi.x),
+            (a[0][1].y, by_phi.y),
+            (a[1][1].x, by_phase.x),
+            (a[1][1].y, by_phase.y),
+        ]
+    });
+    check.all_near("mixed and phase derivatives", second, 1e-5);
+
+    println!("Euler's identity for the lengths:");
+    let accuracy = linkage.accuracy(phi, phase);
+    let lengths = GearedFiveBar::PARAMETERS.iter().map(|p| p.nominal);
+    check.near(
+        "beta, deg",
+        accuracy.beta.to_degrees(),
+        75.779324820318,
+        1e-10,
+    );
+    check.near(
+        "sum of r dbeta/dr",
+        lengths.zip(accuracy.e).map(|(r, s)| r * s).sum(),
+        0.0,
+        1e-12,
+    );
+    check.finish()
+}

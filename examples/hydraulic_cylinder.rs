@@ -1,0 +1,157 @@
+//! A boom lifted by a hydraulic cylinder: the drive is a length, inside a link that turns.
+//!
+//! The cylinder's force follows from the motion alone: by virtual work it holds a load with
+//! `force = load * d(height) / d(stroke)`.
+
+mod check;
+
+use check::Check;
+use linkage::mechanism;
+use std::error::Error;
+
+mechanism! {
+    /// Boom on a pivot at the origin; the cylinder stands in front of it, below.
+    pub struct Boom {
+        unit m;
+
+        param foot   = (0.6m +- 1mm, -0.8m +- 1mm);
+        param arm    = 1.1m +- 1mm;           // from the boom's pivot to the piston rod's eye
+        param closed = 1.2m +- 1mm;           // the cylinder without stroke, between its eyes
+        param reach  = 3m;
+        param bend   = -10deg;                // of the boom, between eye and tip
+
+        input stroke = 0.3m in 0m..0.6m;
+
+        unknown cylinder = 80deg;
+        unknown lift     = 38deg;
+        loop foot + polar(closed + stroke, cylinder) = polar(arm, lift);
+        let tip = polar(reach, lift + bend);
+    }
+
+    impl Boom {
+        /// Angles of cylinder and boom, and the tip.
+        pub fn position(stroke) -> BoomPosition { cylinder, lift, tip }
+        /// How fast boom and tip move with the stroke.
+        pub fn motion(stroke) -> BoomMotion {
+            rate: velocity(lift),
+            height: velocity(tip.y),
+            bend: acceleration(tip.y),
+            margin: margin(),
+        }
+        /// What the dimensions do to the boom's angle.
+        pub fn accuracy(stroke) -> BoomAccuracy { e: sensitivity(lift), dstroke: d(lift, stroke) }
+    }
+}
+
+/// Stroke, cylinder and boom angle (deg), tip, d lift/d stroke, first and second derivative of the
+/// tip's height.
+const KNOWN: [[f64; 8]; 3] = [
+    [
+        0.0,
+        67.700395077632,
+        16.382582531121,
+        2.981405276778,
+        0.333500488155,
+        1.164568391310,
+        3.472050347020,
+        0.930315353447,
+    ],
+    [
+        0.3,
+        79.713540689440,
+        37.911696496299,
+        2.651010262117,
+        1.404330655561,
+        1.363861813975,
+        3.615611664957,
+        -0.112141516570,
+    ],
+    [
+        0.6,
+        94.186433888121,
+        64.786236651283,
+        1.729885771837,
+        2.451019219915,
+        1.851860672273,
+        3.203507428390,
+        -3.482532798743,
+    ],
+];
+
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+    let mut check = Check::default();
+    let mechanism = Boom::default();
+    let linkage = mechanism.assemble()?;
+    println!("{}", Boom::STRUCTURE);
+
+    for [stroke, cylinder, lift, x, y, rate, height, bend] in KNOWN {
+        println!("Stroke {stroke} m:");
+        let p = linkage.position(stroke);
+        let m = linkage.motion(stroke);
+        check.near("cylinder, deg", p.cylinder.to_degrees(), cylinder, 1e-10);
+        check.near("boom, deg", p.lift.to_degrees(), lift, 1e-10);
+        check.near("tip x, m", p.tip.x, x, 1e-11);
+        check.near("tip y, m", p.tip.y, y, 1e-11);
+        check.near("boom, rad per m of stroke", m.rate, rate, 1e-11);
+        check.near("tip's rise per stroke", m.height, height, 1e-11);
+        check.near("its change, 1/m", m.bend, bend, 1e-10);
+        let between = p.lift - p.cylinder;
+        check.near(
+            "margin: |sin| between cylinder and arm",
+            m.margin,
+            between.sin().abs(),
+            1e-12,
+        );
+        println!(
+            "       cylinder force for 10 kN at the tip: {:.2} kN",
+            10.0 * m.height
+        );
+    }
+
+    println!("Law of cosines, over the stroke:");
+    let side = mechanism.foot.norm();
+    let angles = (0..=60).map(|i| {
+        let stroke = 0.01 * f64::from(i);
+        let length = mechanism.closed + stroke;
+        let opening =
+            (side * side + mechanism.arm.powi(2) - length * length) / (2.0 * side * mechanism.arm);
+        let foot = mechanism.foot.y.atan2(mechanism.foot.x);
+        (linkage.position(stroke).lift, foot + opening.acos())
+    });
+    check.all_near("boom, rad", angles, 1e-13);
+
+    println!("Dimensions at stroke 0.3 m:");
+    let accuracy = linkage.accuracy(0.3);
+    for (parameter, s) in Boom::PARAMETERS.iter().zip(accuracy.e) {
+        println!(
+            "       {:<8} {s:>10.5} rad/{}",
+            parameter.name, parameter.unit
+        );
+    }
+    // The stroke adds to the closed length; it is a length, too, and so takes part in Euler's sum.
+    let dclosed = accuracy.e[Boom::INDEX_CLOSED];
+    check.near(
+        "d lift/d closed - d lift/d stroke",
+        dclosed - accuracy.dstroke,
+        0.0,
+        1e-13,
+    );
+    let shares = Boom::PARAMETERS
+        .iter()
+        .zip(accuracy.e)
+        .filter(|(p, _)| p.unit == "m");
+    let sum: f64 = shares.map(|(p, s)| p.nominal * s).sum();
+    check.near(
+        "sum of r d lift/d r",
+        sum + 0.3 * accuracy.dstroke,
+        0.0,
+        1e-13,
+    );
+
+    let beyond = linkage.position(0.95);
+    check.holds(
+        "a stroke of 0.95 m cannot be reached: NaN",
+        beyond.lift.is_nan() && beyond.tip.x.is_nan(),
+    );
+    check.finish()
+}

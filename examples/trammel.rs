@@ -1,0 +1,149 @@
+//! Two drives with nothing but slides to find: the elliptic trammel and the Scotch yoke.
+//!
+//! A rod whose ends run on two guides draws an ellipse with each of its points. The yoke turns a
+//! crank into an exact harmonic motion, `x = crank cos phi`.
+
+mod check;
+
+use check::Check;
+use linkage::mechanism;
+use std::error::Error;
+
+mechanism! {
+    /// Elliptic trammel; the second guide may be oblique.
+    pub struct Trammel {
+        unit mm;
+
+        param rod   = 100mm;
+        param arm   = 160mm;           // from the slider on the second guide to the tracer
+        param guide = 90deg;           // between the guides
+
+        input phi = 30deg in 0deg..360deg;
+        unknown across = 87mm;         // slider on the first guide, the x axis
+        unknown up     = -50mm;        // slider on the second guide
+        loop polar(up, guide) + polar(rod, phi) = (across, 0);
+        let tracer = polar(up, guide) + polar(arm, phi);
+    }
+
+    impl Trammel {
+        /// Both sliders and the tracer.
+        pub fn point(phi) -> TrammelPoint { across, up, tracer, margin: margin() }
+    }
+}
+
+mechanism! {
+    /// Scotch yoke: the crank pin slides in a slot of the reciprocating yoke.
+    pub struct ScotchYoke {
+        unit mm;
+
+        param crank = 35mm;
+
+        input phi = 0deg in 0deg..720deg;
+        unknown x    = 35mm;           // the yoke
+        unknown slot = 0mm;            // the pin in its slot
+        loop polar(crank, phi) = (x, 0) + (0, slot);
+    }
+
+    impl ScotchYoke {
+        /// The yoke and its first three kinematic coefficients.
+        pub fn yoke(phi) -> Yoke { x, v: velocity(x), a: acceleration(x), j: jerk(x) }
+        /// What the crank's length does to the yoke and to its velocity.
+        pub fn accuracy(phi) -> YokeAccuracy { dx: d(x, crank), dv: d(x, phi, crank) }
+    }
+}
+
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+    let mut check = Check::default();
+    let turn: Vec<f64> = (0..=360).map(|i| f64::from(i).to_radians()).collect();
+
+    println!("{}Elliptic trammel:", Trammel::STRUCTURE);
+    let mechanism = Trammel::default();
+    let linkage = mechanism.assemble()?;
+    // Half axes: the tracer's distances from the two sliders.
+    let (a, b) = (mechanism.arm, mechanism.arm - mechanism.rod);
+    let points: Vec<TrammelPoint> = turn.iter().map(|&phi| linkage.point(phi)).collect();
+    let on_ellipse = points
+        .iter()
+        .map(|p| ((p.tracer.x / a).powi(2) + (p.tracer.y / b).powi(2), 1.0));
+    check.all_near("(x/160)^2 + (y/60)^2 = 1", on_ellipse, 1e-14);
+    check.all_near(
+        "x = 160 cos phi",
+        points
+            .iter()
+            .zip(&turn)
+            .map(|(p, phi)| (p.tracer.x, a * phi.cos())),
+        1e-12,
+    );
+    check.all_near(
+        "guides at right angles: margin 1",
+        points.iter().map(|p| (p.margin, 1.0)),
+        1e-15,
+    );
+
+    println!("Guides at 60 degrees:");
+    let guide = 60f64.to_radians();
+    let oblique = Trammel { guide, ..mechanism }.assemble()?;
+    let sliders = turn.iter().map(|&phi| {
+        let up = -mechanism.rod * phi.sin() / guide.sin();
+        (
+            oblique.point(phi),
+            up,
+            up * guide.cos() + mechanism.rod * phi.cos(),
+        )
+    });
+    let sliders: Vec<_> = sliders.collect();
+    check.all_near(
+        "second slider, mm",
+        sliders.iter().map(|(p, up, _)| (p.up, *up)),
+        1e-12,
+    );
+    check.all_near(
+        "first slider, mm",
+        sliders.iter().map(|(p, _, x)| (p.across, *x)),
+        1e-12,
+    );
+    check.near(
+        "margin = sin 60 deg",
+        oblique.point(1.0).margin,
+        guide.sin(),
+        1e-14,
+    );
+
+    println!("{}Scotch yoke:", ScotchYoke::STRUCTURE);
+    let mechanism = ScotchYoke::default();
+    let linkage = mechanism.assemble()?;
+    let r = mechanism.crank;
+    let yoke: Vec<(Yoke, f64, f64)> = turn
+        .iter()
+        .map(|phi| (linkage.yoke(*phi), phi.sin(), phi.cos()))
+        .collect();
+    check.all_near(
+        "x = r cos phi",
+        yoke.iter().map(|(y, _, c)| (y.x, r * c)),
+        1e-13,
+    );
+    check.all_near(
+        "dx/dphi = -r sin phi",
+        yoke.iter().map(|(y, s, _)| (y.v, -r * s)),
+        1e-13,
+    );
+    check.all_near(
+        "d2x/dphi2 = -r cos phi",
+        yoke.iter().map(|(y, _, c)| (y.a, -r * c)),
+        1e-13,
+    );
+    check.all_near(
+        "d3x/dphi3 = r sin phi",
+        yoke.iter().map(|(y, s, _)| (y.j, r * s)),
+        1e-13,
+    );
+    let accuracy = linkage.accuracy(0.7);
+    check.near("dx/dr = cos 0.7", accuracy.dx, 0.764842187284, 1e-11);
+    check.near(
+        "d2x/(dphi dr) = -sin 0.7",
+        accuracy.dv,
+        -0.644217687238,
+        1e-11,
+    );
+    check.finish()
+}

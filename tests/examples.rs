@@ -1,0 +1,35 @@
+//! Every example is a test: it compares itself with known answers and fails if one is missed.
+
+// Each example is a program of its own and brings its copy of the checking helper.
+#![allow(clippy::duplicate_mod)]
+
+use std::error::Error;
+
+type Outcome = Result<(), Box<dyn Error>>;
+
+/// Includes an example as a module and runs it.
+macro_rules! example {
+    ($name:ident, $path:literal) => {
+        #[path = $path]
+        #[allow(
+            unreachable_pub,
+            dead_code,
+            reason = "a program of its own, here a module"
+        )]
+        mod $name;
+
+        #[test]
+        fn $name() -> Outcome {
+            $name::main()
+        }
+    };
+}
+
+example!(crank_rocker, "../examples/crank_rocker.rs");
+example!(drag_link, "../examples/drag_link.rs");
+example!(favorit, "../examples/favorit.rs");
+example!(geared_five_bar, "../examples/geared_five_bar.rs");
+example!(gears, "../examples/gears.rs");
+example!(hydraulic_cylinder, "../examples/hydraulic_cylinder.rs");
+example!(quick_return, "../examples/quick_return.rs");
+example!(trammel, "../examples/trammel.rs");
