@@ -11,6 +11,7 @@ mod facts;
 mod formulate;
 pub mod lower;
 pub mod model;
+pub mod oracle;
 mod structure;
 pub mod syntax;
 pub mod trace;

@@ -15,9 +15,11 @@ mod graph;
 pub mod inline;
 pub mod interpret;
 mod polynomial;
+mod products;
 pub mod program;
 pub mod schedule;
 mod substitute;
+mod sums;
 
 pub use differentiate::{Calculus, DerivativeMemo, differentiate};
 pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};

@@ -42,7 +42,10 @@ impl Solver<'_, '_> {
 
         let unit = self.unit_of(rotor);
         let equal = self.algebra.complex_product(rotor.z, unit);
-        let vector = [0, 1].map(|k| self.alias("link", value[k], equal[k]));
+        let vector = [0, 1].map(|k| {
+            let value = self.guarded(value[k], h);
+            self.alias("link", value, equal[k])
+        });
         let quotient = self.complex_quotient(vector, rotor.z);
         self.define_angle(rotor.angle, rotor.sense, quotient, 0);
         self.define_length(slide, position, 1);

@@ -26,7 +26,9 @@ impl Solver<'_, '_> {
         let hw = graph.mul(w, h);
         let [along, across] = [c, hw].map(|x| graph.div(x, r2));
         let turned = self.perp([a, b]);
-        let unit = self.combine(along, [a, b], across, turned);
+        let unit = self
+            .combine(along, [a, b], across, turned)
+            .map(|x| self.guarded(x, h));
         self.define_angle(angle, 1.0, unit, 0);
 
         let symbols = self.algebra.angles[angle].clone();

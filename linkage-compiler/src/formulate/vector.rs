@@ -74,6 +74,15 @@ impl Solver<'_, '_> {
         self.algebra.graph.binary(Binary::Root, q, scale)
     }
 
+    /// A value that is NaN where `h` is, also where `h` drops out of its formula: a guide along an axis leaves the
+    /// other component of a link free of the root, but not of the assembly.
+    pub(super) fn guarded(&mut self, value: NodeId, h: NodeId) -> NodeId {
+        if self.algebra.graph.reachable(&[value]).contains(&h) {
+            return value;
+        }
+        self.algebra.graph.ternary(Ternary::Select, h, value, h)
+    }
+
     /// 0 where the root of `q` is a number (see [`Binary::Root`]), else `miss`, which is then made positive.
     pub(super) fn gap(&mut self, q: NodeId, scale: NodeId, miss: NodeId) -> NodeId {
         let scale = self.abs(scale);

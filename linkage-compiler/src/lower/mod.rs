@@ -78,6 +78,15 @@ pub(crate) fn lower(
     lowered
 }
 
+/// The results of one function as nodes of the expression graph.
+pub(crate) fn requested_nodes(
+    algebra: &mut Algebra,
+    formulation: &Formulation,
+    definition: &EvaluatorDef,
+) -> Vec<NodeId> {
+    quantity::request(algebra, formulation, definition).nodes
+}
+
 fn copy(inliner: &mut Inliner, algebra: &Algebra, nodes: &[NodeId]) -> Vec<NodeId> {
     nodes
         .iter()

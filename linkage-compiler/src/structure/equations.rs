@@ -19,6 +19,18 @@ pub(crate) struct Equation {
     pub(crate) eliminated: Vec<usize>,
 }
 
+impl Equation {
+    /// Takes over the loops and unknowns of an equation that was eliminated into this one.
+    pub(super) fn absorb(&mut self, eliminated: &Equation, gone: &[Coordinate]) {
+        self.loops.extend(&eliminated.loops);
+        self.loops.sort_unstable();
+        self.loops.dedup();
+        self.eliminated.extend(&eliminated.eliminated);
+        self.eliminated
+            .extend(gone.iter().filter_map(|c| c.unknown));
+    }
+}
+
 /// One scalar unknown.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Coordinate {

@@ -9,6 +9,7 @@ mod eliminate;
 mod equations;
 mod matching;
 pub(crate) mod report;
+mod rewrite;
 
 use linkage_symbolic::{NodeId, SymbolId};
 

@@ -1,0 +1,58 @@
+//! A mechanism's functions as they stand in the expression graph, before slicing and scheduling: what tests compare the
+//! programs with.
+
+use linkage_symbolic::interpret::evaluate;
+use linkage_symbolic::program::Source;
+use linkage_symbolic::{Graph, NodeId};
+
+use crate::algebra::{Algebra, Nominal};
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::formulate::{Formulation, formulate};
+use crate::lower::requested_nodes;
+use crate::model::Mechanism;
+use crate::structure::decompose;
+
+/// The expression graph of a mechanism, unknowns still being symbols with definitions.
+#[derive(Debug)]
+pub struct Oracle {
+    graph: Graph,
+    functions: Vec<Vec<NodeId>>,
+    /// For each angle of the graph, its index among the unknowns of the model.
+    unknowns: Vec<Option<usize>>,
+}
+
+impl Oracle {
+    /// The graph of a mechanism that compiles without a message.
+    pub fn new(mechanism: &Mechanism, origins: &Origins) -> Self {
+        let mut algebra = Algebra::new(mechanism);
+        let nominal = Nominal::of(&mut algebra);
+        let mut diagnostics = Diagnostics::default();
+        let structure = decompose(&mut algebra, &nominal, origins, &mut diagnostics);
+        let formulation: Formulation = formulate(&mut algebra, structure);
+        let functions = mechanism
+            .evaluators
+            .iter()
+            .map(|definition| requested_nodes(&mut algebra, &formulation, definition))
+            .collect();
+        Self {
+            functions,
+            unknowns: algebra.angles.iter().map(|angle| angle.unknown).collect(),
+            graph: algebra.graph,
+        }
+    }
+
+    /// The results of a function. `load` supplies parameters, inputs and modes; the centre of an angle is asked for with
+    /// the index of its unknown in the model, and `None` for an angle that the compiler introduced; windings are zero.
+    pub fn evaluate(
+        &self,
+        function: usize,
+        load: impl Fn(Source) -> f64,
+        centre: impl Fn(Option<usize>) -> f64,
+    ) -> Vec<f64> {
+        evaluate(&self.graph, &self.functions[function], |source| match source {
+            Source::Centre(angle) => centre(self.unknowns[angle]),
+            Source::Winding(..) => 0.0,
+            other => load(other),
+        })
+    }
+}

@@ -1,0 +1,194 @@
+//! Bringing a coupled set of loops to known forms: distances become links, components become vectors, a sum of angles
+//! becomes an angle.
+
+use linkage_symbolic::{NodeId, SymbolId, collect};
+
+use crate::algebra::Atom;
+
+use super::Analysis;
+use super::eliminate::System;
+use super::equations::{Coordinate, CoordinateKind, Equation};
+
+impl Analysis<'_, '_> {
+    /// Two scalar loops, the components of one vector loop.
+    pub(super) fn join_rows(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Option<System> {
+        let [a, b] = equations else { return None };
+        if a.rows.len() != 1 || b.rows.len() != 1 {
+            return None;
+        }
+        let orders = [(a, b), (b, a)];
+        let joined = orders.map(|(first, second)| Equation {
+            rows: vec![first.rows[0], second.rows[0]],
+            relation: None,
+            loops: sorted(&first.loops, &second.loops),
+            eliminated: sorted(&first.eliminated, &second.eliminated),
+        });
+        joined
+            .into_iter()
+            .find(|equation| self.classify(equation, coordinates).is_some())
+            .map(|equation| (vec![equation], coordinates.to_vec()))
+    }
+
+    /// `distance(a, b) = l` is a link of length `l` between `a` and `b`, at an angle of its own.
+    pub(super) fn distance_to_link(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Option<System> {
+        for (place, equation) in equations
+            .iter()
+            .enumerate()
+            .filter(|(_, e)| e.rows.len() == 1)
+        {
+            let Some((vector, length)) = self.distance(equation.rows[0]) else {
+                continue;
+            };
+            let mut equations = equations.to_vec();
+            let mut coordinates = coordinates.to_vec();
+            let angle = self.algebra.add_angle("link", None);
+            let unit = [
+                self.algebra.angles[angle].cos_node,
+                self.algebra.angles[angle].sin_node,
+            ];
+            let graph = &mut self.algebra.graph;
+            let rows = (0..2).map(|k| {
+                let along = graph.mul(length, unit[k]);
+                graph.sub(vector[k], along)
+            });
+            equations[place].rows = rows.collect();
+            equations[place].relation = None;
+            coordinates.push(Coordinate {
+                kind: CoordinateKind::Angle(angle),
+                unknown: None,
+            });
+            return Some((equations, coordinates));
+        }
+        None
+    }
+
+    /// A row `|v| - l` (or its negative): `v` and `l`.
+    fn distance(&self, row: NodeId) -> Option<([NodeId; 2], NodeId)> {
+        use linkage_symbolic::Node;
+        use linkage_symbolic::program::{Binary, Unary};
+        let row = match self.algebra.graph.node(row) {
+            Node::Unary(Unary::Neg, inner) => inner,
+            _ => row,
+        };
+        let Node::Binary(Binary::Sub, a, b) = self.algebra.graph.node(row) else {
+            return None;
+        };
+        [(a, b), (b, a)]
+            .into_iter()
+            .find_map(|(norm, length)| self.algebra.norms.get(&norm).map(|v| (*v, length)))
+    }
+
+    /// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains the angle alone.
+    pub(super) fn split_along_guide(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Option<System> {
+        let ([equation], [a, b]) = (equations, coordinates) else {
+            return None;
+        };
+        let (angle, slide) = match (a.kind, b.kind) {
+            (CoordinateKind::Angle(_), CoordinateKind::Length(slide)) => (a, slide),
+            (CoordinateKind::Length(slide), CoordinateKind::Angle(_)) => (b, slide),
+            _ => return None,
+        };
+        let [x, y] = equation.rows[..] else {
+            return None;
+        };
+        let graph = &mut self.algebra.graph;
+        let mut guide = [graph.zero(); 2];
+        for (row, direction) in [x, y].into_iter().zip(&mut guide) {
+            let terms = collect(graph, row, &[slide], &[])?;
+            if terms.keys().any(|exponents| exponents[0] > 1) {
+                return None;
+            }
+            *direction = terms.get(&vec![1]).copied().unwrap_or(graph.zero());
+        }
+        if guide.iter().any(|&g| self.contains(g, angle)) {
+            return None;
+        }
+        let across = self.algebra.cross(guide, [x, y]);
+        let along = self.algebra.dot(&guide, &[x, y]);
+        let clean = self.linear_part(across, slide)?;
+        let row = |node| Equation {
+            rows: vec![node],
+            relation: None,
+            ..equation.clone()
+        };
+        Some((vec![row(clean), row(along)], coordinates.to_vec()))
+    }
+
+    /// `row` without the terms in `slide`, which cancel.
+    fn linear_part(&mut self, row: NodeId, slide: SymbolId) -> Option<NodeId> {
+        let terms = collect(&mut self.algebra.graph, row, &[slide], &[])?;
+        let cancelled = terms.keys().all(|exponents| exponents[0] == 0);
+        terms.get(&vec![0]).copied().filter(|_| cancelled)
+    }
+
+    /// Angles measured from link to link: their sum is the angle of the second link.
+    pub(super) fn relative_angle(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Option<System> {
+        let ([equation], [a, b]) = (equations, coordinates) else {
+            return None;
+        };
+        let (CoordinateKind::Angle(first), CoordinateKind::Angle(second)) = (a.kind, b.kind) else {
+            return None;
+        };
+        for (base, relative, kept) in [(first, second, a), (second, first, b)] {
+            for sign in [1.0, -1.0] {
+                let sum = self.algebra.add_angle("sum", None);
+                self.algebra.angles[sum].estimate = self.sum_estimate(base, relative, sign);
+                let mut value = self.algebra.atom(Atom::Angle(sum));
+                value.terms.insert(0, (Atom::Angle(base), -sign));
+                value.terms.sort_by_key(|(atom, _)| *atom);
+                let saved = (self.substitutions.clone(), self.structure.explicit.len());
+                self.replace_angle(relative, &value);
+                let mut changed = self.substituted(equation);
+                changed
+                    .eliminated
+                    .extend([a, b].iter().filter_map(|c| c.unknown));
+                let summed = Coordinate {
+                    kind: CoordinateKind::Angle(sum),
+                    unknown: None,
+                };
+                let coordinates = vec![kept.clone(), summed];
+                if self.classify(&changed, &coordinates).is_some() {
+                    return Some((vec![changed], coordinates));
+                }
+                self.substitutions = saved.0;
+                self.structure.explicit.truncate(saved.1);
+            }
+        }
+        None
+    }
+}
+
+impl Analysis<'_, '_> {
+    fn sum_estimate(&self, base: usize, relative: usize, sign: f64) -> Option<f64> {
+        let estimate = |angle: usize| {
+            let angle = &self.algebra.angles[angle];
+            angle
+                .unknown
+                .map_or(angle.estimate, |u| Some(self.nominal.estimates[u][0]))
+        };
+        Some(estimate(relative)? + sign * estimate(base)?)
+    }
+}
+
+fn sorted(a: &[usize], b: &[usize]) -> Vec<usize> {
+    let mut all: Vec<usize> = a.iter().chain(b).copied().collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}

@@ -1,0 +1,102 @@
+//! Constructors of sums, differences and signs.
+
+use crate::graph::{Graph, Node, NodeId};
+use crate::program::{Binary, Unary};
+
+impl Graph {
+    /// `-a`
+    pub fn neg(&mut self, a: NodeId) -> NodeId {
+        if let Some(x) = self.negated(a) {
+            return x;
+        }
+        match self.node(a) {
+            Node::Constant(bits) => self.constant(-f64::from_bits(bits)),
+            // The sign goes where it costs nothing: into what is computed earlier.
+            Node::Binary(Binary::Mul, x, y) if self.binding(x) < self.binding(y) => {
+                let x = self.neg(x);
+                self.mul(x, y)
+            }
+            _ => self.intern(Node::Unary(Unary::Neg, a)),
+        }
+    }
+
+    /// `|a|`
+    pub fn abs(&mut self, a: NodeId) -> NodeId {
+        let a = self.negated(a).unwrap_or(a);
+        match self.node(a) {
+            Node::Constant(bits) => self.constant(f64::from_bits(bits).abs()),
+            Node::Unary(Unary::Abs | Unary::Sqrt | Unary::InverseScale, _) => a,
+            Node::Binary(Binary::Hypot | Binary::Root, ..) => a,
+            _ => self.intern(Node::Unary(Unary::Abs, a)),
+        }
+    }
+
+    /// `a + b`
+    pub fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        if self.is_zero(a) {
+            return b;
+        }
+        if self.is_zero(b) {
+            return a;
+        }
+        if a == b {
+            let two = self.constant(2.0);
+            return self.mul(two, a);
+        }
+        if let Some(y) = self.negated(b) {
+            return self.sub(a, y);
+        }
+        if let Some(x) = self.negated(a) {
+            return self.sub(b, x);
+        }
+        for (x, y) in [(a, b), (b, a)] {
+            if let Node::Binary(Binary::Sub, p, q) = self.node(x)
+                && q == y
+            {
+                return p;
+            }
+        }
+        self.commute(Binary::Add, a, b)
+    }
+
+    /// `a - b`
+    pub fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        if self.is_zero(b) {
+            return a;
+        }
+        if self.is_zero(a) {
+            return self.neg(b);
+        }
+        if a == b {
+            return self.zero();
+        }
+        if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
+            return self.constant(x - y);
+        }
+        if let Some(y) = self.negated(b) {
+            return self.add(a, y);
+        }
+        if let Some(x) = self.negated(a) {
+            let sum = self.add(x, b);
+            return self.neg(sum);
+        }
+        match self.node(a) {
+            Node::Binary(Binary::Add, p, q) if p == b => return q,
+            Node::Binary(Binary::Add, p, q) if q == b => return p,
+            Node::Binary(Binary::Sub, p, q) if p == b => return self.neg(q),
+            _ => {}
+        }
+        match self.node(b) {
+            Node::Binary(Binary::Add, p, q) if p == a => return self.neg(q),
+            Node::Binary(Binary::Add, p, q) if q == a => return self.neg(p),
+            Node::Binary(Binary::Sub, p, q) if p == a => return q,
+            _ => {}
+        }
+        // A difference and its negative are one node and a sign, which the next sum or product absorbs.
+        if a < b {
+            return self.intern(Node::Binary(Binary::Sub, a, b));
+        }
+        let difference = self.intern(Node::Binary(Binary::Sub, b, a));
+        self.intern(Node::Unary(Unary::Neg, difference))
+    }
+}
