@@ -5,7 +5,7 @@ use linkage_symbolic::interpret::evaluate;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Graph, NodeId};
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Algebra, Angle, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::formulate::{Formulation, formulate};
 use crate::lower::requested_nodes;
@@ -17,8 +17,8 @@ use crate::structure::decompose;
 pub struct Oracle {
     graph: Graph,
     functions: Vec<Vec<NodeId>>,
-    /// For each angle of the graph, its index among the unknowns of the model.
-    unknowns: Vec<Option<usize>>,
+    /// For each angle of the graph, its start estimate.
+    estimates: Vec<f64>,
 }
 
 impl Oracle {
@@ -34,25 +34,28 @@ impl Oracle {
             .iter()
             .map(|definition| requested_nodes(&mut algebra, &formulation, definition))
             .collect();
+        let estimate = |angle: &Angle| match angle.unknown {
+            Some(unknown) => nominal.estimates[unknown][0],
+            None => angle.estimate.unwrap_or(0.0),
+        };
         Self {
             functions,
-            unknowns: algebra.angles.iter().map(|angle| angle.unknown).collect(),
+            estimates: algebra.angles.iter().map(estimate).collect(),
             graph: algebra.graph,
         }
     }
 
-    /// The results of a function. `load` supplies parameters, inputs and modes; the centre of an angle is asked for with
-    /// the index of its unknown in the model, and `None` for an angle that the compiler introduced; windings are zero.
-    pub fn evaluate(
-        &self,
-        function: usize,
-        load: impl Fn(Source) -> f64,
-        centre: impl Fn(Option<usize>) -> f64,
-    ) -> Vec<f64> {
-        evaluate(&self.graph, &self.functions[function], |source| match source {
-            Source::Centre(angle) => centre(self.unknowns[angle]),
-            Source::Winding(..) => 0.0,
-            other => load(other),
-        })
+    /// The results of a function near the reference inputs, where angles are nearest to their estimates. `load`
+    /// supplies parameters, inputs and modes.
+    pub fn evaluate(&self, function: usize, load: impl Fn(Source) -> f64) -> Vec<f64> {
+        evaluate(
+            &self.graph,
+            &self.functions[function],
+            |source| match source {
+                Source::Centre(angle) => self.estimates[angle],
+                Source::Winding(..) => 0.0,
+                other => load(other),
+            },
+        )
     }
 }

@@ -1,0 +1,159 @@
+//! What constructors simplify, how values move to the time when they are known, and what polynomials see.
+
+use std::collections::HashMap;
+
+use linkage_symbolic::program::{Binary, Instruction, Source, Unary};
+use linkage_symbolic::schedule::{Slots, schedule, schedule_stages, schedule_whole};
+use linkage_symbolic::{Binding, Graph, NodeId, collect, substitute};
+
+struct Names {
+    g: Graph,
+    x: NodeId,
+    y: NodeId,
+    p: NodeId,
+    q: NodeId,
+}
+
+fn names() -> Names {
+    let mut g = Graph::new();
+    let [x, y] = [0, 1].map(|k| g.source(Source::Input(k)));
+    let [p, q] = [0, 1].map(|k| g.source(Source::Parameter(k)));
+    Names { g, x, y, p, q }
+}
+
+#[test]
+fn neutral_elements_and_equal_terms_vanish() {
+    let Names { mut g, x, y, p, .. } = names();
+    let (zero, one) = (g.zero(), g.one());
+    assert_eq!(g.add(x, zero), x);
+    assert_eq!(g.mul(one, x), x);
+    assert_eq!(g.sub(x, x), zero);
+    assert_eq!(g.div(x, x), one);
+    let sum = g.add(x, y);
+    assert_eq!(g.sub(sum, x), y);
+    let difference = g.sub(x, y);
+    assert_eq!(g.add(difference, y), x);
+    let opposite = g.sub(y, x);
+    assert_eq!(g.add(difference, opposite), zero);
+    let negative = g.neg(x);
+    assert_eq!(g.neg(negative), x);
+    // A link's length cancels against the solution for that link.
+    let direction = g.div(x, p);
+    assert_eq!(g.mul(p, direction), x);
+    assert_eq!(g.hypot(p, zero), g.unary(Unary::Abs, p));
+}
+
+#[test]
+fn equal_operations_are_one_node() {
+    let Names { mut g, x, y, .. } = names();
+    assert_eq!(g.add(x, y), g.add(y, x));
+    assert_eq!(g.mul(x, y), g.mul(y, x));
+    let minus_y = g.neg(y);
+    assert_eq!(g.sub(x, y), g.add(x, minus_y));
+    assert_eq!(g.constant(-0.0), g.constant(0.0));
+}
+
+#[test]
+fn parameters_gather_before_inputs() {
+    let Names { mut g, x, p, q, .. } = names();
+    let inner = g.mul(q, x);
+    let product = g.mul(p, inner);
+    let factor = g.mul(p, q);
+    assert_eq!(product, g.mul(factor, x), "p (q x) = (p q) x");
+    assert_eq!(g.binding(factor), Binding::Parameter);
+    let quotient = g.div(x, p);
+    let program = schedule(&g, &[quotient], &mut Slots::default());
+    let divides = |i: &Instruction| matches!(i, Instruction::Binary(Binary::Div, ..));
+    assert!(
+        !program.instructions.iter().any(divides),
+        "1/p is prepared\n{program}"
+    );
+}
+
+#[test]
+fn a_slice_contains_what_its_outputs_need() {
+    let Names { mut g, x, y, p, q } = names();
+    let first = g.mul(x, p);
+    let parameter_only = g.add(p, q);
+    let second = g.mul(first, y);
+    let wanted = g.mul(parameter_only, x);
+    let mut slots = Slots::default();
+    assert_eq!(schedule(&g, &[first], &mut slots).instructions.len(), 3);
+    let program = schedule(&g, &[wanted], &mut slots);
+    assert!(
+        program
+            .instructions
+            .contains(&Instruction::Load(Source::Prepared(0)))
+    );
+    assert!(
+        !program
+            .instructions
+            .contains(&Instruction::Load(Source::Input(1)))
+    );
+    assert_eq!(slots.prepare(&g).outputs.len(), 1);
+    let (staged, ends) = schedule_stages(&g, &[vec![first], vec![second]]);
+    assert_eq!(ends, [3, 5]);
+    assert_eq!(staged.outputs.len(), 2);
+}
+
+#[test]
+fn three_divisions_by_one_divisor_share_a_reciprocal() {
+    let Names { mut g, x, y, p, q } = names();
+    let divisor = g.add(x, y);
+    let quotients = |g: &mut Graph, over: &[NodeId]| -> Vec<NodeId> {
+        over.iter().map(|&n| g.div(n, divisor)).collect()
+    };
+    let count = |g: &Graph, outputs: &[NodeId]| {
+        let divides = |i: &&Instruction| matches!(i, Instruction::Binary(Binary::Div, ..));
+        schedule_whole(g, outputs)
+            .instructions
+            .iter()
+            .filter(divides)
+            .count()
+    };
+    let two = quotients(&mut g, &[p, q]);
+    assert_eq!(count(&g, &two), 2);
+    let three = quotients(&mut g, &[p, q, x]);
+    assert_eq!(count(&g, &three), 1);
+}
+
+#[test]
+fn polynomials_see_through_the_way_of_writing() {
+    let mut g = Graph::new();
+    let (c, cos) = g.unknown("cos");
+    let (s, sin) = g.unknown("sin");
+    let p = g.source(Source::Parameter(0));
+    let symbols = [c, s];
+    let pairs = [(0, 1)];
+    // p (cos + 2) - 2 p = p cos
+    let two = g.constant(2.0);
+    let sum = g.add(cos, two);
+    let product = g.mul(p, sum);
+    let twice = g.mul(two, p);
+    let root = g.sub(product, twice);
+    let found = collect(&mut g, root, &symbols, &pairs).expect("a polynomial");
+    assert_eq!(found.into_iter().collect::<Vec<_>>(), [(vec![1, 0], p)]);
+    // cos^2 + sin^2 = 1
+    let (cos2, sin2) = (g.square(cos), g.square(sin));
+    let unit = g.add(cos2, sin2);
+    let found = collect(&mut g, unit, &symbols, &pairs).expect("a polynomial");
+    assert_eq!(
+        found.into_iter().collect::<Vec<_>>(),
+        [(vec![0, 0], g.one())]
+    );
+    let not_one = g.unary(Unary::Sqrt, cos);
+    assert!(collect(&mut g, not_one, &symbols, &pairs).is_none());
+    let inverse = g.div(p, sum);
+    assert!(collect(&mut g, inverse, &symbols, &pairs).is_none());
+}
+
+#[test]
+fn substitution_simplifies() {
+    let Names { mut g, x, y, .. } = names();
+    let (symbol, unknown) = g.unknown("u");
+    let sum = g.add(unknown, x);
+    let negative = g.neg(x);
+    let value = g.add(y, negative);
+    let map = HashMap::from([(symbol, value)]);
+    assert_eq!(substitute(&mut g, &[sum], &map), [y]);
+}
