@@ -39,9 +39,8 @@ impl Graph {
         if self.is_zero(b) {
             return a;
         }
-        if a == b {
-            let two = self.constant(2.0);
-            return self.mul(two, a);
+        if let Some(sum) = self.like_terms(a, b, 1.0) {
+            return sum;
         }
         if let Some(y) = self.negated(b) {
             return self.sub(a, y);
@@ -67,8 +66,8 @@ impl Graph {
         if self.is_zero(a) {
             return self.neg(b);
         }
-        if a == b {
-            return self.zero();
+        if let Some(difference) = self.like_terms(a, b, -1.0) {
+            return difference;
         }
         if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
             return self.constant(x - y);
@@ -98,5 +97,28 @@ impl Graph {
         }
         let difference = self.intern(Node::Binary(Binary::Sub, b, a));
         self.intern(Node::Unary(Unary::Neg, difference))
+    }
+
+    /// `p x + sign q x = (p + sign q) x` with constants `p` and `q`.
+    fn like_terms(&mut self, a: NodeId, b: NodeId, sign: f64) -> Option<NodeId> {
+        let (p, x) = self.constant_factor(a);
+        let (q, y) = self.constant_factor(b);
+        if x != y || self.constant_value(x).is_some() {
+            return None;
+        }
+        let factor = self.constant(p + sign * q);
+        Some(self.mul(factor, x))
+    }
+
+    /// `p` and `x` of `p x`; a term without a constant factor has 1 or -1.
+    fn constant_factor(&self, id: NodeId) -> (f64, NodeId) {
+        match self.node(id) {
+            Node::Unary(Unary::Neg, x) => (-1.0, x),
+            Node::Binary(Binary::Mul, p, x) => match self.constant_value(p) {
+                Some(factor) => (factor, x),
+                None => (1.0, id),
+            },
+            _ => (1.0, id),
+        }
     }
 }

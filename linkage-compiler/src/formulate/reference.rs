@@ -122,7 +122,7 @@ impl Assembly<'_, '_> {
             .span(self.algebra.mechanism.loops[solved.group.loops[0]].origin);
         let loops = loop_list(&solved.group.loops);
         let unknowns = self.words.unknowns(&solved.group.unknowns);
-        let place = self.words.inputs(&self.nominal.inputs);
+        let place = self.words.at_reference(&self.nominal.inputs);
         if gap.is_nan() && solved.closed.two_modes {
             // A group before this one did not close and has been reported.
             return false;
@@ -132,7 +132,7 @@ impl Assembly<'_, '_> {
             self.diagnostics.error(
                 span,
                 format!(
-                    "{loops} ({unknowns}) cannot close at the reference input {place}: misses by {miss}\n\
+                    "{loops} ({unknowns}) cannot close{place}: misses by {miss}\n\
                      help: change a length, or give a reference input at which the links reach each other"
                 ),
             );
@@ -142,8 +142,8 @@ impl Assembly<'_, '_> {
             self.diagnostics.error(
                 span,
                 format!(
-                    "{loops} ({unknowns}) is singular at the reference input {place}: margin {margin:.1e}, a dead point\n\
-                     help: choose a reference input away from the dead point"
+                    "{loops} ({unknowns}) is singular{place}, a dead point: its margin is below {SINGULAR:e}\n\
+                     help: choose a reference input or lengths away from the dead point"
                 ),
             );
             return false;
@@ -152,8 +152,8 @@ impl Assembly<'_, '_> {
             let larger = a.distance.max(b.distance);
             if (a.distance - b.distance).abs() <= AMBIGUOUS * larger {
                 let message = format!(
-                    "the start estimates of {unknowns} lie equally near to two assembly modes of {loops} at {place}: \
-                     {} at distance {:.4}, {} at distance {:.4}\n\
+                    "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
+                     `{}` at distance {:.4} and `{}` at distance {:.4}\n\
                      help: move the estimates towards the assembly that is meant",
                     a.position, a.distance, b.position, b.distance
                 );

@@ -26,10 +26,14 @@ impl<'m> Words<'m> {
         let words: Vec<String> = each
             .map(|(input, &x)| format!("`{} = {}`", input.name, self.scalar(input.dimension, x)))
             .collect();
-        if words.is_empty() {
-            "(no input)".to_owned()
-        } else {
-            words.join(", ")
+        words.join(", ")
+    }
+
+    /// ` at the reference input phi = 30deg`; nothing for a structure.
+    pub(crate) fn at_reference(&self, values: &[f64]) -> String {
+        match values {
+            [] => String::new(),
+            _ => format!(" at the reference input {}", self.inputs(values)),
         }
     }
 

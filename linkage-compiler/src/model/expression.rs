@@ -161,8 +161,11 @@ impl Resolver<'_> {
                 self.make(ExprKind::Index(Box::new(value), number), ty, span)
             }
             Some(number) => {
-                let fact = format!("entry {number} of an array of {count} entries");
-                let help = format!("write a number from 0 to {}", count.saturating_sub(1));
+                let fact = format!("entry {number} of {}", value.ty);
+                let help = match count {
+                    1 => "write `[0]`".to_owned(),
+                    _ => format!("write a number from 0 to {}", count.saturating_sub(1)),
+                };
                 self.diagnostics.error_with_help(index.span, fact, help);
                 self.failed(span)
             }

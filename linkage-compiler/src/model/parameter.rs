@@ -83,7 +83,10 @@ impl Resolver<'_> {
                 .collect(),
             Some(found) if found > 1 && !nominal.ty.is_error() => {
                 let fact = format!("{} cannot have {} as tolerance", nominal.ty, tolerance.ty);
-                let help = "write one tolerance for each component";
+                let help = match count {
+                    1 => "write one tolerance",
+                    _ => "write one tolerance for each component",
+                };
                 let span = self.origins.span(tolerance.origin);
                 self.diagnostics.error_with_help(span, fact, help);
                 vec![None; count]

@@ -141,7 +141,7 @@ impl Resolver<'_> {
         for entry in entries {
             match self.listed(entry) {
                 Some(scalars) if scalars.iter().any(|scalar| found.contains(scalar)) => {
-                    let fact = "the parameter is listed twice";
+                    let fact = "a parameter is listed twice";
                     self.diagnostics
                         .error_with_help(entry.span, fact, "leave one of them out");
                     sound = false;
@@ -168,7 +168,7 @@ impl Resolver<'_> {
         match self.variable(entry)? {
             Variable::Parameter(scalar) => Some(vec![scalar]),
             Variable::Input(_) => {
-                let fact = "a sensitivity is by parameters, found an input";
+                let fact = "a sensitivity is with respect to parameters, found an input";
                 let help = "write `d(q, x)` for the derivative with respect to an input";
                 self.diagnostics.error_with_help(entry.span, fact, help);
                 None

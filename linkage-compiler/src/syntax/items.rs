@@ -210,6 +210,10 @@ impl Parser<'_> {
             return self.fail("`loop` is an equation here", help);
         }
         let left = self.expression()?;
+        if self.stream.is_punct(0, ';') {
+            let help = "a loop equates two sides: `loop a + b = c;`";
+            return self.expected("`=`", help);
+        }
         if !self.stream.is_punct(0, '=') {
             return self.unexpected_after_expression("`=`");
         }

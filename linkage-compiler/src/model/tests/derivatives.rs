@@ -72,7 +72,7 @@ fn messages() {
         (
             "b",
             "margin(b)",
-            "`margin` takes 0 arguments, found 1\nhelp: write `margin()`",
+            "`margin` takes no argument, found 1\nhelp: write `margin()`",
         ),
         ("b", "d()", "`d` takes 2 arguments, found 0"),
         (
@@ -139,7 +139,7 @@ fn messages() {
         (
             "b",
             "sensitivity(h, [b])",
-            "a sensitivity is by parameters, found an input\nhelp: write `d(q, x)`",
+            "a sensitivity is with respect to parameters, found an input\nhelp: write `d(q, x)`",
         ),
         (
             "b",
