@@ -80,17 +80,12 @@ pub fn analyse(
     let formulation = formulate::formulate(&mut algebra, structure);
     let mut reference =
         formulate::assemble_reference(&algebra, &formulation, &nominal, origins, diagnostics);
-    if reference.closed {
-        formulate::check_ranges(
-            &algebra,
-            &formulation,
-            &nominal,
-            &mut reference,
-            origins,
-            diagnostics,
-        );
-    }
     let lowered = lower::lower(&mut algebra, &formulation, &nominal, origins, diagnostics);
+    if reference.closed {
+        let asked = &lowered.continuous_angles;
+        let checked = (&algebra, &formulation, &nominal);
+        formulate::check_ranges(checked, &mut reference, asked, origins, diagnostics);
+    }
     let facts = facts::collect(&algebra, &formulation, &nominal, &reference);
     Analysis { facts, lowered }
 }

@@ -34,10 +34,7 @@ impl Oracle {
             .iter()
             .map(|definition| requested_nodes(&mut algebra, &formulation, definition))
             .collect();
-        let estimate = |angle: &Angle| match angle.unknown {
-            Some(unknown) => nominal.estimates[unknown][0],
-            None => angle.estimate.unwrap_or(0.0),
-        };
+        let estimate = |angle: &Angle| angle.estimate(&nominal);
         Self {
             functions,
             estimates: algebra.angles.iter().map(estimate).collect(),

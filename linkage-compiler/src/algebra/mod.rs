@@ -25,7 +25,6 @@ pub(crate) use translate::{Translate, Value};
 /// An unknown angle. Loops see its cosine and sine; its value is computed only where somebody asks for it.
 #[derive(Clone, Debug)]
 pub(crate) struct Angle {
-    pub(crate) name: String,
     pub(crate) cos: SymbolId,
     pub(crate) sin: SymbolId,
     pub(crate) value: SymbolId,
@@ -34,8 +33,8 @@ pub(crate) struct Angle {
     pub(crate) value_node: NodeId,
     /// The model's unknown; `None` for an angle that the compiler introduced.
     pub(crate) unknown: Option<usize>,
-    /// Start estimate of an introduced angle, where its value may matter.
-    pub(crate) estimate: Option<f64>,
+    /// The unknown in whose place an introduced angle stands, and its start estimate.
+    pub(crate) stands_for: Option<(usize, f64)>,
 }
 
 /// What an unknown of the model stands for.
@@ -121,9 +120,7 @@ impl<'m> Algebra<'m> {
         let (cos, cos_node) = self.graph.unknown(format!("cos {name}"));
         let (sin, sin_node) = self.graph.unknown(format!("sin {name}"));
         let (value, value_node) = self.graph.unknown(name);
-        let name = name.to_owned();
         self.angles.push(Angle {
-            name,
             cos,
             sin,
             value,
@@ -131,7 +128,7 @@ impl<'m> Algebra<'m> {
             sin_node,
             value_node,
             unknown,
-            estimate: None,
+            stands_for: None,
         });
         self.angles.len() - 1
     }

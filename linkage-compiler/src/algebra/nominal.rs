@@ -5,7 +5,7 @@ use linkage_symbolic::program::Source;
 
 use crate::model::Expr;
 
-use super::{Algebra, Translate, Value};
+use super::{Algebra, Angle, Translate, Value};
 
 /// Values known at compile time.
 #[derive(Clone, Debug, Default)]
@@ -52,6 +52,22 @@ impl Nominal {
             nominal.estimates.push(estimate);
         }
         nominal
+    }
+}
+
+impl Angle {
+    /// The model's unknown that this angle is, or stands for.
+    pub(crate) fn meant(&self) -> Option<usize> {
+        self.unknown.or(self.stands_for.map(|(unknown, _)| unknown))
+    }
+
+    /// Its start estimate; 0 for a link that the compiler introduced, whose angle nobody can ask for.
+    pub(crate) fn estimate(&self, nominal: &Nominal) -> f64 {
+        match (self.unknown, self.stands_for) {
+            (Some(unknown), _) => nominal.estimates[unknown][0],
+            (None, Some((_, estimate))) => estimate,
+            (None, None) => 0.0,
+        }
     }
 }
 

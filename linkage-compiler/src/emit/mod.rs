@@ -1,6 +1,6 @@
 //! Emission: from the resolved model and its straight-line programs to Rust items.
 //!
-//! An [`Outline`] says which items there are, with which names, types and docs; it is the same for a mechanism without
+//! An `Outline` says which items there are, with which names, types and docs; it is the same for a mechanism without
 //! mistakes ([`emit`]) and for what can be said after errors ([`skeleton`]). The other files each print one kind of
 //! item. Generated code names only `$crate::__private` and `::core`, and all its own names begin with `__`.
 

@@ -5,6 +5,7 @@ use linkage_runtime::numeric::winding::{Winding, follow};
 
 use crate::algebra::{Algebra, Atom, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
+use crate::lower::ContinuousAngle;
 use crate::model::Dimension;
 use crate::structure::report::loop_list;
 
@@ -15,15 +16,22 @@ use super::{Formulation, Reference};
 /// dips.
 const SAMPLES: f64 = 180.0;
 
+/// A slack this small inside a range is a dead point: beyond it the mechanism may run on in its mirror image, even where
+/// the slack only touches zero (a parallelogram stretched out). The search takes -1e-12 for rounding.
+const DEAD: f64 = 2e-12;
+
+/// The share of a range at its ends where a dead point is allowed: a range may end at one.
+const END: f64 = 1e-9;
+
 /// Positions of a grid over several inputs.
 const GRID: usize = 2000;
 
-/// Checks the ranges; reports where the mechanism comes apart.
+/// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.
+/// `asked` are the angles whose values functions use.
 pub(crate) fn check_ranges(
-    algebra: &Algebra,
-    formulation: &Formulation,
-    nominal: &Nominal,
+    (algebra, formulation, nominal): (&Algebra, &Formulation, &Nominal),
     reference: &mut Reference,
+    asked: &[ContinuousAngle],
     origins: &Origins,
     diagnostics: &mut Diagnostics,
 ) {
@@ -59,20 +67,9 @@ pub(crate) fn check_ranges(
         reference,
         values: Vec::new(),
     };
-    if let Some((angle, input)) = ranges.find_windings(algebra) {
-        let unknown = algebra.angles[angle].unknown.unwrap_or(0);
-        diagnostics.error(
-            origins.span(algebra.mechanism.unknowns[unknown].origin),
-            format!(
-                "the value of `{}` cannot be followed over the range of `{}`: it strays by more than half a turn \
-                 from every uniform rotation\n\
-                 help: use whole multiples of `{}` in directions, or a shorter range",
-                algebra.angles[angle].name,
-                algebra.mechanism.inputs[input].name,
-                algebra.angles[angle].name
-            ),
-        );
-        return;
+    let needed = ranges.reference.machine.valued.clone();
+    if let Some((angle, input)) = ranges.follow_angles(algebra, &needed) {
+        return report_unfollowed(algebra, angle, input, origins, diagnostics);
     }
     let declared: Vec<usize> = (0..nominal.ranges.len())
         .filter(|&k| nominal.ranges[k].is_some())
@@ -99,7 +96,34 @@ pub(crate) fn check_ranges(
                 words.inputs(&inputs),
             ),
         );
+        return;
     }
+    let asked = ranges.reference.machine.outputs_of(algebra, asked);
+    if let Some((angle, input)) = ranges.follow_angles(algebra, &asked) {
+        report_unfollowed(algebra, angle, input, origins, diagnostics);
+    }
+}
+
+fn report_unfollowed(
+    algebra: &Algebra,
+    angle: usize,
+    input: usize,
+    origins: &Origins,
+    diagnostics: &mut Diagnostics,
+) {
+    let Some(unknown) = algebra.angles[angle].meant() else {
+        return;
+    };
+    let unknown = &algebra.mechanism.unknowns[unknown];
+    let (name, input) = (&unknown.name, &algebra.mechanism.inputs[input].name);
+    diagnostics.error(
+        origins.span(unknown.origin),
+        format!(
+            "the value of `{name}` cannot be followed over the range of `{input}`: it strays by more than half a turn \
+             from every uniform rotation\n\
+             help: use whole multiples of `{name}` in directions, or a shorter range"
+        ),
+    );
 }
 
 struct Ranges<'a> {
@@ -110,10 +134,14 @@ struct Ranges<'a> {
 }
 
 impl Ranges<'_> {
-    /// Centres and windings of the angles whose values later groups use. Returns an angle and an input over whose range
-    /// it cannot be followed.
-    fn find_windings(&mut self, algebra: &Algebra) -> Option<(usize, usize)> {
-        for (angle, output) in self.reference.machine.valued.clone() {
+    /// Finds centres and windings of angles whose values are used; each comes with the output of its cosine. Returns an
+    /// angle and an input over whose range it cannot be followed.
+    fn follow_angles(
+        &mut self,
+        algebra: &Algebra,
+        angles: &[(usize, usize)],
+    ) -> Option<(usize, usize)> {
+        for &(angle, output) in angles {
             let estimate = self.reference.machine.centres[&angle];
             let mut centre = estimate;
             for input in 0..self.nominal.inputs.len() {
@@ -182,9 +210,10 @@ impl Ranges<'_> {
         let start = inputs[input];
         let failure = first_failure(low, high, start, samples as usize, |x| {
             inputs[input] = x;
-            self.slack(&inputs).0
+            let inside = (x - low).min(high - x) > END * (high - low);
+            self.slack(&inputs).0 - if inside { DEAD } else { 0.0 }
         })?;
-        let step = (high - low) * 1e-9;
+        let step = (high - low) * END;
         inputs[input] = failure.at + if failure.above { step } else { -step };
         let (_, group) = self.slack(&inputs);
         inputs[input] = failure.at;

@@ -9,6 +9,7 @@ use linkage_symbolic::schedule::schedule_stages;
 use linkage_symbolic::{Graph, NodeId};
 
 use crate::algebra::{Algebra, Bound, Nominal};
+use crate::lower::ContinuousAngle;
 
 use super::Formulation;
 
@@ -94,6 +95,23 @@ impl Machine {
             stage.end = end;
         }
         machine
+    }
+
+    /// The cosines among the outputs of angles that functions ask for and no group uses.
+    pub(crate) fn outputs_of(
+        &self,
+        algebra: &Algebra,
+        asked: &[ContinuousAngle],
+    ) -> Vec<(usize, usize)> {
+        let outputs = self.stages.iter().flat_map(|stage| &stage.unknowns);
+        outputs
+            .filter(|(unknown, _)| asked.iter().any(|angle| angle.unknown == *unknown))
+            .filter_map(|&(unknown, output)| match algebra.bound[unknown] {
+                Bound::Angle(angle) => Some((angle, output)),
+                Bound::Lengths(_) => None,
+            })
+            .filter(|(angle, _)| self.valued.iter().all(|(valued, _)| valued != angle))
+            .collect()
     }
 
     /// The values of the instructions `from..to` at given inputs; `values` holds those before.

@@ -93,10 +93,7 @@ impl Assembly<'_, '_> {
     /// At the reference every angle is the one nearest to its estimate.
     fn centre_estimates(&mut self) {
         for (index, angle) in self.algebra.angles.iter().enumerate() {
-            let estimate = match (angle.unknown, angle.estimate) {
-                (Some(unknown), _) => self.nominal.estimates[unknown][0],
-                (None, estimate) => estimate.unwrap_or(0.0),
-            };
+            let estimate = angle.estimate(self.nominal);
             self.machine.centres.insert(index, estimate);
         }
     }

@@ -96,15 +96,10 @@ fn copy(inliner: &mut Inliner, algebra: &Algebra, nodes: &[NodeId]) -> Vec<NodeI
 
 fn continuous(algebra: &mut Algebra, nominal: &Nominal, index: usize) -> ContinuousAngle {
     let angle = algebra.angles[index].clone();
-    let estimate = match angle.unknown {
-        Some(unknown) => nominal.estimates[unknown][0],
-        None => angle.estimate.unwrap_or(0.0),
-    };
-    let inputs = algebra.inputs_below(&[angle.cos_node, angle.sin_node]);
     ContinuousAngle {
-        unknown: angle.unknown.unwrap_or(0),
-        inputs,
-        estimate,
+        unknown: angle.meant().unwrap_or(0),
+        inputs: algebra.inputs_below(&[angle.cos_node, angle.sin_node]),
+        estimate: angle.estimate(nominal),
     }
 }
 

@@ -110,6 +110,7 @@ impl Display for Type {
             Type::Scalar(dimension) => write!(f, "{dimension}"),
             Type::Vector(3, dimension) => write!(f, "a space vector of {}", dimension.plural()),
             Type::Vector(_, dimension) => write!(f, "a plane vector of {}", dimension.plural()),
+            Type::Array(entries) if entries.len() == 1 => f.write_str("an array of 1 entry"),
             Type::Array(entries) => write!(f, "an array of {} entries", entries.len()),
             Type::Zero(1) => f.write_str("zero"),
             Type::Zero(3) => f.write_str("a space vector of zeros"),

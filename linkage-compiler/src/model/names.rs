@@ -241,7 +241,10 @@ fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
     };
     if ordered && symbol.item == context.item {
         let fact = format!("`{text}` is used in its own definition");
-        return Some((fact, "write it as an `unknown` if a `loop` is to determine it".to_owned()));
+        return Some((
+            fact,
+            "write it as an `unknown` if a `loop` is to determine it".to_owned(),
+        ));
     }
     if ordered && symbol.item > context.item {
         let fact = format!("`{text}` is used before its definition");

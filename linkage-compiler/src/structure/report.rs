@@ -30,7 +30,8 @@ impl Analysis<'_, '_> {
             let surplus = equation.rows.len() - matching.coordinates_of[k].len();
             if surplus > 0 && (complete || incidence[k].is_empty()) {
                 complete = false;
-                self.report_surplus(equation, surplus, &incidence[k], coordinates);
+                let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
+                self.report_surplus(equation, surplus, &incidence[k], rows, coordinates);
             }
         }
         complete
@@ -85,6 +86,7 @@ impl Analysis<'_, '_> {
         equation: &Equation,
         surplus: usize,
         contained: &[usize],
+        rows: usize,
         coordinates: &[Coordinate],
     ) {
         let number = equation.loops[0];
@@ -97,16 +99,20 @@ impl Analysis<'_, '_> {
                 "{loops} contains no unknown\nhelp: a loop closes by unknowns; add an `unknown` to it or remove it"
             )
         } else {
-            let all = counted(coordinates.len(), "unknown");
+            let inputs = self.algebra.mechanism.inputs.len();
+            let mobility = (inputs + coordinates.len()) as isize - rows as isize;
             format!(
-                "more equations than unknowns: {loops} {} too many for {} ({all} in all)\n\
-                 help: make a dimension or an angle of {loops} an `unknown`, or remove the loop",
+                "more equations than unknowns: {loops} {} too many for {} ({} for {} in all; mobility {mobility}, \
+                 driven inputs {inputs})\n\
+                 help: make a dimension, an angle or an input of {loops} an `unknown`, or remove a loop",
                 if surplus == 1 {
                     "has one equation".to_owned()
                 } else {
                     format!("has {surplus} equations")
                 },
                 self.unknown_names(contained.iter().map(|&k| &coordinates[k])),
+                counted(rows, "equation"),
+                counted(coordinates.len(), "unknown"),
             )
         };
         self.diagnostics.error(span, message);

@@ -148,7 +148,7 @@ impl Analysis<'_, '_> {
         for (base, relative, kept) in [(first, second, a), (second, first, b)] {
             for sign in [1.0, -1.0] {
                 let sum = self.algebra.add_angle("sum", None);
-                self.algebra.angles[sum].estimate = self.sum_estimate(base, relative, sign);
+                self.algebra.angles[sum].stands_for = self.sum_of(base, relative, sign);
                 let mut value = self.algebra.atom(Atom::Angle(sum));
                 value.terms.insert(0, (Atom::Angle(base), -sign));
                 value.terms.sort_by_key(|(atom, _)| *atom);
@@ -175,14 +175,11 @@ impl Analysis<'_, '_> {
 }
 
 impl Analysis<'_, '_> {
-    fn sum_estimate(&self, base: usize, relative: usize, sign: f64) -> Option<f64> {
-        let estimate = |angle: usize| {
-            let angle = &self.algebra.angles[angle];
-            angle
-                .unknown
-                .map_or(angle.estimate, |u| Some(self.nominal.estimates[u][0]))
-        };
-        Some(estimate(relative)? + sign * estimate(base)?)
+    /// The sum of an angle and the one it is measured from stands for the former.
+    fn sum_of(&self, base: usize, relative: usize, sign: f64) -> Option<(usize, f64)> {
+        let [base, relative] = [base, relative].map(|k| &self.algebra.angles[k]);
+        let estimate = relative.estimate(self.nominal) + sign * base.estimate(self.nominal);
+        relative.meant().map(|unknown| (unknown, estimate))
     }
 }
 
