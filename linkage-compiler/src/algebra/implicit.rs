@@ -19,6 +19,8 @@ pub(crate) enum Rule {
     Cosine(AngleRule),
     Sine(AngleRule),
     Value(AngleRule),
+    /// A component of `z u`, a vector that turns with unknown `position` of a group.
+    Turning(Box<Turning>),
     /// Unknown `position` of a group.
     Unknown {
         group: usize,
@@ -39,6 +41,18 @@ pub(crate) struct AngleRule {
     pub(crate) sense: f64,
     pub(crate) cos: NodeId,
     pub(crate) sin: NodeId,
+}
+
+/// See [`Rule::Turning`].
+#[derive(Clone, Debug)]
+pub(crate) struct Turning {
+    pub(crate) group: usize,
+    pub(crate) position: usize,
+    pub(crate) component: usize,
+    /// The vector itself.
+    pub(crate) vector: [NodeId; 2],
+    pub(crate) z: [NodeId; 2],
+    pub(crate) unit: [NodeId; 2],
 }
 
 /// One term of a group's equations.
@@ -88,6 +102,7 @@ impl Calculus for Algebra<'_> {
                 self.graph.mul(rule.cos, rate)
             }
             Some(Rule::Value(rule)) => self.angle_rate(rule, variable),
+            Some(Rule::Turning(turning)) => self.turning_rate(&turning, variable),
             Some(Rule::Unknown { group, position }) => {
                 self.rates(group, vec![variable]).rates[position]
             }
@@ -116,6 +131,24 @@ impl Algebra<'_> {
         } else {
             rate
         }
+    }
+
+    /// `z' u + rate perp(z u)`
+    fn turning_rate(&mut self, turning: &Turning, variable: SymbolId) -> NodeId {
+        let &Turning {
+            group,
+            position,
+            component,
+            vector,
+            z,
+            unit,
+        } = turning;
+        let stretch = z.map(|x| differentiate(self, x, variable));
+        let stretched = self.complex_product(stretch, unit)[component];
+        let rate = self.rates(group, vec![variable]).rates[position];
+        let across = [self.graph.neg(vector[1]), vector[0]][component];
+        let turned = self.graph.mul(rate, across);
+        self.graph.add(stretched, turned)
     }
 
     /// The derivatives of a group's unknowns by the variables `by`, which are in order.

@@ -17,7 +17,7 @@ use linkage_symbolic::{DerivativeMemo, Graph, NodeId, SymbolId};
 
 use crate::model::{Mechanism, Type, Variable};
 
-pub(crate) use implicit::{AngleRule, Rule, Solution, Term};
+pub(crate) use implicit::{AngleRule, Rule, Solution, Term, Turning};
 pub(crate) use nominal::Nominal;
 pub(crate) use scalar::{Atom, Scalar};
 pub(crate) use translate::{Translate, Value};

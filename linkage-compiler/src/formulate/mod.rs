@@ -21,7 +21,7 @@ use std::collections::HashMap;
 use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::{NodeId, SymbolId};
 
-use crate::algebra::{Algebra, AngleRule, Rule, Solution};
+use crate::algebra::{Algebra, AngleRule, Rule, Solution, Turning};
 use crate::structure::{Form, Group, Rotor, Structure};
 
 pub(crate) use check::{candidate_rates, check_ranges};
@@ -253,6 +253,40 @@ impl Solver<'_, '_> {
         self.algebra.graph.define(symbol, definition);
         self.algebra.rules.insert(symbol, Rule::Follow(equal));
         node
+    }
+
+    /// The vector `z u` that turns with unknown `position`, computed as `value`.
+    fn turning(
+        &mut self,
+        value: [NodeId; 2],
+        z: [NodeId; 2],
+        unit: [NodeId; 2],
+        position: usize,
+    ) -> [NodeId; 2] {
+        let group = self.index;
+        let symbols = value.map(|value| {
+            let (symbol, node) = self
+                .algebra
+                .graph
+                .unknown(format!("link {group}.{position}"));
+            self.algebra.graph.define(symbol, value);
+            (symbol, node)
+        });
+        let vector = symbols.map(|(_, node)| node);
+        for (component, (symbol, _)) in symbols.into_iter().enumerate() {
+            let turning = Turning {
+                group,
+                position,
+                component,
+                vector,
+                z,
+                unit,
+            };
+            self.algebra
+                .rules
+                .insert(symbol, Rule::Turning(Box::new(turning)));
+        }
+        vector
     }
 
     /// The unit vector `(cos, sense sin)` of a rotor's angle.

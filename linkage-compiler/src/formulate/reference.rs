@@ -126,11 +126,15 @@ impl Assembly<'_, '_> {
         }
         if gap > 0.0 {
             let miss = self.words.gap(solved, gap);
+            let other = match place.is_empty() {
+                true => "",
+                false => ", or give a reference input at which the links reach each other",
+            };
             self.diagnostics.error(
                 span,
                 format!(
                     "{loops} ({unknowns}) cannot close{place}: misses by {miss}\n\
-                     help: change a length, or give a reference input at which the links reach each other"
+                     help: change a length{other}"
                 ),
             );
             return false;

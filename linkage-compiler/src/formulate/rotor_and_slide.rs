@@ -41,11 +41,8 @@ impl Solver<'_, '_> {
         let determinant = graph.neg(determinant);
 
         let unit = self.unit_of(rotor);
-        let equal = self.algebra.complex_product(rotor.z, unit);
-        let vector = [0, 1].map(|k| {
-            let value = self.guarded(value[k], h);
-            self.alias("link", value, equal[k])
-        });
+        let vector = value.map(|x| self.guarded(x, h));
+        let vector = self.turning(vector, rotor.z, unit, 0);
         let quotient = self.complex_quotient(vector, rotor.z);
         self.define_angle(rotor.angle, rotor.sense, quotient, 0);
         self.define_length(slide, position, 1);

@@ -41,11 +41,8 @@ impl Solver<'_, '_> {
         let determinant = graph.neg(determinant);
 
         let unit = self.unit_of(rotor);
-        let equal = self.algebra.complex_product(direction, unit);
-        let line = [0, 1].map(|k| {
-            let value = self.guarded(value[k], h);
-            self.alias("line", value, equal[k])
-        });
+        let line = value.map(|x| self.guarded(x, h));
+        let line = self.turning(line, direction, unit, 0);
         let quotient = self.complex_quotient(line, direction);
         self.define_angle(rotor.angle, rotor.sense, quotient, 0);
         self.define_length(slide, position, 1);

@@ -67,11 +67,8 @@ impl Solver<'_, '_> {
         let mut columns = Vec::new();
         for (position, (rotor, value)) in [first, second].into_iter().zip(vectors).enumerate() {
             let unit = self.unit_of(rotor);
-            let equal = self.algebra.complex_product(rotor.z, unit);
-            let vector = [0, 1].map(|k| {
-                let value = self.guarded(value[k], h);
-                self.alias("link", value, equal[k])
-            });
+            let vector = value.map(|x| self.guarded(x, h));
+            let vector = self.turning(vector, rotor.z, unit, position);
             let quotient = self.complex_quotient(vector, rotor.z);
             self.define_angle(rotor.angle, rotor.sense, quotient, position);
             terms.extend(self.rotor_terms(rotor.z, unit));
