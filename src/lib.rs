@@ -1,19 +1,6 @@
-//! Planar mechanisms, compiled from their loop equations to specialised machine code.
-//!
-//! [`mechanism!`] reads a mechanism (dimensions, inputs, unknowns, loops) and the quantities that are
-//! wanted of it, and gives back a struct of dimensions, its assembled form, and one function for each
-//! set of quantities.
-//!
-//! # Features
-//!
-//! | feature | gives |
-//! |---|---|
-//! | `std` (default) | elementary functions and allocation from the standard library |
-//! | `libm` | elementary functions without the standard library; `std` takes precedence |
-//! | `alloc` | sweeps and lists of assemblies without the standard library |
-//! | `simba` | `Lanes`: SIMD types of simba as scalars |
-//! | `num-dual` | `Dual`: dual numbers of num-dual as scalars; needs `std` |
+#![doc = include_str!("../docs/introduction.md")]
 #![no_std]
+#![warn(missing_docs)]
 
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::Columns;
@@ -28,17 +15,52 @@ pub use linkage_runtime::{
     Vector2, Vector3, true_acceleration, true_velocity,
 };
 
-/// Compiles a planar mechanism.
+/// Compiles a planar mechanism: a struct block with dimensions, inputs, unknowns and loops, then an
+/// `impl` block with functions, listed by the quantities that they give.
 ///
-/// The first block holds the dimensions, inputs, unknowns and loops of the mechanism and becomes a
-/// struct; the second one lists functions by the quantities that they give, and they come out on
-/// the assembled linkage.
+/// It generates the struct of dimensions, its assembly, the functions on the assembly, and a result
+/// type for each of them, all beside each other in the module of the call. Mistakes are errors of
+/// the compiler at the words at fault; the items are then generated without content, so that
+/// the rest of the program is still checked. The page [`language`] is the complete reference.
+///
+/// ```
+/// use linkage::mechanism;
+///
+/// mechanism! {
+///     /// A ladder sliding down a wall.
+///     struct Ladder {
+///         param length = 3m +- 2mm;
+///         input foot = 1m in 0.1m..2.9m;
+///         unknown top  = 2.8m;
+///         unknown lean = 110deg;
+///         loop (foot, 0) + polar(length, lean) = (0, top);
+///     }
+///     impl Ladder {
+///         fn top(foot) -> Top { top, slope: d(top, foot), e: d(top, length) }
+///     }
+/// }
+///
+/// let top = Ladder::default().assemble()?.top(1.8);
+/// assert!((top.top - 2.4).abs() < 1e-15);
+/// assert!((top.slope + 0.75).abs() < 1e-15 && (top.e - 1.25).abs() < 1e-15);
+/// # Ok::<(), linkage::AssemblyError>(())
+/// ```
 #[macro_export]
 macro_rules! mechanism {
     ($($tokens:tt)*) => {
         $crate::__private::mechanism! { [$crate] $($tokens)* }
     };
 }
+
+/// The language of [`mechanism!`], and what it generates: the complete reference.
+pub mod language {
+    #![doc = include_str!("../docs/language.md")]
+}
+
+/// The code of the README is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 /// What generated code names.
 #[doc(hidden)]

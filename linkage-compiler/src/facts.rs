@@ -3,7 +3,6 @@
 use crate::algebra::{Algebra, Nominal};
 use crate::emit::facts::{Facts, GroupFacts, InputFacts};
 use crate::formulate::{Formulation, Reference, Solved, candidate_rates};
-use crate::model::Type;
 
 pub(crate) fn collect(
     algebra: &Algebra,
@@ -32,14 +31,6 @@ pub(crate) fn collect(
 fn group_facts(algebra: &Algebra, solved: &Solved, reference: &Reference) -> GroupFacts {
     let mechanism = algebra.mechanism;
     let unknown = |&k: &usize| mechanism.unknowns[k].name.clone();
-    let length = solved
-        .group
-        .loops
-        .iter()
-        .all(|&k| match mechanism.loops[k].left.ty {
-            Type::Scalar(dimension) => dimension.half_lengths == 2,
-            _ => true,
-        });
     GroupFacts {
         class: solved.closed.class,
         order: solved.closed.order,
@@ -51,10 +42,6 @@ fn group_facts(algebra: &Algebra, solved: &Solved, reference: &Reference) -> Gro
             .mode
             .is_none_or(|mode| reference.machine.modes[mode] > 0.0),
         method: solved.closed.method,
-        gap_unit: if length && solved.closed.gap_is_length {
-            mechanism.unit.name().to_owned()
-        } else {
-            "1".to_owned()
-        },
+        gap_unit: solved.gap_dimension(mechanism).unit(mechanism.unit),
     }
 }

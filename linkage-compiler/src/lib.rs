@@ -73,6 +73,7 @@ pub fn analyse(
     let mut algebra = Algebra::new(mechanism);
     let nominal = Nominal::of(&mut algebra);
     let before = diagnostics.len();
+    nominal.check(mechanism, origins, diagnostics);
     let structure = structure::decompose(&mut algebra, &nominal, origins, diagnostics);
     if diagnostics.len() > before {
         return Analysis::default();

@@ -7,6 +7,7 @@
 //! everything that computes angles), `alloc` (part of `std`: `Columns`), `nalgebra` (`Vector2`,
 //! `Vector3`), `simba` (`Lanes`) and `num-dual` (`Dual`).
 #![no_std]
+#![warn(missing_docs)]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;

@@ -9,6 +9,7 @@ mod implicit;
 mod nominal;
 mod scalar;
 mod translate;
+mod written;
 
 use std::collections::{HashMap, HashSet};
 

@@ -3,7 +3,6 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::model::{Dimension, LengthUnit};
 use crate::syntax::Attribute;
 
 /// `#[doc = " ..."]` for each line.
@@ -46,31 +45,9 @@ pub(super) fn documented(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|a| a.name == "doc")
 }
 
-pub(super) fn length_word(unit: LengthUnit) -> &'static str {
-    match unit {
-        LengthUnit::Metre => "m",
-        LengthUnit::Millimetre => "mm",
-        LengthUnit::Centimetre => "cm",
-        LengthUnit::Micrometre => "um",
-        LengthUnit::Inch => "inch",
-    }
-}
-
-/// `mm`, `mm^2`, `mm^(1/2)`, `rad`, `1`.
-pub(super) fn unit_word(dimension: Dimension, unit: LengthUnit) -> String {
-    let word = length_word(unit);
-    match dimension.half_lengths {
-        0 if dimension.angle => "rad".to_owned(),
-        0 => "1".to_owned(),
-        2 => word.to_owned(),
-        halves if halves % 2 == 0 => format!("{word}^{}", halves / 2),
-        halves => format!("{word}^({halves}/2)"),
-    }
-}
-
 /// `, in mm`, or nothing for a pure number.
 pub(super) fn in_unit(unit: &str) -> String {
-    if unit == "1" || unit.is_empty() {
+    if unit.is_empty() {
         String::new()
     } else {
         format!(", in {unit}")

@@ -83,12 +83,8 @@ fn parameter_notes(outline: &Outline, parameter: &Parameter) -> [String; 2] {
     if parameter.components.iter().any(|c| c.tolerance != 0.0) {
         values.push_str(&format!(", tolerance {}", list(|c| c.tolerance)));
     }
-    match parameter
-        .components
-        .first()
-        .map_or("1", |c| c.unit.as_str())
-    {
-        "1" => [
+    match parameter.components.first().map_or("", |c| c.unit.as_str()) {
+        "" => [
             format!("A number; {values}."),
             format!("`{name}`; {values}."),
         ],

@@ -89,7 +89,7 @@ impl<'a> Outline<'a> {
             .zip(&facts.inputs)
             .map(|((name, input), facts)| Input {
                 name,
-                unit: docs::unit_word(input.dimension, mechanism.unit),
+                unit: input.dimension.unit(mechanism.unit),
                 reference: facts.reference,
             })
             .collect();
@@ -248,7 +248,7 @@ fn complete_parameter<'a>(
             let scalar = &mechanism.scalar_parameters[index];
             Component {
                 name: scalar.name.clone(),
-                unit: docs::unit_word(scalar.dimension, mechanism.unit),
+                unit: scalar.dimension.unit(mechanism.unit),
                 nominal: facts.nominal[index],
                 tolerance: facts.tolerance[index],
             }

@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
+use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::shape::of_type;
@@ -59,11 +60,20 @@ fn sketch<'a>(
             reference: 0.0,
         })
         .collect();
-    let (mut names, mut results) = (Seen::default(), Seen::default());
+    let (mut names, mut types) = (Seen::default(), Seen::default());
+    types.all([def.name.clone(), format_ident!("{}Assembly", def.name)]);
     let functions = def
         .functions
         .iter()
-        .filter(|function| names.first(&function.name) && results.first(&function.result))
+        .filter(|function| {
+            let (name, result) = (&function.name, &function.result);
+            let swept = [
+                format_ident!("{name}_sweep"),
+                format_ident!("{name}_sweep_into"),
+            ];
+            let own_names = [&[name.clone()][..], &swept].concat();
+            names.all(own_names) && types.all([result.clone(), format_ident!("{result}Columns")])
+        })
         .map(|function| sketch_function(function, &guess, mechanism))
         .collect();
     Outline {
@@ -110,6 +120,15 @@ impl Seen {
     fn first(&mut self, name: &Ident) -> bool {
         self.0.insert(plain(name))
     }
+
+    /// True if none of them has been met.
+    fn all(&mut self, names: impl IntoIterator<Item = Ident>) -> bool {
+        let mut new = true;
+        for name in names {
+            new &= self.first(&name);
+        }
+        new
+    }
 }
 
 fn components(name: &Ident, shape: &Shape) -> Vec<Component> {
@@ -125,7 +144,7 @@ fn components(name: &Ident, shape: &Shape) -> Vec<Component> {
         .into_iter()
         .map(|name| Component {
             name,
-            unit: "1".to_owned(),
+            unit: String::new(),
             nominal: 0.0,
             tolerance: 0.0,
         })

@@ -6,8 +6,9 @@ use linkage_runtime::numeric::winding::{Winding, follow};
 use crate::algebra::{Algebra, Atom, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::lower::ContinuousAngle;
-use crate::model::Dimension;
+use crate::model::{Dimension, Input};
 use crate::structure::report::loop_list;
+use crate::syntax::SourceSpan;
 
 use super::words::Words;
 use super::{Formulation, Reference};
@@ -46,7 +47,7 @@ pub(crate) fn check_ranges(
             let show = |x| words.scalar(input.dimension, x);
             sound = false;
             diagnostics.error(
-                origins.span(input.origin),
+                range_span(input, origins),
                 format!(
                     "the range of `{}` from {} to {} does not contain its reference value {}\n\
                      help: write the lower end first, and a reference value inside the range",
@@ -87,7 +88,7 @@ pub(crate) fn check_ranges(
             _ => format!(" (found on a grid of at most {GRID} positions)"),
         };
         diagnostics.error(
-            origins.span(algebra.mechanism.inputs[input].origin),
+            range_span(&algebra.mechanism.inputs[input], origins),
             format!(
                 "the mechanism comes apart in this range: {} ({}) reaches a dead point at {}{how}\n\
                  help: restrict the range, or change the lengths so that the links reach each other all the way",
@@ -124,6 +125,14 @@ fn report_unfollowed(
              help: use whole multiples of `{name}` in directions, or a shorter range"
         ),
     );
+}
+
+/// The words of the range, or the input's name.
+fn range_span(input: &Input, origins: &Origins) -> SourceSpan {
+    match &input.range {
+        Some((low, high)) => origins.span(low.origin).to(origins.span(high.origin)),
+        None => origins.span(input.origin),
+    }
 }
 
 struct Ranges<'a> {
@@ -216,7 +225,12 @@ impl Ranges<'_> {
         let step = (high - low) * END;
         inputs[input] = failure.at + if failure.above { step } else { -step };
         let (_, group) = self.slack(&inputs);
-        inputs[input] = failure.at;
+        // Where the slack rises slowly from a dead point at an end of the range, that end is meant.
+        let near = |end: f64| (failure.at - end).abs() < 1e-6 * (high - low);
+        inputs[input] = [low, high]
+            .into_iter()
+            .find(|&end| near(end))
+            .unwrap_or(failure.at);
         Some((inputs, group.min(self.formulation.groups.len() - 1)))
     }
 

@@ -22,6 +22,7 @@ use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{Algebra, AngleRule, Rule, Solution, Turning};
+use crate::model::{Dimension, Mechanism, Type};
 use crate::structure::{Form, Group, Rotor, Structure};
 
 pub(crate) use check::{candidate_rates, check_ranges};
@@ -44,8 +45,17 @@ pub(crate) struct Closed {
     pub(crate) slack: NodeId,
     /// By how much the group misses closing: positive if it cannot be assembled.
     pub(crate) gap: NodeId,
-    /// True if the gap is a length.
-    pub(crate) gap_is_length: bool,
+    /// What the gap is measured in.
+    pub(crate) gap_in: GapIn,
+}
+
+/// What a gap is measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum GapIn {
+    /// Like the two sides of the loop.
+    Loop,
+    /// Like the unknown.
+    Unknown,
 }
 
 /// A group with its solution.
@@ -55,6 +65,25 @@ pub(crate) struct Solved {
     pub(crate) closed: Closed,
     /// Index among the assembly modes.
     pub(crate) mode: Option<usize>,
+}
+
+impl Solved {
+    /// The dimension of the group's gap.
+    pub(crate) fn gap_dimension(&self, mechanism: &Mechanism) -> Dimension {
+        let equation = &mechanism.loops[self.group.loops[0]];
+        let sides = [&equation.left.ty, &equation.right.ty];
+        let of_loop = sides.into_iter().find_map(Type::dimension);
+        let unknown = self
+            .group
+            .unknowns
+            .first()
+            .map(|&k| &mechanism.unknowns[k].ty);
+        let dimension = match self.closed.gap_in {
+            GapIn::Loop => of_loop,
+            GapIn::Unknown => unknown.and_then(Type::dimension),
+        };
+        dimension.unwrap_or(Dimension::LENGTH)
+    }
 }
 
 /// The mechanism with every unknown expressed.

@@ -5,7 +5,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{Solution, Term};
 
-use super::{Closed, Solver};
+use super::{Closed, GapIn, Solver};
 
 impl Solver<'_, '_> {
     /// `a x^2 + 2 p x + c = 0`: `x = (w h - p)/a` or, where that would cancel, `c/(-p - w h)`, with `h = sqrt(p^2 - a c)`.
@@ -81,7 +81,7 @@ impl Solver<'_, '_> {
             margin: graph.div(h, largest),
             slack: graph.div(q, size),
             gap,
-            gap_is_length: true,
+            gap_in: GapIn::Unknown,
         }
     }
 }

@@ -2,6 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use linkage_symbolic::NodeId;
+use linkage_symbolic::interpret::evaluate;
+use linkage_symbolic::program::Source;
+
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::structure::report::loop_list;
@@ -35,7 +39,7 @@ pub(crate) fn assemble_reference(
     diagnostics: &mut Diagnostics,
 ) -> Reference {
     let machine = Machine::new(algebra, formulation, nominal);
-    let longest = longest_link(algebra, nominal);
+    let longest = longest_link(algebra, formulation, nominal);
     let mut assembly = Assembly {
         words: Words::new(algebra.mechanism),
         algebra,
@@ -219,8 +223,20 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The unit in which lengths are compared with angles.
-fn longest_link(algebra: &Algebra, nominal: &Nominal) -> f64 {
+/// The unit in which lengths are compared with angles: the longest link that turns with an unknown angle, else the
+/// largest length among the parameters and estimates.
+fn longest_link(algebra: &Algebra, formulation: &Formulation, nominal: &Nominal) -> f64 {
+    let rotors = formulation
+        .groups
+        .iter()
+        .flat_map(|solved| solved.group.form.rotors());
+    let nodes: Vec<NodeId> = rotors.flat_map(|rotor| rotor.z).collect();
+    let values = evaluate(&algebra.graph, &nodes, |source| match source {
+        Source::Parameter(index) => nominal.parameters[index],
+        Source::Input(index) => nominal.inputs[index],
+        _ => f64::NAN,
+    });
+    let links = values.chunks(2).map(|z| z[0].hypot(z[1]));
     let parameters = algebra
         .mechanism
         .scalar_parameters
@@ -229,17 +245,13 @@ fn longest_link(algebra: &Algebra, nominal: &Nominal) -> f64 {
     let lengths = parameters
         .filter(|(p, _)| p.dimension.half_lengths == 2)
         .map(|(_, x)| x.abs());
-    let slides = nominal
-        .estimates
-        .iter()
-        .filter(|e| e.len() > 1)
-        .flatten()
-        .map(|x| x.abs());
-    let longest = lengths.fold(0.0, f64::max);
-    let longest = if longest > 0.0 {
-        longest
-    } else {
-        slides.fold(0.0, f64::max)
+    let unknowns = algebra.bound.iter().zip(&nominal.estimates);
+    let slides = unknowns.filter(|(bound, _)| matches!(bound, Bound::Lengths(_)));
+    let slides = slides.flat_map(|(_, estimate)| estimate).map(|x| x.abs());
+    let largest = |values: &mut dyn Iterator<Item = f64>| {
+        Some(values.fold(0.0, f64::max)).filter(|&longest| longest > 0.0)
     };
-    if longest > 0.0 { longest } else { 1.0 }
+    largest(&mut links.into_iter())
+        .or_else(|| largest(&mut lengths.chain(slides)))
+        .unwrap_or(1.0)
 }

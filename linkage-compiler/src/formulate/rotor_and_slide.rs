@@ -6,7 +6,7 @@ use crate::algebra::Term;
 use crate::structure::Rotor;
 
 use super::vector::Vector;
-use super::{Closed, Solver};
+use super::{Closed, GapIn, Solver};
 
 impl Solver<'_, '_> {
     /// `Z u + s G = C`: the distance of the point from the line is `X = g x C`, the link reaches `h = sqrt((r - X)(r + X))`
@@ -71,7 +71,7 @@ impl Solver<'_, '_> {
             margin: graph.div(h, r),
             slack: graph.div(q, largest2),
             gap,
-            gap_is_length: true,
+            gap_in: GapIn::Loop,
         }
     }
 }

@@ -5,7 +5,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{Rule, Scalar, Solution, Term};
 
-use super::{Closed, Solver};
+use super::{Closed, GapIn, Solver};
 
 impl Solver<'_, '_> {
     /// `a x + b = 0`
@@ -45,7 +45,7 @@ impl Solver<'_, '_> {
             margin,
             slack,
             gap: self.linear_gap(a),
-            gap_is_length: true,
+            gap_in: GapIn::Loop,
         }
     }
 
@@ -80,7 +80,7 @@ impl Solver<'_, '_> {
             margin: one,
             slack: one,
             gap: zero,
-            gap_is_length: false,
+            gap_in: GapIn::Loop,
         }
     }
 }

@@ -5,7 +5,7 @@ use linkage_symbolic::SymbolId;
 use crate::structure::Rotor;
 
 use super::vector::Vector;
-use super::{Closed, Solver};
+use super::{Closed, GapIn, Solver};
 
 impl Solver<'_, '_> {
     /// `(Z + s W) u = C`: the line passes the link's pivot at the distance `b = W x Z / |W|`; from its foot the slider is at
@@ -69,7 +69,7 @@ impl Solver<'_, '_> {
             margin: graph.div(h, distance),
             slack: graph.div(q, distance2),
             gap,
-            gap_is_length: true,
+            gap_in: GapIn::Loop,
         }
     }
 }

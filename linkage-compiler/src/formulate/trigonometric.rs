@@ -4,7 +4,7 @@ use linkage_symbolic::NodeId;
 
 use crate::algebra::{Solution, Term};
 
-use super::{Closed, Solver};
+use super::{Closed, GapIn, Solver};
 
 impl Solver<'_, '_> {
     /// `A cos + B sin = C`: with `R = sqrt(A^2 + B^2)` and `h = sqrt((R - C)(R + C))` the unit vector is
@@ -68,7 +68,7 @@ impl Solver<'_, '_> {
             margin: graph.div(h, r),
             slack: graph.div(q, r2),
             gap,
-            gap_is_length: true,
+            gap_in: GapIn::Loop,
         }
     }
 }

@@ -5,7 +5,7 @@ use linkage_symbolic::program::{Binary, Unary};
 use crate::structure::Rotor;
 
 use super::vector::Vector;
-use super::{Closed, Solver};
+use super::{Closed, GapIn, Solver};
 
 impl Solver<'_, '_> {
     /// `Z1 u1 + Z2 u2 = C` by the intersection of two circles.
@@ -98,7 +98,7 @@ impl Solver<'_, '_> {
             margin,
             slack: graph.div(q, largest2),
             gap,
-            gap_is_length: true,
+            gap_in: GapIn::Loop,
         }
     }
 }

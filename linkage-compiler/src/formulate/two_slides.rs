@@ -5,7 +5,7 @@ use linkage_symbolic::SymbolId;
 use crate::algebra::Term;
 
 use super::vector::Vector;
-use super::{Closed, Solver};
+use super::{Closed, GapIn, Solver};
 
 impl Solver<'_, '_> {
     /// `s1 G1 + s2 G2 = C` by Cramer's rule.
@@ -49,7 +49,7 @@ impl Solver<'_, '_> {
             margin: self.abs(slack),
             slack,
             gap: self.linear_gap(determinant),
-            gap_is_length: true,
+            gap_in: GapIn::Loop,
         }
     }
 }

@@ -54,14 +54,12 @@ impl<'m> Words<'m> {
     }
 
     pub(crate) fn gap(&self, solved: &Solved, gap: f64) -> String {
-        let loops = &solved.group.loops;
-        let scalar = loops.iter().any(
-            |&k| matches!(self.mechanism.loops[k].left.ty, Type::Scalar(d) if d.half_lengths != 2),
-        );
-        match solved.closed.gap_is_length && !scalar {
-            true => format!("{}{}", significant(gap), self.mechanism.unit.name()),
-            false => significant(gap),
-        }
+        let dimension = solved.gap_dimension(self.mechanism);
+        format!(
+            "{}{}",
+            significant(gap),
+            dimension.unit(self.mechanism.unit)
+        )
     }
 
     pub(crate) fn scalar(&self, dimension: Dimension, x: f64) -> String {

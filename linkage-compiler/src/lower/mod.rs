@@ -12,7 +12,7 @@ use linkage_symbolic::schedule::{Slots, schedule};
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::formulate::{Formulation, valued_angles};
-use crate::model::{Dimension, EvaluatorDef, Type};
+use crate::model::{EvaluatorDef, LengthUnit, Type};
 
 pub use types::{ContinuousAngle, Evaluator, Field, Lowered, Shape};
 
@@ -125,7 +125,7 @@ fn renumber_program(program: &mut Program, number: impl Fn(usize) -> usize) {
 }
 
 fn fields(algebra: &Algebra, definition: &EvaluatorDef) -> Vec<Field> {
-    let unit = algebra.mechanism.unit.name();
+    let unit = algebra.mechanism.unit;
     let field = |quantity: &crate::model::Quantity| Field {
         name: quantity.field.clone(),
         shape: shape(&quantity.value.ty),
@@ -145,10 +145,10 @@ fn shape(ty: &Type) -> Shape {
     }
 }
 
-/// `mm`, `mm^2`, `rad`, `1`; entries of an array may differ.
-fn unit_words(ty: &Type, length: &str) -> String {
+/// `mm`, `mm^2`, `rad`, nothing for a number; entries of an array may differ.
+fn unit_words(ty: &Type, length: LengthUnit) -> String {
     match ty {
-        Type::Scalar(dimension) | Type::Vector(_, dimension) => dimension_words(*dimension, length),
+        Type::Scalar(dimension) | Type::Vector(_, dimension) => dimension.unit(length),
         Type::Array(entries) => {
             let words: Vec<String> = entries.iter().map(|e| unit_words(e, length)).collect();
             match words.first() {
@@ -156,16 +156,6 @@ fn unit_words(ty: &Type, length: &str) -> String {
                 _ => "various units".to_owned(),
             }
         }
-        Type::Zero(_) | Type::Error => "1".to_owned(),
-    }
-}
-
-fn dimension_words(dimension: Dimension, length: &str) -> String {
-    match dimension.half_lengths {
-        0 if dimension.angle => "rad".to_owned(),
-        0 => "1".to_owned(),
-        2 => length.to_owned(),
-        halves if halves % 2 == 0 => format!("{length}^{}", halves / 2),
-        halves => format!("{length}^({halves}/2)"),
+        Type::Zero(_) | Type::Error => String::new(),
     }
 }

@@ -90,6 +90,20 @@ impl LengthUnit {
     }
 }
 
+impl Dimension {
+    /// The unit of a quantity: `mm`, `mm^2`, `mm^(1/2)`, `rad`, nothing for a number.
+    pub fn unit(self, length: LengthUnit) -> String {
+        let word = length.name();
+        match self.half_lengths {
+            0 if self.angle => "rad".to_owned(),
+            0 => String::new(),
+            2 => word.to_owned(),
+            halves if halves % 2 == 0 => format!("{word}^{}", halves / 2),
+            halves => format!("{word}^({halves}/2)"),
+        }
+    }
+}
+
 /// A literal in the mechanism's unit or in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Literal {

@@ -165,6 +165,23 @@ impl Resolver<'_> {
                 self.scalars(ident, parameter, &ty, None)
             };
         }
+        if let syntax::ExprKind::Name(ident) = &entry.kind
+            && let Some(symbol) = self.find(&ident.to_string())
+            && !matches!(symbol.name, Name::Input(_))
+            && !symbol.ty.is_error()
+        {
+            let fact = format!(
+                "a sensitivity is with respect to parameters, found {}",
+                kind(symbol.name)
+            );
+            let parameters = self.names_of(|name| matches!(name, Name::Parameter(_)));
+            let help = match parameters.is_empty() {
+                true => "declare a `param`".to_owned(),
+                false => format!("parameters are {}", list(&parameters)),
+            };
+            self.diagnostics.error_with_help(entry.span, fact, help);
+            return None;
+        }
         match self.variable(entry)? {
             Variable::Parameter(scalar) => Some(vec![scalar]),
             Variable::Input(_) => {

@@ -135,7 +135,11 @@ pub(super) fn undetermined_with(
         for (equation, contained) in incidence.iter().enumerate() {
             if contained.contains(&coordinate) && !equations.contains(&equation) {
                 equations.push(equation);
-                for &other in &matching.coordinates_of[equation] {
+                // Those that it determines, and those that nothing determines.
+                let undetermined = |other: &&usize| {
+                    matching.equation_of[**other].is_none_or(|own| own == equation)
+                };
+                for &other in contained.iter().filter(undetermined) {
                     if !coordinates.contains(&other) {
                         coordinates.push(other);
                     }

@@ -81,6 +81,15 @@ pub(crate) enum Form {
 }
 
 impl Form {
+    /// The vectors that turn with its angles.
+    pub(crate) fn rotors(&self) -> Vec<&Rotor> {
+        match self {
+            Self::TwoRotors { first, second, .. } => vec![first, second],
+            Self::RotorAndSlide { rotor, .. } | Self::SlideOnRotor { rotor, .. } => vec![rotor],
+            _ => Vec::new(),
+        }
+    }
+
     /// For dumps.
     pub(crate) fn name(&self) -> &'static str {
         match self {
@@ -139,7 +148,11 @@ pub(crate) fn decompose(
         steps: 0,
     };
     analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
+    let before = analysis.diagnostics.len();
     let (equations, coordinates) = analysis.equations();
+    if analysis.diagnostics.len() > before {
+        return analysis.structure;
+    }
     analysis.solve(equations, coordinates);
     analysis.structure
 }

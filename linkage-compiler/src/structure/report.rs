@@ -66,16 +66,16 @@ impl Analysis<'_, '_> {
         let inputs = self.algebra.mechanism.inputs.len();
         let message = format!(
             "more unknowns than equations: {} ({}) but {} from {}; mobility {}, driven inputs {inputs}\n\
-             help: add a loop, or make {} of these unknowns an `input`",
+             help: add a loop, or make {}",
             counted(undetermined.len(), "unknown"),
             self.unknown_names(undetermined.iter().map(|&k| &coordinates[k])),
             counted(rows, "equation"),
             loop_list(sharing.iter().flat_map(|&k| &equations[k].loops)),
             inputs + surplus,
             if surplus == 1 {
-                "one".to_owned()
+                "one of these unknowns an `input`".to_owned()
             } else {
-                surplus.to_string()
+                format!("{surplus} of these unknowns inputs")
             },
         );
         self.diagnostics.error(span, message);

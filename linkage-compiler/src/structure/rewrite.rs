@@ -10,6 +10,89 @@ use super::eliminate::System;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 
 impl Analysis<'_, '_> {
+    /// `dot(p, n) = c` keeps the unknown point `p` on a line: it is the line's foot and a slide along it.
+    pub(super) fn point_on_line(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Option<System> {
+        if equations.len() < 2 {
+            return None;
+        }
+        for (place, equation) in equations
+            .iter()
+            .enumerate()
+            .filter(|(_, e)| e.rows.len() == 1)
+        {
+            for pair in coordinates.windows(2) {
+                let (CoordinateKind::Length(x), CoordinateKind::Length(y)) =
+                    (pair[0].kind, pair[1].kind)
+                else {
+                    continue;
+                };
+                let same_point = pair[0].unknown == pair[1].unknown;
+                let Some((normal, known)) =
+                    self.line(equation.rows[0], [x, y]).filter(|_| same_point)
+                else {
+                    continue;
+                };
+                let fixed = [normal[0], normal[1], known];
+                if coordinates
+                    .iter()
+                    .any(|c| fixed.iter().any(|&node| self.contains(node, c)))
+                {
+                    continue;
+                }
+                let slide = self.slide_along(normal, known, [x, y]);
+                let (equations, mut kept) = self.without(equations, coordinates, place, pair);
+                kept.push(Coordinate {
+                    kind: CoordinateKind::Length(slide),
+                    unknown: None,
+                });
+                return Some((equations, kept));
+            }
+        }
+        None
+    }
+
+    /// `n` and `c` of a row `n.x x + n.y y + c`.
+    fn line(&mut self, row: NodeId, point: [SymbolId; 2]) -> Option<([NodeId; 2], NodeId)> {
+        let graph = &mut self.algebra.graph;
+        let mut terms = collect(graph, row, &point, &[])?;
+        let zero = graph.zero();
+        let normal = [terms.remove(&vec![1, 0])?, terms.remove(&vec![0, 1])?];
+        let known = terms.remove(&vec![0, 0]).unwrap_or(zero);
+        terms.is_empty().then_some((normal, known))
+    }
+
+    /// Expresses a point on the line `n.p + c = 0` by a new slide along it.
+    fn slide_along(
+        &mut self,
+        normal: [NodeId; 2],
+        known: NodeId,
+        point: [SymbolId; 2],
+    ) -> SymbolId {
+        let (length, unit) = if self.algebra.is_unit(normal) {
+            (self.algebra.graph.one(), normal)
+        } else {
+            let length = self.algebra.length(&normal);
+            (length, normal.map(|n| self.algebra.graph.div(n, length)))
+        };
+        self.algebra.mark_unit(unit);
+        let graph = &mut self.algebra.graph;
+        let (symbol, slide) = graph.unknown("along the line");
+        let distance = graph.div(known, length);
+        let along = [graph.neg(unit[1]), unit[0]];
+        for k in 0..2 {
+            let graph = &mut self.algebra.graph;
+            let foot = graph.mul(distance, unit[k]);
+            let moved = graph.mul(slide, along[k]);
+            let value = graph.sub(moved, foot);
+            self.make_explicit(point[k], value);
+        }
+        symbol
+    }
+
     /// Two scalar loops, the components of one vector loop.
     pub(super) fn join_rows(
         &mut self,

@@ -78,7 +78,7 @@ fn messages() {
         (
             "b",
             "d(h)",
-            "`d` takes a quantity and one or two variables, found 0 variables",
+            "`d` takes a quantity and one or two variables, found no variable",
         ),
         ("b", "d(h, b, b, b)", "found 3 variables"),
         (
@@ -128,13 +128,13 @@ fn messages() {
             "d(h, zerro)",
             "unknown name `zerro`\nhelp: did you mean `zero`?",
         ),
-        ("b", "sensitivity()", "found 0 arguments"),
+        ("b", "sensitivity()", "found no argument"),
         ("b", "sensitivity(h, l)", "expected a list of parameters"),
         ("b", "sensitivity(h, [])", "the list of parameters is empty"),
         (
             "b",
             "sensitivity(h, [p, p.x])",
-            "the parameter is listed twice",
+            "a parameter is listed twice",
         ),
         (
             "b",

@@ -1,0 +1,62 @@
+//! Are the numbers of the mechanism numbers? Defaults such as `1 / zero`, tolerances such as `1um - 2um`.
+
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::model::{Expr, Mechanism};
+
+use super::Nominal;
+
+impl Nominal {
+    /// Reports values that are not finite and tolerances below zero.
+    pub(crate) fn check(
+        &self,
+        mechanism: &Mechanism,
+        origins: &Origins,
+        diagnostics: &mut Diagnostics,
+    ) {
+        let mut finite = |expr: &Expr, what: &str, name: &str, values: &[f64]| {
+            if values.iter().any(|x| !x.is_finite()) {
+                diagnostics.error_with_help(
+                    origins.span(expr.origin),
+                    format!("the {what} of `{name}` is not a finite number"),
+                    "look for a division by zero, or a root or an arc function out of its range",
+                );
+            }
+        };
+        let mut negative = Vec::new();
+        for parameter in &mechanism.parameters {
+            let first = parameter.first_scalar.0;
+            let name = &parameter.name;
+            let defaults = &self.parameters[first..first + parameter.tolerances.len()];
+            finite(&parameter.nominal, "default", name, defaults);
+            for (tolerance, value) in parameter.tolerances.iter().zip(&self.tolerances[first..]) {
+                let Some(tolerance) = tolerance else { continue };
+                finite(tolerance, "tolerance", name, &[*value]);
+                if *value < 0.0 {
+                    negative.push((tolerance.origin, name));
+                }
+            }
+        }
+        for (k, input) in mechanism.inputs.iter().enumerate() {
+            finite(
+                &input.reference,
+                "reference value",
+                &input.name,
+                &self.inputs[k..=k],
+            );
+            if let (Some((low, high)), Some((a, b))) = (&input.range, self.ranges[k]) {
+                finite(low, "lower end of the range", &input.name, &[a]);
+                finite(high, "upper end of the range", &input.name, &[b]);
+            }
+        }
+        for (unknown, estimate) in mechanism.unknowns.iter().zip(&self.estimates) {
+            finite(&unknown.estimate, "estimate", &unknown.name, estimate);
+        }
+        for (origin, name) in negative {
+            diagnostics.error_with_help(
+                origins.span(origin),
+                format!("the tolerance of `{name}` is negative"),
+                "write how far the value may lie above or below its nominal value",
+            );
+        }
+    }
+}

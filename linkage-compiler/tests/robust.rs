@@ -1,0 +1,146 @@
+//! No input makes the compiler panic; its output is always Rust, and the same for the same input.
+
+use std::fs;
+use std::panic::catch_unwind;
+use std::path::Path;
+
+use linkage_compiler::compile;
+use proc_macro2::{Group, Literal, TokenStream, TokenTree};
+use quote::quote;
+
+const SAMPLES: [&str; 4] = ["crank_rocker", "favorit", "shaper", "loader"];
+
+/// Mutations of all samples together; `ROBUST_COUNT=100000` in the environment takes more.
+const COUNT: usize = 2000;
+
+/// A small generator of its own, so that a failure can be repeated.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % limit as u64) as usize
+    }
+}
+
+fn read(name: &str) -> TokenStream {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    let text = fs::read_to_string(folder.join(format!("{name}.mech"))).expect("a mechanism");
+    text.parse().expect("the mechanism is made of tokens")
+}
+
+/// All tokens, those inside of groups too.
+fn collect(tokens: TokenStream, all: &mut Vec<TokenTree>) {
+    for token in tokens {
+        if let TokenTree::Group(group) = &token {
+            collect(group.stream(), all);
+        }
+        all.push(token);
+    }
+}
+
+/// Deletes, doubles, swaps or replaces tokens, or changes a number, at one level.
+fn mutate(tokens: TokenStream, pool: &[TokenTree], random: &mut Random) -> TokenStream {
+    let mut tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    if tokens.is_empty() {
+        return TokenStream::new();
+    }
+    let place = random.below(tokens.len());
+    if place > 0 && passes_through(&tokens[place - 1]) {
+        return tokens.into_iter().collect();
+    }
+    if let TokenTree::Group(group) = &tokens[place]
+        && random.below(10) > 0
+    {
+        let inner = mutate(group.stream(), pool, random);
+        tokens[place] = TokenTree::Group(Group::new(group.delimiter(), inner));
+        return tokens.into_iter().collect();
+    }
+    if let TokenTree::Literal(literal) = &tokens[place]
+        && random.below(4) > 0
+    {
+        tokens[place] = other_number(literal, random).into();
+        return tokens.into_iter().collect();
+    }
+    let other = random.below(tokens.len());
+    match random.below(4) {
+        0 => drop(tokens.remove(place)),
+        1 => tokens.insert(place, tokens[place].clone()),
+        2 => tokens.swap(place, other),
+        _ => tokens[place] = pool[random.below(pool.len())].clone(),
+    }
+    tokens.into_iter().collect()
+}
+
+/// Attributes and visibilities pass through as they are: what is wrong in them is between the user and rustc.
+fn passes_through(before: &TokenTree) -> bool {
+    match before {
+        TokenTree::Punct(hash) => hash.as_char() == '#',
+        TokenTree::Ident(ident) => ident == "pub",
+        _ => false,
+    }
+}
+
+/// Another number with the same unit.
+fn other_number(literal: &Literal, random: &mut Random) -> Literal {
+    const NUMBERS: [&str; 12] = [
+        "0", "1", "2", "7.5", "45", "90", "180", "360", "1e-9", "1e9", "1e-300", "1e300",
+    ];
+    let text = literal.to_string();
+    let digits = |c: char| c.is_ascii_digit() || c == '.' || c == '_';
+    let unit = text.trim_start_matches(digits);
+    let number = NUMBERS[random.below(NUMBERS.len())];
+    format!("{number}{unit}")
+        .parse()
+        .unwrap_or_else(|_| literal.clone())
+}
+
+#[test]
+fn mutated_mechanisms_compile_to_something() {
+    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    let samples = SAMPLES.map(read);
+    let mut pool = Vec::new();
+    samples
+        .iter()
+        .for_each(|sample| collect(sample.clone(), &mut pool));
+    let wanted = std::env::var("ROBUST_COUNT")
+        .ok()
+        .and_then(|text| text.parse().ok());
+    let (mut accepted, mut refused) = (0, 0);
+    for round in 0..wanted.unwrap_or(COUNT) {
+        let mut tokens = samples[round % samples.len()].clone();
+        for _ in 0..1 + random.below(3) {
+            tokens = mutate(tokens, &pool, &mut random);
+        }
+        let text = tokens.to_string();
+        let output = catch_unwind(|| {
+            let tokens: TokenStream = text.parse().expect("it was made of tokens");
+            compile(quote!([::linkage] #tokens)).to_string()
+        });
+        let output = output.unwrap_or_else(|_| panic!("round {round} panics:\n{text}"));
+        if let Err(error) = syn::parse_str::<syn::File>(&output) {
+            panic!("round {round}: {error}\n{text}\n{output}");
+        }
+        match output.contains("compile_error !") {
+            true => refused += 1,
+            false => accepted += 1,
+        }
+    }
+    println!("{accepted} accepted, {refused} refused");
+    assert!(
+        accepted > 0 && refused > accepted / 10,
+        "the mutations are of both sorts"
+    );
+}
+
+#[test]
+fn equal_input_gives_equal_output() {
+    let outputs = || SAMPLES.map(|name| compile(read(name)).to_string());
+    let here = outputs();
+    // Hash seeds differ from map to map and from thread to thread.
+    let there = std::thread::spawn(outputs).join().expect("no panic");
+    assert_eq!(here, there);
+    assert_eq!(here, outputs());
+}

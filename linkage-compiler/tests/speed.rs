@@ -1,0 +1,68 @@
+//! How long an expansion takes, in whatever build the tests run in.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use linkage_compiler::compile;
+use proc_macro2::TokenStream;
+
+/// The shortest of several runs: what it takes when nothing else runs.
+fn time(text: &str, runs: usize) -> Duration {
+    let once = || {
+        let tokens: TokenStream = text.parse().expect("tokens");
+        let start = Instant::now();
+        let output = compile(tokens);
+        let taken = start.elapsed();
+        assert!(!output.to_string().contains("compile_error !"), "{output}");
+        taken
+    };
+    (0..runs).map(|_| once()).min().expect("at least one run")
+}
+
+#[test]
+fn favorit_expands_within_100_milliseconds() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/favorit.mech");
+    let text = fs::read_to_string(path).expect("the mechanism can be read");
+    let taken = time(&text, 10);
+    println!("favorit: {taken:?}");
+    assert!(taken < Duration::from_millis(100), "{taken:?}");
+}
+
+/// A chain of parallelogram-like dyads, each driven by the last link of the one before.
+fn chain(groups: usize) -> String {
+    let mut text = String::from(
+        "pub struct Chain { unit mm; input phi = 60deg in 55deg..65deg;\n\
+         param crank = 30mm; let p0 = polar(crank, phi);\n",
+    );
+    for k in 1..=groups {
+        let before = k - 1;
+        let (x, y) = (40 * k, 0);
+        let _ = writeln!(
+            text,
+            "param rod{k} = 40mm; param arm{k} = 30mm; const pivot{k} = ({x}mm, {y}mm);\n\
+             unknown theta{k} = 5deg; unknown psi{k} = 62deg;\n\
+             loop p{before} + polar(rod{k}, theta{k}) = pivot{k} + polar(arm{k}, psi{k});\n\
+             let p{k} = pivot{k} + polar(arm{k}, psi{k});"
+        );
+    }
+    let _ = writeln!(
+        text,
+        "}}\nimpl Chain {{\n\
+         pub fn motion(phi) -> Motion {{ p{groups}, v: velocity(p{groups}), a: acceleration(p{groups}), m: margin() }}\n\
+         pub fn first(phi) -> First {{ psi1, e: sensitivity(psi1, [crank, rod1, arm1]) }}\n}}"
+    );
+    text
+}
+
+#[test]
+fn time_grows_linearly_with_the_number_of_groups() {
+    let (small, large) = (time(&chain(10), 5), time(&chain(50), 3));
+    let ratio = large.as_secs_f64() / small.as_secs_f64();
+    println!("10 groups {small:?}, 50 groups {large:?}: {ratio:.1} times");
+    assert!(
+        ratio < 10.0,
+        "10 groups {small:?}, 50 groups {large:?}: {ratio:.1} times"
+    );
+}

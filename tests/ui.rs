@@ -1,0 +1,26 @@
+//! Every message of the compiler as its user sees it, and programs that must compile and run.
+//!
+//! `tests/ui/pass` holds the programs; the other folders hold mistakes, one kind for each file, by the phase that finds
+//! them, with the messages beside them. `TRYBUILD=overwrite cargo test --test ui` writes the messages anew: read the
+//! difference before you commit it. `cargo test --test ui -- trybuild=formulate` runs the files with that word in their
+//! path only.
+
+#[test]
+fn messages() {
+    let tests = trybuild::TestCases::new();
+    for phase in [
+        "syntax",
+        "model",
+        "structure",
+        "formulate",
+        "functions",
+        "skeleton",
+    ] {
+        tests.compile_fail(format!("tests/ui/{phase}/*.rs"));
+    }
+}
+
+#[test]
+fn programs() {
+    trybuild::TestCases::new().pass("tests/ui/pass/*.rs");
+}

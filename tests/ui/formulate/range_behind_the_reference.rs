@@ -1,0 +1,15 @@
+//! It comes apart at the lower end only.
+
+use linkage::mechanism;
+
+mechanism! {
+    pub struct M {
+        unit mm;
+        input s = 50mm in -80mm..60mm;
+        unknown theta = 60deg;
+        unknown t = 20mm;
+        loop (s, 0) + polar(70mm, theta) = (0, t);
+    }
+}
+
+fn main() {}

@@ -1,0 +1,66 @@
+//! Without the prelude, and with every lint that generated code could trip over denied.
+
+#![no_implicit_prelude]
+#![deny(
+    warnings,
+    missing_docs,
+    missing_debug_implementations,
+    unused,
+    unreachable_pub
+)]
+#![forbid(unsafe_code)]
+
+::linkage::mechanism! {
+    /// Slider-crank.
+    pub struct SliderCrank {
+        unit mm;
+        /// Length of the crank.
+        param crank = 30mm +- 1um;
+        param rod = 120mm;
+        param unused = 3mm;
+        const alike = 3mm;
+        input phi = 30deg in 0deg..360deg;
+        unknown theta = -10deg;
+        unknown s = 150mm;
+        let a = polar(crank, phi);
+        let nowhere = 2 * a;
+        loop a + polar(rod, theta) = (s, 0);
+    }
+
+    impl SliderCrank {
+        /// Motion of the slide.
+        pub fn motion(phi) -> Motion { s, v: velocity(s), a: acceleration(s), j: jerk(s), e: sensitivity(s) }
+        pub fn margin(phi) -> Margin { m: margin() }
+    }
+}
+
+/// A module of its own, with a private mechanism nobody uses in full.
+pub mod inner {
+    ::linkage::mechanism! {
+        struct Private {
+            param pi = 3.14159;
+            input phi = 30deg;
+            let a = polar(pi, phi);
+        }
+
+        impl Private {
+            fn point(phi) -> Point { a }
+        }
+    }
+
+    /// Uses it.
+    pub fn run() -> f64 {
+        let private = ::std::result::Result::unwrap(Private::assemble(
+            &<Private as ::std::default::Default>::default(),
+        ));
+        private.point(0.0).a.x
+    }
+}
+
+fn main() {
+    let mechanism = <SliderCrank as ::std::default::Default>::default();
+    let linkage = ::std::result::Result::unwrap(mechanism.assemble());
+    ::std::assert_eq!(linkage.motion(0.0).s, 150.0);
+    ::std::assert!(linkage.margin(0.0).m > 0.9);
+    ::std::assert_eq!(inner::run(), 3.14159);
+}

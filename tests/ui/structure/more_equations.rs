@@ -1,0 +1,16 @@
+//! A loop too many.
+
+use linkage::mechanism;
+
+mechanism! {
+    pub struct M {
+        unit mm;
+        input phi = 40deg in 0deg..360deg;
+        unknown theta = 20deg;
+        unknown psi = 60deg;
+        loop polar(40mm, phi) + polar(120mm, theta) = (100mm, 0) + polar(80mm, psi);
+        loop distance(polar(40mm, phi), polar(10mm, psi)) = 30mm;
+    }
+}
+
+fn main() {}
