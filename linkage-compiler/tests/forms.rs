@@ -140,12 +140,12 @@ fn a_link_and_a_slide() {
     expect(
         "unknown q = (155mm, 40mm); loop distance(q, polar(a, phi)) = b;
          loop dot(q, dir(lift + 90deg)) = -3 * e;",
-        &["loops 1 2: rotor and slide for q"],
+        &["loops 1 2: trigonometric for q"],
     );
     expect(
         "unknown q = (150mm, 40mm); loop distance(q, polar(a, phi)) = b;
          loop cross(q - (e, 0), (d, e)) = 0;",
-        &["loops 1 2: rotor and slide for q"],
+        &["loops 1 2: trigonometric for q"],
     );
     expect(
         "unknown q = (150mm, 7mm); loop q.y = e; loop distance(q, polar(a, phi)) = b;",

@@ -25,7 +25,7 @@ fn time(text: &str, runs: usize) -> Duration {
 fn favorit_expands_within_100_milliseconds() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/favorit.mech");
     let text = fs::read_to_string(path).expect("the mechanism can be read");
-    let taken = time(&text, 10);
+    let taken = time(&text, 40);
     println!("favorit: {taken:?}");
     assert!(taken < Duration::from_millis(100), "{taken:?}");
 }

@@ -151,8 +151,17 @@ pub(crate) fn formulate(algebra: &mut Algebra, structure: Structure) -> Formulat
             mode: modes,
             defined: Vec::new(),
         };
-        let closed = solver.solve(&group.form);
+        let mut closed = solver.solve(&group.form);
         let defined = std::mem::take(&mut solver.defined);
+        if closed.class == 0 && group.finds_point(algebra.mechanism) {
+            // A point on a line at a distance from another: the slide has no name, but the group is a dyad.
+            closed = Closed {
+                kind: "RRP",
+                class: 2,
+                order: 2,
+                ..closed
+            };
+        }
         let made = algebra.graph.symbols_since(first_symbol);
         let number = formulation.groups.len();
         formulation

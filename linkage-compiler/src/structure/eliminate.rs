@@ -128,7 +128,7 @@ impl Analysis<'_, '_> {
         }
     }
 
-    pub(super) fn make_explicit(&mut self, symbol: SymbolId, value: NodeId) {
+    fn make_explicit(&mut self, symbol: SymbolId, value: NodeId) {
         self.substitutions.insert(symbol, value);
         self.structure.explicit.push(Explicit { symbol, value });
     }
@@ -156,7 +156,6 @@ impl Analysis<'_, '_> {
         self.eliminate_relation(equations, coordinates)
             .or_else(|| self.eliminate_point(equations, coordinates))
             .or_else(|| self.eliminate_slide(equations, coordinates))
-            .or_else(|| self.point_on_line(equations, coordinates))
             .or_else(|| self.join_rows(equations, coordinates))
             .or_else(|| self.distance_to_link(equations, coordinates))
             .or_else(|| self.split_along_guide(equations, coordinates))
@@ -265,7 +264,7 @@ impl Analysis<'_, '_> {
     }
 
     /// What remains when one equation has given some coordinates.
-    pub(super) fn without(
+    fn without(
         &mut self,
         equations: &[Equation],
         coordinates: &[Coordinate],

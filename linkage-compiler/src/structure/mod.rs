@@ -15,6 +15,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{Algebra, Nominal, Scalar};
 use crate::diagnostic::{Diagnostics, Origins};
+use crate::model::Mechanism;
 
 pub(crate) use equations::{Coordinate, Equation};
 
@@ -113,6 +114,14 @@ pub(crate) struct Group {
     /// Indices of the unknowns that it finds, in the model.
     pub(crate) unknowns: Vec<usize>,
     pub(crate) form: Form,
+}
+
+impl Group {
+    /// True if it finds both components of an unknown point by an angle.
+    pub(crate) fn finds_point(&self, mechanism: &Mechanism) -> bool {
+        let point = |&k: &usize| mechanism.unknowns[k].ty.components() == Some(2);
+        matches!(self.form, Form::Trigonometric { .. }) && self.unknowns.iter().any(point)
+    }
 }
 
 /// An unknown that is an explicit expression of others and was eliminated before its group was solved.
