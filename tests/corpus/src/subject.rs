@@ -1,0 +1,106 @@
+//! A compiled mechanism on plain numbers: by its programs, and by the expression graph behind them.
+
+use linkage_compiler::diagnostic::{Diagnostics, Origins};
+use linkage_compiler::model::Mechanism;
+use linkage_compiler::oracle::Oracle;
+use linkage_compiler::{Analysis, analyse, model, syntax};
+use linkage_symbolic::interpret::run;
+use linkage_symbolic::program::Source;
+use proc_macro2::TokenStream;
+
+/// Parameters and inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Position {
+    /// All scalar parameters in the mechanism's unit.
+    pub parameters: Vec<f64>,
+    /// All inputs.
+    pub inputs: Vec<f64>,
+}
+
+/// A mechanism that the compiler accepts.
+#[derive(Debug)]
+pub struct Subject {
+    /// The resolved mechanism.
+    pub mechanism: Mechanism,
+    /// What the compiler found, and its programs.
+    pub analysis: Analysis,
+    oracle: Oracle,
+}
+
+impl Subject {
+    /// Compiles a mechanism's text.
+    ///
+    /// # Errors
+    /// The compiler's messages.
+    pub fn new(text: &str) -> Result<Self, Vec<String>> {
+        let tokens: TokenStream = text.parse().map_err(|error| vec![format!("{error}")])?;
+        let mut diagnostics = Diagnostics::default();
+        let mut origins = Origins::default();
+        let mechanism = syntax::parse(tokens, &mut diagnostics)
+            .and_then(|definition| model::resolve(&definition, &mut origins, &mut diagnostics));
+        let messages = |list: &Diagnostics| list.iter().map(|d| d.message.clone()).collect();
+        let Some(mechanism) = mechanism else {
+            return Err(messages(&diagnostics));
+        };
+        let analysis = analyse(&mechanism, &origins, &mut diagnostics);
+        if !diagnostics.is_empty() {
+            return Err(messages(&diagnostics));
+        }
+        let oracle = Oracle::new(&mechanism, &origins);
+        Ok(Self {
+            mechanism,
+            analysis,
+            oracle,
+        })
+    }
+
+    /// Default dimensions and reference inputs.
+    pub fn reference(&self) -> Position {
+        let facts = &self.analysis.facts;
+        Position {
+            parameters: facts.nominal.clone(),
+            inputs: facts.inputs.iter().map(|input| input.reference).collect(),
+        }
+    }
+
+    /// The results of a function by its program, near the reference inputs.
+    pub fn by_program(&self, function: usize, at: &Position) -> Vec<f64> {
+        let lowered = &self.analysis.lowered;
+        let prepared = run(&lowered.prepare, |source| self.load(source, at, &[]));
+        let program = &lowered.evaluators[function].program;
+        run(program, |source| self.load(source, at, &prepared))
+    }
+
+    /// The results of a function by the expression graph, near the reference inputs.
+    pub fn by_graph(&self, function: usize, at: &Position) -> Vec<f64> {
+        self.oracle
+            .evaluate(function, |source| self.load(source, at, &[]))
+    }
+
+    /// By how much each group misses closing; positive if it cannot be assembled.
+    pub fn gaps(&self, at: &Position) -> Vec<f64> {
+        let lowered = &self.analysis.lowered;
+        let prepared = run(&lowered.prepare, |source| self.load(source, at, &[]));
+        run(&lowered.gaps, |source| self.load(source, at, &prepared))
+    }
+
+    fn load(&self, source: Source, at: &Position, prepared: &[f64]) -> f64 {
+        match source {
+            Source::Parameter(index) => at.parameters[index],
+            Source::Input(index) => at.inputs[index],
+            Source::Mode(index) => self.mode(index),
+            // Near the reference an angle is the one nearest to its estimate.
+            Source::Centre(angle) => self.analysis.lowered.continuous_angles[angle].estimate,
+            Source::Winding(..) => 0.0,
+            Source::Prepared(slot) => prepared[slot],
+        }
+    }
+
+    fn mode(&self, index: usize) -> f64 {
+        let groups = &self.analysis.facts.groups;
+        match groups.iter().find(|group| group.mode == Some(index)) {
+            Some(group) if !group.plus => -1.0,
+            _ => 1.0,
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! Generated code against the interpreter, for a corpus of random mechanisms.
+//!
+//! `UPDATE=1 cargo test -p linkage-corpus --test corpus` writes the corpus anew.
+
+use std::path::Path;
+
+use linkage::Vector2;
+use linkage_corpus::random::Random;
+use linkage_corpus::{Case, Kind, code};
+
+mod mechanisms;
+
+/// Assembles with changed parameters and calls all functions at inputs; one list of numbers for each function.
+type Results = fn(changes: &[f64], inputs: &[f64]) -> Vec<Vec<f64>>;
+
+/// The numbers of a result, in order.
+trait Numbers {
+    fn append(&self, numbers: &mut Vec<f64>);
+}
+
+impl Numbers for f64 {
+    fn append(&self, numbers: &mut Vec<f64>) {
+        numbers.push(*self);
+    }
+}
+
+impl Numbers for Vector2<f64> {
+    fn append(&self, numbers: &mut Vec<f64>) {
+        numbers.extend([self.x, self.y]);
+    }
+}
+
+impl<N: Numbers, const COUNT: usize> Numbers for [N; COUNT] {
+    fn append(&self, numbers: &mut Vec<f64>) {
+        self.iter().for_each(|entry| entry.append(numbers));
+    }
+}
+
+fn numbers(fields: &[&dyn Numbers]) -> Vec<f64> {
+    let mut numbers = Vec::new();
+    fields.iter().for_each(|field| field.append(&mut numbers));
+    numbers
+}
+
+/// A module with a mechanism and its results.
+macro_rules! corpus {
+    ($module:ident $name:ident [$($($parameter:ident).+),*] { $($text:tt)* }
+     $($function:ident($($input:literal),*): $($field:ident),*;)*) => {
+        mod $module {
+            linkage::mechanism! { $($text)* }
+
+            pub(super) fn results(changes: &[f64], inputs: &[f64]) -> Vec<Vec<f64>> {
+                let mut mechanism = $name::default();
+                let mut changes = changes.iter();
+                $(mechanism.$($parameter).+ += changes.next().expect("one for each parameter");)*
+                let linkage = mechanism.assemble().expect("it assembles");
+                vec![$({
+                    let result = linkage.$function($(inputs[$input]),*);
+                    crate::numbers(&[$(&result.$field),*])
+                }),*]
+            }
+        }
+    };
+}
+pub(crate) use corpus;
+
+fn path() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/mechanisms.rs")
+}
+
+#[test]
+fn the_corpus_is_what_the_generator_writes() {
+    let text = code();
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(path(), text).expect("the corpus can be written");
+        return;
+    }
+    let there = std::fs::read_to_string(path()).expect("the corpus can be read");
+    assert!(
+        there == text,
+        "the generator has changed: UPDATE=1 writes the corpus anew"
+    );
+}
+
+#[test]
+fn generated_code_agrees_with_the_interpreter() {
+    let mut worst = 0.0;
+    for (seed, results) in mechanisms::ALL.iter().enumerate() {
+        let case = Case::new(seed as u64).unwrap_or_else(|message| panic!("{message}"));
+        let mut random = Random::new(seed as u64);
+        for round in 0..4 {
+            let mut at = case.position(&mut random);
+            // Other dimensions than the default ones, too.
+            let amount = if round == 0 {
+                0.0
+            } else {
+                0.1 * case.sample.range
+            };
+            let angles = case.sample.angles.iter();
+            let changes: Vec<f64> = angles
+                .map(|is_angle| amount * case.unit(*is_angle) * random.between(-1.0, 1.0))
+                .collect();
+            at.parameters
+                .iter_mut()
+                .zip(&changes)
+                .for_each(|(p, change)| *p += change);
+            let compiled = results(&changes, &at.inputs);
+            for (index, function) in case.sample.functions.iter().enumerate() {
+                if function.kind == Kind::Closure {
+                    continue;
+                }
+                let expected = case.subject.by_program(index, &at);
+                let differences = case.differences(index, &at, &compiled[index], &expected);
+                for (k, difference) in differences.into_iter().enumerate() {
+                    worst = f64::max(worst, difference);
+                    let (c, e) = (compiled[index][k], expected[k]);
+                    let entry = function.entries.get(k);
+                    let what = || {
+                        format!(
+                            "result {k} {entry:?}: compiled {c:e}, interpreted {e:e}, {difference} roundoffs"
+                        )
+                    };
+                    assert!(difference <= 4.0, "{}", case.complain(function, &what()));
+                }
+            }
+        }
+    }
+    println!("largest difference: {worst:.2} times what a roundoff of the data does");
+}
+
+#[test]
+fn the_corpus_has_all_kinds_of_groups() {
+    let cases = (0..mechanisms::ALL.len()).map(|seed| Case::new(seed as u64).expect("it compiles"));
+    let mut kinds: Vec<&str> = cases
+        .flat_map(|case| case.subject.analysis.facts.groups)
+        .map(|group| group.kind)
+        .collect();
+    kinds.sort_unstable();
+    println!("{} groups: {kinds:?}", kinds.len());
+    for kind in ["RRR", "RRP", "RPR", "PRP"] {
+        assert!(kinds.contains(&kind), "{kind} is missing");
+    }
+}

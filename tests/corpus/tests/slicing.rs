@@ -1,0 +1,63 @@
+//! The evaluators' programs contain no operation that could have been done once in `assemble()`, and none without use.
+
+use linkage_corpus::Case;
+use linkage_symbolic::program::{Instruction, Program, Source, Value};
+
+fn operands(instruction: &Instruction) -> Vec<Value> {
+    match *instruction {
+        Instruction::Constant(_) | Instruction::Load(_) => vec![],
+        Instruction::Unary(_, a) => vec![a],
+        Instruction::Binary(_, a, b) => vec![a, b],
+        Instruction::Ternary(_, a, b, c) => vec![a, b, c],
+    }
+}
+
+/// Every operation depends on an input.
+fn check_early_work(program: &Program, name: &str) {
+    let mut late: Vec<bool> = Vec::new();
+    for instruction in &program.instructions {
+        let operands = operands(instruction);
+        let is_late = matches!(instruction, Instruction::Load(Source::Input(_)))
+            || operands.iter().any(|operand| late[operand.0]);
+        assert!(
+            is_late || operands.is_empty(),
+            "{name}: {instruction:?} belongs into assemble()\n{program}"
+        );
+        late.push(is_late);
+    }
+}
+
+/// Every operation is used by a later one or is a result; constants cost nothing.
+fn check_use(program: &Program, name: &str) {
+    let mut used = vec![false; program.instructions.len()];
+    program
+        .outputs
+        .iter()
+        .for_each(|output| used[output.0] = true);
+    for (place, instruction) in program.instructions.iter().enumerate().rev() {
+        let free = matches!(instruction, Instruction::Constant(_));
+        assert!(
+            free || used[place],
+            "{name}: nobody needs {instruction:?}\n{program}"
+        );
+        operands(instruction)
+            .iter()
+            .for_each(|operand| used[operand.0] = true);
+    }
+}
+
+#[test]
+fn programs_are_sliced() {
+    for seed in 0..80 {
+        let case = Case::new(seed).unwrap_or_else(|message| panic!("{message}"));
+        let lowered = &case.subject.analysis.lowered;
+        let name = format!("seed {seed}");
+        for evaluator in &lowered.evaluators {
+            check_early_work(&evaluator.program, &name);
+            check_use(&evaluator.program, &name);
+        }
+        check_early_work(&lowered.gaps, &name);
+        check_use(&lowered.gaps, &name);
+        check_use(&lowered.prepare, &name);
+    }
+}
