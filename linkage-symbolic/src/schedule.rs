@@ -105,7 +105,7 @@ impl<'a> Scheduler<'a> {
             }
             let waiting = stack.len();
             if !self.is_slot(id) {
-                let operands: Vec<NodeId> = self.operation(id).operands().collect();
+                let operands = self.operands(id);
                 stack.extend(
                     operands
                         .iter()
@@ -131,6 +131,19 @@ impl<'a> Scheduler<'a> {
             return Node::Binary(Binary::Sub, b, a);
         }
         node
+    }
+
+    /// What must be computed before a node: the 1 of a shared reciprocal comes with that.
+    fn operands(&self, id: NodeId) -> Vec<NodeId> {
+        match self.operation(id) {
+            Node::Binary(Binary::Div, a, b)
+                if self.reciprocals.contains_key(&b)
+                    && self.graph.constant_value(a) == Some(1.0) =>
+            {
+                vec![b]
+            }
+            node => node.operands().collect(),
+        }
     }
 
     fn is_slot(&self, id: NodeId) -> bool {

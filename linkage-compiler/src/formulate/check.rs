@@ -82,7 +82,11 @@ pub(crate) fn check_ranges(
     };
     if let Some((inputs, group)) = failure {
         let solved = &formulation.groups[group];
-        let input = declared[0];
+        let concerned = algebra.inputs_of_nodes(&[solved.closed.slack]);
+        let input = *declared
+            .iter()
+            .find(|k| concerned.contains(k))
+            .unwrap_or(&declared[0]);
         let how = match declared.len() {
             1 => String::new(),
             _ => format!(" (found on a grid of at most {GRID} positions)"),
@@ -94,7 +98,7 @@ pub(crate) fn check_ranges(
                  help: restrict the range, or change the lengths so that the links reach each other all the way",
                 loop_list(&solved.group.loops),
                 words.unknowns(&solved.group.unknowns),
-                words.inputs(&inputs),
+                words.inputs(&inputs, &concerned),
             ),
         );
         return;

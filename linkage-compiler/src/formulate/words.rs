@@ -20,20 +20,27 @@ impl<'m> Words<'m> {
         unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
     }
 
-    /// `phi = 30deg, s = 12mm`
-    pub(crate) fn inputs(&self, values: &[f64]) -> String {
-        let each = self.mechanism.inputs.iter().zip(values);
-        let words: Vec<String> = each
-            .map(|(input, &x)| format!("`{} = {}`", input.name, self.scalar(input.dimension, x)))
-            .collect();
-        words.join(", ")
+    /// `phi = 30deg, s = 12mm` for the inputs `among` all.
+    pub(crate) fn inputs(&self, values: &[f64], among: &[usize]) -> String {
+        let word = |&k: &usize| {
+            let input = &self.mechanism.inputs[k];
+            format!(
+                "`{} = {}`",
+                input.name,
+                self.scalar(input.dimension, values[k])
+            )
+        };
+        among.iter().map(word).collect::<Vec<_>>().join(", ")
     }
 
     /// ` at the reference input phi = 30deg`; nothing for a structure.
     pub(crate) fn at_reference(&self, values: &[f64]) -> String {
         match values {
             [] => String::new(),
-            _ => format!(" at the reference input {}", self.inputs(values)),
+            _ => {
+                let all: Vec<usize> = (0..values.len()).collect();
+                format!(" at the reference input {}", self.inputs(values, &all))
+            }
         }
     }
 

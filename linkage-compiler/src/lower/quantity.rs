@@ -65,22 +65,31 @@ impl Request<'_, '_> {
         }
     }
 
-    /// The smallest margin of the groups that `nodes` use; of all groups if they use none.
+    /// The smallest margin of the groups that `nodes` use; if they use none, of the groups that the function's inputs
+    /// determine, else of all. At most 1: rounding may not go beyond.
     fn margin_over(&mut self, formulation: &Formulation, nodes: &[NodeId]) -> NodeId {
         let mut groups = formulation.groups_of(self.algebra, nodes);
+        let margin_of = |group: usize| formulation.groups[group].closed.margin;
         if groups.is_empty() {
-            groups = (0..formulation.groups.len()).collect();
+            let listed = &self.definition.inputs;
+            let all = 0..formulation.groups.len();
+            let mut determined = |group: &usize| {
+                let inputs = self.algebra.inputs_below(&[margin_of(*group)]);
+                inputs.iter().all(|input| listed.contains(input))
+            };
+            groups = all.clone().filter(&mut determined).collect();
+            if groups.is_empty() {
+                groups = all.collect();
+            }
         }
         let one = self.algebra.graph.one();
-        let margins = groups
-            .iter()
-            .map(|&group| formulation.groups[group].closed.margin);
-        margins
-            .reduce(|least, margin| match least == margin {
+        groups
+            .into_iter()
+            .map(margin_of)
+            .fold(one, |least, margin| match least == margin {
                 true => least,
                 false => self.algebra.graph.binary(Binary::Min, least, margin),
             })
-            .unwrap_or(one)
     }
 
     fn derivative(&mut self, value: &Value, variable: SymbolId) -> Value {

@@ -6,6 +6,38 @@ use super::ast::{Attribute, SourceSpan};
 use super::parser::{Parsed, Parser};
 use super::stream::Stream;
 
+/// `crate`, `super`, `self`, or `in` and a path.
+fn is_scope(group: &Group) -> bool {
+    let words: Vec<String> = group
+        .stream()
+        .into_iter()
+        .map(|token| token.to_string())
+        .collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let is_path = |path: &[&str]| {
+        let text = path.concat();
+        !text.is_empty()
+            && text
+                .split("::")
+                .all(|segment| syn::parse_str::<SegmentName>(segment).is_ok())
+    };
+    match words[..] {
+        ["crate" | "super" | "self"] => true,
+        ["in", ref path @ ..] => is_path(path),
+        _ => false,
+    }
+}
+
+/// One segment of a path, keywords such as `crate` included.
+struct SegmentName;
+
+impl syn::parse::Parse for SegmentName {
+    fn parse(input: syn::parse::ParseStream) -> syn::Result<Self> {
+        use syn::ext::IdentExt;
+        syn::Ident::parse_any(input).map(|_| Self)
+    }
+}
+
 impl Parser<'_> {
     /// `#[...] #[...]`, doc comments included.
     pub(super) fn attributes(&mut self) -> Parsed<Vec<Attribute>> {
@@ -49,11 +81,21 @@ impl Parser<'_> {
         let Some(name) = name else {
             return self.fail_at(span, "the attribute has no name", "");
         };
-        let arguments = std::iter::from_fn(|| stream.next()).collect();
+        let arguments: Vec<TokenTree> = std::iter::from_fn(|| stream.next()).collect();
+        let well_formed = match &arguments[..] {
+            [] | [TokenTree::Group(_)] => true,
+            [TokenTree::Punct(equals), _, ..] => equals.as_char() == '=',
+            _ => false,
+        };
+        if !well_formed {
+            let fact = format!("attribute `{name}` is malformed");
+            let help = "write `#[name]`, `#[name(...)]` or `#[name = ...]`";
+            return self.fail_at(span, fact, help);
+        }
         Ok(Attribute {
             name,
             tokens,
-            arguments,
+            arguments: arguments.into_iter().collect(),
             span,
         })
     }
@@ -75,8 +117,16 @@ impl Parser<'_> {
         let mut visibility = TokenStream::new();
         if self.stream.is_word(0, "pub") {
             visibility.extend(self.stream.next());
-            if self.stream.group(0, Delimiter::Parenthesis).is_some() {
-                visibility.extend(self.stream.next());
+            if let Some(group) = self.stream.group(0, Delimiter::Parenthesis).cloned() {
+                self.stream.skip(1);
+                if is_scope(&group) {
+                    visibility.extend([TokenTree::Group(group)]);
+                } else {
+                    let fact = "the scope behind `pub` is malformed";
+                    let help = "write `pub(crate)`, `pub(super)`, `pub(self)` or `pub(in path)`";
+                    let span = group.span_open();
+                    self.diagnostics.error_with_help(span.into(), fact, help);
+                }
             }
         }
         visibility

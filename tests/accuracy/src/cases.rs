@@ -1,0 +1,116 @@
+//! The cases every mechanism goes through.
+
+use crate::{Case, Kind, Random, System, approach, rescaled};
+use core::f64::consts::TAU;
+
+/// What to make cases of.
+#[derive(Clone, Copy)]
+pub struct Plan {
+    /// A random geometry that closes at the reference input in the assembly mode of the mechanism
+    /// as written, its lengths within the given ratio of each other.
+    pub geometry: fn(&mut Random, f64) -> Vec<f64>,
+    /// Data to change until a dead point is near, and the factor by which they may change.
+    pub dead_points: &'static [(usize, f64)],
+}
+
+/// How many times the usual number of cases: 20 for `LINKAGE_LONG=1`, 40 for `LINKAGE_LONG=2`.
+fn effort() -> usize {
+    let long = std::env::var("LINKAGE_LONG").ok();
+    let times = long.and_then(|value| value.parse::<usize>().ok());
+    times.map_or(1, |times| 20 * times.max(1))
+}
+
+/// Positions all over the cycle, of the mechanism as written and of random geometries.
+pub fn cycle_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let inputs = (0..12).map(|k| input_at(system, k as f64 / 12.0)).collect();
+    let mut cases = vec![Case {
+        geometry: system.default_geometry(),
+        inputs,
+    }];
+    for _ in 0..geometries * effort() {
+        let geometry = (plan.geometry)(&mut random, 6.0);
+        let inputs = (0..4)
+            .map(|_| input_at(system, random.between(-1.0, 2.0)))
+            .collect();
+        cases.push(Case { geometry, inputs });
+    }
+    cases
+}
+
+/// The input so many turns from the reference; a length grows by a quarter for each.
+fn input_at(system: &System, turns: f64) -> f64 {
+    let reference = system.reference_input();
+    match system.data[system.input()].kind {
+        Kind::Length => reference * (1.0 + turns / 4.0),
+        _ => reference + TAU * turns,
+    }
+}
+
+/// Geometries near a dead point at the reference input, at relative distances from 1e-1 to 1e-15.
+pub fn dead_point_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let input = system.reference_input();
+    let mut cases = Vec::new();
+    for number in 0..geometries * effort() {
+        let geometry = (plan.geometry)(&mut random, 4.0);
+        for &(changed, factor) in plan.dead_points {
+            for decade in (1..=15).skip(number % 2).step_by(2) {
+                let distance = 10f64.powi(-decade);
+                let near = approach(system, &geometry, input, changed, factor, distance);
+                cases.extend(near.map(|geometry| Case {
+                    geometry,
+                    inputs: vec![input],
+                }));
+            }
+        }
+    }
+    cases
+}
+
+/// Geometries with lengths in ratios up to 1e8.
+pub fn proportion_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let input = system.reference_input();
+    let mut case = |_| {
+        let geometry = (plan.geometry)(&mut random, 1e8);
+        let near = input + random.ratio(1e-8, 1.0) * if input == 0.0 { 1.0 } else { input };
+        Case {
+            geometry,
+            inputs: vec![input, near],
+        }
+    };
+    (0..geometries * effort()).map(&mut case).collect()
+}
+
+/// Random geometries of sizes from 1e-150 to 1e150, for mechanisms whose lengths are all
+/// parameters.
+pub fn scale_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let mut cases = Vec::new();
+    for _ in 0..geometries * effort() {
+        let geometry = (plan.geometry)(&mut random, 6.0);
+        let size = system.size(&geometry);
+        for exponent in [-150, -80, 60, 150] {
+            let inputs = vec![
+                input_at(system, random.between(0.0, 1.0)),
+                system.reference_input(),
+            ];
+            let geometry = rescaled(system, &geometry, 10f64.powi(exponent) / size);
+            cases.push(Case { geometry, inputs });
+        }
+    }
+    cases
+}
+
+/// The mechanism as written with every number changed by up to 3 %, at angles all over the cycle.
+pub fn nearby_cases(system: &System, geometries: usize, seed: u64) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let mut case = |_| {
+        let near = |x: f64| x * random.between(0.97, 1.03);
+        let geometry = system.default_geometry().into_iter().map(near).collect();
+        let inputs = (0..3).map(|_| random.angle()).collect();
+        Case { geometry, inputs }
+    };
+    (0..geometries * effort()).map(&mut case).collect()
+}

@@ -1,0 +1,218 @@
+//! A mechanism as the reference sees it: data, unknowns, residuals, outputs.
+
+use crate::{Big, Plane};
+
+/// What a number is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A length: scales with the mechanism.
+    Length,
+    /// An angle in radians.
+    Angle,
+    /// A ratio without dimension.
+    Ratio,
+}
+
+/// A number that the mechanism is given.
+#[derive(Clone, Copy, Debug)]
+pub struct Datum {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is.
+    pub kind: Kind,
+    /// Its value in the mechanism as written.
+    pub default: f64,
+}
+
+impl Datum {
+    /// A length.
+    pub const fn length(name: &'static str, default: f64) -> Self {
+        Self {
+            name,
+            kind: Kind::Length,
+            default,
+        }
+    }
+
+    /// An angle, given in degrees (converted as the language does).
+    pub const fn degrees(name: &'static str, degrees: f64) -> Self {
+        Self {
+            name,
+            kind: Kind::Angle,
+            default: degrees.to_radians(),
+        }
+    }
+
+    /// A ratio.
+    pub const fn ratio(name: &'static str, default: f64) -> Self {
+        Self {
+            name,
+            kind: Kind::Ratio,
+            default,
+        }
+    }
+}
+
+/// A number that the loops determine.
+#[derive(Clone, Copy, Debug)]
+pub struct Unknown {
+    /// Its name.
+    pub name: &'static str,
+    /// `Angle` (then a unit vector is solved for) or `Length`.
+    pub kind: Kind,
+    /// The start estimate at the reference input of the mechanism as written.
+    pub estimate: f64,
+}
+
+impl Unknown {
+    /// An unknown angle with its estimate in degrees.
+    pub const fn angle(name: &'static str, degrees: f64) -> Self {
+        Self {
+            name,
+            kind: Kind::Angle,
+            estimate: degrees.to_radians(),
+        }
+    }
+
+    /// An unknown slide with its estimate.
+    pub const fn slide(name: &'static str, estimate: f64) -> Self {
+        Self {
+            name,
+            kind: Kind::Length,
+            estimate,
+        }
+    }
+}
+
+/// A quantity to compare.
+#[derive(Clone, Debug)]
+pub enum Output {
+    /// A length, a coordinate or a ratio.
+    Value(Big),
+    /// An angle, given by a vector that points along it.
+    Angle(Plane),
+}
+
+/// A mechanism as the reference sees it.
+///
+/// The data are the parameters in declaration order, then constants, then the input. The outputs
+/// begin with the unknowns, in order: the solution of the program is where the reference starts
+/// from.
+#[derive(Clone, Copy, Debug)]
+pub struct System {
+    /// The name in reports.
+    pub name: &'static str,
+    /// Parameters, constants, and last the input.
+    pub data: &'static [Datum],
+    /// How many of the data are parameters.
+    pub parameters: usize,
+    /// The unknowns.
+    pub unknowns: &'static [Unknown],
+    /// The equations, zero at the solution; as many as unknowns.
+    pub residual: fn(&Position) -> Vec<Big>,
+    /// The quantities to compare, the unknowns first.
+    pub outputs: fn(&Position) -> Vec<Output>,
+    /// Positive where the mechanism can be assembled, zero at a dead point, 1 far from it; from the
+    /// data alone.
+    pub gap: fn(&Position) -> Big,
+    /// Pairs of data for mixed second derivatives beyond those with the input.
+    pub pairs: &'static [(usize, usize)],
+    /// Whether the equations are linear: then there is one solution and no assembly mode.
+    pub linear: bool,
+    /// Whether `margin()` of the program is the normalised determinant of this system.
+    pub margin: bool,
+}
+
+impl System {
+    /// Index of the input among the data.
+    pub fn input(&self) -> usize {
+        self.data.len() - 1
+    }
+
+    /// The values of the mechanism as written, without the input.
+    pub fn default_geometry(&self) -> Vec<f64> {
+        self.data[..self.input()]
+            .iter()
+            .map(|datum| datum.default)
+            .collect()
+    }
+
+    /// The reference value of the input.
+    pub fn reference_input(&self) -> f64 {
+        self.data[self.input()].default
+    }
+
+    /// The size of the mechanism: its longest given length.
+    pub fn size(&self, data: &[f64]) -> f64 {
+        let lengths = self
+            .data
+            .iter()
+            .zip(data)
+            .filter(|(datum, _)| datum.kind == Kind::Length);
+        lengths.fold(0.0, |size: f64, (_, x)| size.max(x.abs()))
+    }
+
+    /// The value of [`System::gap`] for the given data.
+    pub fn gap_at(&self, data: &[Big]) -> Big {
+        (self.gap)(&Position {
+            system: self,
+            data,
+            unknowns: &[],
+        })
+    }
+}
+
+/// The data and a trial value of the unknowns.
+pub struct Position<'a> {
+    pub(crate) system: &'a System,
+    pub(crate) data: &'a [Big],
+    /// One entry for each unknown: a unit vector, or a slide in its first component.
+    pub(crate) unknowns: &'a [Plane],
+}
+
+impl Position<'_> {
+    /// A datum.
+    pub fn value(&self, name: &str) -> &Big {
+        let index = self.system.data.iter().position(|datum| datum.name == name);
+        &self.data[index.unwrap_or_else(|| panic!("no datum {name}"))]
+    }
+
+    /// A point given by two data, `name.x` and `name.y`.
+    pub fn point(&self, name: &str) -> Plane {
+        let component = |axis: &str| self.value(&format!("{name}.{axis}")).clone();
+        Plane {
+            x: component("x"),
+            y: component("y"),
+        }
+    }
+
+    /// The unit vector of an angle, given or unknown.
+    pub fn direction(&self, name: &str) -> Plane {
+        match self.unknown(name) {
+            Some(direction) => direction.clone(),
+            None => Plane::direction(self.value(name)),
+        }
+    }
+
+    /// `length` along the angle `angle`: the names of a datum and of an angle.
+    pub fn polar(&self, length: &str, angle: &str) -> Plane {
+        self.direction(angle).times(self.value(length))
+    }
+
+    /// An unknown slide.
+    pub fn slide(&self, name: &str) -> &Big {
+        &self
+            .unknown(name)
+            .unwrap_or_else(|| panic!("no unknown {name}"))
+            .x
+    }
+
+    fn unknown(&self, name: &str) -> Option<&Plane> {
+        let index = self
+            .system
+            .unknowns
+            .iter()
+            .position(|unknown| unknown.name == name)?;
+        self.unknowns.get(index)
+    }
+}

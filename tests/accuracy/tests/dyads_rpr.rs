@@ -1,0 +1,172 @@
+//! RPR: a slider along a line that is fixed in a turning link.
+
+use linkage_accuracy::{
+    Datum, Form, Limits, Output, Plan, System, Unknown, compare, cycle_cases, dead_point_cases,
+    forms, proportion_cases, reach_gap, scale_cases,
+};
+
+const LIMITS: Limits = Limits {
+    condition: 12.0,
+    value: 4.0,
+    first: 30.0,
+    second: 100.0,
+    third: 100.0,
+};
+
+const SWINGING_BLOCK: System = System {
+    name: "swinging block",
+    data: &[
+        Datum::length("pivot.x", 80.0),
+        Datum::length("pivot.y", -20.0),
+        Datum::length("crank", 30.0),
+        Datum::length("offset", 10.0),
+        Datum::degrees("beta", 80.0),
+        Datum::degrees("phi", 40.0),
+    ],
+    parameters: 5,
+    unknowns: &[Unknown::angle("psi", 137.0), Unknown::slide("s", 66.8)],
+    residual: |p| {
+        let offset = p.polar("offset", "psi").turned(&p.direction("beta"));
+        let slide = p.direction("psi").times(p.slide("s"));
+        let closure = p.point("pivot") + offset + slide - p.polar("crank", "phi");
+        vec![closure.x, closure.y]
+    },
+    outputs: |p| {
+        let corner = p.point("pivot") + p.polar("offset", "psi").turned(&p.direction("beta"));
+        vec![
+            Output::Angle(p.direction("psi")),
+            Output::Value(p.slide("s").clone()),
+            Output::Value(corner.x),
+            Output::Value(corner.y),
+        ]
+    },
+    gap: |p| {
+        let known = p.polar("crank", "phi") - p.point("pivot");
+        reach_gap(&known.norm(), &p.polar("offset", "beta").y)
+    },
+    pairs: &[(2, 3), (4, 4)],
+    linear: false,
+    margin: true,
+};
+
+macro_rules! swinging_block {
+    ($name:ident { $($items:tt)* }) => {
+        linkage_accuracy::form! {
+            $name(phi) -> [psi, s, corner];
+            pairs crank offset, beta beta;
+            fields |g| { pivot: [g[0], g[1]].into(), crank: g[2], offset: g[3], beta: g[4] }
+            {
+                unit mm;
+                param pivot = (80mm, -20mm);
+                param crank = 30mm;
+                param offset = 10mm;
+                param beta = 80deg;
+                input phi = 40deg in 0deg..360deg;
+                $($items)*
+            }
+        }
+    };
+}
+
+swinging_block!(plain {
+    unknown psi = 137deg;
+    unknown s = 66.8mm;
+    let corner = pivot + polar(offset, psi + beta);
+    loop pivot + polar(offset, psi + beta) + s * dir(psi) = polar(crank, phi);
+});
+
+swinging_block!(slide_first {
+    unknown s = 66.8mm;
+    unknown psi = 137deg;
+    let corner = pivot + rotate(polar(offset, beta), psi);
+    loop rotate((crank, 0), phi) - rotate(polar(offset, beta) + (s, 0), psi) = pivot;
+});
+
+swinging_block!(bound_angle {
+    unknown link = 217deg;
+    unknown s = 66.8mm;
+    let psi = link - beta;
+    let corner = pivot + polar(offset, link);
+    loop corner + polar(s, psi) - polar(crank, phi) = 0;
+});
+
+swinging_block!(negative_slide {
+    unknown t = -66.8mm;
+    unknown psi = 137deg;
+    let s = -t;
+    let corner = pivot - polar(offset, psi + beta + 180deg);
+    loop polar(crank, phi) + t * dir(psi) = corner;
+});
+
+swinging_block!(half_turn {
+    unknown back = -43deg;
+    unknown s = 66.8mm;
+    let psi = back + 180deg;
+    let square = back + 90deg;
+    let corner = pivot - polar(offset, back + beta);
+    loop pivot - rotate(polar(offset, beta - 90deg), square) - polar(s, back) = polar(crank, phi);
+});
+
+swinging_block!(components {
+    unknown psi = 137deg;
+    unknown s = 66.8mm;
+    let corner = pivot + polar(offset, psi + beta);
+    let pin = corner + polar(s, psi);
+    loop pin.x = crank * cos(phi);
+    loop pin.y - crank * sin(phi) = 0;
+});
+
+swinging_block!(one_angle {
+    unknown psi = 137deg;
+    let corner = pivot + polar(offset, psi + beta);
+    let reach = polar(crank, phi) - pivot;
+    loop cross(dir(psi), reach) = offset * sin(beta);
+    let s = dot(dir(psi), reach) - offset * cos(beta);
+});
+
+const PLAN: Plan = Plan {
+    geometry: |random, spread| {
+        let [crank, offset] = [0; 2].map(|_| random.length(spread));
+        // An offset along the line is a slide by another name: derivatives by it all but vanish.
+        let beta = random.between(0.3, 2.8) * if random.chance(0.5) { 1.0 } else { -1.0 };
+        let psi = random.angle();
+        // The slide from the foot of the offset is positive in this assembly mode.
+        let s = random.length(spread).abs() - offset * beta.cos();
+        let phi = 40f64.to_radians();
+        let x = crank * phi.cos() - s * psi.cos() - offset * (psi + beta).cos();
+        let y = crank * phi.sin() - s * psi.sin() - offset * (psi + beta).sin();
+        vec![x, y, crank, offset, beta]
+    },
+    dead_points: &[(3, 1e3), (3, -1e3)],
+};
+
+const FORMS: &[Form] = forms![
+    plain, slide_first, negative_slide, half_turn, components, one_angle;
+    // The unknown is the direction of the offset: useless where the offset is too short to show
+    // one.
+    where |g| g[3].abs() > 0.01 * g[0].hypot(g[1]) => bound_angle
+];
+
+#[test]
+fn swinging_block_cycles() {
+    let cases = cycle_cases(&SWINGING_BLOCK, &PLAN, 30, 21);
+    compare(&SWINGING_BLOCK, FORMS, &cases).check(&LIMITS);
+}
+
+#[test]
+fn swinging_block_dead_points() {
+    let cases = dead_point_cases(&SWINGING_BLOCK, &PLAN, 10, 22);
+    compare(&SWINGING_BLOCK, FORMS, &cases).check(&LIMITS);
+}
+
+#[test]
+fn swinging_block_proportions() {
+    let cases = proportion_cases(&SWINGING_BLOCK, &PLAN, 30, 23);
+    compare(&SWINGING_BLOCK, FORMS, &cases).check(&LIMITS.any_proportions());
+}
+
+#[test]
+fn swinging_block_scales() {
+    let cases = scale_cases(&SWINGING_BLOCK, &PLAN, 8, 24);
+    compare(&SWINGING_BLOCK, FORMS, &cases).check(&LIMITS);
+}

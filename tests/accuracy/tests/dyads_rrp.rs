@@ -1,0 +1,301 @@
+//! RRP and PRR: a link and a slide along a guide of known direction, at rest or moving.
+
+use linkage_accuracy::{
+    Datum, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare, cycle_cases,
+    dead_point_cases, forms, proportion_cases, reach_gap, scale_cases,
+};
+
+const LIMITS: Limits = Limits {
+    condition: 10.0,
+    value: 4.0,
+    first: 30.0,
+    second: 100.0,
+    third: 100.0,
+};
+
+const SLIDER_CRANK: System = System {
+    name: "slider-crank",
+    data: &[
+        Datum::length("crank", 30.0),
+        Datum::length("rod", 100.0),
+        Datum::length("guide.x", 0.0),
+        Datum::length("guide.y", 10.0),
+        Datum::degrees("gamma", 5.0),
+        Datum::ratio("ratio", 0.0),
+        Datum::degrees("phi", 30.0),
+    ],
+    parameters: 5,
+    unknowns: &[Unknown::angle("theta", 3.0), Unknown::slide("s", 126.0)],
+    residual: slider_residual,
+    outputs: slider_outputs,
+    gap: slider_gap,
+    pairs: &[(0, 1), (4, 4)],
+    linear: false,
+    margin: true,
+};
+
+const MOVING_GUIDE: System = System {
+    name: "moving guide",
+    data: &[
+        Datum::length("crank", 30.0),
+        Datum::length("rod", 100.0),
+        Datum::length("guide.x", 0.0),
+        Datum::length("guide.y", 10.0),
+        Datum::degrees("gamma", 5.0),
+        Datum::ratio("ratio", 0.25),
+        Datum::degrees("phi", 30.0),
+    ],
+    parameters: 6,
+    unknowns: &[Unknown::angle("theta", 3.0), Unknown::slide("s", 126.0)],
+    pairs: &[(0, 1), (4, 5)],
+    ..SLIDER_CRANK
+};
+
+fn guide_direction(p: &Position) -> Plane {
+    Plane::direction(&(p.value("gamma") + p.value("ratio") * p.value("phi")))
+}
+
+fn slider_residual(p: &Position) -> Vec<linkage_accuracy::Big> {
+    let slide = guide_direction(p).times(p.slide("s"));
+    let closure = p.polar("crank", "phi") + p.polar("rod", "theta") - p.point("guide") - slide;
+    vec![closure.x, closure.y]
+}
+
+fn slider_outputs(p: &Position) -> Vec<Output> {
+    let pin = p.polar("crank", "phi") + p.polar("rod", "theta");
+    vec![
+        Output::Angle(p.direction("theta")),
+        Output::Value(p.slide("s").clone()),
+        Output::Value(pin.x),
+        Output::Value(pin.y),
+    ]
+}
+
+fn slider_gap(p: &Position) -> linkage_accuracy::Big {
+    let known = p.polar("crank", "phi") - p.point("guide");
+    reach_gap(p.value("rod"), &guide_direction(p).cross(&known))
+}
+
+macro_rules! slider_crank {
+    ($name:ident { $($items:tt)* }) => {
+        linkage_accuracy::form! {
+            $name(phi) -> [theta, s, pin];
+            pairs crank rod, gamma gamma;
+            fields |g| { crank: g[0], rod: g[1], guide: [g[2], g[3]].into(), gamma: g[4] }
+            {
+                unit mm;
+                param crank = 30mm;
+                param rod = 100mm;
+                param guide = (0mm, 10mm);
+                param gamma = 5deg;
+                input phi = 30deg in 0deg..360deg;
+                $($items)*
+            }
+        }
+    };
+}
+
+slider_crank!(plain {
+    unknown theta = 3deg;
+    unknown s = 126mm;
+    let a = polar(crank, phi);
+    let pin = a + polar(rod, theta);
+    loop a + polar(rod, theta) = guide + s * dir(gamma);
+});
+
+slider_crank!(slide_first {
+    unknown s = 126mm;
+    unknown theta = 3deg;
+    let pin = guide + polar(s, gamma);
+    loop pin - rotate((rod, 0), theta) = rotate((crank, 0), phi);
+});
+
+slider_crank!(negative_slide {
+    unknown t = -126mm;
+    unknown theta = 3deg;
+    let s = -t;
+    let pin = polar(crank, phi) + dir(theta) * rod;
+    loop guide = pin + t * dir(gamma);
+});
+
+slider_crank!(backward_guide {
+    unknown t = -126mm;
+    unknown turned = 183deg;
+    let theta = turned - 180deg;
+    let s = -t;
+    let pin = guide - polar(s, gamma + PI);
+    loop polar(crank, phi) - polar(rod, turned) - guide - polar(t, gamma + 180deg) = 0;
+});
+
+slider_crank!(along_and_across {
+    unknown theta = 3deg;
+    unknown s = 126mm;
+    let pin = polar(crank, phi) + polar(rod, theta);
+    loop dot(dir(gamma), pin - guide) = s;
+    loop cross(dir(gamma), pin - guide) = 0;
+});
+
+slider_crank!(one_angle {
+    unknown theta = 3deg;
+    let pin = polar(crank, phi) + polar(rod, theta);
+    loop cross(dir(gamma), pin - guide) = 0;
+    let s = dot(dir(gamma), pin - guide);
+});
+
+slider_crank!(one_slide {
+    unknown s = 126mm;
+    let a = polar(crank, phi);
+    let pin = guide + s * dir(gamma);
+    loop distance(a, pin) = rod;
+    let theta = angle(pin - a);
+});
+
+slider_crank!(unknown_point {
+    unknown pin = (126mm, 21mm);
+    let a = polar(crank, phi);
+    loop distance(a, pin) = rod;
+    loop cross(dir(gamma), pin - guide) = 0;
+    let theta = angle(pin - a);
+    let s = dot(dir(gamma), pin - guide);
+});
+
+slider_crank!(relative_angle {
+    unknown bend = -2deg;
+    unknown s = 126mm;
+    let theta = gamma + bend;
+    let pin = polar(crank, phi) + polar(rod, gamma + bend);
+    loop rotate(polar(rod, bend) - (s, 0mm), gamma) = guide - polar(crank, phi);
+});
+
+macro_rules! moving_guide {
+    ($name:ident { $($items:tt)* }) => {
+        linkage_accuracy::form! {
+            $name(phi) -> [theta, s, pin];
+            pairs crank rod, gamma ratio;
+            fields |g| {
+                crank: g[0], rod: g[1], guide: [g[2], g[3]].into(), gamma: g[4], ratio: g[5]
+            }
+            {
+                unit mm;
+                param crank = 30mm;
+                param rod = 100mm;
+                param guide = (0mm, 10mm);
+                param gamma = 5deg;
+                param ratio = 0.25;
+                input phi = 30deg in 0deg..360deg;
+                let wheel = gamma + ratio * phi;
+                $($items)*
+            }
+        }
+    };
+}
+
+moving_guide!(moving_plain {
+    unknown theta = 10deg;
+    unknown s = 126mm;
+    let a = polar(crank, phi);
+    let pin = a + polar(rod, theta);
+    loop pin = guide + s * dir(wheel);
+});
+
+moving_guide!(moving_other_order {
+    unknown s = 126mm;
+    unknown theta = 10deg;
+    let pin = guide - polar(s, wheel + 180deg);
+    loop -polar(rod, theta) + rotate((s, 0), wheel) + guide = rotate((crank, 0mm), phi);
+});
+
+moving_guide!(moving_across {
+    unknown theta = 10deg;
+    let pin = polar(crank, phi) + polar(rod, theta);
+    loop dot(dir(wheel + 90deg), pin) = dot(dir(wheel + 90deg), guide);
+    let s = dot(pin - guide, dir(wheel));
+});
+
+/// Everything but the ratio, for the guide's angle at the reference input.
+fn geometry(random: &mut linkage_accuracy::Random, spread: f64, ratio: f64) -> Vec<f64> {
+    let [crank, rod, s] = [0; 3].map(|_| random.length(spread));
+    let gamma = random.angle();
+    let phi = 30f64.to_radians();
+    let guide = gamma + ratio * phi;
+    // The link makes an acute angle with the guide; a negative length turns it by half a turn.
+    let theta = guide
+        + random.between(-1.5, 1.5)
+        + if rod < 0.0 {
+            core::f64::consts::PI
+        } else {
+            0.0
+        };
+    let x = crank * phi.cos() + rod * theta.cos() - s * guide.cos();
+    let y = crank * phi.sin() + rod * theta.sin() - s * guide.sin();
+    vec![crank, rod, x, y, gamma, ratio]
+}
+
+const FIXED_PLAN: Plan = Plan {
+    geometry: |random, spread| geometry(random, spread, 0.0),
+    dead_points: &[(1, 1e-3), (0, 60.0)],
+};
+
+const MOVING_PLAN: Plan = Plan {
+    geometry: |random, spread| {
+        let ratio = random.between(-2.0, 2.0);
+        geometry(random, spread, ratio)
+    },
+    dead_points: &[(1, 1e-3)],
+};
+
+const FIXED: &[Form] = forms![
+    plain, slide_first, negative_slide, backward_guide, along_and_across, one_angle, relative_angle;
+    where |g| g[1] > 0.0 => one_slide, unknown_point
+];
+
+/// How many of them come before those with an unknown point or a distance.
+const FITTING: usize = 7;
+
+const MOVING: &[Form] = forms![moving_plain, moving_other_order, moving_across];
+
+#[test]
+fn slider_crank_cycles() {
+    let cases = cycle_cases(&SLIDER_CRANK, &FIXED_PLAN, 30, 11);
+    compare(&SLIDER_CRANK, FIXED, &cases).check(&LIMITS);
+}
+
+#[test]
+fn slider_crank_dead_points() {
+    let cases = dead_point_cases(&SLIDER_CRANK, &FIXED_PLAN, 8, 12);
+    compare(&SLIDER_CRANK, FIXED, &cases).check(&LIMITS);
+}
+
+#[test]
+fn slider_crank_proportions() {
+    let cases = proportion_cases(&SLIDER_CRANK, &FIXED_PLAN, 30, 13);
+    let (fitting, points) = FIXED.split_at(FITTING);
+    compare(&SLIDER_CRANK, fitting, &cases).check(&LIMITS.any_proportions());
+    compare(&SLIDER_CRANK, points, &cases).check(&LIMITS.any_proportions().times(25.0));
+}
+
+#[test]
+fn slider_crank_scales() {
+    let cases = scale_cases(&SLIDER_CRANK, &FIXED_PLAN, 8, 14);
+    compare(&SLIDER_CRANK, FIXED, &cases).check(&LIMITS);
+}
+
+#[test]
+fn moving_guide_cycles() {
+    let cases = cycle_cases(&MOVING_GUIDE, &MOVING_PLAN, 30, 15);
+    // The guide's angle is a sum with a product: its own roundings, of 16 radians at most, move the
+    // guide too.
+    let limits = Limits {
+        condition: 30.0,
+        ..LIMITS
+    };
+    compare(&MOVING_GUIDE, MOVING, &cases).check(&limits);
+}
+
+#[test]
+fn moving_guide_hard_cases() {
+    let mut cases = dead_point_cases(&MOVING_GUIDE, &MOVING_PLAN, 6, 16);
+    cases.extend(scale_cases(&MOVING_GUIDE, &MOVING_PLAN, 4, 17));
+    cases.extend(proportion_cases(&MOVING_GUIDE, &MOVING_PLAN, 20, 18));
+    compare(&MOVING_GUIDE, MOVING, &cases).check(&LIMITS.any_proportions());
+}

@@ -1,0 +1,223 @@
+//! RRR: two links between two known points.
+
+use linkage_accuracy::{
+    Datum, Form, Limits, Output, Plan, System, Unknown, compare, cycle_cases, dead_point_cases,
+    forms, proportion_cases, scale_cases, triangle_gap,
+};
+
+const LIMITS: Limits = Limits {
+    condition: 10.0,
+    value: 4.0,
+    first: 30.0,
+    second: 100.0,
+    third: 100.0,
+};
+
+const FOUR_BAR: System = System {
+    name: "four-bar",
+    data: &[
+        Datum::length("pivot_d.x", 140.0),
+        Datum::length("pivot_d.y", 0.0),
+        Datum::length("crank", 50.0),
+        Datum::length("coupler", 120.0),
+        Datum::length("rocker", 100.0),
+        Datum::length("arm", 70.0),
+        Datum::degrees("lift", 25.0),
+        Datum::degrees("phi", 30.0),
+    ],
+    parameters: 7,
+    unknowns: &[Unknown::angle("theta", 40.0), Unknown::angle("psi", 80.0)],
+    residual: |p| {
+        let closure = p.polar("crank", "phi") + p.polar("coupler", "theta")
+            - p.polar("rocker", "psi")
+            - p.point("pivot_d");
+        vec![closure.x, closure.y]
+    },
+    outputs: |p| {
+        let arm = p.polar("arm", "theta").turned(&p.direction("lift"));
+        let tracer = p.polar("crank", "phi") + arm;
+        vec![
+            Output::Angle(p.direction("theta")),
+            Output::Angle(p.direction("psi")),
+            Output::Value(tracer.x),
+            Output::Value(tracer.y),
+        ]
+    },
+    gap: |p| {
+        let known = p.point("pivot_d") - p.polar("crank", "phi");
+        triangle_gap(p.value("coupler"), p.value("rocker"), &known.norm())
+    },
+    pairs: &[(2, 4), (3, 3)],
+    linear: false,
+    margin: true,
+};
+
+macro_rules! four_bar {
+    ($name:ident { $($items:tt)* }) => {
+        linkage_accuracy::form! {
+            $name(phi) -> [theta, psi, tracer];
+            pairs crank rocker, coupler coupler;
+            fields |g| {
+                pivot_d: [g[0], g[1]].into(), crank: g[2], coupler: g[3], rocker: g[4],
+                arm: g[5], lift: g[6]
+            }
+            {
+                unit mm;
+                param pivot_d = (140mm, 0mm);
+                param crank = 50mm;
+                param coupler = 120mm;
+                param rocker = 100mm;
+                param arm = 70mm;
+                param lift = 25deg;
+                input phi = 30deg in 0deg..360deg;
+                $($items)*
+            }
+        }
+    };
+}
+
+four_bar!(plain {
+    const pivot_a = (0mm, 0mm);
+    unknown theta = 40deg;
+    unknown psi = 80deg;
+    let a = pivot_a + polar(crank, phi);
+    loop a + polar(coupler, theta) = pivot_d + polar(rocker, psi);
+    let tracer = a + polar(arm, theta + lift);
+});
+
+four_bar!(one_side {
+    unknown psi = 80deg;
+    unknown theta = 40deg;
+    let crank_pin = rotate((crank, 0), phi);
+    loop pivot_d + rotate((rocker, 0mm), psi) - polar(coupler, theta) - crank_pin = 0;
+    let tracer = crank_pin + rotate(polar(arm, lift), theta);
+});
+
+four_bar!(directions {
+    unknown theta = 40deg;
+    unknown psi = 80deg;
+    let a = dir(phi) * crank;
+    loop -(a + dir(theta) * coupler) = dir(psi + 180deg) * rocker - pivot_d;
+    let tracer = a + dir(lift + theta) * arm;
+});
+
+four_bar!(quarter_turn {
+    unknown theta = 40deg;
+    unknown psi = 80deg;
+    let square = theta + 90deg;
+    let a = polar(crank, phi);
+    loop a - pivot_d = polar(rocker, psi) + polar(coupler, square + PI / 2);
+    let tracer = a + polar(arm, square - 90deg + lift);
+});
+
+four_bar!(components {
+    unknown theta = 40deg;
+    unknown psi = 80deg;
+    let a = polar(crank, phi);
+    let left = a + polar(coupler, theta);
+    let right = pivot_d + polar(rocker, psi);
+    loop left.x = right.x;
+    loop right.y - left.y = 0;
+    let tracer = a + polar(arm, theta + lift);
+});
+
+four_bar!(sines_and_cosines {
+    unknown theta = 40deg;
+    unknown psi = 80deg;
+    loop crank * cos(phi) + coupler * cos(theta) - rocker * cos(psi) = pivot_d.x;
+    loop crank * sin(phi) + coupler * sin(theta) - rocker * sin(psi) = pivot_d.y;
+    let tracer = (
+        crank * cos(phi) + arm * cos(theta + lift),
+        crank * sin(phi) + arm * sin(theta + lift),
+    );
+});
+
+four_bar!(unknown_point {
+    unknown b = (142mm, 102mm);
+    let a = polar(crank, phi);
+    loop distance(a, b) = coupler;
+    loop distance(b, pivot_d) = rocker;
+    let theta = angle(b - a);
+    let psi = angle(b - pivot_d);
+    let tracer = a + rotate(b - a, lift) * (arm / coupler);
+});
+
+four_bar!(one_distance {
+    unknown psi = 80deg;
+    let a = polar(crank, phi);
+    let b = pivot_d + polar(rocker, psi);
+    loop distance(a, b) = coupler;
+    let theta = angle(b - a);
+    let tracer = a + polar(arm, theta + lift);
+});
+
+four_bar!(relative_angle {
+    unknown theta = 40deg;
+    unknown bend = 40deg;
+    let psi = theta + bend;
+    let a = polar(crank, phi);
+    loop a + polar(coupler, theta) = pivot_d + polar(rocker, theta + bend);
+    let tracer = a + polar(arm, theta + lift);
+});
+
+four_bar!(two_terms {
+    unknown theta = 40deg;
+    unknown psi = 80deg;
+    let a = polar(crank, phi);
+    let tracer = a + polar(arm, theta + lift);
+    loop tracer + polar(coupler, theta) - polar(arm, theta + lift) = pivot_d + polar(rocker, psi);
+});
+
+const FOUR_BAR_PLAN: Plan = Plan {
+    geometry: |random, spread| {
+        let lengths = [0; 4].map(|_| random.length(spread));
+        let [crank, coupler, rocker, arm] = lengths;
+        let theta = random.angle();
+        let bend = random.between(0.05, 3.1);
+        // A negative length turns its link by half a turn, and so the mode.
+        let psi = if coupler * rocker < 0.0 {
+            theta - bend
+        } else {
+            theta + bend
+        };
+        let phi = 30f64.to_radians();
+        let x = crank * phi.cos() + coupler * theta.cos() - rocker * psi.cos();
+        let y = crank * phi.sin() + coupler * theta.sin() - rocker * psi.sin();
+        vec![x, y, crank, coupler, rocker, arm, random.angle()]
+    },
+    dead_points: &[(3, 40.0), (3, 0.01), (4, 40.0), (4, 0.01)],
+};
+
+const FORMS: &[Form] = forms![
+    plain, one_side, directions, quarter_turn, components, sines_and_cosines, relative_angle, two_terms;
+    where |g| g[3] > 0.0 && g[4] > 0.0 => unknown_point, one_distance
+];
+
+/// How many of them come before those with an unknown point or a distance.
+const FITTING: usize = 8;
+
+#[test]
+fn four_bar_cycles() {
+    let cases = cycle_cases(&FOUR_BAR, &FOUR_BAR_PLAN, 30, 1);
+    compare(&FOUR_BAR, FORMS, &cases).check(&LIMITS);
+}
+
+#[test]
+fn four_bar_dead_points() {
+    let cases = dead_point_cases(&FOUR_BAR, &FOUR_BAR_PLAN, 8, 2);
+    compare(&FOUR_BAR, FORMS, &cases).check(&LIMITS);
+}
+
+#[test]
+fn four_bar_proportions() {
+    let cases = proportion_cases(&FOUR_BAR, &FOUR_BAR_PLAN, 30, 3);
+    let (fitting, points) = FORMS.split_at(FITTING);
+    compare(&FOUR_BAR, fitting, &cases).check(&LIMITS.any_proportions());
+    compare(&FOUR_BAR, points, &cases).check(&LIMITS.any_proportions().times(25.0));
+}
+
+#[test]
+fn four_bar_scales() {
+    let cases = scale_cases(&FOUR_BAR, &FOUR_BAR_PLAN, 8, 4);
+    compare(&FOUR_BAR, FORMS, &cases).check(&LIMITS);
+}

@@ -1,0 +1,184 @@
+//! PRP and RPP: two slides along known directions, at rest or moving; the loops are linear.
+
+use linkage_accuracy::{
+    Big, Case, Datum, Form, Limits, Output, Plan, Plane, Random, System, Unknown, compare,
+    cycle_cases, forms, proportion_cases, scale_cases,
+};
+
+const LIMITS: Limits = Limits {
+    condition: 10.0,
+    value: 4.0,
+    first: 30.0,
+    second: 30.0,
+    third: 30.0,
+};
+
+const TWO_SLIDES: System = System {
+    name: "two slides",
+    data: &[
+        Datum::length("crank", 30.0),
+        Datum::length("pivot.x", 20.0),
+        Datum::length("pivot.y", -15.0),
+        Datum::degrees("alpha", 10.0),
+        Datum::degrees("beta", 100.0),
+        Datum::ratio("ratio", 0.1),
+        Datum::degrees("phi", 30.0),
+    ],
+    parameters: 6,
+    unknowns: &[Unknown::slide("s", 10.0), Unknown::slide("t", 10.0)],
+    residual: |p| {
+        let turned = Plane::direction(&(p.value("beta") + p.value("ratio") * p.value("phi")));
+        let closure = p.polar("crank", "phi") + p.direction("alpha").times(p.slide("s"))
+            - p.point("pivot")
+            - turned.times(p.slide("t"));
+        vec![closure.x, closure.y]
+    },
+    outputs: |p| {
+        let pin = p.polar("crank", "phi") + p.direction("alpha").times(p.slide("s"));
+        vec![
+            Output::Value(p.slide("s").clone()),
+            Output::Value(p.slide("t").clone()),
+            Output::Value(pin.x),
+            Output::Value(pin.y),
+        ]
+    },
+    gap: |_| Big::one(),
+    pairs: &[(0, 3), (4, 5)],
+    linear: true,
+    margin: true,
+};
+
+macro_rules! two_slides {
+    ($name:ident { $($items:tt)* }) => {
+        linkage_accuracy::form! {
+            $name(phi) -> [s, t, pin];
+            pairs crank alpha, beta ratio;
+            fields |g| {
+                crank: g[0], pivot: [g[1], g[2]].into(), alpha: g[3], beta: g[4], ratio: g[5]
+            }
+            {
+                unit mm;
+                param crank = 30mm;
+                param pivot = (20mm, -15mm);
+                param alpha = 10deg;
+                param beta = 100deg;
+                param ratio = 0.1;
+                input phi = 30deg in 0deg..360deg;
+                $($items)*
+            }
+        }
+    };
+}
+
+two_slides!(plain {
+    unknown s = 10mm;
+    unknown t = 10mm;
+    let pin = polar(crank, phi) + s * dir(alpha);
+    loop polar(crank, phi) + s * dir(alpha) = pivot + t * dir(beta + ratio * phi);
+});
+
+two_slides!(other_order {
+    unknown t = 10mm;
+    unknown s = 10mm;
+    let guide = beta + ratio * phi;
+    let pin = pivot + polar(t, guide);
+    loop rotate((t, 0), guide) + pivot - rotate((crank, 0), phi) - dir(alpha) * s = 0;
+});
+
+two_slides!(negative_slides {
+    unknown back = -10mm;
+    unknown forth = -10mm;
+    let s = -back;
+    let t = -forth;
+    let guide = beta + ratio * phi;
+    let pin = polar(crank, phi) - polar(back, alpha);
+    loop pin - pivot = polar(forth, guide + 180deg);
+});
+
+two_slides!(components {
+    unknown s = 10mm;
+    unknown t = 10mm;
+    let guide = beta + ratio * phi;
+    let pin = polar(crank, phi) + polar(s, alpha);
+    loop pin.x - t * cos(guide) = pivot.x;
+    loop pivot.y + t * sin(guide) = pin.y;
+});
+
+two_slides!(across_each {
+    unknown s = 10mm;
+    unknown t = 10mm;
+    let guide = dir(beta + ratio * phi);
+    let a = polar(crank, phi);
+    let pin = a + s * dir(alpha);
+    loop cross(guide, pin - pivot) = 0;
+    loop cross(dir(alpha), pivot + t * guide - a) = 0;
+});
+
+two_slides!(unknown_point {
+    unknown pin = (40mm, 18mm);
+    let guide = dir(beta + ratio * phi);
+    let a = polar(crank, phi);
+    loop cross(dir(alpha), pin - a) = 0;
+    loop cross(guide, pin - pivot) = 0;
+    let s = dot(dir(alpha), pin - a);
+    let t = dot(guide, pin - pivot);
+});
+
+fn geometry(random: &mut Random, spread: f64, opening: f64) -> Vec<f64> {
+    let [crank, x, y] = [0; 3].map(|_| random.length(spread));
+    let (alpha, ratio) = (random.angle(), random.between(-1.0, 1.0));
+    let beta = alpha + opening - ratio * 30f64.to_radians();
+    vec![crank, x, y, alpha, beta, ratio]
+}
+
+const PLAN: Plan = Plan {
+    geometry: |random, spread| {
+        let opening = random.between(0.1, 3.0);
+        geometry(random, spread, opening)
+    },
+    dead_points: &[],
+};
+
+const FORMS: &[Form] = forms![plain, other_order, negative_slides, components, across_each,];
+
+/// The unknown point's coordinates stand for the slides; its margin is one of its own equations.
+const TWO_LINES: System = System {
+    margin: false,
+    ..TWO_SLIDES
+};
+
+const POINT: &[Form] = forms![unknown_point];
+
+#[test]
+fn cycles() {
+    let cases = cycle_cases(&TWO_SLIDES, &PLAN, 30, 31);
+    // The second guide's angle is a sum with a product, of 16 radians at most: its roundings move
+    // the guide.
+    let limits = Limits {
+        condition: 30.0,
+        ..LIMITS
+    };
+    compare(&TWO_SLIDES, FORMS, &cases).check(&limits);
+    compare(&TWO_LINES, POINT, &cases).check(&limits);
+}
+
+/// Guides that are parallel but for angles down to 1e-12; the uncertainty grows as their inverse.
+#[test]
+fn nearly_parallel_guides() {
+    let mut random = Random::new(32);
+    let case = |decade: i32| Case {
+        geometry: geometry(&mut random, 6.0, 10f64.powi(-decade)),
+        inputs: vec![TWO_SLIDES.reference_input()],
+    };
+    let cases: Vec<Case> = (1..=12).chain(1..=12).map(case).collect();
+    compare(&TWO_SLIDES, FORMS, &cases).check(&LIMITS);
+    compare(&TWO_LINES, POINT, &cases).check(&LIMITS);
+}
+
+#[test]
+fn proportions_and_scales() {
+    let mut cases = proportion_cases(&TWO_SLIDES, &PLAN, 20, 33);
+    cases.extend(scale_cases(&TWO_SLIDES, &PLAN, 6, 34));
+    compare(&TWO_SLIDES, FORMS, &cases).check(&LIMITS.any_proportions());
+    compare(&TWO_LINES, POINT, &cases).check(&LIMITS.any_proportions());
+}
