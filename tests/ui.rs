@@ -2,7 +2,7 @@
 //!
 //! `tests/ui/pass` holds the programs; the other folders hold mistakes, one kind for each file, by the phase that finds
 //! them, with the messages beside them. `TRYBUILD=overwrite cargo test --test ui` writes the messages anew: read the
-//! difference before you commit it. `cargo test --test ui -- trybuild=formulate` runs the files with that word in their
+//! difference before you commit it. `cargo test --test ui messages -- trybuild=formulate` runs the files with that word in their
 //! path only.
 
 #[test]
