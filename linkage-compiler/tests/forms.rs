@@ -38,6 +38,7 @@ fn two_links() {
         "loop dir(phi) * a + dir(t) * b = c * dir(p) + (d, 0mm);",
         "loop 0 = polar(a, phi) + polar(b, t) - (d, 0) - polar(c, p);",
         "loop (d, 0) - polar(a, phi) = -polar(c, p) + b * dir(t);",
+        "loop polar(a, phi) + polar(b, t + 0 * p) = (d, 0) + polar(c, p);",
         "let arm = (b, 0mm); loop polar(a, phi) + rotate(arm, t) = (d, 0) + rotate((c, 0), p);",
         "loop polar(a, phi) + polar(b - e, t) + polar(e, t) = (d, 0) + polar(c, p);",
         "loop polar(a, phi) + rotate((0, -b), t + 90deg) = (d, 0) - polar(c, p + 180deg);",
@@ -255,5 +256,43 @@ fn coupled_groups_are_named_by_class() {
             messages[0]
         );
         assert!(messages[0].contains(&format!("in loops 1 and 2: {class}, not supported yet")));
+    }
+}
+
+#[test]
+fn a_distance_may_be_given_by_another_distance() {
+    let point = "unknown p = (70mm, 100mm); let pin = polar(a, phi); let pivot = (d, 0mm);";
+    for loops in [
+        "loop distance(p, pin) = distance(pivot, (0mm, e)); loop distance(p, pivot) = b;",
+        "loop distance(pivot, (0mm, e)) = distance(p, pin); loop b = distance(p, pivot);",
+    ] {
+        expect(
+            &format!("{point} {loops}"),
+            &["loops 1 2: two rotors for p"],
+        );
+    }
+}
+
+#[test]
+fn what_cannot_be_solved_at_all_is_said_once() {
+    for (items, message) in [
+        (
+            "param n = 0; unknown x = 1mm; loop n * x = a;",
+            "is singular",
+        ),
+        (
+            "param n = 2; unknown t = 20deg; unknown p = 57deg;
+             loop polar(a, t) + polar(b, p) = polar(a * acos(n), phi);",
+            "is not a finite number",
+        ),
+        (
+            "unknown t = 20deg; unknown p = 57deg; unknown x = 1mm;
+             loop polar(a, t) + polar(a, p) = (9 * d, 0); loop x * cos(t) = a;",
+            "cannot close",
+        ),
+    ] {
+        let messages = groups(items);
+        assert_eq!(messages.len(), 1, "{messages:?}");
+        assert!(messages[0].contains(message), "{messages:?}");
     }
 }

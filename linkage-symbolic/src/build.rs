@@ -104,7 +104,9 @@ impl Graph {
         match (op, values) {
             (_, [Some(x), Some(y), Some(z)]) => self.constant(apply_ternary(op, x, y, z)),
             (Ternary::Select, [Some(s), ..]) => {
-                if s >= 0.0 {
+                if s.is_nan() {
+                    a
+                } else if s >= 0.0 {
                     b
                 } else {
                     c

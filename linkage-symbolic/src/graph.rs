@@ -1,6 +1,6 @@
 //! The arena: nodes, symbols, hash-consing.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::program::{Binary, Source, Ternary, Unary};
 
@@ -217,6 +217,22 @@ impl Graph {
         }
         found.sort_unstable();
         found
+    }
+
+    /// True if `root` is `part` or computed from it, without following definitions.
+    pub fn contains(&self, root: NodeId, part: NodeId) -> bool {
+        let mut seen = HashSet::new();
+        let mut open = vec![root];
+        while let Some(id) = open.pop() {
+            if id == part {
+                return true;
+            }
+            // Operands stand before their operations: nothing below `part` can contain it.
+            if id > part && seen.insert(id) {
+                open.extend(self.node(id).operands());
+            }
+        }
+        false
     }
 
     /// The symbols that `roots` are made of, in order, without following definitions.

@@ -66,18 +66,18 @@ pub fn apply_ternary(op: Ternary, a: f64, b: f64, c: f64) -> f64 {
 
 /// See [`Unary::InverseScale`].
 fn inverse_scale(x: f64) -> f64 {
-    let exponent = (x.to_bits() >> 52) & 0x7ff;
-    match exponent {
-        1..=2045 => f64::from_bits((2046 - exponent) << 52),
-        _ => 1.0,
+    if x == 0.0 || !x.is_finite() {
+        return 1.0;
     }
+    let exponent = (x.to_bits() >> 52) & 0x7ff;
+    f64::from_bits((2046 - exponent.clamp(1, 2045)) << 52)
 }
 
 /// See [`Binary::Root`].
 fn root(q: f64, scale: f64) -> f64 {
     if q > 0.0 {
         q.sqrt()
-    } else if q >= -8.0 * f64::EPSILON * scale.abs() {
+    } else if scale.is_finite() && q >= -8.0 * f64::EPSILON * scale.abs() {
         0.0
     } else {
         f64::NAN

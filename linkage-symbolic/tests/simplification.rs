@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 
-use linkage_symbolic::program::{Binary, Instruction, Source, Unary};
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::interpret::evaluate;
+use linkage_symbolic::program::{Binary, Instruction, Source, Ternary, Unary};
 use linkage_symbolic::schedule::{Slots, schedule, schedule_stages, schedule_whole};
 use linkage_symbolic::{Binding, Graph, NodeId, collect, substitute};
 
@@ -156,4 +158,31 @@ fn substitution_simplifies() {
     let value = g.add(y, negative);
     let map = HashMap::from([(symbol, value)]);
     assert_eq!(substitute(&mut g, &[sum], &map), [y]);
+}
+
+/// A guard against a root that cannot be taken goes where the value contains the root anyway, and only there: whether
+/// it does may depend on what a definition turns out to be.
+#[test]
+fn guards_stay_where_the_root_drops_out() {
+    let Names { mut g, x, p, q, .. } = names();
+    let (direction, factor) = g.unknown("direction");
+    let root = g.binary(Binary::Root, x, p);
+    let along = g.mul(factor, root);
+    let value = g.add(along, q);
+    let guarded = g.ternary(Ternary::Select, root, value, root);
+    let one = g.one();
+    let zero = g.zero();
+    for (definition, guards) in [(one, 0), (zero, 1)] {
+        g.define(direction, definition);
+        let mut inliner = Inliner::default();
+        let copy = inliner.copy(&g, guarded);
+        let program = schedule_whole(&inliner.target, &[copy]);
+        let is_guard = |i: &&Instruction| matches!(i, Instruction::Ternary(Ternary::Select, ..));
+        assert_eq!(program.instructions.iter().filter(is_guard).count(), guards);
+        let load = |source| match source {
+            Source::Input(_) => -1.0,
+            _ => 2.0,
+        };
+        assert!(evaluate(&inliner.target, &[copy], load)[0].is_nan());
+    }
 }

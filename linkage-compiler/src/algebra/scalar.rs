@@ -73,6 +73,7 @@ impl Algebra<'_> {
             .terms
             .iter()
             .map(|&(atom, k)| (atom, factor * k))
+            .filter(|(_, k)| *k != 0.0)
             .collect();
         let node = self.graph.constant(factor);
         Scalar {

@@ -56,7 +56,7 @@ pub(crate) fn assemble_reference(
     let mut start = 0;
     for (index, solved) in formulation.groups.iter().enumerate() {
         let stage = assembly.machine.stages[index].clone();
-        closed &= assembly.close(solved, &stage, start);
+        closed &= assembly.close(solved, &stage, start, closed);
         let slack = assembly.output(stage.slack);
         signs.push(if slack < 0.0 { -1.0 } else { 1.0 });
         start = stage.end;
@@ -102,8 +102,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// Closes one group; false if that was not possible.
-    fn close(&mut self, solved: &Solved, stage: &Stage, start: usize) -> bool {
+    /// Closes one group; false if that was not possible. `closed` says whether all groups before it closed.
+    fn close(&mut self, solved: &Solved, stage: &Stage, start: usize, closed: bool) -> bool {
         let candidates: Vec<Candidate> = match solved.mode {
             None => vec![self.candidate(solved, stage, start, 1.0)],
             Some(_) => [1.0, -1.0]
@@ -124,8 +124,19 @@ impl Assembly<'_, '_> {
         let loops = loop_list(&solved.group.loops);
         let unknowns = self.words.unknowns(&solved.group.unknowns);
         let place = self.words.at_reference(&self.nominal.inputs);
-        if gap.is_nan() && solved.closed.two_modes {
+        let undefined = gap.is_nan() || margin.is_nan();
+        if undefined && !closed {
             // A group before this one did not close and has been reported.
+            return false;
+        }
+        if gap.is_nan() && solved.closed.two_modes {
+            self.diagnostics.error(
+                span,
+                format!(
+                    "{loops} ({unknowns}) cannot be solved{place}: what is known of it is not a finite number\n\
+                     help: look for a division by zero, or a root or an arc function out of its range"
+                ),
+            );
             return false;
         }
         if gap > 0.0 {
@@ -143,7 +154,7 @@ impl Assembly<'_, '_> {
             );
             return false;
         }
-        if margin.is_nan() || margin < SINGULAR {
+        if undefined || margin < SINGULAR {
             self.diagnostics.error(
                 span,
                 format!(

@@ -74,12 +74,10 @@ impl Solver<'_, '_> {
         self.algebra.graph.binary(Binary::Root, q, scale)
     }
 
-    /// A value that is NaN where `h` is, also where `h` drops out of its formula: a guide along an axis leaves the
-    /// other component of a link free of the root, but not of the assembly.
+    /// A value that is NaN where the root `h` is, also where `h` drops out of its formula: a guide along an axis leaves
+    /// the other component of a link free of the root, but not of the assembly. Whether `h` stays is known only
+    /// when definitions are gone (a direction may turn out to be constant): the inliner removes a guard without use.
     pub(super) fn guarded(&mut self, value: NodeId, h: NodeId) -> NodeId {
-        if self.algebra.graph.reachable(&[value]).contains(&h) {
-            return value;
-        }
         self.algebra.graph.ternary(Ternary::Select, h, value, h)
     }
 

@@ -44,7 +44,7 @@ impl Analysis<'_, '_> {
             .enumerate()
             .filter(|(_, e)| e.rows.len() == 1)
         {
-            let Some((vector, length)) = self.distance(equation.rows[0]) else {
+            let Some((vector, length)) = self.distance(equation.rows[0], coordinates) else {
                 continue;
             };
             let mut equations = equations.to_vec();
@@ -70,8 +70,8 @@ impl Analysis<'_, '_> {
         None
     }
 
-    /// A row `|v| - l` (or its negative): `v` and `l`.
-    fn distance(&self, row: NodeId) -> Option<([NodeId; 2], NodeId)> {
+    /// A row `|v| - l` (or its negative) with a known `l`: `v` and `l`.
+    fn distance(&self, row: NodeId, coordinates: &[Coordinate]) -> Option<([NodeId; 2], NodeId)> {
         use linkage_symbolic::Node;
         use linkage_symbolic::program::{Binary, Unary};
         let row = match self.algebra.graph.node(row) {
@@ -81,8 +81,10 @@ impl Analysis<'_, '_> {
         let Node::Binary(Binary::Sub, a, b) = self.algebra.graph.node(row) else {
             return None;
         };
+        let known = |node| coordinates.iter().all(|c| !self.contains(node, c));
         [(a, b), (b, a)]
             .into_iter()
+            .filter(|(_, length)| known(*length))
             .find_map(|(norm, length)| self.algebra.norms.get(&norm).map(|v| (*v, length)))
     }
 
