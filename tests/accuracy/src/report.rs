@@ -48,13 +48,13 @@ pub struct Limits {
 impl Limits {
     /// For mechanisms of extreme proportions: without a limit by the condition number, since a
     /// point on a long arm of a short link moves with that link's error, of which the condition
-    /// number knows nothing (the inherent uncertainty does); and ten times the limits for
+    /// number knows nothing (the inherent uncertainty does); and wider limits, ten times for
     /// derivatives, which are small differences where a mechanism all but turns as a whole.
     pub fn any_proportions(self) -> Self {
         let wider = self.times(10.0);
         Self {
             condition: f64::INFINITY,
-            value: self.value,
+            value: 2.0 * self.value,
             ..wider
         }
     }

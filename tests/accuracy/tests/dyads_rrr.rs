@@ -7,7 +7,7 @@ use linkage_accuracy::{
 
 const LIMITS: Limits = Limits {
     condition: 10.0,
-    value: 4.0,
+    value: 10.0,
     first: 30.0,
     second: 100.0,
     third: 100.0,
@@ -189,7 +189,8 @@ const FOUR_BAR_PLAN: Plan = Plan {
 };
 
 const FORMS: &[Form] = forms![
-    plain, one_side, directions, quarter_turn, components, sines_and_cosines, relative_angle, two_terms;
+    plain, one_side, directions, quarter_turn, components, sines_and_cosines, relative_angle,
+    two_terms;
     where |g| g[3] > 0.0 && g[4] > 0.0 => unknown_point, one_distance
 ];
 

@@ -8,7 +8,7 @@ use linkage_accuracy::{
 /// rounded results.
 const LIMITS: Limits = Limits {
     condition: 30.0,
-    value: 4.0,
+    value: 10.0,
     first: 30.0,
     second: 30.0,
     third: 30.0,

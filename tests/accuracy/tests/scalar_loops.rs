@@ -7,7 +7,7 @@ use linkage_accuracy::{
 
 const LIMITS: Limits = Limits {
     condition: 10.0,
-    value: 4.0,
+    value: 10.0,
     first: 30.0,
     second: 30.0,
     third: 30.0,
