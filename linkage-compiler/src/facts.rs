@@ -2,7 +2,7 @@
 
 use crate::algebra::{Algebra, Nominal};
 use crate::emit::facts::{Facts, GroupFacts, InputFacts};
-use crate::formulate::{Formulation, Reference, Solved, candidate_rates};
+use crate::formulate::{Formulation, Reference, Solved, candidate_rates, followed_range};
 
 pub(crate) fn collect(
     algebra: &Algebra,
@@ -13,6 +13,7 @@ pub(crate) fn collect(
     let inputs = (0..nominal.inputs.len()).map(|input| InputFacts {
         reference: nominal.inputs[input],
         range: nominal.ranges[input],
+        followed: followed_range(algebra, nominal, input),
         rates: candidate_rates(algebra, input),
     });
     Facts {

@@ -78,6 +78,50 @@ fn links_with_offsets_and_mirrored_angles() {
     );
 }
 
+/// Constants, literals, inputs and sums in places where the two components of a vector are built differently.
+#[test]
+fn offsets_in_all_spellings() {
+    for side in ["e", "10mm", "2 * e", "e / 2", "e + 1mm", "-3cm"] {
+        for angle in [
+            "t",
+            "t + lift",
+            "t + 5deg",
+            "phi + t - 40deg",
+            "lift + phi + t - 40deg",
+        ] {
+            expect(
+                &format!(
+                    "{ANGLES} loop polar(a, phi) + rotate((b, {side}), {angle}) = (d, 0) + polar(c, p);"
+                ),
+                &["loops 1: two rotors for t, p"],
+            );
+        }
+    }
+    for loops in [
+        "loop polar(a, phi) + polar(b, t + lift) + polar(10mm, t + 2 * lift) = (d, 0) + polar(c, p);",
+        "loop polar(a, phi) + polar(b, t) + polar(e, t + lift) + polar(3mm, t - lift) = (d, 0) + polar(c, p);",
+        "loop polar(a, phi) + polar(b, t) = (d, 0) + rotate(rotate((c, 10mm), lift), p - 20deg);",
+    ] {
+        expect(
+            &format!("{ANGLES} {loops}"),
+            &["loops 1: two rotors for t, p"],
+        );
+    }
+    expect(
+        "unknown t = 20deg; input s = 110mm; loop distance(rotate((b, 10mm), t + lift), (d, d)) = s;",
+        &["loops 1: two rotors for t"],
+    );
+    expect(
+        "unknown bend = 130deg; unknown s = 90mm;
+         loop (d, 0) + polar(e, phi + bend + lift) + polar(s, phi + bend) = polar(a, phi);",
+        &["loops 1: slide on rotor for bend, s"],
+    );
+    expect(
+        "param n = 2; unknown t = 80deg; loop t / n = phi;",
+        &["loops 1: relation for t"],
+    );
+}
+
 #[test]
 fn loops_by_components_points_and_distances() {
     for loops in [

@@ -103,6 +103,13 @@ impl Algebra<'_> {
         }
     }
 
+    /// Translates the derived names in order: each then finds those before it done, and a long chain does not recurse.
+    pub(crate) fn translate_lets(&mut self) {
+        for index in 0..self.lets.len() {
+            self.name(Name::Let(index));
+        }
+    }
+
     fn name(&mut self, name: Name) -> Value {
         match name {
             Name::Pi => Value::Scalar(self.graph.constant(std::f64::consts::PI).into()),

@@ -1,4 +1,4 @@
-//! A straight-line program as a flat list of `let` statements.
+//! A straight-line program as a flat list of statements.
 
 use std::collections::BTreeMap;
 
@@ -11,11 +11,41 @@ use super::literal;
 /// The statements of `program` over the scalar type `T`; `load` prints where a number comes from.
 pub(super) fn statements(program: &Program, load: &dyn Fn(Source) -> TokenStream) -> TokenStream {
     let pairs = sine_pairs(program);
-    let mut out = TokenStream::new();
+    let long = program.instructions.len() > LONG;
+    let mut out = if long {
+        declarations(program)
+    } else {
+        TokenStream::new()
+    };
+    let keyword = if long {
+        TokenStream::new()
+    } else {
+        quote!(let)
+    };
     for (index, instruction) in program.instructions.iter().enumerate() {
-        out.extend(statement(Value(index), *instruction, &pairs, load));
+        let statement = statement(Value(index), *instruction, &pairs, load);
+        if !statement.is_empty() {
+            out.extend([keyword.clone(), statement]);
+        }
     }
     out
+}
+
+/// Every `let` opens a scope inside the one before, and a debug build of a few thousand nested scopes overflows the stack of
+/// the code generator. Longer programs declare their temporaries beforehand, many in one `let`.
+const LONG: usize = 1000;
+
+/// Temporaries in one declaration.
+const TOGETHER: usize = 200;
+
+fn declarations(program: &Program) -> TokenStream {
+    let names: Vec<Ident> = (0..program.instructions.len())
+        .map(|k| name(Value(k)))
+        .collect();
+    names
+        .chunks(TOGETHER)
+        .map(|names| quote!(let (#(#names,)*);))
+        .collect()
 }
 
 /// The outputs as an array.
@@ -56,6 +86,7 @@ fn sine_pairs(program: &Program) -> BTreeMap<Value, SinePair> {
     pairs
 }
 
+/// `name = expression;`, without `let`.
 fn statement(
     value: Value,
     instruction: Instruction,
@@ -78,7 +109,7 @@ fn statement(
             ternary(operation, &name(a), &name(b), &name(c))
         }
     };
-    quote!(let #result = #expression;)
+    quote!(#result = #expression;)
 }
 
 fn sine_statement(value: Value, operation: Unary, operand: Value, pair: SinePair) -> TokenStream {
@@ -100,12 +131,12 @@ fn sine_statement(value: Value, operation: Unary, operand: Value, pair: SinePair
             )
         };
         let (sine, cosine) = (pattern(pair.sine), pattern(pair.cosine));
-        return quote!(let (#sine, #cosine) = T::sin_cos(#operand););
+        return quote!((#sine, #cosine) = T::sin_cos(#operand););
     }
     match own {
         Some(own) if own != value => {
             let (result, own) = (name(value), name(own));
-            quote!(let #result = #own;)
+            quote!(#result = #own;)
         }
         _ => TokenStream::new(),
     }

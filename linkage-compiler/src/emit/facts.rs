@@ -16,6 +16,8 @@ pub struct Facts {
 pub struct InputFacts {
     pub reference: f64,
     pub range: Option<(f64, f64)>,
+    /// The range over which angles are followed, the reference twice if over none.
+    pub followed: (f64, f64),
     /// Candidates for the turns that an unknown angle makes for each turn of this input.
     pub rates: Vec<f64>,
 }

@@ -1,7 +1,5 @@
 //! How the continuous angles of one lane are followed through the ranges of the inputs.
 
-use std::f64::consts::PI;
-
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -88,7 +86,7 @@ fn search(
     let unknown = &mechanism.unknowns[angle.unknown].name;
     let estimate = literal::float(angle.estimate);
     let along = angle.inputs.iter().map(|&input| {
-        let (low, high) = span(mechanism, facts, input);
+        let (low, high) = facts.inputs[input].followed;
         let (low, high) = (literal::float(low), literal::float(high));
         let rates = facts.inputs[input]
             .rates
@@ -98,17 +96,6 @@ fn search(
         quote!(#runtime::Along { input: #input, low: #low, high: #high, rates: &[#(#rates),*] })
     });
     quote!(#runtime::Angle { unknown: #unknown, estimate: #estimate, along: &[#(#along),*] })
-}
-
-/// The range of an input; without one, a whole turn about the reference for an angle, only the reference for a length.
-fn span(mechanism: &Mechanism, facts: &Facts, input: usize) -> (f64, f64) {
-    let reference = facts.inputs[input].reference;
-    facts.inputs[input]
-        .range
-        .unwrap_or(match mechanism.inputs[input].dimension.half_lengths {
-            0 => (reference - PI, reference + PI),
-            _ => (reference, reference),
-        })
 }
 
 /// The program of the directions, ending in `[[cosine, sine], ...]`.

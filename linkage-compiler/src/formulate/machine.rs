@@ -21,6 +21,7 @@ pub(crate) struct Stage {
     pub(crate) gap: usize,
     pub(crate) slack: usize,
     pub(crate) margin: usize,
+    pub(crate) slack_scale: usize,
     /// Instructions up to here compute this group and those before.
     pub(crate) end: usize,
 }
@@ -57,7 +58,9 @@ impl Machine {
             stage.gap = next + nodes.len();
             stage.slack = stage.gap + 1;
             stage.margin = stage.gap + 2;
-            nodes.extend([solved.closed.gap, solved.closed.slack, solved.closed.margin]);
+            stage.slack_scale = stage.gap + 3;
+            let closed = &solved.closed;
+            nodes.extend([closed.gap, closed.slack, closed.margin, closed.slack_scale]);
             next += nodes.len();
             lists.push(
                 nodes

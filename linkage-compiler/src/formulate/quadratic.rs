@@ -79,7 +79,8 @@ impl Solver<'_, '_> {
             method: "quadratic equation, the root that does not cancel",
             two_modes: true,
             margin: graph.div(h, largest),
-            slack: graph.div(q, size),
+            slack: q,
+            slack_scale: size,
             gap,
             gap_in: GapIn::Unknown,
         }

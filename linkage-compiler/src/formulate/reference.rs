@@ -24,8 +24,8 @@ const AMBIGUOUS: f64 = 0.01;
 #[derive(Debug)]
 pub(crate) struct Reference {
     pub(crate) machine: Machine,
-    /// Signs that make the slack of groups with one solution positive.
-    pub(crate) signs: Vec<f64>,
+    /// Factors that make the slack of each group positive and about 1 at the reference.
+    pub(crate) scales: Vec<f64>,
     /// True if all groups closed.
     pub(crate) closed: bool,
 }
@@ -51,19 +51,20 @@ pub(crate) fn assemble_reference(
         values: Vec::new(),
     };
     assembly.centre_estimates();
-    let mut signs = Vec::new();
+    let mut scales = Vec::new();
     let mut closed = true;
     let mut start = 0;
     for (index, solved) in formulation.groups.iter().enumerate() {
         let stage = assembly.machine.stages[index].clone();
         closed &= assembly.close(solved, &stage, start, closed);
         let slack = assembly.output(stage.slack);
-        signs.push(if slack < 0.0 { -1.0 } else { 1.0 });
+        let scale = assembly.output(stage.slack_scale);
+        scales.push(1.0 / if slack < 0.0 { -scale } else { scale });
         start = stage.end;
     }
     Reference {
         machine: assembly.machine,
-        signs,
+        scales,
         closed,
     }
 }

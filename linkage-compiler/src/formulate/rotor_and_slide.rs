@@ -70,6 +70,7 @@ impl Solver<'_, '_> {
             two_modes: true,
             margin: graph.div(h, r),
             slack: graph.div(q, largest2),
+            slack_scale: graph.one(),
             gap,
             gap_in: GapIn::Loop,
         }

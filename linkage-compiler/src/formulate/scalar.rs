@@ -30,11 +30,11 @@ impl Solver<'_, '_> {
 
         // The factor's largest value is not known; a direction's component reaches 1.
         let one = self.algebra.graph.one();
-        let (margin, slack) = if self.algebra.is_fixed(a) {
-            (one, one)
+        let size = self.abs(a);
+        let (margin, slack, slack_scale) = if self.algebra.is_fixed(a) {
+            (one, one, one)
         } else {
-            let size = self.abs(a);
-            (self.algebra.graph.binary(Binary::Min, size, one), a)
+            (self.algebra.graph.binary(Binary::Min, size, one), a, size)
         };
         Closed {
             kind: "linear",
@@ -44,6 +44,7 @@ impl Solver<'_, '_> {
             two_modes: false,
             margin,
             slack,
+            slack_scale,
             gap: self.linear_gap(a),
             gap_in: GapIn::Loop,
         }
@@ -79,6 +80,7 @@ impl Solver<'_, '_> {
             two_modes: false,
             margin: one,
             slack: one,
+            slack_scale: one,
             gap: zero,
             gap_in: GapIn::Loop,
         }

@@ -67,7 +67,8 @@ impl Solver<'_, '_> {
             method: "tangent from a point to the circle of the guide's offset",
             two_modes: true,
             margin: graph.div(h, distance),
-            slack: graph.div(q, distance2),
+            slack: q,
+            slack_scale: distance2,
             gap,
             gap_in: GapIn::Loop,
         }

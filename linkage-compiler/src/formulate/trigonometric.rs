@@ -66,7 +66,8 @@ impl Solver<'_, '_> {
             method: "unit vector from the tangent to a circle",
             two_modes: true,
             margin: graph.div(h, r),
-            slack: graph.div(q, r2),
+            slack: q,
+            slack_scale: r2,
             gap,
             gap_in: GapIn::Loop,
         }

@@ -85,6 +85,7 @@ impl Solver<'_, '_> {
         let too_near = graph.sub(difference, distance);
         let miss = graph.binary(Binary::Max, too_far, too_near);
         let gap = self.gap(q, noise, miss);
+        let gap = self.defined_gap(gap, m);
         let graph = &mut self.algebra.graph;
         let largest = graph.mul(r1s, r2s);
         let margin = graph.div(h, largest);
@@ -97,6 +98,7 @@ impl Solver<'_, '_> {
             two_modes: true,
             margin,
             slack: graph.div(q, largest2),
+            slack_scale: graph.one(),
             gap,
             gap_in: GapIn::Loop,
         }

@@ -1,6 +1,7 @@
 //! PRP and RPP: two slides along known directions, a linear group.
 
-use linkage_symbolic::SymbolId;
+use linkage_symbolic::program::Binary;
+use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::Term;
 
@@ -34,9 +35,8 @@ impl Solver<'_, '_> {
         terms.push(self.known_term(&known));
         self.push_pair(terms, guides, determinant);
 
-        let [first, second] = guides.map(|guide| self.length_and_unit(guide).0);
+        let largest = self.largest_determinant(guides);
         let graph = &mut self.algebra.graph;
-        let largest = graph.mul(first, second);
         let slack = graph.div(determinant, largest);
         let rigid = self.algebra.is_fixed(determinant);
         Closed {
@@ -48,8 +48,22 @@ impl Solver<'_, '_> {
             two_modes: false,
             margin: self.abs(slack),
             slack,
+            slack_scale: self.algebra.graph.one(),
             gap: self.linear_gap(determinant),
             gap_in: GapIn::Loop,
+        }
+    }
+
+    /// The determinant's largest value: 1 for guides along directions, and for lines given by unit normals.
+    fn largest_determinant(&mut self, guides: [Vector; 2]) -> NodeId {
+        let [along, across] = [guides, [0, 1].map(|k| [guides[0][k], guides[1][k]])].map(|pair| {
+            let [first, second] = pair.map(|v| self.length_and_unit(v).0);
+            self.algebra.graph.mul(first, second)
+        });
+        let one = self.algebra.graph.one();
+        match along == one || across == one {
+            true => one,
+            false => self.algebra.graph.binary(Binary::Max, along, across),
         }
     }
 }

@@ -96,13 +96,18 @@ impl Solver<'_, '_> {
 
     /// 0 where `determinant` is not 0, else NaN: a linear group has nothing to measure a gap by.
     pub(super) fn linear_gap(&mut self, determinant: NodeId) -> NodeId {
-        let size = self.abs(determinant);
+        let zero = self.algebra.graph.zero();
+        self.defined_gap(zero, determinant)
+    }
+
+    /// A gap that is NaN where `size` is 0: parallel guides, or pivots that coincide, which any angle would suit.
+    pub(super) fn defined_gap(&mut self, gap: NodeId, size: NodeId) -> NodeId {
+        let size = self.abs(size);
         let graph = &mut self.algebra.graph;
         let tiny = graph.constant(f64::MIN_POSITIVE);
         let regular = graph.sub(size, tiny);
-        let zero = graph.zero();
         let nan = graph.constant(f64::NAN);
-        graph.ternary(Ternary::Select, regular, zero, nan)
+        graph.ternary(Ternary::Select, regular, gap, nan)
     }
 
     /// The terms `z (c, s')` of a rotating vector.

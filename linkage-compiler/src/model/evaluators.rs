@@ -58,6 +58,7 @@ impl Resolver<'_> {
         taken.insert(format!("{name}Assembly"), (span, assembly));
         for function in &definition.functions {
             self.check_reserved(&function.result);
+            self.check_new_type(&function.result);
             self.take(&mut taken, &function.result, "result type");
         }
         for function in &definition.functions {

@@ -143,6 +143,23 @@ impl<'a> Resolver<'a> {
         }
     }
 
+    /// A result type is new: the name of a well-known type there is a misunderstanding, and would hide that type.
+    pub(super) fn check_new_type(&mut self, ident: &Ident) {
+        const KNOWN: [&str; 14] = [
+            "f64", "f32", "bool", "usize", "i32", "u32", "Vector2", "Vector3", "Self", "Option",
+            "Result", "Vec", "String", "T",
+        ];
+        let text = ident.to_string();
+        if KNOWN.contains(&text.as_str()) {
+            let fact = format!(
+                "`{text}` cannot be the result type: the macro makes a new struct of that name, with one field for \
+                 each quantity"
+            );
+            let help = "choose a name of your own, such as `Path` or `Motion`";
+            self.diagnostics.error_with_help(ident.into(), fact, help);
+        }
+    }
+
     pub(super) fn find(&self, text: &str) -> Option<&Symbol> {
         self.by_name.get(text).map(|index| &self.symbols[*index])
     }

@@ -1,6 +1,6 @@
 //! Recognising a group by its mathematics: its loop as a polynomial in its unknowns.
 
-use linkage_symbolic::{NodeId, Polynomial, SymbolId, collect};
+use linkage_symbolic::{NodeId, Polynomial, SymbolId, agree, collect};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Form, Rotor};
@@ -103,10 +103,11 @@ impl Analysis<'_, '_> {
         let graph = &mut self.algebra.graph;
         let perp = [graph.neg(along[1]), along[0]];
         let back = [along[1], graph.neg(along[0])];
-        let sense = match across {
-            _ if across == perp => 1.0,
-            _ if across == back => -1.0,
-            _ => return None,
+        let equal = |v: [NodeId; 2]| (0..2).all(|k| agree(graph, across[k], v[k]));
+        let sense = match () {
+            () if equal(perp) => 1.0,
+            () if equal(back) => -1.0,
+            () => return None,
         };
         Some(Rotor {
             angle: index,
@@ -191,13 +192,18 @@ impl Analysis<'_, '_> {
         let mut take = |symbols: &[SymbolId]| rest.take(symbols, zero)[0];
         let form = match coordinate.kind {
             CoordinateKind::Angle(angle) => {
-                let symbols = &self.algebra.angles[angle];
+                let symbols = self.algebra.angles[angle].clone();
                 let (a, b) = (take(&[symbols.cos]), take(&[symbols.sin]));
-                Form::Trigonometric {
-                    angle,
-                    a,
-                    b,
-                    c: take(&[]),
+                let (factor, c) = (take(&[symbols.value]), take(&[]));
+                let graph = &mut self.algebra.graph;
+                match (graph.is_zero(a) && graph.is_zero(b), graph.is_zero(factor)) {
+                    (true, false) => {
+                        let quotient = graph.div(c, factor);
+                        let value = graph.neg(quotient).into();
+                        Form::Relation { angle, value }
+                    }
+                    (false, true) => Form::Trigonometric { angle, a, b, c },
+                    _ => return None,
                 }
             }
             CoordinateKind::Length(symbol) => {

@@ -49,6 +49,7 @@ impl Analysis<'_, '_> {
     /// All loops as equations, all unknowns as coordinates.
     pub(super) fn equations(&mut self) -> (Vec<Equation>, Vec<Coordinate>) {
         let mechanism = self.algebra.mechanism;
+        self.algebra.translate_lets();
         let mut equations = Vec::new();
         for (index, item) in mechanism.loops.iter().enumerate() {
             match self.equation(index, item) {

@@ -15,7 +15,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{Algebra, Nominal, Scalar};
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::model::Mechanism;
+use crate::model::{Dimension, Mechanism};
 
 pub(crate) use equations::{Coordinate, Equation};
 
@@ -121,6 +121,21 @@ impl Group {
     pub(crate) fn finds_point(&self, mechanism: &Mechanism) -> bool {
         let point = |&k: &usize| mechanism.unknowns[k].ty.components() == Some(2);
         matches!(self.form, Form::Trigonometric { .. }) && self.unknowns.iter().any(point)
+    }
+
+    /// True for a linear loop whose factor of the unknown is no number.
+    pub(crate) fn factor_has_unit(&self, mechanism: &Mechanism) -> bool {
+        let sides = [
+            &mechanism.loops[self.loops[0]].left,
+            &mechanism.loops[self.loops[0]].right,
+        ];
+        let of_loop = sides.iter().find_map(|side| side.ty.dimension());
+        let of_unknown = self
+            .unknowns
+            .first()
+            .and_then(|&k| mechanism.unknowns[k].ty.dimension());
+        let halves = |dimension: Option<Dimension>| dimension.map(|d| d.half_lengths);
+        matches!(self.form, Form::Linear { .. }) && halves(of_loop) != halves(of_unknown)
     }
 }
 

@@ -123,7 +123,14 @@ impl Analysis<'_, '_> {
         let loops = loop_list(equations.iter().flat_map(|e| &e.loops));
         let own = coordinates.iter().filter_map(|c| c.unknown);
         let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
-        let names = self.names(own.chain(eliminated).collect());
+        let mut unknowns: Vec<usize> = own.chain(eliminated).collect();
+        unknowns.sort_unstable();
+        unknowns.dedup();
+        let count: usize = unknowns
+            .iter()
+            .map(|&k| self.algebra.components_of(k))
+            .sum();
+        let names = self.names(unknowns);
         let span = self
             .origins
             .span(self.algebra.mechanism.loops[equations[0].loops[0]].origin);
@@ -136,7 +143,7 @@ impl Analysis<'_, '_> {
             )
         } else {
             format!(
-                "a group of {rows} unknowns ({names}) in {loops}: {}, not supported yet\n\
+                "a group of {count} unknowns ({names}) in {loops}: {}, not supported yet\n\
                  help: groups of class II (two unknowns in one loop) are solved; check that the loops need to be coupled",
                 self.class_name(equations, coordinates)
             )

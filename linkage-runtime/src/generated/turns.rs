@@ -1,9 +1,7 @@
 //! Centres and windings of continuous angles: `angle = angle_near(.., centre + sum of winding * input)`.
 
-use core::f64::consts::PI;
-
 use crate::Scalar;
-use crate::numeric::winding::follow;
+use crate::numeric::winding::{Centre, follow};
 
 /// The centre of each of `A` angles, and the turns it makes for each turn of each of `I` inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,11 +104,7 @@ fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
     Ok(turns)
 }
 
-/// Centre and windings of one angle. Along input `i` alone, `angle = c_i + k_i x_i + remainder`, the remainder lying
-/// evenly about zero; `m_i = c_i + k_i x_i - angle` at the start is how far the middle of the motion along `i` is from
-/// the angle there. Motions along several inputs add up, and so do their middles:
-/// `c = angle + sum m_i - sum k_i x_i`, all at the start. Where the sum is so large that the angle at the start would
-/// be a turn off, their mean takes its place.
+/// Centre and windings of one angle.
 fn wind_one<const I: usize>(
     angle: &Angle,
     start: [f64; I],
@@ -122,8 +116,7 @@ fn wind_one<const I: usize>(
         return None;
     }
     let mut windings = [0.0; I];
-    let mut middle = 0.0;
-    let mut turned = 0.0;
+    let mut centre = Centre::new(here);
     for &Along {
         input,
         low,
@@ -142,11 +135,7 @@ fn wind_one<const I: usize>(
             direction(inputs)
         })?;
         windings[input] = along.turns;
-        middle += along.centre + along.turns * x - here;
-        turned += along.turns * x;
+        centre.add(along, x);
     }
-    if middle.abs() > 0.9 * PI {
-        middle /= angle.along.len() as f64;
-    }
-    Some((here + middle - turned, windings))
+    Some((centre.value(), windings))
 }

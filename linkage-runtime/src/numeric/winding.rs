@@ -9,6 +9,9 @@ const COMFORT: f64 = 0.8 * PI;
 /// Remainders must stay below this.
 const LIMIT: f64 = 0.95 * PI;
 
+/// Longer walks are not begun: thousands of turns of the fastest candidate.
+const MOST_RADIANS: f64 = 16384.0;
+
 /// The angle is within half a turn of `centre + turns * x` for every input `x` of a range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Winding {
@@ -25,8 +28,8 @@ pub struct Winding {
 /// both ways as far as it exists. Of the candidate `rates` (radians per unit of input) the slowest
 /// one is taken from which the angle strays by less than 0.8 pi, whole rates before fractions
 /// because they hold beyond the range too; else the one from which it strays least, else its mean
-/// slope. `None` if it strays by 0.95 pi or more from all of them or does not exist at the
-/// reference.
+/// slope. `None` if it strays by 0.95 pi or more from all of them, does not exist at the
+/// reference, or if the fastest candidate turns more than 16384 radians over the range.
 ///
 /// ```
 /// use linkage_runtime::numeric::winding::follow;
@@ -53,7 +56,13 @@ pub fn follow(
     if !(lo.is_finite() && hi.is_finite() && reference.is_finite() && estimate.is_finite()) {
         return None;
     }
-    let step = step(hi - lo, rates);
+    let fastest = rates
+        .iter()
+        .fold(0.0, |fastest: f64, rate| fastest.max(rate.abs()));
+    if (hi - lo) * fastest > MOST_RADIANS {
+        return None;
+    }
+    let step = step(hi - lo, fastest);
     let mut path = Path {
         reference,
         estimate,
@@ -84,15 +93,58 @@ pub fn follow(
     best.filter(|best| best.width() < LIMIT).map(Stray::winding)
 }
 
+/// The centre of an angle that follows several inputs.
+///
+/// Along input `i` alone, `angle = c_i + k_i x_i + remainder`, the remainder lying evenly about zero;
+/// `m_i = c_i + k_i x_i - angle` at the start is how far the middle of the motion along `i` is from
+/// the angle there. Motions along several inputs add up, and so do their middles:
+/// `c = angle + sum m_i - sum k_i x_i`, all at the start. Where the sum is so large that the angle at
+/// the start would be a turn off, their mean takes its place.
+#[derive(Clone, Copy, Debug)]
+pub struct Centre {
+    angle: f64,
+    middle: f64,
+    turned: f64,
+    inputs: u32,
+}
+
+impl Centre {
+    /// Of an angle with this value at the start.
+    pub fn new(angle: f64) -> Self {
+        Self {
+            angle,
+            middle: 0.0,
+            turned: 0.0,
+            inputs: 0,
+        }
+    }
+
+    /// Adds the motion along an input that is `x` at the start.
+    pub fn add(&mut self, along: Winding, x: f64) {
+        self.middle += along.centre + along.turns * x - self.angle;
+        self.turned += along.turns * x;
+        self.inputs += 1;
+    }
+
+    /// The centre for all inputs together.
+    pub fn value(&self) -> f64 {
+        let middle = if self.middle.abs() > 0.9 * PI {
+            self.middle / f64::from(self.inputs)
+        } else {
+            self.middle
+        };
+        self.angle + middle - self.turned
+    }
+}
+
 /// Candidate rates that are compared in one walk.
 const TOGETHER: usize = 8;
 
 /// First step of a walk: short enough that the fastest candidate turns by a quarter radian.
-fn step(range: f64, rates: &[f64]) -> f64 {
-    let fastest = rates
-        .iter()
-        .fold(1.0, |fastest: f64, rate| fastest.max(rate.abs()));
-    (range / 256.0).min(0.25 / fastest).max(range / 65536.0)
+fn step(range: f64, fastest: f64) -> f64 {
+    (range / 256.0)
+        .min(0.25 / fastest.max(1.0))
+        .max(range / 65536.0)
 }
 
 /// How far an angle strays from a line of a given rate.

@@ -273,6 +273,7 @@ fn facts() -> Facts {
         inputs: vec![InputFacts {
             reference: 0.5,
             range: None,
+            followed: (0.0, 0.0),
             rates: vec![0.0, 1.0, -1.0],
         }],
         groups: vec![group("RRP", "theta", Some(0))],
