@@ -1,6 +1,6 @@
 //! Running through the declared ranges on numbers.
 
-use linkage_runtime::numeric::range::first_failure;
+use linkage_runtime::numeric::range::{Failure, first_failure, minimum};
 
 use crate::algebra::Nominal;
 use crate::model::Dimension;
@@ -74,13 +74,33 @@ impl Ranges<'_> {
         let step = (high - low) * END;
         inputs[input] = failure.at + if failure.above { step } else { -step };
         let (_, group) = self.slack(&inputs);
-        // Where the slack rises slowly from a dead point at an end of the range, that end is meant.
-        let near = |end: f64| (failure.at - end).abs() < 1e-6 * (high - low);
-        inputs[input] = [low, high]
-            .into_iter()
-            .find(|&end| near(end))
-            .unwrap_or(failure.at);
+        inputs[input] = self.dead_point(input, failure);
         Some((inputs, group.min(self.formulation.groups.len() - 1)))
+    }
+
+    /// The dead point behind a failure: the end of the range where the slack rises slowly from there, the place where it
+    /// touches zero and returns, else the failure itself.
+    fn dead_point(&mut self, input: usize, failure: Failure) -> f64 {
+        let (low, high) = self.nominal.ranges[input].unwrap_or((failure.at, failure.at));
+        let near = |end: &f64| (failure.at - *end).abs() < 1e-6 * (high - low);
+        if let Some(end) = [low, high].into_iter().find(near) {
+            return end;
+        }
+        let reach = 1e-4 * (high - low);
+        let (from, to) = match failure.above {
+            true => (failure.at, (failure.at + reach).min(high)),
+            false => ((failure.at - reach).max(low), failure.at),
+        };
+        let mut inputs = self.nominal.inputs.clone();
+        let (lowest, slack) = minimum(from, to, 8, |x| {
+            inputs[input] = x;
+            self.slack(&inputs).0
+        });
+        if slack.abs() < DEAD {
+            lowest
+        } else {
+            failure.at
+        }
     }
 
     /// The first position of a grid over several inputs that cannot be assembled.
