@@ -109,7 +109,11 @@ impl<'a> Guess<'a> {
             "velocity" | "acceleration" => first(),
             "sensitivity" => {
                 let listed = match arguments.get(1).map(|list| &list.kind) {
-                    Some(ExprKind::List(list)) => list.len(),
+                    // A vector parameter stands for its components.
+                    Some(ExprKind::List(list)) => list
+                        .iter()
+                        .map(|entry| self.shape(entry, inputs).width())
+                        .sum(),
                     _ => self.scalar_parameters,
                 };
                 array(listed, first())

@@ -124,7 +124,13 @@ impl Parser<'_> {
             return self.expected("a component after `.`", help);
         };
         if self.stream.group(1, Delimiter::Parenthesis).is_some() {
-            let help = format!("write `{field}(...)` with the value as an argument");
+            let help = match field.to_string().as_str() {
+                "powi" | "powf" | "pow" => "write `a * a` for a square".to_owned(),
+                "to_degrees" | "to_radians" => {
+                    "angles carry their unit (`30deg`) and are radians in results".to_owned()
+                }
+                _ => format!("write `{field}(...)` with the value as an argument"),
+            };
             return self.fail("there are no methods here, only functions", &help);
         }
         if is_keyword(&field.to_string()) {
