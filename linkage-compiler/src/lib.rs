@@ -84,7 +84,7 @@ pub fn analyse(
     let lowered = lower::lower(&mut algebra, &formulation, &nominal, origins, diagnostics);
     if reference.closed {
         let asked = &lowered.continuous_angles;
-        let checked = (&algebra, &formulation, &nominal);
+        let checked = (&mut algebra, &formulation, &nominal);
         formulate::check_ranges(checked, &mut reference, asked, origins, diagnostics);
     }
     let facts = facts::collect(&algebra, &formulation, &nominal, &reference);

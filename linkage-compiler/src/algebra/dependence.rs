@@ -24,24 +24,7 @@ impl Algebra<'_> {
         found
     }
 
-    /// The inputs that nodes depend on, in order, by a complete search; see [`inputs_below`](Self::inputs_below) for
-    /// repeated questions.
-    pub(crate) fn inputs_of_nodes(&self, nodes: &[NodeId]) -> Vec<usize> {
-        let symbols = self.symbols_below(nodes);
-        let sources = symbols
-            .iter()
-            .map(|&symbol| self.graph.symbol(symbol).source);
-        let mut inputs: Vec<usize> = sources
-            .filter_map(|source| match source {
-                Some(Source::Input(index)) => Some(index),
-                _ => None,
-            })
-            .collect();
-        inputs.sort_unstable();
-        inputs
-    }
-
-    /// The inputs that nodes depend on, in order.
+    /// The inputs that nodes depend on, in order. Remembered for each symbol: the definitions below must be complete.
     pub(crate) fn inputs_below(&mut self, nodes: &[NodeId]) -> Vec<usize> {
         let mut inputs: Vec<usize> = self
             .graph

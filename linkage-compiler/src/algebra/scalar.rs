@@ -3,7 +3,7 @@
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Binding, Node, NodeId};
 
-use super::Algebra;
+use super::{Algebra, Angle};
 
 /// Powers of a unit vector up to this one are products; beyond, the angle itself is cheaper.
 const MAX_POWER: f64 = 8.0;
@@ -199,8 +199,6 @@ impl Algebra<'_> {
         self.graph.binding(node) < Binding::Call
     }
 }
-
-use super::Angle;
 
 /// Cosine and sine of a constant; multiples of a quarter turn give 0 and 1 exactly.
 fn cos_sin_exact(angle: f64) -> [f64; 2] {

@@ -14,7 +14,7 @@ use super::{Formulation, Reference};
 /// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.
 /// `asked` are the angles whose values functions use.
 pub(crate) fn check_ranges(
-    (algebra, formulation, nominal): (&Algebra, &Formulation, &Nominal),
+    (algebra, formulation, nominal): (&mut Algebra, &Formulation, &Nominal),
     reference: &mut Reference,
     asked: &[ContinuousAngle],
     origins: &Origins,
@@ -66,7 +66,7 @@ pub(crate) fn check_ranges(
     };
     if let Some((inputs, group)) = failure {
         let solved = &formulation.groups[group];
-        let concerned = algebra.inputs_of_nodes(&[solved.closed.slack]);
+        let concerned = algebra.inputs_below(&[solved.closed.slack]);
         let input = *declared
             .iter()
             .find(|k| concerned.contains(k))

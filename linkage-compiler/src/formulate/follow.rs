@@ -1,8 +1,10 @@
 //! Following angles whose values are used over the ranges of the inputs.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use linkage_runtime::numeric::winding::{Centre, follow};
+use linkage_symbolic::interpret::apply_ternary;
+use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{Algebra, Atom, Nominal};
 
@@ -69,8 +71,7 @@ impl Ranges<'_> {
     /// The angle at given inputs that is nearest to `guide`.
     fn angle(&mut self, output: usize, inputs: &[f64], guide: f64) -> f64 {
         let [cos, sin] = self.direction(output, inputs);
-        let angle = sin.atan2(cos);
-        angle + TAU * ((guide - angle) / TAU).round_ties_even()
+        apply_ternary(Ternary::AngleNear, sin, cos, guide)
     }
 
     /// With several inputs: the angle, followed from neighbour to neighbour over a grid, is the one nearest to its guide.

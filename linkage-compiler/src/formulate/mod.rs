@@ -24,7 +24,7 @@ use std::collections::HashMap;
 use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{Algebra, Rule};
-use crate::model::{Dimension, Mechanism, Type};
+use crate::model::{Dimension, Mechanism};
 use crate::structure::{Group, Structure};
 
 use solver::Solver;
@@ -77,17 +77,9 @@ pub(crate) struct Solved {
 impl Solved {
     /// The dimension of the group's gap.
     pub(crate) fn gap_dimension(&self, mechanism: &Mechanism) -> Dimension {
-        let equation = &mechanism.loops[self.group.loops[0]];
-        let sides = [&equation.left.ty, &equation.right.ty];
-        let of_loop = sides.into_iter().find_map(Type::dimension);
-        let unknown = self
-            .group
-            .unknowns
-            .first()
-            .map(|&k| &mechanism.unknowns[k].ty);
         let dimension = match self.closed.gap_in {
-            GapIn::Loop => of_loop,
-            GapIn::Unknown => unknown.and_then(Type::dimension),
+            GapIn::Loop => self.group.loop_dimension(mechanism),
+            GapIn::Unknown => self.group.unknown_dimension(mechanism),
         };
         dimension.unwrap_or(Dimension::LENGTH)
     }

@@ -1,10 +1,10 @@
 //! Closing the loops at the reference input: the assembly mode of each group, chosen by the start estimates.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use linkage_symbolic::NodeId;
-use linkage_symbolic::interpret::evaluate;
-use linkage_symbolic::program::Source;
+use linkage_symbolic::interpret::{apply_ternary, evaluate};
+use linkage_symbolic::program::{Source, Ternary};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
@@ -202,10 +202,10 @@ impl Assembly<'_, '_> {
             let estimate = &self.nominal.estimates[unknown];
             let value: Vec<f64> = match self.algebra.bound[unknown] {
                 Bound::Angle(_) => {
-                    let angle = self.output(output + 1).atan2(self.output(output));
-                    let turns = ((estimate[0] - angle) / TAU).round_ties_even();
-                    square += (angle + TAU * turns - estimate[0]).clamp(-PI, PI).powi(2);
-                    vec![angle + TAU * turns]
+                    let (sin, cos) = (self.output(output + 1), self.output(output));
+                    let angle = apply_ternary(Ternary::AngleNear, sin, cos, estimate[0]);
+                    square += (angle - estimate[0]).clamp(-PI, PI).powi(2);
+                    vec![angle]
                 }
                 Bound::Lengths(_) => {
                     let value: Vec<f64> = (0..estimate.len())

@@ -27,10 +27,15 @@ pub(super) fn request<'m>(
         algebra,
         definition,
         margin: None,
+        asks_margin: false,
         requested: Requested::default(),
     };
-    // Which groups the margin is taken over follows from the other quantities.
     let nodes = request.all();
+    if !request.asks_margin {
+        request.requested.nodes = nodes;
+        return request.requested;
+    }
+    // Which groups the margin is taken over follows from the other quantities.
     let margin = request.margin_over(formulation, &nodes);
     request.margin = Some(margin);
     request.requested = Requested::default();
@@ -43,6 +48,7 @@ struct Request<'a, 'm> {
     definition: &'a EvaluatorDef,
     /// The smallest margin; `None` while it is not known yet.
     margin: Option<NodeId>,
+    asks_margin: bool,
     requested: Requested,
 }
 
@@ -171,6 +177,7 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 Value::Array(entries.collect())
             }
             _ => {
+                self.asks_margin = true;
                 let one = self.algebra.graph.one();
                 Value::Scalar(self.margin.unwrap_or(one).into())
             }

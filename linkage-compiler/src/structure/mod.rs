@@ -15,7 +15,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{Algebra, Nominal, Scalar};
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::model::{Dimension, Mechanism};
+use crate::model::{Dimension, Mechanism, Type};
 
 pub(crate) use equations::{Coordinate, Equation};
 
@@ -123,18 +123,26 @@ impl Group {
         matches!(self.form, Form::Trigonometric { .. }) && self.unknowns.iter().any(point)
     }
 
+    /// The dimension of both sides of its loop.
+    pub(crate) fn loop_dimension(&self, mechanism: &Mechanism) -> Option<Dimension> {
+        let equation = &mechanism.loops[self.loops[0]];
+        let sides = [&equation.left.ty, &equation.right.ty];
+        sides.into_iter().find_map(Type::dimension)
+    }
+
+    /// The dimension of its first unknown.
+    pub(crate) fn unknown_dimension(&self, mechanism: &Mechanism) -> Option<Dimension> {
+        let unknown = self.unknowns.first()?;
+        mechanism.unknowns[*unknown].ty.dimension()
+    }
+
     /// True for a linear loop whose factor of the unknown is no number.
     pub(crate) fn factor_has_unit(&self, mechanism: &Mechanism) -> bool {
-        let sides = [
-            &mechanism.loops[self.loops[0]].left,
-            &mechanism.loops[self.loops[0]].right,
-        ];
-        let of_loop = sides.iter().find_map(|side| side.ty.dimension());
-        let of_unknown = self
-            .unknowns
-            .first()
-            .and_then(|&k| mechanism.unknowns[k].ty.dimension());
         let halves = |dimension: Option<Dimension>| dimension.map(|d| d.half_lengths);
+        let (of_loop, of_unknown) = (
+            self.loop_dimension(mechanism),
+            self.unknown_dimension(mechanism),
+        );
         matches!(self.form, Form::Linear { .. }) && halves(of_loop) != halves(of_unknown)
     }
 }
