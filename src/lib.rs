@@ -14,6 +14,8 @@ pub use linkage_runtime::{
     AssemblyError, AssemblyMode, FunctionInfo, Group, Operations, Parameter, Scalar, Structure,
     Vector2, Vector3, true_acceleration, true_velocity,
 };
+#[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
+pub use linkage_runtime::{Handle, Scene};
 
 /// Compiles a planar mechanism: a struct block with dimensions, inputs, unknowns and loops, then an
 /// `impl` block with functions, listed by the quantities that they give.
@@ -69,12 +71,16 @@ pub mod __private {
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::Columns;
     pub use linkage_runtime::generated::close;
+    #[cfg(feature = "rayon")]
+    pub use linkage_runtime::generated::fill_parallel;
     #[cfg(any(feature = "std", feature = "libm"))]
     pub use linkage_runtime::generated::{Along, Angle, Turns, turns, wind};
     #[cfg(feature = "alloc")]
-    pub use linkage_runtime::generated::{Kernel, Vec, assemblies, fill};
+    pub use linkage_runtime::generated::{
+        Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_slices, put, rows,
+    };
     pub use linkage_runtime::{
-        AssemblyError, AssemblyMode, FunctionInfo, Group, Operations, Parameter, Scalar, Structure,
-        Vector2, Vector3, if_alloc,
+        AssemblyError, AssemblyMode, FUSED, FunctionInfo, Group, Operations, Parameter, Scalar,
+        Structure, Vector2, Vector3, if_alloc, if_rayon,
     };
 }

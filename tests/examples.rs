@@ -26,10 +26,13 @@ macro_rules! example {
 }
 
 example!(crank_rocker, "../examples/crank_rocker.rs");
+example!(double_double, "../examples/double_double.rs");
 example!(drag_link, "../examples/drag_link.rs");
 example!(favorit, "../examples/favorit.rs");
 example!(geared_five_bar, "../examples/geared_five_bar.rs");
 example!(gears, "../examples/gears.rs");
 example!(hydraulic_cylinder, "../examples/hydraulic_cylinder.rs");
+example!(machine, "../examples/machine.rs");
 example!(quick_return, "../examples/quick_return.rs");
+example!(stability, "../examples/stability.rs");
 example!(trammel, "../examples/trammel.rs");

@@ -26,6 +26,8 @@ const LINE: usize = 64;
 #[derive(Clone)]
 pub struct Columns<T> {
     data: Vec<T>,
+    /// Where the first column begins: at a cache line, unless this is a clone.
+    start: usize,
     width: usize,
     len: usize,
     distance: usize,
@@ -37,6 +39,7 @@ impl<T: Scalar> Columns<T> {
     pub fn new(width: usize, len: usize) -> Self {
         let mut columns = Self {
             data: Vec::new(),
+            start: 0,
             width,
             len: 0,
             distance: 0,
@@ -54,9 +57,20 @@ impl<T: Scalar> Columns<T> {
         }
         self.len = len;
         self.distance = distance(len, size_of::<T>());
+        let unit = line(size_of::<T>());
         self.data.clear();
         self.data
-            .resize(self.width * self.distance, T::from_f64(f64::NAN));
+            .resize(self.width * self.distance + unit - 1, T::from_f64(f64::NAN));
+        let start = self.data.as_ptr().align_offset(LINE);
+        self.start = if start < unit { start } else { 0 };
+    }
+
+    /// The first `W` columns, to write to; empty ones where there are fewer.
+    pub(crate) fn all_mut<const W: usize>(&mut self) -> [&mut [T]; W] {
+        let len = self.len;
+        let mut columns = self.data[self.start..].chunks_mut(self.distance.max(1));
+        let columns = core::array::from_fn(|_| columns.next().unwrap_or_default());
+        columns.map(|column| &mut column[..len])
     }
 }
 
@@ -90,7 +104,7 @@ impl<T: Copy> Columns<T> {
     #[inline]
     pub fn column(&self, index: usize) -> &[T] {
         assert!(index < self.width, "column {index} of {}", self.width);
-        &self.data[index * self.distance..][..self.len]
+        &self.data[self.start + index * self.distance..][..self.len]
     }
 
     /// One column, to write to.
@@ -101,7 +115,7 @@ impl<T: Copy> Columns<T> {
     #[inline]
     pub fn column_mut(&mut self, index: usize) -> &mut [T] {
         assert!(index < self.width, "column {index} of {}", self.width);
-        &mut self.data[index * self.distance..][..self.len]
+        &mut self.data[self.start + index * self.distance..][..self.len]
     }
 
     /// Writes a row: the first value into the first column and so on; values beyond the last column
@@ -112,7 +126,10 @@ impl<T: Copy> Columns<T> {
     #[inline]
     pub fn set_row(&mut self, row: usize, values: impl IntoIterator<Item = T>) {
         assert!(row < self.len, "row {row} of {}", self.len);
-        let cells = self.data.iter_mut().skip(row).step_by(self.distance);
+        let cells = self.data[self.start..]
+            .iter_mut()
+            .skip(row)
+            .step_by(self.distance);
         cells.zip(values).for_each(|(cell, value)| *cell = value);
     }
 
@@ -130,8 +147,13 @@ impl<T: Copy> Columns<T> {
 /// Distance between columns, in elements of `size` bytes: an odd number of cache lines, or of
 /// elements where these are larger.
 fn distance(len: usize, size: usize) -> usize {
-    let unit = (LINE / size.max(1)).max(1);
+    let unit = line(size);
     (len.div_ceil(unit) | 1) * unit
+}
+
+/// Elements of `size` bytes in a cache line, at least 1.
+fn line(size: usize) -> usize {
+    (LINE / size.max(1)).max(1)
 }
 
 impl<T: Copy + PartialEq> PartialEq for Columns<T> {

@@ -11,8 +11,10 @@ pub use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 pub use close::assemblies;
 pub use close::close;
+#[cfg(feature = "rayon")]
+pub use sweep::fill_parallel;
 #[cfg(feature = "alloc")]
-pub use sweep::{Kernel, fill};
+pub use sweep::{Arguments, Block, Inputs, Kernel, Sets, fill, fill_slices, put, rows};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use turns::{Along, Angle, Turns, turns, wind};
 
@@ -29,5 +31,21 @@ macro_rules! if_alloc {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! if_alloc {
+    ($($item:tt)*) => {};
+}
+
+/// Its content if feature `rayon` is on, else nothing.
+#[cfg(feature = "rayon")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_rayon {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Its content if feature `rayon` is on, else nothing.
+#[cfg(not(feature = "rayon"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_rayon {
     ($($item:tt)*) => {};
 }

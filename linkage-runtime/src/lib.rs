@@ -4,8 +4,8 @@
 //! Users reach everything here through the facade crate `linkage`.
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
-//! everything that computes angles), `alloc` (part of `std`: `Columns`), `nalgebra` (`Vector2`,
-//! `Vector3`), `simba` (`Lanes`) and `num-dual` (`Dual`).
+//! everything that computes angles), `alloc` (part of `std`: `Columns`, `Scene`), `nalgebra`
+//! (`Vector2`, `Vector3`), `simba` (`Lanes`) and `num-dual` (`Dual`).
 #![no_std]
 #![warn(missing_docs)]
 
@@ -17,6 +17,8 @@ extern crate std;
 #[cfg(feature = "alloc")]
 mod columns;
 mod data;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod elementary;
 mod error;
 #[doc(hidden)]
 pub mod generated;
@@ -25,6 +27,8 @@ mod math;
 mod motion;
 pub mod numeric;
 mod scalar;
+#[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
+mod scene;
 mod structure;
 mod words;
 
@@ -37,9 +41,13 @@ pub use motion::{true_acceleration, true_velocity};
 pub use nalgebra::{Vector2, Vector3};
 #[cfg(feature = "num-dual")]
 pub use scalar::Dual;
+#[doc(hidden)]
+pub use scalar::FUSED;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use scalar::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use scalar::Lanes;
 pub use scalar::Scalar;
+#[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
+pub use scene::{Handle, Scene};
 pub use structure::{FunctionInfo, Group, Structure};

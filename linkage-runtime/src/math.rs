@@ -2,30 +2,14 @@
 //! place that knows which.
 
 macro_rules! functions {
-    ($module:ident, $float:ty, $sqrt:ident, $sincos:ident, $tan:ident, $asin:ident, $acos:ident,
-     $atan:ident, $atan2:ident) => {
+    ($module:ident, $float:ty, $sqrt:ident, $tan:ident, $asin:ident, $acos:ident,
+     $atan:ident) => {
         pub(crate) mod $module {
             functions!(@one $float, sqrt, $sqrt);
             functions!(@one $float, tan, $tan);
             functions!(@one $float, asin, $asin);
             functions!(@one $float, acos, $acos);
             functions!(@one $float, atan, $atan);
-
-            #[inline(always)]
-            pub(crate) fn sin_cos(x: $float) -> ($float, $float) {
-                #[cfg(feature = "std")]
-                return x.sin_cos();
-                #[cfg(not(feature = "std"))]
-                return libm::$sincos(x);
-            }
-
-            #[inline(always)]
-            pub(crate) fn atan2(y: $float, x: $float) -> $float {
-                #[cfg(feature = "std")]
-                return y.atan2(x);
-                #[cfg(not(feature = "std"))]
-                return libm::$atan2(y, x);
-            }
         }
     };
     (@one $float:ty, $name:ident, $libm:ident) => {
@@ -39,7 +23,5 @@ macro_rules! functions {
     };
 }
 
-functions!(double, f64, sqrt, sincos, tan, asin, acos, atan, atan2);
-functions!(
-    single, f32, sqrtf, sincosf, tanf, asinf, acosf, atanf, atan2f
-);
+functions!(double, f64, sqrt, tan, asin, acos, atan);
+functions!(single, f32, sqrtf, tanf, asinf, acosf, atanf);

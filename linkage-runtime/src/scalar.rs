@@ -23,6 +23,13 @@ pub use lanes::Lanes;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+/// Whether this build may use fused multiply-add instructions everywhere. Sweeps may use them where the machine turns
+/// out to have them.
+pub const FUSED: bool = cfg!(all(
+    feature = "std",
+    any(target_feature = "fma", target_arch = "aarch64")
+));
+
 /// A real number, or several side by side (lanes), or one with derivatives (a dual number).
 ///
 /// Implemented for `f64` and `f32`; `Lanes` (feature `simba`) and `Dual` (feature `num-dual`)
@@ -57,6 +64,9 @@ pub trait Scalar:
     /// How many numbers are held side by side; 1 for a plain number.
     const LANES: usize;
 
+    /// Whether loops over this type can become vector code: sweeps are then compiled for several instruction sets.
+    const VECTORISES: bool = false;
+
     /// A constant, the same in every lane, with derivative zero.
     fn from_f64(x: f64) -> Self;
 
@@ -81,10 +91,32 @@ pub trait Scalar:
     fn acos(self) -> Self;
     /// Arc tangent, from -pi/2 to pi/2.
     fn atan(self) -> Self;
-    /// Sine and cosine of an angle; NaN for an infinite one.
+    /// Sine and cosine of an angle; NaN for an infinite one, and for one so large that its sine would be noise (`f64`:
+    /// from 2^30 radians on, `f32`: from 2^20).
     fn sin_cos(self) -> (Self, Self);
     /// Angle of the vector (`x`, `self`) from the x axis, from -pi to pi.
     fn atan2(self, x: Self) -> Self;
+
+    /// `self * factor + term`. With `FUSED` it is rounded once if the type can do that in one instruction, else twice.
+    ///
+    /// Only code that is compiled for machines with fused multiply-add instructions may say `FUSED`; elsewhere it is
+    /// correct but slow.
+    #[inline(always)]
+    fn mul_add<const FUSED: bool>(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+
+    /// As [`sin_cos`](Self::sin_cos), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    #[inline(always)]
+    fn sin_cos_with<const FUSED: bool>(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+
+    /// As [`atan2`](Self::atan2), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    #[inline(always)]
+    fn atan2_with<const FUSED: bool>(self, x: Self) -> Self {
+        self.atan2(x)
+    }
 
     /// A power of two near `1 / |self|`, for scaling without rounding: a constant, derivative zero.
     ///
@@ -98,10 +130,22 @@ pub trait Scalar:
     /// that a position at a dead point has a value, and NaN below that.
     fn root(self, scale: Self) -> Self;
 
+    /// As [`root`](Self::root), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    #[inline(always)]
+    fn root_with<const FUSED: bool>(self, scale: Self) -> Self {
+        self.root(scale)
+    }
+
     /// The angle of the vector (`x`, `y`) that lies nearest to `guide`, turns counted.
     ///
     /// Accurate to about a unit in the last place for up to a million turns (`f32`: 2000).
     fn angle_near(y: Self, x: Self, guide: Self) -> Self;
+
+    /// As [`angle_near`](Self::angle_near), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    #[inline(always)]
+    fn angle_near_with<const FUSED: bool>(y: Self, x: Self, guide: Self) -> Self {
+        Self::angle_near(y, x, guide)
+    }
 
     /// `a` where `s >= 0`, `b` where `s < 0`, NaN where `s` is NaN.
     fn select(s: Self, a: Self, b: Self) -> Self;

@@ -70,7 +70,7 @@ macro_rules! compare {
     };
 }
 
-compare!(automatic_f64, AutoF64x4, f64, 4, 0.0);
-compare!(automatic_f32, AutoF32x4, f32, 4, 0.0);
+compare!(automatic_f64, AutoF64x4, f64, 4, 2.0);
+compare!(automatic_f32, AutoF32x4, f32, 4, 2.0);
 compare!(wide_f64, WideF64x4, f64, 4, 4.0);
 compare!(wide_f32, WideF32x8, f32, 8, 4.0);

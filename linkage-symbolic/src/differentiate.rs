@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::graph::{Graph, Node, NodeId, SymbolId};
+use crate::graph::{Binding, Graph, Node, NodeId, SymbolId};
 use crate::program::{Binary, Ternary, Unary};
 
 /// Derivatives already known: of a node, by a symbol.
@@ -131,11 +131,10 @@ fn binary_rule(
     [da, db]: [NodeId; 2],
 ) -> NodeId {
     match op {
-        Binary::Add => g.add(da, db),
-        Binary::Sub => g.sub(da, db),
+        Binary::Add | Binary::Sub => rate_times_sum(g, op, da, db),
         Binary::Mul => {
-            let left = g.mul(da, b);
-            let right = g.mul(a, db);
+            let left = times_rate(g, b, da);
+            let right = times_rate(g, a, db);
             g.add(left, right)
         }
         Binary::Div => {
@@ -156,6 +155,69 @@ fn binary_rule(
             g.ternary(Ternary::Select, prefer_a, da, db)
         }
         Binary::Root => unary_rule(g, id, Unary::Sqrt, a, da),
+    }
+}
+
+/// `p (r x)` as `r (p x)` where `p x` is known already: the vector of a link, whose direction `x` is.
+fn times_rate(g: &mut Graph, p: NodeId, derivative: NodeId) -> NodeId {
+    let mut factors = factors(g, derivative);
+    let known = factors
+        .iter()
+        .enumerate()
+        .find_map(|(place, &x)| Some((place, g.known_product(p, x)?)));
+    match known {
+        Some((place, vector)) if factors.len() > 1 => {
+            factors[place] = vector;
+            product(g, factors)
+        }
+        _ => g.mul(p, derivative),
+    }
+}
+
+fn product(g: &mut Graph, factors: Vec<NodeId>) -> NodeId {
+    let one = g.one();
+    factors
+        .into_iter()
+        .rev()
+        .fold(one, |product, x| g.mul(x, product))
+}
+
+/// `r x + r y` as `r (x + y)`: where vectors turn with one angle, `x + y` is mostly a component of their sum that is
+/// known already.
+fn rate_times_sum(g: &mut Graph, op: Binary, a: NodeId, b: NodeId) -> NodeId {
+    let (mut left, mut right) = (factors(g, a), factors(g, b));
+    let common: Vec<NodeId> = left
+        .iter()
+        .copied()
+        .filter(|&x| g.binding(x) == Binding::Call && right.contains(&x))
+        .collect();
+    let Some((&rate, _)) = common.split_first() else {
+        return g.binary(op, a, b);
+    };
+    for list in [&mut left, &mut right] {
+        let place = list.iter().position(|&x| x == rate);
+        place.map(|place| list.remove(place));
+    }
+    let [left, right] = [left, right].map(|factors| product(g, factors));
+    let sum = rate_times_sum(g, op, left, right);
+    g.mul(rate, sum)
+}
+
+/// The factors of nested products, signs as -1.
+fn factors(g: &mut Graph, id: NodeId) -> Vec<NodeId> {
+    match g.node(id) {
+        Node::Unary(Unary::Neg, x) => {
+            let sign = g.constant(-1.0);
+            let mut factors = factors(g, x);
+            factors.push(sign);
+            factors
+        }
+        Node::Binary(Binary::Mul, x, y) => {
+            let mut factors = factors(g, x);
+            factors.extend(self::factors(g, y));
+            factors
+        }
+        _ => vec![id],
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::program::{Binary, Instruction, Program, Source, Ternary, Unary};
+use crate::program::{Binary, Fused, Instruction, Program, Source, Ternary, Unary};
 
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -13,6 +13,7 @@ impl fmt::Display for Source {
             Self::Centre(angle) => write!(f, "centre {angle}"),
             Self::Winding(angle, input) => write!(f, "winding {angle} {input}"),
             Self::Prepared(slot) => write!(f, "prepared {slot}"),
+            Self::Carried(index) => write!(f, "carried {index}"),
         }
     }
 }
@@ -75,6 +76,9 @@ impl fmt::Display for Instruction {
             Self::Ternary(op, a, b, c) => {
                 write!(f, "{} v{} v{} v{}", op.word(), a.0, b.0, c.0)
             }
+            Self::Fused(Fused::MulAdd, a, b, c) => write!(f, "v{} * v{} + v{}", a.0, b.0, c.0),
+            Self::Fused(Fused::MulSub, a, b, c) => write!(f, "v{} * v{} - v{}", a.0, b.0, c.0),
+            Self::Fused(Fused::SubMul, a, b, c) => write!(f, "v{} - v{} * v{}", c.0, a.0, b.0),
         }
     }
 }

@@ -183,6 +183,11 @@ impl Graph {
     }
 
     /// The node of an operation, new or old. No simplification: see the constructors.
+    /// A node that exists already.
+    pub(crate) fn find(&self, node: Node) -> Option<NodeId> {
+        self.index.get(&node).copied()
+    }
+
     pub(crate) fn intern(&mut self, node: Node) -> NodeId {
         if let Some(&id) = self.index.get(&node) {
             return id;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 use crate::graph::{Graph, Node, NodeId};
-use crate::program::{Binary, Instruction, Program, Source, Ternary, Unary};
+use crate::program::{Binary, Fused, Instruction, Program, Source, Ternary, Unary};
 
 /// One unary operation.
 pub fn apply_unary(op: Unary, a: f64) -> f64 {
@@ -64,6 +64,15 @@ pub fn apply_ternary(op: Ternary, a: f64, b: f64, c: f64) -> f64 {
     }
 }
 
+/// A product and a sum, each rounded.
+pub fn apply_fused(op: Fused, a: f64, b: f64, c: f64) -> f64 {
+    match op {
+        Fused::MulAdd => a * b + c,
+        Fused::MulSub => a * b - c,
+        Fused::SubMul => c - a * b,
+    }
+}
+
 /// See [`Unary::InverseScale`].
 fn inverse_scale(x: f64) -> f64 {
     if x == 0.0 || !x.is_finite() {
@@ -112,6 +121,9 @@ pub fn run_steps(
             Instruction::Binary(op, a, b) => apply_binary(op, values[a.0], values[b.0]),
             Instruction::Ternary(op, a, b, c) => {
                 apply_ternary(op, values[a.0], values[b.0], values[c.0])
+            }
+            Instruction::Fused(op, a, b, c) => {
+                apply_fused(op, values[a.0], values[b.0], values[c.0])
             }
         };
         values.push(value);

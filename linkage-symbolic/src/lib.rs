@@ -9,21 +9,26 @@
 //! No tokens, spans or syntax here.
 
 mod build;
+mod contract;
 mod differentiate;
 mod display;
+mod double_angles;
 mod graph;
 pub mod inline;
 pub mod interpret;
+mod multiples;
 mod polynomial;
 mod probe;
 mod products;
 pub mod program;
 pub mod schedule;
+pub mod stages;
 mod substitute;
 mod sums;
 
 pub use differentiate::{Calculus, DerivativeMemo, differentiate};
 pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
+pub use multiples::share_multiples;
 pub use polynomial::{Monomial, Polynomial, collect};
 pub use probe::agree;
 pub use substitute::substitute;

@@ -26,21 +26,18 @@ impl Graph {
         if self.constant_value(a) == Some(-1.0) {
             return self.neg(b);
         }
-        match (self.node(a), self.node(b)) {
-            (Node::Unary(Unary::Neg, x), Node::Unary(Unary::Neg, y)) => return self.mul(x, y),
-            (Node::Unary(Unary::Neg, x), _) if self.binding(a) == self.binding(b) => {
+        if self.binding(a) == self.binding(b) {
+            if let Some(x) = self.negative_term(a) {
                 let product = self.mul(x, b);
                 return self.neg(product);
             }
-            (_, Node::Unary(Unary::Neg, y)) if self.binding(a) == self.binding(b) => {
+            if let Some(y) = self.negative_term(b) {
                 let product = self.mul(a, y);
                 return self.neg(product);
             }
-            (_, Node::Unary(Unary::Neg, y)) => {
-                let a = self.neg(a);
-                return self.mul(a, y);
-            }
-            _ => {}
+        } else if let Node::Unary(Unary::Neg, y) = self.node(b) {
+            let a = self.neg(a);
+            return self.mul(a, y);
         }
         // a (x / a) = x, and p (q x) = (p q) x where p and q are known before x.
         for (x, y) in [(a, b), (b, a)] {
@@ -83,8 +80,14 @@ impl Graph {
         Some(self.binary(op, left, right))
     }
 
+    /// The product of a factor that is known early with `x`, if it has been formed before.
+    pub(crate) fn known_product(&self, p: NodeId, x: NodeId) -> Option<NodeId> {
+        let early = self.binding(p) < Binding::Call && self.binding(x) == Binding::Call;
+        early.then(|| self.find(Node::Binary(Binary::Mul, p, x)))?
+    }
+
     /// Products keep the factor that is known earlier in front.
-    fn commute_product(&mut self, a: NodeId, b: NodeId) -> NodeId {
+    pub(crate) fn commute_product(&mut self, a: NodeId, b: NodeId) -> NodeId {
         let key = |g: &Graph, x: NodeId| (g.binding(x), x);
         let (a, b) = if key(self, b) < key(self, a) {
             (b, a)
@@ -137,6 +140,20 @@ impl Graph {
                 let one = self.one();
                 return self.div(one, rest);
             }
+        }
+        // a / (p x) = a ((1/p) / x): one division for all dividends, and it does not wait for a product.
+        if let Some((p, x)) = self.product(b)
+            && self.binding(p) < Binding::Call
+            && self.binding(x) == Binding::Call
+        {
+            let one = self.one();
+            let factor = self.div(one, p);
+            if self.binding(a) < Binding::Call {
+                let factor = self.mul(a, factor);
+                return self.div(factor, x);
+            }
+            let inverse = self.div(factor, x);
+            return self.mul(a, inverse);
         }
         // A divisor known in assemble() costs one division there and a product here.
         let power_of_two = self.constant_value(b).is_some_and(is_power_of_two);

@@ -15,13 +15,15 @@ pub enum Source {
     Winding(usize, usize),
     /// A value computed once in `assemble()`, by slot.
     Prepared(usize),
+    /// A value from the stage before, by index.
+    Carried(usize),
 }
 
 /// The result of an earlier instruction, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(pub usize);
 
-/// One operation. `Unary`, `Binary` and `Ternary` operands are results of earlier instructions.
+/// One operation. Operands are results of earlier instructions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Instruction {
     Constant(f64),
@@ -29,6 +31,35 @@ pub enum Instruction {
     Unary(Unary, Value),
     Binary(Binary, Value, Value),
     Ternary(Ternary, Value, Value, Value),
+    /// A product and a sum, rounded once or twice as the machine can.
+    Fused(Fused, Value, Value, Value),
+}
+
+impl Instruction {
+    /// The values that it needs.
+    pub fn operands(&self) -> impl Iterator<Item = Value> + use<> {
+        let operands = match *self {
+            Self::Constant(_) | Self::Load(_) => [None; 3],
+            Self::Unary(_, a) => [Some(a), None, None],
+            Self::Binary(_, a, b) => [Some(a), Some(b), None],
+            Self::Ternary(_, a, b, c) | Self::Fused(_, a, b, c) => [Some(a), Some(b), Some(c)],
+        };
+        operands.into_iter().flatten()
+    }
+
+    /// The same operation of other values.
+    #[must_use]
+    pub fn with_operands(self, other: impl Fn(Value) -> Value) -> Self {
+        match self {
+            Self::Constant(_) | Self::Load(_) => self,
+            Self::Unary(operation, a) => Self::Unary(operation, other(a)),
+            Self::Binary(operation, a, b) => Self::Binary(operation, other(a), other(b)),
+            Self::Ternary(operation, a, b, c) => {
+                Self::Ternary(operation, other(a), other(b), other(c))
+            }
+            Self::Fused(operation, a, b, c) => Self::Fused(operation, other(a), other(b), other(c)),
+        }
+    }
 }
 
 /// Operations of one operand. `Sin` and `Cos` of the same operand become one call where code is printed.
@@ -77,6 +108,17 @@ pub enum Ternary {
     AngleNear,
     /// `select(s, a, b)`: `a` where `s >= 0`, `b` where it is negative, NaN where it is NaN.
     Select,
+}
+
+/// Operations of three operands that only programs have: contraction makes them from products and sums.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Fused {
+    /// `a * b + c`
+    MulAdd,
+    /// `a * b - c`
+    MulSub,
+    /// `c - a * b`
+    SubMul,
 }
 
 /// A straight-line program: instructions in order of execution, results by index.

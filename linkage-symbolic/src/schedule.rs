@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use crate::contract::contract;
+use crate::double_angles;
 use crate::graph::{Binding, Graph, Node, NodeId};
 use crate::program::{Binary, Instruction, Program, Source, Unary, Value};
 
@@ -26,13 +28,18 @@ impl Slots {
 
     /// The program that computes all slots.
     pub fn prepare(&self, graph: &Graph) -> Program {
-        Scheduler::new(graph, &self.nodes, None).run(&self.nodes)
+        polish(Scheduler::new(graph, &self.nodes, None).run(&self.nodes))
     }
 }
 
-/// The program for `outputs` at a call: what is known earlier comes from slots, what no output needs is not in it.
+/// The program for `outputs` at a call: what is known earlier comes from slots, what no output needs is not in it, an
+/// angle and its double share a sine pair, and sums of products are contracted.
 pub fn schedule(graph: &Graph, outputs: &[NodeId], slots: &mut Slots) -> Program {
-    Scheduler::new(graph, outputs, Some(slots)).run(outputs)
+    polish(Scheduler::new(graph, outputs, Some(slots)).run(outputs))
+}
+
+fn polish(program: Program) -> Program {
+    contract(double_angles::share(program))
 }
 
 /// The program for `outputs` from parameters and inputs alone, without slots.

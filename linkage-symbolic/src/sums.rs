@@ -14,7 +14,7 @@ impl Graph {
             // The sign goes where it costs nothing: into what is computed earlier.
             Node::Binary(Binary::Mul, x, y) if self.binding(x) < self.binding(y) => {
                 let x = self.neg(x);
-                self.mul(x, y)
+                self.commute_product(x, y)
             }
             _ => self.intern(Node::Unary(Unary::Neg, a)),
         }
@@ -42,10 +42,10 @@ impl Graph {
         if let Some(sum) = self.like_terms(a, b, 1.0) {
             return sum;
         }
-        if let Some(y) = self.negated(b) {
+        if let Some(y) = self.negative_term(b) {
             return self.sub(a, y);
         }
-        if let Some(x) = self.negated(a) {
+        if let Some(x) = self.negative_term(a) {
             return self.sub(b, x);
         }
         for (x, y) in [(a, b), (b, a)] {
@@ -72,10 +72,10 @@ impl Graph {
         if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
             return self.constant(x - y);
         }
-        if let Some(y) = self.negated(b) {
+        if let Some(y) = self.negative_term(b) {
             return self.add(a, y);
         }
-        if let Some(x) = self.negated(a) {
+        if let Some(x) = self.negative_term(a) {
             let sum = self.add(x, b);
             return self.neg(sum);
         }
@@ -97,6 +97,20 @@ impl Graph {
         }
         let difference = self.intern(Node::Binary(Binary::Sub, b, a));
         self.intern(Node::Unary(Unary::Neg, difference))
+    }
+
+    /// `x` of a term `-x`. The sign may be in a factor that is known early: in a sum or product it costs nothing, and
+    /// without it the term may be one that exists.
+    pub(crate) fn negative_term(&mut self, id: NodeId) -> Option<NodeId> {
+        if let Some(x) = self.negated(id) {
+            return Some(x);
+        }
+        let (factor, x) = self.product(id)?;
+        if self.binding(factor) == self.binding(x) {
+            return None;
+        }
+        let factor = self.negated(factor)?;
+        Some(self.mul(factor, x))
     }
 
     /// `p x + sign q x = (p + sign q) x` with constants `p` and `q`.

@@ -6,7 +6,7 @@ use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::interpret::evaluate;
 use linkage_symbolic::program::{Binary, Instruction, Source, Ternary, Unary};
 use linkage_symbolic::schedule::{Slots, schedule, schedule_stages, schedule_whole};
-use linkage_symbolic::{Binding, Graph, NodeId, collect, substitute};
+use linkage_symbolic::{Binding, Graph, NodeId, collect, share_multiples, substitute};
 
 struct Names {
     g: Graph,
@@ -184,5 +184,66 @@ fn guards_stay_where_the_root_drops_out() {
             _ => 2.0,
         };
         assert!(evaluate(&inliner.target, &[copy], load)[0].is_nan());
+    }
+}
+
+/// `p x + q y` times factors known early, in all signs.
+fn turned(g: &mut Graph, factors: &[NodeId], signs: [f64; 2]) -> NodeId {
+    let [x, y] = [0, 1].map(|k| g.source(Source::Input(k)));
+    let [p, q] = [0, 1].map(|k| g.source(Source::Parameter(k)));
+    let [p, q] = [(p, signs[0]), (q, signs[1])].map(|(factor, sign)| {
+        let sign = g.constant(sign);
+        let signed = g.mul(sign, factor);
+        factors.iter().fold(signed, |product, &x| g.mul(x, product))
+    });
+    let [left, right] = [g.mul(p, x), g.mul(q, y)];
+    g.add(left, right)
+}
+
+#[test]
+fn signs_of_early_factors_do_not_hide_equal_sums() {
+    let mut g = Graph::new();
+    let sum = turned(&mut g, &[], [1.0, 1.0]);
+    let opposite = turned(&mut g, &[], [-1.0, -1.0]);
+    assert_eq!(g.neg(opposite), sum);
+    let difference = turned(&mut g, &[], [1.0, -1.0]);
+    let reverse = turned(&mut g, &[], [-1.0, 1.0]);
+    assert_eq!(g.neg(reverse), difference);
+}
+
+#[test]
+fn multiples_of_a_sum_are_products() {
+    let mut g = Graph::new();
+    let [r, s] = [2, 3].map(|k| g.source(Source::Parameter(k)));
+    let one = g.one();
+    let inverse = g.div(one, s);
+    let outputs = [
+        turned(&mut g, &[inverse, r], [1.0, 1.0]),
+        turned(&mut g, &[inverse], [-1.0, -1.0]),
+        turned(&mut g, &[r, inverse, r], [-2.0, -2.0]),
+        turned(&mut g, &[r], [1.0, -1.0]),
+    ];
+    let shared = share_multiples(&mut g, &outputs);
+    let count = |outputs: &[NodeId]| {
+        let program = schedule(&g, outputs, &mut Slots::default());
+        let sums = program.instructions.iter().filter(|instruction| {
+            matches!(
+                instruction,
+                Instruction::Binary(Binary::Add | Binary::Sub, ..) | Instruction::Fused(..)
+            )
+        });
+        sums.count()
+    };
+    assert_eq!((count(&outputs), count(&shared)), (4, 2));
+    // A factor may be 0.
+    let load = |source| match source {
+        Source::Parameter(2) => 0.0,
+        Source::Parameter(k) => 1.5 + k as f64,
+        Source::Input(k) => 0.7 - k as f64,
+        _ => f64::NAN,
+    };
+    let (before, after) = (evaluate(&g, &outputs, load), evaluate(&g, &shared, load));
+    for (a, b) in before.iter().zip(&after) {
+        assert!((a - b).abs() <= 1e-15 * a.abs(), "{before:?} {after:?}");
     }
 }

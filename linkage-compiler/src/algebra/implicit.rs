@@ -75,59 +75,53 @@ pub(crate) struct Solution {
 /// Derivatives of a group's unknowns by some variables, and the right-hand side that they solve.
 #[derive(Clone, Debug)]
 pub(crate) struct Rates {
-    right: Vec<NodeId>,
-    rates: Vec<NodeId>,
+    pub(super) right: Vec<NodeId>,
+    pub(super) rates: Vec<NodeId>,
 }
 
-impl Calculus for Algebra<'_> {
-    fn graph(&mut self) -> &mut Graph {
-        &mut self.graph
-    }
+/// The rules of differentiation, given how unknowns and rates depend on a variable.
+pub(super) trait Implicit<'m>: Calculus {
+    fn algebra(&mut self) -> &mut Algebra<'m>;
 
-    fn memo(&mut self) -> &mut DerivativeMemo {
-        &mut self.memo
-    }
+    /// The derivative by `variable` of unknown `position` of a group, or of its derivative `by` some variables.
+    fn rate(
+        &mut self,
+        group: usize,
+        position: usize,
+        by: Vec<SymbolId>,
+        variable: SymbolId,
+    ) -> NodeId;
 
-    fn symbol_derivative(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
-        match self.rules.get(&symbol).cloned() {
-            None => self.graph.zero(),
+    fn derivative_by_rule(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
+        match self.algebra().rules.get(&symbol).cloned() {
+            None => self.graph().zero(),
             Some(Rule::Follow(node)) => differentiate(self, node, variable),
             Some(Rule::Cosine(rule)) => {
                 let rate = self.angle_rate(rule, variable);
-                let product = self.graph.mul(rule.sin, rate);
-                self.graph.neg(product)
+                let product = self.graph().mul(rule.sin, rate);
+                self.graph().neg(product)
             }
             Some(Rule::Sine(rule)) => {
                 let rate = self.angle_rate(rule, variable);
-                self.graph.mul(rule.cos, rate)
+                self.graph().mul(rule.cos, rate)
             }
             Some(Rule::Value(rule)) => self.angle_rate(rule, variable),
             Some(Rule::Turning(turning)) => self.turning_rate(&turning, variable),
             Some(Rule::Unknown { group, position }) => {
-                self.rates(group, vec![variable]).rates[position]
+                self.rate(group, position, Vec::new(), variable)
             }
             Some(Rule::Rate {
                 group,
                 position,
-                mut by,
-            }) => {
-                by.push(variable);
-                by.sort_unstable();
-                self.rates(group, by).rates[position]
-            }
+                by,
+            }) => self.rate(group, position, by, variable),
         }
-    }
-}
-
-impl Algebra<'_> {
-    pub(crate) fn derivative(&mut self, node: NodeId, variable: SymbolId) -> NodeId {
-        differentiate(self, node, variable)
     }
 
     fn angle_rate(&mut self, rule: AngleRule, variable: SymbolId) -> NodeId {
-        let rate = self.rates(rule.group, vec![variable]).rates[rule.position];
+        let rate = self.rate(rule.group, rule.position, Vec::new(), variable);
         if rule.sense < 0.0 {
-            self.graph.neg(rate)
+            self.graph().neg(rate)
         } else {
             rate
         }
@@ -144,15 +138,49 @@ impl Algebra<'_> {
             unit,
         } = turning;
         let stretch = z.map(|x| differentiate(self, x, variable));
-        let stretched = self.complex_product(stretch, unit)[component];
-        let rate = self.rates(group, vec![variable]).rates[position];
-        let across = [self.graph.neg(vector[1]), vector[0]][component];
-        let turned = self.graph.mul(rate, across);
-        self.graph.add(stretched, turned)
+        let stretched = self.algebra().complex_product(stretch, unit)[component];
+        let rate = self.rate(group, position, Vec::new(), variable);
+        let across = [self.graph().neg(vector[1]), vector[0]][component];
+        let turned = self.graph().mul(rate, across);
+        self.graph().add(stretched, turned)
+    }
+}
+
+impl Calculus for Algebra<'_> {
+    fn graph(&mut self) -> &mut Graph {
+        &mut self.graph
     }
 
+    fn memo(&mut self) -> &mut DerivativeMemo {
+        &mut self.memo
+    }
+
+    fn symbol_derivative(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
+        self.derivative_by_rule(symbol, variable)
+    }
+}
+
+impl<'m> Implicit<'m> for Algebra<'m> {
+    fn algebra(&mut self) -> &mut Algebra<'m> {
+        self
+    }
+
+    fn rate(
+        &mut self,
+        group: usize,
+        position: usize,
+        mut by: Vec<SymbolId>,
+        variable: SymbolId,
+    ) -> NodeId {
+        by.push(variable);
+        by.sort_unstable();
+        self.rates(group, by).rates[position]
+    }
+}
+
+impl Algebra<'_> {
     /// The derivatives of a group's unknowns by the variables `by`, which are in order.
-    fn rates(&mut self, group: usize, by: Vec<SymbolId>) -> Rates {
+    pub(super) fn rates(&mut self, group: usize, by: Vec<SymbolId>) -> Rates {
         let key = (group, by);
         if let Some(known) = self.rates.get(&key) {
             return known.clone();

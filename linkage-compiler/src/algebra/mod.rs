@@ -3,10 +3,12 @@
 //! Shared by the phases below the model: `structure` looks at the loops as polynomials in the unknowns, `formulate`
 //! gives the unknowns their definitions, `lower` differentiates.
 
+mod adjoint;
 mod calls;
 mod dependence;
 mod implicit;
 mod nominal;
+mod partial;
 mod scalar;
 mod translate;
 mod written;
@@ -18,6 +20,7 @@ use linkage_symbolic::{DerivativeMemo, Graph, NodeId, SymbolId};
 
 use crate::model::{Mechanism, Type, Variable};
 
+pub(crate) use adjoint::Direction;
 pub(crate) use implicit::{AngleRule, Rule, Solution, Term, Turning};
 pub(crate) use nominal::Nominal;
 pub(crate) use scalar::{Atom, Scalar};
@@ -61,6 +64,8 @@ pub(crate) struct Algebra<'m> {
     pub(crate) solutions: Vec<Solution>,
     memo: DerivativeMemo,
     rates: HashMap<(usize, Vec<SymbolId>), implicit::Rates>,
+    partials: partial::Partials,
+    adjoints: adjoint::Adjoints,
     lets: Vec<Option<Value>>,
     constants: Vec<Option<Value>>,
     /// Factors with which input angles turn vectors.
@@ -82,6 +87,8 @@ impl<'m> Algebra<'m> {
             solutions: Vec::new(),
             memo: DerivativeMemo::new(),
             rates: HashMap::new(),
+            partials: Default::default(),
+            adjoints: Default::default(),
             lets: vec![None; mechanism.lets.len()],
             constants: vec![None; mechanism.constants.len()],
             turning: Vec::new(),

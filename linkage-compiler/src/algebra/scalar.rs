@@ -152,10 +152,15 @@ impl Algebra<'_> {
         (1..power.unsigned_abs()).fold(unit, |product, _| self.complex_product(product, unit))
     }
 
-    /// Cosine and sine of a node. Quarter turns are exact, and the argument of a vector is not taken to be undone.
+    /// Cosine and sine of a node. Quarter turns are exact, also as summands, and the argument of a vector is not taken
+    /// to be undone.
     fn cos_sin(&mut self, argument: NodeId) -> [NodeId; 2] {
         if let Some(value) = self.graph.constant_value(argument) {
             return cos_sin_exact(value).map(|x| self.graph.constant(x));
+        }
+        if let Some((rest, turn)) = self.without_quarter_turns(argument) {
+            let [rest, turn] = [self.cos_sin(rest), turn.map(|x| self.graph.constant(x))];
+            return self.complex_product(rest, turn);
         }
         if let Node::Binary(Binary::Atan2, y, x) = self.graph.node(argument) {
             let length = self.length(&[x, y]);
@@ -165,6 +170,26 @@ impl Algebra<'_> {
             self.graph.unary(Unary::Cos, argument),
             self.graph.unary(Unary::Sin, argument),
         ]
+    }
+
+    /// An angle without a summand of whole quarter turns, and the unit vector of that summand.
+    fn without_quarter_turns(&mut self, angle: NodeId) -> Option<(NodeId, [f64; 2])> {
+        let turns = |algebra: &Self, x| algebra.graph.constant_value(x).and_then(quarter_turns);
+        match self.graph.node(angle) {
+            Node::Unary(Unary::Neg, x) => {
+                let (rest, [cos, sin]) = self.without_quarter_turns(x)?;
+                Some((self.graph.neg(rest), [cos, -sin]))
+            }
+            Node::Binary(Binary::Add, x, y) => match (turns(self, x), turns(self, y)) {
+                (Some(turn), _) => Some((y, turn)),
+                (_, turn) => Some((x, turn?)),
+            },
+            Node::Binary(Binary::Sub, x, y) => match (turns(self, x), turns(self, y)) {
+                (Some(turn), _) => Some((self.graph.neg(y), turn)),
+                (_, turn) => turn.map(|[cos, sin]| (x, [cos, -sin])),
+            },
+            _ => None,
+        }
     }
 
     /// `a b` of complex numbers.
@@ -202,15 +227,18 @@ impl Algebra<'_> {
 
 /// Cosine and sine of a constant; multiples of a quarter turn give 0 and 1 exactly.
 fn cos_sin_exact(angle: f64) -> [f64; 2] {
+    quarter_turns(angle).unwrap_or([angle.cos(), angle.sin()])
+}
+
+/// Cosine and sine of an angle that is a multiple of a quarter turn.
+fn quarter_turns(angle: f64) -> Option<[f64; 2]> {
     use std::f64::consts::FRAC_PI_2;
     let quarters = (angle / FRAC_PI_2).round();
-    if quarters.abs() < 1e6 && (angle - quarters * FRAC_PI_2).abs() <= f64::EPSILON * angle.abs() {
-        return match (quarters as i64).rem_euclid(4) {
-            0 => [1.0, 0.0],
-            1 => [0.0, 1.0],
-            2 => [-1.0, 0.0],
-            _ => [0.0, -1.0],
-        };
-    }
-    [angle.cos(), angle.sin()]
+    let is_multiple = (angle - quarters * FRAC_PI_2).abs() <= f64::EPSILON * angle.abs();
+    (quarters.abs() < 1e6 && is_multiple).then_some(match (quarters as i64).rem_euclid(4) {
+        0 => [1.0, 0.0],
+        1 => [0.0, 1.0],
+        2 => [-1.0, 0.0],
+        _ => [0.0, -1.0],
+    })
 }

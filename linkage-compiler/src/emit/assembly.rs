@@ -33,7 +33,12 @@ fn structure(outline: &Outline) -> TokenStream {
     ));
     let derives = attribute::derives([]);
     let modes = literal::index(outline.modes.len());
-    let prepared = literal::index(outline.prepared);
+    let [angles, inputs, prepared] = [
+        outline.continuous_angles,
+        outline.inputs.len(),
+        outline.prepared,
+    ]
+    .map(literal::index);
     let allow = attribute::allow();
     quote! {
         #doc
@@ -42,6 +47,7 @@ fn structure(outline: &Outline) -> TokenStream {
         #visibility struct #assembly<T = ::core::primitive::f64> {
             __mechanism: #name<T>,
             __modes: [#runtime::AssemblyMode; #modes],
+            __turns: #runtime::Turns<T, #angles, #inputs>,
             __prepared: [T; #prepared],
         }
     }
@@ -175,9 +181,9 @@ pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> T
                 __at: #inputs,
             ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
                 let __turns: #turns = #turning;
-                let __prepared = Self::__prepare(__m, &__modes, &__turns);
+                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
                 Self::__close(__m, &__modes, &__prepared, __at)?;
-                ::core::result::Result::Ok(Self { __mechanism: *__m, __modes, __prepared })
+                ::core::result::Result::Ok(Self { __mechanism: *__m, __modes, __turns, __prepared })
             }
 
             fn __close(
@@ -186,13 +192,18 @@ pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> T
                 __prepared: &#prepared,
                 __at: #inputs,
             ) -> ::core::result::Result<(), #runtime::AssemblyError> {
-                let __gaps = Self::__gaps(__m, __modes, __prepared, __at);
+                let __gaps = Self::__gaps::<{ #runtime::FUSED }>(__m, __modes, __prepared, __at);
                 #close
             }
 
-            fn __prepare(__m: &#name<T>, __modes: &#modes, __turns: &#turns) -> #prepared { #prepare_body }
+            #[inline(always)]
+            fn __prepare<const __FUSED: ::core::primitive::bool>(
+                __m: &#name<T>,
+                __modes: &#modes,
+                __turns: &#turns,
+            ) -> #prepared { #prepare_body }
 
-            fn __gaps(
+            fn __gaps<const __FUSED: ::core::primitive::bool>(
                 __m: &#name<T>,
                 __modes: &#modes,
                 __prepared: &#prepared,
@@ -259,7 +270,7 @@ fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
             ::core::result::Result::Ok(__turns) => __turns,
             ::core::result::Result::Err(__unknown) => {
                 let __turns = #runtime::Turns::at_estimates([#(#estimates),*]);
-                let __prepared = Self::__prepare(__m, &__modes, &__turns);
+                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
                 Self::__close(__m, &__modes, &__prepared, __at)?;
                 return ::core::result::Result::Err(#runtime::AssemblyError::NoWinding {
                     mechanism: #title,

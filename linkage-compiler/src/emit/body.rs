@@ -2,13 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use linkage_symbolic::program::{Binary, Instruction, Program, Source, Ternary, Unary, Value};
+use linkage_symbolic::program::{
+    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
+};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::literal;
 
-/// The statements of `program` over the scalar type `T`; `load` prints where a number comes from.
+/// The statements of `program` over the scalar type `T`, where `__FUSED` says whether multiply-adds are fused; `load`
+/// prints where a number comes from.
 pub(super) fn statements(program: &Program, load: &dyn Fn(Source) -> TokenStream) -> TokenStream {
     let pairs = sine_pairs(program);
     let long = program.instructions.len() > LONG;
@@ -108,6 +111,7 @@ fn statement(
         Instruction::Ternary(operation, a, b, c) => {
             ternary(operation, &name(a), &name(b), &name(c))
         }
+        Instruction::Fused(operation, a, b, c) => fused(operation, &name(a), &name(b), &name(c)),
     };
     quote!(#result = #expression;)
 }
@@ -131,7 +135,7 @@ fn sine_statement(value: Value, operation: Unary, operand: Value, pair: SinePair
             )
         };
         let (sine, cosine) = (pattern(pair.sine), pattern(pair.cosine));
-        return quote!((#sine, #cosine) = T::sin_cos(#operand););
+        return quote!((#sine, #cosine) = T::sin_cos_with::<__FUSED>(#operand););
     }
     match own {
         Some(own) if own != value => {
@@ -147,8 +151,8 @@ fn unary(operation: Unary, x: &Ident) -> TokenStream {
         Unary::Neg => quote!(-#x),
         Unary::Abs => quote!(T::abs(#x)),
         Unary::Sqrt => quote!(T::sqrt(#x)),
-        Unary::Sin => quote!(T::sin_cos(#x).0),
-        Unary::Cos => quote!(T::sin_cos(#x).1),
+        Unary::Sin => quote!(T::sin_cos_with::<__FUSED>(#x).0),
+        Unary::Cos => quote!(T::sin_cos_with::<__FUSED>(#x).1),
         Unary::Tan => quote!(T::tan(#x)),
         Unary::Asin => quote!(T::asin(#x)),
         Unary::Acos => quote!(T::acos(#x)),
@@ -164,17 +168,25 @@ fn binary(operation: Binary, a: &Ident, b: &Ident) -> TokenStream {
         Binary::Sub => quote!(#a - #b),
         Binary::Mul => quote!(#a * #b),
         Binary::Div => quote!(#a / #b),
-        Binary::Atan2 => quote!(T::atan2(#a, #b)),
+        Binary::Atan2 => quote!(T::atan2_with::<__FUSED>(#a, #b)),
         Binary::Hypot => quote!(T::hypot(#a, #b)),
         Binary::Min => quote!(T::min(#a, #b)),
         Binary::Max => quote!(T::max(#a, #b)),
-        Binary::Root => quote!(T::root(#a, #b)),
+        Binary::Root => quote!(T::root_with::<__FUSED>(#a, #b)),
     }
 }
 
 fn ternary(operation: Ternary, a: &Ident, b: &Ident, c: &Ident) -> TokenStream {
     match operation {
-        Ternary::AngleNear => quote!(T::angle_near(#a, #b, #c)),
+        Ternary::AngleNear => quote!(T::angle_near_with::<__FUSED>(#a, #b, #c)),
         Ternary::Select => quote!(T::select(#a, #b, #c)),
+    }
+}
+
+fn fused(operation: Fused, a: &Ident, b: &Ident, c: &Ident) -> TokenStream {
+    match operation {
+        Fused::MulAdd => quote!(T::mul_add::<__FUSED>(#a, #b, #c)),
+        Fused::MulSub => quote!(T::mul_add::<__FUSED>(#a, #b, -#c)),
+        Fused::SubMul => quote!(T::mul_add::<__FUSED>(-#a, #b, #c)),
     }
 }

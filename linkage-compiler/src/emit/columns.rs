@@ -1,14 +1,14 @@
-//! Many positions at once: the sweeps of a function and the columns that they fill.
+//! The columns that the sweeps of a function fill.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::docs::{doc, in_unit};
 use super::outline::{Function, Outline, plain};
-use super::{attribute, literal};
+use super::{attribute, literal, sweeps};
 use crate::lower::Shape;
 
-/// Sweeps and columns of a function; nothing for a function without inputs.
+/// Columns of a function, and the sweeps that fill them; nothing for a function without inputs.
 pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     if function.arguments.is_empty() {
         return TokenStream::new();
@@ -16,7 +16,7 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
     let structure = structure(outline, function);
     let access = access(outline, function);
-    let sweeps = sweeps(outline, function);
+    let sweeps = sweeps::items(outline, function);
     quote!(#runtime::if_alloc! { #structure #access #sweeps })
 }
 
@@ -219,68 +219,6 @@ fn slices(shape: &Shape, next: &mut usize) -> TokenStream {
             let column = literal::index(*next);
             *next += 1;
             quote!(self.__columns.column(#column))
-        }
-    }
-}
-
-fn sweeps(outline: &Outline, function: &Function) -> TokenStream {
-    let Outline {
-        runtime, assembly, ..
-    } = outline;
-    let Function {
-        visibility,
-        name,
-        columns,
-        kernel,
-        arguments,
-        ..
-    } = function;
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    let sweep = format_ident!("{name}_sweep");
-    let sweep_into = format_ident!("{name}_sweep_into");
-    let about = format!("`{}` at many positions", plain(name));
-    let doc_sweep = doc(&format!("{about}, one for each element of the slices."));
-    let doc_into = doc(&format!(
-        "{about}, into columns that are there already: allocates only if they are too small."
-    ));
-    let inputs = literal::index(arguments.len());
-    let width = literal::index(function.width());
-    let title = plain(&sweep_into);
-    let taken = arguments.iter().any(|argument| *argument == "columns");
-    let target = format_ident!("{}", if taken { "__columns" } else { "columns" });
-    let labels = arguments.iter().map(|name| plain(name));
-    let body = outline.body(quote! {
-        let mut __columns = ::core::default::Default::default();
-        self.#sweep_into(#(#arguments,)* &mut __columns);
-        __columns
-    });
-    let body_into = outline.body(quote! {
-        struct __Kernel<'a, T>(&'a #assembly<T>);
-        impl<T: #runtime::Scalar> #runtime::Kernel<T, #inputs, #width> for __Kernel<'_, T> {
-            #[inline(always)]
-            fn evaluate(&self, __x: [T; #inputs]) -> [T; #width] { self.0.#kernel(__x) }
-        }
-        #runtime::fill(#title, [#(#labels),*], [#(#arguments),*], &__Kernel(self), &mut #target.__columns);
-    });
-    let allow = attribute::allow();
-    quote! {
-        #(#everywhere)*
-        #allow
-        impl<T: #runtime::Scalar> #assembly<T> {
-            #doc_sweep
-            ///
-            /// # Panics
-            ///
-            /// Panics if the slices differ in length.
-            #[must_use]
-            #visibility fn #sweep(&self, #(#arguments: &[T]),*) -> #columns<T> { #body }
-
-            #doc_into
-            ///
-            /// # Panics
-            ///
-            /// Panics if the slices differ in length.
-            #visibility fn #sweep_into(&self, #(#arguments: &[T],)* #target: &mut #columns<T>) { #body_into }
         }
     }
 }

@@ -6,7 +6,8 @@ use quote::quote;
 
 use super::outline::Outline;
 
-/// Operation counts, in the classes of the runtime's `Operations`.
+/// Operation counts, in the classes of the runtime's `Operations`. A multiply-add is a multiplication and an addition;
+/// equal products count once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Count {
     pub add: u32,
@@ -22,19 +23,24 @@ impl Count {
     pub(super) fn of(program: &Program) -> Self {
         let mut count = Self::default();
         let mut turned: Vec<Value> = Vec::new();
+        let mut products: Vec<[Value; 2]> = Vec::new();
         for instruction in &program.instructions {
             match *instruction {
                 Instruction::Constant(_) | Instruction::Load(_) => {}
                 Instruction::Unary(Unary::Sin | Unary::Cos, operand) => turned.push(operand),
                 Instruction::Unary(Unary::Sqrt, _) => count.sqrt += 1,
                 Instruction::Unary(..) => count.other += 1,
+                Instruction::Binary(Binary::Mul, a, b) => products.push([a.min(b), a.max(b)]),
                 Instruction::Binary(operation, ..) => count.binary(operation),
                 Instruction::Ternary(operation, ..) => count.ternary(operation),
+                Instruction::Fused(_, a, b, _) => {
+                    products.push([a.min(b), a.max(b)]);
+                    count.add += 1;
+                }
             }
         }
-        turned.sort_unstable();
-        turned.dedup();
-        count.sin_cos = turned.len() as u32;
+        count.sin_cos = distinct(turned);
+        count.mul = distinct(products);
         count
     }
 
@@ -98,4 +104,10 @@ impl Count {
             words.join(", ")
         }
     }
+}
+
+fn distinct<V: Ord>(mut values: Vec<V>) -> u32 {
+    values.sort_unstable();
+    values.dedup();
+    values.len() as u32
 }

@@ -1,8 +1,8 @@
 //! One function of the `impl` block: its result type, the method, and the program behind it.
 
-use linkage_symbolic::program::Program;
-use proc_macro2::TokenStream;
-use quote::quote;
+use linkage_symbolic::stages::Stage;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
 
 use super::docs::{doc, documented, in_unit, tokens, with_note};
 use super::load::loader;
@@ -88,7 +88,8 @@ fn method(outline: &Outline, function: &Function) -> TokenStream {
     );
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
-    let body = outline.body(quote!(#result::__from_row(self.#kernel([#(#arguments),*]))));
+    let body = outline
+        .body(quote!(#result::__from_row(self.#kernel::<{ #runtime::FUSED }>([#(#arguments),*]))));
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*
@@ -102,11 +103,11 @@ fn method(outline: &Outline, function: &Function) -> TokenStream {
     }
 }
 
-/// The method that runs the program, and the way from its outputs to the result type.
+/// The methods that run the program, stage by stage and as a whole, and the way from its outputs to the result type.
 pub(super) fn kernel(
     outline: &Outline,
     function: &Function,
-    program: &Program,
+    stages: &[Stage],
     inputs: &[usize],
 ) -> TokenStream {
     let Outline {
@@ -117,8 +118,24 @@ pub(super) fn kernel(
     let everywhere = &split.everywhere;
     let count = literal::index(inputs.len());
     let width = literal::index(function.width());
-    let statements = body::statements(program, &loader(outline, inputs));
-    let outputs = body::outputs(program);
+    let methods = (0..stages.len()).map(|index| stage(outline, function, stages, index, inputs));
+    let calls = (0..stages.len()).map(|index| {
+        let method = function.stage(index);
+        let results = results(index);
+        let before = match index {
+            0 => quote!([]),
+            _ => quote!(__carried),
+        };
+        quote!(let (__carried, #results) = self.#method::<__FUSED>(__x, #before);)
+    });
+    let mut outputs = vec![TokenStream::new(); function.width()];
+    for (index, stage) in stages.iter().enumerate() {
+        let results = results(index);
+        for (place, &result) in stage.results.iter().enumerate() {
+            let place = literal::index(place);
+            outputs[result] = quote!(#results[#place]);
+        }
+    }
     let fields = row_fields(outline, function);
     let allow = attribute::allow();
     quote! {
@@ -126,17 +143,61 @@ pub(super) fn kernel(
         #allow
         impl<T: #runtime::Scalar> #assembly<T> {
             #[inline(always)]
-            fn #kernel(&self, __x: [T; #count]) -> [T; #width] {
-                let Self { __mechanism: __m, __modes, __prepared } = self;
-                #statements
-                #outputs
+            fn #kernel<const __FUSED: ::core::primitive::bool>(&self, __x: [T; #count]) -> [T; #width] {
+                #(#calls)*
+                [#(#outputs),*]
             }
+            #(#methods)*
         }
         #(#everywhere)*
         #allow
         impl<T: #runtime::Scalar> #result<T> {
             #[inline(always)]
             fn __from_row(__row: [T; #width]) -> Self { Self { #fields } }
+        }
+    }
+}
+
+/// The variable that holds what a stage has finished.
+fn results(stage: usize) -> Ident {
+    format_ident!("__results{stage}", span = Span::mixed_site())
+}
+
+/// From what the stage before carries to what it carries on itself, and results.
+fn stage(
+    outline: &Outline,
+    function: &Function,
+    stages: &[Stage],
+    index: usize,
+    inputs: &[usize],
+) -> TokenStream {
+    let Stage {
+        program,
+        carried,
+        results,
+    } = &stages[index];
+    let before = index
+        .checked_sub(1)
+        .map_or(0, |index| stages[index].carried);
+    let method = function.stage(index);
+    let statements = body::statements(program, &loader(outline, inputs));
+    let (next, finished) = program.outputs.split_at(*carried);
+    let [next, finished] = [next, finished].map(|values| {
+        let names = values.iter().map(|value| body::name(*value));
+        quote!([#(#names),*])
+    });
+    let [count, before, carried, results] =
+        [inputs.len(), before, *carried, results.len()].map(literal::index);
+    quote! {
+        #[inline(always)]
+        fn #method<const __FUSED: ::core::primitive::bool>(
+            &self,
+            __x: [T; #count],
+            __carried: [T; #before],
+        ) -> ([T; #carried], [T; #results]) {
+            let Self { __mechanism: __m, __modes, __prepared, .. } = self;
+            #statements
+            (#next, #finished)
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Where generated code finds what a program loads. Every function that prints a program binds some of the same names:
-//! `__m` the mechanism, `__modes`, `__turns` the centres and windings of the continuous angles, `__prepared`, and `__x`
-//! the inputs.
+//! `__m` the mechanism, `__modes`, `__turns` the centres and windings of the continuous angles, `__prepared`, `__carried` what comes
+//! from the stage before, and `__x` the inputs.
 
 use linkage_symbolic::program::Source;
 use proc_macro2::TokenStream;
@@ -41,6 +41,10 @@ pub(super) fn loader<'a>(
         Source::Prepared(slot) => {
             let slot = literal::index(slot);
             quote!(__prepared[#slot])
+        }
+        Source::Carried(index) => {
+            let index = literal::index(index);
+            quote!(__carried[#index])
         }
     }
 }

@@ -125,6 +125,11 @@ fn conversions(outline: &Outline) -> TokenStream {
         &|field| quote!(<U as #runtime::Scalar>::from_f64(self.#field)),
     );
     let lane = convert(outline, &|field| quote!(T::lane(self.#field, __lane)));
+    let mut scalars = (0..outline.scalar_fields().len()).map(|index| {
+        let index = literal::index(index);
+        quote!(__rows[#index][__lane])
+    });
+    let at_lane = outline.body(from_scalars(outline, &mut scalars));
     let allow = attribute::allow();
     quote! {
         #allow
@@ -137,21 +142,34 @@ fn conversions(outline: &Outline) -> TokenStream {
         impl<T: #runtime::Scalar> #name<T> {
             /// The dimensions of one lane.
             fn __lane(&self, __lane: ::core::primitive::usize) -> #name<::core::primitive::f64> { #lane }
+
+            /// The dimensions in one lane of the first rows.
+            #[inline(always)]
+            fn __at_lane<const __BLOCK: ::core::primitive::usize, const __ROWS: ::core::primitive::usize>(
+                __rows: &[[T; __BLOCK]; __ROWS],
+                __lane: ::core::primitive::usize,
+            ) -> Self { #at_lane }
         }
     }
 }
 
 /// The struct again with each scalar `field` converted.
 fn convert(outline: &Outline, scalar: &dyn Fn(&TokenStream) -> TokenStream) -> TokenStream {
+    let scalars: Vec<_> = outline.scalar_fields().iter().map(scalar).collect();
+    outline.body(from_scalars(outline, &mut scalars.into_iter()))
+}
+
+/// The struct of the given scalars, in order.
+fn from_scalars(outline: &Outline, scalars: &mut dyn Iterator<Item = TokenStream>) -> TokenStream {
     let name = outline.name;
     let fields = outline.parameters.iter().map(|parameter| {
         let name = parameter.name;
-        let scalars: Vec<_> = parameter.scalar_fields().iter().map(scalar).collect();
-        let value = outline.field_value(&parameter.shape, &mut scalars.into_iter());
+        let value = outline.field_value(&parameter.shape, scalars);
         quote!(#name: #value,)
     });
+    let fields: Vec<_> = fields.collect();
     let marker = outline.parameters.is_empty().then(marker_value);
-    outline.body(quote!(#name { #(#fields)* #marker }))
+    quote!(#name { #(#fields)* #marker })
 }
 
 /// `PARAMETERS`, `STRUCTURE` and the named indices.

@@ -13,6 +13,7 @@ mod docs;
 mod evaluator;
 pub mod facts;
 mod guess;
+mod kernels;
 mod literal;
 mod load;
 mod mechanism;
@@ -20,6 +21,7 @@ mod outline;
 mod shape;
 mod skeleton;
 mod structure;
+mod sweeps;
 #[cfg(test)]
 mod tests;
 mod winding;
@@ -27,6 +29,8 @@ mod winding;
 use proc_macro2::TokenStream;
 
 pub use self::skeleton::skeleton;
+
+use linkage_symbolic::stages::split;
 
 use self::facts::Facts;
 use self::outline::Outline;
@@ -54,13 +58,10 @@ pub fn emit(
     for (function, evaluator) in outline.functions.iter().zip(&lowered.evaluators) {
         items.extend(evaluator::items(&outline, function));
         let inputs = &mechanism.evaluators[evaluator.index].inputs;
-        items.extend(evaluator::kernel(
-            &outline,
-            function,
-            &evaluator.program,
-            inputs,
-        ));
+        let stages = split(&evaluator.program);
+        items.extend(evaluator::kernel(&outline, function, &stages, inputs));
         items.extend(columns::items(&outline, function));
+        items.extend(kernels::items(&outline, function, &stages));
     }
     items
 }

@@ -27,6 +27,7 @@ pub(super) struct Outline<'a> {
     pub modes: Vec<bool>,
     /// How many prepared slots.
     pub prepared: usize,
+    pub continuous_angles: usize,
     /// False after errors: the bodies are `unimplemented!()`.
     pub complete: bool,
 }
@@ -113,6 +114,7 @@ impl<'a> Outline<'a> {
             inputs,
             modes: modes.into_iter().map(|(_, plus)| plus).collect(),
             prepared: lowered.prepare.outputs.len(),
+            continuous_angles: lowered.continuous_angles.len(),
             complete: true,
             ..Self::empty(krate, def)
         }
@@ -131,6 +133,7 @@ impl<'a> Outline<'a> {
             functions: Vec::new(),
             modes: Vec::new(),
             prepared: 0,
+            continuous_angles: 0,
             complete: false,
         }
     }
@@ -165,6 +168,13 @@ impl<'a> Outline<'a> {
             false => quote!(#runtime::AssemblyMode::Minus),
         });
         quote!([#(#modes),*])
+    }
+}
+
+impl Function<'_> {
+    /// The method that runs one stage of the program.
+    pub(super) fn stage(&self, index: usize) -> Ident {
+        format_ident!("__{}_stage{index}", self.name)
     }
 }
 
@@ -285,7 +295,8 @@ fn complete_function<'a>(
     }
     let count = Count::of(&evaluator.program).words();
     notes.push_str("A quantity that depends on something which cannot be assembled is NaN.\n\n");
-    notes.push_str(&format!("Operations: {count}."));
+    let direction = evaluator.direction_note();
+    notes.push_str(&format!("Operations: {count}.{direction}"));
     Function {
         notes,
         ..function(def, fields)

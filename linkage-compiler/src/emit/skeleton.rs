@@ -10,7 +10,7 @@ use super::outline::{self, Component, Field, Function, Input, Outline, Parameter
 use super::shape::of_type;
 use super::{assembly, columns, evaluator, guess::Guess, mechanism, structure};
 use crate::lower::Shape;
-use crate::model::Mechanism;
+use crate::model::{FUNCTION_SUFFIXES, Mechanism};
 use crate::syntax::{FunctionDef, MechanismDef};
 
 /// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
@@ -67,10 +67,7 @@ fn sketch<'a>(
         .iter()
         .filter(|function| {
             let (name, result) = (&function.name, &function.result);
-            let swept = [
-                format_ident!("{name}_sweep"),
-                format_ident!("{name}_sweep_into"),
-            ];
+            let swept = FUNCTION_SUFFIXES.map(|suffix| format_ident!("{name}{suffix}"));
             let own_names = [&[name.clone()][..], &swept].concat();
             names.all(own_names) && types.all([result.clone(), format_ident!("{result}Columns")])
         })

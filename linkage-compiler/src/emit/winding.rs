@@ -58,14 +58,14 @@ pub(super) fn items(
                 &'static ::core::primitive::str,
             > {
                 #runtime::wind(&[#(#table),*], [#(#references),*], __at, |__turns| {
-                    let __prepared = Self::__prepare(__m, __modes, __turns);
-                    move |__x| Self::__directions(__m, __modes, &__prepared, __x)
+                    let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, __modes, __turns);
+                    move |__x| Self::__directions::<{ #runtime::FUSED }>(__m, __modes, &__prepared, __x)
                 })
             }
         }
         #allow
         impl<T: #runtime::Scalar> #assembly<T> {
-            fn __directions(
+            fn __directions<const __FUSED: ::core::primitive::bool>(
                 __m: &#name<T>,
                 __modes: &#modes,
                 __prepared: &#prepared,

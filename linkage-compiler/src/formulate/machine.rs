@@ -127,7 +127,7 @@ impl Machine {
             Source::Winding(angle, input) => {
                 self.windings.get(&(angle, input)).copied().unwrap_or(0.0)
             }
-            Source::Prepared(_) => f64::NAN,
+            Source::Prepared(_) | Source::Carried(_) => f64::NAN,
         });
     }
 

@@ -26,10 +26,12 @@ impl Solver<'_, '_> {
         let x = self.algebra.cross(g, c);
         let along = self.algebra.dot(&g, &c);
         let q = self.difference_of_squares(r, x);
-        let [cx, cy] = c.map(|x| self.abs(x));
+        // Rounding in `X` is that of `|C|`, which near the dead point, where `|X| = r`, is less than this sum.
+        let reach = self.abs(along);
         let graph = &mut self.algebra.graph;
-        let size = graph.add(cx, cy);
-        let noise = graph.mul(r, size);
+        let far = graph.mul(r, reach);
+        let near = graph.square(r);
+        let noise = graph.add(far, near);
         let h = self.root(q, noise);
         let hw = self.algebra.graph.mul(w, h);
         let across = self.perp(g);

@@ -55,7 +55,8 @@ impl Solver<'_, '_> {
         let moving = line.map(|x| self.algebra.graph.mul(stretch, x));
         self.push_pair(terms, [turned, moving], determinant);
 
-        let distance = self.algebra.length(&c);
+        // The root of the same square as in `h`: the margin of a guide without offset is exactly 1.
+        let distance = self.algebra.graph.sqrt(distance2);
         let offset = self.abs(offset);
         let miss = self.algebra.graph.sub(offset, distance);
         let gap = self.gap(q, distance2, miss);

@@ -47,10 +47,11 @@ impl Solver<'_, '_> {
         let h = self.root(q, noise);
 
         let graph = &mut self.algebra.graph;
-        let hw = graph.mul(w, h);
         let half = graph.constant(0.5);
         let inverse = graph.div(half, m);
-        let [a1, a2, b] = [n1, n2, hw].map(|x| graph.mul(x, inverse));
+        let [a1, a2, signed] = [n1, n2, w].map(|x| graph.mul(x, inverse));
+        // The root comes last: what does not need it is ready by then.
+        let b = graph.mul(signed, h);
         let minus_b = graph.neg(b);
         let across = self.perp(c);
         let vectors = [

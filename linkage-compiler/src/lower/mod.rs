@@ -1,7 +1,11 @@
 //! From requested quantities to programs: differentiate, simplify, slice, share, split by binding time, schedule.
 
+mod choice;
+mod cost;
 mod needs;
 mod quantity;
+#[cfg(test)]
+mod tests;
 mod types;
 
 use linkage_symbolic::NodeId;
@@ -9,10 +13,12 @@ use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::program::{Instruction, Program, Source};
 use linkage_symbolic::schedule::{Slots, schedule};
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Algebra, Direction, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::formulate::{Formulation, valued_angles};
 use crate::model::{EvaluatorDef, LengthUnit, Type};
+
+use choice::Choice;
 
 pub use types::{ContinuousAngle, Evaluator, Field, Lowered, Shape};
 
@@ -26,11 +32,11 @@ pub(crate) fn lower(
 ) -> Lowered {
     let mechanism = algebra.mechanism;
     let mut inliner = Inliner::default();
-    let mut requests = Vec::new();
+    let mut choices = Vec::new();
     for definition in &mechanism.evaluators {
-        let request = quantity::request(algebra, formulation, definition);
+        let request = quantity::request(algebra, formulation, definition, Direction::Forward);
         needs::check_inputs(algebra, definition, &request, origins, diagnostics);
-        requests.push(copy(&mut inliner, algebra, &request.nodes));
+        choices.push(Choice::forward(algebra, &mut inliner, &request));
     }
     let gaps: Vec<NodeId> = formulation
         .groups
@@ -38,8 +44,13 @@ pub(crate) fn lower(
         .map(|group| group.closed.gap)
         .collect();
     let gaps = copy(&mut inliner, algebra, &gaps);
+    // Last, so that one function's other directions change nothing for the others.
+    for (choice, definition) in choices.iter_mut().zip(&mechanism.evaluators) {
+        choice.improve(algebra, &mut inliner, formulation, definition);
+    }
 
-    let all: Vec<NodeId> = requests.iter().flatten().chain(&gaps).copied().collect();
+    let outputs = choices.iter().flat_map(|choice| &choice.outputs);
+    let all: Vec<NodeId> = outputs.chain(&gaps).copied().collect();
     let angles = formulation.in_order(algebra, valued_angles(&inliner.target, &all));
     let units: Vec<NodeId> = angles
         .iter()
@@ -54,13 +65,14 @@ pub(crate) fn lower(
 
     let mut slots = Slots::default();
     let graph = &inliner.target;
-    let evaluators = requests.iter().enumerate().map(|(index, outputs)| {
+    let evaluators = choices.iter().enumerate().map(|(index, choice)| {
         let definition = &mechanism.evaluators[index];
-        let program = schedule(graph, outputs, &mut slots);
+        let program = schedule(graph, &choice.outputs, &mut slots);
         Evaluator {
             index,
             program,
             fields: fields(algebra, definition),
+            sensitivities: choice.direction.map(Direction::words),
         }
     });
     let mut lowered = Lowered {
@@ -84,7 +96,7 @@ pub(crate) fn requested_nodes(
     formulation: &Formulation,
     definition: &EvaluatorDef,
 ) -> Vec<NodeId> {
-    quantity::request(algebra, formulation, definition).nodes
+    quantity::request(algebra, formulation, definition, Direction::Forward).nodes
 }
 
 fn copy(inliner: &mut Inliner, algebra: &Algebra, nodes: &[NodeId]) -> Vec<NodeId> {

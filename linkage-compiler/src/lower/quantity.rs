@@ -3,7 +3,7 @@
 use linkage_symbolic::program::Binary;
 use linkage_symbolic::{NodeId, SymbolId};
 
-use crate::algebra::{Algebra, Translate, Value};
+use crate::algebra::{Algebra, Direction, Translate, Value};
 use crate::formulate::Formulation;
 use crate::model::{EvaluatorDef, Expr, ExprKind, Variable};
 
@@ -16,16 +16,20 @@ pub(super) struct Requested {
     pub(super) underlying: Vec<NodeId>,
     /// Inputs that the function differentiates by.
     pub(super) variables: Vec<usize>,
+    /// Whether it differentiates by parameters.
+    pub(super) by_parameters: bool,
 }
 
 pub(super) fn request<'m>(
     algebra: &mut Algebra<'m>,
     formulation: &Formulation,
     definition: &EvaluatorDef,
+    direction: Direction,
 ) -> Requested {
     let mut request = Request {
         algebra,
         definition,
+        direction,
         margin: None,
         asks_margin: false,
         requested: Requested::default(),
@@ -46,6 +50,8 @@ pub(super) fn request<'m>(
 struct Request<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
     definition: &'a EvaluatorDef,
+    /// How derivatives by parameters are found.
+    direction: Direction,
     /// The smallest margin; `None` while it is not known yet.
     margin: Option<NodeId>,
     asks_margin: bool,
@@ -98,22 +104,36 @@ impl Request<'_, '_> {
             })
     }
 
-    fn derivative(&mut self, value: &Value, variable: SymbolId) -> Value {
+    fn derivative(&mut self, value: &Value, variable: Variable) -> Value {
+        match variable {
+            Variable::Input(input) => self.requested.variables.push(input),
+            Variable::Parameter(_) => self.requested.by_parameters = true,
+        }
+        let symbol = self.algebra.variable(variable);
+        let direction = match variable {
+            Variable::Input(_) => Direction::Forward,
+            Variable::Parameter(_) => self.direction,
+        };
+        self.slope(value, symbol, direction)
+    }
+
+    fn slope(&mut self, value: &Value, variable: SymbolId, direction: Direction) -> Value {
         match value {
             Value::Scalar(scalar) => {
                 let node = self.algebra.node(scalar);
-                Value::Scalar(self.algebra.derivative(node, variable).into())
+                let slope = self.algebra.derivative(node, variable, direction);
+                Value::Scalar(slope.into())
             }
             Value::Vector(components) => Value::Vector(
                 components
                     .iter()
-                    .map(|&x| self.algebra.derivative(x, variable))
+                    .map(|&x| self.algebra.derivative(x, variable, direction))
                     .collect(),
             ),
             Value::Array(entries) => Value::Array(
                 entries
                     .iter()
-                    .map(|entry| self.derivative(entry, variable))
+                    .map(|entry| self.slope(entry, variable, direction))
                     .collect(),
             ),
         }
@@ -135,9 +155,7 @@ impl Request<'_, '_> {
         }
         let inputs = self.definition.inputs.clone();
         let mut entries = inputs.iter().map(|&input| {
-            self.requested.variables.push(input);
-            let variable = self.algebra.variable(Variable::Input(input));
-            let slope = self.derivative(value, variable);
+            let slope = self.derivative(value, Variable::Input(input));
             self.by_inputs(&slope, order - 1)
         });
         match inputs.len() {
@@ -156,13 +174,9 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
         match &expr.kind {
             ExprKind::Derivative(quantity, variables) => {
                 let value = self.underlying(quantity);
-                variables.iter().fold(value, |value, &variable| {
-                    if let Variable::Input(input) = variable {
-                        self.requested.variables.push(input);
-                    }
-                    let variable = self.algebra.variable(variable);
-                    self.derivative(&value, variable)
-                })
+                variables
+                    .iter()
+                    .fold(value, |value, &variable| self.derivative(&value, variable))
             }
             ExprKind::InputDerivative(quantity, order) => {
                 let value = self.underlying(quantity);
@@ -170,10 +184,9 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
             }
             ExprKind::Sensitivity(quantity, parameters) => {
                 let value = self.underlying(quantity);
-                let entries = parameters.iter().map(|&parameter| {
-                    let variable = self.algebra.variable(Variable::Parameter(parameter));
-                    self.derivative(&value, variable)
-                });
+                let entries = parameters
+                    .iter()
+                    .map(|&parameter| self.derivative(&value, Variable::Parameter(parameter)));
                 Value::Array(entries.collect())
             }
             _ => {

@@ -38,6 +38,17 @@ pub struct Evaluator {
     /// outermost index first, vector components innermost.
     pub program: Program,
     pub fields: Vec<Field>,
+    /// In which direction derivatives by parameters were found, if there are any.
+    pub sensitivities: Option<&'static str>,
+}
+
+impl Evaluator {
+    /// A sentence for the docs, a space in front, if there are derivatives by parameters.
+    pub fn direction_note(&self) -> String {
+        self.sensitivities.map_or_else(String::new, |direction| {
+            format!(" Derivatives by parameters are computed {direction}.")
+        })
+    }
 }
 
 #[derive(Clone, Debug)]

@@ -11,7 +11,15 @@ use crate::diagnostic::text::{list, nearest};
 use crate::syntax::{FunctionDef, MechanismDef, QuantityDef, SourceSpan};
 
 /// What the macro generates beside a function `NAME`.
-const FUNCTION_SUFFIXES: [&str; 2] = ["_sweep", "_sweep_into"];
+pub(crate) const FUNCTION_SUFFIXES: [&str; 7] = [
+    "_sweep",
+    "_sweep_into",
+    "_sweep_slices",
+    "_sweep_parallel_into",
+    "_sweep_sets",
+    "_sweep_sets_into",
+    "_sweep_sets_parallel_into",
+];
 
 /// Names taken so far: where, and by what if not by the user's own word.
 type Taken = BTreeMap<String, (SourceSpan, Option<String>)>;

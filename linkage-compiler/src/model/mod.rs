@@ -20,6 +20,7 @@ mod variable;
 mod zeros;
 
 pub use dump::dump;
+pub(crate) use evaluators::FUNCTION_SUFFIXES;
 pub use types::*;
 
 use crate::diagnostic::{Diagnostics, Origins};

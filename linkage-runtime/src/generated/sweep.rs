@@ -1,64 +1,107 @@
-//! Many positions: a generated kernel over slices of inputs, into columns.
+//! Many positions: a generated kernel over rows of arguments, into columns.
+
+mod arguments;
+mod blocks;
+mod instruction_set;
+
+pub use arguments::{Arguments, Inputs, Sets};
+pub use blocks::{Block, put, rows};
 
 use crate::{Columns, Scalar};
 
-/// A generated function as the sweeps see it: `I` inputs to `W` numbers, without a branch.
+/// A generated function as the sweeps see it: `I` arguments to `W` numbers, without a branch.
 pub trait Kernel<T, const I: usize, const W: usize> {
-    /// All numbers at one position.
-    fn evaluate(&self, inputs: [T; I]) -> [T; W];
+    /// Evaluates the rows of arguments from `start` on, as many as the columns are long, in blocks of `B`, `V` of them
+    /// side by side. There are at least `B`. The last block begins earlier if rows are missing: some rows are then computed
+    /// twice, every one in the same way. With `FUSED` only on machines with fused multiply-add.
+    fn evaluate<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        arguments: &impl Arguments<T, I>,
+        start: usize,
+        columns: [&mut [T]; W],
+    );
 }
 
-/// Positions evaluated together.
-const BLOCK: usize = 8;
-
-/// Evaluates `kernel` at all positions. `title` and `names` are the function and its arguments, for the panic.
+/// Evaluates `kernel` at all positions, into columns of that length.
 ///
 /// # Panics
 ///
-/// Panics if the slices differ in length.
+/// Panics if the arguments differ in length.
 pub fn fill<T: Scalar, const I: usize, const W: usize>(
-    title: &str,
-    names: [&str; I],
-    inputs: [&[T]; I],
     kernel: &impl Kernel<T, I, W>,
+    arguments: &impl Arguments<T, I>,
     columns: &mut Columns<T>,
 ) {
-    let len = inputs.first().map_or(0, |first| first.len());
-    for (name, slice) in names.iter().zip(&inputs) {
+    columns.resize(arguments.check());
+    instruction_set::run(kernel, arguments, 0, columns.all_mut());
+}
+
+/// Evaluates `kernel` at all positions, into slices of that length. `title` is the function, for the panic.
+///
+/// # Panics
+///
+/// Panics if the arguments or slices differ in length.
+pub fn fill_slices<T: Scalar, const I: usize, const W: usize>(
+    title: &str,
+    kernel: &impl Kernel<T, I, W>,
+    arguments: &impl Arguments<T, I>,
+    slices: [&mut [T]; W],
+) {
+    let len = arguments.check();
+    for (index, slice) in slices.iter().enumerate() {
         assert!(
             slice.len() == len,
-            "{title}: `{}` has {len} elements, `{name}` has {}",
-            names[0],
+            "{title}: there are {len} positions, but slice {index} has {} elements",
             slice.len()
         );
     }
-    columns.resize(len);
-    let whole = len - len % BLOCK;
-    for start in (0..whole).step_by(BLOCK) {
-        let arguments =
-            inputs.map(|slice| core::array::from_fn(|lane| slice[start..start + BLOCK][lane]));
-        let block = evaluate_block(kernel, &arguments);
-        for (index, column) in block.iter().enumerate() {
-            columns.column_mut(index)[start..start + BLOCK].copy_from_slice(column);
-        }
-    }
-    for row in whole..len {
-        columns.set_row(row, kernel.evaluate(inputs.map(|slice| slice[row])));
-    }
+    instruction_set::run(kernel, arguments, 0, slices);
 }
 
-/// The loop that becomes vector code.
-#[inline(always)]
-fn evaluate_block<T: Scalar, const I: usize, const W: usize>(
-    kernel: &impl Kernel<T, I, W>,
-    arguments: &[[T; BLOCK]; I],
-) -> [[T; BLOCK]; W] {
-    let mut block = [[T::from_f64(0.0); BLOCK]; W];
-    for lane in 0..BLOCK {
-        let row = kernel.evaluate(core::array::from_fn(|input| arguments[input][lane]));
-        for (column, value) in block.iter_mut().zip(row) {
-            column[lane] = value;
-        }
+/// As [`fill`], on all threads of rayon's current pool.
+///
+/// # Panics
+///
+/// Panics if the arguments differ in length.
+#[cfg(feature = "rayon")]
+pub fn fill_parallel<T: Scalar + Send + Sync, const I: usize, const W: usize>(
+    kernel: &(impl Kernel<T, I, W> + Sync),
+    arguments: &(impl Arguments<T, I> + Sync),
+    columns: &mut Columns<T>,
+) {
+    columns.resize(arguments.check());
+    split(kernel, arguments, 0, columns.all_mut());
+}
+
+/// Positions that are worth a task of their own, some ten microseconds of work.
+#[cfg(feature = "rayon")]
+const TASK: usize = 2048;
+
+#[cfg(feature = "rayon")]
+fn split<T: Scalar + Send + Sync, const I: usize, const W: usize>(
+    kernel: &(impl Kernel<T, I, W> + Sync),
+    arguments: &(impl Arguments<T, I> + Sync),
+    start: usize,
+    columns: [&mut [T]; W],
+) {
+    let len = columns.first().map_or(0, |column| column.len());
+    if len <= TASK {
+        return instruction_set::run(kernel, arguments, start, columns);
     }
-    block
+    // Halves that begin where a block of positions begins.
+    let half = (len / 2).next_multiple_of(TASK / 2);
+    let mut tails = [const { None }; W];
+    let mut tail = tails.iter_mut();
+    let heads = columns.map(|column| {
+        let (head, rest) = column.split_at_mut(half);
+        if let Some(tail) = tail.next() {
+            *tail = Some(rest);
+        }
+        head
+    });
+    let tails = tails.map(Option::unwrap_or_default);
+    rayon::join(
+        || split(kernel, arguments, start, heads),
+        || split(kernel, arguments, start + half, tails),
+    );
 }

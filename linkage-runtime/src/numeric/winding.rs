@@ -1,6 +1,6 @@
 //! How an angle turns while an input runs through its range.
 
-use crate::math::double::atan2;
+use crate::Scalar;
 use core::f64::consts::{PI, TAU};
 
 /// Remainders should stay below this, so that inputs a little outside the range are served too.
@@ -278,7 +278,7 @@ impl<F: FnMut(f64) -> [f64; 2]> Path<'_, F> {
         let [cos, sin] = (self.direction)(x);
         let exists = cos.is_finite() && sin.is_finite() && (cos != 0.0 || sin != 0.0);
         exists.then(|| {
-            let turn = atan2(sin, cos) - guide;
+            let turn = Scalar::atan2(sin, cos) - guide;
             // Adding and subtracting 1.5 * 2^52 rounds to an integer.
             const ROUND: f64 = 6_755_399_441_055_744.0;
             let turns = (turn / TAU + ROUND) - ROUND;

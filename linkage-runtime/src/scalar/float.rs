@@ -1,7 +1,7 @@
 //! `f64` and `f32`.
 
-use super::Scalar;
-use crate::math;
+use super::{FUSED, Scalar};
+use crate::{elementary, math};
 use core::hint::select_unpredictable;
 
 /// A plain floating-point number: `f64` or `f32`, also as the element of lanes.
@@ -36,10 +36,13 @@ impl Float for f32 {
     const TURN_LOW: f32 = 1.935_307_2e-3;
 }
 
+// Choices are integer operations, or a minimum or maximum, which are instructions of their own: two other choices on one
+// comparison of floats become a branch, and comparisons of neighbouring numbers are made one, so that they share it.
 macro_rules! scalar {
     ($float:ident, $bits:ident, $functions:ident) => {
         impl Scalar for $float {
             const LANES: usize = 1;
+            const VECTORISES: bool = true;
 
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
@@ -65,12 +68,27 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                math::$functions::sin_cos(self)
+                elementary::$functions::sin_cos::<FUSED>(self)
+            }
+
+            #[inline(always)]
+            fn sin_cos_with<const FUSED: bool>(self) -> (Self, Self) {
+                elementary::$functions::sin_cos::<FUSED>(self)
+            }
+
+            #[inline(always)]
+            fn mul_add<const FUSED: bool>(self, factor: Self, term: Self) -> Self {
+                elementary::$functions::mul_add::<FUSED>(self, factor, term)
             }
 
             #[inline(always)]
             fn atan2(self, x: Self) -> Self {
-                math::$functions::atan2(self, x)
+                elementary::$functions::atan2::<FUSED>(self, x)
+            }
+
+            #[inline(always)]
+            fn atan2_with<const FUSED: bool>(self, x: Self) -> Self {
+                elementary::$functions::atan2::<FUSED>(self, x)
             }
 
             #[inline(always)]
@@ -90,36 +108,60 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn root(self, scale: Self) -> Self {
+                self.root_with::<FUSED>(scale)
+            }
+
+            #[inline(always)]
+            fn root_with<const FUSED: bool>(self, scale: Self) -> Self {
                 let slack = 8.0 * <$float>::EPSILON * <$float>::abs(scale);
-                let positive = select_unpredictable(self > 0.0, self, 0.0);
-                // The product is zero unless the scale is infinite, when nothing is forgiven.
-                let close = self + slack >= slack * 0.0;
-                math::$functions::sqrt(select_unpredictable(close, positive, self))
+                // The root does not wait for the test. NaN stays, -0 does not.
+                let positive = <$float>::abs(select_unpredictable(self < 0.0, 0.0, self));
+                let root = math::$functions::sqrt(positive).to_bits();
+                // Negative if more is missing, or anything where the scale is infinite. Then all bits are set: NaN.
+                let infinite = <$float>::MAX.to_bits().wrapping_sub(slack.to_bits());
+                let missing = (self + slack).to_bits() | (infinite & self.to_bits());
+                let nan = missing.cast_signed() >> (<$bits>::BITS - 1);
+                <$float>::from_bits(root | nan.cast_unsigned())
             }
 
             #[inline(always)]
             fn angle_near(y: Self, x: Self, guide: Self) -> Self {
-                let angle = math::$functions::atan2(y, x);
+                Self::angle_near_with::<FUSED>(y, x, guide)
+            }
+
+            #[inline(always)]
+            fn angle_near_with<const FUSED: bool>(y: Self, x: Self, guide: Self) -> Self {
+                let angle = elementary::$functions::atan2::<FUSED>(y, x);
                 let turns = ((guide - angle) * Self::TURNS + Self::ROUND) - Self::ROUND;
                 (angle + turns * Self::TURN_LOW) + turns * Self::TURN_HIGH
             }
 
             #[inline(always)]
             fn select(s: Self, a: Self, b: Self) -> Self {
-                let chosen = select_unpredictable(s >= 0.0, a, b);
-                select_unpredictable(s.is_nan(), s, chosen)
+                // The sign bit, but not that of -0.
+                let negative = s.to_bits() & s.to_bits().wrapping_sub(1);
+                let negative = (negative.cast_signed() >> (<$bits>::BITS - 1)).cast_unsigned();
+                let [a, b] = [a, b].map(<$float>::to_bits);
+                let chosen = a ^ ((a ^ b) & negative);
+                // Zero, or NaN.
+                let nan = select_unpredictable(s < 0.0, 0.0, s);
+                let nan = <$float>::abs(select_unpredictable(nan > 0.0, 0.0, nan));
+                <$float>::from_bits(chosen | nan.to_bits())
             }
 
             #[inline(always)]
             fn min(self, other: Self) -> Self {
+                // Equal unless one is NaN: then one of them is.
                 let smaller = select_unpredictable(self < other, self, other);
-                select_unpredictable(self.is_nan(), self, smaller)
+                let or = select_unpredictable(other < self, other, self);
+                <$float>::from_bits(smaller.to_bits() | or.to_bits())
             }
 
             #[inline(always)]
             fn max(self, other: Self) -> Self {
                 let larger = select_unpredictable(self > other, self, other);
-                select_unpredictable(self.is_nan(), self, larger)
+                let or = select_unpredictable(other > self, other, self);
+                <$float>::from_bits(larger.to_bits() | or.to_bits())
             }
         }
     };

@@ -1,5 +1,6 @@
 //! What one program gives at one position, as plain numbers.
 
+use crate::Fused;
 use nalgebra::Vector2;
 
 /// Everything that a test program is asked for at one position.
@@ -38,9 +39,15 @@ impl Components for f64 {
     }
 }
 
-impl Components for Vector2<f64> {
+impl Components for Fused {
     fn components(&self) -> Vec<f64> {
-        vec![self.x, self.y]
+        vec![self.0]
+    }
+}
+
+impl<T: Components> Components for Vector2<T> {
+    fn components(&self) -> Vec<f64> {
+        self.iter().flat_map(Components::components).collect()
     }
 }
 

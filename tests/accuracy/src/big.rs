@@ -78,6 +78,9 @@ impl Big {
         let Some((words, _, sign, exponent, _)) = self.0.as_raw_parts() else {
             return f64::NAN;
         };
+        if words.is_empty() {
+            return 0.0;
+        }
         let word_size = 2f64.powi(-(8 * size_of_val(&words[0]) as i32));
         let mantissa = words
             .iter()
@@ -213,6 +216,7 @@ mod tests {
     #[test]
     fn conversion_keeps_every_f64() {
         for x in [
+            0.0,
             1.0,
             -0.1,
             1e-150,

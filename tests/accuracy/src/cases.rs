@@ -13,27 +13,24 @@ pub struct Plan {
     pub dead_points: &'static [(usize, f64)],
 }
 
-/// How many times the usual number of cases: 20 for `LINKAGE_LONG=1`, 40 for `LINKAGE_LONG=2`.
-fn effort() -> usize {
+/// How many times the usual number of cases: 5 for `LINKAGE_LONG=1`, 10 for `LINKAGE_LONG=2`.
+pub(crate) fn effort() -> usize {
     let long = std::env::var("LINKAGE_LONG").ok();
     let times = long.and_then(|value| value.parse::<usize>().ok());
-    times.map_or(1, |times| 20 * times.max(1))
+    times.map_or(1, |times| 5 * times.max(1))
 }
 
 /// Positions all over the cycle, of the mechanism as written and of random geometries.
 pub fn cycle_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
     let mut random = Random::new(seed);
     let inputs = (0..12).map(|k| input_at(system, k as f64 / 12.0)).collect();
-    let mut cases = vec![Case {
-        geometry: system.default_geometry(),
-        inputs,
-    }];
+    let mut cases = vec![Case::new(system.default_geometry(), inputs)];
     for _ in 0..geometries * effort() {
         let geometry = (plan.geometry)(&mut random, 6.0);
         let inputs = (0..4)
             .map(|_| input_at(system, random.between(-1.0, 2.0)))
             .collect();
-        cases.push(Case { geometry, inputs });
+        cases.push(Case::new(geometry, inputs));
     }
     cases
 }
@@ -47,7 +44,8 @@ fn input_at(system: &System, turns: f64) -> f64 {
     }
 }
 
-/// Geometries near a dead point at the reference input, at relative distances from 1e-1 to 1e-15.
+/// Geometries near a dead point at the reference input, at relative distances from 1e-1 to 1e-15, in
+/// both assembly modes.
 pub fn dead_point_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
     let mut random = Random::new(seed);
     let input = system.reference_input();
@@ -58,10 +56,8 @@ pub fn dead_point_cases(system: &System, plan: &Plan, geometries: usize, seed: u
             for decade in (1..=15).skip(number % 2).step_by(2) {
                 let distance = 10f64.powi(-decade);
                 let near = approach(system, &geometry, input, changed, factor, distance);
-                cases.extend(near.map(|geometry| Case {
-                    geometry,
-                    inputs: vec![input],
-                }));
+                let case = near.map(|geometry| Case::new(geometry, vec![input]));
+                cases.extend(case.map(|case| if number % 4 < 2 { case } else { case.flipped() }));
             }
         }
     }
@@ -75,10 +71,7 @@ pub fn proportion_cases(system: &System, plan: &Plan, geometries: usize, seed: u
     let mut case = |_| {
         let geometry = (plan.geometry)(&mut random, 1e8);
         let near = input + random.ratio(1e-8, 1.0) * if input == 0.0 { 1.0 } else { input };
-        Case {
-            geometry,
-            inputs: vec![input, near],
-        }
+        Case::new(geometry, vec![input, near])
     };
     (0..geometries * effort()).map(&mut case).collect()
 }
@@ -86,18 +79,71 @@ pub fn proportion_cases(system: &System, plan: &Plan, geometries: usize, seed: u
 /// Random geometries of sizes from 1e-150 to 1e150, for mechanisms whose lengths are all
 /// parameters.
 pub fn scale_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
+    scaled(system, plan, (6.0, [-150, -80, 60, 150]), geometries, seed)
+}
+
+/// The same from 1e-140 to 1e140, with lengths in ratios up to 1e8.
+pub fn wide_scale_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
+    scaled(system, plan, (1e8, [-140, -70, 70, 140]), geometries, seed)
+}
+
+fn scaled(
+    system: &System,
+    plan: &Plan,
+    (spread, exponents): (f64, [i32; 4]),
+    geometries: usize,
+    seed: u64,
+) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = Vec::new();
     for _ in 0..geometries * effort() {
-        let geometry = (plan.geometry)(&mut random, 6.0);
+        let geometry = (plan.geometry)(&mut random, spread);
         let size = system.size(&geometry);
-        for exponent in [-150, -80, 60, 150] {
+        for exponent in exponents {
             let inputs = vec![
                 input_at(system, random.between(0.0, 1.0)),
                 system.reference_input(),
             ];
             let geometry = rescaled(system, &geometry, 10f64.powi(exponent) / size);
-            cases.push(Case { geometry, inputs });
+            cases.push(Case::new(geometry, inputs));
+        }
+    }
+    cases
+}
+
+/// Angles of the input up to a million radians, of the mechanism as written and of random
+/// geometries.
+pub fn far_input_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let mut cases = vec![Case::new(system.default_geometry(), vec![1e6, -1e6, 1e5])];
+    for _ in 0..geometries * effort() {
+        let geometry = (plan.geometry)(&mut random, 6.0);
+        let sign = if random.chance(0.5) { 1.0 } else { -1.0 };
+        let far = sign * random.ratio(10.0, 1e6);
+        cases.push(Case::new(
+            geometry,
+            vec![far, sign * random.between(0.9e6, 1e6)],
+        ));
+    }
+    cases
+}
+
+/// Geometries that a function makes for distances from 1e-1 to 1e-15, at the reference input, in
+/// both assembly modes.
+pub fn decade_cases(
+    system: &System,
+    geometry: fn(&mut Random, f64) -> Vec<f64>,
+    rounds: usize,
+    seed: u64,
+) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let mut cases = Vec::new();
+    for round in 0..rounds * effort() {
+        for decade in 1..=15 {
+            let geometry = geometry(&mut random, 10f64.powi(-decade));
+            let case = Case::new(geometry, vec![system.reference_input()]);
+            let other = !system.linear && round % 2 == 1;
+            cases.push(if other { case.flipped() } else { case });
         }
     }
     cases
@@ -110,7 +156,7 @@ pub fn nearby_cases(system: &System, geometries: usize, seed: u64) -> Vec<Case> 
         let near = |x: f64| x * random.between(0.97, 1.03);
         let geometry = system.default_geometry().into_iter().map(near).collect();
         let inputs = (0..3).map(|_| random.angle()).collect();
-        Case { geometry, inputs }
+        Case::new(geometry, inputs)
     };
     (0..geometries * effort()).map(&mut case).collect()
 }

@@ -1,10 +1,21 @@
 //! Compares programs with the reference.
 
+use crate::errors::{compare_derivatives, compare_margin, compare_positions, must_be_nan};
+use crate::report::Program;
 use crate::standing::{Standing, standing};
-use crate::{Answers, Big, Measure, ROUNDOFF, Reference, Report, System, solve};
+use crate::{Answers, Big, Reference, Report, System, solve};
 
 /// A program at one geometry: input in, answers out.
 pub type Evaluate = Box<dyn Fn(f64) -> Answers>;
+
+/// How to compute a form.
+#[derive(Clone, Copy, Debug)]
+pub struct Variant {
+    /// With fused multiply-adds; else as this build does.
+    pub fused: bool,
+    /// In the other assembly mode.
+    pub flipped: bool,
+}
 
 /// One written form of the mechanism.
 #[derive(Clone, Copy)]
@@ -12,7 +23,7 @@ pub struct Form {
     /// Its name in the report.
     pub name: &'static str,
     /// Assembles it for a geometry (all data but the input); the error as text.
-    pub assemble: fn(&[f64]) -> Result<Evaluate, String>,
+    pub assemble: fn(&[f64], Variant) -> Result<Evaluate, String>,
     /// Whether the form can be used for a geometry: `distance(a, b) = l` wants `l` to be positive.
     pub fits: fn(&[f64]) -> bool,
 }
@@ -24,32 +35,63 @@ pub struct Case {
     pub geometry: Vec<f64>,
     /// The inputs.
     pub inputs: Vec<f64>,
+    /// Whether to look at the other assembly mode.
+    pub flipped: bool,
+}
+
+impl Case {
+    /// A case in the assembly mode that the estimates choose.
+    pub fn new(geometry: Vec<f64>, inputs: Vec<f64>) -> Self {
+        Self {
+            geometry,
+            inputs,
+            flipped: false,
+        }
+    }
+
+    /// The case in the other assembly mode.
+    #[must_use]
+    pub fn flipped(self) -> Self {
+        Self {
+            flipped: true,
+            ..self
+        }
+    }
+}
+
+/// What to compare, which the reference's time depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Depth {
+    /// Values and first derivatives; of every third position second derivatives and sensitivities.
+    Usual,
+    /// Everything that a program is asked for.
+    Full,
 }
 
 /// Compares all forms with the reference in all cases.
-pub fn compare(system: &System, forms: &[Form], cases: &[Case]) -> Report {
-    let mut report = Report::default();
+pub fn compare(system: &System, forms: &[Form], cases: &[Case], depth: Depth) -> Report {
+    let mut report = Report::of(system.name);
     let mode = default_mode(system);
     for case in cases {
-        let programs = assemble(system, forms, &case.geometry, &mut report);
+        let mode = if case.flipped { -mode } else { mode };
+        let programs = assemble(system, forms, case, &mut report);
         for &input in &case.inputs {
             if !programs.is_empty() {
                 let data: Vec<f64> = case.geometry.iter().copied().chain([input]).collect();
-                compare_position(system, &programs, &data, mode, &mut report);
+                compare_position(system, &programs, &data, (mode, depth), &mut report);
             }
         }
     }
     report
 }
 
-type Program = (&'static str, Evaluate);
-
 fn assemble(
     system: &System,
     forms: &[Form],
-    geometry: &[f64],
+    case: &Case,
     report: &mut Report,
-) -> Vec<Program> {
+) -> Vec<(Program, Evaluate)> {
+    let geometry = &case.geometry;
     let data: Vec<f64> = geometry
         .iter()
         .copied()
@@ -58,25 +100,31 @@ fn assemble(
     let standing = standing(system, &data);
     let mut programs = Vec::new();
     for form in forms.iter().filter(|form| (form.fits)(geometry)) {
-        match ((form.assemble)(geometry), &standing) {
-            (Ok(_), Standing::Apart) => report.fail(|| {
-                format!(
-                    "{}: assembled although it cannot be: {geometry:?}",
-                    form.name
-                )
-            }),
-            (Ok(evaluate), _) => programs.push((form.name, evaluate)),
-            (Err(why), Standing::Closed) => {
-                report.fail(|| format!("{}: not assembled: {why}: {geometry:?}", form.name));
+        for fused in [false, true] {
+            let program = Program {
+                form: form.name,
+                fused,
+            };
+            let variant = Variant {
+                fused,
+                flipped: case.flipped,
+            };
+            match ((form.assemble)(geometry, variant), &standing) {
+                (Ok(_), Standing::Apart) => report
+                    .fail(|| format!("{program}: assembled although it cannot be: {geometry:?}")),
+                (Ok(evaluate), _) => programs.push((program, evaluate)),
+                (Err(why), Standing::Closed) => {
+                    report.fail(|| format!("{program}: not assembled: {why}: {geometry:?}"));
+                }
+                (Err(_), _) => {}
             }
-            (Err(_), _) => {}
         }
     }
     programs
 }
 
 /// The sign of the determinant in the assembly mode that the estimates choose.
-fn default_mode(system: &System) -> f64 {
+pub(crate) fn default_mode(system: &System) -> f64 {
     let input = system.reference_input();
     let data: Vec<f64> = system
         .default_geometry()
@@ -95,18 +143,21 @@ fn default_mode(system: &System) -> f64 {
 
 fn compare_position(
     system: &System,
-    programs: &[Program],
+    programs: &[(Program, Evaluate)],
     data: &[f64],
-    mode: f64,
+    (mode, depth): (f64, Depth),
     report: &mut Report,
 ) {
     let input = data[system.input()];
-    let answers = programs
+    let answers: Vec<(Program, Answers)> = programs
         .iter()
-        .map(|(name, evaluate)| (*name, evaluate(input)));
-    let answers: Vec<(&'static str, Answers)> = answers.collect();
+        .map(|(program, evaluate)| (*program, evaluate(input)))
+        .collect();
     match standing(system, data) {
-        Standing::DeadPoint => return,
+        Standing::DeadPoint => {
+            report.undecided += 1;
+            return;
+        }
         Standing::Apart => {
             report.apart += 1;
             return must_be_nan(&answers, data, report);
@@ -125,156 +176,7 @@ fn compare_position(
     if !system.linear && reference.determinant() * mode <= 0.0 {
         return report.fail(|| format!("wrong assembly mode: {:?}: {data:?}", start.values));
     }
-    compare_values(system, &reference, &answers, data, report);
+    compare_positions(system, &mut reference, &answers, data, report);
     compare_margin(system, &reference, &answers, data, report);
-    compare_derivatives(system, &mut reference, &answers, data, report);
-}
-
-fn must_be_nan(answers: &[(&'static str, Answers)], data: &[f64], report: &mut Report) {
-    for (form, a) in answers {
-        let flat = [&a.values, &a.first, &a.second, &a.third]
-            .into_iter()
-            .flatten();
-        // A derivative by a dimension that the quantity does not contain is zero everywhere.
-        let lists = [&a.sensitivity, &a.mixed, &a.mixed_second, &a.pairs];
-        let nested = lists.into_iter().flatten().flatten().filter(|x| **x != 0.0);
-        let mut all = flat.chain(nested).chain([&a.margin]);
-        if let Some(number) = all.find(|x| !x.is_nan()) {
-            report.fail(|| format!("{form}: {number} where it cannot be assembled: {data:?}"));
-        }
-    }
-}
-
-fn compare_values(
-    system: &System,
-    reference: &Reference,
-    answers: &[(&'static str, Answers)],
-    data: &[f64],
-    report: &mut Report,
-) {
-    let lengths = (0..reference.outputs()).filter(|&k| !reference.is_angle(k));
-    let size = lengths.fold(system.size(data), |size, k| {
-        size.max(reference.value(k).abs())
-    });
-    let size = size * ROUNDOFF;
-    let condition = 1.0 / reference.determinant().abs();
-    for (form, a) in answers {
-        if a.values.len() != reference.outputs() {
-            report.fail(|| format!("{form}: {} outputs", a.values.len()));
-            continue;
-        }
-        for (k, &x) in a.values.iter().enumerate() {
-            if reference.is_angle(k) {
-                continue;
-            }
-            let error = ratio(x, &reference.error(k, x), &Big::from(size));
-            let place = || format!("output {k} = {x:e} at {data:?}");
-            report.add(form, Measure::Size, [error; 2], place);
-            report.add(form, Measure::Condition, [error / condition; 2], place);
-        }
-    }
-}
-
-fn compare_margin(
-    system: &System,
-    reference: &Reference,
-    answers: &[(&'static str, Answers)],
-    data: &[f64],
-    report: &mut Report,
-) {
-    if !system.margin {
-        return;
-    }
-    let (expected, uncertainty) = reference.margin();
-    for (form, a) in answers {
-        let error = ratio(
-            a.margin,
-            &(&expected - &Big::from(a.margin)).abs(),
-            &uncertainty,
-        );
-        report.add(form, Measure::Margin, [error; 2], || {
-            format!(
-                "margin {:e}, expected {:e} at {data:?}",
-                a.margin,
-                expected.to_f64()
-            )
-        });
-    }
-}
-
-fn compare_derivatives(
-    system: &System,
-    reference: &mut Reference,
-    answers: &[(&'static str, Answers)],
-    data: &[f64],
-    report: &mut Report,
-) {
-    let x = system.input();
-    // These take half of the time.
-    let thorough = report.positions % 4 == 1;
-    let mut one = |measure, by: &[usize], computed: &dyn Fn(&Answers) -> Option<Vec<f64>>| {
-        compare_one(reference, answers, data, report, measure, by, computed);
-    };
-    one(Measure::Value, &[], &|a| Some(a.values.clone()));
-    one(Measure::First, &[x], &|a| Some(a.first.clone()));
-    one(Measure::Second, &[x, x], &|a| Some(a.second.clone()));
-    one(Measure::Third, &[x, x, x], &|a| Some(a.third.clone()));
-    for p in 0..system.parameters {
-        one(Measure::Sensitivity, &[p], &|a| {
-            a.sensitivity.get(p).cloned()
-        });
-        one(Measure::Mixed, &[x, p], &|a| a.mixed.get(p).cloned());
-        if thorough {
-            one(Measure::MixedSecond, &[x, x, p], &|a| {
-                a.mixed_second.get(p).cloned()
-            });
-        }
-    }
-    for (index, &(p, q)) in system.pairs.iter().enumerate() {
-        one(Measure::Pair, &[p, q], &|a| a.pairs.get(index).cloned());
-    }
-}
-
-fn compare_one(
-    reference: &mut Reference,
-    answers: &[(&'static str, Answers)],
-    data: &[f64],
-    report: &mut Report,
-    measure: Measure,
-    by: &[usize],
-    computed: &dyn Fn(&Answers) -> Option<Vec<f64>>,
-) {
-    let alone = reference.uncertainty(by);
-    let joint = reference.joint_uncertainty(by);
-    let exact = if by.is_empty() {
-        Vec::new()
-    } else {
-        reference.derivative(by)
-    };
-    for (form, a) in answers {
-        for (k, &number) in computed(a).unwrap_or_default().iter().enumerate() {
-            let error = match exact.get(k) {
-                Some(exact) => (exact - &Big::from(number)).abs(),
-                None => reference.error(k, number),
-            };
-            let errors = [&joint, &alone].map(|unit| ratio(number, &error, &unit[k]));
-            report.add(form, measure, errors, || {
-                format!("output {k} by {by:?} = {number:e} at {data:?}")
-            });
-        }
-    }
-}
-
-/// `error / unit`; infinite for a computed number that is not one, zero for no error of no
-/// uncertainty.
-fn ratio(computed: f64, error: &Big, unit: &Big) -> f64 {
-    if !computed.is_finite() {
-        f64::INFINITY
-    } else if error.is_zero() {
-        0.0
-    } else if unit.is_zero() {
-        f64::INFINITY
-    } else {
-        (error / unit).to_f64()
-    }
+    compare_derivatives(system, &mut reference, &answers, depth, report);
 }

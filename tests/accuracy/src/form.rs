@@ -5,19 +5,74 @@
 ///
 /// The outputs are names of scalars or vectors; every form of one system has the same, in the same
 /// order. The fields are an expression for the mechanism's value from a slice `g` of all data but
-/// the input.
+/// the input. Without `pairs` the program has no derivatives beyond those of
+/// [`Depth::Usual`](crate::Depth::Usual).
 #[macro_export]
 macro_rules! form {
     (
-        $(#[$doc:meta])*
+        @module $name:ident [$($out:ident),+]
+        |$g:ident| { $($fields:tt)* }
+        { $($mechanism:tt)* }
+        |$linkage:ident, $input:ident, $answers:ident| $further:block
+    ) => {
+        mod $name {
+            linkage::mechanism! { $($mechanism)* }
+
+            pub(super) fn assemble(
+                $g: &[f64],
+                variant: linkage_accuracy::Variant,
+            ) -> Result<linkage_accuracy::Evaluate, String> {
+                let mechanism = Mechanism { $($fields)* };
+                if variant.fused {
+                    evaluate(&mechanism.cast::<linkage_accuracy::Fused>(), variant.flipped)
+                } else {
+                    evaluate(&mechanism, variant.flipped)
+                }
+            }
+
+            fn evaluate<T: linkage::Scalar + linkage_accuracy::Components>(
+                mechanism: &Mechanism<T>,
+                flipped: bool,
+            ) -> Result<linkage_accuracy::Evaluate, String> {
+                let $linkage = if flipped {
+                    // The default mechanism closes: its modes are those of the estimates.
+                    let usual = Mechanism::default().assemble().map_err(|why| why.to_string())?;
+                    let found = mechanism.assemblies().map_err(|why| why.to_string())?;
+                    let other = found.into_iter().find(|other| other.modes() != usual.modes());
+                    other.ok_or("no assembly in the other mode")?
+                } else {
+                    mechanism.assemble().map_err(|why| why.to_string())?
+                };
+                Ok(Box::new(move |input| {
+                    let $input = T::from_f64(input);
+                    let values = $linkage.values($input);
+                    let first = $linkage.first($input);
+                    let second = $linkage.second($input);
+                    let sensitivity = $linkage.sensitivities($input);
+                    let mut $answers = linkage_accuracy::Answers {
+                        values: $crate::concatenate(&[$(&values.$out),+]),
+                        margin: values.margin.lane(0),
+                        first: $crate::concatenate(&[$(&first.$out),+]),
+                        second: $crate::concatenate(&[$(&second.$out),+]),
+                        sensitivity: $crate::by_column(&[$($crate::rows(&sensitivity.$out)),+]),
+                        ..linkage_accuracy::Answers::default()
+                    };
+                    $further
+                    $answers
+                }))
+            }
+        }
+    };
+    (
         $name:ident($input:ident) -> [$($out:ident),+ $(,)?];
         pairs $a:ident $b:ident, $c:ident $d:ident;
         fields |$g:ident| { $($fields:tt)* }
         { $($items:tt)* }
     ) => {
-        $(#[$doc])*
-        mod $name {
-            linkage::mechanism! {
+        $crate::form! {
+            @module $name [$($out),+]
+            |$g| { $($fields)* }
+            {
                 pub struct Mechanism { $($items)* }
 
                 impl Mechanism {
@@ -34,35 +89,40 @@ macro_rules! form {
                     pub fn pair_two($input) -> PairTwo { $($out: d($out, $c, $d)),+ }
                 }
             }
-
-            pub(super) fn assemble($g: &[f64]) -> Result<linkage_accuracy::Evaluate, String> {
-                let mechanism = Mechanism { $($fields)* };
-                let linkage = mechanism.assemble().map_err(|why| why.to_string())?;
-                Ok(Box::new(move |input| {
-                    let values = linkage.values(input);
-                    let first = linkage.first(input);
-                    let second = linkage.second(input);
-                    let third = linkage.third(input);
-                    let sensitivity = linkage.sensitivities(input);
-                    let mixed = linkage.mixed(input);
-                    let mixed_second = linkage.mixed_second(input);
-                    let (one, two) = (linkage.pair_one(input), linkage.pair_two(input));
-                    linkage_accuracy::Answers {
-                        values: $crate::concatenate(&[$(&values.$out),+]),
-                        margin: values.margin,
-                        first: $crate::concatenate(&[$(&first.$out),+]),
-                        second: $crate::concatenate(&[$(&second.$out),+]),
-                        third: $crate::concatenate(&[$(&third.$out),+]),
-                        sensitivity: $crate::by_column(&[$($crate::rows(&sensitivity.$out)),+]),
-                        mixed: $crate::by_column(&[$($crate::rows(&mixed.$out)),+]),
-                        mixed_second: $crate::by_column(&[$($crate::rows(&mixed_second.$out)),+]),
-                        pairs: vec![
-                            $crate::concatenate(&[$(&one.$out),+]),
-                            $crate::concatenate(&[$(&two.$out),+]),
-                        ],
-                    }
-                }))
+            |linkage, input, answers| {
+                let third = linkage.third(input);
+                let (mixed, mixed_second) = (linkage.mixed(input), linkage.mixed_second(input));
+                let (one, two) = (linkage.pair_one(input), linkage.pair_two(input));
+                answers.third = $crate::concatenate(&[$(&third.$out),+]);
+                answers.mixed = $crate::by_column(&[$($crate::rows(&mixed.$out)),+]);
+                answers.mixed_second =
+                    $crate::by_column(&[$($crate::rows(&mixed_second.$out)),+]);
+                answers.pairs = vec![
+                    $crate::concatenate(&[$(&one.$out),+]),
+                    $crate::concatenate(&[$(&two.$out),+]),
+                ];
             }
+        }
+    };
+    (
+        $name:ident($input:ident) -> [$($out:ident),+ $(,)?];
+        fields |$g:ident| { $($fields:tt)* }
+        { $($items:tt)* }
+    ) => {
+        $crate::form! {
+            @module $name [$($out),+]
+            |$g| { $($fields)* }
+            {
+                pub struct Mechanism { $($items)* }
+
+                impl Mechanism {
+                    pub fn values($input) -> Values { $($out,)+ margin: margin() }
+                    pub fn first($input) -> First { $($out: velocity($out)),+ }
+                    pub fn second($input) -> Second { $($out: acceleration($out)),+ }
+                    pub fn sensitivities($input) -> Sensitivities { $($out: sensitivity($out)),+ }
+                }
+            }
+            |linkage, input, answers| {}
         }
     };
 }

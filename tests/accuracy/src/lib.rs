@@ -9,17 +9,25 @@
 //!
 //! The numbers of the `f64` program are taken as exact. Errors are stated in three ways, each a
 //! multiple of the unit roundoff: of the size of the mechanism (its longest length, slide or
-//! coordinate), of that size times the condition number (one over the normalised determinant of the
-//! loops), and of the *inherent uncertainty*, which is what a change of one roundoff in every
-//! dimension and input does to the quantity (itself taken from the reference).
+//! coordinate), of that size times the condition number (one over the normalised determinant of a
+//! dyad's loop, times the lever of the output), and of the *inherent uncertainty*, which is what a
+//! change of one roundoff in every dimension and input does to the quantity (itself taken from the
+//! reference).
+//!
+//! Every form is computed twice: as this build does, and with multiply-adds that are always fused.
 
 mod answers;
 mod big;
 mod cases;
 mod compare;
+mod condition;
+mod edge;
+mod errors;
 mod form;
+mod fused;
 mod gap;
 mod generate;
+mod limits;
 mod matrix;
 mod plane;
 mod random;
@@ -32,16 +40,24 @@ mod uncertainty;
 
 pub use answers::{Answers, Components, by_column, concatenate, rows};
 pub use big::{BITS, Big};
-pub use cases::{Plan, cycle_cases, dead_point_cases, nearby_cases, proportion_cases, scale_cases};
-pub use compare::{Case, Evaluate, Form, compare};
+pub use cases::{
+    Plan, cycle_cases, dead_point_cases, decade_cases, far_input_cases, nearby_cases,
+    proportion_cases, scale_cases, wide_scale_cases,
+};
+pub use compare::{Case, Depth, Evaluate, Form, Variant, compare};
+pub use edge::{Edge, edge};
+pub use fused::Fused;
 pub use gap::{reach_gap, triangle_gap};
 pub use generate::{approach, rescaled};
+pub use limits::Limits;
 pub use plane::Plane;
 pub use random::Random;
 pub use reference::Reference;
-pub use report::{Limits, Measure, Report};
+pub use report::{Measure, Report};
 pub use solve::{Solution, solve};
 pub use system::{Datum, Kind, Output, Position, System, Unknown};
+
+use compare::default_mode;
 
 /// Unit roundoff of `f64`: half of the distance from 1 to the next number.
 pub const ROUNDOFF: f64 = f64::EPSILON / 2.0;

@@ -77,6 +77,11 @@ impl<'s> Reference<'s> {
         })
     }
 
+    /// The data, as given.
+    pub(crate) fn given(&self) -> Vec<f64> {
+        self.data.iter().map(Big::to_f64).collect()
+    }
+
     /// Determinant of the equations, each column divided by its length. Its sign tells the assembly
     /// mode.
     pub fn determinant(&self) -> f64 {

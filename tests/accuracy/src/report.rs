@@ -1,15 +1,15 @@
 //! Error statistics and their limits.
 
+use crate::Limits;
 use core::fmt;
 use std::collections::BTreeMap;
 
 /// What was compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Measure {
-    /// Positions: error over roundoff and the size of the mechanism.
-    Size,
-    /// Positions: the same over the condition number.
-    Condition,
+    /// Lengths and coordinates: error over the condition number. The raw error is over the size of
+    /// the mechanism.
+    Position,
     /// `margin()`: error over the inherent uncertainty. So are all that follow.
     Margin,
     /// Values, angles too (from here on the uncertainty is that of the unknowns taken together).
@@ -30,96 +30,93 @@ pub enum Measure {
     Pair,
 }
 
-/// The largest errors that are accepted.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// For [`Measure::Condition`].
-    pub condition: f64,
-    /// For [`Measure::Value`] and [`Measure::Margin`].
-    pub value: f64,
-    /// For first derivatives.
-    pub first: f64,
-    /// For second and mixed derivatives.
-    pub second: f64,
-    /// For third derivatives.
-    pub third: f64,
+/// Whose errors they are: a written form, computed with or without fused multiply-adds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Program {
+    pub(crate) form: &'static str,
+    pub(crate) fused: bool,
 }
 
-impl Limits {
-    /// For mechanisms of extreme proportions: without a limit by the condition number, since a
-    /// point on a long arm of a short link moves with that link's error, of which the condition
-    /// number knows nothing (the inherent uncertainty does); and wider limits, ten times for
-    /// derivatives, which are small differences where a mechanism all but turns as a whole.
-    pub fn any_proportions(self) -> Self {
-        let wider = self.times(10.0);
-        Self {
-            condition: f64::INFINITY,
-            value: 2.0 * self.value,
-            ..wider
-        }
+impl fmt::Display for Program {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.form, if self.fused { " fused" } else { "" })
     }
+}
 
-    /// All limits times a factor, for a written form that does not fit the mechanism: an unknown
-    /// point far from the origin at the end of a short link carries roundings of its distance.
-    pub fn times(self, factor: f64) -> Self {
-        Self {
-            condition: factor * self.condition,
-            value: factor * self.value,
-            first: factor * self.first,
-            second: factor * self.second,
-            third: factor * self.third,
-        }
-    }
-
-    fn of(&self, measure: Measure) -> f64 {
-        match measure {
-            Measure::Size => f64::INFINITY,
-            Measure::Condition => self.condition,
-            Measure::Value | Measure::Margin => self.value,
-            Measure::First | Measure::Sensitivity => self.first,
-            Measure::Second | Measure::Mixed | Measure::Pair => self.second,
-            Measure::Third | Measure::MixedSecond => self.third,
-        }
-    }
+/// One error in three units, each a multiple of the unit roundoff.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Errors {
+    /// Of the size of the mechanism, or of the largest quantity of the same kind.
+    pub(crate) raw: f64,
+    /// As [`Measure`] says.
+    pub(crate) conditioned: f64,
+    /// Of the uncertainty of this quantity by itself.
+    pub(crate) alone: f64,
 }
 
 #[derive(Clone, Debug, Default)]
 struct Statistics {
     count: usize,
+    raw_sum: f64,
+    raw_largest: f64,
     sum: f64,
     largest: f64,
     largest_alone: f64,
     place: String,
 }
 
+impl Statistics {
+    fn merge(&mut self, other: &Self) {
+        self.count += other.count;
+        self.raw_sum += other.raw_sum;
+        self.raw_largest = self.raw_largest.max(other.raw_largest);
+        self.sum += other.sum;
+        self.largest = self.largest.max(other.largest);
+        self.largest_alone = self.largest_alone.max(other.largest_alone);
+    }
+}
+
 /// Errors of all forms of one mechanism.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    statistics: BTreeMap<(&'static str, Measure), Statistics>,
+    statistics: BTreeMap<(Measure, Program), Statistics>,
     failures: Vec<String>,
     failed: usize,
+    pub(crate) system: &'static str,
     /// Positions compared.
     pub positions: usize,
     /// Positions that cannot be assembled, as the programs said too.
     pub apart: usize,
+    /// Positions so near to a dead point that a change of some roundoffs decides.
+    pub undecided: usize,
 }
 
 impl Report {
-    /// Adds one error, in units of the joint uncertainty and in units of the quantity's own;
-    /// `place` describes it if it is the largest in the first sense.
-    pub fn add(
+    pub(crate) fn of(system: &'static str) -> Self {
+        Self {
+            system,
+            ..Self::default()
+        }
+    }
+
+    /// Adds one error; `place` describes it if it is the largest conditioned one.
+    pub(crate) fn add(
         &mut self,
-        form: &'static str,
+        program: Program,
         measure: Measure,
-        [error, alone]: [f64; 2],
+        errors: Errors,
         place: impl FnOnce() -> String,
     ) {
-        let entry = self.statistics.entry((form, measure)).or_default();
+        let entry = self.statistics.entry((measure, program)).or_default();
+        let or_infinite = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
+        let error = or_infinite(errors.conditioned);
         entry.count += 1;
+        entry.raw_sum += errors.raw;
+        entry.raw_largest = entry.raw_largest.max(or_infinite(errors.raw));
         entry.sum += error;
-        entry.largest_alone = entry.largest_alone.max(alone);
-        if entry.place.is_empty() || error > entry.largest || error.is_nan() {
-            entry.largest = if error.is_nan() { f64::INFINITY } else { error };
+        entry.largest_alone = entry.largest_alone.max(or_infinite(errors.alone));
+        if entry.place.is_empty() || error > entry.largest {
+            entry.largest = error;
             entry.place = place();
         }
     }
@@ -134,30 +131,56 @@ impl Report {
 
     /// The largest error of a measure over all forms.
     pub fn largest(&self, measure: Measure) -> f64 {
-        let of_measure = self.statistics.iter().filter(|((_, m), _)| *m == measure);
+        let of_measure = self.statistics.iter().filter(|((m, _), _)| *m == measure);
         of_measure.fold(0.0, |largest, (_, s)| f64::max(largest, s.largest))
     }
 
-    /// Prints the figures and panics if one is beyond its limit or something failed.
-    pub fn check(&self, limits: &Limits) {
-        println!("{self}");
+    /// Prints the figures of this set of cases and panics if one is beyond its limit or something
+    /// failed. `LINKAGE_FORMS=1` prints those of every written form too.
+    pub fn check(&self, set: &str, limits: &Limits) {
+        println!("{}, {set}: {self}", self.system);
+        if std::env::var_os("LINKAGE_FORMS").is_some() {
+            println!("{}", self.by_form());
+        }
         let mut complaints = self.failures.clone();
-        for ((form, measure), s) in &self.statistics {
-            if s.largest > limits.of(*measure) {
-                let allowed = limits.of(*measure);
+        for ((measure, program), s) in &self.statistics {
+            let allowed = limits.of(*measure);
+            if s.largest > allowed {
                 complaints.push(format!(
-                    "{form}: {measure:?} {:.3e} > {allowed}: {}",
+                    "{program}: {measure:?} {:.3e} > {allowed}: {}",
                     s.largest, s.place
                 ));
             }
         }
         assert!(
             complaints.is_empty(),
-            "{} failures\n{}",
+            "{}, {set}: {} failures\n{}",
+            self.system,
             self.failed,
             complaints.join("\n")
         );
         assert!(self.positions > 0, "nothing was compared");
+    }
+
+    /// A line for every form and measure.
+    fn by_form(&self) -> String {
+        let lines = self.statistics.iter().map(|((measure, program), s)| {
+            let program = program.to_string();
+            format!("{program:<28}{} {}\n", line(*measure, s), s.place)
+        });
+        lines.collect()
+    }
+
+    /// The figures of all forms together, without and with fused multiply-adds.
+    fn summary(&self) -> BTreeMap<(Measure, bool), Statistics> {
+        let mut summary: BTreeMap<_, Statistics> = BTreeMap::new();
+        for ((measure, program), s) in &self.statistics {
+            summary
+                .entry((*measure, program.fused))
+                .or_default()
+                .merge(s);
+        }
+        summary
     }
 }
 
@@ -165,28 +188,34 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "{} positions compared, {} apart",
-            self.positions, self.apart
+            "{} positions compared, {} apart, {} undecided",
+            self.positions, self.apart, self.undecided
         )?;
         writeln!(
             f,
-            "{:<20}{:<13}{:>8}{:>11}{:>11}{:>11}",
-            "form", "measure", "count", "mean", "largest", "alone"
+            "{:<8}{:<13}{:>8}{:>11}{:>11}{:>12}{:>11}{:>11}",
+            "", "measure", "count", "raw mean", "raw max", "cond. mean", "cond. max", "alone max"
         )?;
-        for ((form, measure), s) in &self.statistics {
-            let mean = s.sum / s.count as f64;
-            let name = format!("{measure:?}");
-            writeln!(
-                f,
-                "{form:<20}{name:<13}{:>8}{:>11}{:>11}{:>11}",
-                s.count,
-                figure(mean),
-                figure(s.largest),
-                figure(s.largest_alone)
-            )?;
+        for ((measure, fused), s) in &self.summary() {
+            let name = if *fused { "fused" } else { "plain" };
+            writeln!(f, "{name:<8}{}", line(*measure, s))?;
         }
         Ok(())
     }
+}
+
+fn line(measure: Measure, s: &Statistics) -> String {
+    let count = s.count as f64;
+    format!(
+        "{:<13}{:>8}{:>11}{:>11}{:>12}{:>11}{:>11}",
+        format!("{measure:?}"),
+        s.count,
+        figure(s.raw_sum / count),
+        figure(s.raw_largest),
+        figure(s.sum / count),
+        figure(s.largest),
+        figure(s.largest_alone)
+    )
 }
 
 /// A number of roundoffs, short.

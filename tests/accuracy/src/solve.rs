@@ -66,6 +66,15 @@ pub fn solve(system: &System, data: &[Big], guess: &[f64]) -> Option<Solution> {
     None
 }
 
+/// The determinant as in [`Solution`], but at values of the unknowns that need not be a solution.
+pub(crate) fn determinant_at(system: &System, data: &[Big], values: &[f64]) -> Big {
+    let scale = length_scale(system, data);
+    let state = start(system, values, &scale);
+    let equations = evaluate(system, data, &scale, &state);
+    let jacobian = jacobian(system, data, &scale, &state, &equations);
+    normalised_determinant(system, &jacobian, &state).0
+}
+
 impl Solution {
     /// The unknowns as they are iterated: cosine and sine of an angle, a slide over the length
     /// scale.
@@ -90,6 +99,7 @@ impl Solution {
     pub(crate) fn moved(&self, system: &System, data: &[Big], mut state: Vec<Big>) -> Vec<Big> {
         let size = largest(&state).max(&Big::one());
         let rounding = Big::power_of_two(6 - BITS as i32) * size / self.determinant.abs();
+        let rounding = rounding / self.least_lever(system);
         let mut before = Big::one();
         for _ in 0..40 {
             let correction = self
@@ -108,6 +118,27 @@ impl Solution {
             "{}: the differences of the reference do not converge",
             system.name
         );
+    }
+
+    /// The unknowns, to first order, where one equation is not zero but `step` in units of the
+    /// length scale; and that length.
+    pub(crate) fn missed(&self, system: &System, equation: usize, step: &Big) -> (Vec<Plane>, Big) {
+        let mut state = self.state(system);
+        let mut residual = vec![Big::zero(); state.len()];
+        residual[equation] = step.clone();
+        subtract(&mut state, &self.factors.solve(&residual));
+        (self.unknowns_in(system, &state), step * &self.scale)
+    }
+
+    /// The shortest lever of an angle over the length scale, at most 1: the residuals are rounded by
+    /// the scale, and the angles of short links so much more.
+    fn least_lever(&self, system: &System) -> Big {
+        let levers = self.levers.iter().zip(system.unknowns);
+        let angles = levers.filter(|(_, unknown)| unknown.kind == Kind::Angle);
+        angles.fold(Big::one(), |least, (lever, _)| {
+            let lever = lever / &self.scale;
+            if lever < least { lever } else { least }
+        })
     }
 
     /// The determinant for data that differ by very little.

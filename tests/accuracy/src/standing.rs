@@ -4,7 +4,7 @@ use crate::{Big, Kind, ROUNDOFF, System};
 
 /// Within so many times the uncertainty of the gap itself a position may count as either side of
 /// the dead point.
-const GAP_ROUNDINGS: f64 = 40.0;
+pub(crate) const GAP_ROUNDINGS: f64 = 40.0;
 
 /// Whether a geometry can be assembled.
 pub(crate) enum Standing {
@@ -21,7 +21,7 @@ pub(crate) fn standing(system: &System, data: &[f64]) -> Standing {
     let exact: Vec<Big> = data.iter().map(|&x| Big::from(x)).collect();
     let gap = system.gap_at(&exact);
     let distance = gap.abs().to_f64();
-    if distance < 1e-6 && distance < GAP_ROUNDINGS * gap_uncertainty(system, &exact, &gap) {
+    if distance < GAP_ROUNDINGS * gap_uncertainty(system, &exact, &gap) {
         Standing::DeadPoint
     } else if gap.is_negative() || gap.is_invalid() {
         Standing::Apart
@@ -30,7 +30,7 @@ pub(crate) fn standing(system: &System, data: &[f64]) -> Standing {
     }
 }
 
-fn gap_uncertainty(system: &System, data: &[Big], gap: &Big) -> f64 {
+pub(crate) fn gap_uncertainty(system: &System, data: &[Big], gap: &Big) -> f64 {
     let mut sum = 1.0;
     for index in 0..data.len() {
         let step = (data[index].abs()

@@ -115,6 +115,9 @@ pub struct System {
     /// Positive where the mechanism can be assembled, zero at a dead point, 1 far from it; from the
     /// data alone.
     pub gap: fn(&Position) -> Big,
+    /// The largest angle in radians that a program computes from others (one, if there is none): it
+    /// is rounded in proportion, and the roundings turn the mechanism.
+    pub turned: fn(&Position) -> Big,
     /// Pairs of data for mixed second derivatives beyond those with the input.
     pub pairs: &'static [(usize, usize)],
     /// Whether the equations are linear: then there is one solution and no assembly mode.
@@ -150,6 +153,16 @@ impl System {
             .zip(data)
             .filter(|(datum, _)| datum.kind == Kind::Length);
         lengths.fold(0.0, |size: f64, (_, x)| size.max(x.abs()))
+    }
+
+    /// The value of [`System::turned`], at least 1.
+    pub(crate) fn turned_at(&self, data: &[Big]) -> f64 {
+        let turned = (self.turned)(&Position {
+            system: self,
+            data,
+            unknowns: &[],
+        });
+        turned.abs().to_f64().max(1.0)
     }
 
     /// The value of [`System::gap`] for the given data.

@@ -1,7 +1,7 @@
 //! How certain the numbers of a position can be at all.
 
-use crate::reference::{Reference, STEP};
-use crate::{Big, Kind, Output, ROUNDOFF};
+use crate::reference::Reference;
+use crate::{Big, Output, ROUNDOFF};
 
 impl Reference<'_> {
     /// What a change of one roundoff in every datum, and one rounding of the result, does to the
@@ -36,36 +36,6 @@ impl Reference<'_> {
             *own = own.max(&(&joint * reach));
         }
         alone
-    }
-
-    /// For every output by how much it changes at most when each unknown opens the loops by a unit
-    /// of length.
-    fn reaches(&mut self) -> &[Big] {
-        if self.reaches.is_empty() {
-            let mut sum = vec![Big::zero(); self.outputs.len()];
-            let step = Big::power_of_two(STEP);
-            for index in 0..self.solution.unknowns.len() {
-                let mut unknowns = self.solution.unknowns.clone();
-                let lever = &self.solution.levers[index];
-                match self.system.unknowns[index].kind {
-                    Kind::Angle => {
-                        let turn = unknowns[index].quarter().times(&step);
-                        unknowns[index] = unknowns[index].clone() + turn;
-                    }
-                    _ => unknowns[index].x = &unknowns[index].x + &(&step * lever),
-                }
-                let unit = match self.system.unknowns[index].kind {
-                    Kind::Angle => &step * lever,
-                    _ => &step * (lever * lever),
-                };
-                let changes = self.changes(&self.data, &unknowns);
-                for (sum, change) in sum.iter_mut().zip(changes) {
-                    *sum = &*sum + change.abs() / &unit;
-                }
-            }
-            self.reaches = sum;
-        }
-        &self.reaches
     }
 
     /// The determinant's magnitude and what a change of one roundoff in every datum does to it.

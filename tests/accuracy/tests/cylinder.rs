@@ -2,7 +2,7 @@
 //! moving lengths.
 
 use linkage_accuracy::{
-    Datum, Form, Limits, Output, Plan, Plane, System, Unknown, compare, cycle_cases,
+    Datum, Depth, Form, Limits, Output, Plan, Plane, System, Unknown, compare, cycle_cases,
     dead_point_cases, forms, proportion_cases, triangle_gap,
 };
 
@@ -46,6 +46,7 @@ const BOOM: System = System {
         let rod = Plane::new(p.value("stroke").clone(), p.value("shift").clone());
         triangle_gap(&rod.norm(), p.value("arm"), &p.point("pivot").norm())
     },
+    turned: |_| linkage_accuracy::Big::one(),
     pairs: &[(2, 3), (3, 3)],
     linear: false,
     margin: true,
@@ -130,17 +131,17 @@ const FORMS: &[Form] = forms![
 #[test]
 fn strokes() {
     let cases = cycle_cases(&BOOM, &PLAN, 30, 51);
-    compare(&BOOM, FORMS, &cases).check(&LIMITS);
+    compare(&BOOM, FORMS, &cases, Depth::Full).check("strokes", &LIMITS);
 }
 
 #[test]
 fn dead_points() {
     let cases = dead_point_cases(&BOOM, &PLAN, 6, 52);
-    compare(&BOOM, FORMS, &cases).check(&LIMITS.any_proportions());
+    compare(&BOOM, FORMS, &cases, Depth::Full).check("dead points", &LIMITS.any_proportions());
 }
 
 #[test]
 fn proportions() {
     let cases = proportion_cases(&BOOM, &PLAN, 20, 53);
-    compare(&BOOM, FORMS, &cases).check(&LIMITS.any_proportions());
+    compare(&BOOM, FORMS, &cases, Depth::Full).check("proportions", &LIMITS.any_proportions());
 }

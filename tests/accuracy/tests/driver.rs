@@ -1,8 +1,8 @@
 //! The comparison itself: it accepts a good program and notices every kind of bad one.
 
 use linkage_accuracy::{
-    Answers, Datum, Evaluate, Form, Limits, Measure, Output, Plan, Report, System, Unknown,
-    compare, cycle_cases, dead_point_cases, proportion_cases, scale_cases, triangle_gap,
+    Answers, Datum, Depth, Evaluate, Form, Limits, Measure, Output, Plan, Report, System, Unknown,
+    Variant, compare, cycle_cases, dead_point_cases, proportion_cases, scale_cases, triangle_gap,
 };
 
 const TRIANGLE: System = System {
@@ -29,6 +29,7 @@ const TRIANGLE: System = System {
         ]
     },
     gap: |p| triangle_gap(p.value("left"), p.value("right"), &p.value("base").abs()),
+    turned: |_| linkage_accuracy::Big::one(),
     pairs: &[],
     linear: false,
     margin: true,
@@ -47,9 +48,9 @@ const PLAN: Plan = Plan {
     dead_points: &[(2, 20.0), (2, 0.001)],
 };
 
-/// The triangle from its smaller circle, as far as its orientation by the input; `disturb` spoils
-/// it.
-fn triangle(g: &[f64], input: f64, disturb: fn(&mut Answers)) -> Answers {
+/// The triangle from its smaller circle, as far as its orientation by the input, on the side of the
+/// base that `side` says; `disturb` spoils it.
+fn triangle(g: &[f64], input: f64, side: f64, disturb: fn(&mut Answers)) -> Answers {
     let scale = 2f64.powi(-(g[2].abs().log2().round() as i32));
     let [r1, r2, l] = [g[0], g[1], g[2]].map(|length| length.abs() * scale);
     let (small, large) = (r1.min(r2), r1.max(r2));
@@ -62,7 +63,7 @@ fn triangle(g: &[f64], input: f64, disturb: fn(&mut Answers)) -> Answers {
         root.sqrt()
     };
     // Along and across the base, from the end of the smaller link.
-    let (along, across) = (n / l, height / l);
+    let (along, across) = (n / l, side * height / l);
     let (tip, slope) = if r1 <= r2 {
         (along, 1.0)
     } else {
@@ -86,7 +87,7 @@ fn triangle(g: &[f64], input: f64, disturb: fn(&mut Answers)) -> Answers {
     answers
 }
 
-fn form(assemble: fn(&[f64]) -> Result<Evaluate, String>) -> Form {
+fn form(assemble: fn(&[f64], Variant) -> Result<Evaluate, String>) -> Form {
     Form {
         name: "program",
         assemble,
@@ -96,12 +97,13 @@ fn form(assemble: fn(&[f64]) -> Result<Evaluate, String>) -> Form {
 
 macro_rules! program {
     (|$answers:ident| $disturb:expr) => {
-        form(|g| {
+        form(|g, variant| {
+            let side = if variant.flipped { -1.0 } else { 1.0 };
             let g = g.to_vec();
             let sound = g[2].abs() * (1.0 - 1e-14) <= g[0].abs() + g[1].abs()
                 && g[2].abs() * (1.0 + 1e-14) >= (g[0].abs() - g[1].abs()).abs();
             let evaluate: Evaluate =
-                Box::new(move |input| triangle(&g, input, |$answers| $disturb));
+                Box::new(move |input| triangle(&g, input, side, |$answers| $disturb));
             if sound {
                 Ok(evaluate)
             } else {
@@ -120,26 +122,31 @@ const LIMITS: Limits = Limits {
 };
 
 fn run(form: Form) -> Report {
-    compare(&TRIANGLE, &[form], &cycle_cases(&TRIANGLE, &PLAN, 10, 7))
+    compare(
+        &TRIANGLE,
+        &[form],
+        &cycle_cases(&TRIANGLE, &PLAN, 10, 7),
+        Depth::Full,
+    )
 }
 
 #[test]
 fn accepts_a_good_program() {
     let good = program!(|_answers| {});
-    run(good).check(&LIMITS);
+    run(good).check("driver", &LIMITS);
     for cases in [
         dead_point_cases(&TRIANGLE, &PLAN, 10, 8),
         proportion_cases(&TRIANGLE, &PLAN, 30, 9),
         scale_cases(&TRIANGLE, &PLAN, 5, 10),
     ] {
-        compare(&TRIANGLE, &[good], &cases).check(&LIMITS);
+        compare(&TRIANGLE, &[good], &cases, Depth::Full).check("accepts a good program", &LIMITS);
     }
 }
 
 #[test]
 fn notices_errors_of_some_roundoffs() {
     let report = run(program!(|a| a.values[2] += 1e-12));
-    assert!(report.largest(Measure::Condition) > 10.0);
+    assert!(report.largest(Measure::Position) > 10.0);
     let report = run(program!(|a| a.first[3] *= 1.0 + 1e-13));
     assert!(report.largest(Measure::First) > 50.0);
     let report = run(program!(|a| a.margin += 1e-14));
@@ -149,17 +156,17 @@ fn notices_errors_of_some_roundoffs() {
 #[test]
 #[should_panic(expected = "wrong assembly mode")]
 fn notices_the_wrong_mode() {
-    run(program!(|a| a.values.swap(0, 1))).check(&LIMITS);
+    run(program!(|a| a.values.swap(0, 1))).check("driver", &LIMITS);
 }
 
 #[test]
 #[should_panic(expected = "NaN although assembled")]
 fn notices_a_needless_nan() {
-    run(program!(|a| a.values[1] = f64::NAN)).check(&LIMITS);
+    run(program!(|a| a.values[1] = f64::NAN)).check("driver", &LIMITS);
 }
 
 #[test]
 #[should_panic(expected = "Third")]
 fn notices_a_missing_derivative() {
-    run(program!(|a| a.third[2] = f64::NAN)).check(&LIMITS);
+    run(program!(|a| a.third[2] = f64::NAN)).check("driver", &LIMITS);
 }

@@ -30,6 +30,7 @@ const FOUR_BAR: System = System {
         ]
     },
     gap: |_: &Position| Big::one(),
+    turned: |_| linkage_accuracy::Big::one(),
     pairs: &[],
     linear: false,
     margin: true,

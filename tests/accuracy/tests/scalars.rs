@@ -149,36 +149,18 @@ fn dual_parameters_give_the_sensitivities() {
     }
 }
 
-#[test]
-fn scalar_lanes_equal_scalars() {
+/// The sine and cosine of lanes are those of their own type.
+fn lanes_agree<S>()
+where
+    Lanes<S>: Scalar,
+{
     let real = Everything::default().assemble().expect("closes");
     let lanes = Everything::default()
-        .cast::<Lanes<AutoF64x4>>()
+        .cast::<Lanes<S>>()
         .assemble()
         .expect("closes");
     for four in inputs().chunks_exact(4) {
-        let phi = Lanes::<AutoF64x4>::from_lanes(|lane| four[lane]);
-        let (values, second) = (list!(lanes.values(phi)), list!(lanes.second(phi)));
-        for (lane, &phi) in four.iter().enumerate() {
-            let expected = (list!(real.values(phi)), list!(real.second(phi)));
-            for k in 0..5 {
-                assert_eq!(values[k].lane(lane), expected.0[k]);
-                assert_eq!(second[k].lane(lane), expected.1[k]);
-            }
-        }
-    }
-}
-
-/// The sine and cosine of vector types are their own.
-#[test]
-fn vector_lanes_agree_with_scalars() {
-    let real = Everything::default().assemble().expect("closes");
-    let lanes = Everything::default()
-        .cast::<Lanes<WideF64x4>>()
-        .assemble()
-        .expect("closes");
-    for four in inputs().chunks_exact(4) {
-        let phi = Lanes::<WideF64x4>::from_lanes(|lane| four[lane]);
+        let phi = Lanes::<S>::from_lanes(|lane| four[lane]);
         let (values, second) = (list!(lanes.values(phi)), list!(lanes.second(phi)));
         for (lane, &phi) in four.iter().enumerate() {
             let expected = (list!(real.values(phi)), list!(real.second(phi)));
@@ -188,6 +170,16 @@ fn vector_lanes_agree_with_scalars() {
             }
         }
     }
+}
+
+#[test]
+fn automatic_lanes_agree_with_scalars() {
+    lanes_agree::<AutoF64x4>();
+}
+
+#[test]
+fn wide_lanes_agree_with_scalars() {
+    lanes_agree::<WideF64x4>();
 }
 
 #[test]

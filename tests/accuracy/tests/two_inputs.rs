@@ -33,6 +33,7 @@ const FIVE_BAR: System = System {
         ]
     },
     gap: |_| Big::one(),
+    turned: |_| linkage_accuracy::Big::one(),
     pairs: &[],
     linear: false,
     margin: true,

@@ -3,20 +3,11 @@
 use linkage_corpus::Case;
 use linkage_symbolic::program::{Instruction, Program, Source, Value};
 
-fn operands(instruction: &Instruction) -> Vec<Value> {
-    match *instruction {
-        Instruction::Constant(_) | Instruction::Load(_) => vec![],
-        Instruction::Unary(_, a) => vec![a],
-        Instruction::Binary(_, a, b) => vec![a, b],
-        Instruction::Ternary(_, a, b, c) => vec![a, b, c],
-    }
-}
-
 /// Every operation depends on an input.
 fn check_early_work(program: &Program, name: &str) {
     let mut late: Vec<bool> = Vec::new();
     for instruction in &program.instructions {
-        let operands = operands(instruction);
+        let operands: Vec<Value> = instruction.operands().collect();
         let is_late = matches!(instruction, Instruction::Load(Source::Input(_)))
             || operands.iter().any(|operand| late[operand.0]);
         assert!(
@@ -40,8 +31,8 @@ fn check_use(program: &Program, name: &str) {
             free || used[place],
             "{name}: nobody needs {instruction:?}\n{program}"
         );
-        operands(instruction)
-            .iter()
+        instruction
+            .operands()
             .for_each(|operand| used[operand.0] = true);
     }
 }

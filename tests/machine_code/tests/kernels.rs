@@ -1,13 +1,12 @@
-//! The generated functions of one mechanism for each kind of group: no conditional jump, and no call but one sine and
-//! cosine for each driving angle and one arctangent for each angle that was asked for.
+//! One mechanism for each kind of group: its functions one position at a time, and their sweeps.
 //!
 //! The workspace builds this package with optimisation in every profile.
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
 
-use std::hint::black_box;
+#[macro_use]
+mod judge;
 
-use linkage::{Operations, mechanism};
-use linkage_machine_code::{Findings, inspect};
+use linkage::mechanism;
 
 mechanism! {
     pub struct Rrr {
@@ -124,124 +123,27 @@ mechanism! {
     }
 }
 
-/// Checks the functions of a mechanism: each is called from a function that is not inlined.
-macro_rules! check {
-    ($mechanism:ident, $assembly:ident: $($function:ident($($input:ident),*) -> $result:ident),* $(,)?) => {
-        let _ = black_box($mechanism::default().assemble().expect("it assembles"));
-        $({
-            #[inline(never)]
-            fn kernel(linkage: &$assembly, result: &mut $result, $($input: f64),*) {
-                *result = linkage.$function($($input),*);
-            }
-            let name = concat!(stringify!($mechanism), "::", stringify!($function));
-            let function = $mechanism::STRUCTURE
-                .functions
-                .iter()
-                .find(|f| f.name == stringify!($function))
-                .expect("it is listed");
-            judge(name, &inspect(kernel as *const ()), &function.operations);
-        })*
-    };
-}
-
-fn judge(name: &str, findings: &Findings, operations: &Operations) {
-    println!("{name}: {findings:?}");
-    assert!(
-        findings.branches.is_empty(),
-        "{name} branches: {findings:?}"
-    );
-    assert!(findings.strange.is_empty(), "{name}: {findings:?}");
-    // One call gives both sine and cosine, or two calls one each.
-    let pairs = operations.sin_cos as usize;
-    assert!(
-        (pairs..=2 * pairs).contains(&findings.sin_cos),
-        "{name}: {findings:?} {operations}"
-    );
-    assert_eq!(
-        findings.atan2, operations.atan2 as usize,
-        "{name}: {findings:?} {operations}"
-    );
-    // Unoptimised code would be many times as long.
-    let sum = u64::from(operations.total()) as usize;
-    assert!(findings.instructions > sum / 2, "{name}: {findings:?}");
-    assert!(
-        findings.instructions < 6 * sum + 100,
-        "{name}: {findings:?} {operations}"
-    );
-}
-
-#[test]
-fn rrr() {
-    check!(Rrr, RrrAssembly:
-        position(phi) -> RrrPosition, motion(phi) -> RrrMotion,
-        angles(phi) -> RrrAngles, accuracy(phi) -> RrrAccuracy);
-}
-
-#[test]
-fn rrp() {
-    check!(Rrp, RrpAssembly:
-        position(phi) -> RrpPosition, motion(phi) -> RrpMotion,
-        angles(phi) -> RrpAngles, accuracy(phi) -> RrpAccuracy);
-}
-
-#[test]
-fn rpr() {
-    check!(Rpr, RprAssembly:
-        position(phi) -> RprPosition, motion(phi) -> RprMotion,
-        angles(phi) -> RprAngles, accuracy(phi) -> RprAccuracy);
-}
-
-#[test]
-fn prp() {
-    check!(Prp, PrpAssembly:
-        position(phi) -> PrpPosition, motion(phi) -> PrpMotion, accuracy(phi) -> PrpAccuracy);
-}
-
-#[test]
-fn chain() {
-    check!(Chain, ChainAssembly:
-        position(stroke) -> ChainPosition, motion(stroke, phi) -> ChainMotion,
-        lengths(stroke) -> ChainLengths, accuracy(stroke) -> ChainAccuracy);
-}
-
-#[inline(never)]
-fn branching(x: f64, steps: u32) -> f64 {
-    (0..steps).fold(x, |x, _| if x > 1.0 { x.exp() } else { 2.0 * x })
-}
-
-#[inline(never)]
-fn calls_a_branching_function(x: f64, steps: u32) -> f64 {
-    1.0 + branching(x, steps)
-}
-
-#[inline(never)]
-fn elementary(x: f64, y: f64) -> f64 {
-    let (sin, cos) = x.sin_cos();
-    sin * cos + y.atan2(sin)
-}
-
-#[test]
-fn a_branch_is_found_also_behind_a_call() {
-    assert!(black_box(branching(0.3, 4)).is_finite());
-    assert!(black_box(calls_a_branching_function(0.3, 4)).is_finite());
-    assert!(!inspect(branching as *const ()).branches.is_empty());
-    assert!(
-        !inspect(calls_a_branching_function as *const ())
-            .branches
-            .is_empty()
-    );
-}
-
-#[test]
-fn elementary_functions_are_known() {
-    assert!(black_box(elementary(0.3, 4.0)).is_finite());
-    let findings = inspect(elementary as *const ());
-    assert!(
-        (1..=2).contains(&findings.sin_cos) && findings.atan2 == 1,
-        "{findings:?}"
-    );
-    assert!(
-        findings.branches.is_empty() && findings.strange.is_empty(),
-        "{findings:?}"
-    );
-}
+check!(rrr: Rrr, RrrAssembly:
+    position [position_sweep position_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi),
+    angles [angles_sweep angles_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
+check!(rrp: Rrp, RrpAssembly:
+    position [position_sweep position_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi),
+    angles [angles_sweep angles_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
+check!(rpr: Rpr, RprAssembly:
+    position [position_sweep position_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi),
+    angles [angles_sweep angles_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
+check!(prp: Prp, PrpAssembly:
+    position [position_sweep position_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
+check!(chain: Chain, ChainAssembly:
+    position [position_sweep position_sweep_sets] (stroke),
+    motion [motion_sweep motion_sweep_sets] (stroke, phi),
+    lengths [lengths_sweep lengths_sweep_sets] (stroke),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (stroke));

@@ -102,11 +102,12 @@ fn sine_and_cosine_share_a_call() {
         assert_eq!(Count::of(&program).sin_cos, 1);
         body::statements(&program, &|_| quote!(x)).to_string()
     };
-    let both = quote!(let __v0 = x; let (__v2, __v1) = T::sin_cos(__v0););
+    let both = quote!(let __v0 = x; let (__v2, __v1) = T::sin_cos_with::<__FUSED>(__v0););
     assert_eq!(printed(vec![input, cosine, sine]), both.to_string());
-    let one = quote!(let __v0 = x; let (_, __v1) = T::sin_cos(__v0););
+    let one = quote!(let __v0 = x; let (_, __v1) = T::sin_cos_with::<__FUSED>(__v0););
     assert_eq!(printed(vec![input, cosine]), one.to_string());
-    let twice = quote!(let __v0 = x; let (__v1, _) = T::sin_cos(__v0); let __v2 = __v1;);
+    let twice =
+        quote!(let __v0 = x; let (__v1, _) = T::sin_cos_with::<__FUSED>(__v0); let __v2 = __v1;);
     assert_eq!(printed(vec![input, sine, sine]), twice.to_string());
 }
 

@@ -157,6 +157,7 @@ pub(crate) fn lowered() -> Lowered {
                     field("a", Shape::Vector(2), "mm"),
                     field("s", Shape::Scalar, "mm"),
                 ],
+                sensitivities: None,
             },
             Evaluator {
                 index: 1,
@@ -166,11 +167,13 @@ pub(crate) fn lowered() -> Lowered {
                     field("wheel", Shape::Scalar, "rad"),
                     field("v", Shape::Array(2, Box::new(Shape::Vector(2))), "1"),
                 ],
+                sensitivities: None,
             },
             Evaluator {
                 index: 2,
                 program: fixed.finish(vec![rod2]),
                 fields: vec![field("rod2", Shape::Scalar, "mm^2")],
+                sensitivities: None,
             },
         ],
     }

@@ -1,0 +1,281 @@
+//! What the sweeps of a function run: its stages, each in a loop over a block of positions.
+
+use std::collections::BTreeSet;
+
+use linkage_symbolic::program::{Instruction, Source};
+use linkage_symbolic::stages::Stage;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use super::outline::{Function, Outline};
+use super::{attribute, literal, sweeps};
+
+/// The kernels over inputs and over mechanisms; nothing for a function without inputs.
+pub(super) fn items(outline: &Outline, function: &Function, stages: &[Stage]) -> TokenStream {
+    if function.arguments.is_empty() {
+        return TokenStream::new();
+    }
+    let Outline {
+        runtime, assembly, ..
+    } = outline;
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let over_inputs = over_inputs(outline, function, stages);
+    let over_sets = (!outline.parameters.is_empty()).then(|| over_sets(outline, function, stages));
+    let allow = attribute::allow();
+    quote! {
+        #runtime::if_alloc! {
+            #(#everywhere)*
+            #allow
+            impl<T: #runtime::Scalar> #assembly<T> {
+                #over_inputs
+                #over_sets
+            }
+        }
+    }
+}
+
+fn over_inputs(outline: &Outline, function: &Function, stages: &[Stage]) -> TokenStream {
+    let loops = loops(outline, function, stages, 0, &quote!(__assembly));
+    let kernel = kernel(
+        outline,
+        function,
+        function.arguments.len(),
+        &buffers(outline, stages),
+        &loops,
+    );
+    let method = sweeps::over_inputs(function);
+    method_of(
+        outline,
+        function,
+        &method,
+        function.arguments.len(),
+        &kernel,
+    )
+}
+
+/// A row is the dimensions of a mechanism, then its inputs. The first loop prepares what the function uses.
+fn over_sets(outline: &Outline, function: &Function, stages: &[Stage]) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let dimensions = outline.scalar_fields().len();
+    let arguments = dimensions + function.arguments.len();
+    let used: Vec<usize> = used_slots(stages).into_iter().collect();
+    let stores = used.iter().enumerate().map(|(place, &slot)| {
+        let [place, slot] = [place, slot].map(literal::index);
+        quote!(__slots.0[#place][__lane] = __values[#slot];)
+    });
+    let modes =
+        (!used.is_empty()).then(|| quote!(let #assembly { __modes, __turns, .. } = __assembly;));
+    let prepare = modes.is_some().then(|| {
+        quote! {
+            let mut __lane = 0;
+            while __lane < __BLOCK {
+                let __mechanism = #name::__at_lane(&__x.0, __lane);
+                let __values = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
+                #(#stores)*
+                __lane += 1;
+            }
+        }
+    });
+    let at_lane = format_ident!("__{}_at_lane", function.name);
+    let loops = loops(
+        outline,
+        function,
+        stages,
+        dimensions,
+        &quote!(#assembly::#at_lane(&__assembly, &__x.0, &__slots.0, __lane)),
+    );
+    let carried = buffers(outline, stages);
+    let count = literal::index(used.len());
+    let buffers = quote! {
+        #modes
+        let mut __slots = #runtime::Block([[__zero; __BLOCK]; #count]);
+        #carried
+    };
+    let body = quote!(#prepare #loops);
+    let kernel = kernel(outline, function, arguments, &buffers, &body);
+    let method = sweeps::over_sets(function);
+    let method = method_of(outline, function, &method, arguments, &kernel);
+    let prepared = (0..outline.prepared).map(|slot| match used.binary_search(&slot) {
+        Ok(place) => {
+            let place = literal::index(place);
+            quote!(__slots[#place][__lane])
+        }
+        Err(_) => quote!(__zero),
+    });
+    let arguments = literal::index(arguments);
+    quote! {
+        #method
+
+        /// The assembly of one lane, with what this function uses of it.
+        #[inline(always)]
+        fn #at_lane<const __BLOCK: ::core::primitive::usize>(
+            &self,
+            __x: &[[T; __BLOCK]; #arguments],
+            __slots: &[[T; __BLOCK]; #count],
+            __lane: ::core::primitive::usize,
+        ) -> Self {
+            let __zero = T::from_f64(0.0);
+            Self {
+                __mechanism: #name::__at_lane(__x, __lane),
+                __prepared: [#(#prepared),*],
+                ..*self
+            }
+        }
+    }
+}
+
+/// The prepared slots that the stages load.
+fn used_slots(stages: &[Stage]) -> BTreeSet<usize> {
+    let instructions = stages.iter().flat_map(|stage| &stage.program.instructions);
+    instructions
+        .filter_map(|instruction| match instruction {
+            Instruction::Load(Source::Prepared(slot)) => Some(*slot),
+            _ => None,
+        })
+        .collect()
+}
+
+/// The method `name` that gives a kernel.
+fn method_of(
+    outline: &Outline,
+    function: &Function,
+    name: &Ident,
+    arguments: usize,
+    kernel: &TokenStream,
+) -> TokenStream {
+    let runtime = &outline.runtime;
+    let [arguments, width] = [arguments, function.width()].map(literal::index);
+    quote! {
+        fn #name(&self) -> impl #runtime::Kernel<T, #arguments, #width> + use<'_, T> {
+            #kernel
+            __Kernel(self)
+        }
+    }
+}
+
+fn kernel(
+    outline: &Outline,
+    function: &Function,
+    arguments: usize,
+    buffers: &TokenStream,
+    body: &TokenStream,
+) -> TokenStream {
+    let Outline {
+        runtime, assembly, ..
+    } = outline;
+    let [arguments, width] = [arguments, function.width()].map(literal::index);
+    quote! {
+        struct __Kernel<'a, T>(&'a #assembly<T>);
+        impl<T: #runtime::Scalar> #runtime::Kernel<T, #arguments, #width> for __Kernel<'_, T> {
+            #[inline(always)]
+            fn evaluate<
+                const __FUSED: ::core::primitive::bool,
+                const __LANES: ::core::primitive::usize,
+                const __BLOCK: ::core::primitive::usize,
+            >(
+                &self,
+                __arguments: &impl #runtime::Arguments<T, #arguments>,
+                __first: ::core::primitive::usize,
+                mut __results: [&mut [T]; #width],
+            ) {
+                let __assembly = *self.0;
+                let __zero = T::from_f64(0.0);
+                let mut __x = #runtime::Block([[__zero; __BLOCK]; #arguments]);
+                #buffers
+                let __count = #runtime::rows(&__results);
+                let mut __done_rows = 0;
+                while __done_rows < __count {
+                    let __row = ::core::cmp::Ord::min(__done_rows, __count - __BLOCK);
+                    __arguments.block(__first + __row, &mut __x.0);
+                    #body
+                    __done_rows = __row + __BLOCK;
+                }
+            }
+        }
+    }
+}
+
+/// Blocks for what is carried from stage to stage and for what a stage finishes, made once for all rows.
+fn buffers(outline: &Outline, stages: &[Stage]) -> TokenStream {
+    let runtime = &outline.runtime;
+    let buffers = stages.iter().enumerate().map(|(index, stage)| {
+        let (carried, done) = (carried(index + 1), done(index));
+        let [next, finished] = [stage.carried, stage.results.len()].map(literal::index);
+        quote! {
+            let mut #carried = #runtime::Block([[__zero; __BLOCK]; #next]);
+            let mut #done = [[__zero; __LANES]; #finished];
+        }
+    });
+    buffers.collect()
+}
+
+/// One loop for each stage. `assembly` is the assembly at `__lane`; inputs follow `before` other arguments.
+fn loops(
+    outline: &Outline,
+    function: &Function,
+    stages: &[Stage],
+    before: usize,
+    assembly: &TokenStream,
+) -> TokenStream {
+    let runtime = &outline.runtime;
+    let inputs: Vec<_> = (before..before + function.arguments.len())
+        .map(|input| {
+            let input = literal::index(input);
+            quote!(__x.0[#input][__lane])
+        })
+        .collect();
+    let mut carried_before = 0;
+    let mut loops = TokenStream::new();
+    for (index, stage) in stages.iter().enumerate() {
+        let method = function.stage(index);
+        let (from, to) = (carried(index), carried(index + 1));
+        let read = (0..carried_before).map(|k| {
+            let k = literal::index(k);
+            quote!(#from.0[#k][__lane])
+        });
+        let done = done(index);
+        let carry = (0..stage.carried).map(|k| {
+            let k = literal::index(k);
+            quote!(#to.0[#k][__lane] = __next[#k];)
+        });
+        let finish = (0..stage.results.len()).map(|k| {
+            let k = literal::index(k);
+            quote!(#done[#k][__lane - __start] = __finished[#k];)
+        });
+        let write = stage.results.iter().enumerate().map(|(k, &result)| {
+            let [k, result] = [k, result].map(literal::index);
+            quote!(#runtime::put(__results[#result], __row + __start, &#done[#k]);)
+        });
+        loops.extend(quote! {
+            let mut __start = 0;
+            while __start < __BLOCK {
+                let mut __lane = __start;
+                while __lane < __start + __LANES {
+                    let (__next, __finished) = #assembly.#method::<__FUSED>([#(#inputs),*], [#(#read),*]);
+                    #(#carry)*
+                    #(#finish)*
+                    __lane += 1;
+                }
+                #(#write)*
+                __start += __LANES;
+            }
+        });
+        carried_before = stage.carried;
+    }
+    loops
+}
+
+/// The block of values that stage `index` reads.
+fn carried(index: usize) -> Ident {
+    format_ident!("__carried{index}", span = Span::mixed_site())
+}
+
+/// What stage `index` has finished, for some rows side by side.
+fn done(index: usize) -> Ident {
+    format_ident!("__done{index}", span = Span::mixed_site())
+}

@@ -1,0 +1,237 @@
+//! Many positions at once: the sweeps of a function over inputs, and over mechanisms.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::docs::doc;
+use super::outline::{Function, Outline, plain};
+use super::{attribute, literal};
+
+/// What the methods of one function have in common.
+struct Sweeps<'a> {
+    outline: &'a Outline<'a>,
+    function: &'a Function<'a>,
+    /// The private methods that give the kernels.
+    over_inputs: Ident,
+    over_sets: Ident,
+    /// Names of arguments that no input has.
+    columns: Ident,
+    slices: Ident,
+    sets: Ident,
+}
+
+/// The private method that gives the kernel over inputs.
+pub(super) fn over_inputs(function: &Function) -> Ident {
+    format_ident!("__{}_over_inputs", function.name)
+}
+
+/// The private method that gives the kernel over mechanisms and inputs.
+pub(super) fn over_sets(function: &Function) -> Ident {
+    format_ident!("__{}_over_sets", function.name)
+}
+
+/// All sweeps of a function.
+pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
+    let taken = |name: &str| function.arguments.iter().any(|argument| *argument == name);
+    let argument = |name: &str| match taken(name) {
+        true => format_ident!("__{name}"),
+        false => format_ident!("{name}"),
+    };
+    let sweeps = Sweeps {
+        outline,
+        function,
+        over_inputs: over_inputs(function),
+        over_sets: over_sets(function),
+        columns: argument("columns"),
+        slices: argument("slices"),
+        sets: argument("sets"),
+    };
+    let over_inputs = sweeps.over_inputs();
+    let over_sets = (!outline.parameters.is_empty()).then(|| sweeps.over_sets());
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let (runtime, assembly) = (&outline.runtime, &outline.assembly);
+    let allow = attribute::allow();
+    quote! {
+        #(#everywhere)*
+        #allow
+        impl<T: #runtime::Scalar> #assembly<T> {
+            #over_inputs
+            #over_sets
+        }
+    }
+}
+
+impl Sweeps<'_> {
+    /// A method `NAME<suffix>` with its documentation.
+    fn method(
+        &self,
+        suffix: &str,
+        summary: &str,
+        panics: &str,
+        signature: TokenStream,
+        body: TokenStream,
+    ) -> TokenStream {
+        let visibility = self.function.visibility;
+        let name = format_ident!("{}{suffix}", self.function.name);
+        let name_only = plain(self.function.name);
+        let doc = doc(&format!(
+            "`{name_only}` {summary}\n\n# Panics\n\nPanics if {panics}."
+        ));
+        let body = self.outline.body(body);
+        quote!(#doc #visibility fn #name #signature { #body })
+    }
+
+    fn over_inputs(&self) -> TokenStream {
+        let runtime = &self.outline.runtime;
+        let Function {
+            columns: ty,
+            name,
+            arguments,
+            ..
+        } = self.function;
+        let (columns, slices, kernel) = (&self.columns, &self.slices, &self.over_inputs);
+        let width = literal::index(self.function.width());
+        let into = format_ident!("{name}_sweep_into");
+        let inputs = quote!(#(#arguments: &[T]),*);
+        let panics = "the slices differ in length";
+        let source = |title: &str| self.inputs(title);
+        let sweep = self.method(
+            "_sweep",
+            "at many positions, one for each element of the slices.",
+            panics,
+            quote!((&self, #inputs) -> #ty<T>),
+            quote! {
+                let mut __columns = ::core::default::Default::default();
+                self.#into(#(#arguments,)* &mut __columns);
+                __columns
+            },
+        );
+        let inputs_into = source("_sweep_into");
+        let sweep_into = self.method(
+            "_sweep_into",
+            "at many positions, into columns that are there already: allocates only if they are too small.",
+            panics,
+            quote!((&self, #inputs, #columns: &mut #ty<T>)),
+            quote!(#runtime::fill(&self.#kernel(), &#inputs_into, &mut #columns.__columns);),
+        );
+        let title = format!("{}_sweep_slices", plain(name));
+        let inputs_slices = source("_sweep_slices");
+        let sweep_slices = self.method(
+            "_sweep_slices",
+            "at many positions, into slices: one for each number of the result, in the order of its fields. \
+             Allocates nothing.",
+            panics,
+            quote!((&self, #inputs, #slices: [&mut [T]; #width])),
+            quote!(#runtime::fill_slices(#title, &self.#kernel(), &#inputs_slices, #slices);),
+        );
+        let inputs_parallel = source("_sweep_parallel_into");
+        let parallel = self.method(
+            "_sweep_parallel_into",
+            "at many positions, computed by all threads of rayon's current pool, into columns that are there already.",
+            panics,
+            quote! {
+                (&self, #inputs, #columns: &mut #ty<T>)
+                where T: ::core::marker::Send + ::core::marker::Sync
+            },
+            quote!(#runtime::fill_parallel(&self.#kernel(), &#inputs_parallel, &mut #columns.__columns);),
+        );
+        quote! {
+            #[must_use]
+            #sweep
+            #sweep_into
+            #sweep_slices
+            #runtime::if_rayon! { #parallel }
+        }
+    }
+
+    fn over_sets(&self) -> TokenStream {
+        let runtime = &self.outline.runtime;
+        let mechanism = self.outline.name;
+        let Function {
+            columns: ty,
+            name,
+            arguments,
+            ..
+        } = self.function;
+        let (columns, sets, kernel) = (&self.columns, &self.sets, &self.over_sets);
+        let into = format_ident!("{name}_sweep_sets_into");
+        let inputs = quote!(#sets: &[#mechanism<T>], #(#arguments: &[T]),*);
+        let panics =
+            "a slice of inputs has neither one element nor as many as there are mechanisms";
+        let about = "for many mechanisms, each at inputs of its own, or all at one position where a slice has a \
+                     single element. Each is assembled in the modes of this one, and its angles count their turns from \
+                     those of this one; where one cannot be assembled at its position, the results are NaN.";
+        let sweep = self.method(
+            "_sweep_sets",
+            about,
+            panics,
+            quote!((&self, #inputs) -> #ty<T>),
+            quote! {
+                let mut __columns = ::core::default::Default::default();
+                self.#into(#sets, #(#arguments,)* &mut __columns);
+                __columns
+            },
+        );
+        let source = self.sets("_sweep_sets_into");
+        let sweep_into = self.method(
+            "_sweep_sets_into",
+            "for many mechanisms, as `sweep_sets`, into columns that are there already: allocates only if they are too \
+             small.",
+            panics,
+            quote!((&self, #inputs, #columns: &mut #ty<T>)),
+            quote!(#runtime::fill(&self.#kernel(), &#source, &mut #columns.__columns);),
+        );
+        let source = self.sets("_sweep_sets_parallel_into");
+        let parallel = self.method(
+            "_sweep_sets_parallel_into",
+            "for many mechanisms, as `sweep_sets`, computed by all threads of rayon's current pool, into columns that \
+             are there already.",
+            panics,
+            quote! {
+                (&self, #inputs, #columns: &mut #ty<T>)
+                where T: ::core::marker::Send + ::core::marker::Sync
+            },
+            quote!(#runtime::fill_parallel(&self.#kernel(), &#source, &mut #columns.__columns);),
+        );
+        quote! {
+            #[must_use]
+            #sweep
+            #sweep_into
+            #runtime::if_rayon! { #parallel }
+        }
+    }
+
+    /// The runtime's `Inputs`.
+    fn inputs(&self, suffix: &str) -> TokenStream {
+        let runtime = &self.outline.runtime;
+        let arguments = &self.function.arguments;
+        let title = format!("{}{suffix}", plain(self.function.name));
+        let names = arguments.iter().map(|name| plain(name));
+        quote! {
+            #runtime::Inputs {
+                title: #title, names: [#(#names),*], slices: [#(#arguments),*],
+            }
+        }
+    }
+
+    /// The runtime's `Sets`.
+    fn sets(&self, suffix: &str) -> TokenStream {
+        let runtime = &self.outline.runtime;
+        let (mechanism, sets) = (self.outline.name, &self.sets);
+        let arguments = &self.function.arguments;
+        let title = format!("{}{suffix}", plain(self.function.name));
+        let names = arguments.iter().map(|name| plain(name));
+        let fields = self.outline.scalar_fields();
+        let count = literal::index(arguments.len());
+        let inputs = (0..arguments.len()).map(literal::index);
+        quote! {
+            #runtime::Sets {
+                title: #title,
+                names: [#(#names),*],
+                sets: #sets,
+                slices: [#(#arguments),*],
+                row: |__m: &#mechanism<T>, __x: [T; #count]| [#(__m.#fields,)* #(__x[#inputs]),*],
+            }
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! What the loops of a kernel over blocks of rows use.
+
+use crate::Scalar;
+
+/// `N` columns of `B` rows, where no vector crosses a cache line.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub struct Block<T, const B: usize, const N: usize>(
+    /// The columns.
+    pub [[T; B]; N],
+);
+
+/// How many rows the columns have.
+#[inline(always)]
+pub fn rows<T, const W: usize>(columns: &[&mut [T]; W]) -> usize {
+    columns.first().map_or(0, |column| column.len())
+}
+
+/// Writes lanes into a column from `row` on.
+#[inline(always)]
+pub fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
+    if let Some(place) = column
+        .get_mut(row..)
+        .and_then(|rest| rest.first_chunk_mut())
+    {
+        *place = *lanes;
+    }
+}
+
+/// Fewer rows than a block: `evaluate` fills one block, its first rows go into the columns.
+pub(super) fn few<T: Scalar, const B: usize, const W: usize>(
+    columns: [&mut [T]; W],
+    evaluate: impl FnOnce([&mut [T]; W]),
+) {
+    let mut block = [[T::from_f64(0.0); B]; W];
+    evaluate(block.each_mut().map(|column| &mut column[..]));
+    for (column, values) in columns.into_iter().zip(&block) {
+        column.copy_from_slice(&values[..column.len()]);
+    }
+}

@@ -1,0 +1,264 @@
+//! Several linkages on one shaft, evaluated together.
+
+mod handle;
+mod place;
+
+pub use handle::Handle;
+
+use alloc::borrow::ToOwned;
+use alloc::vec::Vec;
+use core::borrow::Borrow;
+use core::fmt;
+use core::marker::PhantomData;
+use core::sync::atomic::{AtomicUsize, Ordering};
+use place::{Evaluate, Filling, Place, Returning};
+
+/// A machine: functions of one argument, such as the angle of the main shaft, each of which can be
+/// switched on and off.
+///
+/// [`update`](Self::update) evaluates the functions that are on, and each only if the argument is
+/// another one than at its last evaluation. The choice is made between whole functions: what is off
+/// is not even looked at, and inside of a function nothing is decided.
+///
+/// `X` is the argument: an angle, an array of the inputs of several shafts, the angles of a sweep.
+/// Linkages on another shaft that turns for itself are another scene, so that the rest of this one
+/// does not become out of date with it.
+///
+/// ```
+/// use linkage_runtime::Scene;
+///
+/// let mut scene = Scene::new();
+/// let needle = scene.add(|phi: &f64| 12.0 * phi.cos());
+/// let press = scene.add(|phi: &f64| [phi.cos(), phi.sin()]);
+/// scene.switch_off(press);
+///
+/// assert_eq!(scene.update(0.0), 1); // one function was evaluated
+/// assert_eq!(scene.get(needle), Some(&12.0));
+/// assert_eq!(scene.get(press), None);
+///
+/// scene.switch_on(press);
+/// assert_eq!(scene.update(0.0), 1); // the needle has not moved
+/// assert_eq!(scene.get(press), Some(&[1.0, 0.0]));
+/// ```
+///
+/// A function may keep what it captures, or borrow it for `'a`. If that changes, as when a linkage
+/// is assembled with other dimensions, [`set`](Self::set) puts a new function in its place.
+///
+/// # Sweeps
+///
+/// [`add_into`](Self::add_into) is for functions that fill a buffer, which is kept from frame to
+/// frame: then nothing is allocated, if [`update_from`](Self::update_from) brings the angles.
+///
+/// ```
+/// use linkage_runtime::{Columns, Scene};
+///
+/// let mut scene = Scene::<Vec<f64>>::new();
+/// let path = scene.add_into(Columns::<f64>::new(1, 0), |angles, columns| {
+///     columns.resize(angles.len());
+///     for (height, angle) in columns.column_mut(0).iter_mut().zip(angles) {
+///         *height = 12.0 * angle.cos();
+///     }
+/// });
+/// let angles = [0.0, 1.0, 2.0];
+/// scene.update_from(&angles[..]);
+/// assert_eq!(scene.get(path).unwrap().column(0)[0], 12.0);
+/// ```
+pub struct Scene<'a, X> {
+    id: usize,
+    argument: Option<X>,
+    /// Counts the arguments; 0 before the first one.
+    frame: u64,
+    places: Vec<Place<'a, X>>,
+    /// The places that are on, in ascending order.
+    on: Vec<usize>,
+}
+
+impl<'a, X: PartialEq> Scene<'a, X> {
+    /// A scene without functions.
+    #[must_use]
+    pub fn new() -> Self {
+        static NEXT: AtomicUsize = AtomicUsize::new(0);
+        Self {
+            id: NEXT.fetch_add(1, Ordering::Relaxed),
+            argument: None,
+            frame: 0,
+            places: Vec::new(),
+            on: Vec::new(),
+        }
+    }
+
+    /// Adds a function, switched on. It is evaluated at the next update.
+    pub fn add<R: 'static>(&mut self, function: impl FnMut(&X) -> R + 'a) -> Handle<R> {
+        self.push(Returning::new(function))
+    }
+
+    /// Adds a function that writes its result into `buffer`, switched on.
+    ///
+    /// The function finds in the buffer what it wrote the last time.
+    pub fn add_into<R: 'static>(
+        &mut self,
+        buffer: R,
+        function: impl FnMut(&X, &mut R) + 'a,
+    ) -> Handle<R> {
+        self.push(Filling::new(buffer, function))
+    }
+
+    /// Puts another function with the same type of result in the place of one; whether it is on
+    /// does not change.
+    ///
+    /// # Panics
+    /// If the handle is of another scene.
+    pub fn set<R: 'static>(&mut self, handle: Handle<R>, function: impl FnMut(&X) -> R + 'a) {
+        self.place_mut(handle).put(Returning::new(function));
+    }
+
+    /// As [`set`](Self::set), with a function that writes its result into `buffer`.
+    ///
+    /// # Panics
+    /// If the handle is of another scene.
+    pub fn set_into<R: 'static>(
+        &mut self,
+        handle: Handle<R>,
+        buffer: R,
+        function: impl FnMut(&X, &mut R) + 'a,
+    ) {
+        self.place_mut(handle).put(Filling::new(buffer, function));
+    }
+
+    /// Has the function evaluated from the next update on.
+    ///
+    /// # Panics
+    /// If the handle is of another scene.
+    pub fn switch_on<R>(&mut self, handle: Handle<R>) {
+        let index = self.index(handle);
+        if let Err(at) = self.on.binary_search(&index) {
+            self.on.insert(at, index);
+        }
+    }
+
+    /// Has the function evaluated no longer; it has no result until it is on again.
+    ///
+    /// # Panics
+    /// If the handle is of another scene.
+    pub fn switch_off<R>(&mut self, handle: Handle<R>) {
+        let index = self.index(handle);
+        if let Ok(at) = self.on.binary_search(&index) {
+            self.on.remove(at);
+        }
+    }
+
+    /// Whether the function is on.
+    ///
+    /// # Panics
+    /// If the handle is of another scene.
+    #[must_use]
+    pub fn is_on<R>(&self, handle: Handle<R>) -> bool {
+        self.on.binary_search(&self.index(handle)).is_ok()
+    }
+
+    /// Forgets the function's result, because something else than the argument has changed on which
+    /// it depends.
+    ///
+    /// # Panics
+    /// If the handle is of another scene.
+    pub fn invalidate<R>(&mut self, handle: Handle<R>) {
+        self.place_mut(handle).invalidate();
+    }
+
+    /// Evaluates, in the order in which they were added, all functions that are on and have no
+    /// result for this argument yet. Returns how many these are.
+    pub fn update(&mut self, argument: X) -> usize {
+        if self.argument.as_ref() != Some(&argument) {
+            self.argument = Some(argument);
+            self.frame += 1;
+        }
+        self.evaluate()
+    }
+
+    /// As [`update`](Self::update), with an argument that is copied only if it differs from the last
+    /// one, and then into the memory of that one: angles of a sweep.
+    pub fn update_from<B>(&mut self, argument: &B) -> usize
+    where
+        B: ToOwned<Owned = X> + PartialEq + ?Sized,
+        X: Borrow<B>,
+    {
+        match &mut self.argument {
+            Some(last) if (*last).borrow() == argument => {}
+            Some(last) => {
+                argument.clone_into(last);
+                self.frame += 1;
+            }
+            None => {
+                self.argument = Some(argument.to_owned());
+                self.frame += 1;
+            }
+        }
+        self.evaluate()
+    }
+
+    /// The argument of the last update.
+    #[must_use]
+    pub fn argument(&self) -> Option<&X> {
+        self.argument.as_ref()
+    }
+
+    /// The function's result for the argument of the last update; `None` if the function is off or
+    /// has not been evaluated for that argument.
+    ///
+    /// # Panics
+    /// If the handle is of another scene.
+    #[must_use]
+    pub fn get<R: 'static>(&self, handle: Handle<R>) -> Option<&R> {
+        if !self.is_on(handle) {
+            return None;
+        }
+        self.places[handle.index].result(self.frame)?.downcast_ref()
+    }
+
+    fn evaluate(&mut self) -> usize {
+        let (Some(argument), frame) = (&self.argument, self.frame) else {
+            return 0;
+        };
+        let mut evaluated = 0;
+        for &index in &self.on {
+            evaluated += usize::from(self.places[index].update(argument, frame));
+        }
+        evaluated
+    }
+
+    fn push<R>(&mut self, function: impl Evaluate<X> + 'a) -> Handle<R> {
+        let index = self.places.len();
+        self.places.push(Place::new(function));
+        self.on.push(index);
+        Handle {
+            scene: self.id,
+            index,
+            result: PhantomData,
+        }
+    }
+
+    fn place_mut<R>(&mut self, handle: Handle<R>) -> &mut Place<'a, X> {
+        let index = self.index(handle);
+        &mut self.places[index]
+    }
+
+    fn index<R>(&self, handle: Handle<R>) -> usize {
+        assert!(handle.scene == self.id, "the handle is of another scene");
+        handle.index
+    }
+}
+
+impl<X: PartialEq> Default for Scene<'_, X> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<X: fmt::Debug> fmt::Debug for Scene<'_, X> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Scene")
+            .field("argument", &self.argument)
+            .field("functions", &self.places.len())
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,153 @@
+//! Products that are added become multiply-adds, which machines with fused arithmetic do in one step. Without it, equal
+//! products are one operation again: nothing is computed twice.
+
+use crate::program::{Binary, Fused, Instruction, Program, Unary, Value};
+
+/// Replaces `a * b + c`, `a * b - c` and `c - a * b`, and removes the products that nobody uses any more.
+pub(crate) fn contract(mut program: Program) -> Program {
+    let known = arrival_times(&program);
+    for index in 0..program.instructions.len() {
+        if let Some(fused) = fuse(&program, &known, Value(index)) {
+            program.instructions[index] = fused;
+        }
+    }
+    without_unused(program)
+}
+
+/// The multiply-add for a sum or a difference. Of two products, the one that is known later is fused: the other can be
+/// computed meanwhile.
+fn fuse(program: &Program, known: &[u32], sum: Value) -> Option<Instruction> {
+    let product = |value: Value| match program.instructions[value.0] {
+        Instruction::Binary(Binary::Mul, x, y) => Some((x, y)),
+        _ => None,
+    };
+    let Instruction::Binary(operation @ (Binary::Add | Binary::Sub), a, b) =
+        program.instructions[sum.0]
+    else {
+        return None;
+    };
+    let first_is_later = known[a.0] > known[b.0];
+    let fuses_first = product(a).is_some() && (product(b).is_none() || first_is_later);
+    let (factors, term) = if fuses_first {
+        (product(a), b)
+    } else {
+        (product(b), a)
+    };
+    let operation = match (operation, fuses_first) {
+        (Binary::Add, _) => Fused::MulAdd,
+        (_, true) => Fused::MulSub,
+        (_, false) => Fused::SubMul,
+    };
+    factors.map(|(x, y)| Instruction::Fused(operation, x, y, term))
+}
+
+/// When each value is known, in rough cycles, if everything runs as early as it can.
+fn arrival_times(program: &Program) -> Vec<u32> {
+    let mut known: Vec<u32> = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        let latest = instruction.operands().map(|x| known[x.0]).max();
+        known.push(latest.unwrap_or(0) + latency(instruction));
+    }
+    known
+}
+
+fn latency(instruction: &Instruction) -> u32 {
+    match instruction {
+        Instruction::Constant(_) | Instruction::Load(_) => 0,
+        Instruction::Unary(Unary::Neg | Unary::Abs, _) => 1,
+        Instruction::Binary(Binary::Add | Binary::Sub | Binary::Mul, ..) => 4,
+        Instruction::Ternary(..) | Instruction::Fused(..) => 4,
+        Instruction::Unary(..) => 20,
+        Instruction::Binary(..) => 15,
+    }
+}
+
+/// The program without values that no output depends on.
+fn without_unused(program: Program) -> Program {
+    let mut used = vec![false; program.instructions.len()];
+    for output in &program.outputs {
+        used[output.0] = true;
+    }
+    for (index, instruction) in program.instructions.iter().enumerate().rev() {
+        if used[index] {
+            instruction.operands().for_each(|x| used[x.0] = true);
+        }
+    }
+    let mut places = Vec::with_capacity(used.len());
+    let mut instructions = Vec::new();
+    for (instruction, used) in program.instructions.into_iter().zip(used) {
+        places.push(Value(instructions.len()));
+        if used {
+            instructions.push(instruction.with_operands(|x| places[x.0]));
+        }
+    }
+    let outputs = program.outputs.iter().map(|x| places[x.0]).collect();
+    Program {
+        instructions,
+        outputs,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::Source;
+
+    fn program(operations: &[Instruction], outputs: &[usize]) -> Program {
+        let inputs = (0..4).map(|k| Instruction::Load(Source::Input(k)));
+        Program {
+            instructions: inputs.chain(operations.iter().copied()).collect(),
+            outputs: outputs.iter().map(|&k| Value(k)).collect(),
+        }
+    }
+
+    fn binary(operation: Binary, a: usize, b: usize) -> Instruction {
+        Instruction::Binary(operation, Value(a), Value(b))
+    }
+
+    fn fused(operation: Fused, a: usize, b: usize, c: usize) -> Instruction {
+        Instruction::Fused(operation, Value(a), Value(b), Value(c))
+    }
+
+    #[test]
+    fn sums_and_differences_with_a_product_are_fused() {
+        for (operation, swapped, expected) in [
+            (Binary::Add, false, Fused::MulAdd),
+            (Binary::Add, true, Fused::MulAdd),
+            (Binary::Sub, false, Fused::MulSub),
+            (Binary::Sub, true, Fused::SubMul),
+        ] {
+            let (a, b) = if swapped { (2, 4) } else { (4, 2) };
+            let written = program(&[binary(Binary::Mul, 0, 1), binary(operation, a, b)], &[5]);
+            let contracted = contract(written);
+            assert_eq!(
+                contracted.instructions[3..],
+                [fused(expected, 0, 1, 2)],
+                "{operation:?} {swapped}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_later_of_two_products_is_fused() {
+        let operations = [
+            binary(Binary::Mul, 0, 1),
+            binary(Binary::Div, 2, 3),
+            binary(Binary::Mul, 5, 0),
+            binary(Binary::Sub, 4, 6),
+        ];
+        let contracted = contract(program(&operations, &[7]));
+        assert_eq!(
+            contracted.instructions.last(),
+            Some(&fused(Fused::SubMul, 5, 0, 4))
+        );
+    }
+
+    #[test]
+    fn a_product_that_is_asked_for_stays() {
+        let operations = [binary(Binary::Mul, 0, 1), binary(Binary::Add, 4, 2)];
+        let contracted = contract(program(&operations, &[4, 5]));
+        assert_eq!(contracted.instructions[3], binary(Binary::Mul, 0, 1));
+        assert_eq!(contracted.instructions[4], fused(Fused::MulAdd, 0, 1, 2));
+    }
+}

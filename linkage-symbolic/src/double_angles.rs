@@ -1,0 +1,199 @@
+//! One sine pair for an angle and its double, such as a crank and one that is geared to half its speed.
+
+use std::collections::BTreeMap;
+
+use crate::program::{Binary, Instruction, Program, Unary, Value};
+
+/// Replaces the sine and cosine of an angle by `2 s c` and `1 - 2 s^2` where those of half the angle are computed anyway.
+pub(crate) fn share(program: Program) -> Program {
+    let halves = halves(&program);
+    if halves.is_empty() {
+        return program;
+    }
+    let mut builder = Builder {
+        whole: &program,
+        halves: &halves,
+        program: Program::default(),
+        places: vec![None; program.instructions.len()],
+        pairs: BTreeMap::new(),
+    };
+    for index in 0..program.instructions.len() {
+        builder.place(Value(index));
+    }
+    let outputs = program.outputs.iter().map(|&x| builder.place(x));
+    builder.program.outputs = outputs.collect();
+    builder.program
+}
+
+/// An angle and what it is the double of: `-1` or `+1`, and the half.
+type Halves = BTreeMap<Value, (f64, Value)>;
+
+/// The angles whose halves have a sine pair of their own; halves are not halved again.
+fn halves(program: &Program) -> Halves {
+    let mut angles: Vec<Value> = program
+        .instructions
+        .iter()
+        .filter_map(|instruction| match *instruction {
+            Instruction::Unary(Unary::Sin | Unary::Cos, x) => Some(x),
+            _ => None,
+        })
+        .collect();
+    angles.sort_unstable();
+    angles.dedup();
+    // `k` and `x` of `k x`.
+    let multiple = |angle: Value| match program.instructions[angle.0] {
+        Instruction::Binary(Binary::Mul, k, x) => match program.instructions[k.0] {
+            Instruction::Constant(k) => Some((k, x)),
+            _ => None,
+        },
+        _ => None,
+    };
+    let mut halves = Halves::new();
+    for &angle in &angles {
+        let doubled = angles.iter().find_map(|&half| {
+            let by_half = multiple(half).filter(|&(k, x)| x == angle && k.abs() == 0.5);
+            let by_double = multiple(angle).filter(|&(k, x)| x == half && k.abs() == 2.0);
+            let (k, _) = by_half.or(by_double)?;
+            Some((k.signum(), half))
+        });
+        if let Some(half) = doubled {
+            halves.insert(angle, half);
+        }
+    }
+    let doubles: Vec<Value> = halves.keys().copied().collect();
+    halves.retain(|_, (_, half)| !doubles.contains(half));
+    halves
+}
+
+struct Builder<'a> {
+    whole: &'a Program,
+    halves: &'a Halves,
+    program: Program,
+    /// Where values of the whole program are now.
+    places: Vec<Option<Value>>,
+    /// Sine and cosine of angles that have a double.
+    pairs: BTreeMap<Value, [Value; 2]>,
+}
+
+impl Builder<'_> {
+    fn place(&mut self, value: Value) -> Value {
+        if let Some(place) = self.places[value.0] {
+            return place;
+        }
+        let instruction = self.whole.instructions[value.0];
+        let operands: Vec<Value> = instruction.operands().map(|x| self.place(x)).collect();
+        let place = match instruction {
+            Instruction::Unary(operation @ (Unary::Sin | Unary::Cos), angle)
+                if self.halves.contains_key(&angle) =>
+            {
+                self.double(operation, self.halves[&angle])
+            }
+            Instruction::Unary(operation @ (Unary::Sin | Unary::Cos), angle) => {
+                let is_half = self.halves.values().any(|(_, half)| *half == angle);
+                match is_half {
+                    true => self.pair(angle)[usize::from(operation == Unary::Cos)],
+                    false => self.push(Instruction::Unary(operation, operands[0])),
+                }
+            }
+            _ => {
+                let places = &self.places;
+                let moved = instruction.with_operands(|x| places[x.0].unwrap_or(x));
+                self.push(moved)
+            }
+        };
+        self.places[value.0] = Some(place);
+        place
+    }
+
+    /// Sine and cosine of an angle, each once.
+    fn pair(&mut self, angle: Value) -> [Value; 2] {
+        if let Some(&pair) = self.pairs.get(&angle) {
+            return pair;
+        }
+        let operand = self.place(angle);
+        let pair = [Unary::Sin, Unary::Cos]
+            .map(|operation| self.push(Instruction::Unary(operation, operand)));
+        self.pairs.insert(angle, pair);
+        pair
+    }
+
+    fn double(&mut self, operation: Unary, (sign, half): (f64, Value)) -> Value {
+        let [sin, cos] = self.pair(half);
+        let two = self.push(Instruction::Constant(match operation {
+            Unary::Sin => 2.0 * sign,
+            _ => 2.0,
+        }));
+        let twice = self.push(Instruction::Binary(Binary::Mul, two, sin));
+        if operation == Unary::Sin {
+            return self.push(Instruction::Binary(Binary::Mul, twice, cos));
+        }
+        let square = self.push(Instruction::Binary(Binary::Mul, twice, sin));
+        let one = self.push(Instruction::Constant(1.0));
+        self.push(Instruction::Binary(Binary::Sub, one, square))
+    }
+
+    fn push(&mut self, instruction: Instruction) -> Value {
+        self.program.instructions.push(instruction);
+        Value(self.program.instructions.len() - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interpret::run;
+    use crate::program::Source;
+
+    /// Sines and cosines of `x` and of `k x`.
+    fn program(k: f64) -> Program {
+        let unary = |operation, x| Instruction::Unary(operation, Value(x));
+        Program {
+            instructions: vec![
+                Instruction::Load(Source::Input(0)),
+                unary(Unary::Cos, 0),
+                Instruction::Constant(k),
+                Instruction::Binary(Binary::Mul, Value(2), Value(0)),
+                unary(Unary::Sin, 3),
+                unary(Unary::Cos, 3),
+                unary(Unary::Sin, 0),
+            ],
+            outputs: [1, 4, 5, 6].map(Value).to_vec(),
+        }
+    }
+
+    fn angles(program: &Program) -> usize {
+        let mut angles: Vec<Value> = program
+            .instructions
+            .iter()
+            .filter_map(|instruction| match instruction {
+                Instruction::Unary(Unary::Sin | Unary::Cos, x) => Some(*x),
+                _ => None,
+            })
+            .collect();
+        angles.sort_unstable();
+        angles.dedup();
+        angles.len()
+    }
+
+    #[test]
+    fn an_angle_and_its_double_share_a_pair() {
+        for k in [0.5, -0.5, 2.0, -2.0] {
+            let written = program(k);
+            let shared = share(written.clone());
+            assert_eq!(angles(&shared), 1, "{k}");
+            for x in [0.3, -1.1, 2.9, 40.0] {
+                let pairs = run(&written, |_| x).into_iter().zip(run(&shared, |_| x));
+                for (expected, found) in pairs {
+                    assert!((expected - found).abs() < 4.0 * f64::EPSILON, "{k} {x}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn other_multiples_stay() {
+        for k in [1.0, 3.0, -1.5] {
+            assert_eq!(share(program(k)), program(k));
+        }
+    }
+}

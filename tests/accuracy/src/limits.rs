@@ -1,0 +1,52 @@
+//! The errors that are accepted.
+
+use crate::Measure;
+
+/// The largest errors that are accepted, in the units that [`Measure`] names.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// For [`Measure::Position`].
+    pub condition: f64,
+    /// For [`Measure::Value`] and [`Measure::Margin`].
+    pub value: f64,
+    /// For first derivatives.
+    pub first: f64,
+    /// For second and mixed derivatives.
+    pub second: f64,
+    /// For third derivatives.
+    pub third: f64,
+}
+
+impl Limits {
+    /// For mechanisms of extreme proportions: wider limits for derivatives, which are small
+    /// differences where a mechanism all but turns as a whole.
+    pub fn any_proportions(self) -> Self {
+        Self {
+            value: 2.0 * self.value,
+            ..self.times(10.0)
+        }
+    }
+
+    /// All limits but that of positions times a factor, for a written form that does not fit the
+    /// mechanism: an unknown point far from the origin at the end of a short link carries roundings
+    /// of its distance.
+    pub fn times(self, factor: f64) -> Self {
+        Self {
+            condition: self.condition,
+            value: factor * self.value,
+            first: factor * self.first,
+            second: factor * self.second,
+            third: factor * self.third,
+        }
+    }
+
+    pub(crate) fn of(&self, measure: Measure) -> f64 {
+        match measure {
+            Measure::Position => self.condition,
+            Measure::Value | Measure::Margin => self.value,
+            Measure::First | Measure::Sensitivity => self.first,
+            Measure::Second | Measure::Mixed | Measure::Pair => self.second,
+            Measure::Third | Measure::MixedSecond => self.third,
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Every function of every example, one position at a time, and their sweeps.
+//!
+//! The workspace builds this package with optimisation in every profile.
+#![cfg(all(target_arch = "x86_64", target_os = "linux"))]
+// Each example is a program of its own and brings its copy of the checking helper.
+#![allow(clippy::duplicate_mod)]
+
+#[macro_use]
+mod judge;
+
+/// Includes examples as modules, for its mechanisms.
+macro_rules! example {
+    ($($name:ident $path:literal),* $(,)?) => {
+        $(
+            #[path = $path]
+            #[allow(unreachable_pub, dead_code, reason = "a program of its own, here a module")]
+            mod $name;
+        )*
+    };
+}
+
+example! {
+    crank_rocker "../../../examples/crank_rocker.rs",
+    double_double "../../../examples/double_double.rs",
+    drag_link "../../../examples/drag_link.rs",
+    dyads "../../../examples/stability/dyads.rs",
+    favorit "../../../examples/favorit.rs",
+    geared_five_bar "../../../examples/geared_five_bar.rs",
+    gears "../../../examples/gears.rs",
+    hydraulic_cylinder "../../../examples/hydraulic_cylinder.rs",
+    machine "../../../examples/machine.rs",
+    quick_return "../../../examples/quick_return.rs",
+    systems "../../../examples/stability/systems.rs",
+    textbook "../../../examples/stability/textbook.rs",
+    trammel "../../../examples/trammel.rs",
+}
+
+check!(crank_rocker_: crank_rocker::CrankRocker, crank_rocker::CrankRockerAssembly:
+    angles [angles_sweep angles_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
+check!(double_double_: double_double::CrankRocker, double_double::CrankRockerAssembly:
+    motion [motion_sweep motion_sweep_sets] (phi));
+check!(drag_link_: drag_link::DragLink, drag_link::DragLinkAssembly:
+    angles [angles_sweep angles_sweep_sets] (phi),
+    rates [rates_sweep rates_sweep_sets] (phi));
+check!(stability_two_links: dyads::TwoLinks, dyads::TwoLinksAssembly:
+    place [place_sweep place_sweep_sets] (y));
+check!(stability_rod_and_guide: dyads::RodAndGuide, dyads::RodAndGuideAssembly:
+    place [place_sweep place_sweep_sets] (y));
+check!(stability_turning_guide: dyads::TurningGuide, dyads::TurningGuideAssembly:
+    place [place_sweep place_sweep_sets] (y));
+check!(favorit_: favorit::Favorit, favorit::FavoritAssembly:
+    needle [needle_sweep needle_sweep_sets] (phi12),
+    motion [motion_sweep motion_sweep_sets] (phi12));
+check!(geared_five_bar_: geared_five_bar::GearedFiveBar, geared_five_bar::GearedFiveBarAssembly:
+    points [points_sweep points_sweep_sets] (phi, phase),
+    motion [motion_sweep motion_sweep_sets] (phi, phase),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi, phase));
+check!(gears_tusi_couple: gears::TusiCouple, gears::TusiCoupleAssembly:
+    point [point_sweep point_sweep_sets] (motor),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (motor));
+check!(gears_bracket: gears::Bracket, gears::BracketAssembly: apex [] ());
+check!(hydraulic_cylinder_: hydraulic_cylinder::Boom, hydraulic_cylinder::BoomAssembly:
+    position [position_sweep position_sweep_sets] (stroke),
+    motion [motion_sweep motion_sweep_sets] (stroke),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (stroke));
+check!(machine_needles: machine::NeedleDrive, machine::NeedleDriveAssembly:
+    needle [needle_sweep needle_sweep_sets] (phi),
+    tongue [tongue_sweep tongue_sweep_sets] (phi),
+    heights [heights_sweep heights_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi));
+check!(machine_sinkers: machine::SinkerDrive, machine::SinkerDriveAssembly:
+    position [position_sweep position_sweep_sets] (phi));
+check!(machine_press: machine::PressDrive, machine::PressDriveAssembly:
+    position [position_sweep position_sweep_sets] (phi));
+check!(quick_return_: quick_return::QuickReturn, quick_return::QuickReturnAssembly:
+    position [position_sweep position_sweep_sets] (phi),
+    stroke [stroke_sweep stroke_sweep_sets] (phi));
+check!(trammel_: trammel::Trammel, trammel::TrammelAssembly:
+    point [point_sweep point_sweep_sets] (phi));
+check!(trammel_scotch_yoke: trammel::ScotchYoke, trammel::ScotchYokeAssembly:
+    yoke [yoke_sweep yoke_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));

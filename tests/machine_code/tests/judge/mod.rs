@@ -1,0 +1,153 @@
+//! What machine code must be like, and a table of its size (printed with `--nocapture`).
+
+use linkage::{Operations, Structure};
+use linkage_machine_code::{Findings, Loops, Set, inspect, sweep};
+
+/// A test of a mechanism: all its functions, their sweeps over inputs and over mechanisms.
+macro_rules! check {
+    ($test:ident: $mechanism:path, $assembly:path:
+     $($function:ident $sweeps:tt $inputs:tt),* $(,)?) => {
+        #[test]
+        fn $test() {
+            let structure = <$mechanism>::STRUCTURE;
+            crate::judge::all_listed(structure, &[$(stringify!($function)),*]);
+            let mut table = crate::judge::head(stringify!($test));
+            $({
+                let operations = crate::judge::operations(structure, stringify!($function));
+                let one = check!(@one $assembly, $function $inputs);
+                crate::judge::one(&mut table, stringify!($function), one, operations);
+                let sweeps: [*const (); _] = check!(@sweeps $mechanism, $assembly, $sweeps $inputs);
+                for entry in sweeps {
+                    crate::judge::clones(&mut table, stringify!($function), entry, operations);
+                }
+            })*
+            println!("{table}");
+        }
+    };
+    (@one $assembly:path, $function:ident ($($input:ident),*)) => {{
+        #[inline(never)]
+        fn one(linkage: &$assembly, $($input: f64),*) -> impl Sized {
+            linkage.$function($($input),*)
+        }
+        one as *const ()
+    }};
+    (@sweeps $mechanism:path, $assembly:path, [$sweep:ident $sets:ident] ($($input:ident),*)) => {{
+        #[inline(never)]
+        fn sweep(linkage: &$assembly, $($input: &[f64]),*) -> impl Sized {
+            linkage.$sweep($($input),*)
+        }
+        #[inline(never)]
+        fn sets(linkage: &$assembly, sets: &[$mechanism], $($input: &[f64]),*) -> impl Sized {
+            linkage.$sets(sets, $($input),*)
+        }
+        [sweep as *const (), sets as *const ()]
+    }};
+    (@sweeps $mechanism:path, $assembly:path, [] ()) => { [] };
+}
+
+/// Every function of the mechanism must be checked.
+pub(crate) fn all_listed(structure: &Structure, names: &[&str]) {
+    let functions: Vec<&str> = structure.functions.iter().map(|f| f.name).collect();
+    assert_eq!(functions, names);
+}
+
+pub(crate) fn operations<'a>(structure: &'a Structure, name: &str) -> &'a Operations {
+    let mut functions = structure.functions.iter();
+    let function = functions.find(|function| function.name == name);
+    &function.expect("it is listed").operations
+}
+
+/// Instructions: of a single call, then of the sweeps over inputs and over mechanisms, each for three instruction sets.
+pub(crate) fn head(title: &str) -> String {
+    format!(
+        "{title:<24}{:>8}{:>10}{:>8}{:>8}{:>10}{:>8}{:>8}",
+        "single", "sweep", "AVX2", "AVX-512", "sets", "AVX2", "AVX-512"
+    )
+}
+
+/// Divisions: those that are planned, and one in each arc tangent.
+fn divisions(operations: &Operations) -> usize {
+    (operations.div + operations.atan2) as usize
+}
+
+/// One position at a time: nothing but arithmetic, as much as is planned.
+pub(crate) fn one(table: &mut String, name: &str, entry: *const (), operations: &Operations) {
+    let found = inspect(entry);
+    *table += &format!("\n{name:<24}{:>8}", found.instructions);
+    let judgement = format!("{name}: {found:?}, planned: {operations}");
+    let Findings {
+        instructions,
+        branches,
+        library,
+        calls,
+        divisions: divided,
+        roots,
+        fused,
+        strange,
+    } = found;
+    assert!(branches.is_empty(), "branch in {judgement}");
+    assert!(strange.is_empty(), "{judgement}");
+    assert!(library.is_empty() && calls == 0, "call in {judgement}");
+    assert_eq!(divided, divisions(operations), "divisions in {judgement}");
+    assert_eq!(roots, operations.sqrt as usize, "roots in {judgement}");
+    assert!(fused == 0 || cfg!(target_feature = "fma"), "{judgement}");
+    // Unoptimised code would be many times as long.
+    let Operations {
+        sqrt,
+        sin_cos,
+        atan2,
+        ..
+    } = *operations;
+    let sum = operations.total() as usize;
+    let most = 50 + 3 * sum + (40 * sqrt + 100 * sin_cos + 150 * atan2) as usize;
+    assert!((sum / 2..most).contains(&instructions), "{judgement}");
+}
+
+/// A sweep on all instruction sets: all arithmetic in loops is packed and as wide as the registers are. A build for a
+/// newer processor leaves some sets out.
+pub(crate) fn clones(table: &mut String, name: &str, entry: *const (), operations: &Operations) {
+    if cfg!(target_feature = "avx") {
+        return;
+    }
+    let mut clones = sweep(entry);
+    for (set, lanes, width) in [
+        (Set::Baseline, 2, 10),
+        (Set::Avx2, 4, 8),
+        (Set::Avx512, 8, 8),
+    ] {
+        let Some(loops) = clones.remove(&set) else {
+            panic!("no sweep of {name} for {set:?}");
+        };
+        *table += &format!("{:>width$}", loops.instructions);
+        let judgement = format!("{name} for {set:?}: {loops:?}, planned: {operations}");
+        assert!(loops.library.is_empty(), "call in {judgement}");
+        packed(&loops, lanes, &judgement);
+        assert_eq!(loops.fused > 0, set != Set::Baseline, "{judgement}");
+        assert!(
+            set == Set::Baseline || only_repeats(&loops),
+            "call in {judgement}"
+        );
+        assert!(
+            loops.divisions >= lanes * divisions(operations),
+            "{judgement}"
+        );
+        assert!(
+            loops.roots >= lanes * operations.sqrt as usize,
+            "{judgement}"
+        );
+    }
+}
+
+/// Arithmetic in loops is packed and fills the registers, but for what is computed once for a block of rows.
+fn packed(loops: &Loops, lanes: usize, judgement: &str) {
+    let rest = loops.packed.iter().filter(|(width, _)| **width < lanes);
+    let rest = rest.map(|(_, count)| count).sum::<usize>() + loops.scalar.len() + loops.moves.len();
+    let packed: usize = loops.packed.values().sum();
+    assert!(packed > 0, "no packed arithmetic in {judgement}");
+    assert!(40 * rest < packed, "scalar arithmetic in {judgement}");
+}
+
+/// No call in a loop but the rare one for the rows behind the last.
+fn only_repeats(loops: &Loops) -> bool {
+    loops.strange.is_empty() && loops.calls.iter().all(|name| name.contains("repeat_last"))
+}
