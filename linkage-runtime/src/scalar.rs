@@ -130,12 +130,6 @@ pub trait Scalar:
     /// that a position at a dead point has a value, and NaN below that.
     fn root(self, scale: Self) -> Self;
 
-    /// As [`root`](Self::root), for the machines that [`mul_add`](Self::mul_add) speaks of.
-    #[inline(always)]
-    fn root_with<const FUSED: bool>(self, scale: Self) -> Self {
-        self.root(scale)
-    }
-
     /// The angle of the vector (`x`, `y`) that lies nearest to `guide`, turns counted.
     ///
     /// Accurate to about a unit in the last place for up to a million turns (`f32`: 2000).

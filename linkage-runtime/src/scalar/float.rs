@@ -108,11 +108,6 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn root(self, scale: Self) -> Self {
-                self.root_with::<FUSED>(scale)
-            }
-
-            #[inline(always)]
-            fn root_with<const FUSED: bool>(self, scale: Self) -> Self {
                 let slack = 8.0 * <$float>::EPSILON * <$float>::abs(scale);
                 // The root does not wait for the test. NaN stays, -0 does not.
                 let positive = <$float>::abs(select_unpredictable(self < 0.0, 0.0, self));
