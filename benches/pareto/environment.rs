@@ -12,7 +12,7 @@ pub(crate) fn describe(options: &str) -> String {
         "default build"
     };
     let (processor, date) = (processor(), date());
-    format!("cargo bench --bench pareto{options} ({flags}); {processor}; {date}")
+    format!("`cargo bench --bench pareto{options}`, {flags}; {processor}; {date}")
 }
 
 fn processor() -> String {

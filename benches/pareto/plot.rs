@@ -22,6 +22,7 @@ const CHARACTER: f64 = 7.0;
 
 /// The picture of a panel.
 pub(crate) fn svg(panel: &Panel, about: &str) -> String {
+    let about = about.replace('`', "");
     let scales = Scales::new(&panel.outcomes);
     let mut svg = format!(
         r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {BOTTOM}" width="{WIDTH}" height="{BOTTOM}" font-family="system-ui, Helvetica, Arial, sans-serif" font-size="13" fill="#222">

@@ -27,7 +27,7 @@ pub(crate) fn text(panels: &[Panel], about: &str) -> String {
 
 /// For `docs/pareto.md`.
 pub(crate) fn markdown(panels: &[Panel], about: &str) -> String {
-    let mut text = format!("# Run time against error\n\n`{about}`\n\n{EXPLANATION}\n");
+    let mut text = format!("# Run time against error\n\n{about}\n\n{EXPLANATION}\n");
     let _ = writeln!(text, "\n![Run time against error](pareto.svg)");
     for panel in panels {
         let _ = writeln!(text, "\n## {}\n", panel.title);

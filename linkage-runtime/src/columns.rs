@@ -65,7 +65,7 @@ impl<T: Scalar> Columns<T> {
         self.start = if start < unit { start } else { 0 };
     }
 
-    /// The first `W` columns, to write to; empty ones where there are fewer.
+    /// All columns, to write to: there are `W`.
     pub(crate) fn all_mut<const W: usize>(&mut self) -> [&mut [T]; W] {
         let len = self.len;
         let mut columns = self.data[self.start..].chunks_mut(self.distance.max(1));

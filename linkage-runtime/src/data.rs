@@ -42,7 +42,7 @@ impl AssemblyMode {
     #[must_use]
     #[inline]
     pub const fn sign(self) -> f64 {
-        // Without a branch: sweeps over mechanisms ask for it in their loops.
+        // Without a branch: sweeps over mechanisms ask for it in their loops. `Plus` is 0, `Minus` 1.
         1.0 - 2.0 * (self as u8 as f64)
     }
 

@@ -5,7 +5,7 @@
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
 //! everything that computes angles), `alloc` (part of `std`: `Columns`, `Scene`), `nalgebra`
-//! (`Vector2`, `Vector3`), `simba` (`Lanes`) and `num-dual` (`Dual`).
+//! (`Vector2`, `Vector3`), `simba` (`Lanes`), `num-dual` (`Dual`) and `rayon` (sweeps on all threads).
 #![no_std]
 #![warn(missing_docs)]
 

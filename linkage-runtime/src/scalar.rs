@@ -36,8 +36,8 @@ pub const FUSED: bool = cfg!(all(
 /// adapt the types of other crates, and an extended precision type can implement it too.
 ///
 /// Angles are in radians. NaN stands for "cannot be assembled" and is passed on by every method.
-/// The methods that are not elementary functions have no branch and no call in machine code, so
-/// that loops over them become vector code.
+/// Those of `f64` and `f32` have no branch and no call in machine code, apart from `tan`, `asin`,
+/// `acos` and `atan`, so that loops over them become vector code.
 ///
 /// ```
 /// use linkage_runtime::Scalar;

@@ -16,9 +16,11 @@ use place::{Evaluate, Filling, Place, Returning};
 /// A machine: functions of one argument, such as the angle of the main shaft, each of which can be
 /// switched on and off.
 ///
-/// [`update`](Self::update) evaluates the functions that are on, and each only if the argument is
-/// another one than at its last evaluation. The choice is made between whole functions: what is off
+/// [`update`](Self::update) evaluates the functions that are on, and each only if the argument has
+/// changed since its last evaluation (NaN always has). The choice is made between whole functions: what is off
 /// is not even looked at, and inside of a function nothing is decided.
+///
+/// A scene stays on its thread; several threads have a scene each.
 ///
 /// `X` is the argument: an angle, an array of the inputs of several shafts, the angles of a sweep.
 /// Linkages on another shaft that turns for itself are another scene, so that the rest of this one

@@ -6,12 +6,38 @@ use crate::program::{Binary, Fused, Instruction, Program, Unary, Value};
 /// Replaces `a * b + c`, `a * b - c` and `c - a * b`, and removes the products that nobody uses any more.
 pub(crate) fn contract(mut program: Program) -> Program {
     let known = arrival_times(&program);
-    for index in 0..program.instructions.len() {
-        if let Some(fused) = fuse(&program, &known, Value(index)) {
+    let exact = compared_with_zero(&program);
+    for (index, exact) in exact.into_iter().enumerate() {
+        let stays = exact && is_of_two_products(&program, Value(index));
+        if !stays && let Some(fused) = fuse(&program, &known, Value(index)) {
             program.instructions[index] = fused;
         }
     }
     without_unused(program)
+}
+
+/// Divisors, and what only its size counts of: a determinant of parallel directions is 0 if both of its products are
+/// rounded, and the rounding error of one of them if that is not.
+fn compared_with_zero(program: &Program) -> Vec<bool> {
+    let mut exact = vec![false; program.instructions.len()];
+    for instruction in &program.instructions {
+        match *instruction {
+            Instruction::Binary(Binary::Div, _, x) | Instruction::Unary(Unary::Abs, x) => {
+                exact[x.0] = true;
+            }
+            _ => {}
+        }
+    }
+    exact
+}
+
+fn is_of_two_products(program: &Program, sum: Value) -> bool {
+    program.instructions[sum.0].operands().all(|x| {
+        matches!(
+            program.instructions[x.0],
+            Instruction::Binary(Binary::Mul, ..)
+        )
+    })
 }
 
 /// The multiply-add for a sum or a difference. Of two products, the one that is known later is fused: the other can be
@@ -141,6 +167,18 @@ mod tests {
             contracted.instructions.last(),
             Some(&fused(Fused::SubMul, 5, 0, 4))
         );
+    }
+
+    #[test]
+    fn a_determinant_that_is_divided_by_is_not_fused() {
+        let operations = [
+            binary(Binary::Mul, 0, 1),
+            binary(Binary::Mul, 2, 3),
+            binary(Binary::Sub, 4, 5),
+            binary(Binary::Div, 0, 6),
+        ];
+        let written = program(&operations, &[7]);
+        assert_eq!(contract(written.clone()), written);
     }
 
     #[test]

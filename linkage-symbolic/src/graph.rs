@@ -182,12 +182,12 @@ impl Graph {
         SymbolId(self.symbols.len() as u32 - 1)
     }
 
-    /// The node of an operation, new or old. No simplification: see the constructors.
     /// A node that exists already.
     pub(crate) fn find(&self, node: Node) -> Option<NodeId> {
         self.index.get(&node).copied()
     }
 
+    /// The node of an operation, new or old. No simplification: see the constructors.
     pub(crate) fn intern(&mut self, node: Node) -> NodeId {
         if let Some(&id) = self.index.get(&node) {
             return id;

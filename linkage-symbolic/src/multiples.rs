@@ -80,6 +80,9 @@ fn sum_of_terms(graph: &mut Graph, id: NodeId) -> Option<(Base, Factors)> {
         nodes: shared,
     };
     let ratio = second.number / first.number;
+    if !ratio.is_normal() {
+        return None;
+    }
     Some((([x, y], rests, ratio.to_bits()), common))
 }
 
@@ -133,10 +136,8 @@ impl Factors {
     /// `self / other`, where that is a product.
     fn over(&self, other: &Self) -> Option<Self> {
         let (_, [nodes, missing]) = split(self.nodes.clone(), other.nodes.clone());
-        missing.is_empty().then_some(Self {
-            number: self.number / other.number,
-            nodes,
-        })
+        let number = self.number / other.number;
+        (missing.is_empty() && number.is_normal()).then_some(Self { number, nodes })
     }
 
     /// `self * sum`, not distributed over the terms.

@@ -6,6 +6,7 @@ mod panics;
 mod parallel;
 mod scalars;
 mod sets;
+mod singular;
 
 use linkage::{Scalar, mechanism};
 

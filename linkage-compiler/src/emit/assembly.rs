@@ -8,7 +8,7 @@ use super::docs::doc;
 use super::facts::Facts;
 use super::load::loader;
 use super::outline::{Outline, plain};
-use super::{attribute, body, literal};
+use super::{attribute, body, literal, winding};
 use crate::lower::Lowered;
 
 /// The assembly type and the public functions that make one.
@@ -167,7 +167,7 @@ pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> T
         prepared,
         gaps,
     } = &types;
-    let turning = turning(outline, lowered);
+    let turning = winding::turning(outline, lowered);
     let close = close(outline, facts);
     let prepare_body = program(outline, facts, &lowered.prepare);
     let gaps_body = program(outline, facts, &lowered.gaps);
@@ -236,47 +236,6 @@ impl Types {
             turns: quote!(#runtime::Turns<T, #angles, #inputs>),
             prepared: quote!([T; #prepared]),
             gaps: quote!([T; #gaps]),
-        }
-    }
-}
-
-/// The centres and windings of the continuous angles, lane by lane. Where they cannot be found because a loop does not
-/// close, the error is about that loop.
-fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
-    let Outline {
-        runtime,
-        name,
-        assembly,
-        inputs,
-        ..
-    } = outline;
-    if lowered.continuous_angles.is_empty() {
-        return quote!(#runtime::Turns { centres: [], windings: [] });
-    }
-    let title = outline.title();
-    let estimates = lowered
-        .continuous_angles
-        .iter()
-        .map(|angle| literal::float(angle.estimate));
-    let lane = (0..inputs.len()).map(|input| {
-        let input = literal::index(input);
-        quote!(T::lane(__at[#input], __lane))
-    });
-    quote! {
-        match #runtime::turns(|__lane| {
-            let __lane_mechanism: #name<::core::primitive::f64> = #name::__lane(__m, __lane);
-            #assembly::<::core::primitive::f64>::__wind(&__lane_mechanism, &__modes, [#(#lane),*])
-        }) {
-            ::core::result::Result::Ok(__turns) => __turns,
-            ::core::result::Result::Err(__unknown) => {
-                let __turns = #runtime::Turns::at_estimates([#(#estimates),*]);
-                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
-                Self::__close(__m, &__modes, &__prepared, __at)?;
-                return ::core::result::Result::Err(#runtime::AssemblyError::NoWinding {
-                    mechanism: #title,
-                    unknown: __unknown,
-                });
-            }
         }
     }
 }

@@ -120,7 +120,7 @@ pub(super) fn kernel(
     let width = literal::index(function.width());
     let methods = (0..stages.len()).map(|index| stage(outline, function, stages, index, inputs));
     let calls = (0..stages.len()).map(|index| {
-        let method = function.stage(index);
+        let method = stage_name(function, index);
         let results = results(index);
         let before = match index {
             0 => quote!([]),
@@ -158,6 +158,11 @@ pub(super) fn kernel(
     }
 }
 
+/// The method that runs a stage.
+pub(super) fn stage_name(function: &Function, index: usize) -> Ident {
+    format_ident!("__stage{index}_of_{}", function.name)
+}
+
 /// The variable that holds what a stage has finished.
 fn results(stage: usize) -> Ident {
     format_ident!("__results{stage}", span = Span::mixed_site())
@@ -179,7 +184,7 @@ fn stage(
     let before = index
         .checked_sub(1)
         .map_or(0, |index| stages[index].carried);
-    let method = function.stage(index);
+    let method = stage_name(function, index);
     let statements = body::statements(program, &loader(outline, inputs));
     let (next, finished) = program.outputs.split_at(*carried);
     let [next, finished] = [next, finished].map(|values| {

@@ -7,6 +7,7 @@ use linkage_symbolic::stages::Stage;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::evaluator::stage_name;
 use super::outline::{Function, Outline};
 use super::{attribute, literal, sweeps};
 
@@ -81,7 +82,7 @@ fn over_sets(outline: &Outline, function: &Function, stages: &[Stage]) -> TokenS
             }
         }
     });
-    let at_lane = format_ident!("__{}_at_lane", function.name);
+    let at_lane = format_ident!("__at_lane_of_{}", function.name);
     let loops = loops(
         outline,
         function,
@@ -232,7 +233,7 @@ fn loops(
     let mut carried_before = 0;
     let mut loops = TokenStream::new();
     for (index, stage) in stages.iter().enumerate() {
-        let method = function.stage(index);
+        let method = stage_name(function, index);
         let (from, to) = (carried(index), carried(index + 1));
         let read = (0..carried_before).map(|k| {
             let k = literal::index(k);

@@ -27,6 +27,7 @@ pub(super) struct Outline<'a> {
     pub modes: Vec<bool>,
     /// How many prepared slots.
     pub prepared: usize,
+    /// How many angles count their turns.
     pub continuous_angles: usize,
     /// False after errors: the bodies are `unimplemented!()`.
     pub complete: bool,
@@ -168,13 +169,6 @@ impl<'a> Outline<'a> {
             false => quote!(#runtime::AssemblyMode::Minus),
         });
         quote!([#(#modes),*])
-    }
-}
-
-impl Function<'_> {
-    /// The method that runs one stage of the program.
-    pub(super) fn stage(&self, index: usize) -> Ident {
-        format_ident!("__{}_stage{index}", self.name)
     }
 }
 

@@ -22,12 +22,12 @@ struct Sweeps<'a> {
 
 /// The private method that gives the kernel over inputs.
 pub(super) fn over_inputs(function: &Function) -> Ident {
-    format_ident!("__{}_over_inputs", function.name)
+    format_ident!("__over_inputs_of_{}", function.name)
 }
 
 /// The private method that gives the kernel over mechanisms and inputs.
 pub(super) fn over_sets(function: &Function) -> Ident {
-    format_ident!("__{}_over_sets", function.name)
+    format_ident!("__over_sets_of_{}", function.name)
 }
 
 /// All sweeps of a function.
@@ -175,8 +175,8 @@ impl Sweeps<'_> {
         let source = self.sets("_sweep_sets_into");
         let sweep_into = self.method(
             "_sweep_sets_into",
-            "for many mechanisms, as `sweep_sets`, into columns that are there already: allocates only if they are too \
-             small.",
+            "for many mechanisms, as the method without `_into`, into columns that are there already: allocates only if they are \
+             too small.",
             panics,
             quote!((&self, #inputs, #columns: &mut #ty<T>)),
             quote!(#runtime::fill(&self.#kernel(), &#source, &mut #columns.__columns);),
@@ -184,7 +184,7 @@ impl Sweeps<'_> {
         let source = self.sets("_sweep_sets_parallel_into");
         let parallel = self.method(
             "_sweep_sets_parallel_into",
-            "for many mechanisms, as `sweep_sets`, computed by all threads of rayon's current pool, into columns that \
+            "for many mechanisms, as the method without `_parallel_into`, computed by all threads of rayon's current pool, into columns that \
              are there already.",
             panics,
             quote! {

@@ -1,4 +1,4 @@
-//! How the continuous angles of one lane are followed through the ranges of the inputs.
+//! How the continuous angles are followed through the ranges of the inputs, lane by lane.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -11,6 +11,47 @@ use super::outline::Outline;
 use super::{attribute, literal};
 use crate::lower::{ContinuousAngle, Lowered};
 use crate::model::Mechanism;
+
+/// The centres and windings of the continuous angles, lane by lane. Where they cannot be found because a loop does not
+/// close, the error is about that loop.
+pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        inputs,
+        ..
+    } = outline;
+    if lowered.continuous_angles.is_empty() {
+        return quote!(#runtime::Turns { centres: [], windings: [] });
+    }
+    let title = outline.title();
+    let estimates = lowered
+        .continuous_angles
+        .iter()
+        .map(|angle| literal::float(angle.estimate));
+    let lane = (0..inputs.len()).map(|input| {
+        let input = literal::index(input);
+        quote!(T::lane(__at[#input], __lane))
+    });
+    quote! {
+        match #runtime::turns(|__lane| {
+            let __lane_mechanism: #name<::core::primitive::f64> = #name::__lane(__m, __lane);
+            #assembly::<::core::primitive::f64>::__wind(&__lane_mechanism, &__modes, [#(#lane),*])
+        }) {
+            ::core::result::Result::Ok(__turns) => __turns,
+            ::core::result::Result::Err(__unknown) => {
+                let __turns = #runtime::Turns::at_estimates([#(#estimates),*]);
+                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+                Self::__close(__m, &__modes, &__prepared, __at)?;
+                return ::core::result::Result::Err(#runtime::AssemblyError::NoWinding {
+                    mechanism: #title,
+                    unknown: __unknown,
+                });
+            }
+        }
+    }
+}
 
 /// `__wind` and the program of the directions; nothing for a mechanism without continuous angles.
 pub(super) fn items(
