@@ -43,7 +43,8 @@ use place::{Evaluate, Filling, Place, Returning};
 /// assert_eq!(scene.get(press), Some(&[1.0, 0.0]));
 /// ```
 ///
-/// A function may keep what it captures, or borrow it for `'a`. If that changes, as when a linkage
+/// A function may keep what it captures, or borrow it for `'a`; a linkage that is assembled later than the
+/// scene is moved in (`move |phi| ..`), which copies it. If that changes, as when a linkage
 /// is assembled with other dimensions, [`set`](Self::set) puts a new function in its place.
 ///
 /// # Sweeps

@@ -132,7 +132,8 @@ fn constructors(outline: &Outline) -> TokenStream {
             ///
             /// # Errors
             ///
-            /// Says which loop cannot close and by how much it misses, or which dimension is not a finite number.
+            /// Says which loop cannot close and by how much it misses, or has no finite solution, or which angle cannot be
+            /// followed through the range.
             pub fn assemble(&self) -> ::core::result::Result<#assembly<T>, #error> { #assemble }
         }
         #runtime::if_alloc! {
