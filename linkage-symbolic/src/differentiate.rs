@@ -186,12 +186,8 @@ fn product(g: &mut Graph, factors: Vec<NodeId>) -> NodeId {
 /// known already.
 fn rate_times_sum(g: &mut Graph, op: Binary, a: NodeId, b: NodeId) -> NodeId {
     let (mut left, mut right) = (factors(g, a), factors(g, b));
-    let common: Vec<NodeId> = left
-        .iter()
-        .copied()
-        .filter(|&x| g.binding(x) == Binding::Call && right.contains(&x))
-        .collect();
-    let Some((&rate, _)) = common.split_first() else {
+    let is_common = |x: &&NodeId| g.binding(**x) == Binding::Call && right.contains(x);
+    let Some(rate) = left.iter().find(is_common).copied() else {
         return g.binary(op, a, b);
     };
     for list in [&mut left, &mut right] {
