@@ -11,8 +11,8 @@ pub use linkage_runtime::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::Lanes;
 pub use linkage_runtime::{
-    AssemblyError, AssemblyMode, FunctionInfo, Group, Operations, Parameter, Scalar, Structure,
-    Vector2, Vector3, true_acceleration, true_velocity,
+    AssemblyError, AssemblyMode, Dimensions, FunctionInfo, Group, Operations, Parameter, Scalar,
+    Structure, Vector2, Vector3, true_acceleration, true_velocity,
 };
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use linkage_runtime::{Handle, Scene};
@@ -59,6 +59,14 @@ pub mod language {
     #![doc = include_str!("../docs/language.md")]
 }
 
+/// Accuracy: what tolerances do, and which tolerances an allowed error needs.
+#[cfg(feature = "tolerance")]
+pub mod tolerance {
+    #![doc = include_str!("../docs/tolerance.md")]
+
+    pub use linkage_runtime::tolerance::*;
+}
+
 /// The code of the README is a test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -77,10 +85,17 @@ pub mod __private {
     pub use linkage_runtime::generated::{Along, Angle, Turns, turns, wind};
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::generated::{
-        Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_slices, put, rows,
+        Arguments, Block, Extended, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_slices, put,
+        rows,
+    };
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+    pub use linkage_runtime::generated::{
+        Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms,
+        CoupledUnknown, Range, Start, Step, Term, Variable, Wanted, pairs, placed, put_state,
+        starts, stepped,
     };
     pub use linkage_runtime::{
-        AssemblyError, AssemblyMode, FUSED, FunctionInfo, Group, Operations, Parameter, Scalar,
-        Structure, Vector2, Vector3, if_alloc, if_rayon,
+        AssemblyError, AssemblyMode, Dimensions, FUSED, FunctionInfo, Group, Operations, Parameter,
+        Scalar, Structure, Vector2, Vector3, if_alloc, if_rayon,
     };
 }

@@ -28,6 +28,7 @@ macro_rules! example {
 example!(crank_rocker, "../examples/crank_rocker.rs");
 example!(double_double, "../examples/double_double.rs");
 example!(drag_link, "../examples/drag_link.rs");
+example!(eye_needle_accuracy, "../examples/eye_needle_accuracy.rs");
 example!(favorit, "../examples/favorit.rs");
 example!(geared_five_bar, "../examples/geared_five_bar.rs");
 example!(gears, "../examples/gears.rs");

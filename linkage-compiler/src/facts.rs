@@ -26,6 +26,7 @@ pub(crate) fn collect(
             .map(|g| group_facts(algebra, g, reference))
             .collect(),
         mobility: formulation.mobility,
+        longest: reference.longest,
     }
 }
 
@@ -35,10 +36,11 @@ fn group_facts(algebra: &Algebra, solved: &Solved, reference: &Reference) -> Gro
     GroupFacts {
         class: solved.closed.class,
         order: solved.closed.order,
-        kind: solved.closed.kind,
+        kind: solved.closed.kind.to_string(),
         loops: solved.group.loops.iter().map(|k| k + 1).collect(),
         unknowns: solved.group.unknowns.iter().map(unknown).collect(),
         mode: solved.mode,
+        coupled: solved.prepared.is_some(),
         plus: solved
             .mode
             .is_none_or(|mode| reference.machine.modes[mode] > 0.0),

@@ -80,7 +80,7 @@ pub fn analyse(
     }
     let formulation = formulate::formulate(&mut algebra, structure);
     let mut reference =
-        formulate::assemble_reference(&algebra, &formulation, &nominal, origins, diagnostics);
+        formulate::assemble_reference(&mut algebra, &formulation, &nominal, origins, diagnostics);
     let lowered = lower::lower(&mut algebra, &formulation, &nominal, origins, diagnostics);
     if reference.closed {
         let asked = &lowered.continuous_angles;

@@ -84,10 +84,11 @@ fn formulate_text(analysis: &Analysis) -> String {
     let mut text = String::new();
     for group in &analysis.facts.groups {
         let mode = match (group.mode, group.plus) {
+            _ if group.coupled => "assemblies listed".to_owned(),
             (None, _) => "one solution".to_owned(),
             (Some(mode), plus) => format!("mode {mode} {}", if plus { "+1" } else { "-1" }),
         };
-        let kind = group.kind;
+        let kind = &group.kind;
         let _ = writeln!(
             text,
             "{kind}, class {} order {}: {} ({mode}; {})",

@@ -1,7 +1,14 @@
 //! Why a mechanism could not be assembled.
 
+#[cfg(feature = "alloc")]
+mod coupled;
+
 use crate::words::{join, numbers, rounded};
+#[cfg(feature = "alloc")]
+use alloc::boxed::Box;
 use core::fmt;
+#[cfg(feature = "alloc")]
+pub use coupled::{CoupledCause, CoupledError, Placed, Value};
 
 /// Why `assemble()` found no assembly.
 ///
@@ -23,7 +30,7 @@ use core::fmt;
 ///      it misses by 12.5 mm"
 /// );
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum AssemblyError {
     /// The links of a group do not reach each other at the reference input.
@@ -72,6 +79,24 @@ pub enum AssemblyError {
         /// Number of groups with two modes.
         modes: usize,
     },
+    /// A group that has no closed form was not assembled.
+    #[cfg(feature = "alloc")]
+    Coupled(
+        /// Why.
+        Box<CoupledError>,
+    ),
+}
+
+impl AssemblyError {
+    /// True if there is simply no such assembly: its links do not reach each other.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn is_a_miss(&self) -> bool {
+        match self {
+            Self::CannotClose { .. } => true,
+            Self::Coupled(error) => matches!(error.cause, CoupledCause::NoneReal { .. }),
+            _ => false,
+        }
+    }
 }
 
 impl fmt::Display for AssemblyError {
@@ -117,6 +142,8 @@ impl fmt::Display for AssemblyError {
                 "{mechanism}: {modes} groups with two assembly modes each give too many \
                  assemblies to list"
             ),
+            #[cfg(feature = "alloc")]
+            Self::Coupled(ref error) => write!(f, "{error}"),
         }
     }
 }

@@ -2,19 +2,33 @@
 
 mod close;
 #[cfg(feature = "alloc")]
+mod coupled;
+#[cfg(feature = "alloc")]
 mod sweep;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod turns;
 
 #[cfg(feature = "alloc")]
+pub use crate::numeric::coupled::{Correction, Range, Step};
+#[cfg(feature = "alloc")]
+pub use crate::numeric::roots::{Term, Variable};
+#[cfg(feature = "alloc")]
 pub use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 pub use close::assemblies;
 pub use close::close;
+#[cfg(feature = "alloc")]
+pub use coupled::{Coupled, CoupledGrid};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use coupled::{
+    CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution, CoupledUnknown, couple, list,
+};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use coupled::{Start, Wanted, pairs, placed, put_state, starts, stepped};
 #[cfg(feature = "rayon")]
 pub use sweep::fill_parallel;
 #[cfg(feature = "alloc")]
-pub use sweep::{Arguments, Block, Inputs, Kernel, Sets, fill, fill_slices, put, rows};
+pub use sweep::{Arguments, Block, Extended, Inputs, Kernel, Sets, fill, fill_slices, put, rows};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use turns::{Along, Angle, Turns, turns, wind};
 

@@ -5,7 +5,8 @@
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
 //! everything that computes angles), `alloc` (part of `std`: `Columns`, `Scene`), `nalgebra`
-//! (`Vector2`, `Vector3`), `simba` (`Lanes`), `num-dual` (`Dual`) and `rayon` (sweeps on all threads).
+//! (`Vector2`, `Vector3`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
+//! `tolerance` and `monte-carlo` (the module `tolerance`).
 #![no_std]
 #![warn(missing_docs)]
 
@@ -17,6 +18,7 @@ extern crate std;
 #[cfg(feature = "alloc")]
 mod columns;
 mod data;
+mod dimensions;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod elementary;
 mod error;
@@ -30,12 +32,17 @@ mod scalar;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 mod scene;
 mod structure;
+#[cfg(feature = "tolerance")]
+pub mod tolerance;
 mod words;
 
 #[cfg(feature = "alloc")]
 pub use columns::Columns;
 pub use data::{AssemblyMode, Operations, Parameter};
+pub use dimensions::Dimensions;
 pub use error::AssemblyError;
+#[cfg(feature = "alloc")]
+pub use error::{CoupledCause, CoupledError, Placed, Value};
 pub use motion::{true_acceleration, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{Vector2, Vector3};

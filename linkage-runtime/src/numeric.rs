@@ -1,6 +1,10 @@
-//! Numeric searches over the range of an input, on plain `f64`: no dependencies, no allocation.
+//! Numeric searches and tables over the range of an input, on plain `f64`: no dependencies.
 
-mod minimum;
+#[cfg(feature = "alloc")]
+pub mod coupled;
+pub(crate) mod minimum;
 pub mod range;
+#[cfg(feature = "alloc")]
+pub mod roots;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod winding;

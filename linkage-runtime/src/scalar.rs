@@ -67,6 +67,14 @@ pub trait Scalar:
     /// Whether loops over this type can become vector code: sweeps are then compiled for several instruction sets.
     const VECTORISES: bool = false;
 
+    /// The largest Newton correction, in radians or scaled lengths, of a prepared solution of a coupled group that is trusted: far
+    /// above what a table is wrong by, far below the distance of another assembly.
+    const CORRECTION_LIMIT: f64 = 1e-7;
+
+    /// Whether a prepared solution, a plain `f64`, needs several Newton steps: for derivatives and digits that it does not
+    /// have.
+    const REFINES: bool = true;
+
     /// A constant, the same in every lane, with derivative zero.
     fn from_f64(x: f64) -> Self;
 

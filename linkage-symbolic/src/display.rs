@@ -14,6 +14,8 @@ impl fmt::Display for Source {
             Self::Winding(angle, input) => write!(f, "winding {angle} {input}"),
             Self::Prepared(slot) => write!(f, "prepared {slot}"),
             Self::Carried(index) => write!(f, "carried {index}"),
+            Self::State(group, component) => write!(f, "state {group} {component}"),
+            Self::Limit => write!(f, "limit"),
         }
     }
 }

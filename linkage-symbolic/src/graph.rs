@@ -128,7 +128,7 @@ impl Graph {
             return self.intern(Node::Symbol(symbol));
         }
         let binding = match source {
-            Source::Input(_) => Binding::Call,
+            Source::Input(_) | Source::State(..) | Source::Limit => Binding::Call,
             _ => Binding::Parameter,
         };
         let symbol = self.add_symbol(Symbol {

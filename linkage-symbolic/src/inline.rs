@@ -40,6 +40,11 @@ impl Inliner {
         self.copied[&root]
     }
 
+    /// Forgets what was copied: definitions have changed. Equal expressions stay one node of the target.
+    pub fn forget(&mut self) {
+        self.copied.clear();
+    }
+
     fn build(&mut self, source: &Graph, id: NodeId) -> NodeId {
         let target = &mut self.target;
         let new = |x: NodeId| self.copied[&x];

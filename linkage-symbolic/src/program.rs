@@ -17,6 +17,11 @@ pub enum Source {
     Prepared(usize),
     /// A value from the stage before, by index.
     Carried(usize),
+    /// What is prepared of the solution of a coupled group near a position, by group (among the coupled ones) and
+    /// component: an approximate state, then the least determinant that is certified.
+    State(usize, usize),
+    /// The largest correction of a prepared state that is certified.
+    Limit,
 }
 
 /// The result of an earlier instruction, by its index.

@@ -215,6 +215,9 @@ impl Algebra<'_> {
     /// of which there are fewer; differentiated as the quotients, whose derivatives stay in range for lengths of any unit.
     fn solve_transposed(&mut self, group: usize, weights: &[NodeId]) -> Vec<NodeId> {
         let solution = self.solutions[group].clone();
+        if solution.elimination.is_some() {
+            return self.eliminate_transposed(group, weights);
+        }
         let determinant = solution.determinant;
         let &[first, second] = weights else {
             return vec![self.graph.div(weights[0], determinant)];

@@ -8,6 +8,7 @@
 use linkage_symbolic::{Calculus, DerivativeMemo, Graph, NodeId, SymbolId, differentiate};
 
 use super::Algebra;
+use super::elimination::Elimination;
 
 /// How a symbol that lives by its definition is differentiated.
 #[derive(Clone, Debug)]
@@ -63,13 +64,15 @@ pub(crate) struct Term {
     pub(crate) factor: NodeId,
 }
 
-/// What differentiation needs to know of a solved group of one or two equations.
+/// What differentiation needs to know of a solved group.
 #[derive(Clone, Debug)]
 pub(crate) struct Solution {
     pub(crate) terms: Vec<Term>,
     /// Columns: the derivatives of the equations by each unknown.
     pub(crate) jacobian: Vec<Vec<NodeId>>,
     pub(crate) determinant: NodeId,
+    /// For a coupled group; closed forms have one or two equations.
+    pub(crate) elimination: Option<Elimination>,
 }
 
 /// Derivatives of a group's unknowns by some variables, and the right-hand side that they solve.
@@ -225,12 +228,17 @@ impl Algebra<'_> {
             .collect()
     }
 
-    /// Cramer's rule. The determinant is known from the closed form.
+    /// Cramer's rule, the determinant being known from the closed form; coupled groups are brought down to their core.
     fn solve(&mut self, group: usize, right: &[NodeId], by: &[SymbolId]) -> Vec<NodeId> {
         let solution = &self.solutions[group];
         let (determinant, count) = (solution.determinant, solution.jacobian.len());
         if right.iter().all(|&b| self.graph.is_zero(b)) {
-            return right.to_vec();
+            return vec![self.graph.zero(); count];
+        }
+        if solution.elimination.is_some() {
+            return self.eliminate(group, right, &mut |algebra, position, rate| {
+                algebra.rate_symbol(group, position, by, rate)
+            });
         }
         let numerators = match *right {
             [b] => vec![b],
@@ -246,21 +254,31 @@ impl Algebra<'_> {
         (0..count)
             .map(|position| {
                 let quotient = self.graph.div(numerators[position], determinant);
-                if self.graph.constant_value(quotient).is_some() {
-                    return quotient;
-                }
-                let (symbol, node) = self
-                    .graph
-                    .unknown(format!("rate {group}.{position} {by:?}"));
-                self.graph.define(symbol, quotient);
-                let rule = Rule::Rate {
-                    group,
-                    position,
-                    by: by.to_vec(),
-                };
-                self.rules.insert(symbol, rule);
-                node
+                self.rate_symbol(group, position, by, quotient)
             })
             .collect()
+    }
+
+    /// A rate as a symbol of its own.
+    fn rate_symbol(
+        &mut self,
+        group: usize,
+        position: usize,
+        by: &[SymbolId],
+        value: NodeId,
+    ) -> NodeId {
+        if self.graph.constant_value(value).is_some() {
+            return value;
+        }
+        let name = format!("rate {group}.{position} {by:?}");
+        let (symbol, node) = self.graph.unknown(name);
+        self.graph.define(symbol, value);
+        let rule = Rule::Rate {
+            group,
+            position,
+            by: by.to_vec(),
+        };
+        self.rules.insert(symbol, rule);
+        node
     }
 }

@@ -6,6 +6,7 @@
 mod adjoint;
 mod calls;
 mod dependence;
+mod elimination;
 mod implicit;
 mod nominal;
 mod partial;
@@ -21,6 +22,7 @@ use linkage_symbolic::{DerivativeMemo, Graph, NodeId, SymbolId};
 use crate::model::{Mechanism, Type, Variable};
 
 pub(crate) use adjoint::Direction;
+pub(crate) use elimination::{CoreRow, Elimination, PrivateColumn};
 pub(crate) use implicit::{AngleRule, Rule, Solution, Term, Turning};
 pub(crate) use nominal::Nominal;
 pub(crate) use scalar::{Atom, Scalar};

@@ -81,7 +81,7 @@ impl<'m> Implicit<'m> for Partial<'_, 'm> {
 
 impl Algebra<'_> {
     /// The derivative of a node that mentions `variable`, a parameter or a symbol from [`Self::symbol_for`].
-    pub(super) fn partial(&mut self, node: NodeId, variable: SymbolId) -> NodeId {
+    pub(crate) fn partial(&mut self, node: NodeId, variable: SymbolId) -> NodeId {
         differentiate(&mut Partial(self), node, variable)
     }
 
@@ -101,6 +101,14 @@ impl Algebra<'_> {
             Node::Symbol(symbol) => symbol,
             _ => unreachable!("only rates that are symbols are mentioned"),
         }
+    }
+
+    /// The symbol that stands for an unknown of a group as a variable of [`Self::partial`].
+    pub(crate) fn unknown_variable(&mut self, group: usize, position: usize) -> SymbolId {
+        self.symbol_for(&Solved {
+            system: System::new(group, Vec::new()),
+            position,
+        })
     }
 
     /// The unknowns and rates that nodes mention.

@@ -6,9 +6,9 @@ use quote::quote;
 
 use super::docs::doc;
 use super::facts::Facts;
-use super::load::loader;
+use super::load::{Places, loader};
 use super::outline::{Outline, plain};
-use super::{attribute, body, literal, winding};
+use super::{attribute, body, coupled, literal, winding};
 use crate::lower::Lowered;
 
 /// The assembly type and the public functions that make one.
@@ -25,10 +25,11 @@ fn structure(outline: &Outline) -> TokenStream {
         visibility,
         name,
         assembly,
+        core,
         ..
     } = outline;
     let doc = doc(&format!(
-        "An assembled `{}`: closed loops in one assembly mode, everything prepared that does not depend on the inputs.",
+        "An assembled `{}`: closed loops in one assembly, everything prepared that does not depend on the inputs.",
         outline.title()
     ));
     let derives = attribute::derives([]);
@@ -39,16 +40,31 @@ fn structure(outline: &Outline) -> TokenStream {
         outline.prepared,
     ]
     .map(literal::index);
+    let (own_derives, starts) = match outline.starts.is_empty() {
+        true => (derives.clone(), TokenStream::new()),
+        false => {
+            let starts = coupled::starts_type(outline);
+            let derives =
+                quote!(#[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
+            (derives, quote!(__starts: #starts,))
+        }
+    };
     let allow = attribute::allow();
     quote! {
-        #doc
         #allow
         #derives
-        #visibility struct #assembly<T = ::core::primitive::f64> {
+        struct #core<T> {
             __mechanism: #name<T>,
             __modes: [#runtime::AssemblyMode; #modes],
             __turns: #runtime::Turns<T, #angles, #inputs>,
             __prepared: [T; #prepared],
+        }
+        #doc
+        #allow
+        #own_derives
+        #visibility struct #assembly<T = ::core::primitive::f64> {
+            __core: #core<T>,
+            #starts
         }
     }
 }
@@ -66,7 +82,7 @@ fn accessors(outline: &Outline) -> TokenStream {
         quote! {
             /// The dimensions that it was assembled with.
             #[must_use]
-            pub const fn mechanism(&self) -> &#name<T> { &self.__mechanism }
+            pub const fn mechanism(&self) -> &#name<T> { &self.__core.__mechanism }
         }
     });
     let modes = free("modes").then(|| {
@@ -74,7 +90,7 @@ fn accessors(outline: &Outline) -> TokenStream {
         quote! {
             /// The assembly mode of each group that has two; `STRUCTURE` says which group is which.
             #[must_use]
-            pub const fn modes(&self) -> &[#runtime::AssemblyMode; #count] { &self.__modes }
+            pub const fn modes(&self) -> &[#runtime::AssemblyMode; #count] { &self.__core.__modes }
         }
     });
     let allow = attribute::allow();
@@ -103,9 +119,13 @@ fn constructors(outline: &Outline) -> TokenStream {
     let assemble = outline.body(quote!(#assembly::__assemble(self, #modes, [#(#references),*])));
     let enumerate = |at: TokenStream| {
         let title = outline.title();
-        outline.body(quote! {
-            #runtime::assemblies(#title, #modes, |__modes| #assembly::__assemble(self, __modes, #at))
-        })
+        let all = match outline.starts.is_empty() {
+            true => quote! {
+                #assembly::__assemble(self, __modes, #at).map(|__assembly| #runtime::Vec::from([__assembly]))
+            },
+            false => quote!(#assembly::__assemblies(self, __modes, #at)),
+        };
+        outline.body(quote!(#runtime::assemblies(#title, #modes, |__modes| #all)))
     };
     let assemblies = enumerate(quote!([#(#references),*]));
     let error = quote!(#runtime::AssemblyError);
@@ -163,37 +183,32 @@ pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> T
     let types = Types::new(outline, facts, lowered);
     let Types {
         modes,
-        inputs,
         turns,
         prepared,
+        arguments,
         gaps,
+        ..
     } = &types;
-    let turning = winding::turning(outline, lowered);
+    let assemble = match outline.starts.is_empty() {
+        true => assemble(outline, lowered, &types),
+        false => assemble_coupled(outline, lowered, &types),
+    };
     let close = close(outline, facts);
-    let prepare_body = program(outline, facts, &lowered.prepare);
-    let gaps_body = program(outline, facts, &lowered.gaps);
+    let prepare_body = program(outline, &lowered.prepare);
+    let gaps_body = program(outline, &lowered.gaps);
     let allow = attribute::allow();
     quote! {
         #allow
         impl<T: #runtime::Scalar> #assembly<T> {
-            fn __assemble(
-                __m: &#name<T>,
-                __modes: #modes,
-                __at: #inputs,
-            ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
-                let __turns: #turns = #turning;
-                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
-                Self::__close(__m, &__modes, &__prepared, __at)?;
-                ::core::result::Result::Ok(Self { __mechanism: *__m, __modes, __turns, __prepared })
-            }
+            #assemble
 
             fn __close(
                 __m: &#name<T>,
                 __modes: &#modes,
                 __prepared: &#prepared,
-                __at: #inputs,
+                __x: #arguments,
             ) -> ::core::result::Result<(), #runtime::AssemblyError> {
-                let __gaps = Self::__gaps::<{ #runtime::FUSED }>(__m, __modes, __prepared, __at);
+                let __gaps = Self::__gaps::<{ #runtime::FUSED }>(__m, __modes, __prepared, __x);
                 #close
             }
 
@@ -208,8 +223,163 @@ pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> T
                 __m: &#name<T>,
                 __modes: &#modes,
                 __prepared: &#prepared,
-                __x: #inputs,
+                __x: #arguments,
             ) -> #gaps { #gaps_body }
+        }
+    }
+}
+
+fn assemble(outline: &Outline, lowered: &Lowered, types: &Types) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        core,
+        ..
+    } = outline;
+    let Types {
+        modes,
+        inputs,
+        turns,
+        ..
+    } = types;
+    let turning = winding::turning(outline, lowered);
+    quote! {
+        fn __assemble(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+        ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+            let __turns: #turns = #turning;
+            let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+            Self::__close(__m, &__modes, &__prepared, __at)?;
+            ::core::result::Result::Ok(Self {
+                __core: #core { __mechanism: *__m, __modes, __turns, __prepared },
+            })
+        }
+    }
+}
+
+/// The same with coupled groups: their starts are found lane by lane on plain numbers.
+fn assemble_coupled(outline: &Outline, lowered: &Lowered, types: &Types) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        core,
+        ..
+    } = outline;
+    let Types {
+        modes,
+        inputs,
+        turns,
+        ..
+    } = types;
+    let float = quote!(::core::primitive::f64);
+    let turning = winding::turning(outline, lowered);
+    let estimates = lowered
+        .continuous_angles
+        .iter()
+        .map(|angle| literal::float(angle.estimate));
+    let count = literal::index(outline.starts.len());
+    let at = (0..outline.inputs.len()).map(|input| {
+        let input = literal::index(input);
+        quote!(T::lane(__at[#input], __lane))
+    });
+    quote! {
+        fn __assemble(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+        ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+            let mut __lanes = #runtime::Vec::new();
+            for __lane in 0..T::LANES {
+                match Self::__on_lane(__m, __modes, __at, __lane, #runtime::Wanted::Nearest) {
+                    ::core::result::Result::Ok(__starts) => __lanes.extend(__starts),
+                    ::core::result::Result::Err(__error) => {
+                        Self::__close_closed_forms(__m, __modes, __at)?;
+                        return ::core::result::Result::Err(__error);
+                    }
+                }
+            }
+            Self::__with_starts(__m, __modes, __at, &__lanes)
+        }
+
+        fn __assemblies(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+        ) -> ::core::result::Result<#runtime::Vec<Self>, #runtime::AssemblyError> {
+            let mut __found = #runtime::Vec::new();
+            let __all = Self::__on_lane(__m, __modes, __at, 0, #runtime::Wanted::All);
+            let __all = match __all {
+                ::core::result::Result::Ok(__all) => __all,
+                ::core::result::Result::Err(__error) => {
+                    Self::__close_closed_forms(__m, __modes, __at)?;
+                    return ::core::result::Result::Err(__error);
+                }
+            };
+            for __first in __all {
+                let mut __lanes = #runtime::Vec::from([__first.clone()]);
+                for __lane in 1..T::LANES {
+                    __lanes.extend(Self::__on_lane(
+                        __m, __modes, __at, __lane, #runtime::Wanted::Like(&__first),
+                    )?);
+                }
+                __found.push(Self::__with_starts(__m, __modes, __at, &__lanes)?);
+            }
+            ::core::result::Result::Ok(__found)
+        }
+
+        /// What is prepared of the coupled groups in one lane, for the wanted assemblies.
+        fn __on_lane(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+            __lane: ::core::primitive::usize,
+            __wanted: #runtime::Wanted<'_, #count>,
+        ) -> ::core::result::Result<#runtime::Vec<[#runtime::Start; #count]>, #runtime::AssemblyError> {
+            let __m: #name<#float> = #name::__lane(__m, __lane);
+            let __at = [#(#at),*];
+            #runtime::starts(&#assembly::<#float>::__GROUPS, &__at, __wanted, |__number, __starts| {
+                #assembly::<#float>::__coupled(&__m, &__modes, __at, __number, __starts)
+            })
+        }
+
+        /// Fails if a group with a closed form does not close before a coupled one is needed.
+        fn __close_closed_forms(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+        ) -> ::core::result::Result<(), #runtime::AssemblyError> {
+            let __lanes: #runtime::Vec<[#runtime::Start; #count]> =
+                (0..T::LANES).map(|_| [const { #runtime::Start::Nothing }; #count]).collect();
+            let __starts = Self::__starts(&__lanes);
+            let __turns: #turns = #runtime::Turns::at_estimates([#(#estimates),*]);
+            let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+            let __x = Self::__extend(&__starts, __at);
+            match Self::__close(__m, &__modes, &__prepared, __x) {
+                ::core::result::Result::Err(__error @ #runtime::AssemblyError::CannotClose { .. }) => {
+                    ::core::result::Result::Err(__error)
+                }
+                _ => ::core::result::Result::Ok(()),
+            }
+        }
+
+        fn __with_starts(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+            __lanes: &[[#runtime::Start; #count]],
+        ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+            let __starts = Self::__starts(__lanes);
+            let __x = Self::__extend(&__starts, __at);
+            let __turns: #turns = #turning;
+            let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+            Self::__close(__m, &__modes, &__prepared, __x)?;
+            ::core::result::Result::Ok(Self {
+                __core: #core { __mechanism: *__m, __modes, __turns, __prepared },
+                __starts,
+            })
         }
     }
 }
@@ -218,6 +388,8 @@ pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> T
 pub(super) struct Types {
     pub modes: TokenStream,
     pub inputs: TokenStream,
+    /// Inputs and states.
+    pub arguments: TokenStream,
     pub turns: TokenStream,
     pub prepared: TokenStream,
     gaps: TokenStream,
@@ -229,11 +401,13 @@ impl Types {
         let modes = literal::index(outline.modes.len());
         let inputs = literal::index(facts.inputs.len());
         let prepared = literal::index(outline.prepared);
+        let arguments = literal::index(Places::all(outline).width());
         let angles = literal::index(lowered.continuous_angles.len());
         let gaps = literal::index(lowered.gaps.outputs.len());
         Self {
             modes: quote!([#runtime::AssemblyMode; #modes]),
             inputs: quote!([T; #inputs]),
+            arguments: quote!([T; #arguments]),
             turns: quote!(#runtime::Turns<T, #angles, #inputs>),
             prepared: quote!([T; #prepared]),
             gaps: quote!([T; #gaps]),
@@ -255,10 +429,10 @@ fn close(outline: &Outline, facts: &Facts) -> TokenStream {
     }
 }
 
-/// A program over all inputs of the mechanism, ending in the array of its outputs.
-fn program(outline: &Outline, facts: &Facts, program: &Program) -> TokenStream {
-    let inputs: Vec<usize> = (0..facts.inputs.len()).collect();
-    let statements = body::statements(program, &loader(outline, &inputs));
+/// A program over all inputs and states of the mechanism, ending in the array of its outputs.
+fn program(outline: &Outline, program: &Program) -> TokenStream {
+    let places = Places::all(outline);
+    let statements = body::statements(program, &loader(outline, &places));
     let outputs = body::outputs(program);
     quote!(#statements #outputs)
 }

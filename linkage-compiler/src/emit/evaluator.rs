@@ -5,10 +5,10 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::docs::{doc, documented, in_unit, tokens, with_note};
-use super::load::loader;
+use super::load::{Places, loader};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
-use super::{attribute, body, literal};
+use super::{attribute, body, coupled, literal};
 
 /// The result type and the public method.
 pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
@@ -68,7 +68,6 @@ fn method(outline: &Outline, function: &Function) -> TokenStream {
         visibility,
         name,
         result,
-        kernel,
         arguments,
         ..
     } = function;
@@ -88,8 +87,7 @@ fn method(outline: &Outline, function: &Function) -> TokenStream {
     );
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
-    let body = outline
-        .body(quote!(#result::__from_row(self.#kernel::<{ #runtime::FUSED }>([#(#arguments),*]))));
+    let body = outline.body(call(outline, function));
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*
@@ -103,24 +101,77 @@ fn method(outline: &Outline, function: &Function) -> TokenStream {
     }
 }
 
-/// The methods that run the program, stage by stage and as a whole, and the way from its outputs to the result type.
+/// What the method returns: the program's results at its arguments.
+fn call(outline: &Outline, function: &Function) -> TokenStream {
+    let runtime = &outline.runtime;
+    let Function {
+        result, arguments, ..
+    } = function;
+    let arguments = quote!([#(#arguments),*]);
+    let arguments = match function.states.is_empty() {
+        true => arguments,
+        false => {
+            let extend = coupled::extend_name(function);
+            quote!(self.#extend(#arguments))
+        }
+    };
+    let kernel = kernel_name(function, Version::Called);
+    let called = quote!(self.__core.#kernel::<{ #runtime::FUSED }>(__x));
+    let row = match function.beside {
+        true => {
+            let kernel = kernel_name(function, Version::Beside);
+            quote! {
+                if T::REFINES {
+                    self.__core.#kernel::<{ #runtime::FUSED }>(__x)
+                } else {
+                    #called
+                }
+            }
+        }
+        false => called,
+    };
+    quote! {
+        let __x = #arguments;
+        #result::__from_row(#row)
+    }
+}
+
+/// Which of the programs of a function.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Version {
+    /// The one of calls.
+    Called,
+    /// The one for dimensions, derivatives or digits that tables do not know.
+    Beside,
+}
+
+/// The method that runs a program.
+fn kernel_name(function: &Function, version: Version) -> Ident {
+    let kernel = &function.kernel;
+    match version {
+        Version::Called => kernel.clone(),
+        Version::Beside => format_ident!("{kernel}_beside"),
+    }
+}
+
+/// The methods that run the program, stage by stage and as a whole.
 pub(super) fn kernel(
     outline: &Outline,
     function: &Function,
     stages: &[Stage],
-    inputs: &[usize],
+    version: Version,
 ) -> TokenStream {
-    let Outline {
-        runtime, assembly, ..
-    } = outline;
-    let Function { result, kernel, .. } = function;
+    let Outline { runtime, core, .. } = outline;
+    let kernel = kernel_name(function, version);
     let split = attribute::split(function.attributes);
     let everywhere = &split.everywhere;
-    let count = literal::index(inputs.len());
+    let places = function.places(outline);
+    let count = literal::index(places.width());
     let width = literal::index(function.width());
-    let methods = (0..stages.len()).map(|index| stage(outline, function, stages, index, inputs));
+    let methods =
+        (0..stages.len()).map(|index| stage(outline, function, stages, index, (version, &places)));
     let calls = (0..stages.len()).map(|index| {
-        let method = stage_name(function, index);
+        let method = stage_name(function, index, version);
         let results = results(index);
         let before = match index {
             0 => quote!([]),
@@ -136,12 +187,11 @@ pub(super) fn kernel(
             outputs[result] = quote!(#results[#place]);
         }
     }
-    let fields = row_fields(outline, function);
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*
         #allow
-        impl<T: #runtime::Scalar> #assembly<T> {
+        impl<T: #runtime::Scalar> #core<T> {
             #[inline(always)]
             fn #kernel<const __FUSED: ::core::primitive::bool>(&self, __x: [T; #count]) -> [T; #width] {
                 #(#calls)*
@@ -149,6 +199,18 @@ pub(super) fn kernel(
             }
             #(#methods)*
         }
+    }
+}
+
+/// The way from a program's outputs to the result type.
+pub(super) fn from_row(outline: &Outline, function: &Function) -> TokenStream {
+    let runtime = &outline.runtime;
+    let result = function.result;
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let width = literal::index(function.width());
+    let fields = row_fields(outline, function);
+    let allow = attribute::allow();
+    quote! {
         #(#everywhere)*
         #allow
         impl<T: #runtime::Scalar> #result<T> {
@@ -159,8 +221,12 @@ pub(super) fn kernel(
 }
 
 /// The method that runs a stage.
-pub(super) fn stage_name(function: &Function, index: usize) -> Ident {
-    format_ident!("__stage{index}_of_{}", function.name)
+pub(super) fn stage_name(function: &Function, index: usize, version: Version) -> Ident {
+    let name = function.name;
+    match version {
+        Version::Called => format_ident!("__stage{index}_of_{name}"),
+        Version::Beside => format_ident!("__stage{index}_beside_of_{name}"),
+    }
 }
 
 /// The variable that holds what a stage has finished.
@@ -174,7 +240,7 @@ fn stage(
     function: &Function,
     stages: &[Stage],
     index: usize,
-    inputs: &[usize],
+    (version, places): (Version, &Places),
 ) -> TokenStream {
     let Stage {
         program,
@@ -184,15 +250,15 @@ fn stage(
     let before = index
         .checked_sub(1)
         .map_or(0, |index| stages[index].carried);
-    let method = stage_name(function, index);
-    let statements = body::statements(program, &loader(outline, inputs));
+    let method = stage_name(function, index, version);
+    let statements = body::statements(program, &loader(outline, places));
     let (next, finished) = program.outputs.split_at(*carried);
     let [next, finished] = [next, finished].map(|values| {
         let names = values.iter().map(|value| body::name(*value));
         quote!([#(#names),*])
     });
     let [count, before, carried, results] =
-        [inputs.len(), before, *carried, results.len()].map(literal::index);
+        [places.width(), before, *carried, results.len()].map(literal::index);
     quote! {
         #[inline(always)]
         fn #method<const __FUSED: ::core::primitive::bool>(

@@ -10,6 +10,8 @@ pub struct Facts {
     pub inputs: Vec<InputFacts>,
     pub groups: Vec<GroupFacts>,
     pub mobility: usize,
+    /// The length that counts like a radian where assemblies are compared with estimates.
+    pub longest: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -28,12 +30,14 @@ pub struct GroupFacts {
     pub class: u8,
     pub order: u8,
     /// `RRR`, `RRP`, ...
-    pub kind: &'static str,
+    pub kind: String,
     /// Numbers of its loops, the first loop of the mechanism being 1.
     pub loops: Vec<usize>,
     pub unknowns: Vec<String>,
     /// Index among the assembly modes; `None` for a group with one solution.
     pub mode: Option<usize>,
+    /// Whether its assemblies are listed and one is prepared.
+    pub coupled: bool,
     /// The mode that the start estimates choose: true for `+1`.
     pub plus: bool,
     /// A sentence for `STRUCTURE`: which solution is used.

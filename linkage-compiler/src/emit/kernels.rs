@@ -7,12 +7,18 @@ use linkage_symbolic::stages::Stage;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::evaluator::stage_name;
+use super::evaluator::{Version, stage_name};
 use super::outline::{Function, Outline};
 use super::{attribute, literal, sweeps};
 
-/// The kernels over inputs and over mechanisms; nothing for a function without inputs.
-pub(super) fn items(outline: &Outline, function: &Function, stages: &[Stage]) -> TokenStream {
+/// The kernels over inputs and over mechanisms; nothing for a function without inputs. `beside` are the stages of the program for
+/// dimensions that tables do not know, if that is another one.
+pub(super) fn items(
+    outline: &Outline,
+    function: &Function,
+    stages: &[Stage],
+    beside: Option<&[Stage]>,
+) -> TokenStream {
     if function.arguments.is_empty() {
         return TokenStream::new();
     }
@@ -20,8 +26,15 @@ pub(super) fn items(outline: &Outline, function: &Function, stages: &[Stage]) ->
         runtime, assembly, ..
     } = outline;
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let over_inputs = over_inputs(outline, function, stages);
-    let over_sets = (!outline.parameters.is_empty()).then(|| over_sets(outline, function, stages));
+    let mut over_inputs = over_inputs(outline, function, (stages, Version::Called));
+    let sets = match beside {
+        None => (stages, Version::Called),
+        Some(beside) => (beside, Version::Beside),
+    };
+    if beside.is_some() {
+        over_inputs.extend(self::over_inputs(outline, function, sets));
+    }
+    let over_sets = (!outline.parameters.is_empty()).then(|| over_sets(outline, function, sets));
     let allow = attribute::allow();
     quote! {
         #runtime::if_alloc! {
@@ -35,42 +48,32 @@ pub(super) fn items(outline: &Outline, function: &Function, stages: &[Stage]) ->
     }
 }
 
-fn over_inputs(outline: &Outline, function: &Function, stages: &[Stage]) -> TokenStream {
-    let loops = loops(outline, function, stages, 0, &quote!(__assembly));
-    let kernel = kernel(
-        outline,
-        function,
-        function.arguments.len(),
-        &buffers(outline, stages),
-        &loops,
-    );
-    let method = sweeps::over_inputs(function);
-    method_of(
-        outline,
-        function,
-        &method,
-        function.arguments.len(),
-        &kernel,
-    )
+fn over_inputs(outline: &Outline, function: &Function, stages: Stages) -> TokenStream {
+    let arguments = function.places(outline).width();
+    let loops = loops(outline, function, stages, 0, &quote!(__core));
+    let buffers = buffers(outline, stages.0);
+    let kernel = kernel(outline, function, arguments, &buffers, &loops);
+    let method = sweeps::over_inputs(function, stages.1);
+    method_of(outline, function, &method, arguments, &kernel)
 }
 
 /// A row is the dimensions of a mechanism, then its inputs. The first loop prepares what the function uses.
-fn over_sets(outline: &Outline, function: &Function, stages: &[Stage]) -> TokenStream {
+fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStream {
     let Outline {
         runtime,
         name,
         assembly,
+        core,
         ..
     } = outline;
     let dimensions = outline.scalar_fields().len();
-    let arguments = dimensions + function.arguments.len();
-    let used: Vec<usize> = used_slots(stages).into_iter().collect();
+    let arguments = dimensions + function.places(outline).width();
+    let used: Vec<usize> = used_slots(stages.0).into_iter().collect();
     let stores = used.iter().enumerate().map(|(place, &slot)| {
         let [place, slot] = [place, slot].map(literal::index);
         quote!(__slots.0[#place][__lane] = __values[#slot];)
     });
-    let modes =
-        (!used.is_empty()).then(|| quote!(let #assembly { __modes, __turns, .. } = __assembly;));
+    let modes = (!used.is_empty()).then(|| quote!(let #core { __modes, __turns, .. } = __core;));
     let prepare = modes.is_some().then(|| {
         quote! {
             let mut __lane = 0;
@@ -88,9 +91,9 @@ fn over_sets(outline: &Outline, function: &Function, stages: &[Stage]) -> TokenS
         function,
         stages,
         dimensions,
-        &quote!(#assembly::#at_lane(&__assembly, &__x.0, &__slots.0, __lane)),
+        &quote!(#assembly::#at_lane(&__core, &__x.0, &__slots.0, __lane)),
     );
-    let carried = buffers(outline, stages);
+    let carried = buffers(outline, stages.0);
     let count = literal::index(used.len());
     let buffers = quote! {
         #modes
@@ -115,16 +118,16 @@ fn over_sets(outline: &Outline, function: &Function, stages: &[Stage]) -> TokenS
         /// The assembly of one lane, with what this function uses of it.
         #[inline(always)]
         fn #at_lane<const __BLOCK: ::core::primitive::usize>(
-            &self,
+            __core: &#core<T>,
             __x: &[[T; __BLOCK]; #arguments],
             __slots: &[[T; __BLOCK]; #count],
             __lane: ::core::primitive::usize,
-        ) -> Self {
+        ) -> #core<T> {
             let __zero = T::from_f64(0.0);
-            Self {
+            #core {
                 __mechanism: #name::__at_lane(__x, __lane),
                 __prepared: [#(#prepared),*],
-                ..*self
+                ..*__core
             }
         }
     }
@@ -154,7 +157,7 @@ fn method_of(
     quote! {
         fn #name(&self) -> impl #runtime::Kernel<T, #arguments, #width> + use<'_, T> {
             #kernel
-            __Kernel(self)
+            __Kernel(&self.__core)
         }
     }
 }
@@ -166,12 +169,10 @@ fn kernel(
     buffers: &TokenStream,
     body: &TokenStream,
 ) -> TokenStream {
-    let Outline {
-        runtime, assembly, ..
-    } = outline;
+    let Outline { runtime, core, .. } = outline;
     let [arguments, width] = [arguments, function.width()].map(literal::index);
     quote! {
-        struct __Kernel<'a, T>(&'a #assembly<T>);
+        struct __Kernel<'a, T>(&'a #core<T>);
         impl<T: #runtime::Scalar> #runtime::Kernel<T, #arguments, #width> for __Kernel<'_, T> {
             #[inline(always)]
             fn evaluate<
@@ -184,7 +185,7 @@ fn kernel(
                 __first: ::core::primitive::usize,
                 mut __results: [&mut [T]; #width],
             ) {
-                let __assembly = *self.0;
+                let __core = *self.0;
                 let __zero = T::from_f64(0.0);
                 let mut __x = #runtime::Block([[__zero; __BLOCK]; #arguments]);
                 #buffers
@@ -215,16 +216,19 @@ fn buffers(outline: &Outline, stages: &[Stage]) -> TokenStream {
     buffers.collect()
 }
 
-/// One loop for each stage. `assembly` is the assembly at `__lane`; inputs follow `before` other arguments.
+/// The stages of one of a function's programs.
+type Stages<'a> = (&'a [Stage], Version);
+
+/// One loop for each stage. `core` is that of the assembly at `__lane`; the program's arguments follow `before` others.
 fn loops(
     outline: &Outline,
     function: &Function,
-    stages: &[Stage],
+    (stages, version): Stages,
     before: usize,
-    assembly: &TokenStream,
+    core: &TokenStream,
 ) -> TokenStream {
     let runtime = &outline.runtime;
-    let inputs: Vec<_> = (before..before + function.arguments.len())
+    let inputs: Vec<_> = (before..before + function.places(outline).width())
         .map(|input| {
             let input = literal::index(input);
             quote!(__x.0[#input][__lane])
@@ -233,7 +237,7 @@ fn loops(
     let mut carried_before = 0;
     let mut loops = TokenStream::new();
     for (index, stage) in stages.iter().enumerate() {
-        let method = stage_name(function, index);
+        let method = stage_name(function, index, version);
         let (from, to) = (carried(index), carried(index + 1));
         let read = (0..carried_before).map(|k| {
             let k = literal::index(k);
@@ -257,7 +261,7 @@ fn loops(
             while __start < __BLOCK {
                 let mut __lane = __start;
                 while __lane < __start + __LANES {
-                    let (__next, __finished) = #assembly.#method::<__FUSED>([#(#inputs),*], [#(#read),*]);
+                    let (__next, __finished) = #core.#method::<__FUSED>([#(#inputs),*], [#(#read),*]);
                     #(#carry)*
                     #(#finish)*
                     __lane += 1;

@@ -1,6 +1,6 @@
 //! Where generated code finds what a program loads. Every function that prints a program binds some of the same names:
 //! `__m` the mechanism, `__modes`, `__turns` the centres and windings of the continuous angles, `__prepared`, `__carried` what comes
-//! from the stage before, and `__x` the inputs.
+//! from the stage before, and `__x` the inputs with the prepared states of coupled groups behind them.
 
 use linkage_symbolic::program::Source;
 use proc_macro2::TokenStream;
@@ -9,10 +9,52 @@ use quote::quote;
 use super::literal;
 use super::outline::Outline;
 
-/// Prints loads; `__x` holds the inputs `inputs` in this order.
+/// What stands where in `__x`.
+#[derive(Clone, Debug)]
+pub(super) struct Places {
+    inputs: Vec<usize>,
+    /// First place of each coupled group's state, if it is there.
+    states: Vec<Option<usize>>,
+    width: usize,
+}
+
+impl Places {
+    /// The inputs `inputs`, then the states of the coupled groups `groups`, each with its least determinant.
+    pub(super) fn new(outline: &Outline, inputs: &[usize], groups: &[usize]) -> Self {
+        let mut places = Self {
+            inputs: inputs.to_vec(),
+            states: vec![None; outline.starts.len()],
+            width: inputs.len(),
+        };
+        for &group in groups {
+            places.states[group] = Some(places.width);
+            places.width += outline.starts[group].size + 1;
+        }
+        places
+    }
+
+    /// All inputs and all states.
+    pub(super) fn all(outline: &Outline) -> Self {
+        let inputs: Vec<usize> = (0..outline.inputs.len()).collect();
+        let groups: Vec<usize> = (0..outline.starts.len()).collect();
+        Self::new(outline, &inputs, &groups)
+    }
+
+    /// How many numbers there are.
+    pub(super) fn width(&self) -> usize {
+        self.width
+    }
+
+    /// The place of a component of a group's state.
+    pub(super) fn state(&self, group: usize, component: usize) -> usize {
+        self.states[group].expect("a program uses only its states") + component
+    }
+}
+
+/// Prints loads.
 pub(super) fn loader<'a>(
     outline: &'a Outline,
-    inputs: &'a [usize],
+    places: &'a Places,
 ) -> impl Fn(Source) -> TokenStream + 'a {
     let runtime = &outline.runtime;
     let fields = outline.scalar_fields();
@@ -22,10 +64,15 @@ pub(super) fn loader<'a>(
             quote!(__m.#field)
         }
         Source::Input(input) => {
-            let position = inputs.iter().position(|i| *i == input);
+            let position = places.inputs.iter().position(|i| *i == input);
             let position = literal::index(position.expect("a program uses only its inputs"));
             quote!(__x[#position])
         }
+        Source::State(group, component) => {
+            let position = literal::index(places.state(group, component));
+            quote!(__x[#position])
+        }
+        Source::Limit => quote!(T::from_f64(T::CORRECTION_LIMIT)),
         Source::Mode(mode) => {
             let mode = literal::index(mode);
             quote!(T::from_f64(#runtime::AssemblyMode::sign(__modes[#mode])))

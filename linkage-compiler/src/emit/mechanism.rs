@@ -160,7 +160,10 @@ fn convert(outline: &Outline, scalar: &dyn Fn(&TokenStream) -> TokenStream) -> T
 }
 
 /// The struct of the given scalars, in order.
-fn from_scalars(outline: &Outline, scalars: &mut dyn Iterator<Item = TokenStream>) -> TokenStream {
+pub(super) fn from_scalars(
+    outline: &Outline,
+    scalars: &mut dyn Iterator<Item = TokenStream>,
+) -> TokenStream {
     let name = outline.name;
     let fields = outline.parameters.iter().map(|parameter| {
         let name = parameter.name;

@@ -9,6 +9,8 @@ mod attribute;
 mod body;
 mod columns;
 mod count;
+mod coupled;
+mod dimensions;
 mod docs;
 mod evaluator;
 pub mod facts;
@@ -27,14 +29,16 @@ mod tests;
 mod winding;
 
 use proc_macro2::TokenStream;
+use quote::quote;
 
 pub use self::skeleton::skeleton;
 
 use linkage_symbolic::stages::split;
 
+use self::evaluator::Version;
 use self::facts::Facts;
-use self::outline::Outline;
-use crate::lower::Lowered;
+use self::outline::{Function, Outline};
+use crate::lower::{Evaluator, Lowered};
 use crate::model::Mechanism;
 use crate::syntax::MechanismDef;
 
@@ -52,16 +56,51 @@ pub fn emit(
         &outline,
         &structure::literal(&outline, facts, lowered),
     ));
-    items.extend(assembly::items(&outline));
-    items.extend(assembly::plumbing(&outline, facts, lowered));
-    items.extend(winding::items(&outline, mechanism, facts, lowered));
+    items.extend(dimensions::items(&outline));
+    let mut assembled = assembly::items(&outline);
+    assembled.extend(assembly::plumbing(&outline, facts, lowered));
+    assembled.extend(coupled::items(&outline, mechanism, facts, lowered));
+    assembled.extend(winding::items(&outline, mechanism, facts, lowered));
     for (function, evaluator) in outline.functions.iter().zip(&lowered.evaluators) {
-        items.extend(evaluator::items(&outline, function));
-        let inputs = &mechanism.evaluators[evaluator.index].inputs;
-        let stages = split(&evaluator.program);
-        items.extend(evaluator::kernel(&outline, function, &stages, inputs));
-        items.extend(columns::items(&outline, function));
-        items.extend(kernels::items(&outline, function, &stages));
+        assembled.extend(self::function(&outline, function, evaluator));
     }
+    match outline.starts.is_empty() {
+        true => items.extend(assembled),
+        // What is prepared needs an allocator.
+        false => {
+            let runtime = &outline.runtime;
+            items.extend(quote!(#runtime::if_alloc! { #assembled }));
+        }
+    }
+    items
+}
+
+/// One function with its programs and sweeps.
+fn function(outline: &Outline, function: &Function, evaluator: &Evaluator) -> TokenStream {
+    let mut items = evaluator::items(outline, function);
+    let stages = split(&evaluator.program);
+    let beside = evaluator.beside.as_ref().map(split);
+    items.extend(evaluator::kernel(
+        outline,
+        function,
+        &stages,
+        Version::Called,
+    ));
+    if let Some(beside) = &beside {
+        items.extend(evaluator::kernel(
+            outline,
+            function,
+            beside,
+            Version::Beside,
+        ));
+    }
+    items.extend(evaluator::from_row(outline, function));
+    items.extend(columns::items(outline, function));
+    items.extend(kernels::items(
+        outline,
+        function,
+        &stages,
+        beside.as_deref(),
+    ));
     items
 }

@@ -6,6 +6,7 @@ use quote::{format_ident, quote};
 use super::count::Count;
 use super::docs;
 use super::facts::Facts;
+use super::load::Places;
 use super::shape::of_type;
 use crate::lower::{Evaluator, Lowered, Shape};
 use crate::model::{self, Mechanism};
@@ -20,6 +21,8 @@ pub(super) struct Outline<'a> {
     pub name: &'a Ident,
     /// The type of an assembled mechanism.
     pub assembly: Ident,
+    /// What of it is copied into the loops of sweeps.
+    pub core: Ident,
     pub parameters: Vec<Parameter<'a>>,
     pub inputs: Vec<Input<'a>>,
     pub functions: Vec<Function<'a>>,
@@ -29,6 +32,8 @@ pub(super) struct Outline<'a> {
     pub prepared: usize,
     /// How many angles count their turns.
     pub continuous_angles: usize,
+    /// What is prepared of each coupled group.
+    pub starts: Vec<Start>,
     /// False after errors: the bodies are `unimplemented!()`.
     pub complete: bool,
 }
@@ -49,6 +54,14 @@ pub(super) struct Component {
     pub tolerance: f64,
 }
 
+/// The prepared state of a coupled group.
+pub(super) struct Start {
+    /// The inputs that it depends on.
+    pub inputs: Vec<usize>,
+    /// Numbers in a state.
+    pub size: usize,
+}
+
 pub(super) struct Input<'a> {
     pub name: &'a Ident,
     pub unit: String,
@@ -65,6 +78,12 @@ pub(super) struct Function<'a> {
     /// The method that computes all scalars of the result.
     pub kernel: Ident,
     pub arguments: Vec<&'a Ident>,
+    /// The inputs that they are, among those of the mechanism.
+    pub positions: Vec<usize>,
+    /// The coupled groups whose states it starts from.
+    pub states: Vec<usize>,
+    /// Whether there is another program for dimensions, derivatives or digits that tables do not know.
+    pub beside: bool,
     pub fields: Vec<Field<'a>>,
     /// Paragraphs for the docs of the method.
     pub notes: String,
@@ -110,12 +129,22 @@ impl<'a> Outline<'a> {
                 .functions
                 .iter()
                 .zip(&lowered.evaluators)
-                .map(|(function, evaluator)| complete_function(function, evaluator, &inputs))
+                .map(|(function, evaluator)| {
+                    complete_function(function, mechanism, evaluator, &inputs)
+                })
                 .collect(),
             inputs,
             modes: modes.into_iter().map(|(_, plus)| plus).collect(),
             prepared: lowered.prepare.outputs.len(),
             continuous_angles: lowered.continuous_angles.len(),
+            starts: lowered
+                .coupled
+                .iter()
+                .map(|group| Start {
+                    inputs: group.inputs.clone(),
+                    size: group.size,
+                })
+                .collect(),
             complete: true,
             ..Self::empty(krate, def)
         }
@@ -129,12 +158,14 @@ impl<'a> Outline<'a> {
             visibility: &def.visibility,
             name: &def.name,
             assembly: format_ident!("{}Assembly", def.name),
+            core: format_ident!("__{}Core", def.name),
             parameters: Vec::new(),
             inputs: Vec::new(),
             functions: Vec::new(),
             modes: Vec::new(),
             prepared: 0,
             continuous_angles: 0,
+            starts: Vec::new(),
             complete: false,
         }
     }
@@ -189,6 +220,11 @@ impl Parameter<'_> {
 }
 
 impl Function<'_> {
+    /// What stands where in the arguments of its program.
+    pub(super) fn places(&self, outline: &Outline) -> Places {
+        Places::new(outline, &self.positions, &self.states)
+    }
+
     /// How many scalars the result holds.
     pub(super) fn width(&self) -> usize {
         self.fields.iter().map(|field| field.shape.width()).sum()
@@ -225,6 +261,9 @@ pub(super) fn function<'a>(def: &'a FunctionDef, fields: Vec<Field<'a>>) -> Func
         columns: format_ident!("{}Columns", def.result),
         kernel: format_ident!("__evaluate_{}", def.name),
         arguments: def.inputs.iter().collect(),
+        positions: Vec::new(),
+        states: Vec::new(),
+        beside: false,
         fields,
         notes: String::new(),
     }
@@ -268,6 +307,7 @@ fn complete_parameter<'a>(
 
 fn complete_function<'a>(
     def: &'a FunctionDef,
+    mechanism: &Mechanism,
     evaluator: &Evaluator,
     inputs: &[Input],
 ) -> Function<'a> {
@@ -293,6 +333,9 @@ fn complete_function<'a>(
     notes.push_str(&format!("Operations: {count}.{direction}"));
     Function {
         notes,
+        positions: mechanism.evaluators[evaluator.index].inputs.clone(),
+        states: evaluator.states.clone(),
+        beside: evaluator.beside.is_some(),
         ..function(def, fields)
     }
 }

@@ -8,7 +8,7 @@ use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::shape::of_type;
-use super::{assembly, columns, evaluator, guess::Guess, mechanism, structure};
+use super::{assembly, columns, dimensions, evaluator, guess::Guess, mechanism, structure};
 use crate::lower::Shape;
 use crate::model::{FUNCTION_SUFFIXES, Mechanism};
 use crate::syntax::{FunctionDef, MechanismDef};
@@ -22,6 +22,7 @@ pub fn skeleton(
     let outline = sketch(krate, def, mechanism);
     let mut items = mechanism::items(&outline);
     items.extend(mechanism::constants(&outline, &structure::empty(&outline)));
+    items.extend(dimensions::items(&outline));
     items.extend(assembly::items(&outline));
     for function in &outline.functions {
         items.extend(evaluator::items(&outline, function));

@@ -4,15 +4,15 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::docs::doc;
+use super::evaluator::Version;
 use super::outline::{Function, Outline, plain};
-use super::{attribute, literal};
+use super::{attribute, coupled, literal};
 
 /// What the methods of one function have in common.
 struct Sweeps<'a> {
     outline: &'a Outline<'a>,
     function: &'a Function<'a>,
-    /// The private methods that give the kernels.
-    over_inputs: Ident,
+    /// The private method that gives the kernel over mechanisms.
     over_sets: Ident,
     /// Names of arguments that no input has.
     columns: Ident,
@@ -21,8 +21,11 @@ struct Sweeps<'a> {
 }
 
 /// The private method that gives the kernel over inputs.
-pub(super) fn over_inputs(function: &Function) -> Ident {
-    format_ident!("__over_inputs_of_{}", function.name)
+pub(super) fn over_inputs(function: &Function, version: Version) -> Ident {
+    match version {
+        Version::Called => format_ident!("__over_inputs_of_{}", function.name),
+        Version::Beside => format_ident!("__over_inputs_beside_of_{}", function.name),
+    }
 }
 
 /// The private method that gives the kernel over mechanisms and inputs.
@@ -40,7 +43,6 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     let sweeps = Sweeps {
         outline,
         function,
-        over_inputs: over_inputs(function),
         over_sets: over_sets(function),
         columns: argument("columns"),
         slices: argument("slices"),
@@ -89,7 +91,7 @@ impl Sweeps<'_> {
             arguments,
             ..
         } = self.function;
-        let (columns, slices, kernel) = (&self.columns, &self.slices, &self.over_inputs);
+        let (columns, slices) = (&self.columns, &self.slices);
         let width = literal::index(self.function.width());
         let into = format_ident!("{name}_sweep_into");
         let inputs = quote!(#(#arguments: &[T]),*);
@@ -112,7 +114,9 @@ impl Sweeps<'_> {
             "at many positions, into columns that are there already: allocates only if they are too small.",
             panics,
             quote!((&self, #inputs, #columns: &mut #ty<T>)),
-            quote!(#runtime::fill(&self.#kernel(), &#inputs_into, &mut #columns.__columns);),
+            self.with_kernel(|kernel| {
+                quote!(#runtime::fill(&self.#kernel(), &#inputs_into, &mut #columns.__columns);)
+            }),
         );
         let title = format!("{}_sweep_slices", plain(name));
         let inputs_slices = source("_sweep_slices");
@@ -122,7 +126,9 @@ impl Sweeps<'_> {
              Allocates nothing.",
             panics,
             quote!((&self, #inputs, #slices: [&mut [T]; #width])),
-            quote!(#runtime::fill_slices(#title, &self.#kernel(), &#inputs_slices, #slices);),
+            self.with_kernel(|kernel| {
+                quote!(#runtime::fill_slices(#title, &self.#kernel(), &#inputs_slices, #slices);)
+            }),
         );
         let inputs_parallel = source("_sweep_parallel_into");
         let parallel = self.method(
@@ -133,7 +139,9 @@ impl Sweeps<'_> {
                 (&self, #inputs, #columns: &mut #ty<T>)
                 where T: ::core::marker::Send + ::core::marker::Sync
             },
-            quote!(#runtime::fill_parallel(&self.#kernel(), &#inputs_parallel, &mut #columns.__columns);),
+            self.with_kernel(|kernel| {
+                quote!(#runtime::fill_parallel(&self.#kernel(), &#inputs_parallel, &mut #columns.__columns);)
+            }),
         );
         quote! {
             #[must_use]
@@ -142,6 +150,16 @@ impl Sweeps<'_> {
             #sweep_slices
             #runtime::if_rayon! { #parallel }
         }
+    }
+
+    /// A sweep by the kernel over inputs, or by the one that does not rely on the digits of tables.
+    fn with_kernel(&self, sweep: impl Fn(Ident) -> TokenStream) -> TokenStream {
+        let called = sweep(over_inputs(self.function, Version::Called));
+        if !self.function.beside {
+            return called;
+        }
+        let beside = sweep(over_inputs(self.function, Version::Beside));
+        quote!(if T::REFINES { #beside } else { #called })
     }
 
     fn over_sets(&self) -> TokenStream {
@@ -207,9 +225,34 @@ impl Sweeps<'_> {
         let arguments = &self.function.arguments;
         let title = format!("{}{suffix}", plain(self.function.name));
         let names = arguments.iter().map(|name| plain(name));
-        quote! {
+        let inputs = quote! {
             #runtime::Inputs {
                 title: #title, names: [#(#names),*], slices: [#(#arguments),*],
+            }
+        };
+        self.extended(inputs, 0)
+    }
+
+    /// Rows of arguments with the states of coupled groups behind them; inputs follow `before` other arguments.
+    fn extended(&self, rows: TokenStream, before: usize) -> TokenStream {
+        if self.function.states.is_empty() {
+            return rows;
+        }
+        let runtime = &self.outline.runtime;
+        let extend = coupled::extend_name(self.function);
+        let count = self.function.arguments.len();
+        let width = self.function.places(self.outline).width();
+        let inputs = (before..before + count).map(literal::index);
+        let others = (0..before).map(literal::index);
+        let extended = (0..width).map(literal::index);
+        let row = literal::index(before + count);
+        quote! {
+            #runtime::Extended {
+                inner: #rows,
+                extend: |__row: [T; #row]| {
+                    let __x = self.#extend([#(__row[#inputs]),*]);
+                    [#(__row[#others],)* #(__x[#extended]),*]
+                },
             }
         }
     }
@@ -224,7 +267,7 @@ impl Sweeps<'_> {
         let fields = self.outline.scalar_fields();
         let count = literal::index(arguments.len());
         let inputs = (0..arguments.len()).map(literal::index);
-        quote! {
+        let rows = quote! {
             #runtime::Sets {
                 title: #title,
                 names: [#(#names),*],
@@ -232,6 +275,7 @@ impl Sweeps<'_> {
                 slices: [#(#arguments),*],
                 row: |__m: &#mechanism<T>, __x: [T; #count]| [#(__m.#fields,)* #(__x[#inputs]),*],
             }
-        }
+        };
+        self.extended(rows, self.outline.scalar_fields().len())
     }
 }

@@ -6,9 +6,9 @@ use quote::quote;
 use super::assembly::Types;
 use super::body;
 use super::facts::Facts;
-use super::load::loader;
+use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{attribute, literal};
+use super::{attribute, coupled, literal};
 use crate::lower::{ContinuousAngle, Lowered};
 use crate::model::Mechanism;
 
@@ -30,6 +30,14 @@ pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
         .continuous_angles
         .iter()
         .map(|angle| literal::float(angle.estimate));
+    let (starts, at) = match outline.starts.is_empty() {
+        true => (TokenStream::new(), quote!(__at)),
+        false => (
+            quote!(&#assembly::<::core::primitive::f64>::__starts(::core::slice::from_ref(&__lanes[__lane])),),
+            quote!(__x),
+        ),
+    };
+    let count = literal::index(lowered.continuous_angles.len());
     let lane = (0..inputs.len()).map(|input| {
         let input = literal::index(input);
         quote!(T::lane(__at[#input], __lane))
@@ -37,13 +45,15 @@ pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
     quote! {
         match #runtime::turns(|__lane| {
             let __lane_mechanism: #name<::core::primitive::f64> = #name::__lane(__m, __lane);
-            #assembly::<::core::primitive::f64>::__wind(&__lane_mechanism, &__modes, [#(#lane),*])
+            #assembly::<::core::primitive::f64>::__wind(
+                &__lane_mechanism, &__modes, #starts [#(#lane),*], #count,
+            )
         }) {
             ::core::result::Result::Ok(__turns) => __turns,
             ::core::result::Result::Err(__unknown) => {
                 let __turns = #runtime::Turns::at_estimates([#(#estimates),*]);
                 let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
-                Self::__close(__m, &__modes, &__prepared, __at)?;
+                Self::__close(__m, &__modes, &__prepared, #at)?;
                 return ::core::result::Result::Err(#runtime::AssemblyError::NoWinding {
                     mechanism: #title,
                     unknown: __unknown,
@@ -71,7 +81,7 @@ pub(super) fn items(
     } = outline;
     let Types {
         modes,
-        inputs,
+        arguments,
         prepared,
         ..
     } = Types::new(outline, facts, lowered);
@@ -85,7 +95,17 @@ pub(super) fn items(
         .inputs
         .iter()
         .map(|input| literal::float(input.reference));
-    let directions = directions(outline, facts, lowered);
+    let directions = directions(outline, lowered);
+    let (starts, argument) = match outline.starts.is_empty() {
+        true => (TokenStream::new(), quote!(__x)),
+        false => {
+            let starts = coupled::starts_type(outline);
+            (
+                quote!(__starts: &#starts,),
+                quote!(Self::__extend(__starts, __x)),
+            )
+        }
+    };
     let allow = attribute::allow();
     quote! {
         #allow
@@ -93,14 +113,16 @@ pub(super) fn items(
             fn __wind(
                 __m: &#name<::core::primitive::f64>,
                 __modes: &#modes,
+                #starts
                 __at: [::core::primitive::f64; #input_count],
+                __count: ::core::primitive::usize,
             ) -> ::core::result::Result<
                 #runtime::Turns<::core::primitive::f64, #angle_count, #input_count>,
                 &'static ::core::primitive::str,
             > {
-                #runtime::wind(&[#(#table),*], [#(#references),*], __at, |__turns| {
+                #runtime::wind(&[#(#table),*], __count, [#(#references),*], __at, |__turns| {
                     let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, __modes, __turns);
-                    move |__x| Self::__directions::<{ #runtime::FUSED }>(__m, __modes, &__prepared, __x)
+                    move |__x| Self::__directions::<{ #runtime::FUSED }>(__m, __modes, &__prepared, #argument)
                 })
             }
         }
@@ -110,7 +132,7 @@ pub(super) fn items(
                 __m: &#name<T>,
                 __modes: &#modes,
                 __prepared: &#prepared,
-                __x: #inputs,
+                __x: #arguments,
             ) -> [[T; 2]; #angle_count] { #directions }
         }
     }
@@ -140,9 +162,9 @@ fn search(
 }
 
 /// The program of the directions, ending in `[[cosine, sine], ...]`.
-fn directions(outline: &Outline, facts: &Facts, lowered: &Lowered) -> TokenStream {
-    let inputs: Vec<usize> = (0..facts.inputs.len()).collect();
-    let statements = body::statements(&lowered.angles, &loader(outline, &inputs));
+fn directions(outline: &Outline, lowered: &Lowered) -> TokenStream {
+    let places = Places::all(outline);
+    let statements = body::statements(&lowered.angles, &loader(outline, &places));
     let pairs = lowered.angles.outputs.chunks(2).map(|pair| {
         let names = pair.iter().map(|value| body::name(*value));
         quote!([#(#names),*])

@@ -116,7 +116,7 @@ fn report_unfollowed(
 }
 
 /// The words of the range, or the input's name.
-fn range_span(input: &Input, origins: &Origins) -> SourceSpan {
+pub(super) fn range_span(input: &Input, origins: &Origins) -> SourceSpan {
     match &input.range {
         Some((low, high)) => origins.span(low.origin).to(origins.span(high.origin)),
         None => origins.span(input.origin),

@@ -2,14 +2,16 @@
 
 use std::collections::HashMap;
 
+use linkage_runtime::Scalar;
+use linkage_runtime::numeric::coupled::{Grid, Table};
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::interpret::run_steps;
+use linkage_symbolic::interpret::{run, run_steps};
 use linkage_symbolic::program::{Program, Source, Value};
-use linkage_symbolic::schedule::schedule_stages;
+use linkage_symbolic::schedule::{schedule_stages, schedule_whole};
 use linkage_symbolic::{Graph, NodeId};
 
 use crate::algebra::{Algebra, Bound, Nominal};
-use crate::lower::ContinuousAngle;
+use crate::lower::{ContinuousAngle, Coupled, coupled_groups, coupled_nodes};
 
 use super::Formulation;
 
@@ -37,11 +39,36 @@ pub(crate) struct Machine {
     pub(crate) windings: HashMap<(usize, usize), f64>,
     /// Angles whose values the groups themselves use, and their outputs (cosine; the sine follows).
     pub(crate) valued: Vec<(usize, usize)>,
+    /// The coupled groups, and what is prepared of each: nothing until it is closed.
+    pub(crate) coupled: Vec<Coupled>,
+    pub(crate) starts: Vec<Option<Start>>,
+}
+
+/// What is prepared of a coupled group.
+#[derive(Clone, Debug)]
+pub(crate) enum Start {
+    Table(Table),
+    Grid(Grid),
+}
+
+impl Start {
+    /// The state near some inputs, then the least determinant that is certified.
+    fn numbers(&self, group: &Coupled, inputs: &[f64]) -> Vec<f64> {
+        let mut numbers = vec![0.0; group.size];
+        let own: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
+        let floor = match self {
+            Self::Table(table) => table.state(own[0], &mut numbers),
+            Self::Grid(grid) => grid.state(&own, &mut numbers),
+        };
+        numbers.push(floor);
+        numbers
+    }
 }
 
 impl Machine {
-    pub(crate) fn new(algebra: &Algebra, formulation: &Formulation, nominal: &Nominal) -> Self {
+    pub(crate) fn new(algebra: &mut Algebra, formulation: &Formulation, nominal: &Nominal) -> Self {
         let mut inliner = Inliner::default();
+        let own = coupled_nodes(algebra, formulation, &mut inliner);
         let mut lists: Vec<Vec<NodeId>> = Vec::new();
         let mut stages = Vec::new();
         let mut next = 0;
@@ -78,6 +105,10 @@ impl Machine {
             centres: HashMap::new(),
             windings: HashMap::new(),
             valued: Vec::new(),
+            coupled: coupled_groups(algebra, formulation, nominal, &own, |nodes| {
+                schedule_whole(&inliner.target, nodes)
+            }),
+            starts: vec![None; own.len()],
         };
         let mut units = Vec::new();
         let valued = valued_angles(&inliner.target, &lists.concat());
@@ -119,7 +150,39 @@ impl Machine {
 
     /// The values of the instructions `from..to` at given inputs; `values` holds those before.
     pub(crate) fn advance(&self, values: &mut Vec<f64>, from: usize, to: usize, inputs: &[f64]) {
-        run_steps(&self.program, from, to, values, |source| match source {
+        let states = self.states(inputs);
+        run_steps(&self.program, from, to, values, |source| {
+            self.load(source, inputs, &states)
+        });
+    }
+
+    /// Runs a program of coupled group `number` at given inputs; `state` is what that group starts from.
+    pub(crate) fn run_coupled(
+        &self,
+        number: usize,
+        program: &Program,
+        inputs: &[f64],
+        state: &[f64],
+    ) -> Vec<f64> {
+        let mut states = self.states(inputs);
+        states[number] = state.to_vec();
+        run(program, |source| self.load(source, inputs, &states))
+    }
+
+    /// What is prepared of all coupled groups near some inputs.
+    fn states(&self, inputs: &[f64]) -> Vec<Vec<f64>> {
+        let starts = self.starts.iter().zip(&self.coupled);
+        starts
+            .map(|(start, group)| {
+                start
+                    .as_ref()
+                    .map_or_else(Vec::new, |start| start.numbers(group, inputs))
+            })
+            .collect()
+    }
+
+    fn load(&self, source: Source, inputs: &[f64], states: &[Vec<f64>]) -> f64 {
+        match source {
             Source::Parameter(index) => self.parameters[index],
             Source::Input(index) => inputs[index],
             Source::Mode(index) => self.modes[index],
@@ -127,8 +190,12 @@ impl Machine {
             Source::Winding(angle, input) => {
                 self.windings.get(&(angle, input)).copied().unwrap_or(0.0)
             }
+            Source::State(group, component) => {
+                states[group].get(component).copied().unwrap_or(f64::NAN)
+            }
+            Source::Limit => <f64 as Scalar>::CORRECTION_LIMIT,
             Source::Prepared(_) | Source::Carried(_) => f64::NAN,
-        });
+        }
     }
 
     /// All values at given inputs.

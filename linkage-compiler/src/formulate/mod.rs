@@ -3,8 +3,12 @@
 //! One file for each form of group. A group's unknowns get definitions that are computed by the closed form; their
 //! derivatives follow from the group's equations (see [`Solution`](crate::algebra::Solution)).
 
+mod bound;
 mod check;
+mod close;
+mod coupled;
 mod follow;
+mod laurent;
 mod machine;
 mod quadratic;
 mod ranges;
@@ -19,6 +23,7 @@ mod two_slides;
 mod vector;
 mod words;
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use linkage_symbolic::{NodeId, SymbolId};
@@ -30,14 +35,15 @@ use crate::structure::{Group, Structure};
 use solver::Solver;
 
 pub(crate) use check::check_ranges;
+pub(crate) use coupled::{Definition, Prepared};
 pub(crate) use follow::{candidate_rates, followed_range};
-pub(crate) use machine::valued_angles;
+pub(crate) use machine::{unknown_nodes, valued_angles};
 pub(crate) use reference::{Reference, assemble_reference};
 
 /// What a kind of group tells about its solution.
 #[derive(Clone, Debug)]
 pub(crate) struct Closed {
-    pub(crate) kind: &'static str,
+    pub(crate) kind: Cow<'static, str>,
     pub(crate) class: u8,
     pub(crate) order: u8,
     pub(crate) method: &'static str,
@@ -72,6 +78,8 @@ pub(crate) struct Solved {
     pub(crate) closed: Closed,
     /// Index among the assembly modes.
     pub(crate) mode: Option<usize>,
+    /// For a coupled group.
+    pub(crate) prepared: Option<Prepared>,
 }
 
 impl Solved {
@@ -100,6 +108,13 @@ impl Formulation {
             .iter()
             .filter(|group| group.mode.is_some())
             .count()
+    }
+
+    /// What is prepared for the coupled groups, in order.
+    pub(crate) fn prepared(&self) -> impl Iterator<Item = &Prepared> {
+        self.groups
+            .iter()
+            .filter_map(|group| group.prepared.as_ref())
     }
 
     /// The last group that finds an unknown.
@@ -140,7 +155,7 @@ pub(crate) fn formulate(algebra: &mut Algebra, structure: Structure) -> Formulat
             .rules
             .insert(explicit.symbol, Rule::Follow(explicit.value));
     }
-    let mut modes = 0;
+    let (mut modes, mut coupled) = (0, 0);
     for group in structure.groups {
         let first_symbol = algebra.graph.symbol_count();
         let index = algebra.solutions.len();
@@ -148,14 +163,18 @@ pub(crate) fn formulate(algebra: &mut Algebra, structure: Structure) -> Formulat
             algebra,
             index,
             mode: modes,
+            number: coupled,
             defined: Vec::new(),
+            prepared: None,
         };
         let mut closed = solver.solve(&group.form);
         let defined = std::mem::take(&mut solver.defined);
+        let prepared = solver.prepared.take();
+        coupled += usize::from(prepared.is_some());
         if closed.class == 0 && group.finds_point(algebra.mechanism) {
             // A point on a line at a distance from another: the slide has no name, but the group is a dyad.
             closed = Closed {
-                kind: "RRP",
+                kind: "RRP".into(),
                 class: 2,
                 order: 2,
                 ..closed
@@ -176,6 +195,7 @@ pub(crate) fn formulate(algebra: &mut Algebra, structure: Structure) -> Formulat
             group,
             closed,
             mode,
+            prepared,
         });
     }
     formulation

@@ -62,6 +62,7 @@ impl Solver<'_, '_> {
             terms,
             jacobian,
             determinant,
+            elimination: None,
         });
 
         let graph = &mut self.algebra.graph;
@@ -73,7 +74,7 @@ impl Solver<'_, '_> {
         let graph = &mut self.algebra.graph;
         let largest = graph.sqrt(size);
         Closed {
-            kind: "quadratic",
+            kind: "quadratic".into(),
             class: 0,
             order: 0,
             method: "quadratic equation, the root that does not cancel",

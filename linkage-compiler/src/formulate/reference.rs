@@ -18,7 +18,7 @@ use super::{Formulation, Solved};
 const SINGULAR: f64 = 1e-6;
 
 /// Estimates whose distances to two modes differ by less than this share do not choose.
-const AMBIGUOUS: f64 = 0.01;
+pub(super) const AMBIGUOUS: f64 = 0.01;
 
 /// The mechanism assembled at the reference input.
 #[derive(Debug)]
@@ -28,11 +28,13 @@ pub(crate) struct Reference {
     pub(crate) scales: Vec<f64>,
     /// True if all groups closed.
     pub(crate) closed: bool,
+    /// The length that counts like a radian where assemblies are compared with estimates.
+    pub(crate) longest: f64,
 }
 
 /// Chooses the modes; what does not close, is singular or ambiguous is reported.
 pub(crate) fn assemble_reference(
-    algebra: &Algebra,
+    algebra: &mut Algebra,
     formulation: &Formulation,
     nominal: &Nominal,
     origins: &Origins,
@@ -66,17 +68,18 @@ pub(crate) fn assemble_reference(
         machine: assembly.machine,
         scales,
         closed,
+        longest,
     }
 }
 
-struct Assembly<'a, 'm> {
-    algebra: &'a Algebra<'m>,
-    words: Words<'m>,
-    nominal: &'a Nominal,
-    origins: &'a Origins,
-    diagnostics: &'a mut Diagnostics,
-    machine: Machine,
-    longest: f64,
+pub(super) struct Assembly<'a, 'm> {
+    pub(super) algebra: &'a Algebra<'m>,
+    pub(super) words: Words<'m>,
+    pub(super) nominal: &'a Nominal,
+    pub(super) origins: &'a Origins,
+    pub(super) diagnostics: &'a mut Diagnostics,
+    pub(super) machine: Machine,
+    pub(super) longest: f64,
     values: Vec<f64>,
 }
 
@@ -105,6 +108,13 @@ impl Assembly<'_, '_> {
 
     /// Closes one group; false if that was not possible. `closed` says whether all groups before it closed.
     fn close(&mut self, solved: &Solved, stage: &Stage, start: usize, closed: bool) -> bool {
+        if let Some(prepared) = &solved.prepared {
+            // What is known of it comes from groups before this one.
+            if !closed || !self.close_coupled(solved, prepared) {
+                self.advance(solved, stage, start, 1.0);
+                return false;
+            }
+        }
         let candidates: Vec<Candidate> = match solved.mode {
             None => vec![self.candidate(solved, stage, start, 1.0)],
             Some(_) => [1.0, -1.0]

@@ -65,7 +65,7 @@ impl Solver<'_, '_> {
         let graph = &mut self.algebra.graph;
         let largest2 = graph.square(r);
         Closed {
-            kind: "RRP",
+            kind: "RRP".into(),
             class: 2,
             order: 2,
             method: "intersection of a circle and a line, by the distance from the line",

@@ -26,6 +26,7 @@ impl Solver<'_, '_> {
             terms,
             jacobian: vec![vec![a]],
             determinant: a,
+            elimination: None,
         });
 
         // The factor's largest value is not known; a direction's component reaches 1.
@@ -37,7 +38,7 @@ impl Solver<'_, '_> {
             (self.algebra.graph.binary(Binary::Min, size, one), a, size)
         };
         Closed {
-            kind: "linear",
+            kind: "linear".into(),
             class: 0,
             order: 0,
             method: "linear equation",
@@ -70,10 +71,11 @@ impl Solver<'_, '_> {
             terms: Vec::new(),
             jacobian: vec![vec![one]],
             determinant: one,
+            elimination: None,
         };
         self.push_solution(solution);
         Closed {
-            kind: "angle relation",
+            kind: "angle relation".into(),
             class: 0,
             order: 0,
             method: "sum of angles",

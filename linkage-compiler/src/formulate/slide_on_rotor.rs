@@ -62,7 +62,7 @@ impl Solver<'_, '_> {
         let gap = self.gap(q, distance2, miss);
         let graph = &mut self.algebra.graph;
         Closed {
-            kind: "RPR",
+            kind: "RPR".into(),
             class: 2,
             order: 2,
             method: "tangent from a point to the circle of the guide's offset",

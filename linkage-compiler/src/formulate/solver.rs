@@ -6,7 +6,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 use crate::algebra::{Algebra, AngleRule, Rule, Solution, Turning};
 use crate::structure::{Form, Rotor};
 
-use super::Closed;
+use super::{Closed, Prepared};
 
 /// Where the closed forms of one group are built.
 pub(super) struct Solver<'a, 'm> {
@@ -15,8 +15,12 @@ pub(super) struct Solver<'a, 'm> {
     pub(super) index: usize,
     /// Index of its mode, if it has one.
     pub(super) mode: usize,
+    /// Its index among the coupled groups, if it is one.
+    pub(super) number: usize,
     /// The unknown symbols that were given definitions.
     pub(super) defined: Vec<SymbolId>,
+    /// For a coupled group.
+    pub(super) prepared: Option<Prepared>,
 }
 
 impl Solver<'_, '_> {
@@ -48,6 +52,7 @@ impl Solver<'_, '_> {
             Form::Quadratic { symbol, a, b, c } => self.quadratic(*symbol, *a, *b, *c),
             Form::Linear { symbol, a, b } => self.linear(*symbol, *a, *b),
             Form::Relation { angle, value } => self.relation(*angle, value),
+            Form::Coupled(coupled) => self.coupled(coupled),
         }
     }
 
@@ -80,6 +85,7 @@ impl Solver<'_, '_> {
         unit: [NodeId; 2],
         position: usize,
     ) {
+        self.declare_angle(angle, sense, position);
         let symbols = self.algebra.angles[angle].clone();
         let [cos, turned] = unit;
         let sin = if sense < 0.0 {
@@ -87,6 +93,19 @@ impl Solver<'_, '_> {
         } else {
             turned
         };
+        self.algebra.graph.define(symbols.cos, cos);
+        self.algebra.graph.define(symbols.sin, sin);
+        let guide = self.guide(angle, &[cos, sin]);
+        let (y, x) = (symbols.sin_node, symbols.cos_node);
+        let value = self.algebra.graph.ternary(Ternary::AngleNear, y, x, guide);
+        self.algebra.graph.define(symbols.value, value);
+        self.defined
+            .extend([symbols.cos, symbols.sin, symbols.value]);
+    }
+
+    /// Says how an unknown angle is differentiated.
+    pub(super) fn declare_angle(&mut self, angle: usize, sense: f64, position: usize) {
+        let symbols = self.algebra.angles[angle].clone();
         let rule = AngleRule {
             group: self.index,
             position,
@@ -94,17 +113,10 @@ impl Solver<'_, '_> {
             cos: symbols.cos_node,
             sin: symbols.sin_node,
         };
-        self.algebra.graph.define(symbols.cos, cos);
-        self.algebra.graph.define(symbols.sin, sin);
-        self.algebra.rules.insert(symbols.cos, Rule::Cosine(rule));
-        self.algebra.rules.insert(symbols.sin, Rule::Sine(rule));
-        let guide = self.guide(angle, &[cos, sin]);
-        let (y, x) = (symbols.sin_node, symbols.cos_node);
-        let value = self.algebra.graph.ternary(Ternary::AngleNear, y, x, guide);
-        self.algebra.graph.define(symbols.value, value);
-        self.algebra.rules.insert(symbols.value, Rule::Value(rule));
-        self.defined
-            .extend([symbols.cos, symbols.sin, symbols.value]);
+        let rules = &mut self.algebra.rules;
+        rules.insert(symbols.cos, Rule::Cosine(rule));
+        rules.insert(symbols.sin, Rule::Sine(rule));
+        rules.insert(symbols.value, Rule::Value(rule));
     }
 
     /// `centre + sum of winding * input`: within half a turn of the angle's value over the whole range.

@@ -53,6 +53,7 @@ impl Solver<'_, '_> {
             terms,
             jacobian,
             determinant,
+            elimination: None,
         });
 
         let size = self.abs(c);
@@ -60,7 +61,7 @@ impl Solver<'_, '_> {
         let gap = self.gap(q, r2, miss);
         let graph = &mut self.algebra.graph;
         Closed {
-            kind: "A cos x + B sin x = C",
+            kind: "A cos x + B sin x = C".into(),
             class: 0,
             order: 0,
             method: "unit vector from the tangent to a circle",

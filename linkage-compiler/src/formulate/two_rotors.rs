@@ -92,7 +92,7 @@ impl Solver<'_, '_> {
         let margin = graph.div(h, largest);
         let largest2 = graph.square(largest);
         Closed {
-            kind: "RRR",
+            kind: "RRR".into(),
             class: 2,
             order: 2,
             method: "intersection of two circles, root taken for the smaller one",

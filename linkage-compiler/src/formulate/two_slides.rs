@@ -41,7 +41,7 @@ impl Solver<'_, '_> {
         let rigid = self.algebra.is_fixed(determinant);
         Closed {
             // Guides at a fixed angle to each other belong to one link: the slides are neighbours.
-            kind: if rigid { "RPP" } else { "PRP" },
+            kind: if rigid { "RPP" } else { "PRP" }.into(),
             class: 2,
             order: 2,
             method: "intersection of two lines",

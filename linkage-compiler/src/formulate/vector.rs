@@ -146,6 +146,7 @@ impl Solver<'_, '_> {
             terms,
             jacobian,
             determinant,
+            elimination: None,
         });
     }
 }

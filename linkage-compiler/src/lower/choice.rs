@@ -14,6 +14,8 @@ use super::quantity::{Requested, request};
 /// The results of a function in the plain graph, and how derivatives by parameters among them are found.
 #[derive(Debug)]
 pub(super) struct Choice {
+    /// As requested.
+    nodes: Vec<NodeId>,
     pub(super) outputs: Vec<NodeId>,
     /// `None` if there are none.
     pub(super) direction: Option<Direction>,
@@ -23,9 +25,15 @@ impl Choice {
     /// What was requested, forward.
     pub(super) fn forward(algebra: &Algebra, inliner: &mut Inliner, requested: &Requested) -> Self {
         Self {
+            nodes: requested.nodes.clone(),
             outputs: plain(algebra, inliner, &requested.nodes),
             direction: requested.by_parameters.then_some(Direction::Forward),
         }
+    }
+
+    /// The results with the definitions as they are now.
+    pub(super) fn renewed(&self, algebra: &Algebra, inliner: &mut Inliner) -> Vec<NodeId> {
+        plain(algebra, inliner, &self.nodes)
     }
 
     /// Tries the other directions; the first of equals stays.
@@ -47,6 +55,7 @@ impl Choice {
             if cost < least {
                 least = cost;
                 *self = Self {
+                    nodes: requested.nodes,
                     outputs,
                     direction: Some(direction),
                 };

@@ -2,6 +2,7 @@
 
 mod choice;
 mod cost;
+mod coupled;
 mod needs;
 mod quantity;
 #[cfg(test)]
@@ -15,11 +16,14 @@ use linkage_symbolic::schedule::{Slots, schedule};
 
 use crate::algebra::{Algebra, Direction, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::formulate::{Formulation, valued_angles};
+use crate::formulate::{Formulation, Prepared, valued_angles};
 use crate::model::{EvaluatorDef, LengthUnit, Type};
 
 use choice::Choice;
+use coupled::{Version, redefine};
 
+pub use coupled::{Coupled, Placed};
+pub(crate) use coupled::{Nodes, groups as coupled_groups, nodes as coupled_nodes};
 pub use types::{ContinuousAngle, Evaluator, Field, Lowered, Shape};
 
 /// Lowers all functions of the mechanism. An argument list that does not fit its quantities is reported.
@@ -49,8 +53,13 @@ pub(crate) fn lower(
         choice.improve(algebra, &mut inliner, formulation, definition);
     }
 
+    let nodes = coupled_nodes(algebra, formulation, &mut inliner);
+    let beside = beside(algebra, formulation, &mut inliner, &choices);
+
     let outputs = choices.iter().flat_map(|choice| &choice.outputs);
-    let all: Vec<NodeId> = outputs.chain(&gaps).copied().collect();
+    let outputs = outputs.chain(beside.iter().flatten().flatten());
+    let of_groups: Vec<NodeId> = nodes.iter().flat_map(Nodes::all).collect();
+    let all: Vec<NodeId> = outputs.chain(&gaps).chain(&of_groups).copied().collect();
     let angles = formulation.in_order(algebra, valued_angles(&inliner.target, &all));
     let units: Vec<NodeId> = angles
         .iter()
@@ -68,15 +77,29 @@ pub(crate) fn lower(
     let evaluators = choices.iter().enumerate().map(|(index, choice)| {
         let definition = &mechanism.evaluators[index];
         let program = schedule(graph, &choice.outputs, &mut slots);
+        let beside = beside[index].as_ref();
+        let beside = beside.map(|outputs| schedule(graph, outputs, &mut slots));
         Evaluator {
             index,
+            states: states(&program),
             program,
+            beside,
             fields: fields(algebra, definition),
             sensitivities: choice.direction.map(Direction::words),
         }
     });
+    let evaluators = evaluators.collect();
+    let mut coupled = coupled_groups(algebra, formulation, nominal, &nodes, |nodes| {
+        schedule(graph, nodes, &mut slots)
+    });
+    for (group, own) in coupled.iter_mut().zip(&nodes) {
+        let valued = valued_angles(graph, &own.all());
+        let last = angles.iter().rposition(|angle| valued.contains(angle));
+        group.turning = last.map_or(0, |last| last + 1);
+    }
     let mut lowered = Lowered {
-        evaluators: evaluators.collect(),
+        evaluators,
+        coupled,
         gaps: schedule(graph, &gaps, &mut slots),
         angles: schedule(graph, &units, &mut slots),
         prepare: slots.prepare(graph),
@@ -88,6 +111,46 @@ pub(crate) fn lower(
         .collect();
     renumber(&mut lowered, &angles);
     lowered
+}
+
+/// The results of functions that use a table, for dimensions, derivatives or digits that the table does not know.
+fn beside(
+    algebra: &mut Algebra,
+    formulation: &Formulation,
+    inliner: &mut Inliner,
+    choices: &[Choice],
+) -> Vec<Option<Vec<NodeId>>> {
+    if !formulation.prepared().any(Prepared::has_table) {
+        return vec![None; choices.len()];
+    }
+    let define = |algebra: &mut Algebra, version| {
+        for prepared in formulation.prepared() {
+            redefine(algebra, prepared, version);
+        }
+    };
+    define(algebra, Version::Beside);
+    inliner.forget();
+    let outputs = choices
+        .iter()
+        .map(|choice| Some(choice.renewed(algebra, inliner)).filter(|own| *own != choice.outputs));
+    let outputs = outputs.collect();
+    define(algebra, Version::Called);
+    inliner.forget();
+    outputs
+}
+
+/// The coupled groups whose prepared states a program loads.
+fn states(program: &Program) -> Vec<usize> {
+    let loads = program.instructions.iter();
+    let mut groups: Vec<usize> = loads
+        .filter_map(|instruction| match instruction {
+            Instruction::Load(Source::State(group, _)) => Some(*group),
+            _ => None,
+        })
+        .collect();
+    groups.sort_unstable();
+    groups.dedup();
+    groups
 }
 
 /// The results of one function as nodes of the expression graph.
@@ -121,9 +184,13 @@ fn renumber(lowered: &mut Lowered, angles: &[usize]) {
     let evaluators = lowered
         .evaluators
         .iter_mut()
-        .map(|evaluator| &mut evaluator.program);
+        .flat_map(|own| [Some(&mut own.program), own.beside.as_mut()]);
+    let groups = lowered
+        .coupled
+        .iter_mut()
+        .flat_map(|own| [&mut own.system, &mut own.correct, &mut own.placed]);
     let programs = [&mut lowered.prepare, &mut lowered.gaps, &mut lowered.angles];
-    for program in evaluators.chain(programs) {
+    for program in evaluators.flatten().chain(groups).chain(programs) {
         renumber_program(program, number);
     }
 }

@@ -84,7 +84,7 @@ fn compare(
             Source::Mode(k) => modes[k],
             Source::Centre(_) => 0.3,
             Source::Winding(..) => 0.0,
-            Source::Prepared(_) | Source::Carried(_) => f64::NAN,
+            _ => f64::NAN,
         })
     };
     let [forward, others @ ..] = results;

@@ -2,6 +2,8 @@
 
 use linkage_symbolic::program::Program;
 
+use super::Coupled;
+
 /// Everything that becomes code.
 #[derive(Clone, Debug, Default)]
 pub struct Lowered {
@@ -15,6 +17,8 @@ pub struct Lowered {
     /// inputs. The centre and winding of angle `a` are not needed for its own outputs, only for later ones.
     pub angles: Program,
     pub continuous_angles: Vec<ContinuousAngle>,
+    /// The coupled groups in order.
+    pub coupled: Vec<Coupled>,
     /// One for each function of the `impl` block, in order.
     pub evaluators: Vec<Evaluator>,
 }
@@ -37,6 +41,11 @@ pub struct Evaluator {
     /// Loads prepared slots, parameters and inputs; outputs are the fields' scalars in order, each field flattened
     /// outermost index first, vector components innermost.
     pub program: Program,
+    /// The same from a table that was prepared for other dimensions, or for derivatives and digits that the table does not
+    /// have; `None` if that is no different.
+    pub beside: Option<Program>,
+    /// The coupled groups whose prepared states it loads.
+    pub states: Vec<usize>,
     pub fields: Vec<Field>,
     /// In which direction derivatives by parameters were found, if there are any.
     pub sensitivities: Option<&'static str>,

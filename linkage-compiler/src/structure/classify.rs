@@ -6,6 +6,7 @@ use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Form, Rotor};
 
 /// The equations of a group as polynomials in the symbols of its coordinates.
+#[derive(Clone, Debug)]
 pub(super) struct Polynomials {
     pub(super) rows: Vec<Polynomial>,
     symbols: Vec<SymbolId>,
@@ -34,6 +35,18 @@ impl Polynomials {
     fn take_pair(&mut self, symbols: &[SymbolId], zero: NodeId) -> [NodeId; 2] {
         let pair = self.take(symbols, zero);
         [pair[0], pair[1]]
+    }
+
+    /// True if a term contains the symbol at `place`.
+    pub(super) fn mention(&self, place: usize) -> bool {
+        let mut monomials = self.rows.iter().flat_map(|row| row.keys());
+        monomials.any(|monomial| monomial[place] > 0)
+    }
+
+    /// A monomial as powers of symbols.
+    pub(super) fn powers(&self, monomial: &[u8]) -> Vec<(SymbolId, u8)> {
+        let all = self.symbols.iter().copied().zip(monomial.iter().copied());
+        all.filter(|&(_, power)| power > 0).collect()
     }
 
     /// True if every term has been taken.
@@ -89,7 +102,7 @@ impl Analysis<'_, '_> {
     }
 
     /// The terms with an angle's unit vector (times `with`), if they are a vector turning with it.
-    fn take_rotor(
+    pub(super) fn take_rotor(
         &mut self,
         polynomials: &mut Polynomials,
         index: usize,
@@ -177,7 +190,7 @@ impl Analysis<'_, '_> {
         })
     }
 
-    fn is_vector(&self, v: [NodeId; 2]) -> bool {
+    pub(super) fn is_vector(&self, v: [NodeId; 2]) -> bool {
         !v.iter().all(|&x| self.algebra.graph.is_zero(x))
     }
 

@@ -5,6 +5,7 @@
 //! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
 
 mod classify;
+mod coupled;
 mod eliminate;
 mod equations;
 mod matching;
@@ -17,6 +18,7 @@ use crate::algebra::{Algebra, Nominal, Scalar};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::model::{Dimension, Mechanism, Type};
 
+pub(crate) use coupled::{Block, Core, Coupled, Private};
 pub(crate) use equations::{Coordinate, Equation};
 
 /// A vector that turns with an unknown angle: `z (cos + i sense sin)` in complex numbers.
@@ -79,6 +81,8 @@ pub(crate) enum Form {
     },
     /// An angle given by others.
     Relation { angle: usize, value: Scalar },
+    /// Several loops together: class III and higher
+    Coupled(Box<Coupled>),
 }
 
 impl Form {
@@ -87,6 +91,14 @@ impl Form {
         match self {
             Self::TwoRotors { first, second, .. } => vec![first, second],
             Self::RotorAndSlide { rotor, .. } | Self::SlideOnRotor { rotor, .. } => vec![rotor],
+            Self::Coupled(coupled) => {
+                let privates = coupled.blocks.iter().filter_map(|b| b.private.as_ref());
+                let rotors = privates.filter_map(|private| match private {
+                    Private::Rotor(rotor) => Some(rotor),
+                    Private::Slide { .. } => None,
+                });
+                rotors.collect()
+            }
             _ => Vec::new(),
         }
     }
@@ -102,6 +114,7 @@ impl Form {
             Self::Quadratic { .. } => "quadratic",
             Self::Linear { .. } => "linear",
             Self::Relation { .. } => "relation",
+            Self::Coupled(_) => "coupled",
         }
     }
 }
@@ -234,7 +247,7 @@ impl Analysis<'_, '_> {
         if let [equation] = &equations[..]
             && let Some(form) = self.classify(equation, &coordinates)
         {
-            return self.push_group(equation, &coordinates, form);
+            return self.push_group(&equations, &coordinates, form);
         }
         self.steps += 1;
         let allowed = self.steps <= STEPS_PER_LOOP * self.algebra.mechanism.loops.len();
@@ -243,20 +256,28 @@ impl Analysis<'_, '_> {
         } else {
             None
         };
-        match reduced {
-            Some((equations, coordinates)) => self.solve(equations, coordinates),
+        if let Some((equations, coordinates)) = reduced {
+            return self.solve(equations, coordinates);
+        }
+        match self.coupled(&equations, &coordinates) {
+            Some(form) => self.push_group(&equations, &coordinates, form),
             None => self.report_unsolved(&equations, &coordinates),
         }
     }
 
-    fn push_group(&mut self, equation: &Equation, coordinates: &[Coordinate], form: Form) {
-        let mut unknowns: Vec<usize> = coordinates.iter().filter_map(|c| c.unknown).collect();
-        unknowns.extend(&equation.eliminated);
-        unknowns.sort_unstable();
-        unknowns.dedup();
+    fn push_group(&mut self, equations: &[Equation], coordinates: &[Coordinate], form: Form) {
+        let own = coordinates.iter().filter_map(|c| c.unknown);
+        let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
+        let loops = equations.iter().flat_map(|e| e.loops.iter().copied());
+        let sorted = |numbers: Vec<usize>| {
+            let mut numbers = numbers;
+            numbers.sort_unstable();
+            numbers.dedup();
+            numbers
+        };
         self.structure.groups.push(Group {
-            loops: equation.loops.clone(),
-            unknowns,
+            loops: sorted(loops.collect()),
+            unknowns: sorted(own.chain(eliminated).collect()),
             form,
         });
     }

@@ -1,9 +1,8 @@
 //! Messages of the structural analysis: mobility, and groups that have no closed form.
 
-use linkage_symbolic::Polynomial;
-
 use super::Analysis;
-use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::coupled::MOST_CORE;
+use super::equations::{Coordinate, Equation};
 use super::matching::{self, Matching};
 
 impl Analysis<'_, '_> {
@@ -135,62 +134,17 @@ impl Analysis<'_, '_> {
             .origins
             .span(self.algebra.mechanism.loops[equations[0].loops[0]].origin);
         let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
-        let message = if rows <= 2 {
-            format!(
-                "no closed form for {names} in {loops}\n\
-                 help: an unknown angle may stand in `polar`, `dir`, `rotate`, `sin`, `cos`, an unknown length may be \
-                 multiplied by known quantities or by a direction"
-            )
-        } else {
-            format!(
-                "a group of {count} unknowns ({names}) in {loops}: {}, not supported yet\n\
-                 help: groups of class II (two unknowns in one loop) are solved; check that the loops need to be coupled",
-                self.class_name(equations, coordinates)
-            )
+        let what = "an unknown angle may stand in `polar`, `dir`, `rotate`, `sin`, `cos`, an unknown length may be \
+                         multiplied by known quantities or by a direction";
+        let message = match rows {
+            0..=2 => format!("no closed form for {names} in {loops}\nhelp: {what}"),
+            _ => format!(
+                "a group of {count} unknowns ({names}) in {loops} cannot be solved: its loops are no polynomials in \
+                 directions and lengths, or more than {MOST_CORE} unknowns remain when links between two joints are left out\n\
+                 help: {what}; check that the loops need to be coupled"
+            ),
         };
         self.diagnostics.error(span, message);
-    }
-
-    /// Class and order of a coupled group. Two loops with four unknowns are of class III if one link carries three joints,
-    /// of class IV if the closed contour has two such links: a link carries more than two joints if it enters the
-    /// loops with different vectors.
-    fn class_name(&mut self, equations: &[Equation], coordinates: &[Coordinate]) -> &'static str {
-        let [first, second] = equations else {
-            return "class III or higher";
-        };
-        let rows: Vec<_> = [&first.rows[..], &second.rows[..]].concat();
-        if rows.len() != 4 {
-            return "class III or higher";
-        }
-        let Some(polynomials) = self.polynomials(&rows, coordinates) else {
-            return "class III or higher";
-        };
-        let mut ternary = 0;
-        let mut place = 0;
-        for coordinate in coordinates {
-            if let CoordinateKind::Angle(_) = coordinate.kind {
-                let share = |p: &Polynomial| -> Vec<_> {
-                    p.iter()
-                        .filter(|(m, _)| m[place] > 0)
-                        .map(|(m, &x)| (m.clone(), x))
-                        .collect()
-                };
-                let [ax, ay, bx, by] = [0, 1, 2, 3].map(|k| share(&polynomials.rows[k]));
-                let absent = (ax.is_empty() && ay.is_empty()) || (bx.is_empty() && by.is_empty());
-                let mut negative = |p: Vec<(Vec<u8>, _)>| -> Vec<_> {
-                    p.into_iter()
-                        .map(|(m, x)| (m, self.algebra.graph.neg(x)))
-                        .collect()
-                };
-                let equal = (ax == bx && ay == by)
-                    || (negative(ax.clone()) == bx && negative(ay.clone()) == by);
-                if !absent && !equal {
-                    ternary += 1;
-                }
-            }
-            place += self.symbols(coordinate).len();
-        }
-        if ternary > 1 { "class IV" } else { "class III" }
     }
 
     fn unknown_names<'c>(&self, coordinates: impl Iterator<Item = &'c Coordinate>) -> String {

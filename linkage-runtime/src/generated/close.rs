@@ -55,13 +55,13 @@ pub fn close<T: Scalar>(
 #[cfg(feature = "alloc")]
 const MOST_MODES: usize = 16;
 
-/// Every assembly that closes, the default modes first. An error that is not about a loop that cannot close is
-/// returned if nothing closes.
+/// Every assembly that closes, the default modes first; `assemble` gives all with some modes. An error that is not about a loop that
+/// cannot close is returned if nothing closes.
 #[cfg(feature = "alloc")]
 pub fn assemblies<A, const MODES: usize>(
     mechanism: &'static str,
     default: [AssemblyMode; MODES],
-    assemble: impl Fn([AssemblyMode; MODES]) -> Result<A, AssemblyError>,
+    assemble: impl Fn([AssemblyMode; MODES]) -> Result<Vec<A>, AssemblyError>,
 ) -> Result<Vec<A>, AssemblyError> {
     if MODES > MOST_MODES {
         return Err(AssemblyError::TooManyAssemblies {
@@ -77,8 +77,8 @@ pub fn assemblies<A, const MODES: usize>(
             _ => default[mode].flipped(),
         });
         match assemble(modes) {
-            Ok(assembly) => found.push(assembly),
-            Err(AssemblyError::CannotClose { .. }) => {}
+            Ok(assemblies) => found.extend(assemblies),
+            Err(error) if error.is_a_miss() => {}
             Err(error) => failure = failure.or(Some(error)),
         }
     }

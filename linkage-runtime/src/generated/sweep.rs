@@ -2,10 +2,12 @@
 
 mod arguments;
 mod blocks;
+mod extended;
 mod instruction_set;
 
 pub use arguments::{Arguments, Inputs, Sets};
 pub use blocks::{Block, put, rows};
+pub use extended::Extended;
 
 use crate::{Columns, Scalar};
 

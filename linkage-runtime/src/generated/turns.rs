@@ -69,7 +69,7 @@ pub fn turns<T: Scalar, const A: usize, const I: usize>(
     Ok(all)
 }
 
-/// Follows the angles one after the other along their inputs, from the reference position, or from `at` if it does not
+/// Follows the first `count` angles one after the other along their inputs, from the reference position, or from `at` if it does not
 /// assemble there. `prepare` gives the directions `[cosine, sine]` of all angles as a function of the inputs; those of
 /// an angle may depend on the turns of the angles before it.
 ///
@@ -78,23 +78,25 @@ pub fn turns<T: Scalar, const A: usize, const I: usize>(
 /// The name of the first angle that cannot be followed.
 pub fn wind<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
     angles: &[Angle; A],
+    count: usize,
     reference: [f64; I],
     at: [f64; I],
     prepare: impl Fn(&Turns<f64, A, I>) -> D,
 ) -> Result<Turns<f64, A, I>, &'static str> {
-    match wind_from(angles, reference, &prepare) {
-        Err(_) if at != reference => wind_from(angles, at, &prepare),
+    match wind_from(angles, count, reference, &prepare) {
+        Err(_) if at != reference => wind_from(angles, count, at, &prepare),
         result => result,
     }
 }
 
 fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
     angles: &[Angle; A],
+    count: usize,
     start: [f64; I],
     prepare: impl Fn(&Turns<f64, A, I>) -> D,
 ) -> Result<Turns<f64, A, I>, &'static str> {
     let mut turns = Turns::at_estimates(core::array::from_fn(|angle| angles[angle].estimate));
-    for (index, angle) in angles.iter().enumerate() {
+    for (index, angle) in angles.iter().enumerate().take(count) {
         let directions = prepare(&turns);
         let (centre, windings) =
             wind_one(angle, start, |x| directions(x)[index]).ok_or(angle.unknown)?;

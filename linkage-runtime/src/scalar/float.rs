@@ -43,6 +43,9 @@ macro_rules! scalar {
         impl Scalar for $float {
             const LANES: usize = 1;
             const VECTORISES: bool = true;
+            // Single precision rounds more coarsely than tables are wrong.
+            const CORRECTION_LIMIT: f64 = if $bits::BITS == 64 { 1e-7 } else { 1e-4 };
+            const REFINES: bool = false;
 
             #[inline(always)]
             fn from_f64(x: f64) -> Self {

@@ -48,6 +48,8 @@ where
     S: SimdRealField<Element: Float> + Copy,
 {
     const LANES: usize = S::LANES;
+    const CORRECTION_LIMIT: f64 = <S::Element as Scalar>::CORRECTION_LIMIT;
+    const REFINES: bool = false;
 
     #[inline(always)]
     fn from_f64(x: f64) -> Self {

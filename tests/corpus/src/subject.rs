@@ -93,7 +93,7 @@ impl Subject {
             Source::Centre(angle) => self.analysis.lowered.continuous_angles[angle].estimate,
             Source::Winding(..) => 0.0,
             Source::Prepared(slot) => prepared[slot],
-            Source::Carried(_) => f64::NAN,
+            Source::Carried(_) | Source::State(..) | Source::Limit => f64::NAN,
         }
     }
 

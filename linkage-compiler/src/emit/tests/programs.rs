@@ -137,6 +137,7 @@ pub(crate) fn lowered() -> Lowered {
         prepare: prepare(),
         gaps: gaps(),
         angles: angles(),
+        coupled: Vec::new(),
         continuous_angles: vec![
             ContinuousAngle {
                 unknown: 0,
@@ -158,6 +159,8 @@ pub(crate) fn lowered() -> Lowered {
                     field("s", Shape::Scalar, "mm"),
                 ],
                 sensitivities: None,
+                beside: None,
+                states: Vec::new(),
             },
             Evaluator {
                 index: 1,
@@ -168,12 +171,16 @@ pub(crate) fn lowered() -> Lowered {
                     field("v", Shape::Array(2, Box::new(Shape::Vector(2))), "1"),
                 ],
                 sensitivities: None,
+                beside: None,
+                states: Vec::new(),
             },
             Evaluator {
                 index: 2,
                 program: fixed.finish(vec![rod2]),
                 fields: vec![field("rod2", Shape::Scalar, "mm^2")],
                 sensitivities: None,
+                beside: None,
+                states: Vec::new(),
             },
         ],
     }

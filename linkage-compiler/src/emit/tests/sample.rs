@@ -260,6 +260,7 @@ fn facts() -> Facts {
         class: 2,
         order: 2,
         kind,
+        coupled: false,
         loops: vec![1],
         unknowns: vec![unknown.to_owned()],
         mode,
@@ -276,7 +277,8 @@ fn facts() -> Facts {
             followed: (0.0, 0.0),
             rates: vec![0.0, 1.0, -1.0],
         }],
-        groups: vec![group("RRP", "theta", Some(0))],
+        groups: vec![group("RRP".into(), "theta", Some(0))],
         mobility: 1,
+        longest: 1.0,
     }
 }

@@ -131,13 +131,13 @@ fn generated_code_agrees_with_the_interpreter() {
 #[test]
 fn the_corpus_has_all_kinds_of_groups() {
     let cases = (0..mechanisms::ALL.len()).map(|seed| Case::new(seed as u64).expect("it compiles"));
-    let mut kinds: Vec<&str> = cases
+    let mut kinds: Vec<String> = cases
         .flat_map(|case| case.subject.analysis.facts.groups)
         .map(|group| group.kind)
         .collect();
     kinds.sort_unstable();
     println!("{} groups: {kinds:?}", kinds.len());
     for kind in ["RRR", "RRP", "RPR", "PRP"] {
-        assert!(kinds.contains(&kind), "{kind} is missing");
+        assert!(kinds.iter().any(|k| k == kind), "{kind} is missing");
     }
 }

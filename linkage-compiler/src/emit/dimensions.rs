@@ -1,0 +1,32 @@
+//! The mechanism as a list of numbers.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::outline::Outline;
+use super::{attribute, literal, mechanism};
+
+/// The trait `Dimensions`.
+pub(super) fn items(outline: &Outline) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let fields = outline.scalar_fields();
+    let count = literal::index(fields.len());
+    let mut scalars = (0..fields.len()).map(|index| {
+        let index = literal::index(index);
+        quote!(__values[#index])
+    });
+    let from_values = outline.body(mechanism::from_scalars(outline, &mut scalars));
+    let values = outline.body(quote!([#(self.#fields),*]));
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        #[automatically_derived]
+        impl #runtime::Dimensions<#count> for #name<::core::primitive::f64> {
+            const PARAMETERS: &'static [#runtime::Parameter] = Self::PARAMETERS;
+
+            fn from_values(__values: &[::core::primitive::f64; #count]) -> Self { #from_values }
+
+            fn values(&self) -> [::core::primitive::f64; #count] { #values }
+        }
+    }
+}

@@ -1,0 +1,294 @@
+//! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken.
+
+use std::f64::consts::TAU;
+
+use linkage_runtime::numeric::coupled::{Correction, Grid, Range, Refusal, Step, Table};
+use linkage_runtime::numeric::roots::{self, Term, Unlisted};
+
+use crate::algebra::Algebra;
+use crate::lower::Coupled;
+use crate::structure::report::loop_list;
+
+use super::machine::{Machine, Start};
+use super::reference::{AMBIGUOUS, Assembly};
+use super::{Prepared, Solved, followed_range};
+
+/// A coupled group on numbers.
+struct Numbers<'a> {
+    machine: &'a Machine,
+    number: usize,
+    inputs: Vec<f64>,
+}
+
+impl Numbers<'_> {
+    fn group(&self) -> &Coupled {
+        &self.machine.coupled[self.number]
+    }
+
+    /// All inputs of the mechanism; the group's own are `x`.
+    fn at(&mut self, x: &[f64]) {
+        let machine = self.machine;
+        let own = &machine.coupled[self.number].inputs;
+        for (&input, &value) in own.iter().zip(x) {
+            self.inputs[input] = value;
+        }
+    }
+
+    fn run(&self, program: &linkage_symbolic::program::Program, state: &[f64]) -> Vec<f64> {
+        self.machine
+            .run_coupled(self.number, program, &self.inputs, state)
+    }
+}
+
+impl Correction for Numbers<'_> {
+    fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step {
+        self.at(x);
+        let outputs = self.run(&self.group().correct, state);
+        let (next, rest) = outputs.split_at(state.len());
+        state.copy_from_slice(next);
+        Step {
+            size: rest[0].sqrt(),
+            determinant: rest[1],
+        }
+    }
+}
+
+/// An assembly of a coupled group.
+struct Candidate {
+    state: Vec<f64>,
+    distance: f64,
+    /// The unknowns in words.
+    position: String,
+}
+
+impl Assembly<'_, '_> {
+    /// Closes a coupled group; false if that was not possible.
+    pub(super) fn close_coupled(&mut self, solved: &Solved, prepared: &Prepared) -> bool {
+        let loops = loop_list(&solved.group.loops);
+        let unknowns = self.words.unknowns(&solved.group.unknowns);
+        let place = self.words.at_reference(&self.nominal.inputs);
+        let span = self
+            .origins
+            .span(self.algebra.mechanism.loops[solved.group.loops[0]].origin);
+        let candidates = match self.candidates(prepared.number) {
+            Ok(candidates) => candidates,
+            Err(reason) => {
+                let why = match reason {
+                    Unlisted::NotFinite => {
+                        "what is known of it is not a finite number\n\
+                         help: look for a division by zero, or a root or an arc function out of its range"
+                            .to_owned()
+                    }
+                    Unlisted::Degenerate => {
+                        "its equations do not determine the unknowns at all, whatever the position: links that coincide \
+                         or guides that are parallel\n\
+                         help: look for lengths that are zero, joints that coincide, or a loop that repeats another"
+                            .to_owned()
+                    }
+                    other => format!(
+                        "its assemblies cannot be listed: {other}\n\
+                         help: check that the loops need to be coupled"
+                    ),
+                };
+                self.diagnostics.error(
+                    span,
+                    format!("{loops} ({unknowns}) cannot be solved{place}: {why}"),
+                );
+                return false;
+            }
+        };
+        let listed = candidates
+            .iter()
+            .map(|c| format!("`{}` at distance {:.4}", c.position, c.distance))
+            .collect::<Vec<_>>()
+            .join(", ");
+        let [nearest, others @ ..] = &candidates[..] else {
+            self.diagnostics.error(
+                span,
+                format!(
+                    "{loops} ({unknowns}) cannot close{place}: none of its assemblies is real\n\
+                     help: change a length, or give a reference input at which the links reach each other"
+                ),
+            );
+            return false;
+        };
+        if let Some(second) = others.first()
+            && second.distance - nearest.distance <= AMBIGUOUS * second.distance
+        {
+            let unknown = solved.group.unknowns.first().copied();
+            let origin = unknown.map(|u| self.algebra.mechanism.unknowns[u].origin);
+            self.diagnostics.error(
+                origin.map_or(span, |o| self.origins.span(o)),
+                format!(
+                    "the start estimates of {unknowns} lie equally near to two assemblies of {loops}{place}; there are {}: \
+                     {listed}\n\
+                     help: move the estimates towards the assembly that is meant",
+                    candidates.len()
+                ),
+            );
+            return false;
+        }
+        match self.start(prepared, &nearest.state) {
+            Ok(start) => {
+                self.machine.starts[prepared.number] = Some(start);
+                true
+            }
+            Err(refusal) => {
+                self.refused(solved, prepared, refusal);
+                false
+            }
+        }
+    }
+
+    /// All real assemblies, the nearest to the estimates first.
+    fn candidates(&mut self, number: usize) -> Result<Vec<Candidate>, Unlisted> {
+        let mut numbers = Numbers {
+            machine: &self.machine,
+            number,
+            inputs: self.nominal.inputs.clone(),
+        };
+        let group = &self.machine.coupled[number];
+        let coefficients = numbers.run(&group.system, &[]);
+        let coefficients: Vec<[f64; 2]> = coefficients.chunks(2).map(|c| [c[0], c[1]]).collect();
+        let terms: Vec<Term> = group
+            .terms
+            .iter()
+            .map(|(equation, exponents)| Term {
+                equation: *equation,
+                exponents,
+            })
+            .collect();
+        let system = roots::System {
+            variables: &group.variables,
+            terms: &terms,
+        };
+        let listing = roots::solve(&system, &coefficients)?;
+        let own: Vec<f64> = group
+            .inputs
+            .iter()
+            .map(|&input| self.nominal.inputs[input])
+            .collect();
+        let states = linkage_runtime::numeric::coupled::states(
+            &group.variables,
+            &listing,
+            &own,
+            &mut numbers,
+        );
+        let mut candidates = Vec::new();
+        for state in states {
+            let placed = numbers.run(&group.placed, &state);
+            candidates.push(self.candidate_of(group, state, &placed));
+        }
+        candidates.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        Ok(candidates)
+    }
+
+    fn candidate_of(&self, group: &Coupled, state: Vec<f64>, placed: &[f64]) -> Candidate {
+        let mut next = placed.iter().copied();
+        let mut square: f64 = 0.0;
+        let mut values: Vec<(usize, Vec<f64>)> = Vec::new();
+        for unknown in &group.unknowns {
+            let mut number = || next.next().unwrap_or(f64::NAN);
+            let (value, difference) = match unknown.angle {
+                true => {
+                    let (cos, sin) = (number(), number());
+                    let difference = turned(sin.atan2(cos) - unknown.estimate);
+                    (unknown.estimate + difference, difference)
+                }
+                false => {
+                    let value = number();
+                    (value, (value - unknown.estimate) / self.longest)
+                }
+            };
+            square += difference * difference;
+            match values.last_mut() {
+                Some((last, components)) if *last == unknown.unknown => components.push(value),
+                _ => values.push((unknown.unknown, vec![value])),
+            }
+        }
+        let words = values
+            .iter()
+            .map(|(unknown, value)| self.words.unknown_value(*unknown, value));
+        Candidate {
+            state,
+            distance: square.sqrt(),
+            position: words.collect::<Vec<_>>().join(", "),
+        }
+    }
+
+    /// Prepares the group over the declared ranges. Where none is declared, as far as the assembly goes.
+    fn start(&self, prepared: &Prepared, state: &[f64]) -> Result<Start, Refusal> {
+        let mut numbers = Numbers {
+            machine: &self.machine,
+            number: prepared.number,
+            inputs: self.nominal.inputs.clone(),
+        };
+        let ranges = prepared.inputs.iter().map(|&input| {
+            let (low, high) = followed_range(self.algebra, self.nominal, input);
+            let turn = is_angle(self.algebra, input);
+            Range { low, high, turn }
+        });
+        let ranges: Vec<Range> = ranges.collect();
+        let at: Vec<f64> = prepared
+            .inputs
+            .iter()
+            .map(|&input| self.nominal.inputs[input])
+            .collect();
+        match (&ranges[..], prepared.has_table()) {
+            ([range], true) => {
+                let partial = self.nominal.ranges[prepared.inputs[0]].is_none();
+                Table::build(&mut numbers, at[0], state, *range, partial).map(Start::Table)
+            }
+            _ => Grid::build(&mut numbers, &at, state, &ranges).map(Start::Grid),
+        }
+    }
+
+    fn refused(&mut self, solved: &Solved, prepared: &Prepared, refusal: Refusal) {
+        let loops = loop_list(&solved.group.loops);
+        let unknowns = self.words.unknowns(&solved.group.unknowns);
+        let place = self.words.at_reference(&self.nominal.inputs);
+        let mechanism = self.algebra.mechanism;
+        let at_input = |at: f64| {
+            let mut inputs = self.nominal.inputs.clone();
+            if let Some(&input) = prepared.inputs.first() {
+                inputs[input] = at;
+            }
+            self.words.inputs(&inputs, &prepared.inputs)
+        };
+        let range = prepared.inputs.first().copied();
+        let span = range
+            .filter(|&input| self.nominal.ranges[input].is_some())
+            .map(|input| super::check::range_span(&mechanism.inputs[input], self.origins))
+            .unwrap_or_else(|| {
+                self.origins
+                    .span(mechanism.loops[solved.group.loops[0]].origin)
+            });
+        let message = match refusal {
+            Refusal::TurningPoint { at } => format!(
+                "the mechanism comes apart in this range: {loops} ({unknowns}) reaches a turning point at {}, where this \
+                 assembly meets another one and both end\n\
+                 help: restrict the range, or change the lengths so that the links reach each other all the way",
+                at_input(at)
+            ),
+            Refusal::NotConverging { at } => format!(
+                "{loops} ({unknowns}) comes too near to a turning point at {} for a table over this range\n\
+                 help: restrict the range, or choose lengths away from the turning point",
+                at_input(at)
+            ),
+            _ => format!(
+                "{loops} ({unknowns}) is singular{place}, a dead point\n\
+                 help: choose a reference input or lengths away from the dead point"
+            ),
+        };
+        self.diagnostics.error(span, message);
+    }
+}
+
+fn is_angle(algebra: &Algebra, input: usize) -> bool {
+    algebra.mechanism.inputs[input].dimension.half_lengths == 0
+}
+
+/// An angle between -pi and pi.
+fn turned(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}

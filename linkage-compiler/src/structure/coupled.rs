@@ -1,0 +1,373 @@
+//! Loops that must be solved together: class III and higher.
+//!
+//! A loop that alone contains some angle or slide gives that *private* unknown once the others are known, and one
+//! equation without it: a link keeps its length, or a point stays on its guide. What remains are the *core* unknowns, two for a
+//! triad, whatever its joints.
+
+use linkage_symbolic::{NodeId, SymbolId, agree, substitute};
+
+use super::classify::Polynomials;
+use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::{Analysis, Form, Rotor};
+
+/// More core unknowns than this are refused: the work of listing their assemblies grows without bound.
+pub(super) const MOST_CORE: usize = 6;
+
+/// A coupled group.
+#[derive(Clone, Debug)]
+pub(crate) struct Coupled {
+    /// `RR-RR-PR`, or a general word.
+    pub(crate) kind: String,
+    pub(crate) class: u8,
+    pub(crate) order: u8,
+    pub(crate) blocks: Vec<Block>,
+    pub(crate) core: Vec<Core>,
+}
+
+/// One loop of a coupled group.
+#[derive(Clone, Debug)]
+pub(crate) struct Block {
+    /// Each row is 0.
+    pub(crate) rows: Vec<NodeId>,
+    /// The rows without the private unknown.
+    pub(crate) rest: Vec<NodeId>,
+    pub(crate) private: Option<Private>,
+    /// The rows as polynomials.
+    pub(crate) terms: Vec<Product>,
+}
+
+/// A product of unknowns with one coefficient for each row.
+#[derive(Clone, Debug)]
+pub(crate) struct Product {
+    pub(crate) coefficient: Vec<NodeId>,
+    /// Symbols and their exponents, which are not 0.
+    pub(crate) powers: Vec<(SymbolId, u8)>,
+}
+
+/// The unknown that a loop of two rows contains alone.
+#[derive(Clone, Debug)]
+pub(crate) enum Private {
+    /// A link of fixed length.
+    Rotor(Rotor),
+    /// A slide; the guide may turn with unknowns of the core.
+    Slide { slide: SymbolId, guide: [NodeId; 2] },
+}
+
+/// An unknown of the core.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Core {
+    Angle(usize),
+    /// A slide or a component of a point.
+    Length {
+        symbol: SymbolId,
+        /// 0 or 1 if both components of a point are in the core.
+        component: Option<usize>,
+    },
+}
+
+/// What is known of one coordinate in one loop.
+struct Place<'p> {
+    polynomials: &'p Polynomials,
+    /// The first symbol of the coordinate among those of the polynomials.
+    first: usize,
+    coordinate: &'p Coordinate,
+}
+
+impl Analysis<'_, '_> {
+    /// The form of loops that remain coupled, if they are polynomials in their unknowns.
+    pub(super) fn coupled(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Option<Form> {
+        let polynomials = equations
+            .iter()
+            .map(|equation| self.polynomials(&equation.rows, coordinates))
+            .collect::<Option<Vec<_>>>()?;
+        let values_free = coordinates.iter().enumerate().all(|(k, coordinate)| {
+            let first = self.first_symbol(coordinates, k);
+            !matches!(coordinate.kind, CoordinateKind::Angle(_))
+                || polynomials.iter().all(|p| !p.mention(first + 2))
+        });
+        if !values_free {
+            return None;
+        }
+        let mut private = vec![None; equations.len()];
+        let mut core = Vec::new();
+        for (k, coordinate) in coordinates.iter().enumerate() {
+            let first = self.first_symbol(coordinates, k);
+            let width = self.symbols(coordinate).len();
+            let with: Vec<usize> = (0..equations.len())
+                .filter(|&e| (first..first + width).any(|s| polynomials[e].mention(s)))
+                .collect();
+            if let [only] = with[..]
+                && private[only].is_none()
+                && let Some(found) = self.private(Place {
+                    polynomials: &polynomials[only],
+                    first,
+                    coordinate,
+                })
+            {
+                private[only] = Some((found, k));
+                continue;
+            }
+            core.push(k);
+        }
+        if core.len() > MOST_CORE {
+            return None;
+        }
+        let (class, order, contour) = self.class_and_order(&polynomials, coordinates);
+        let kind = self.kind(&private, coordinates, &core, class, contour);
+        let blocks = equations.iter().zip(&polynomials).zip(private);
+        let blocks = blocks.map(|((equation, polynomials), private)| {
+            self.block(equation, polynomials, private.map(|(private, _)| private))
+        });
+        let blocks = blocks.collect();
+        let core = core.into_iter().map(|k| core_of(coordinates, k)).collect();
+        Some(Form::Coupled(Box::new(Coupled {
+            kind,
+            class,
+            order,
+            blocks,
+            core: paired(core),
+        })))
+    }
+
+    /// The place of a coordinate's first symbol among the symbols of polynomials.
+    fn first_symbol(&self, coordinates: &[Coordinate], index: usize) -> usize {
+        let before = coordinates[..index].iter();
+        before.map(|c| self.symbols(c).len()).sum()
+    }
+
+    /// A coordinate as the private unknown of a loop, if the loop can be solved for it.
+    fn private(&mut self, place: Place) -> Option<Private> {
+        let Place {
+            polynomials,
+            first,
+            coordinate,
+        } = place;
+        if polynomials.rows.len() != 2 {
+            return None;
+        }
+        match coordinate.kind {
+            CoordinateKind::Angle(angle) => {
+                let mut rest = polynomials.clone();
+                let rotor = self.take_rotor(&mut rest, angle, &[])?;
+                let gone = !rest.mention(first) && !rest.mention(first + 1);
+                (gone && self.is_vector(rotor.z)).then_some(Private::Rotor(rotor))
+            }
+            CoordinateKind::Length(slide) => {
+                let zero = self.algebra.graph.zero();
+                let mut guide = [zero; 2];
+                for (row, sum) in polynomials.rows.iter().zip(&mut guide) {
+                    for (monomial, &coefficient) in row {
+                        match monomial[first] {
+                            0 => continue,
+                            1 => {}
+                            _ => return None,
+                        }
+                        let mut others = monomial.clone();
+                        others[first] = 0;
+                        let factor = self.monomial_node(polynomials.powers(&others));
+                        let graph = &mut self.algebra.graph;
+                        let term = graph.mul(coefficient, factor);
+                        *sum = graph.add(*sum, term);
+                    }
+                }
+                self.is_vector(guide)
+                    .then_some(Private::Slide { slide, guide })
+            }
+        }
+    }
+
+    fn monomial_node(&mut self, powers: Vec<(SymbolId, u8)>) -> NodeId {
+        let mut product = self.algebra.graph.one();
+        for (symbol, power) in powers {
+            for _ in 0..power {
+                let factor = self.algebra.graph.symbol_node(symbol);
+                product = self.algebra.graph.mul(product, factor);
+            }
+        }
+        product
+    }
+
+    fn block(
+        &mut self,
+        equation: &Equation,
+        polynomials: &Polynomials,
+        private: Option<Private>,
+    ) -> Block {
+        let zero = self.algebra.graph.zero();
+        let mut monomials: Vec<_> = polynomials.rows.iter().flat_map(|row| row.keys()).collect();
+        monomials.sort();
+        monomials.dedup();
+        let terms = monomials.into_iter().map(|monomial| Product {
+            coefficient: polynomials
+                .rows
+                .iter()
+                .map(|row| row.get(monomial).copied().unwrap_or(zero))
+                .collect(),
+            powers: polynomials.powers(monomial),
+        });
+        let own: Vec<SymbolId> = match &private {
+            Some(Private::Rotor(rotor)) => {
+                let angle = &self.algebra.angles[rotor.angle];
+                vec![angle.cos, angle.sin]
+            }
+            Some(Private::Slide { slide, .. }) => vec![*slide],
+            None => Vec::new(),
+        };
+        let removed = own.into_iter().map(|symbol| (symbol, zero)).collect();
+        Block {
+            terms: terms.collect(),
+            rest: substitute(&mut self.algebra.graph, &equation.rows, &removed),
+            rows: equation.rows.clone(),
+            private,
+        }
+    }
+
+    /// Class, order, and the number of links in the closed contour that changes its shape (0 without one). Loops whose known
+    /// parts are the same close a contour without the frame; every other loop adds a place where the group is
+    /// attached.
+    fn class_and_order(
+        &mut self,
+        polynomials: &[Polynomials],
+        coordinates: &[Coordinate],
+    ) -> (u8, u8, usize) {
+        if let [only] = polynomials {
+            let dyad = if only.rows.len() == 2 { 2 } else { 0 };
+            return (dyad, dyad, 0);
+        }
+        let mut contours = 0;
+        let mut longest = 0;
+        for (index, a) in polynomials.iter().enumerate() {
+            let contour = polynomials[..index]
+                .iter()
+                .find_map(|b| self.contour(a, b, coordinates));
+            if let Some(length) = contour {
+                contours += 1;
+                longest = longest.max(length);
+            }
+        }
+        let order = polynomials.len() + 1 - contours;
+        let class = if contours == 0 { 3 } else { longest.max(4) };
+        (class as u8, order as u8, longest)
+    }
+
+    /// The number of unknowns in the sum or difference of two vector loops, if their known parts cancel.
+    fn contour(
+        &mut self,
+        a: &Polynomials,
+        b: &Polynomials,
+        coordinates: &[Coordinate],
+    ) -> Option<usize> {
+        if a.rows.len() != 2 || b.rows.len() != 2 {
+            return None;
+        }
+        [1.0, -1.0].into_iter().find_map(|sign| {
+            let mut cancels = |monomial: &[u8]| {
+                (0..2).all(|row| {
+                    let graph = &mut self.algebra.graph;
+                    let zero = graph.zero();
+                    let of = |p: &Polynomials| p.rows[row].get(monomial).copied().unwrap_or(zero);
+                    let (x, y) = (of(a), of(b));
+                    let y = if sign < 0.0 { graph.neg(y) } else { y };
+                    agree(graph, x, y)
+                })
+            };
+            let known = vec![0; a.rows[0].keys().next().map_or(0, Vec::len)];
+            if known.is_empty() || !cancels(&known) {
+                return None;
+            }
+            let mut left: Vec<Vec<u8>> = Vec::new();
+            for monomial in a.rows.iter().chain(&b.rows).flat_map(|row| row.keys()) {
+                if !left.contains(monomial) && !cancels(monomial) {
+                    left.push(monomial.clone());
+                }
+            }
+            let in_contour = |k: &usize| {
+                let first = self.first_symbol(coordinates, *k);
+                let width = self.symbols(&coordinates[*k]).len();
+                left.iter()
+                    .any(|m| m[first..first + width].iter().any(|&e| e > 0))
+            };
+            Some((0..coordinates.len()).filter(in_contour).count())
+        })
+    }
+
+    /// The legs of a triad by their joints, the outer one first.
+    fn kind(
+        &self,
+        private: &[Option<(Private, usize)>],
+        coordinates: &[Coordinate],
+        core: &[usize],
+        class: u8,
+        contour: usize,
+    ) -> String {
+        let angle = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Angle(_));
+        let general = || match contour {
+            0 if private.len() == 1 => "polynomial".to_owned(),
+            0 => format!("{} loops", private.len()),
+            links => format!("contour of {links}"),
+        };
+        let (true, [Some(first), Some(second)], [a, b]) = (class == 3, private, core) else {
+            return general();
+        };
+        let mut legs: Vec<&str> = [first, second]
+            .map(|(p, _)| self.leg(p, coordinates))
+            .into();
+        match [a, b].map(angle) {
+            [true, true] => legs.push("RR"),
+            [false, false] => return general(),
+            _ => legs.push("PR"),
+        }
+        legs.sort_unstable_by_key(|leg| ["RR", "PR", "RP"].iter().position(|l| l == leg));
+        legs.join("-")
+    }
+
+    fn leg(&self, private: &Private, coordinates: &[Coordinate]) -> &'static str {
+        match private {
+            Private::Rotor(_) => "RR",
+            Private::Slide { guide, .. } => {
+                let turns = |c: &Coordinate| guide.iter().any(|&g| self.contains(g, c));
+                match coordinates.iter().any(turns) {
+                    true => "RP",
+                    false => "PR",
+                }
+            }
+        }
+    }
+}
+
+fn core_of(coordinates: &[Coordinate], index: usize) -> (Core, Option<usize>) {
+    let coordinate = &coordinates[index];
+    match coordinate.kind {
+        CoordinateKind::Angle(angle) => (Core::Angle(angle), None),
+        CoordinateKind::Length(symbol) => (
+            Core::Length {
+                symbol,
+                component: None,
+            },
+            coordinate.unknown,
+        ),
+    }
+}
+
+/// Marks neighbours that are the components of one point.
+fn paired(core: Vec<(Core, Option<usize>)>) -> Vec<Core> {
+    let mut marked: Vec<Core> = core.iter().map(|(core, _)| *core).collect();
+    for k in 1..core.len() {
+        if core[k].1.is_none() || core[k].1 != core[k - 1].1 {
+            continue;
+        }
+        for (component, place) in [k - 1, k].into_iter().enumerate() {
+            if let Core::Length { symbol, .. } = marked[place] {
+                marked[place] = Core::Length {
+                    symbol,
+                    component: Some(component),
+                };
+            }
+        }
+    }
+    marked
+}

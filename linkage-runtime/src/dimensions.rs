@@ -1,0 +1,28 @@
+//! Mechanisms as lists of numbers.
+
+use crate::Parameter;
+
+/// The dimensions of a mechanism as `N` numbers, in the order of `PARAMETERS`: every mechanism in
+/// `f64` implements it.
+///
+/// It is what programs need that work on any mechanism: random sampling, optimisation, reading of
+/// dimensions from a file.
+///
+/// ```
+/// use linkage_runtime::{Dimensions, Parameter};
+///
+/// /// The same mechanism with every dimension multiplied by `factor`.
+/// fn scaled<M: Dimensions<N>, const N: usize>(mechanism: &M, factor: f64) -> M {
+///     M::from_values(&mechanism.values().map(|value| factor * value))
+/// }
+/// ```
+pub trait Dimensions<const N: usize>: Sized {
+    /// The `N` scalar parameters with the defaults and tolerances of the declaration.
+    const PARAMETERS: &'static [Parameter];
+
+    /// The mechanism with these dimensions, in the units of `PARAMETERS`.
+    fn from_values(values: &[f64; N]) -> Self;
+
+    /// The dimensions in the units of `PARAMETERS`.
+    fn values(&self) -> [f64; N];
+}

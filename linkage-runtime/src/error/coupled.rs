@@ -1,0 +1,182 @@
+//! Why a group without a closed form has no assembly.
+
+use super::place;
+use crate::numeric::roots::Unlisted;
+use crate::words::rounded;
+use alloc::vec::Vec;
+use core::fmt;
+
+/// Why a group that has no closed form (class III and higher) was not assembled.
+///
+/// ```
+/// use linkage_runtime::{CoupledCause, CoupledError};
+///
+/// let error = CoupledError {
+///     mechanism: "Platform",
+///     group: 0,
+///     kind: "RR-RR-RR",
+///     loops: &[1, 2],
+///     unknowns: &["alpha", "beta"],
+///     cause: CoupledCause::NoneReal { complex: 6 },
+/// };
+/// assert_eq!(
+///     error.to_string(),
+///     "Platform: loops 1 and 2 (alpha, beta; RR-RR-RR) cannot close at the reference input: \
+///      none of the 6 solutions is real"
+/// );
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoupledError {
+    /// Name of the mechanism.
+    pub mechanism: &'static str,
+    /// Index of the group in `STRUCTURE`.
+    pub group: usize,
+    /// Its kind, such as `RR-RR-RR`.
+    pub kind: &'static str,
+    /// Its loops, the first loop of the mechanism being 1.
+    pub loops: &'static [usize],
+    /// Its unknowns.
+    pub unknowns: &'static [&'static str],
+    /// What is wrong.
+    pub cause: CoupledCause,
+}
+
+/// What is wrong with a group that has no closed form.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CoupledCause {
+    /// All solutions at the reference input are complex: the links do not reach each other.
+    NoneReal {
+        /// How many complex solutions there are.
+        complex: usize,
+    },
+    /// The start estimates are equally near to two assemblies.
+    Ambiguous {
+        /// All assemblies, the nearest first.
+        assemblies: Vec<Placed>,
+    },
+    /// The solutions at the reference input could not be listed: legs that coincide, for instance.
+    NotListed(
+        /// Why.
+        Unlisted,
+    ),
+    /// The assembly is at a dead point at the reference input.
+    Singular,
+    /// The range of the input runs into a dead point, where the assembly ends.
+    DeadPoint(
+        /// The input there.
+        Value,
+    ),
+    /// The assembly cannot be followed through the range of the input.
+    NotFollowed(
+        /// The input where it ends.
+        Value,
+    ),
+}
+
+/// The values of a group's unknowns in one assembly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placed(
+    /// Those that have start estimates.
+    pub Vec<Value>,
+);
+
+/// A name with a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Value {
+    /// The name.
+    pub name: &'static str,
+    /// The value; angles in radians.
+    pub value: f64,
+    /// Unit of a length; empty for a number.
+    pub unit: &'static str,
+    /// Whether it is an angle: it is printed in degrees.
+    pub angle: bool,
+}
+
+impl fmt::Display for CoupledError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            mechanism,
+            group,
+            kind,
+            loops,
+            unknowns,
+            cause,
+        } = self;
+        write!(f, "{mechanism}: ")?;
+        place(f, *group, kind, loops, unknowns)?;
+        write!(f, " {cause}")
+    }
+}
+
+/// Continues a sentence that begins with the group.
+impl fmt::Display for CoupledCause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoneReal { complex: 0 } => {
+                f.write_str("cannot close at the reference input: there is no solution")
+            }
+            Self::NoneReal { complex } => write!(
+                f,
+                "cannot close at the reference input: none of the {complex} solutions is real"
+            ),
+            Self::Ambiguous { assemblies } => {
+                write!(
+                    f,
+                    "can close in {} ways, of which two are equally near to the start estimates: ",
+                    assemblies.len()
+                )?;
+                for (index, assembly) in assemblies.iter().enumerate() {
+                    let between = if index == 0 { "" } else { "; " };
+                    write!(f, "{between}{assembly}")?;
+                }
+                Ok(())
+            }
+            Self::NotListed(Unlisted::Degenerate) => f.write_str(
+                "cannot be solved: the solutions at the reference input are not isolated, as when \
+                 legs coincide",
+            ),
+            Self::NotListed(why) => write!(
+                f,
+                "cannot be solved: the solutions at the reference input cannot all be listed: {why}"
+            ),
+            Self::Singular => {
+                f.write_str("cannot run from the reference input: it is a dead point")
+            }
+            Self::DeadPoint(at) => write!(
+                f,
+                "cannot run through the range of the input: it reaches a dead point at {at}"
+            ),
+            Self::NotFollowed(at) => write!(
+                f,
+                "cannot be followed through the range of the input beyond {at}: another assembly is \
+                 too near"
+            ),
+        }
+    }
+}
+
+impl fmt::Display for Placed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, value) in self.0.iter().enumerate() {
+            let between = if index == 0 { "" } else { ", " };
+            write!(f, "{between}{value}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (value, unit) = if self.angle {
+            (self.value.to_degrees(), "deg")
+        } else {
+            (self.value, self.unit)
+        };
+        let gap = if unit.is_empty() { "" } else { " " };
+        write!(f, "{} = {}{gap}{unit}", self.name, rounded(value))
+    }
+}
+
+impl core::error::Error for CoupledError {}

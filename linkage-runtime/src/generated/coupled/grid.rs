@@ -1,0 +1,40 @@
+//! Prepared states over several inputs, for every lane of a scalar.
+
+use super::lanes::by_lane;
+use crate::Scalar;
+use crate::numeric::coupled::GridLookup;
+use alloc::vec::Vec;
+
+/// The grid of a group: one for every lane, since each lane has dimensions of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoupledGrid<const I: usize, const S: usize> {
+    first: GridLookup<I, S>,
+    others: Vec<GridLookup<I, S>>,
+}
+
+impl<const I: usize, const S: usize> CoupledGrid<I, S> {
+    /// The look-up of every lane, NaN where there is none.
+    pub(super) fn new<T: Scalar>(lookup: impl Fn(usize) -> Option<GridLookup<I, S>>) -> Self {
+        let lookup = |lane| lookup(lane).unwrap_or_else(GridLookup::nothing);
+        Self {
+            first: lookup(0),
+            others: (1..T::LANES).map(lookup).collect(),
+        }
+    }
+
+    /// The state near `x` and the floor, without derivatives.
+    #[must_use]
+    #[inline(always)]
+    pub fn at<T: Scalar>(&self, x: [T; I]) -> ([T; S], T) {
+        by_lane::<T, S>(|lane| {
+            let mut inputs = [0.0; I];
+            for (input, x) in inputs.iter_mut().zip(x) {
+                *input = x.lane(lane);
+            }
+            match lane {
+                0 => self.first.at(inputs),
+                _ => self.others[lane - 1].at(inputs),
+            }
+        })
+    }
+}

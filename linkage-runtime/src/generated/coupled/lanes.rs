@@ -1,0 +1,58 @@
+//! Prepared states for every lane of a scalar.
+
+use crate::Scalar;
+use crate::numeric::coupled::Lookup;
+use alloc::vec::Vec;
+
+/// Most lanes whose states are looked up side by side.
+const LANES: usize = 16;
+
+/// The table of a group: one for every lane, since each lane has dimensions of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coupled<const S: usize> {
+    first: Lookup<S>,
+    others: Vec<Lookup<S>>,
+}
+
+impl<const S: usize> Coupled<S> {
+    /// The look-up of every lane, NaN where there is none.
+    pub(super) fn new<T: Scalar>(lookup: impl Fn(usize) -> Option<Lookup<S>>) -> Self {
+        let lookup = |lane| lookup(lane).unwrap_or_else(Lookup::nothing);
+        Self {
+            first: lookup(0),
+            others: (1..T::LANES).map(lookup).collect(),
+        }
+    }
+
+    /// The state at `x` and the floor, without derivatives.
+    #[must_use]
+    #[inline(always)]
+    pub fn at<T: Scalar>(&self, x: T) -> ([T; S], T) {
+        by_lane::<T, S>(|lane| match lane {
+            0 => self.first.at(x.lane(0)),
+            _ => self.others[lane - 1].at(x.lane(lane)),
+        })
+    }
+}
+
+/// Looks up the states of all lanes. A type of one lane costs nothing more than its look-up.
+#[inline(always)]
+pub(super) fn by_lane<T: Scalar, const S: usize>(
+    look_up: impl Fn(usize) -> ([f64; S], f64),
+) -> ([T; S], T) {
+    const {
+        assert!(
+            T::LANES <= LANES,
+            "more lanes than are looked up side by side"
+        )
+    };
+    let mut rows = [([0.0; S], 0.0); LANES];
+    for (lane, row) in rows.iter_mut().take(T::LANES).enumerate() {
+        *row = look_up(lane);
+    }
+    let mut state = [T::from_f64(0.0); S];
+    for (index, number) in state.iter_mut().enumerate() {
+        *number = T::from_lanes(|lane| rows[lane].0[index]);
+    }
+    (state, T::from_lanes(|lane| rows[lane].1))
+}

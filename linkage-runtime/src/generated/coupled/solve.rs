@@ -1,0 +1,229 @@
+//! The assembly of a group at the reference inputs: all solutions are listed, the one nearest to the start estimates is
+//! taken.
+
+use crate::numeric::coupled::{Correction, Range, Refusal, states};
+use crate::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
+use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value, math};
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+
+/// Two distances from the estimates that differ by less of their size are equal.
+const AMBIGUOUS: f64 = 1e-6;
+
+/// A group without a closed form.
+#[derive(Clone, Copy, Debug)]
+pub struct CoupledGroup {
+    /// Name of the mechanism.
+    pub mechanism: &'static str,
+    /// Index of the group in `STRUCTURE`.
+    pub group: usize,
+    /// Its kind.
+    pub kind: &'static str,
+    /// Its loops, the first loop of the mechanism being 1.
+    pub loops: &'static [usize],
+    /// Its unknowns, for messages.
+    pub names: &'static [&'static str],
+    /// Its unknowns that have start estimates, in the order of [`CoupledPrograms::placed`].
+    pub unknowns: &'static [CoupledUnknown],
+    /// The variables of its polynomial system.
+    pub variables: &'static [Variable],
+    /// The terms of its polynomial system.
+    pub terms: &'static [Term<'static>],
+    /// The inputs that it depends on.
+    pub inputs: &'static [CoupledInput],
+}
+
+/// An unknown with a start estimate.
+#[derive(Clone, Copy, Debug)]
+pub struct CoupledUnknown {
+    /// Its name.
+    pub name: &'static str,
+    /// Where it is at the reference inputs, about.
+    pub estimate: f64,
+    /// The length that counts as much as a radian; 1 for an angle.
+    pub scale: f64,
+    /// Unit of a length; empty for a number.
+    pub unit: &'static str,
+    /// Whether it is an angle.
+    pub angle: bool,
+}
+
+/// An input that a group depends on.
+#[derive(Clone, Copy, Debug)]
+pub struct CoupledInput {
+    /// Its name.
+    pub name: &'static str,
+    /// Unit of a length; empty for a number.
+    pub unit: &'static str,
+    /// Its index among all inputs.
+    pub index: usize,
+    /// Whether its range was declared.
+    pub declared: bool,
+    /// Its range.
+    pub range: Range,
+}
+
+/// The programs of a group.
+pub trait CoupledPrograms: Correction {
+    /// The coefficients of the polynomial system at the inputs `x`, real and imaginary part.
+    fn system(&mut self, x: &[f64]) -> Vec<[f64; 2]>;
+
+    /// The unknowns with start estimates: cosine and sine of an angle, a length and 0.
+    fn placed(&mut self, x: &[f64], state: &[f64]) -> Vec<[f64; 2]>;
+}
+
+/// A real solution of a group.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoupledSolution {
+    /// Its state.
+    pub state: Vec<f64>,
+    /// The unknowns with start estimates: angles from -pi to pi, lengths.
+    pub values: Vec<f64>,
+    /// How far it is from the estimates.
+    pub distance: f64,
+}
+
+impl CoupledGroup {
+    fn error(&self, cause: CoupledCause) -> AssemblyError {
+        AssemblyError::Coupled(Box::new(CoupledError {
+            mechanism: self.mechanism,
+            group: self.group,
+            kind: self.kind,
+            loops: self.loops,
+            unknowns: self.names,
+            cause,
+        }))
+    }
+
+    fn not_finite(&self) -> AssemblyError {
+        AssemblyError::NotFinite {
+            mechanism: self.mechanism,
+            group: self.group,
+            kind: self.kind,
+            loops: self.loops,
+            unknowns: self.names,
+        }
+    }
+
+    pub(super) fn refused(&self, refusal: Refusal) -> AssemblyError {
+        let value = |at| {
+            let input = self.inputs.first();
+            Value {
+                name: input.map_or("the input", |input| input.name),
+                value: at,
+                unit: input.map_or("", |input| input.unit),
+                angle: input.is_some_and(|input| input.range.turn),
+            }
+        };
+        match refusal {
+            Refusal::TurningPoint { at } => self.error(CoupledCause::DeadPoint(value(at))),
+            Refusal::NotConverging { at } => self.error(CoupledCause::NotFollowed(value(at))),
+            Refusal::NotASolution => self.error(CoupledCause::Singular),
+            Refusal::NotFinite => self.not_finite(),
+        }
+    }
+
+    fn listed(&self, coefficients: &[[f64; 2]]) -> Result<Listing, AssemblyError> {
+        let system = System {
+            variables: self.variables,
+            terms: self.terms,
+        };
+        solve(&system, coefficients).map_err(|why| match why {
+            Unlisted::NotFinite => self.not_finite(),
+            why => self.error(CoupledCause::NotListed(why)),
+        })
+    }
+
+    fn solution(
+        &self,
+        programs: &mut impl CoupledPrograms,
+        x: &[f64],
+        state: Vec<f64>,
+    ) -> CoupledSolution {
+        let placed = programs.placed(x, &state);
+        let value = |(unknown, &[a, b]): (&CoupledUnknown, &[f64; 2])| {
+            if unknown.angle {
+                Scalar::atan2(b, a)
+            } else {
+                a
+            }
+        };
+        let values: Vec<f64> = self.unknowns.iter().zip(&placed).map(value).collect();
+        CoupledSolution {
+            state,
+            distance: self.distance(&values),
+            values,
+        }
+    }
+
+    fn distance(&self, values: &[f64]) -> f64 {
+        let square = |(unknown, value): (&CoupledUnknown, &f64)| {
+            let mut off = value - unknown.estimate;
+            if unknown.angle {
+                // Adding and subtracting 1.5 * 2^52 rounds to an integer.
+                const ROUND: f64 = 6_755_399_441_055_744.0;
+                off -= TAU * ((off / TAU + ROUND) - ROUND);
+            }
+            let off = off / unknown.scale;
+            off * off
+        };
+        math::double::sqrt(self.unknowns.iter().zip(values).map(square).sum())
+    }
+
+    fn placed(&self, values: &[f64]) -> Placed {
+        let value = |(unknown, &value): (&CoupledUnknown, &f64)| Value {
+            name: unknown.name,
+            value,
+            unit: unknown.unit,
+            angle: unknown.angle,
+        };
+        Placed(self.unknowns.iter().zip(values).map(value).collect())
+    }
+}
+
+/// All real solutions at the inputs `x`, the nearest to the estimates first.
+///
+/// # Errors
+///
+/// If the solutions cannot be listed, or none is real.
+pub fn list(
+    group: &CoupledGroup,
+    programs: &mut impl CoupledPrograms,
+    x: &[f64],
+) -> Result<Vec<CoupledSolution>, AssemblyError> {
+    let listing = group.listed(&programs.system(x))?;
+    let mut solutions: Vec<CoupledSolution> = states(group.variables, &listing, x, programs)
+        .into_iter()
+        .map(|state| group.solution(programs, x, state))
+        .filter(|solution| solution.distance.is_finite())
+        .collect();
+    if solutions.is_empty() {
+        let complex = listing.complex;
+        return Err(group.error(CoupledCause::NoneReal { complex }));
+    }
+    solutions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    Ok(solutions)
+}
+
+/// The solution at the inputs `x` that is nearest to the estimates.
+///
+/// # Errors
+///
+/// If the solutions cannot be listed, none is real, or two are equally near.
+pub fn couple(
+    group: &CoupledGroup,
+    programs: &mut impl CoupledPrograms,
+    x: &[f64],
+) -> Result<CoupledSolution, AssemblyError> {
+    let mut solutions = list(group, programs, x)?;
+    if let [first, second, ..] = &solutions[..]
+        && second.distance - first.distance <= AMBIGUOUS * second.distance
+    {
+        let assemblies = solutions.iter().map(|one| group.placed(&one.values));
+        return Err(group.error(CoupledCause::Ambiguous {
+            assemblies: assemblies.collect(),
+        }));
+    }
+    Ok(solutions.swap_remove(0))
+}

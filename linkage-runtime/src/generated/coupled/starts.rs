@@ -1,0 +1,170 @@
+//! What is prepared of all coupled groups of a mechanism, one group after the other.
+
+use super::grid::CoupledGrid;
+use super::lanes::Coupled;
+use super::solve::{CoupledGroup, CoupledPrograms, CoupledSolution, couple, list};
+use crate::numeric::coupled::{Grid, Range, Refusal, Step, Table};
+use crate::{AssemblyError, Scalar};
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// What is prepared of a coupled group.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Start {
+    /// Nothing yet: every state is NaN.
+    Nothing,
+    /// Over one input.
+    Table(Table),
+    /// Over several inputs, or none.
+    Grid(Grid),
+}
+
+impl Start {
+    /// The state near the group's inputs `x`, and the floor.
+    fn state(&self, x: &[f64]) -> Vec<f64> {
+        match self {
+            Self::Nothing => Vec::new(),
+            Self::Table(table) => {
+                let mut state = vec![0.0; table.width()];
+                table.state(x[0], &mut state);
+                state
+            }
+            Self::Grid(grid) => {
+                let mut state = vec![0.0; grid.width()];
+                grid.state(x, &mut state);
+                state
+            }
+        }
+    }
+}
+
+impl<const S: usize> Coupled<S> {
+    /// The tables of all lanes.
+    pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a Start) -> Self {
+        Self::new::<T>(|lane| match start(lane) {
+            Start::Table(table) => table.lookup(),
+            _ => None,
+        })
+    }
+}
+
+impl<const I: usize, const S: usize> CoupledGrid<I, S> {
+    /// The grids of all lanes.
+    pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a Start) -> Self {
+        Self::new::<T>(|lane| match start(lane) {
+            Start::Grid(grid) => grid.lookup(),
+            _ => None,
+        })
+    }
+}
+
+/// Which assemblies are prepared.
+#[derive(Clone, Copy, Debug)]
+pub enum Wanted<'a, const K: usize> {
+    /// The one nearest to the start estimates.
+    Nearest,
+    /// Every real one, the nearest to the estimates first.
+    All,
+    /// The one nearest to another.
+    Like(&'a [Start; K]),
+}
+
+/// Prepares the coupled groups in their order. `programs` gives group `k` with what is prepared of those before it; `at`
+/// are all inputs of the mechanism.
+///
+/// # Errors
+///
+/// Where a wanted assembly is not there, or cannot be prepared.
+pub fn starts<const K: usize, P: CoupledPrograms>(
+    groups: &[CoupledGroup; K],
+    at: &[f64],
+    wanted: Wanted<'_, K>,
+    programs: impl Fn(usize, &[Start; K]) -> Result<P, AssemblyError>,
+) -> Result<Vec<[Start; K]>, AssemblyError> {
+    let mut found = vec![[const { Start::Nothing }; K]];
+    for (number, group) in groups.iter().enumerate() {
+        let x: Vec<f64> = group.inputs.iter().map(|input| at[input.index]).collect();
+        let mut next = Vec::new();
+        for before in found {
+            let mut programs = programs(number, &before)?;
+            let solutions = match wanted {
+                Wanted::Nearest => vec![couple(group, &mut programs, &x)?],
+                Wanted::All => list(group, &mut programs, &x)?,
+                Wanted::Like(like) => {
+                    let state = like[number].state(&x);
+                    let all = list(group, &mut programs, &x)?;
+                    nearest(all, &state).into_iter().collect()
+                }
+            };
+            for solution in solutions {
+                let every = matches!(wanted, Wanted::All);
+                let mut starts = before.clone();
+                starts[number] = start(group, &mut programs, &x, &solution.state, every)?;
+                next.push(starts);
+            }
+        }
+        found = next;
+    }
+    Ok(found)
+}
+
+/// The solution with the nearest state.
+fn nearest(all: Vec<CoupledSolution>, state: &[f64]) -> Option<CoupledSolution> {
+    let distance = |solution: &CoupledSolution| -> f64 {
+        let pairs = solution.state.iter().zip(state);
+        pairs.map(|(a, b)| (a - b) * (a - b)).sum()
+    };
+    all.into_iter()
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+/// Prepares a group from a solution at its inputs `x`. Where no range is declared, and for `every` assembly that was asked
+/// for, as far as the solution goes.
+fn start(
+    group: &CoupledGroup,
+    programs: &mut impl CoupledPrograms,
+    x: &[f64],
+    state: &[f64],
+    every: bool,
+) -> Result<Start, AssemblyError> {
+    let ranges: Vec<Range> = group.inputs.iter().map(|input| input.range).collect();
+    let made: Result<Start, Refusal> = match group.inputs {
+        [input] => {
+            let partial = every || !input.declared;
+            Table::build(programs, x[0], state, ranges[0], partial).map(Start::Table)
+        }
+        _ => Grid::build(programs, x, state, &ranges).map(Start::Grid),
+    };
+    made.map_err(|refusal| group.refused(refusal))
+}
+
+/// Puts a state in its place among arguments.
+pub fn put_state(arguments: &mut [f64], first: usize, state: &[f64]) {
+    arguments[first..first + state.len()].copy_from_slice(state);
+}
+
+/// The outputs of a correction: the state, the square of its change, the determinant.
+pub fn stepped(state: &mut [f64], outputs: &[f64]) -> Step {
+    let (next, rest) = outputs.split_at(state.len());
+    state.copy_from_slice(next);
+    Step {
+        size: Scalar::sqrt(rest[0]),
+        determinant: rest[1],
+    }
+}
+
+/// Complex numbers.
+pub fn pairs(outputs: &[f64]) -> Vec<[f64; 2]> {
+    outputs.chunks_exact(2).map(|c| [c[0], c[1]]).collect()
+}
+
+/// Cosine and sine of each angle, each length and 0.
+pub fn placed(angles: &[bool], outputs: &[f64]) -> Vec<[f64; 2]> {
+    let mut next = outputs.iter().copied();
+    let mut number = || next.next().unwrap_or(f64::NAN);
+    let one = |angle: &bool| match angle {
+        true => [number(), number()],
+        false => [number(), 0.0],
+    };
+    angles.iter().map(one).collect()
+}

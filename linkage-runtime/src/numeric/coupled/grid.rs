@@ -1,0 +1,193 @@
+//! Prepared states over the ranges of several inputs, or of none.
+
+use super::cell::Frame;
+use super::follow::Follower;
+use super::grid_lookup::GridLookup;
+use super::grid_walk::{Node, fill};
+use super::scale::Scale;
+use super::shared::Shared;
+use super::{Correction, Range, Refusal};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+use core::fmt;
+
+/// Corrections that building a grid may take.
+const CORRECTIONS: usize = 8_000_000;
+
+/// Cells of a grid, at most.
+const CELLS: usize = 1 << 12;
+
+/// The share of places on the borders of cells that four steps may fail to reach: near a singular position some always do.
+const MISSED: f64 = 0.005;
+
+/// Cells of a grid that contains the boundary of the solution, at least.
+const BOUNDARY: u32 = 64;
+
+/// Inputs, at most: a cell has two corners for each of them.
+const INPUTS: usize = 8;
+
+/// The state of a group over the ranges of any number of inputs. Cheap to clone.
+///
+/// The ranges are divided into cells. For each the state at its centre is known, and how it changes with the inputs; four
+/// Newton steps from there reach the solution everywhere in the cell. The states are followed from the given one, cell
+/// to cell. Where the solution cannot be reached, beyond the mechanism's reach for instance, there is none.
+#[derive(Clone, PartialEq)]
+pub struct Grid {
+    pub(super) axes: Vec<Scale>,
+    /// Cell by cell, the last input changing fastest; `None` where the solution cannot be reached.
+    pub(super) nodes: Shared<[Option<Node>]>,
+    width: usize,
+}
+
+impl Grid {
+    /// Follows the solution `state` at the inputs `at` through all ranges. An input whose range is empty stays where it is.
+    ///
+    /// # Errors
+    ///
+    /// See [`Refusal`].
+    ///
+    /// # Panics
+    ///
+    /// If there are not as many ranges as inputs, or more than 8.
+    pub fn build(
+        correction: &mut impl Correction,
+        at: &[f64],
+        state: &[f64],
+        ranges: &[Range],
+    ) -> Result<Self, Refusal> {
+        assert!(
+            at.len() == ranges.len() && at.len() <= INPUTS,
+            "{} inputs",
+            at.len()
+        );
+        let frames: Option<Vec<(Frame, bool)>> = at
+            .iter()
+            .zip(ranges)
+            .map(|(&at, range)| frame(at, *range))
+            .collect();
+        let frames = frames
+            .filter(|_| !state.is_empty())
+            .ok_or(Refusal::NotFinite)?;
+        let mut state = state.to_vec();
+        let mut follower =
+            Follower::new(correction, at, &mut state, CORRECTIONS).ok_or(Refusal::NotASolution)?;
+
+        let mut counts: Vec<u32> = frames.iter().map(|(frame, _)| start(frame)).collect();
+        loop {
+            let axes: Vec<Scale> = frames
+                .iter()
+                .zip(&counts)
+                .map(|((frame, closed), &count)| Scale::new(*frame, count, *closed))
+                .collect();
+            let filled = fill(&mut follower, &axes, at, &state);
+            let cells: u32 = counts.iter().product();
+            let bends = filled.bends.iter().enumerate();
+            let finer = bends.max_by(|a, b| a.1.total_cmp(b.1));
+            let coarse = filled.missed as f64 > MISSED * filled.tested as f64
+                || filled.absent > 0 && cells < BOUNDARY;
+            match finer {
+                Some((axis, &bend)) if coarse && bend > 0.0 && 2 * cells as usize <= CELLS => {
+                    counts[axis] *= 2;
+                }
+                _ if filled.nodes.iter().all(Option::is_none) => {
+                    let at = at.first().copied().unwrap_or_default();
+                    return Err(Refusal::NotConverging { at });
+                }
+                _ => {
+                    return Ok(Self {
+                        axes,
+                        nodes: filled.nodes.into(),
+                        width: state.len(),
+                    });
+                }
+            }
+        }
+    }
+
+    /// How many cells it has.
+    #[must_use]
+    pub fn cells(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// In how many cells the solution can be reached.
+    #[must_use]
+    pub fn reached(&self) -> usize {
+        self.nodes.iter().flatten().count()
+    }
+
+    /// How many numbers the state has.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// How many inputs there are.
+    #[must_use]
+    pub fn inputs(&self) -> usize {
+        self.axes.len()
+    }
+
+    /// Writes the state near `x` from which four steps are made, NaN where there is none, and returns the floor.
+    ///
+    /// # Panics
+    ///
+    /// If `x` or `state` has another length than [`inputs`](Self::inputs) or [`width`](Self::width).
+    pub fn state(&self, x: &[f64], state: &mut [f64]) -> f64 {
+        assert!(x.len() == self.axes.len() && state.len() == self.width);
+        let mut cell = 0;
+        let mut offsets = vec![0.0; x.len()];
+        for ((axis, &x), offset) in self.axes.iter().zip(x).zip(&mut offsets) {
+            let (slot, within) = axis.cell(x);
+            cell = cell * axis.slots() + slot;
+            *offset = within;
+        }
+        match &self.nodes[cell] {
+            Some(node) => node.state(&offsets, state),
+            None => {
+                state.fill(f64::NAN);
+                f64::NAN
+            }
+        }
+    }
+
+    /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are not `I` and `S`.
+    #[must_use]
+    pub fn lookup<const I: usize, const S: usize>(&self) -> Option<GridLookup<I, S>> {
+        GridLookup::new(self)
+    }
+}
+
+/// The range of an input that includes the place to start from, and whether it is a full turn.
+fn frame(at: f64, range: Range) -> Option<(Frame, bool)> {
+    let low = range.low.min(range.high).min(at);
+    let high = range.low.max(range.high).max(at);
+    let finite = [range.low, range.high, at, high - low];
+    if !finite.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let closed = range.turn && high - low >= TAU * (1.0 - 1e-9);
+    let frame = if closed {
+        Frame::new(at - 0.5 * TAU, at + 0.5 * TAU)
+    } else {
+        Frame::new(low, high)
+    };
+    Some((frame, closed))
+}
+
+/// Cells along an input to begin with.
+fn start(frame: &Frame) -> u32 {
+    if frame.length > 0.0 { 2 } else { 1 }
+}
+
+impl fmt::Debug for Grid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Grid")
+            .field("cells", &self.cells())
+            .field("reached", &self.reached())
+            .field("inputs", &self.axes.len())
+            .field("width", &self.width)
+            .finish_non_exhaustive()
+    }
+}

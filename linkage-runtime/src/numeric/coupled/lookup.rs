@@ -1,0 +1,126 @@
+//! The look-up of generated code: no branch, no call, no panic.
+
+use super::cell::{Cell, Frame};
+use super::polynomial::TERMS;
+use super::scale::Scale;
+use super::shared::Shared;
+use super::table::Table;
+use core::fmt;
+use core::hint::select_unpredictable;
+
+/// Beyond this place of a cell there is no state: half a cell outside the table.
+const OUTSIDE: f64 = 2.0;
+
+/// Zero inside a cell and somewhat beyond it, NaN farther away.
+#[inline(always)]
+pub(super) fn guard(t: f64) -> f64 {
+    select_unpredictable(t.abs() <= OUTSIDE, 0.0, f64::NAN)
+}
+
+/// A [`Table`] of `S` state numbers. Cheap to clone.
+#[derive(Clone, PartialEq)]
+pub struct Lookup<const S: usize> {
+    scale: Scale,
+    /// As long as the scale has slots; every element is the number of a cell.
+    index: Shared<[u16]>,
+    cells: Shared<[Fixed<S>]>,
+}
+
+/// A cell with a fixed number of state numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(32))]
+struct Fixed<const S: usize> {
+    /// First, so that the rows of four numbers do not cross cache lines.
+    coefficients: [[f64; S]; TERMS],
+    centre: f64,
+    inverse: f64,
+    floor: f64,
+}
+
+impl<const S: usize> Lookup<S> {
+    pub(super) fn new(table: &Table) -> Option<Self> {
+        if table.width() != S {
+            return None;
+        }
+        let fixed = |cell: &Cell| {
+            let mut coefficients = [[0.0; S]; TERMS];
+            for (row, values) in coefficients
+                .iter_mut()
+                .zip(cell.coefficients.chunks_exact(S))
+            {
+                row.copy_from_slice(values);
+            }
+            Fixed {
+                centre: cell.centre,
+                inverse: cell.inverse,
+                floor: cell.floor,
+                coefficients,
+            }
+        };
+        Some(Self {
+            scale: table.scale,
+            index: table.index.clone(),
+            cells: table.cells.iter().map(fixed).collect(),
+        })
+    }
+
+    /// A look-up that gives NaN everywhere.
+    #[must_use]
+    pub fn nothing() -> Self {
+        let frame = Frame {
+            middle: 0.0,
+            length: 0.0,
+        };
+        let nowhere = Fixed {
+            centre: f64::NAN,
+            inverse: f64::NAN,
+            floor: f64::NAN,
+            coefficients: [[f64::NAN; S]; TERMS],
+        };
+        Self {
+            scale: Scale::new(frame, 1, false),
+            index: core::iter::once(0).collect(),
+            cells: core::iter::once(nowhere).collect(),
+        }
+    }
+
+    /// The state at `x`, with an error of 1e-9 or less inside the range, and the floor; both NaN far outside.
+    #[must_use]
+    #[inline(always)]
+    pub fn at(&self, x: f64) -> ([f64; S], f64) {
+        let (place, slot) = self.scale.find(x);
+        let cell = self.cell(slot);
+        let t = (place - cell.centre) * cell.inverse;
+        let guard = guard(t);
+        let (t2, c) = (t * t, &cell.coefficients);
+        let t4 = t2 * t2;
+        let mut state = [0.0; S];
+        for (index, number) in state.iter_mut().enumerate() {
+            let pair = |power: usize| c[power][index] + c[power + 1][index] * t;
+            let low = pair(0) + pair(2) * t2;
+            let high = pair(4) + pair(6) * t2;
+            *number = (low + high * t4) + guard;
+        }
+        (state, cell.floor + guard)
+    }
+
+    #[allow(unsafe_code, reason = "a bounds check would be a branch")]
+    #[inline(always)]
+    fn cell(&self, slot: usize) -> &Fixed<S> {
+        debug_assert!(slot < self.index.len());
+        // SAFETY: `Scale::find` gives slots below the number that the index was made for, its elements are numbers of
+        // cells, and nothing changes either after `Table::from_pieces`.
+        unsafe {
+            let number = *self.index.get_unchecked(slot);
+            self.cells.get_unchecked(usize::from(number))
+        }
+    }
+}
+
+impl<const S: usize> fmt::Debug for Lookup<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Lookup")
+            .field("cells", &self.cells.len())
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,73 @@
+//! What does not fit together: ends and ways of paths that show that a path has been lost.
+
+use super::ends::{End, Root};
+use super::path::Trace;
+use super::place::Place;
+use alloc::vec::Vec;
+
+/// Number of paths with an uncertain end.
+pub(super) fn count<const N: usize>(
+    traces: &[Trace<N>],
+    roots: &[Root<N>],
+    multiple: &[Place<N>],
+) -> usize {
+    lost(traces) + meetings(traces) + duplicates(roots) + single(multiple)
+}
+
+fn lost<const N: usize>(traces: &[Trace<N>]) -> usize {
+    let lost = |trace: &&Trace<N>| matches!(trace.end, End::Lost);
+    traces.iter().filter(lost).count()
+}
+
+/// Number of paths that have met another one on their way, which means that one of them has
+/// jumped.
+fn meetings<const N: usize>(traces: &[Trace<N>]) -> usize {
+    const NEAR: f64 = 1e-5;
+    let waypoints = traces.iter().map(|trace| {
+        let (place, pivot) = trace.waypoint;
+        (place, (0.1 * pivot).min(NEAR))
+    });
+    count_equal(waypoints.collect(), NEAR)
+}
+
+/// Number of isolated solutions that have been found before.
+fn duplicates<const N: usize>(roots: &[Root<N>]) -> usize {
+    const LONGEST: f64 = 0.1;
+    let places = roots.iter().map(|root| (root.place, root.reach));
+    count_equal(places.collect(), LONGEST)
+}
+
+/// Number of places that are nearer to another one than their radius; no radius is above
+/// `largest`.
+fn count_equal<const N: usize>(mut places: Vec<(Place<N>, f64)>, largest: f64) -> usize {
+    places.sort_by(|a, b| a.0.key().total_cmp(&b.0.key()));
+    let mut equal = 0;
+    for (index, (place, radius)) in places.iter().enumerate() {
+        let key = place.key();
+        let near = places[index + 1..]
+            .iter()
+            .take_while(|(other, _)| other.key() - key <= largest);
+        equal += near
+            .filter(|(other, other_radius)| {
+                let radius = radius.min(*other_radius);
+                place.distance(other) < radius * radius
+            })
+            .count();
+    }
+    equal
+}
+
+/// Number of multiple solutions at which a single path ends.
+fn single<const N: usize>(multiple: &[Place<N>]) -> usize {
+    const NEAR: f64 = 1e-2;
+    let has_twin = |index: usize, place: &Place<N>| {
+        let others = multiple.iter().enumerate();
+        others
+            .filter(|&(other, _)| other != index)
+            .any(|(_, other)| place.distance(other) < NEAR * NEAR)
+    };
+    let places = multiple.iter().enumerate();
+    places
+        .filter(|(index, place)| !has_twin(*index, place))
+        .count()
+}

@@ -1,0 +1,278 @@
+//! Where paths end: at an isolated solution, at a multiple one, or where variables vanish or
+//! become infinite.
+
+use super::complex::{Complex, ZERO, rough_root};
+use super::homotopy::Homotopy;
+use super::matrix::{Matrix, Vector, size, solve, sum};
+use super::past::Knot;
+use super::path::Walker;
+use super::place::Place;
+
+/// The end of a path.
+pub(super) enum End<const N: usize> {
+    /// An isolated solution; variables may be infinite.
+    Regular(Root<N>),
+    /// A variable tends to infinity or a unit vector to zero, other than in an isolated solution.
+    Outside,
+    /// A multiple solution, or one of a continuum.
+    Multiple(Place<N>),
+    Lost,
+}
+
+/// An isolated solution.
+#[derive(Clone, Copy)]
+pub(super) struct Root<const N: usize> {
+    pub(super) place: Place<N>,
+    /// Newton's method converges to this solution from everywhere nearer than this.
+    pub(super) reach: f64,
+}
+
+/// Where the given system and the one of a path can no longer be told apart.
+const LAST: f64 = 1e-13;
+/// Rounding errors of an equation.
+const NOISE: f64 = 1e-15;
+/// Paths that cannot be followed any further earlier than this are lost.
+const LATE: f64 = 1e-4;
+
+/// The end of a path that has come near it.
+pub(super) fn find<const N: usize>(walker: &mut Walker<'_, N>, most_steps: usize) -> End<N> {
+    let mut next_try = f64::INFINITY;
+    let mut rates = Rates::new();
+    for _ in 0..most_steps {
+        let t = walker.now().t;
+        if walker.step() >= t && t <= next_try {
+            if let Some(root) = arrive(walker) {
+                return End::Regular(root);
+            }
+            next_try = 0.2 * t;
+        }
+        let precise = walker.pivot * way_left(walker) > 100.0 * NOISE;
+        if t < LAST || !precise || walker.step() < 1e-6 * t {
+            return conclude(walker);
+        }
+        if rates.are_settled(walker) {
+            return End::Outside;
+        }
+        walker.advance(0.6 * t);
+    }
+    End::Lost
+}
+
+/// How far the end is away, about.
+fn way_left<const N: usize>(walker: &Walker<'_, N>) -> f64 {
+    let Knot { t, tangent, .. } = walker.now();
+    t * rough_root(size(tangent))
+}
+
+/// The isolated solution right ahead, if there is one.
+fn arrive<const N: usize>(walker: &mut Walker<'_, N>) -> Option<Root<N>> {
+    let predicted = walker.predict(0.0);
+    let (x, last) = polish(walker.homotopy, &predicted)?;
+    let reach = reach(walker.homotopy, &x)?;
+    let way: Vector<N> = core::array::from_fn(|j| x[j] - predicted[j]);
+    let near = size(&way) < reach * reach;
+    (near && last < 0.01 * reach).then(|| Root {
+        place: walker.homotopy.place(x),
+        reach,
+    })
+}
+
+/// Newton's method for the given system, until corrections get no smaller: the place and the
+/// length of the last correction.
+pub(super) fn polish<const N: usize>(
+    homotopy: &mut Homotopy<N>,
+    start: &Vector<N>,
+) -> Option<(Vector<N>, f64)> {
+    const MOST: usize = 10;
+    /// Squares of corrections: the first one is not longer, no more are made after the shortest.
+    const LONGEST: f64 = 0.01;
+    const SHORTEST: f64 = 1e-28;
+    let mut x = *start;
+    let mut last = 4.0 * LONGEST;
+    for _ in 0..MOST {
+        let (values, mut matrix) = homotopy.target(&x);
+        let mut right = [values.map(|value| -value)];
+        let pivot = solve(&mut matrix, &mut right);
+        let length = size(&right[0]);
+        if pivot == 0.0 || !length.is_finite() {
+            return None;
+        }
+        if length > 0.25 * last {
+            break;
+        }
+        x = sum(&x, &right[0]);
+        last = length;
+        if length <= SHORTEST {
+            break;
+        }
+    }
+    (last <= LONGEST).then(|| (x, rough_root(last)))
+}
+
+/// How far Newton's method may start from a solution: a part of the inverse of the second
+/// derivatives, measured by the first ones.
+fn reach<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) -> Option<f64> {
+    const PART: f64 = 0.3;
+    const LONGEST: f64 = 0.1;
+    const DIFFERENCE: f64 = 1e-3;
+    let (_, matrix) = homotopy.target(x);
+    let mut bend = 0.0;
+    for k in 0..N {
+        let mut beside = *x;
+        beside[k] += Complex::new(DIFFERENCE, 0.0);
+        let (_, shifted) = homotopy.target(&beside);
+        let mut columns: Matrix<N> = core::array::from_fn(|column| {
+            core::array::from_fn(|row| shifted[row][column] - matrix[row][column])
+        });
+        // Derivatives of a matrix that is singular but for rounding errors prove nothing.
+        if solve(&mut matrix.clone(), &mut columns) < (100.0 * NOISE) * (100.0 * NOISE) {
+            return None;
+        }
+        bend += columns
+            .as_flattened()
+            .iter()
+            .map(|c| c.square())
+            .sum::<f64>();
+    }
+    let reach = PART * DIFFERENCE / rough_root(bend);
+    reach.is_finite().then(|| reach.min(LONGEST))
+}
+
+/// The end of a path that cannot be followed further.
+fn conclude<const N: usize>(walker: &mut Walker<'_, N>) -> End<N> {
+    if let Some(root) = arrive(walker) {
+        return End::Regular(root);
+    }
+    let place = walker.homotopy.place(walker.now().x);
+    let t = walker.now().t;
+    if t > LATE {
+        return End::Lost;
+    }
+    let vanishes = |j: usize| {
+        place.is_outer(j, walker.variables)
+            && place.x[j].square() < 0.05 * 0.05
+            && rate(walker, j) > 0.05
+    };
+    if (0..N).any(vanishes) {
+        return End::Outside;
+    }
+    // Newton's method cannot reach the end because it is singular, not because it is far.
+    let left = way_left(walker);
+    let x = walker.now().x;
+    let singular = reach(walker.homotopy, &x).is_none_or(|reach| reach < 1000.0 * left);
+    if singular && left < 0.01 && place.is_inside(walker.variables) {
+        return End::Multiple(place);
+    }
+    End::Lost
+}
+
+/// The exponent `w` if a coordinate tends to zero like `t^w`.
+fn rate<const N: usize>(walker: &Walker<'_, N>, j: usize) -> f64 {
+    let (x, tangent) = (walker.now().x[j], walker.now().tangent[j]);
+    walker.now().t * (tangent * x.conjugate()).re / x.square()
+}
+
+/// The exponents some steps ago.
+struct Rates<const N: usize> {
+    t: f64,
+    rates: [f64; N],
+}
+
+impl<const N: usize> Rates<N> {
+    fn new() -> Self {
+        Self {
+            t: 1.0,
+            rates: [0.0; N],
+        }
+    }
+
+    /// Whether a coordinate that would be outside if it vanished tends to zero by a law that has
+    /// been the same for some time: it would be smaller than anything inside if the law went on
+    /// for about as long.
+    fn are_settled(&mut self, walker: &Walker<'_, N>) -> bool {
+        /// Part of `t` after which the exponents are looked at again.
+        const AFTER: f64 = 0.125;
+        const SMALL: f64 = 1e-4;
+        if walker.now().t > AFTER * self.t {
+            return false;
+        }
+        let place = walker.homotopy.place(walker.now().x);
+        let rates: [f64; N] = core::array::from_fn(|j| rate(walker, j));
+        let settled = (0..N).any(|j| {
+            place.is_outer(j, walker.variables)
+                && place.x[j].square() < SMALL * SMALL
+                && rates[j] > 0.05
+                && (rates[j] - self.rates[j]).abs() < 0.02 * rates[j]
+        });
+        self.t = walker.now().t;
+        self.rates = rates;
+        settled
+    }
+}
+
+/// Whether solutions go on beside a multiple one: along the direction in which the matrix is
+/// singular, the equations hold to rounding errors not only here but also some way off.
+pub(super) fn is_continuum<const N: usize>(homotopy: &mut Homotopy<N>, place: &Place<N>) -> bool {
+    homotopy.turn(place.flipped);
+    let Some(along) = weakest_component(homotopy, &place.x) else {
+        return true;
+    };
+    [Complex::new(0.02, 0.01), Complex::new(-0.01, 0.02)]
+        .into_iter()
+        .all(|offset| slack(homotopy, &place.x, along, offset).is_none_or(|s| s < 1e-10))
+}
+
+/// Pivots below this are those of a singular matrix.
+const SINGULAR: f64 = 1e-6;
+
+/// The coordinate that changes most along the direction in which the matrix is singular; `None`
+/// if there is no single one.
+fn weakest_component<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) -> Option<usize> {
+    let (_, matrix) = homotopy.target(x);
+    let sizes = |j: usize| {
+        let mut others = matrix;
+        for (i, row) in others.iter_mut().enumerate() {
+            row[j] = weight(i);
+        }
+        solve(&mut others, &mut [[ZERO; N]])
+    };
+    let best = (0..N).max_by(|&a, &b| sizes(a).total_cmp(&sizes(b)))?;
+    (sizes(best) > SINGULAR * SINGULAR).then_some(best)
+}
+
+/// By how much the equations miss, in a fixed combination of them, at the nearest point with
+/// the coordinate `along` moved by `offset`. `None` if there is no such point.
+fn slack<const N: usize>(
+    homotopy: &mut Homotopy<N>,
+    x: &Vector<N>,
+    along: usize,
+    offset: Complex,
+) -> Option<f64> {
+    const STEPS: usize = 8;
+    let mut x = *x;
+    x[along] += offset;
+    let mut slack = ZERO;
+    for _ in 0..STEPS {
+        let (values, mut matrix) = homotopy.target(&x);
+        let mut right = [core::array::from_fn(|i| -(values[i] + weight(i) * slack))];
+        for (i, row) in matrix.iter_mut().enumerate() {
+            row[along] = weight(i);
+        }
+        if solve(&mut matrix, &mut right) == 0.0 {
+            return None;
+        }
+        for j in 0..N {
+            if j == along {
+                slack += right[0][j];
+            } else {
+                x[j] += right[0][j];
+            }
+        }
+    }
+    Some(rough_root(slack.square()))
+}
+
+/// Some numbers that no combination of equations has by itself.
+fn weight(row: usize) -> Complex {
+    Complex::new(1.0 - 0.173 * row as f64, 0.317 + 0.211 * row as f64)
+}

@@ -1,0 +1,205 @@
+//! The equations between the start system (`t` = 1) and the given one (`t` = 0).
+
+use super::HIGHEST_DEGREE;
+use super::complex::{Complex, ONE, ZERO};
+use super::matrix::{Matrix, Vector};
+use super::place::Place;
+use super::polynomial::Polynomial;
+use super::start::{self, Univariate};
+use alloc::vec::Vec;
+
+/// `(1 - t) * target + t * start`, in coordinates of which each is a variable or its inverse.
+pub(super) struct Homotopy<const N: usize> {
+    equations: [Equation<N>; N],
+    factors: [[Univariate; N]; N],
+    constants: Vector<N>,
+    /// Coordinates that are inverses of their variables.
+    flipped: [bool; N],
+    /// Highest degree of every variable.
+    highest: [usize; N],
+    powers: [Powers; N],
+}
+
+struct Equation<const N: usize> {
+    terms: Vec<Term<N>>,
+    degrees: [u8; N],
+}
+
+#[derive(Clone, Copy)]
+struct Term<const N: usize> {
+    factor: Complex,
+    exponents: [u8; N],
+}
+
+/// Powers of a coordinate and their derivatives.
+#[derive(Clone, Copy)]
+struct Powers {
+    values: [Complex; HIGHEST_DEGREE + 1],
+    slopes: [Complex; HIGHEST_DEGREE + 1],
+}
+
+/// Values and derivatives at a point.
+pub(super) struct Evaluation<const N: usize> {
+    pub(super) values: Vector<N>,
+    pub(super) matrix: Matrix<N>,
+    /// Derivatives with respect to `t`.
+    pub(super) drift: Vector<N>,
+}
+
+impl<const N: usize> Homotopy<N> {
+    pub(super) fn new(target: &[Polynomial], attempt: usize) -> Self {
+        let narrow = |wide: &[u8]| core::array::from_fn(|j| wide[j]);
+        let equations = core::array::from_fn(|i| Equation {
+            terms: target[i]
+                .terms
+                .iter()
+                .map(|term| Term {
+                    factor: term.factor,
+                    exponents: narrow(&term.exponents),
+                })
+                .collect(),
+            degrees: narrow(&target[i].degrees),
+        });
+        let highest = |j: usize| target.iter().map(|p| p.degrees[j]).max();
+        let mut powers = Powers {
+            values: [ZERO; HIGHEST_DEGREE + 1],
+            slopes: [ZERO; HIGHEST_DEGREE + 1],
+        };
+        powers.values[0] = ONE;
+        powers.slopes[1] = ONE;
+        Self {
+            equations,
+            factors: start::factors(target, attempt),
+            constants: start::constants(attempt),
+            flipped: [false; N],
+            highest: core::array::from_fn(|j| highest(j).unwrap_or(0).into()),
+            powers: [powers; N],
+        }
+    }
+
+    /// The solutions at `t` = 1; no coordinate is an inverse there.
+    pub(super) fn starts(&mut self) -> Vec<Vector<N>> {
+        self.turn([false; N]);
+        start::solutions(&self.factors)
+    }
+
+    pub(super) fn place(&self, x: Vector<N>) -> Place<N> {
+        let flipped = self.flipped;
+        Place { x, flipped }
+    }
+
+    /// Changes to other coordinates.
+    pub(super) fn turn(&mut self, flipped: [bool; N]) {
+        for (j, &flipped) in flipped.iter().enumerate() {
+            if self.flipped[j] != flipped {
+                self.flip(j);
+            }
+        }
+    }
+
+    /// Takes the inverse of a coordinate as a coordinate.
+    pub(super) fn flip(&mut self, j: usize) {
+        self.flipped[j] = !self.flipped[j];
+        for equation in &mut self.equations {
+            for term in &mut equation.terms {
+                term.exponents[j] = equation.degrees[j] - term.exponents[j];
+            }
+        }
+        for row in &mut self.factors {
+            let degree = row[j].degree as usize;
+            row[j].coefficients[..=degree].reverse();
+        }
+    }
+
+    /// The given equations and their derivatives.
+    #[inline(always)]
+    pub(super) fn target(&mut self, x: &Vector<N>) -> (Vector<N>, Matrix<N>) {
+        for (powers, (&x, &highest)) in self.powers.iter_mut().zip(x.iter().zip(&self.highest)) {
+            powers.fill(x, highest);
+        }
+        let mut values = [ZERO; N];
+        let mut matrix = [[ZERO; N]; N];
+        for ((equation, value), row) in self.equations.iter().zip(&mut values).zip(&mut matrix) {
+            for term in &equation.terms {
+                let factors: [_; N] = core::array::from_fn(|j| self.powers[j].at(term, j));
+                *value += product(term.factor, &factors, ONE, row);
+            }
+        }
+        (values, matrix)
+    }
+
+    /// The equations at a point of a path.
+    #[inline(always)]
+    pub(super) fn evaluate(&mut self, x: &Vector<N>, t: f64) -> Evaluation<N> {
+        let (mut values, mut matrix) = self.target(x);
+        let mut drift = [ZERO; N];
+        for i in 0..N {
+            let factors: [_; N] = core::array::from_fn(|j| self.factors[i][j].at(x[j]));
+            let row = &mut matrix[i];
+            *row = row.map(|slope| slope.scaled(1.0 - t));
+            let start = product(self.constants[i], &factors, ONE.scaled(t), row);
+            drift[i] = start - values[i];
+            values[i] += drift[i].scaled(t);
+        }
+        Evaluation {
+            values,
+            matrix,
+            drift,
+        }
+    }
+}
+
+/// The product of a constant and of one factor for every variable, given by value and derivative.
+/// Its derivatives times `weight` are added to `slopes`.
+#[inline(always)]
+fn product<const N: usize>(
+    constant: Complex,
+    factors: &[(Complex, Complex); N],
+    weight: Complex,
+    slopes: &mut Vector<N>,
+) -> Complex {
+    let mut heads = [constant; N];
+    for j in 1..N {
+        heads[j] = heads[j - 1] * factors[j - 1].0;
+    }
+    let mut tail = weight;
+    for j in (0..N).rev() {
+        let (value, slope) = factors[j];
+        slopes[j] += heads[j] * slope * tail;
+        tail = tail * value;
+    }
+    heads[N - 1] * factors[N - 1].0
+}
+
+impl Powers {
+    /// The power of a variable in a term, and its derivative.
+    #[inline(always)]
+    fn at<const N: usize>(&self, term: &Term<N>, j: usize) -> (Complex, Complex) {
+        let exponent = (term.exponents[j] as usize).min(HIGHEST_DEGREE);
+        (self.values[exponent], self.slopes[exponent])
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, x: Complex, highest: usize) {
+        let mut power = ONE;
+        for k in 1..=highest {
+            self.slopes[k] = power.scaled(k as f64);
+            power = power * x;
+            self.values[k] = power;
+        }
+    }
+}
+
+impl Univariate {
+    /// Value and derivative.
+    #[inline(always)]
+    fn at(&self, x: Complex) -> (Complex, Complex) {
+        let degree = self.degree as usize;
+        let (mut value, mut slope) = (ZERO, ZERO);
+        for &coefficient in self.coefficients.iter().take(degree + 1).rev() {
+            slope = slope * x + value;
+            value = value * x + coefficient;
+        }
+        (value, slope)
+    }
+}

@@ -1,0 +1,111 @@
+//! The real solutions: those that are their own reflections.
+
+use super::Variable;
+use super::complex::Complex;
+use super::ends::{Root, polish};
+use super::homotopy::Homotopy;
+use super::matrix::Vector;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+
+/// The values of the real solutions in ascending order; `None` if the reflection of a solution is
+/// missing or not certain.
+pub(super) fn list<const N: usize>(
+    homotopy: &mut Homotopy<N>,
+    variables: &[Variable],
+    roots: &[Root<N>],
+) -> Option<Vec<Vec<[f64; 2]>>> {
+    let partners: Vec<usize> = roots
+        .iter()
+        .map(|root| partner(variables, root, roots))
+        .collect::<Option<_>>()?;
+    let mut found = Vec::new();
+    for (index, &partner) in partners.iter().enumerate() {
+        if partners[partner] != index {
+            return None;
+        }
+        if partner == index {
+            found.push(polished(homotopy, variables, &roots[index])?);
+        }
+    }
+    found.sort_by(|a, b| order(variables, a, b));
+    let list = |values: &Vector<N>| values.iter().copied().map(parts).collect();
+    Some(found.iter().map(list).collect())
+}
+
+/// Index of the solution that is the reflection of another one, or the same.
+fn partner<const N: usize>(
+    variables: &[Variable],
+    root: &Root<N>,
+    roots: &[Root<N>],
+) -> Option<usize> {
+    let image = root.place.reflection(variables);
+    let distances = roots.iter().map(|other| image.distance(&other.place));
+    let (index, distance) = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let reach = root.reach.min(roots[index].reach);
+    (distance < reach * reach).then_some(index)
+}
+
+/// The exactly real values next to a solution that is real but for rounding errors.
+fn polished<const N: usize>(
+    homotopy: &mut Homotopy<N>,
+    variables: &[Variable],
+    root: &Root<N>,
+) -> Option<Vector<N>> {
+    let mut place = root.place;
+    for (j, variable) in variables.iter().enumerate() {
+        if *variable == Variable::Conjugate && place.flipped[j] != place.flipped[j - 1] {
+            place.flipped[j] = place.flipped[j - 1];
+            place.x[j] = place.x[j].inverse();
+        }
+    }
+    homotopy.turn(place.flipped);
+    place.x = made_real(variables, &place.x);
+    let (x, _) = polish(homotopy, &place.x)?;
+    place.x = made_real(variables, &x);
+    (place.distance(&root.place) < root.reach * root.reach).then(|| place.values())
+}
+
+/// The nearest real coordinates, which are either variables or their inverses: a point and its
+/// conjugate both the one or both the other.
+fn made_real<const N: usize>(variables: &[Variable], x: &Vector<N>) -> Vector<N> {
+    let mut real = *x;
+    for (j, variable) in variables.iter().enumerate() {
+        match variable {
+            // One Newton step for the inverse square root, twice.
+            Variable::Unit => {
+                for _ in 0..2 {
+                    real[j] = real[j].scaled(1.5 - 0.5 * real[j].square());
+                }
+            }
+            Variable::Length => real[j].im = 0.0,
+            Variable::Point => real[j] = (x[j] + x[j + 1].conjugate()).scaled(0.5),
+            Variable::Conjugate => real[j] = real[j - 1].conjugate(),
+        }
+    }
+    real
+}
+
+fn order<const N: usize>(variables: &[Variable], a: &Vector<N>, b: &Vector<N>) -> Ordering {
+    let keys = |values: &Vector<N>, j: usize| match variables[j] {
+        Variable::Unit => [turn(values[j]), 0.0],
+        _ => parts(values[j]),
+    };
+    (0..N)
+        .flat_map(|j| keys(a, j).into_iter().zip(keys(b, j)))
+        .map(|(a, b)| a.total_cmp(&b))
+        .fold(Ordering::Equal, Ordering::then)
+}
+
+/// A number that grows with the angle of a unit number, from -pi to pi.
+fn turn(unit: Complex) -> f64 {
+    if unit.im < 0.0 {
+        unit.re - 1.0
+    } else {
+        1.0 - unit.re
+    }
+}
+
+fn parts(value: Complex) -> [f64; 2] {
+    [value.re, value.im]
+}

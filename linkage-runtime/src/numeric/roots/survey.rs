@@ -1,0 +1,88 @@
+//! Follows all paths and accepts their ends only if they fit together.
+
+use super::doubts;
+use super::ends::{End, Root, is_continuum};
+use super::homotopy::Homotopy;
+use super::path::{Pace, Trace, follow};
+use super::place::Place;
+use super::polynomial::Polynomial;
+use super::real;
+use super::{Listing, Unlisted, Variable};
+use alloc::vec::Vec;
+
+/// How often all paths are followed, each time from another start system and with smaller steps.
+const ATTEMPTS: usize = 4;
+/// Multiple solutions that are examined for being part of a continuum.
+const EXAMINED: usize = 8;
+
+pub(super) fn list<const N: usize>(
+    variables: &[Variable],
+    target: &[Polynomial],
+    paths: usize,
+) -> Result<Listing, Unlisted> {
+    let mut doubts = paths;
+    for attempt in 0..ATTEMPTS {
+        let mut homotopy = Homotopy::<N>::new(target, attempt);
+        match listing(&mut homotopy, variables, Pace::of_attempt(attempt)) {
+            Outcome::Listed(listing) => return Ok(listing),
+            Outcome::Degenerate => return Err(Unlisted::Degenerate),
+            Outcome::Doubtful(count) => doubts = count,
+        }
+    }
+    let lost = doubts;
+    Err(Unlisted::Lost { lost, paths })
+}
+
+/// What following all paths once comes to.
+enum Outcome {
+    Listed(Listing),
+    Degenerate,
+    /// A number of uncertain ends.
+    Doubtful(usize),
+}
+
+fn listing<const N: usize>(
+    homotopy: &mut Homotopy<N>,
+    variables: &[Variable],
+    pace: Pace,
+) -> Outcome {
+    let starts = homotopy.starts();
+    let traces: Vec<Trace<N>> = starts
+        .iter()
+        .map(|start| follow(homotopy, variables, pace, start))
+        .collect();
+    let (roots, multiple) = sorted(&traces);
+    let mut examined = multiple.iter().take(EXAMINED);
+    if examined.any(|place| is_continuum(homotopy, place)) {
+        return Outcome::Degenerate;
+    }
+    let doubts = doubts::count(&traces, &roots, &multiple);
+    if doubts > 0 {
+        return Outcome::Doubtful(doubts);
+    }
+    // Those at infinity were of use for finding duplicates only.
+    let inside = |root: &Root<N>| root.place.is_inside(variables);
+    let roots: Vec<Root<N>> = roots.into_iter().filter(inside).collect();
+    match real::list(homotopy, variables, &roots) {
+        None => Outcome::Doubtful(roots.len()),
+        Some(real) => Outcome::Listed(Listing {
+            real,
+            complex: roots.len(),
+            multiple: multiple.len(),
+            paths: traces.len(),
+        }),
+    }
+}
+
+/// The isolated solutions and the multiple ones.
+fn sorted<const N: usize>(traces: &[Trace<N>]) -> (Vec<Root<N>>, Vec<Place<N>>) {
+    let (mut roots, mut multiple) = (Vec::with_capacity(traces.len()), Vec::new());
+    for trace in traces {
+        match trace.end {
+            End::Regular(root) => roots.push(root),
+            End::Multiple(place) => multiple.push(place),
+            End::Outside | End::Lost => {}
+        }
+    }
+    (roots, multiple)
+}

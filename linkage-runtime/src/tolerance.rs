@@ -1,0 +1,33 @@
+//! What tolerances of dimensions do to a quantity, and which tolerances an allowed error needs.
+//!
+//! [`Tolerances`] times sensitivities are the [`Effects`] at a position; [`largest`] finds where in a
+//! cycle a figure is largest; a [`Requirement`] divides an allowed error among the parameters; with
+//! feature `monte-carlo`, `MonteCarlo` evaluates random mechanisms.
+
+mod allocation;
+mod components;
+mod cost;
+mod cycle;
+mod effects;
+mod error;
+mod given;
+mod grade;
+mod modulus;
+#[cfg(feature = "monte-carlo")]
+mod monte_carlo;
+mod requirement;
+mod sizes;
+
+pub use allocation::{Allocation, Costs, Rule};
+pub use components::Components;
+pub use cycle::{Extreme, largest, largest_at};
+pub use effects::{Contribution, Effects};
+pub use error::ToleranceError;
+pub use given::Tolerances;
+pub use grade::{Grade, tolerance_factor};
+#[cfg(feature = "monte-carlo")]
+pub use monte_carlo::{
+    Agreement, Distribution, Estimate, MonteCarlo, Progress, Samples, Statistics,
+};
+pub use requirement::{Addition, Requirement};
+pub use sizes::Sizes;

@@ -1,0 +1,147 @@
+//! The least cost under convex conditions.
+//!
+//! Minimises the sum of `c / u^k` where vectors `sum of row_i u_i` must not be longer than 1. Each
+//! position of a cycle has many such conditions, of which few matter. So a small set of them is solved,
+//! the tightest ones at the solution are added, and so on until nothing is violated.
+
+mod barrier;
+
+use alloc::vec::Vec;
+
+/// How often conditions are added.
+const ROUNDS: usize = 60;
+/// A condition that is violated by less holds.
+const HOLDS: f64 = 1e-9;
+
+/// The cost `cost / u^exponent` of a value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Term {
+    pub(super) cost: f64,
+    pub(super) exponent: f64,
+}
+
+impl Term {
+    pub(super) fn at(&self, value: f64) -> f64 {
+        self.cost / value.powf(self.exponent)
+    }
+
+    /// Where `cost / u^exponent + weight u` is lowest.
+    fn lowest(&self, weight: f64) -> f64 {
+        (self.exponent * self.cost / weight).powf(1.0 / (self.exponent + 1.0))
+    }
+}
+
+/// Cheap values; a factor near 1 is still needed so that they hold all conditions.
+pub(super) struct Cheapest {
+    pub(super) values: Vec<f64>,
+    /// No values that hold all conditions cost less.
+    pub(super) bound: f64,
+}
+
+/// A vector for each value, with which it enters a sum.
+type Condition = Vec<[f64; 3]>;
+
+/// `start` holds all conditions; `tightest` gives the conditions that are tightest at some values,
+/// one for each position.
+pub(super) fn cheapest(
+    terms: &[Term],
+    start: &[f64],
+    tightest: &mut dyn FnMut(&[f64]) -> Vec<Condition>,
+) -> Cheapest {
+    let mut used = first(&tightest(start), start);
+    if let ([only], true) = (&used[..], tightest(start).len() == 1)
+        && let Some(row) = scalar(only)
+    {
+        return closed(terms, &row);
+    }
+    let mut best = barrier::solve(terms, start, &used);
+    for _ in 0..ROUNDS {
+        let violated = tightest(&best.values)
+            .into_iter()
+            .filter(|condition| length(condition, &best.values) > 1.0 + HOLDS);
+        let before = used.len();
+        used.extend(violated);
+        if used.len() == before {
+            break;
+        }
+        best = barrier::solve(terms, &best.values, &used);
+    }
+    best
+}
+
+/// For each value the condition in which it weighs most, so that each is limited.
+fn first(conditions: &[Condition], values: &[f64]) -> Vec<Condition> {
+    let mut chosen = Vec::new();
+    for (i, value) in values.iter().enumerate() {
+        let weight = |condition: &Condition| value * norm(&condition[i]);
+        let heavier =
+            |&a: &usize, &b: &usize| weight(&conditions[a]).total_cmp(&weight(&conditions[b]));
+        chosen.extend((0..conditions.len()).max_by(heavier));
+    }
+    chosen.sort_unstable();
+    chosen.dedup();
+    chosen
+        .into_iter()
+        .map(|index| conditions[index].clone())
+        .collect()
+}
+
+/// The coefficients of a condition that is a plain sum.
+fn scalar(condition: &Condition) -> Option<Vec<f64>> {
+    let plain = |row: &[f64; 3]| (row[1] == 0.0 && row[2] == 0.0).then_some(row[0].abs());
+    condition.iter().map(plain).collect()
+}
+
+/// One condition `sum of a_i u_i <= 1`: by Lagrange's multiplier, the rate at which a cost falls is
+/// `a_i` times a common price. The price follows from the sum being 1; with a common exponent in
+/// closed form, else by bisection of its logarithm.
+fn closed(terms: &[Term], row: &[f64]) -> Cheapest {
+    let values = |price: f64| -> Vec<f64> {
+        let pairs = terms.iter().zip(row);
+        pairs.map(|(term, a)| term.lowest(price * a)).collect()
+    };
+    let sum = |price: f64| -> f64 { values(price).iter().zip(row).map(|(u, a)| u * a).sum() };
+    let exponent = terms.first().map_or(1.0, |term| term.exponent);
+    let price = if terms.iter().all(|term| term.exponent == exponent) {
+        sum(1.0).powf(exponent + 1.0)
+    } else {
+        let (mut low, mut high) = (-700.0_f64, 700.0_f64);
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            let side = if sum(middle.exp()) > 1.0 {
+                &mut low
+            } else {
+                &mut high
+            };
+            *side = middle;
+        }
+        low.exp()
+    };
+    let values = values(price);
+    // The dual function at this price; both agree up to rounding.
+    let total: f64 = terms.iter().zip(&values).map(|(term, &u)| term.at(u)).sum();
+    let used: f64 = values.iter().zip(row).map(|(u, a)| u * a).sum();
+    Cheapest {
+        values,
+        bound: total + price * (used - 1.0),
+    }
+}
+
+fn norm(v: &[f64; 3]) -> f64 {
+    super::components::norm(v)
+}
+
+/// The vector that a condition limits.
+fn vector(condition: &Condition, values: &[f64]) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (row, value) in condition.iter().zip(values) {
+        for (total, x) in sum.iter_mut().zip(row) {
+            *total += value * x;
+        }
+    }
+    sum
+}
+
+fn length(condition: &Condition, values: &[f64]) -> f64 {
+    norm(&vector(condition, values))
+}

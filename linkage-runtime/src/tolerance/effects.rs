@@ -1,0 +1,221 @@
+//! What tolerances do to a quantity at one position.
+
+use core::array;
+use core::fmt;
+
+use super::Tolerances;
+use super::components::{in_space, norm};
+use super::modulus;
+use crate::words::rounded;
+
+/// The error of a quantity of `K` components that each of `N` tolerances allows, to first order:
+/// sensitivity times tolerance.
+///
+/// All figures are in the unit of the quantity. They are NaN where a sensitivity is NaN.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effects<const N: usize, const K: usize> {
+    tolerances: Tolerances<N>,
+    effects: [[f64; K]; N],
+}
+
+/// The part of one parameter in the error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contribution<const K: usize> {
+    /// Name of the parameter.
+    pub name: &'static str,
+    /// Unit of the tolerance.
+    pub unit: &'static str,
+    /// Its tolerance.
+    pub tolerance: f64,
+    /// The error when the dimension is too large by its tolerance.
+    pub effect: [f64; K],
+    /// The length of `effect`.
+    pub modulus: f64,
+    /// Its part of the worst case by modulus: `effect` along the direction of the worst error, divided
+    /// by that error. The parts sum up to 1.
+    pub share_of_worst_case: f64,
+    /// Its part of the variance: the square of `modulus` over the sum of squares. The parts sum up to
+    /// 1.
+    pub share_of_variance: f64,
+}
+
+impl<const N: usize, const K: usize> Effects<N, K> {
+    pub(super) fn new(tolerances: Tolerances<N>, sensitivities: &[[f64; K]; N]) -> Self {
+        let values = tolerances.values();
+        let effects = array::from_fn(|i| sensitivities[i].map(|component| component * values[i]));
+        Self {
+            tolerances,
+            effects,
+        }
+    }
+
+    /// The error of the displacement from a start position, where these are the effects here and
+    /// `start` those there, by the same tolerances: a dimension that shifts both positions alike has
+    /// no effect.
+    #[must_use]
+    pub fn relative_to(&self, start: &Self) -> Self {
+        let difference = |i: usize| array::from_fn(|k| self.effects[i][k] - start.effects[i][k]);
+        Self {
+            tolerances: self.tolerances,
+            effects: array::from_fn(difference),
+        }
+    }
+
+    /// Sensitivity times tolerance of each parameter.
+    #[must_use]
+    pub const fn effects(&self) -> &[[f64; K]; N] {
+        &self.effects
+    }
+
+    /// The tolerances.
+    #[must_use]
+    pub const fn tolerances(&self) -> &Tolerances<N> {
+        &self.tolerances
+    }
+
+    /// The largest error of each component: the sum of the sizes of its effects.
+    ///
+    /// Different dimensions make different components large, so these errors need not occur together:
+    /// see [`worst_modulus`](Self::worst_modulus).
+    #[must_use]
+    pub fn worst_case(&self) -> [f64; K] {
+        self.by_component(|effects| effects.map(f64::abs).sum())
+    }
+
+    /// The largest length of the error vector: the longest sum of effects over all choices of signs,
+    /// exactly, in `n log n` steps for plane vectors (`n^3` in space).
+    #[must_use]
+    pub fn worst_modulus(&self) -> f64 {
+        modulus::farthest(&self.vectors()).map_or(f64::NAN, |corner| norm(&corner.sum))
+    }
+
+    /// The error vector that is longest, and the signs of the errors that give it; 0 for a parameter
+    /// without effect. The opposite signs give the opposite vector.
+    #[must_use]
+    pub fn worst_vector(&self) -> ([f64; K], [f64; N]) {
+        match modulus::farthest(&self.vectors()) {
+            Some(corner) => (
+                array::from_fn(|k| corner.sum[k]),
+                array::from_fn(|i| corner.signs[i]),
+            ),
+            None => ([f64::NAN; K], [f64::NAN; N]),
+        }
+    }
+
+    /// The root of the sum of squares of each component: the error at three standard deviations, if
+    /// the tolerances are three standard deviations of independent errors.
+    #[must_use]
+    pub fn root_sum_square(&self) -> [f64; K] {
+        let mut column = [0.0; N];
+        array::from_fn(|k| {
+            for (to, effect) in column.iter_mut().zip(&self.effects) {
+                *to = effect[k];
+            }
+            norm(&column)
+        })
+    }
+
+    /// The root of the sum of squares of all components: the square root of the trace of the
+    /// covariance matrix, three times the root mean square length of the error vector.
+    #[must_use]
+    pub fn root_sum_square_modulus(&self) -> f64 {
+        norm(&self.root_sum_square())
+    }
+
+    /// The error when every dimension is too large by its tolerance: errors of equal sign. It is no
+    /// bound, since effects cancel each other.
+    #[must_use]
+    pub fn algebraic_sum(&self) -> [f64; K] {
+        self.by_component(|effects| effects.sum())
+    }
+
+    /// What each parameter contributes.
+    #[must_use]
+    pub fn contributions(&self) -> [Contribution<K>; N] {
+        let (worst, signs) = self.worst_vector();
+        let square = |v: &[f64; K]| v.iter().map(|x| x * x).sum::<f64>();
+        let variance: f64 = self.effects.iter().map(square).sum();
+        let share = |part: f64, whole: f64| if whole == 0.0 { 0.0 } else { part / whole };
+        array::from_fn(|i| {
+            let effect = self.effects[i];
+            let along: f64 = effect
+                .iter()
+                .zip(&worst)
+                .map(|(e, w)| e * w * signs[i])
+                .sum();
+            let parameter = &self.tolerances.parameters()[i];
+            Contribution {
+                name: parameter.name,
+                unit: parameter.unit,
+                tolerance: parameter.tolerance,
+                effect,
+                modulus: norm(&effect),
+                share_of_worst_case: share(along, square(&worst)),
+                share_of_variance: share(square(&effect), variance),
+            }
+        })
+    }
+
+    fn vectors(&self) -> [[f64; 3]; N] {
+        array::from_fn(|i| in_space(&self.effects[i]))
+    }
+
+    fn by_component(&self, sum: fn(&mut dyn Iterator<Item = f64>) -> f64) -> [f64; K] {
+        array::from_fn(|k| sum(&mut self.effects.iter().map(|effect| effect[k])))
+    }
+}
+
+/// Two tables: the figures by definition, and the contributions of the parameters.
+impl<const N: usize, const K: usize> fmt::Display for Effects<N, K> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = &["x", "y", "z"][..K.min(3)];
+        let rows = [
+            (
+                "algebraic sum",
+                self.algebraic_sum(),
+                norm(&self.algebraic_sum()),
+            ),
+            ("worst case", self.worst_case(), self.worst_modulus()),
+            (
+                "root sum square",
+                self.root_sum_square(),
+                self.root_sum_square_modulus(),
+            ),
+        ];
+        head(f, "definition", names, &["modulus"])?;
+        for (name, components, modulus) in rows {
+            row(f, name, &components, modulus)?;
+            writeln!(f)?;
+        }
+        writeln!(f)?;
+        head(
+            f,
+            "parameter",
+            names,
+            &["modulus", "of worst", "of variance"],
+        )?;
+        for part in self.contributions() {
+            row(f, part.name, &part.effect, part.modulus)?;
+            let shares = [part.share_of_worst_case, part.share_of_variance];
+            let [worst, variance] = shares.map(|share| 100.0 * share);
+            writeln!(f, " {worst:>10.1} % {variance:>10.1} %")?;
+        }
+        Ok(())
+    }
+}
+
+fn head(f: &mut fmt::Formatter<'_>, title: &str, names: &[&str], more: &[&str]) -> fmt::Result {
+    write!(f, "{title:<16}")?;
+    for name in names.iter().chain(more) {
+        write!(f, " {name:>12}")?;
+    }
+    writeln!(f)
+}
+
+fn row(f: &mut fmt::Formatter<'_>, name: &str, components: &[f64], modulus: f64) -> fmt::Result {
+    write!(f, "{name:<16}")?;
+    for &x in components.iter().chain([&modulus]) {
+        write!(f, " {:>12}", alloc::format!("{}", rounded(x)))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,242 @@
+//! Assemblies of groups without a closed form, at the reference input and over the range.
+
+mod triads;
+
+use linkage_runtime::generated::{
+    Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, Start, Wanted, couple,
+    list, starts,
+};
+use linkage_runtime::numeric::coupled::{Correction, Range, Step};
+use linkage_runtime::numeric::roots::{Term, Variable};
+use linkage_runtime::{AssemblyError, CoupledCause, Scalar};
+use std::f64::consts::TAU;
+use triads::EyeNeedle;
+
+const fn term(equation: usize, exponents: &'static [i8]) -> Term<'static> {
+    Term {
+        equation,
+        exponents,
+    }
+}
+
+/// `|A + a u + b t|^2 = r^2`, twice.
+const TERMS: [Term<'static>; 14] = [
+    term(0, &[0, 0]),
+    term(0, &[1, 0]),
+    term(0, &[-1, 0]),
+    term(0, &[0, 1]),
+    term(0, &[0, -1]),
+    term(0, &[1, -1]),
+    term(0, &[-1, 1]),
+    term(1, &[0, 0]),
+    term(1, &[1, 0]),
+    term(1, &[-1, 0]),
+    term(1, &[0, 1]),
+    term(1, &[0, -1]),
+    term(1, &[1, -1]),
+    term(1, &[-1, 1]),
+];
+
+const fn unknown(name: &'static str, estimate: f64) -> CoupledUnknown {
+    CoupledUnknown {
+        name,
+        estimate,
+        scale: 1.0,
+        unit: "",
+        angle: true,
+    }
+}
+
+const GROUP: CoupledGroup = CoupledGroup {
+    mechanism: "EyeNeedle",
+    group: 0,
+    kind: "RR-RR-RR",
+    loops: &[1, 2],
+    names: &["leg", "link", "rocker", "arm"],
+    unknowns: &[unknown("leg", 1.1), unknown("link", 2.5 + TAU)],
+    variables: &[Variable::Unit, Variable::Unit],
+    terms: &TERMS,
+    inputs: &[CoupledInput {
+        name: "phi",
+        unit: "",
+        index: 0,
+        declared: true,
+        range: Range {
+            low: 0.0,
+            high: TAU,
+            turn: true,
+        },
+    }],
+};
+
+struct Programs(EyeNeedle);
+
+impl Correction for Programs {
+    fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step {
+        self.0.correct(x, state)
+    }
+}
+
+impl CoupledPrograms for Programs {
+    fn system(&mut self, x: &[f64]) -> Vec<[f64; 2]> {
+        let triad = self.0;
+        let mut coefficients = Vec::new();
+        let (sin, cos) = triad.angle.sin_cos();
+        let arms = [
+            [triad.sides[0], 0.0],
+            [triad.sides[1] * cos, triad.sides[1] * sin],
+        ];
+        for (i, b) in arms.into_iter().enumerate() {
+            let a = triad.legs[0];
+            let p = [
+                triad.crank * x[0].cos() - triad.pivots[i][0],
+                triad.crank * x[0].sin() - triad.pivots[i][1],
+            ];
+            let square = |v: [f64; 2]| v[0] * v[0] + v[1] * v[1];
+            let (re, im) = (p[0] * b[0] + p[1] * b[1], p[0] * b[1] - p[1] * b[0]);
+            let r = triad.legs[i + 1];
+            coefficients.extend([
+                [square(p) + a * a + square(b) - r * r, 0.0],
+                [a * p[0], -a * p[1]],
+                [a * p[0], a * p[1]],
+                [re, im],
+                [re, -im],
+                [a * b[0], -a * b[1]],
+                [a * b[0], a * b[1]],
+            ]);
+        }
+        coefficients
+    }
+
+    fn placed(&mut self, _: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
+        vec![[state[0], state[1]], [state[2], state[3]]]
+    }
+}
+
+/// The assembly nearest to the estimates, over the range.
+fn nearest(triad: EyeNeedle) -> Result<Start, AssemblyError> {
+    let all = starts(&[GROUP], &[0.0], Wanted::Nearest, |_, _| {
+        Ok(Programs(triad))
+    })?;
+    let [start] = all.into_iter().next().unwrap();
+    Ok(start)
+}
+
+#[test]
+fn all_assemblies_are_listed_and_the_nearest_is_taken() {
+    let mut programs = Programs(EyeNeedle::MACHINE);
+    let all = list(&GROUP, &mut programs, &[0.0]).unwrap();
+    println!("{all:?}");
+    assert!(all.is_sorted_by_key(|one| one.distance));
+    let one = couple(&GROUP, &mut programs, &[0.0]).unwrap();
+    assert_eq!(one, all[0]);
+    for (a, b) in one.state.iter().zip(EyeNeedle::start()) {
+        assert!((a - b).abs() < 2e-15, "{a} {b}");
+    }
+    let start = nearest(EyeNeedle::MACHINE).unwrap();
+    let coupled = Coupled::<4>::of::<f64>(|_| &start);
+    let (state, floor) = coupled.at(1.0);
+    assert!(floor > 0.0 && (state[0].hypot(state[1]) - 1.0).abs() < 1e-9);
+    let single = Coupled::<4>::of::<f32>(|_| &start);
+    assert_eq!(
+        single.at(1.0_f32),
+        (state.map(|number| number as f32), floor as f32)
+    );
+}
+
+fn cause(error: AssemblyError) -> CoupledCause {
+    match error {
+        AssemblyError::Coupled(error) => error.cause,
+        error => panic!("{error}"),
+    }
+}
+
+#[test]
+fn estimates_between_two_assemblies_are_ambiguous() {
+    let mut programs = Programs(EyeNeedle::MACHINE);
+    let all = list(&GROUP, &mut programs, &[0.0]).unwrap();
+    let middle = |i: usize| 0.5 * (all[0].values[i] + all[1].values[i]);
+    let unknowns = [unknown("leg", middle(0)), unknown("link", middle(1))];
+    let group = CoupledGroup {
+        unknowns: Box::leak(Box::new(unknowns)),
+        ..GROUP
+    };
+    let error = couple(&group, &mut programs, &[0.0]).unwrap_err();
+    let text = error.to_string();
+    println!("{text}");
+    let CoupledCause::Ambiguous { assemblies } = cause(error) else {
+        panic!("{text}");
+    };
+    assert_eq!(assemblies.len(), all.len());
+    assert!(text.starts_with(
+        "EyeNeedle: loops 1 and 2 (leg, link, rocker, arm; RR-RR-RR) can close in 2 ways, of which \
+         two are equally near to the start estimates: leg = "
+    ));
+    assert!(
+        text.contains("leg = 62.2415 deg, link = 145.606 deg"),
+        "{text}"
+    );
+}
+
+#[test]
+fn what_cannot_be_assembled_says_why() {
+    let mut short = Programs(EyeNeedle {
+        crank: 5.0,
+        legs: [10.0, 20.0, 30.0],
+        ..EyeNeedle::MACHINE
+    });
+    let error = couple(&GROUP, &mut short, &[0.0]).unwrap_err();
+    println!("{error}");
+    assert!(matches!(
+        cause(error),
+        CoupledCause::NoneReal { complex: 6 }
+    ));
+
+    let long = Programs(EyeNeedle::with_crank(120.0));
+    let error = nearest(long.0).unwrap_err();
+    println!("{error}");
+    assert!(error.to_string().ends_with(
+        " cannot run through the range of the input: it reaches a dead point at phi = 6.6529 deg"
+    ));
+    let CoupledCause::DeadPoint(at) = cause(error) else {
+        panic!();
+    };
+    assert!((at.value - 0.116_114_962_405_6).abs() < 1e-12);
+
+    let mut infinite = Programs(EyeNeedle {
+        crank: f64::INFINITY,
+        ..EyeNeedle::MACHINE
+    });
+    let error = couple(&GROUP, &mut infinite, &[0.0]).unwrap_err();
+    assert!(matches!(error, AssemblyError::NotFinite { .. }), "{error}");
+}
+
+#[cfg(feature = "simba")]
+#[test]
+fn every_lane_has_its_table() {
+    use linkage_runtime::Lanes;
+    type Four = Lanes<simba::simd::AutoF64x4>;
+
+    let cranks = [50.0, 55.0, 60.0, 65.0];
+    let starts = cranks.map(|crank| nearest(EyeNeedle::with_crank(crank)).unwrap());
+    let coupled = Coupled::<4>::of::<Four>(|lane| &starts[lane]);
+    let x = Four::from_lanes(|lane| lane as f64);
+    let (state, floor) = coupled.at(x);
+    for (lane, start) in starts.iter().enumerate() {
+        let (alone, alone_floor) = Coupled::<4>::of::<f64>(|_| start).at(lane as f64);
+        assert_eq!(floor.lane(lane), alone_floor);
+        assert_eq!(state.map(|number| number.lane(lane)), alone);
+    }
+}
+
+#[test]
+fn what_is_not_prepared_is_not_a_number() {
+    let start = nearest(EyeNeedle::MACHINE).unwrap();
+    for (coupled, number) in [
+        (Coupled::<5>::of::<f64>(|_| &start), 0.0),
+        (Coupled::<5>::of::<f64>(|_| &Start::Nothing), 1.0),
+    ] {
+        let (state, floor) = coupled.at::<f64>(number);
+        assert!(floor.is_nan() && state.iter().all(|number: &f64| number.is_nan()));
+    }
+}

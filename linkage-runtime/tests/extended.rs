@@ -1,0 +1,55 @@
+//! Arguments of sweeps that are computed from others.
+
+use linkage_runtime::Columns;
+use linkage_runtime::generated::{Arguments, Extended, Inputs, Kernel, fill, put, rows};
+
+/// The sum of three arguments, and the last one.
+struct Sum;
+
+impl Kernel<f64, 3, 2> for Sum {
+    fn evaluate<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        arguments: &impl Arguments<f64, 3>,
+        start: usize,
+        columns: [&mut [f64]; 2],
+    ) {
+        let len = rows(&columns);
+        let [sums, lasts] = columns;
+        let mut row = 0;
+        while row < len {
+            let first = row.min(len - B);
+            let mut block = [[0.0; B]; 3];
+            arguments.block(start + first, &mut block);
+            let mut sum = [0.0; B];
+            for (lane, sum) in sum.iter_mut().enumerate() {
+                *sum = block[0][lane] + block[1][lane] + block[2][lane];
+            }
+            put(sums, first, &sum);
+            put(lasts, first, &block[2]);
+            row += B;
+        }
+    }
+}
+
+#[test]
+fn rows_become_longer() {
+    for len in [0, 1, 31, 32, 33, 1000] {
+        let x: Vec<f64> = (0..len).map(f64::from).collect();
+        let inner = Inputs {
+            title: "sums",
+            names: ["x"],
+            slices: [&x[..]],
+        };
+        let extended = Extended {
+            inner,
+            extend: |[x]: [f64; 1]| [x, 2.0 * x, -x * x],
+        };
+        let mut columns = Columns::new(2, 0);
+        fill(&Sum, &extended, &mut columns);
+        assert_eq!(columns.len(), x.len());
+        for (row, x) in x.iter().enumerate() {
+            assert_eq!(columns.get(row, 0), 3.0 * x - x * x);
+            assert_eq!(columns.get(row, 1), -x * x);
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Prepared states over several inputs.
+
+mod random;
+mod triads;
+
+use linkage_runtime::numeric::coupled::{Correction, Grid, Range, Refusal, Step};
+use random::Random;
+use std::f64::consts::TAU;
+use std::time::Instant;
+use triads::EyeNeedle;
+
+fn range(low: f64, high: f64) -> Range {
+    Range {
+        low,
+        high,
+        turn: false,
+    }
+}
+
+const TURN: Range = Range {
+    low: 0.0,
+    high: TAU,
+    turn: true,
+};
+
+/// The four steps of evaluators at random places: how many are certified, how many of those are not solutions, how many
+/// are refused.
+fn survey(grid: &Grid, correction: &mut impl Correction, ranges: &[Range]) -> [usize; 3] {
+    let mut random = Random::new(5);
+    let mut state = vec![0.0; grid.width()];
+    let mut counts = [0; 3];
+    for _ in 0..20_000 {
+        let x: Vec<f64> = ranges
+            .iter()
+            .map(|range| random.between(range.low, range.high))
+            .collect();
+        let floor = grid.state(&x, &mut state);
+        let mut step = Step {
+            size: 0.0,
+            determinant: 0.0,
+        };
+        for _ in 0..4 {
+            step = correction.correct(&x, &mut state);
+        }
+        if step.size < 1e-7 && step.determinant * floor >= floor * floor {
+            counts[0] += 1;
+            let last = correction.correct(&x, &mut state);
+            counts[1] += usize::from(last.size > 1e-13);
+        } else {
+            counts[2] += 1;
+        }
+    }
+    counts
+}
+
+/// A platform on three legs of variable length.
+fn platform(x: &[f64], state: &mut [f64]) -> Step {
+    let mut triad = EyeNeedle {
+        legs: [x[0], x[1], x[2]],
+        ..EyeNeedle::MACHINE
+    };
+    triad.correct(&[0.0], state)
+}
+
+#[test]
+fn a_platform_of_three_inputs() {
+    let at = EyeNeedle::MACHINE.legs;
+    for (part, expected) in [(0.02, 0), (0.05, 0), (0.2, 20_000)] {
+        let ranges = at.map(|leg| range(leg * (1.0 - part), leg * (1.0 + part)));
+        let begin = Instant::now();
+        let grid = Grid::build(&mut platform, &at, &EyeNeedle::start(), &ranges).unwrap();
+        println!("{grid:?} {:?}", begin.elapsed());
+        let counts = survey(&grid, &mut platform, &ranges);
+        println!("{part}: {counts:?}");
+        assert!(counts[1] == 0 && counts[2] <= expected);
+    }
+}
+
+#[test]
+fn a_crank_and_a_leg() {
+    let mut correct = |x: &[f64], state: &mut [f64]| {
+        let mut triad = EyeNeedle::MACHINE;
+        triad.legs[2] = x[1];
+        triad.correct(&x[..1], state)
+    };
+    let at = [0.0, 261.0];
+    let ranges = [TURN, range(255.0, 265.0)];
+    let grid = Grid::build(&mut correct, &at, &EyeNeedle::start(), &ranges).unwrap();
+    println!("{grid:?}");
+    let counts = survey(&grid, &mut correct, &[range(-20.0, 20.0), ranges[1]]);
+    println!("{counts:?}");
+    assert_eq!(counts, [20_000, 0, 0]);
+    let lookup = grid.lookup::<2, 4>().unwrap();
+    let mut random = Random::new(2);
+    for _ in 0..1000 {
+        let x = [random.between(-9.0, 9.0), random.between(250.0, 270.0)];
+        let mut state = [0.0; 4];
+        let floor = grid.state(&x, &mut state);
+        assert_eq!(
+            format!("{:?}", lookup.at(x)),
+            format!("{:?}", (state, floor))
+        );
+    }
+    for x in [
+        [f64::NAN, 260.0],
+        [0.0, f64::INFINITY],
+        [1.0, 245.0],
+        [1.0, 275.1],
+        [f64::NEG_INFINITY, f64::NAN],
+    ] {
+        assert!(lookup.at(x).1.is_nan(), "{x:?}");
+    }
+    assert!(grid.lookup::<1, 4>().is_none() && grid.lookup::<2, 5>().is_none());
+}
+
+#[test]
+fn no_input_and_inputs_without_ranges() {
+    let start = EyeNeedle::start();
+    let mut fixed = |_: &[f64], state: &mut [f64]| {
+        EyeNeedle::correct(&mut { EyeNeedle::MACHINE }, &[0.0], state)
+    };
+    let grid = Grid::build(&mut fixed, &[], &start, &[]).unwrap();
+    assert_eq!((grid.cells(), grid.reached()), (1, 1));
+    let (state, floor) = grid.lookup::<0, 4>().unwrap().at([]);
+    assert!(floor > 0.0);
+    for (a, b) in state.iter().zip(&start) {
+        assert!((a - b).abs() < 1e-15);
+    }
+    let one = range(0.0, 0.0);
+    let grid = Grid::build(&mut EyeNeedle::MACHINE.clone(), &[0.0], &start, &[one]).unwrap();
+    assert_eq!(grid.cells(), 1);
+    let (near, _) = grid.lookup::<1, 4>().unwrap().at([0.1]);
+    assert_eq!(near, state);
+}
+
+#[test]
+fn what_is_no_solution_is_refused() {
+    let mut triad = EyeNeedle::MACHINE;
+    let start = EyeNeedle::start();
+    let none = Grid::build(&mut triad, &[0.0], &[1.0, 0.0, -1.0, 0.0], &[TURN]);
+    assert_eq!(none, Err(Refusal::NotASolution));
+    let none = Grid::build(&mut triad, &[f64::NAN], &start, &[TURN]);
+    assert_eq!(none, Err(Refusal::NotFinite));
+    let none = Grid::build(&mut triad, &[0.0], &start, &[range(0.0, f64::INFINITY)]);
+    assert_eq!(none, Err(Refusal::NotFinite));
+}
