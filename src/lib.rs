@@ -3,7 +3,10 @@
 #![warn(missing_docs)]
 
 #[cfg(feature = "alloc")]
-pub use linkage_runtime::Columns;
+pub use linkage_runtime::{
+    Branch, BranchEnd, Circuits, Columns, CoupledCause, CoupledError, Cycle, Placed, Value,
+    circuits,
+};
 #[cfg(feature = "num-dual")]
 pub use linkage_runtime::Dual;
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -77,7 +80,7 @@ struct Readme;
 pub mod __private {
     pub use linkage_macros::mechanism;
     #[cfg(feature = "alloc")]
-    pub use linkage_runtime::Columns;
+    pub use linkage_runtime::{Circuits, Columns, Cycle, circuits};
     pub use linkage_runtime::generated::close;
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::generated::fill_parallel;

@@ -103,8 +103,22 @@ fn formulate_text(analysis: &Analysis) -> String {
 
 fn lower_text(mechanism: &Mechanism, lowered: &Lowered) -> String {
     let mut text = format!("prepare\n{}\ngaps\n{}", lowered.prepare, lowered.gaps);
+    let _ = write!(text, "\nsurvey\n{}", lowered.survey);
     if !lowered.continuous_angles.is_empty() {
         let _ = write!(text, "\nangles\n{}", lowered.angles);
+    }
+    for (number, group) in lowered.coupled.iter().enumerate() {
+        let _ = write!(text, "\nterms of coupled group {number}\n");
+        for (equation, exponents) in &group.terms {
+            let _ = writeln!(text, "equation {equation}: {exponents:?}");
+        }
+        for (what, program) in [
+            ("coefficients", &group.system),
+            ("correction", &group.correct),
+            ("unknowns", &group.placed),
+        ] {
+            let _ = write!(text, "\n{what} of coupled group {number}\n{program}");
+        }
     }
     for evaluator in &lowered.evaluators {
         let name = &mechanism.evaluators[evaluator.index].name;
@@ -119,6 +133,9 @@ fn lower_text(mechanism: &Mechanism, lowered: &Lowered) -> String {
             fields.join(", "),
             evaluator.program
         );
+        if let Some(beside) = &evaluator.beside {
+            let _ = write!(text, "\n{name}, for what the table does not know\n{beside}");
+        }
     }
     text
 }

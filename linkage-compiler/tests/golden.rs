@@ -62,6 +62,11 @@ fn crank_rocker() {
 }
 
 #[test]
+fn eye_needle() {
+    check("eye_needle");
+}
+
+#[test]
 fn favorit() {
     check("favorit");
 }

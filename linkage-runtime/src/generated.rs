@@ -1,7 +1,7 @@
 //! What only generated code calls.
 
 mod close;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod coupled;
 #[cfg(feature = "alloc")]
 mod sweep;
@@ -17,14 +17,11 @@ pub use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 pub use close::assemblies;
 pub use close::close;
-#[cfg(feature = "alloc")]
-pub use coupled::{Coupled, CoupledGrid};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use coupled::{
-    CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution, CoupledUnknown, couple, list,
+    Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,
+    CoupledUnknown, Start, Wanted, couple, list, pairs, placed, put_state, starts, stepped,
 };
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use coupled::{Start, Wanted, pairs, placed, put_state, starts, stepped};
 #[cfg(feature = "rayon")]
 pub use sweep::fill_parallel;
 #[cfg(feature = "alloc")]

@@ -16,6 +16,8 @@ extern crate alloc;
 extern crate std;
 
 #[cfg(feature = "alloc")]
+mod circuits;
+#[cfg(feature = "alloc")]
 mod columns;
 mod data;
 mod dimensions;
@@ -36,6 +38,8 @@ mod structure;
 pub mod tolerance;
 mod words;
 
+#[cfg(feature = "alloc")]
+pub use circuits::{Branch, BranchEnd, Circuits, Cycle, circuits};
 #[cfg(feature = "alloc")]
 pub use columns::Columns;
 pub use data::{AssemblyMode, Operations, Parameter};

@@ -182,6 +182,87 @@ fn other_errors_say_what_is_wrong() {
     }
 }
 
+#[cfg(feature = "alloc")]
+#[test]
+fn groups_without_a_closed_form_say_what_is_wrong() {
+    use linkage_runtime::numeric::roots::Unlisted;
+    use linkage_runtime::{CoupledCause, CoupledError, Placed, Value};
+
+    let angle = |name, value: f64| Value {
+        name,
+        value: value.to_radians(),
+        unit: "",
+        angle: true,
+    };
+    let slide = |value| Value {
+        name: "s",
+        value,
+        unit: "mm",
+        angle: false,
+    };
+    let placed = |theta, s| Placed(vec![angle("theta", theta), slide(s)]);
+    let at = "at the reference input";
+    for (cause, expected) in [
+        (
+            CoupledCause::NoneReal { complex: 4 },
+            format!("cannot close {at}: none of the 4 solutions is real"),
+        ),
+        (
+            CoupledCause::NoneReal { complex: 0 },
+            format!("cannot close {at}: there is no solution"),
+        ),
+        (
+            CoupledCause::Ambiguous {
+                assemblies: vec![placed(12.5, 3.0), placed(-90.0, 0.25)],
+            },
+            "can close in 2 ways, of which two are equally near to the start estimates: \
+             theta = 12.5 deg, s = 3 mm; theta = -90 deg, s = 0.25 mm"
+                .into(),
+        ),
+        (
+            CoupledCause::NotListed(Unlisted::Degenerate),
+            format!("cannot be solved: the solutions {at} are not isolated, as when legs coincide"),
+        ),
+        (
+            CoupledCause::NotListed(Unlisted::Lost { lost: 1, paths: 8 }),
+            format!(
+                "cannot be solved: the solutions {at} cannot all be listed: 1 of 8 paths have no \
+                 certain end"
+            ),
+        ),
+        (
+            CoupledCause::Singular,
+            "cannot run from the reference input: it is a dead point".into(),
+        ),
+        (
+            CoupledCause::DeadPoint(angle("phi", 84.25)),
+            "cannot run through the range of the input: it reaches a dead point at phi = 84.25 deg"
+                .into(),
+        ),
+        (
+            CoupledCause::NotFollowed(slide(2.0)),
+            "cannot be followed through the range of the input beyond s = 2 mm: another assembly \
+             is too near"
+                .into(),
+        ),
+    ] {
+        let error = CoupledError {
+            mechanism: "M",
+            group: 2,
+            kind: "RR-RR-PR",
+            loops: &[1, 2],
+            unknowns: &["theta", "s"],
+            cause,
+        };
+        let expected = format!("M: loops 1 and 2 (theta, s; RR-RR-PR) {expected}");
+        assert_eq!(error.to_string(), expected);
+        assert_eq!(
+            AssemblyError::Coupled(Box::new(error)).to_string(),
+            expected
+        );
+    }
+}
+
 #[test]
 fn true_motion_of_numbers() {
     assert_eq!(true_velocity(0.5_f32, 10.0), 5.0);

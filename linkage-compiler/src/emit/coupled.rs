@@ -255,7 +255,8 @@ fn preparing(
     let placed = arms(&|number, group| {
         let (with_state, call) = (with_state(number), call("placed", number));
         let angles = group.unknowns.iter().map(|unknown| unknown.angle);
-        quote!(#with_state #runtime::placed(&[#(#angles),*], &#call))
+        let reach = literal::float(group.reach);
+        quote!(#with_state #runtime::placed(&[#(#angles),*], #reach, &#call))
     });
     let groups = lowered
         .coupled

@@ -7,6 +7,7 @@
 mod assembly;
 mod attribute;
 mod body;
+mod circuits;
 mod columns;
 mod count;
 mod coupled;
@@ -61,6 +62,7 @@ pub fn emit(
     assembled.extend(assembly::plumbing(&outline, facts, lowered));
     assembled.extend(coupled::items(&outline, mechanism, facts, lowered));
     assembled.extend(winding::items(&outline, mechanism, facts, lowered));
+    assembled.extend(circuits::items(&outline, mechanism, facts, lowered));
     for (function, evaluator) in outline.functions.iter().zip(&lowered.evaluators) {
         assembled.extend(self::function(&outline, function, evaluator));
     }

@@ -37,6 +37,8 @@ pub(crate) struct Prepared {
     pub(crate) core: Vec<Definition>,
     /// One step: the new state, the square of the correction, the determinant.
     pub(crate) step: Vec<NodeId>,
+    /// The sum of the lengths of its links.
+    pub(crate) reach: NodeId,
 }
 
 /// The symbol of an unknown of the core with all that it may stand for.
@@ -60,6 +62,7 @@ impl Prepared {
 
 /// The equations of the core, in the symbols of the core alone, and all that is made of them.
 pub(super) struct Equations {
+    reach: NodeId,
     pub(super) scale: NodeId,
     /// 1 over the scale.
     unit: NodeId,
@@ -120,6 +123,7 @@ impl Solver<'_, '_> {
             system,
             core,
             step,
+            reach: equations.reach,
         });
         Closed {
             kind: form.kind.clone().into(),
@@ -153,8 +157,9 @@ impl Solver<'_, '_> {
     }
 
     fn core_equations(&mut self, form: &Coupled, variables: &[SymbolId]) -> Equations {
-        let scale = self.scale(form);
+        let reach = self.reach(form);
         let graph = &mut self.algebra.graph;
+        let scale = graph.unary(Unary::InverseScale, reach);
         let one = graph.one();
         let unit = graph.div(one, scale);
         let column_scales: Vec<NodeId> = form
@@ -166,6 +171,7 @@ impl Solver<'_, '_> {
             })
             .collect();
         let mut equations = Equations {
+            reach,
             scale,
             unit,
             residuals: Vec::new(),
@@ -267,8 +273,8 @@ impl Solver<'_, '_> {
         });
     }
 
-    /// A power of two near one over the lengths of the links.
-    fn scale(&mut self, form: &Coupled) -> NodeId {
+    /// The sum of the lengths of the links that do not depend on inputs. A power of two near its inverse scales the equations.
+    fn reach(&mut self, form: &Coupled) -> NodeId {
         let mut vectors: Vec<Vector> = Vec::new();
         for block in form.blocks.iter().filter(|block| block.rows.len() == 2) {
             for product in &block.terms {
@@ -283,11 +289,10 @@ impl Solver<'_, '_> {
             }
         }
         let zero = self.algebra.graph.zero();
-        let reach = vectors.iter().fold(zero, |sum, vector| {
+        vectors.iter().fold(zero, |sum, vector| {
             let length = self.algebra.length(vector);
             self.algebra.graph.add(sum, length)
-        });
-        self.algebra.graph.unary(Unary::InverseScale, reach)
+        })
     }
 
     fn state(&mut self, component: usize) -> NodeId {

@@ -3,7 +3,8 @@
 use linkage_runtime::numeric::roots::Variable;
 use linkage_symbolic::NodeId;
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::program::Program;
+use linkage_symbolic::interpret::evaluate;
+use linkage_symbolic::program::{Program, Source};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::formulate::{Definition, Formulation, Prepared, unknown_nodes};
@@ -25,8 +26,10 @@ pub struct Coupled {
     pub system: Program,
     /// From a state: the state after one Newton step, the square of the correction, the determinant before it.
     pub correct: Program,
-    /// From a state: cosine and sine, or length, of each of `unknowns`.
+    /// From a state: cosine and sine, or length, of each of `unknowns`, then the reach of the links.
     pub placed: Program,
+    /// The reach of the default mechanism.
+    pub reach: f64,
     pub unknowns: Vec<Placed>,
     /// How many continuous angles, the first ones, must be followed before its programs can be run.
     pub turning: usize,
@@ -109,6 +112,7 @@ pub(crate) fn nodes(
         let own: Vec<NodeId> = own
             .iter()
             .flat_map(|&unknown| unknown_nodes(algebra, unknown))
+            .chain([prepared.reach])
             .collect();
         all[prepared.number].placed = super::copy(inliner, algebra, &own);
         redefine(algebra, prepared, Version::Called);
@@ -149,6 +153,10 @@ pub(crate) fn groups(
             correct: program(&own.correct),
             placed: program(&own.placed),
             turning: 0,
+            reach: evaluate(&algebra.graph, &[prepared.reach], |source| match source {
+                Source::Parameter(index) => nominal.parameters[index],
+                _ => f64::NAN,
+            })[0],
             unknowns: placed_unknowns(algebra, formulation, index)
                 .into_iter()
                 .flat_map(|unknown| placed(algebra, nominal, unknown))

@@ -11,12 +11,12 @@ mod types;
 
 use linkage_symbolic::NodeId;
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::program::{Instruction, Program, Source};
+use linkage_symbolic::program::{Binary, Instruction, Program, Source};
 use linkage_symbolic::schedule::{Slots, schedule};
 
 use crate::algebra::{Algebra, Direction, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::formulate::{Formulation, Prepared, valued_angles};
+use crate::formulate::{Formulation, Prepared, unknown_nodes, valued_angles};
 use crate::model::{EvaluatorDef, LengthUnit, Type};
 
 use choice::Choice;
@@ -48,6 +48,8 @@ pub(crate) fn lower(
         .map(|group| group.closed.gap)
         .collect();
     let gaps = copy(&mut inliner, algebra, &gaps);
+    let survey = survey(algebra, formulation);
+    let survey = copy(&mut inliner, algebra, &survey);
     // Last, so that one function's other directions change nothing for the others.
     for (choice, definition) in choices.iter_mut().zip(&mechanism.evaluators) {
         choice.improve(algebra, &mut inliner, formulation, definition);
@@ -59,7 +61,8 @@ pub(crate) fn lower(
     let outputs = choices.iter().flat_map(|choice| &choice.outputs);
     let outputs = outputs.chain(beside.iter().flatten().flatten());
     let of_groups: Vec<NodeId> = nodes.iter().flat_map(Nodes::all).collect();
-    let all: Vec<NodeId> = outputs.chain(&gaps).chain(&of_groups).copied().collect();
+    let others = gaps.iter().chain(&survey).chain(&of_groups);
+    let all: Vec<NodeId> = outputs.chain(others).copied().collect();
     let angles = formulation.in_order(algebra, valued_angles(&inliner.target, &all));
     let units: Vec<NodeId> = angles
         .iter()
@@ -101,6 +104,7 @@ pub(crate) fn lower(
         evaluators,
         coupled,
         gaps: schedule(graph, &gaps, &mut slots),
+        survey: schedule(graph, &survey, &mut slots),
         angles: schedule(graph, &units, &mut slots),
         prepare: slots.prepare(graph),
         continuous_angles: Vec::new(),
@@ -137,6 +141,19 @@ fn beside(
     define(algebra, Version::Called);
     inliner.forget();
     outputs
+}
+
+/// See [`Lowered::survey`].
+fn survey(algebra: &mut Algebra, formulation: &Formulation) -> Vec<NodeId> {
+    let graph = &mut algebra.graph;
+    let one = graph.one();
+    let margins = formulation.groups.iter().map(|group| group.closed.margin);
+    let least = margins.fold(one, |least, margin| {
+        graph.binary(Binary::Min, least, margin)
+    });
+    let found = (0..algebra.bound.len()).filter(|&k| formulation.last_group_with(k).is_some());
+    let places = found.flat_map(|unknown| unknown_nodes(algebra, unknown));
+    std::iter::once(least).chain(places).collect()
 }
 
 /// The coupled groups whose prepared states a program loads.
@@ -189,7 +206,14 @@ fn renumber(lowered: &mut Lowered, angles: &[usize]) {
         .coupled
         .iter_mut()
         .flat_map(|own| [&mut own.system, &mut own.correct, &mut own.placed]);
-    let programs = [&mut lowered.prepare, &mut lowered.gaps, &mut lowered.angles];
+    let Lowered {
+        prepare,
+        gaps,
+        angles: directions,
+        survey,
+        ..
+    } = lowered;
+    let programs = [prepare, gaps, directions, survey];
     for program in evaluators.flatten().chain(groups).chain(programs) {
         renumber_program(program, number);
     }

@@ -17,6 +17,9 @@ pub struct Lowered {
     /// inputs. The centre and winding of angle `a` are not needed for its own outputs, only for later ones.
     pub angles: Program,
     pub continuous_angles: Vec<ContinuousAngle>,
+    /// The smallest margin of all groups, then what their assemblies are told apart by: cosine and sine, or length, of every
+    /// unknown. Loads prepared slots and inputs.
+    pub survey: Program,
     /// The coupled groups in order.
     pub coupled: Vec<Coupled>,
     /// One for each function of the `impl` block, in order.

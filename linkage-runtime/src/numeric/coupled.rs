@@ -11,8 +11,6 @@
 mod cell;
 mod follow;
 mod grid;
-mod grid_lookup;
-mod grid_walk;
 mod lookup;
 mod polynomial;
 mod scale;
@@ -22,8 +20,7 @@ mod table;
 mod turning;
 mod walk;
 
-pub use grid::Grid;
-pub use grid_lookup::GridLookup;
+pub use grid::{Grid, GridLookup};
 pub use lookup::Lookup;
 pub use states::states;
 pub use table::Table;
@@ -69,6 +66,8 @@ pub enum End {
     Range(f64),
     /// At a turning point, where this solution meets another one and both end.
     TurningPoint(f64),
+    /// Where the solution cannot be followed any further: another one is too near.
+    Lost(f64),
 }
 
 /// Why there is no table.

@@ -15,6 +15,7 @@ mod past;
 mod path;
 mod place;
 mod polynomial;
+mod quadratic;
 mod real;
 mod start;
 mod survey;

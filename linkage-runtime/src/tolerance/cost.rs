@@ -49,12 +49,7 @@ pub(super) fn cheapest(
     tightest: &mut dyn FnMut(&[f64]) -> Vec<Condition>,
 ) -> Cheapest {
     let mut used = first(&tightest(start), start);
-    if let ([only], true) = (&used[..], tightest(start).len() == 1)
-        && let Some(row) = scalar(only)
-    {
-        return closed(terms, &row);
-    }
-    let mut best = barrier::solve(terms, start, &used);
+    let mut best = solve(terms, &used);
     for _ in 0..ROUNDS {
         let violated = tightest(&best.values)
             .into_iter()
@@ -64,9 +59,21 @@ pub(super) fn cheapest(
         if used.len() == before {
             break;
         }
-        best = barrier::solve(terms, &best.values, &used);
+        best = solve(terms, &used);
     }
     best
+}
+
+fn solve(terms: &[Term], conditions: &[Condition]) -> Cheapest {
+    if let [only] = conditions
+        && let Some(row) = scalar(only)
+    {
+        return closed(terms, &row);
+    }
+    // The right order of size: every value at its largest weight, as if all were one plain sum.
+    let weight = |i: usize| conditions.iter().map(|c| norm(&c[i])).fold(0.0, f64::max);
+    let row: Vec<f64> = (0..terms.len()).map(weight).collect();
+    barrier::solve(terms, &closed(terms, &row).values, conditions)
 }
 
 /// For each value the condition in which it weighs most, so that each is limited.

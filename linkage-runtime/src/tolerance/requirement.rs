@@ -163,41 +163,32 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
         Ok(())
     }
 
-    /// The tightest condition of each position. A condition limits tolerances `t`, or their squares
-    /// where errors add statistically: the vector `sum of row_i t_i` must not be longer than 1.
+    /// The conditions of the positions: of each the one that is tightest at some tolerances, or one for
+    /// each component. A condition limits tolerances `t`, or their squares where errors add
+    /// statistically: the vector `sum of row_i t_i` must not be longer than 1.
     pub(super) fn conditions(&self, tolerances: &[f64; N]) -> Vec<Vec<[f64; 3]>> {
-        let positions = self.positions.iter();
-        positions
-            .map(|position| self.condition(position, tolerances))
-            .collect()
-    }
-
-    fn condition(&self, position: &[[f64; K]; N], tolerances: &[f64; N]) -> Vec<[f64; 3]> {
-        let scaled = position.map(|row| row.map(|x| x / self.limit));
-        let power = |x: f64| match self.addition {
-            Addition::WorstCase => x.abs(),
-            Addition::Statistical => x * x,
+        let plain = |x: f64| match self.addition {
+            Addition::WorstCase => [x.abs(), 0.0, 0.0],
+            Addition::Statistical => [x * x, 0.0, 0.0],
         };
-        if self.by_component {
-            let weighed = |k: usize| -> f64 {
-                let effects = scaled.iter().zip(tolerances);
-                effects.map(|(row, t)| power(row[k] * t)).sum()
-            };
-            let tightest = (0..K).max_by(|&a, &b| weighed(a).total_cmp(&weighed(b)));
-            let of = |row: &[f64; K]| tightest.map_or(0.0, |k| power(row[k]));
-            return scaled.iter().map(|row| [of(row), 0.0, 0.0]).collect();
+        let mut conditions = Vec::new();
+        for position in &self.positions {
+            let rows = position.map(|row| row.map(|x| x / self.limit));
+            match (self.by_component, self.addition) {
+                (true, _) => {
+                    let component = |k: usize| rows.iter().map(|row| plain(row[k])).collect();
+                    conditions.extend((0..K).map(component));
+                }
+                (false, Addition::Statistical) => {
+                    conditions.push(rows.iter().map(|row| plain(norm(row))).collect());
+                }
+                (false, Addition::WorstCase) => {
+                    let vectors = rows.map(|row| in_space(&row));
+                    conditions.push(with_worst_signs(&vectors, tolerances));
+                }
+            }
         }
-        if self.addition == Addition::Statistical {
-            let square = |row: &[f64; K]| row.iter().map(|x| x * x).sum();
-            return scaled.iter().map(|row| [square(row), 0.0, 0.0]).collect();
-        }
-        let vectors = scaled.map(|row| in_space(&row));
-        let effects = array::from_fn::<_, N, _>(|i| vectors[i].map(|x| x * tolerances[i]));
-        let signs = farthest(&effects).map_or_else(|| vec![1.0; N], |corner| corner.signs);
-        let signed = vectors.iter().zip(&signs);
-        signed
-            .map(|(vector, sign)| vector.map(|x| sign * x))
-            .collect()
+        conditions
     }
 
     fn finite(self) -> Result<Self, ToleranceError> {
@@ -214,4 +205,13 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
         }
         Ok(self)
     }
+}
+
+/// The vectors with the signs of their longest sum.
+fn with_worst_signs(vectors: &[[f64; 3]], tolerances: &[f64]) -> Vec<[f64; 3]> {
+    let pairs = vectors.iter().zip(tolerances);
+    let effects: Vec<_> = pairs.map(|(v, t)| v.map(|x| x * t)).collect();
+    let signs = farthest(&effects).map_or_else(|| vec![1.0; vectors.len()], |corner| corner.signs);
+    let signed = vectors.iter().zip(&signs);
+    signed.map(|(v, sign)| v.map(|x| sign * x)).collect()
 }

@@ -9,6 +9,7 @@ mod groups;
 mod known;
 mod laurent;
 mod singular;
+mod small;
 mod triad;
 
 use laurent::Complex;

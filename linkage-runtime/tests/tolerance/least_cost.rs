@@ -1,6 +1,8 @@
 //! Tolerances of least cost.
 
-use linkage_runtime::tolerance::{Addition, Allocation, Costs, Requirement, Rule, Tolerances};
+use linkage_runtime::tolerance::{
+    Addition, Allocation, Components, Costs, Requirement, Rule, Tolerances,
+};
 
 use super::allocation::{ADDITIONS, requirements, rules};
 use super::eye_needle::parameters;
@@ -150,4 +152,63 @@ fn no_neighbour_is_cheaper() {
             assert!(total >= best * (1.0 - 1e-6), "{total} {best}");
         }
     }
+}
+
+/// Effects, costs and exponents of very different sizes, one position and several.
+#[test]
+fn certified_at_any_scale() {
+    for seed in 0..12 {
+        for positions in [1, 6] {
+            at_any_scale::<1, 2>(seed, positions);
+            at_any_scale::<6, 1>(seed, positions);
+            at_any_scale::<9, 2>(seed, positions);
+            at_any_scale::<5, 3>(seed, positions);
+        }
+    }
+}
+
+fn at_any_scale<const N: usize, const K: usize>(seed: u64, positions: usize)
+where
+    [f64; K]: Components<K>,
+{
+    let mut random = Random::new(seed);
+    let mut size = || 10.0_f64.powf(random.between(-3.0, 3.0));
+    let effect: [f64; N] = std::array::from_fn(|_| size());
+    let cost: [f64; N] = std::array::from_fn(|_| size());
+    let exponent = std::array::from_fn(|_| random.between(0.3, 4.0));
+    let mut row = |scale: f64| std::array::from_fn(|_| scale * random.between(-1.0, 1.0));
+    let rows: Vec<[[f64; K]; N]> = (0..positions).map(|_| effect.map(&mut row)).collect();
+    for addition in ADDITIONS {
+        let whole = Requirement::new(0.02, addition)
+            .over(rows.clone())
+            .expect("it is finite");
+        for requirement in [whole.clone(), whole.by_component()] {
+            let rule = Rule::LeastCost(Costs { cost, exponent });
+            let found = requirement
+                .allocate(&lengths::<N>(), &rule)
+                .expect("it is possible");
+            let (cost, least) = costs(&found);
+            assert!(
+                found.error <= 0.02 && cost <= least * (1.0 + 1e-6),
+                "{seed} {cost} {least}"
+            );
+        }
+    }
+}
+
+/// Components that depend on different parameters.
+#[test]
+fn each_component_limits_its_own() {
+    let effects = [[1.0, 0.0], [2.0, 0.0], [0.0, 1e-3]];
+    let requirement = Requirement::new(0.1, Addition::WorstCase)
+        .at(&effects)
+        .expect("finite");
+    let rule = Rule::LeastCost(Costs {
+        cost: [1.0; 3],
+        exponent: [1.0; 3],
+    });
+    let found = requirement.by_component().allocate(&lengths::<3>(), &rule);
+    let [a, b, c] = found.expect("it is possible").tolerances.values();
+    near(a + 2.0 * b, 0.1, 1e-8);
+    near(c, 100.0, 1e-5);
 }

@@ -138,6 +138,7 @@ pub(crate) fn lowered() -> Lowered {
         gaps: gaps(),
         angles: angles(),
         coupled: Vec::new(),
+        survey: Program::default(),
         continuous_angles: vec![
             ContinuousAngle {
                 unknown: 0,

@@ -69,7 +69,8 @@ pub trait CoupledPrograms: Correction {
     /// The coefficients of the polynomial system at the inputs `x`, real and imaginary part.
     fn system(&mut self, x: &[f64]) -> Vec<[f64; 2]>;
 
-    /// The unknowns with start estimates: cosine and sine of an angle, a length and 0.
+    /// The unknowns with start estimates: cosine and sine of an angle; a length, and the factor that brings it to the size of the
+    /// default mechanism, for which the estimates are.
     fn placed(&mut self, x: &[f64], state: &[f64]) -> Vec<[f64; 2]>;
 }
 
@@ -152,14 +153,18 @@ impl CoupledGroup {
         let values: Vec<f64> = self.unknowns.iter().zip(&placed).map(value).collect();
         CoupledSolution {
             state,
-            distance: self.distance(&values),
+            distance: self.distance(&values, &placed),
             values,
         }
     }
 
-    fn distance(&self, values: &[f64]) -> f64 {
-        let square = |(unknown, value): (&CoupledUnknown, &f64)| {
-            let mut off = value - unknown.estimate;
+    fn distance(&self, values: &[f64], placed: &[[f64; 2]]) -> f64 {
+        let square = |((unknown, value), [_, size]): ((&CoupledUnknown, &f64), &[f64; 2])| {
+            let mut off = if unknown.angle {
+                value - unknown.estimate
+            } else {
+                value * size - unknown.estimate
+            };
             if unknown.angle {
                 // Adding and subtracting 1.5 * 2^52 rounds to an integer.
                 const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -168,7 +173,7 @@ impl CoupledGroup {
             let off = off / unknown.scale;
             off * off
         };
-        math::double::sqrt(self.unknowns.iter().zip(values).map(square).sum())
+        math::double::sqrt(self.unknowns.iter().zip(values).zip(placed).map(square).sum())
     }
 
     fn placed(&self, values: &[f64]) -> Placed {

@@ -158,13 +158,15 @@ pub fn pairs(outputs: &[f64]) -> Vec<[f64; 2]> {
     outputs.chunks_exact(2).map(|c| [c[0], c[1]]).collect()
 }
 
-/// Cosine and sine of each angle, each length and 0.
-pub fn placed(angles: &[bool], outputs: &[f64]) -> Vec<[f64; 2]> {
+/// What [`CoupledPrograms::placed`] gives, from outputs in this order and the reach of the links; by default that is `reach`.
+pub fn placed(angles: &[bool], reach: f64, outputs: &[f64]) -> Vec<[f64; 2]> {
+    let now = outputs.last().copied().unwrap_or(f64::NAN);
+    let size = if now > 0.0 { reach / now } else { 1.0 };
     let mut next = outputs.iter().copied();
     let mut number = || next.next().unwrap_or(f64::NAN);
     let one = |angle: &bool| match angle {
         true => [number(), number()],
-        false => [number(), 0.0],
+        false => [number(), size],
     };
     angles.iter().map(one).collect()
 }

@@ -27,6 +27,8 @@ const CHECKS: [f64; 3] = [-1.0, 0.0, 1.0];
 /// A range as tables see it: -1/2 at its lower end, 1/2 at its upper end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
+    pub(super) low: f64,
+    pub(super) high: f64,
     pub(super) middle: f64,
     pub(super) length: f64,
 }
@@ -34,9 +36,16 @@ pub(super) struct Frame {
 impl Frame {
     pub(super) fn new(low: f64, high: f64) -> Self {
         Self {
+            low,
+            high,
             middle: low + 0.5 * (high - low),
             length: high - low,
         }
+    }
+
+    /// The upper or lower end (`side` 1 or -1).
+    pub(super) fn end(&self, side: f64) -> f64 {
+        if side > 0.0 { self.high } else { self.low }
     }
 
     /// The input at a place.

@@ -1,9 +1,12 @@
 //! Prepared states over the ranges of several inputs, or of none.
 
+mod layout;
+mod lookup;
+mod node;
+mod walk;
+
 use super::cell::Frame;
 use super::follow::Follower;
-use super::grid_lookup::GridLookup;
-use super::grid_walk::{Node, fill};
 use super::scale::Scale;
 use super::shared::Shared;
 use super::{Correction, Range, Refusal};
@@ -11,6 +14,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 use core::fmt;
+use node::Node;
+use walk::fill;
+
+pub use lookup::GridLookup;
 
 /// Corrections that building a grid may take.
 const CORRECTIONS: usize = 8_000_000;
@@ -34,9 +41,9 @@ const INPUTS: usize = 8;
 /// to cell. Where the solution cannot be reached, beyond the mechanism's reach for instance, there is none.
 #[derive(Clone, PartialEq)]
 pub struct Grid {
-    pub(super) axes: Vec<Scale>,
+    axes: Vec<Scale>,
     /// Cell by cell, the last input changing fastest; `None` where the solution cannot be reached.
-    pub(super) nodes: Shared<[Option<Node>]>,
+    nodes: Shared<[Option<Node>]>,
     width: usize,
 }
 

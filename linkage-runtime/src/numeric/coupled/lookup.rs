@@ -2,20 +2,13 @@
 
 use super::cell::{Cell, Frame};
 use super::polynomial::TERMS;
-use super::scale::Scale;
+use super::scale::{Scale, guard};
 use super::shared::Shared;
 use super::table::Table;
 use core::fmt;
-use core::hint::select_unpredictable;
 
 /// Beyond this place of a cell there is no state: half a cell outside the table.
-const OUTSIDE: f64 = 2.0;
-
-/// Zero inside a cell and somewhat beyond it, NaN farther away.
-#[inline(always)]
-pub(super) fn guard(t: f64) -> f64 {
-    select_unpredictable(t.abs() <= OUTSIDE, 0.0, f64::NAN)
-}
+pub(super) const OUTSIDE: f64 = 2.0;
 
 /// A [`Table`] of `S` state numbers. Cheap to clone.
 #[derive(Clone, PartialEq)]
@@ -67,10 +60,7 @@ impl<const S: usize> Lookup<S> {
     /// A look-up that gives NaN everywhere.
     #[must_use]
     pub fn nothing() -> Self {
-        let frame = Frame {
-            middle: 0.0,
-            length: 0.0,
-        };
+        let frame = Frame::new(0.0, 0.0);
         let nowhere = Fixed {
             centre: f64::NAN,
             inverse: f64::NAN,
@@ -91,7 +81,7 @@ impl<const S: usize> Lookup<S> {
         let (place, slot) = self.scale.find(x);
         let cell = self.cell(slot);
         let t = (place - cell.centre) * cell.inverse;
-        let guard = guard(t);
+        let guard = guard(t, OUTSIDE);
         let (t2, c) = (t * t, &cell.coefficients);
         let t4 = t2 * t2;
         let mut state = [0.0; S];

@@ -21,6 +21,7 @@ pub(super) struct Scale {
     turns: f64,
     slots: f64,
     last: f64,
+    count: usize,
 }
 
 impl Scale {
@@ -36,6 +37,7 @@ impl Scale {
             turns: if closed { rate } else { 0.0 },
             slots: f64::from(slots),
             last: f64::from(slots - 1),
+            count: slots as usize,
         }
     }
 
@@ -56,7 +58,7 @@ impl Scale {
     /// How many slots there are.
     #[inline(always)]
     pub(super) fn slots(&self) -> usize {
-        self.last as usize + 1
+        self.count
     }
 
     /// The slot of an input, and how far from its centre the input is, in slots: from -1/2 to 1/2 inside the range.
@@ -101,4 +103,12 @@ impl Scale {
     fn repeats(&self) -> bool {
         self.turns != 0.0
     }
+}
+
+/// Zero up to this distance, NaN beyond it and for NaN: arithmetic, since a choice may become a branch.
+#[inline(always)]
+pub(super) fn guard(distance: f64, most: f64) -> f64 {
+    // All bits set if the sign is.
+    let beyond = (most - distance.abs()).to_bits().cast_signed() >> (u64::BITS - 1);
+    f64::from_bits(beyond.cast_unsigned()) + 0.0 * distance
 }

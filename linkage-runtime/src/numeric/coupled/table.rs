@@ -2,8 +2,8 @@
 
 use super::cell::{Cell, Frame};
 use super::follow::Follower;
-use super::lookup::{Lookup, guard};
-use super::scale::Scale;
+use super::lookup::{Lookup, OUTSIDE};
+use super::scale::{Scale, guard};
 use super::shared::Shared;
 use super::walk::{FULL, Piece, Walk};
 use super::{Correction, End, Range, Refusal};
@@ -43,8 +43,8 @@ impl Table {
     /// Follows the solution `state` at the input `at` through the range.
     ///
     /// Where a full turn is asked for and the state returns after it, the table serves every input. Outside another range
-    /// it reaches as far as the state can be extrapolated. With `partial` the table may end at turning points inside the
-    /// range, to about 1e-5 of the range; otherwise they are refused.
+    /// it reaches as far as the state can be extrapolated. With `partial` the table may end inside the range; it then
+    /// reaches to some 1e-5 of the range before a turning point. Otherwise that is refused.
     ///
     /// # Errors
     ///
@@ -122,7 +122,7 @@ impl Table {
         );
         let (place, slot) = self.scale.find(x);
         let cell = &self.cells[usize::from(self.index[slot])];
-        let guard = guard(cell.t(place));
+        let guard = guard(cell.t(place), OUTSIDE);
         cell.state(place, state);
         state.iter_mut().for_each(|number| *number += guard);
         cell.floor + guard
@@ -170,10 +170,8 @@ impl Table {
             width,
         };
         let mut pieces = vec![walk.first(at, state, true)?];
-        let (above, turning) = walk.run(&pieces[0], 1.0)?;
-        if let Some(at) = turning {
-            return Err(Refusal::TurningPoint { at });
-        }
+        let (above, end) = walk.run(&pieces[0], 1.0);
+        reached(end, false)?;
         pieces.extend(above);
         let mut last = vec![0.0; width];
         pieces[pieces.len() - 1].cell.state(0.5, &mut last);
@@ -212,10 +210,10 @@ impl Table {
             width,
         };
         let first = walk.first(at, state, turn)?;
-        let (below, lower) = walk.run(&first, -1.0)?;
-        let lower = end(low, lower, partial)?;
-        let (above, upper) = walk.run(&first, 1.0)?;
-        let upper = end(high, upper, partial)?;
+        let (below, lower) = walk.run(&first, -1.0);
+        let lower = reached(lower, partial)?;
+        let (above, upper) = walk.run(&first, 1.0);
+        let upper = reached(upper, partial)?;
         let mut pieces = below;
         pieces.reverse();
         pieces.push(first);
@@ -247,12 +245,12 @@ impl Table {
     }
 }
 
-/// The end of an open table.
-fn end(range: f64, turning: Option<f64>, partial: bool) -> Result<End, Refusal> {
-    match turning {
-        None => Ok(End::Range(range)),
-        Some(at) if partial => Ok(End::TurningPoint(at)),
-        Some(at) => Err(Refusal::TurningPoint { at }),
+/// An end that a table may have.
+fn reached(end: End, partial: bool) -> Result<End, Refusal> {
+    match end {
+        End::TurningPoint(at) if !partial => Err(Refusal::TurningPoint { at }),
+        End::Lost(at) if !partial => Err(Refusal::NotConverging { at }),
+        end => Ok(end),
     }
 }
 

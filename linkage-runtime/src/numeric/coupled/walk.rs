@@ -2,7 +2,7 @@
 
 use super::cell::{Cell, Frame, Guess, attempt};
 use super::follow::Follower;
-use super::{Correction, Refusal, turning};
+use super::{Correction, End, Refusal, turning};
 use alloc::vec::Vec;
 
 /// The range in units: the shortest cells are this many to the range.
@@ -62,13 +62,8 @@ impl<C: Correction> Walk<'_, '_, C> {
         Err(Refusal::NotConverging { at: x })
     }
 
-    /// Cells from `piece` on upwards or downwards (`side` 1 or -1), nearest first, to the end of the range or of the
-    /// solution. The turning point, if there is one.
-    pub(super) fn run(
-        &mut self,
-        piece: &Piece,
-        side: f64,
-    ) -> Result<(Vec<Piece>, Option<f64>), Refusal> {
+    /// Cells from `piece` on upwards or downwards (`side` 1 or -1), nearest first, as far as they go.
+    pub(super) fn run(&mut self, piece: &Piece, side: f64) -> (Vec<Piece>, End) {
         let mut pieces: Vec<Piece> = Vec::new();
         loop {
             let last = pieces.last().unwrap_or(piece);
@@ -77,19 +72,20 @@ impl<C: Correction> Walk<'_, '_, C> {
             } else {
                 last.first
             };
-            if edge == if side > 0.0 { FULL } else { 0 } {
-                return Ok((pieces, None));
-            }
             let end = self.frame.x(last.cell.place(side));
+            if edge == if side > 0.0 { FULL } else { 0 } {
+                return (pieces, End::Range(self.frame.end(side)));
+            }
             if pieces.len() >= CELLS || self.follower.exhausted() {
-                return Err(Refusal::NotConverging { at: end });
+                return (pieces, End::Lost(end));
             }
             match self.next(last, edge, side) {
                 Some(next) => pieces.push(next),
                 None => {
                     let turning = self.turning(&last.cell, side);
-                    let place = turning.ok_or(Refusal::NotConverging { at: end })?;
-                    return Ok((pieces, Some(self.frame.x(place))));
+                    let lost = End::Lost(end);
+                    let end = turning.map_or(lost, |place| End::TurningPoint(self.frame.x(place)));
+                    return (pieces, end);
                 }
             }
         }
@@ -99,7 +95,7 @@ impl<C: Correction> Walk<'_, '_, C> {
     fn next(&mut self, last: &Piece, edge: u32, side: f64) -> Option<Piece> {
         let double = last.cell.error < SMOOTH && 2 * last.size <= LARGEST;
         let mut size = if double { 2 * last.size } else { last.size };
-        while edge % size != 0 {
+        while !edge.is_multiple_of(size) {
             size /= 2;
         }
         while size > 0 {

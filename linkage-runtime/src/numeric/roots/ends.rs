@@ -46,7 +46,7 @@ pub(super) fn find<const N: usize>(walker: &mut Walker<'_, N>, most_steps: usize
             }
             next_try = 0.2 * t;
         }
-        let precise = walker.pivot * way_left(walker) > 100.0 * NOISE;
+        let precise = walker.pivot * way_left(walker) > 10.0 * NOISE;
         if t < LAST || !precise || walker.step() < 1e-6 * t {
             return conclude(walker);
         }
@@ -154,6 +154,7 @@ fn conclude<const N: usize>(walker: &mut Walker<'_, N>) -> End<N> {
             && rate(walker, j) > 0.05
     };
     if (0..N).any(vanishes) {
+        extern crate std; std::println!("VANISH {t:e} {:?} {:?} {:e}", place.x.map(|c| c.square()), core::array::from_fn::<f64, N, _>(|j| rate(walker, j)), walker.pivot);
         return End::Outside;
     }
     // Newton's method cannot reach the end because it is singular, not because it is far.

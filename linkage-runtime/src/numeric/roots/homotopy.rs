@@ -5,6 +5,7 @@ use super::complex::{Complex, ONE, ZERO};
 use super::matrix::{Matrix, Vector};
 use super::place::Place;
 use super::polynomial::Polynomial;
+use super::quadratic::Quadratics;
 use super::start::{self, Univariate};
 use alloc::vec::Vec;
 
@@ -18,6 +19,8 @@ pub(super) struct Homotopy<const N: usize> {
     /// Highest degree of every variable.
     highest: [usize; N],
     powers: [Powers; N],
+    /// All of the above once more, if this simple form does.
+    quadratics: Option<Quadratics>,
 }
 
 struct Equation<const N: usize> {
@@ -67,10 +70,14 @@ impl<const N: usize> Homotopy<N> {
         };
         powers.values[0] = ONE;
         powers.slopes[1] = ONE;
+        let factors = start::factors(target, attempt);
+        let constants = start::constants(attempt);
+        let quadratics = Quadratics::new(target, &factors, &constants);
         Self {
+            quadratics,
             equations,
-            factors: start::factors(target, attempt),
-            constants: start::constants(attempt),
+            factors,
+            constants,
             flipped: [false; N],
             highest: core::array::from_fn(|j| highest(j).unwrap_or(0).into()),
             powers: [powers; N],
@@ -100,6 +107,10 @@ impl<const N: usize> Homotopy<N> {
     /// Takes the inverse of a coordinate as a coordinate.
     pub(super) fn flip(&mut self, j: usize) {
         self.flipped[j] = !self.flipped[j];
+        if let Some(quadratics) = &mut self.quadratics {
+            quadratics.flip(j);
+            return;
+        }
         for equation in &mut self.equations {
             for term in &mut equation.terms {
                 term.exponents[j] = equation.degrees[j] - term.exponents[j];
@@ -114,6 +125,9 @@ impl<const N: usize> Homotopy<N> {
     /// The given equations and their derivatives.
     #[inline(always)]
     pub(super) fn target(&mut self, x: &Vector<N>) -> (Vector<N>, Matrix<N>) {
+        if let Some(quadratics) = &self.quadratics {
+            return quadratics.target(x);
+        }
         for (powers, (&x, &highest)) in self.powers.iter_mut().zip(x.iter().zip(&self.highest)) {
             powers.fill(x, highest);
         }
@@ -121,8 +135,8 @@ impl<const N: usize> Homotopy<N> {
         let mut matrix = [[ZERO; N]; N];
         for ((equation, value), row) in self.equations.iter().zip(&mut values).zip(&mut matrix) {
             for term in &equation.terms {
-                let factors: [_; N] = core::array::from_fn(|j| self.powers[j].at(term, j));
-                *value += product(term.factor, &factors, ONE, row);
+                let power = |j: usize| self.powers[j].at(term.exponents[j]);
+                *value += product(term.factor, &term.exponents, power, ONE, row);
             }
         }
         (values, matrix)
@@ -131,13 +145,17 @@ impl<const N: usize> Homotopy<N> {
     /// The equations at a point of a path.
     #[inline(always)]
     pub(super) fn evaluate(&mut self, x: &Vector<N>, t: f64) -> Evaluation<N> {
+        if let Some(quadratics) = &self.quadratics {
+            return quadratics.evaluate(x, t);
+        }
         let (mut values, mut matrix) = self.target(x);
         let mut drift = [ZERO; N];
         for i in 0..N {
-            let factors: [_; N] = core::array::from_fn(|j| self.factors[i][j].at(x[j]));
             let row = &mut matrix[i];
             *row = row.map(|slope| slope.scaled(1.0 - t));
-            let start = product(self.constants[i], &factors, ONE.scaled(t), row);
+            let degrees = &self.equations[i].degrees;
+            let factor = |j: usize| self.factors[i][j].at(x[j]);
+            let start = product(self.constants[i], degrees, factor, ONE.scaled(t), row);
             drift[i] = start - values[i];
             values[i] += drift[i].scaled(t);
         }
@@ -149,33 +167,42 @@ impl<const N: usize> Homotopy<N> {
     }
 }
 
-/// The product of a constant and of one factor for every variable, given by value and derivative.
-/// Its derivatives times `weight` are added to `slopes`.
+/// The product of a constant and of one factor for every variable, given by value and derivative;
+/// a factor of degree zero is 1. The derivatives times `weight` are added to `slopes`.
 #[inline(always)]
 fn product<const N: usize>(
     constant: Complex,
-    factors: &[(Complex, Complex); N],
+    degrees: &[u8; N],
+    factor: impl Fn(usize) -> (Complex, Complex),
     weight: Complex,
     slopes: &mut Vector<N>,
 ) -> Complex {
     let mut heads = [constant; N];
-    for j in 1..N {
-        heads[j] = heads[j - 1] * factors[j - 1].0;
+    let mut factors = [(ONE, ZERO); N];
+    let mut product = constant;
+    for j in 0..N {
+        heads[j] = product;
+        if degrees[j] > 0 {
+            factors[j] = factor(j);
+            product = product * factors[j].0;
+        }
     }
     let mut tail = weight;
     for j in (0..N).rev() {
-        let (value, slope) = factors[j];
-        slopes[j] += heads[j] * slope * tail;
-        tail = tail * value;
+        if degrees[j] > 0 {
+            let (value, slope) = factors[j];
+            slopes[j] += heads[j] * slope * tail;
+            tail = tail * value;
+        }
     }
-    heads[N - 1] * factors[N - 1].0
+    product
 }
 
 impl Powers {
-    /// The power of a variable in a term, and its derivative.
+    /// A power and its derivative.
     #[inline(always)]
-    fn at<const N: usize>(&self, term: &Term<N>, j: usize) -> (Complex, Complex) {
-        let exponent = (term.exponents[j] as usize).min(HIGHEST_DEGREE);
+    fn at(&self, exponent: u8) -> (Complex, Complex) {
+        let exponent = (exponent as usize).min(HIGHEST_DEGREE);
         (self.values[exponent], self.slopes[exponent])
     }
 

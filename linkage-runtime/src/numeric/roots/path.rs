@@ -66,8 +66,11 @@ pub(super) fn follow<const N: usize>(
         return lost;
     };
     let mut steps = 0;
-    while walker.now().t > WAYPOINT {
+    loop {
         let rest = walker.now().t - WAYPOINT;
+        if rest < 1e-9 {
+            break;
+        }
         // Not one long and one tiny step.
         let longest = if walker.step < rest { 0.5 * rest } else { rest };
         walker.advance(longest);

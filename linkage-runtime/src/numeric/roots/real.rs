@@ -107,5 +107,6 @@ fn turn(unit: Complex) -> f64 {
 }
 
 fn parts(value: Complex) -> [f64; 2] {
-    [value.re, value.im]
+    // No negative zero.
+    [value.re + 0.0, value.im + 0.0]
 }

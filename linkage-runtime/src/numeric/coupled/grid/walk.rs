@@ -1,8 +1,10 @@
 //! The cells of a grid, reached one from the other.
 
-use super::Correction;
-use super::follow::Follower;
-use super::scale::Scale;
+use super::super::Correction;
+use super::super::follow::Follower;
+use super::super::scale::Scale;
+use super::layout::{Layout, places};
+use super::node::Node;
 use alloc::collections::VecDeque;
 use alloc::rc::Rc;
 use alloc::vec;
@@ -19,33 +21,6 @@ const STEPS: usize = 4;
 
 /// Two cells that agree this well at a corner are on one solution.
 const AGREEMENT: f64 = 1e-6;
-
-/// The state in a cell.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Node {
-    /// At its centre.
-    pub(super) state: Vec<f64>,
-    /// How the state changes along the cell, input by input.
-    pub(super) slopes: Vec<f64>,
-    /// Half of the smallest determinant, with its sign.
-    pub(super) floor: f64,
-}
-
-impl Node {
-    /// The state at these offsets from the centre, in cells; the floor.
-    pub(super) fn state(&self, offsets: &[f64], state: &mut [f64]) -> f64 {
-        state.copy_from_slice(&self.state);
-        let mut guard = 0.0;
-        for (slopes, &offset) in self.slopes.chunks_exact(state.len()).zip(offsets) {
-            guard += super::grid_lookup::guard(offset);
-            for (number, slope) in state.iter_mut().zip(slopes) {
-                *number += slope * offset;
-            }
-        }
-        state.iter_mut().for_each(|number| *number += guard);
-        self.floor + guard
-    }
-}
 
 /// The cells of a grid.
 pub(super) struct Filled {
@@ -67,18 +42,19 @@ pub(super) fn fill<C: Correction>(
     at: &[f64],
     state: &[f64],
 ) -> Filled {
+    let layout = Layout(axes);
     let mut walk = Walk {
         follower,
-        axes,
         places: places(axes.len()).into(),
-        corners: vec![None; axes.iter().map(Scale::corners).product()],
+        corners: vec![None; layout.corners()],
         filled: Filled {
-            nodes: vec![None; axes.iter().map(Scale::slots).product()],
+            nodes: vec![None; layout.cells()],
             tested: 0,
             missed: 0,
             absent: 0,
             bends: vec![0.0; axes.len()],
         },
+        layout,
     };
     walk.run(at, state);
     walk.filled
@@ -86,7 +62,7 @@ pub(super) fn fill<C: Correction>(
 
 struct Walk<'f, 'c, 'a, C> {
     follower: &'f mut Follower<'c, C>,
-    axes: &'a [Scale],
+    layout: Layout<'a>,
     /// The places on the border of a cell that are tested.
     places: Rc<[Vec<f64>]>,
     /// The solution at the corners of the cells.
@@ -96,15 +72,10 @@ struct Walk<'f, 'c, 'a, C> {
 
 impl<C: Correction> Walk<'_, '_, '_, C> {
     fn run(&mut self, at: &[f64], state: &[f64]) {
-        let first: Vec<usize> = self
-            .axes
-            .iter()
-            .zip(at)
-            .map(|(axis, &x)| axis.cell(x).0)
-            .collect();
+        let first = self.layout.cell(at);
         let mut queue = VecDeque::new();
         let mut seen = vec![false; self.filled.nodes.len()];
-        seen[self.number(&first)] = true;
+        seen[self.layout.number(&first)] = true;
         match self.reach(&first, at, state) {
             Some(()) => queue.push_back(first),
             // Its centre is out of reach: smaller cells may help.
@@ -114,21 +85,21 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
             }
         }
         while let Some(cell) = queue.pop_front() {
-            let Some(node) = self.filled.nodes[self.number(&cell)].clone() else {
+            let Some(node) = self.filled.nodes[self.layout.number(&cell)].clone() else {
                 continue;
             };
-            let from = self.centre(&cell);
-            for axis in 0..self.axes.len() {
+            let from = self.layout.centre(&cell);
+            for axis in 0..self.layout.0.len() {
                 for up in [false, true] {
-                    let Some(next) = self.neighbour(&cell, axis, up) else {
+                    let Some(next) = self.layout.neighbour(&cell, axis, up) else {
                         continue;
                     };
-                    let number = self.number(&next);
+                    let number = self.layout.number(&next);
                     if seen[number] {
                         continue;
                     }
                     // Across the seam of a full turn the centre is taken where it lies beside this one.
-                    let to = self.beside(&from, &cell, axis, up);
+                    let to = self.layout.beside(&from, &cell, axis, up);
                     if self.reach_at(&next, &from, &node.state, &to).is_some() {
                         seen[number] = true;
                         queue.push_back(next);
@@ -140,7 +111,7 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
 
     /// Follows the solution from `from` to the centre of a cell.
     fn reach(&mut self, cell: &[usize], from: &[f64], state: &[f64]) -> Option<()> {
-        let to = self.centre(cell);
+        let to = self.layout.centre(cell);
         self.reach_at(cell, from, state, &to)
     }
 
@@ -154,7 +125,7 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
             floor: determinant,
         };
         self.check(cell, to, &mut node)?;
-        let number = self.number(cell);
+        let number = self.layout.number(cell);
         self.filled.nodes[number] = Some(node);
         Some(())
     }
@@ -185,7 +156,7 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
     /// The changes of the state along the cell, input by input.
     fn slopes(&mut self, centre: &[f64], state: &[f64]) -> Vec<f64> {
         let mut slopes = Vec::with_capacity(centre.len() * state.len());
-        for (axis, scale) in self.axes.iter().enumerate() {
+        for (axis, scale) in self.layout.0.iter().enumerate() {
             let mut side = |part: f64| {
                 let mut x = centre.to_vec();
                 x[axis] += part * scale.spacing();
@@ -222,10 +193,7 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
         let mut state = vec![0.0; node.state.len()];
         let mut reached = Vec::new();
         for (place, offsets) in self.places.clone().iter().enumerate() {
-            let mut x = centre.to_vec();
-            for ((x, scale), offset) in x.iter_mut().zip(self.axes).zip(offsets) {
-                *x += offset * scale.spacing();
-            }
+            let x = self.layout.moved(centre, offsets);
             node.state(offsets, &mut state);
             self.filled.tested += 1;
             let Some(determinant) = self.follower.settle_within(&x, &mut state, STEPS) else {
@@ -238,8 +206,8 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
             if determinant.abs() < least.abs() {
                 least = determinant;
             }
-            if place >> self.axes.len() == 0 {
-                let number = self.corner(cell, offsets);
+            if place >> self.layout.0.len() == 0 {
+                let number = self.layout.corner(cell, offsets);
                 match &self.corners[number] {
                     Some(other) if !agree(other, &state) => return None,
                     Some(_) => {}
@@ -253,73 +221,6 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
         node.floor = 0.5 * least;
         Some(())
     }
-
-    fn centre(&self, cell: &[usize]) -> Vec<f64> {
-        self.axes
-            .iter()
-            .zip(cell)
-            .map(|(axis, &slot)| axis.centre(slot))
-            .collect()
-    }
-
-    fn number(&self, cell: &[usize]) -> usize {
-        let pairs = self.axes.iter().zip(cell);
-        pairs.fold(0, |number, (axis, &slot)| number * axis.slots() + slot)
-    }
-
-    /// The number of a corner.
-    fn corner(&self, cell: &[usize], offsets: &[f64]) -> usize {
-        let mut number = 0;
-        for ((axis, &slot), &offset) in self.axes.iter().zip(cell).zip(offsets) {
-            let border = slot + usize::from(offset > 0.0);
-            number = number * axis.corners() + border % axis.corners();
-        }
-        number
-    }
-
-    fn neighbour(&self, cell: &[usize], axis: usize, up: bool) -> Option<Vec<usize>> {
-        let mut next = cell.to_vec();
-        next[axis] = self.axes[axis].neighbour(cell[axis], up)?;
-        Some(next)
-    }
-
-    /// The centre of the neighbouring cell, where it lies beside this one.
-    fn beside(&self, from: &[f64], cell: &[usize], axis: usize, up: bool) -> Vec<f64> {
-        let mut to = from.to_vec();
-        let spacing = self.axes[axis].spacing();
-        let slot = cell[axis];
-        let inside = if up {
-            slot + 1 < self.axes[axis].slots()
-        } else {
-            slot > 0
-        };
-        to[axis] = match (inside, up) {
-            (true, true) => self.axes[axis].centre(slot + 1),
-            (true, false) => self.axes[axis].centre(slot - 1),
-            (false, true) => from[axis] + spacing,
-            (false, false) => from[axis] - spacing,
-        };
-        to
-    }
-}
-
-/// Places on the border of a cell, as offsets from its centre in cells: all corners, then, if they are not too many, the
-/// middles of edges and faces.
-fn places(axes: usize) -> Vec<Vec<f64>> {
-    let corner = |number: usize| {
-        let side = |axis: usize| if number >> axis & 1 == 1 { 0.5 } else { -0.5 };
-        (0..axes).map(side).collect()
-    };
-    let middle = |number: usize| {
-        let side = |axis: usize| [0.0, -0.5, 0.5][number / 3_usize.pow(axis as u32) % 3];
-        (0..axes).map(side).collect()
-    };
-    let mut places: Vec<Vec<f64>> = (0..1 << axes).map(corner).collect();
-    if axes <= 4 {
-        let middles = (1..3_usize.pow(axes as u32)).map(middle);
-        places.extend(middles.filter(|offsets: &Vec<f64>| offsets.contains(&0.0)));
-    }
-    places
 }
 
 fn agree(one: &[f64], other: &[f64]) -> bool {

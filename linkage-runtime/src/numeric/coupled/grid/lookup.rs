@@ -1,20 +1,13 @@
 //! The look-up of generated code in a grid: no branch, no call, no panic.
 
-use super::cell::Frame;
-use super::grid::Grid;
-use super::scale::Scale;
-use super::shared::Shared;
+use super::super::cell::Frame;
+use super::super::scale::{Scale, guard};
+use super::super::shared::Shared;
+use super::Grid;
 use core::fmt;
-use core::hint::select_unpredictable;
 
 /// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
-const OUTSIDE: f64 = 1.0;
-
-/// Zero in a cell and somewhat beyond it, NaN farther away.
-#[inline(always)]
-pub(super) fn guard(offset: f64) -> f64 {
-    select_unpredictable(offset.abs() <= OUTSIDE, 0.0, f64::NAN)
-}
+pub(super) const OUTSIDE: f64 = 1.0;
 
 /// A [`Grid`] of `I` inputs and `S` state numbers. Cheap to clone.
 #[derive(Clone, PartialEq)]
@@ -65,10 +58,7 @@ impl<const I: usize, const S: usize> GridLookup<I, S> {
     /// A look-up that gives NaN everywhere.
     #[must_use]
     pub fn nothing() -> Self {
-        let frame = Frame {
-            middle: 0.0,
-            length: 0.0,
-        };
+        let frame = Frame::new(0.0, 0.0);
         Self {
             axes: [Scale::new(frame, 1, false); I],
             cells: core::iter::once(Fixed::NOTHING).collect(),
@@ -90,7 +80,7 @@ impl<const I: usize, const S: usize> GridLookup<I, S> {
         let mut state = cell.state;
         let mut outside = 0.0;
         for (slopes, offset) in cell.slopes.iter().zip(offsets) {
-            outside += guard(offset);
+            outside += guard(offset, OUTSIDE);
             for (number, slope) in state.iter_mut().zip(slopes) {
                 *number += slope * offset;
             }

@@ -1,7 +1,6 @@
 //! Assemblies of groups without a closed form, at the reference input and over the range.
 
-mod triads;
-
+use crate::triads::EyeNeedle;
 use linkage_runtime::generated::{
     Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, Start, Wanted, couple,
     list, starts,
@@ -10,7 +9,6 @@ use linkage_runtime::numeric::coupled::{Correction, Range, Step};
 use linkage_runtime::numeric::roots::{Term, Variable};
 use linkage_runtime::{AssemblyError, CoupledCause, Scalar};
 use std::f64::consts::TAU;
-use triads::EyeNeedle;
 
 const fn term(equation: usize, exponents: &'static [i8]) -> Term<'static> {
     Term {
@@ -79,33 +77,7 @@ impl Correction for Programs {
 
 impl CoupledPrograms for Programs {
     fn system(&mut self, x: &[f64]) -> Vec<[f64; 2]> {
-        let triad = self.0;
-        let mut coefficients = Vec::new();
-        let (sin, cos) = triad.angle.sin_cos();
-        let arms = [
-            [triad.sides[0], 0.0],
-            [triad.sides[1] * cos, triad.sides[1] * sin],
-        ];
-        for (i, b) in arms.into_iter().enumerate() {
-            let a = triad.legs[0];
-            let p = [
-                triad.crank * x[0].cos() - triad.pivots[i][0],
-                triad.crank * x[0].sin() - triad.pivots[i][1],
-            ];
-            let square = |v: [f64; 2]| v[0] * v[0] + v[1] * v[1];
-            let (re, im) = (p[0] * b[0] + p[1] * b[1], p[0] * b[1] - p[1] * b[0]);
-            let r = triad.legs[i + 1];
-            coefficients.extend([
-                [square(p) + a * a + square(b) - r * r, 0.0],
-                [a * p[0], -a * p[1]],
-                [a * p[0], a * p[1]],
-                [re, im],
-                [re, -im],
-                [a * b[0], -a * b[1]],
-                [a * b[0], a * b[1]],
-            ]);
-        }
-        coefficients
+        self.0.system(x[0])
     }
 
     fn placed(&mut self, _: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
@@ -126,7 +98,6 @@ fn nearest(triad: EyeNeedle) -> Result<Start, AssemblyError> {
 fn all_assemblies_are_listed_and_the_nearest_is_taken() {
     let mut programs = Programs(EyeNeedle::MACHINE);
     let all = list(&GROUP, &mut programs, &[0.0]).unwrap();
-    println!("{all:?}");
     assert!(all.is_sorted_by_key(|one| one.distance));
     let one = couple(&GROUP, &mut programs, &[0.0]).unwrap();
     assert_eq!(one, all[0]);
@@ -163,7 +134,6 @@ fn estimates_between_two_assemblies_are_ambiguous() {
     };
     let error = couple(&group, &mut programs, &[0.0]).unwrap_err();
     let text = error.to_string();
-    println!("{text}");
     let CoupledCause::Ambiguous { assemblies } = cause(error) else {
         panic!("{text}");
     };
@@ -186,7 +156,6 @@ fn what_cannot_be_assembled_says_why() {
         ..EyeNeedle::MACHINE
     });
     let error = couple(&GROUP, &mut short, &[0.0]).unwrap_err();
-    println!("{error}");
     assert!(matches!(
         cause(error),
         CoupledCause::NoneReal { complex: 6 }
@@ -194,7 +163,6 @@ fn what_cannot_be_assembled_says_why() {
 
     let long = Programs(EyeNeedle::with_crank(120.0));
     let error = nearest(long.0).unwrap_err();
-    println!("{error}");
     assert!(error.to_string().ends_with(
         " cannot run through the range of the input: it reaches a dead point at phi = 6.6529 deg"
     ));

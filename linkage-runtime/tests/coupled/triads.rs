@@ -85,11 +85,33 @@ impl EyeNeedle {
         let state = Self::start();
         let arms = triad.arms([state[2], state[3]]);
         let p3 = sum([crank, 0.0], times([state[0], state[1]], triad.legs[0]));
-        for i in 0..2 {
-            let d = difference(sum(p3, arms[i]), triad.pivots[i]);
+        for (i, arm) in arms.into_iter().enumerate() {
+            let d = difference(sum(p3, arm), triad.pivots[i]);
             triad.legs[i + 1] = dot(d, d).sqrt();
         }
         triad
+    }
+
+    /// Coefficients of `|A + a u + b t|^2 = r^2` for both legs on the frame: constant, u, 1/u, t, 1/t, u/t, t/u.
+    pub(crate) fn system(&self, x: f64) -> Vec<[f64; 2]> {
+        let square = |v: Vector| dot(v, v);
+        let a = self.legs[0];
+        let mut coefficients = Vec::new();
+        for (i, b) in self.arms([1.0, 0.0]).into_iter().enumerate() {
+            let p = difference(times(unit(x), self.crank), self.pivots[i]);
+            let [re, im] = product([p[0], -p[1]], b);
+            let r = self.legs[i + 1];
+            coefficients.extend([
+                [square(p) + a * a + square(b) - r * r, 0.0],
+                [a * p[0], -a * p[1]],
+                [a * p[0], a * p[1]],
+                [re, im],
+                [re, -im],
+                [a * b[0], -a * b[1]],
+                [a * b[0], a * b[1]],
+            ]);
+        }
+        coefficients
     }
 
     /// The two sides of the ternary link from its driven joint.

@@ -1,0 +1,262 @@
+//! Eye-needle drive of a warp-knitting machine: a six-bar whose links cannot be computed one after the
+//! other.
+//!
+//! The crank 1-2 moves the ternary link 3-4-5 through the coupler 2-3; the rockers 6-4 and 7-5 hold
+//! it. These three legs on one link are a triad, a group of class III: three loops' worth of angles
+//! that must be solved together. The needle 7-8 is part of the rocker 7-5. It dwells for a third of the
+//! cycle, because crank and coupler pass a toggle with the ternary link twice: there a solution by
+//! dyads, with the rocker driving, would be singular.
+//!
+//! Everything is compared with a solution in 60 digits. The exit status is 1 if an error is too large.
+
+mod check;
+
+use check::Check;
+use linkage::mechanism;
+use std::error::Error;
+use std::f64::consts::TAU;
+
+mechanism! {
+    /// The drive of the eye needles, with the tolerances of its drawing.
+    pub struct EyeNeedle {
+        unit mm;
+
+        param l12 = 50mm +- 12um;
+        param l23 = 272.5mm +- 26um;
+        // The ternary link is given by its three sides.
+        param l34 = 81mm +- 17um;
+        param l45 = 104.5mm +- 17um;
+        param l35 = 174mm +- 20um;
+        param l46 = 104.5mm +- 17um;
+        param l57 = 261mm +- 26um;
+        param l78 = 136.8mm +- 20um;
+        param angle_578 = -25deg +- 30arcsec;
+        param p6 = (195mm, 226mm) +- 23um;
+        param p7 = (46mm, 533mm) +- (12um, 35um);
+
+        input phi = 0deg in 0deg..360deg;
+        unknown phi23 = 62deg;
+        unknown phi34 = 146deg;
+        unknown phi64 = 144deg;
+        unknown phi75 = -99deg;
+
+        let p2 = polar(l12, phi);
+        let p3 = p2 + polar(l23, phi23);
+        let p4 = p3 + polar(l34, phi34);
+        let p5 = p3 + polar(l35, phi34 + triangle_angle(l34, l35, l45));
+        loop p4 = p6 + polar(l46, phi64);
+        loop p5 = p7 + polar(l57, phi75);
+
+        let p8 = p7 + polar(l78, phi75 + angle_578);
+    }
+
+    impl EyeNeedle {
+        /// The needle's point.
+        pub fn needle(phi) -> Needle { p8 }
+
+        /// With both kinematic coefficients.
+        pub fn motion(phi) -> Motion { p8, v: velocity(p8), a: acceleration(p8) }
+
+        /// With the derivatives by all dimensions as well.
+        pub fn accuracy(phi) -> Accuracy {
+            p8, v: velocity(p8), a: acceleration(p8), e: sensitivity(p8),
+        }
+
+        /// How the drive stands, and how far it is from a singular position.
+        pub fn posture(phi) -> Posture { p3, phi34, phi75, margin: margin() }
+    }
+}
+
+/// Derivatives by the 13 dimensions.
+const DIMENSIONS: usize = EyeNeedle::PARAMETERS.len();
+
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+    let linkage = EyeNeedle::default().assemble()?;
+    println!("{}", EyeNeedle::STRUCTURE);
+    print_needle(&linkage);
+
+    let mut check = Check::default();
+    println!("\nAgainst the solution in 60 digits:");
+    compare(&linkage, &references(), &mut check);
+    println!("\nThe dwell:");
+    compare_dwell(&linkage, &mut check);
+    println!("\nAll assemblies:");
+    compare_assemblies(&linkage, &mut check)?;
+    check.finish()
+}
+
+fn print_needle(linkage: &EyeNeedleAssembly) {
+    println!("Needle point:");
+    println!(
+        "  phi, deg      x, mm      y, mm   x', mm/rad  y', mm/rad  x\", mm/rad2  y\", mm/rad2"
+    );
+    for degrees in (0..=360).step_by(15).map(f64::from) {
+        let Motion { p8, v, a } = linkage.motion(degrees.to_radians());
+        println!(
+            "  {degrees:8.0} {:10.4} {:10.4} {:12.5} {:11.5} {:12.5} {:12.5}",
+            p8.x, p8.y, v.x, v.y, a.x, a.y
+        );
+    }
+}
+
+/// The largest error and the largest value of a quantity, over all positions and both components.
+#[derive(Clone, Copy, Default)]
+struct Errors {
+    error: f64,
+    largest: f64,
+}
+
+impl Errors {
+    fn add(&mut self, value: f64, known: f64) {
+        let error = (value - known).abs();
+        // Not `f64::max`, which would let a NaN pass.
+        if !(error <= self.error) {
+            self.error = error;
+        }
+        self.largest = self.largest.max(known.abs());
+    }
+
+    fn relative(&self) -> f64 {
+        self.error / self.largest
+    }
+}
+
+fn compare(linkage: &EyeNeedleAssembly, references: &[Reference], check: &mut Check) {
+    let mut position = Errors::default();
+    let mut rates = [Errors::default(); 2];
+    let mut dimensions = [Errors::default(); DIMENSIONS];
+    for r in references {
+        let (found, needle) = (linkage.accuracy(r.phi), linkage.needle(r.phi));
+        for k in 0..2 {
+            for p8 in [found.p8, needle.p8] {
+                position.add((p8[k] - r.position[k]) - r.beyond[k], 0.0);
+            }
+            rates[0].add(found.v[k], r.first[k]);
+            rates[1].add(found.a[k], r.second[k]);
+            for (i, errors) in dimensions.iter_mut().enumerate() {
+                errors.add(found.e[i][k], r.dimensions[i][k]);
+            }
+        }
+    }
+    let [first, second] = rates.map(|rate| rate.relative());
+    check.holds("141 positions of the whole cycle", references.len() == 141);
+    check.near(
+        "position, error in 1e-13 mm",
+        1e13 * position.error,
+        0.0,
+        1.5,
+    );
+    check.near(
+        "first derivative, in 1e-12 of its maximum",
+        1e12 * first,
+        0.0,
+        1.0,
+    );
+    check.near("second derivative", 1e12 * second, 0.0, 1.0);
+    for (parameter, errors) in EyeNeedle::PARAMETERS.iter().zip(dimensions) {
+        let what = format!("derivative by {}", parameter.name);
+        check.near(&what, 1e12 * errors.relative(), 0.0, 1.0);
+    }
+}
+
+/// The longest part of the cycle in which the needle stays within 0.2 mm of its arc.
+fn compare_dwell(linkage: &EyeNeedleAssembly, check: &mut Check) {
+    const STEPS: usize = 1440;
+    let angles: Vec<f64> = (0..2 * STEPS)
+        .map(|i| TAU * i as f64 / STEPS as f64)
+        .collect();
+    let posture = linkage.posture_sweep(&angles);
+    let radius = linkage.mechanism().l78;
+    let arc: Vec<f64> = posture.phi75().iter().map(|phi75| radius * phi75).collect();
+    let within = |start: usize| {
+        let (mut low, mut high) = (arc[start], arc[start]);
+        let stays = arc[start..].iter().take(STEPS).take_while(|&&s| {
+            (low, high) = (low.min(s), high.max(s));
+            high - low <= 0.2
+        });
+        stays.count() - 1
+    };
+    let longest = (0..STEPS).map(within).max().unwrap_or(0);
+    let degrees = longest as f64 * 360.0 / STEPS as f64;
+    check.near("degrees of the crank for 0.2 mm", degrees, 116.0, 1.0);
+
+    let margins = &posture.margin()[..STEPS];
+    let smallest = margins.iter().copied().fold(f64::INFINITY, f64::min);
+    println!("  smallest margin of the cycle: {smallest:.3}");
+    check.holds("no position of the cycle is near singular", smallest > 0.1);
+}
+
+/// How many ways there are to put the links together, all over the cycle.
+fn compare_assemblies(
+    linkage: &EyeNeedleAssembly,
+    check: &mut Check,
+) -> Result<(), Box<dyn Error>> {
+    let mechanism = linkage.mechanism();
+    let mut counts = Vec::new();
+    for degrees in (0..360).map(f64::from) {
+        let phi = degrees.to_radians();
+        let found = mechanism.assemblies_at(phi)?;
+        counts.push((degrees, found.len()));
+        if degrees % 90.0 == 45.0 {
+            for assembly in &found {
+                let Posture {
+                    p3, phi34, margin, ..
+                } = assembly.posture(phi);
+                let phi34 = phi34.to_degrees();
+                println!(
+                    "  {degrees:3.0} deg: point 3 at {:8.3} {:8.3}, ternary link at {phi34:8.3} deg, margin {margin:.3}",
+                    p3.x, p3.y
+                );
+            }
+        }
+    }
+    let right = |&(degrees, found): &(f64, usize)| {
+        found
+            == if (34.5..57.5).contains(&degrees) {
+                4
+            } else {
+                2
+            }
+    };
+    check.holds(
+        "four between 34.3 and 57.5 degrees, two elsewhere",
+        counts.iter().all(right),
+    );
+    Ok(())
+}
+
+/// One position, to more digits than a double has.
+struct Reference {
+    phi: f64,
+    position: [f64; 2],
+    /// What `position` misses.
+    beyond: [f64; 2],
+    first: [f64; 2],
+    second: [f64; 2],
+    dimensions: [[f64; 2]; DIMENSIONS],
+}
+
+/// The references; a line that cannot be read becomes NaN and fails its comparisons.
+fn references() -> Vec<Reference> {
+    let lines = include_str!("eye_needle/reference.csv").lines();
+    let read = |line: &str| {
+        let numbers: Vec<f64> = line
+            .split(',')
+            .map(|cell| cell.parse().unwrap_or(f64::NAN))
+            .collect();
+        let at = |i: usize| numbers.get(i).copied().unwrap_or(f64::NAN);
+        let pair = |i: usize| [at(i), at(i + 1)];
+        Reference {
+            phi: at(0),
+            position: [at(1), at(3)],
+            beyond: [at(2), at(4)],
+            first: pair(5),
+            second: pair(7),
+            dimensions: std::array::from_fn(|i| pair(9 + 2 * i)),
+        }
+    };
+    lines
+        .filter(|line| !line.starts_with('#'))
+        .map(read)
+        .collect()
+}

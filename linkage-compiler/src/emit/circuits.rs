@@ -1,0 +1,92 @@
+//! Which assemblies of a mechanism with one input run through its range.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::assembly::Types;
+use super::facts::Facts;
+use super::load::{Places, loader};
+use super::outline::Outline;
+use super::{attribute, body, literal};
+use crate::lower::Lowered;
+use crate::model::Mechanism;
+
+/// At how many positions of a turn, or of a range of lengths, assemblies are listed.
+const SAMPLES: usize = 72;
+
+/// `circuits()`; nothing for a mechanism without groups or with another number of inputs than one.
+pub(super) fn items(
+    outline: &Outline,
+    mechanism: &Mechanism,
+    facts: &Facts,
+    lowered: &Lowered,
+) -> TokenStream {
+    let ([input], [own], false) = (
+        &mechanism.inputs[..],
+        &facts.inputs[..],
+        facts.groups.is_empty(),
+    ) else {
+        return TokenStream::new();
+    };
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        core,
+        ..
+    } = outline;
+    let float = quote!(::core::primitive::f64);
+    let Types { arguments, .. } = Types::new(outline, facts, lowered);
+    let places = Places::all(outline);
+    let statements = body::statements(&lowered.survey, &loader(outline, &places));
+    let outputs = body::outputs(&lowered.survey);
+    let count = literal::index(lowered.survey.outputs.len());
+    let x = match outline.starts.is_empty() {
+        true => quote!([__x]),
+        false => quote!(Self::__extend(&self.__starts, [__x])),
+    };
+    let angle = input.dimension.half_lengths == 0;
+    let (low, high) = own.range.unwrap_or(own.followed);
+    let turns = (high - low) / std::f64::consts::TAU;
+    let samples = match angle {
+        true => (turns * SAMPLES as f64).ceil().clamp(24.0, 1000.0) as usize,
+        false => SAMPLES,
+    };
+    let (low, high) = (literal::float(low), literal::float(high));
+    let samples = literal::index(samples + 1);
+    let allow = attribute::allow();
+    quote! {
+        #runtime::if_alloc! {
+            #allow
+            impl<T: #runtime::Scalar> #assembly<T> {
+                /// The smallest margin, and where every unknown is.
+                fn __survey<const __FUSED: ::core::primitive::bool>(&self, __x: T) -> [T; #count] {
+                    let __x: #arguments = #x;
+                    let #core { __mechanism: __m, __modes, __prepared, .. } = &self.__core;
+                    #statements
+                    #outputs
+                }
+            }
+            #allow
+            impl #name<#float> {
+                /// Every assembly over the range of the input (a turn about the reference where an angle has none): how far each
+                /// reaches, its turning points, and where its margin is smallest.
+                ///
+                /// # Errors
+                ///
+                /// As `assemblies()`, if it fails at every position.
+                #[inline]
+                pub fn circuits(&self) -> ::core::result::Result<
+                    #runtime::Circuits<#assembly<#float>>, #runtime::AssemblyError,
+                > {
+                    #runtime::circuits(
+                        &#runtime::Cycle { low: #low, high: #high, angle: #angle, samples: #samples },
+                        |__x| self.assemblies_at(__x),
+                        |__assembly, __x| __assembly.__survey::<{ #runtime::FUSED }>(__x)[0],
+                        |__assembly, __x| __assembly.__survey::<{ #runtime::FUSED }>(__x)[1..].to_vec(),
+                    )
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! Triads of every kind, and larger coupled groups, against positions found in another way: how many
+//! assemblies there are, where they are, and that each stays itself over the whole cycle.
+
+mod assemblies;
+mod contour;
+mod cycle;
+mod inputs;
+mod kinds;
+mod larger;
+mod legs;
+mod machines;
+mod newton;
+mod platforms;
+mod polynomial;
+mod random;
+mod two_slides;
+
+/// The largest magnitude; NaN if there is one.
+fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let more = |most: f64, x: f64| {
+        if most.is_nan() || x.abs() <= most {
+            most
+        } else {
+            x.abs()
+        }
+    };
+    numbers.into_iter().fold(0.0, more)
+}
