@@ -2,10 +2,10 @@
 //! other.
 //!
 //! The crank 1-2 moves the ternary link 3-4-5 through the coupler 2-3; the rockers 6-4 and 7-5 hold
-//! it. These three legs on one link are a triad, a group of class III: three loops' worth of angles
-//! that must be solved together. The needle 7-8 is part of the rocker 7-5. It dwells for a third of the
-//! cycle, because crank and coupler pass a toggle with the ternary link twice: there a solution by
-//! dyads, with the rocker driving, would be singular.
+//! it. These three legs on one link are a triad, a group of class III: two loops
+//! whose four angles must be solved together. The needle 7-8 is part of the rocker 7-5. It dwells for a third of the
+//! cycle, while the dyad behind its rocker passes a toggle twice: a solution by dyads, with another link
+//! as the driver, would be singular there.
 //!
 //! Everything is compared with a solution in 60 digits. The exit status is 1 if an error is too large.
 
@@ -62,8 +62,8 @@ mechanism! {
             p8, v: velocity(p8), a: acceleration(p8), e: sensitivity(p8),
         }
 
-        /// How the drive stands, and how far it is from a singular position.
-        pub fn posture(phi) -> Posture { p3, phi34, phi75, margin: margin() }
+        /// How the rocker of the needle stands, and how far the drive is from a singular position.
+        pub fn posture(phi) -> Posture { phi75, margin: margin() }
     }
 }
 
@@ -186,42 +186,47 @@ fn compare_dwell(linkage: &EyeNeedleAssembly, check: &mut Check) {
     check.holds("no position of the cycle is near singular", smallest > 0.1);
 }
 
-/// How many ways there are to put the links together, all over the cycle.
+/// How many ways there are to put the links together, and how far each of them reaches.
 fn compare_assemblies(
     linkage: &EyeNeedleAssembly,
     check: &mut Check,
 ) -> Result<(), Box<dyn Error>> {
-    let mechanism = linkage.mechanism();
-    let mut counts = Vec::new();
-    for degrees in (0..360).map(f64::from) {
-        let phi = degrees.to_radians();
-        let found = mechanism.assemblies_at(phi)?;
-        counts.push((degrees, found.len()));
-        if degrees % 90.0 == 45.0 {
-            for assembly in &found {
-                let Posture {
-                    p3, phi34, margin, ..
-                } = assembly.posture(phi);
-                let phi34 = phi34.to_degrees();
-                println!(
-                    "  {degrees:3.0} deg: point 3 at {:8.3} {:8.3}, ternary link at {phi34:8.3} deg, margin {margin:.3}",
-                    p3.x, p3.y
-                );
-            }
+    let circuits = linkage.mechanism().circuits()?;
+    println!("{circuits}");
+    let (whole, others): (Vec<_>, Vec<_>) = circuits
+        .branches
+        .iter()
+        .partition(|branch| branch.is_whole());
+    let closed = whole.iter().all(|branch| branch.closed);
+    check.holds(
+        "two run through the whole cycle",
+        whole.len() == 2 && closed,
+    );
+    let apart =
+        whole.first().map(|branch| branch.circuit) != whole.last().map(|branch| branch.circuit);
+    check.holds("neither reaches the other", apart);
+    check.holds("two more meet at two turning points", others.len() == 2);
+    for branch in others {
+        // From a solution in 40 digits.
+        for (end, known) in branch
+            .ends
+            .iter()
+            .zip([34.219_206_596_774_63, 57.443_932_699_239_71])
+        {
+            check.near(
+                "turning point, degrees",
+                end.x().to_degrees(),
+                known,
+                1e-9_f64.to_degrees(),
+            );
         }
     }
-    let right = |&(degrees, found): &(f64, usize)| {
-        found
-            == if (34.5..57.5).contains(&degrees) {
-                4
-            } else {
-                2
-            }
-    };
-    check.holds(
-        "four between 34.3 and 57.5 degrees, two elsewhere",
-        counts.iter().all(right),
-    );
+    let mut right = true;
+    for degrees in (0..360).step_by(15).map(f64::from) {
+        let found = linkage.mechanism().assemblies_at(degrees.to_radians())?;
+        right &= found.len() == if degrees == 45.0 { 4 } else { 2 };
+    }
+    check.holds("four at 45 degrees, two at 0, 15, 30, 60, ...", right);
     Ok(())
 }
 

@@ -13,7 +13,7 @@
 mod check;
 
 use check::Check;
-use linkage::{Vector2, mechanism};
+use linkage::{BranchEnd, Vector2, mechanism};
 use std::error::Error;
 use std::f64::consts::TAU;
 
@@ -66,7 +66,9 @@ mechanism! {
     }
 }
 
-/// Millimetres to nanometres.
+/// The straight line, in mm: the guide stands upright at x = 28, and point 8 lies 40 from point 5 at 120 degrees.
+const LINE: f64 = 8.0;
+/// A nanometre in mm.
 const NANOMETRE: f64 = 1e-6;
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
@@ -98,8 +100,7 @@ fn straightness(linkage: &TwoCranksAssembly) -> f64 {
     let angles: Vec<f64> = (0..720).map(|i| TAU * f64::from(i) / 720.0).collect();
     let columns = linkage.working_point_sweep(&angles);
     let [x, _] = columns.p8();
-    // The guide stands upright at x = 28 mm; point 8 lies 40 mm from point 5, at 120 degrees.
-    largest(x.iter().map(|x| x - 8.0))
+    largest(x.iter().map(|x| x - LINE))
 }
 
 /// The largest magnitude; NaN if there is one.
@@ -165,25 +166,43 @@ fn compare_assemblies(
     for (degrees, number) in [(0.0_f64, 4), (178.0, 4), (179.0, 6), (277.0, 6), (278.0, 4)] {
         let phi = degrees.to_radians();
         let found = linkage.mechanism().assemblies_at(phi)?;
-        let off = largest(
-            found
-                .iter()
-                .map(|other| other.working_point(phi).p8.x - 8.0),
-        );
+        let straight = |other: &TwoCranksAssembly| other.working_point(phi).p8.x - LINE;
+        let off = largest(found.iter().map(straight)) / NANOMETRE;
+        let slide = |other: &TwoCranksAssembly| other.motion(phi).s - linkage.motion(phi).s;
+        let wrong: Vec<f64> = found.iter().map(slide).collect();
+        let farthest = largest(wrong.iter().copied());
         println!(
-            "  at {degrees} degrees, off the line by at most {:.1e} nm:",
-            off / NANOMETRE
+            "  at {degrees} degrees: off the line by {off:.1e} nm, along the guide by {farthest:.0} mm"
         );
-        let right = linkage.motion(phi);
-        for other in &found {
-            let Motion { s, phi34, .. } = other.motion(phi);
-            let turned = phi34.to_degrees();
-            println!(
-                "    slide {s:9.3} mm, ternary link {turned:9.3} degrees; wrong by {:9.3} mm",
-                s - right.s
-            );
-        }
         check.holds(&format!("{number} assemblies"), found.len() == number);
+        check.holds("all of them straight to 1e-7 nm", off < 1e-7);
+    }
+    let circuits = linkage.mechanism().circuits()?;
+    println!("\n{circuits}");
+    let whole = circuits
+        .branches
+        .iter()
+        .filter(|branch| branch.is_whole() && branch.closed);
+    check.holds("three run through the whole cycle", whole.count() == 3);
+    // From a solution in 40 digits.
+    let known = [178.281_494_131_002_46, 277.643_514_578_648_53];
+    let ends = circuits.branches.iter().flat_map(|branch| branch.ends);
+    let turning: Vec<f64> = ends
+        .filter(|end| matches!(end, BranchEnd::TurningPoint(_)))
+        .map(|end| end.x().to_degrees())
+        .collect();
+    check.holds(
+        "two assemblies meet at either turning point",
+        turning.len() == 4,
+    );
+    for end in turning {
+        let nearest = if end < 230.0 { known[0] } else { known[1] };
+        check.near(
+            "turning point, degrees",
+            end,
+            nearest,
+            1e-9_f64.to_degrees(),
+        );
     }
     Ok(())
 }

@@ -2,11 +2,6 @@
 #![no_std]
 #![warn(missing_docs)]
 
-#[cfg(feature = "alloc")]
-pub use linkage_runtime::{
-    Branch, BranchEnd, Circuits, Columns, CoupledCause, CoupledError, Cycle, Placed, Value,
-    circuits,
-};
 #[cfg(feature = "num-dual")]
 pub use linkage_runtime::Dual;
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -16,6 +11,11 @@ pub use linkage_runtime::Lanes;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Dimensions, FunctionInfo, Group, Operations, Parameter, Scalar,
     Structure, Vector2, Vector3, true_acceleration, true_velocity,
+};
+#[cfg(feature = "alloc")]
+pub use linkage_runtime::{
+    Branch, BranchEnd, Circuits, Columns, CoupledCause, CoupledError, Cycle, Placed, Value,
+    circuits,
 };
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use linkage_runtime::{Handle, Scene};
@@ -79,8 +79,6 @@ struct Readme;
 #[doc(hidden)]
 pub mod __private {
     pub use linkage_macros::mechanism;
-    #[cfg(feature = "alloc")]
-    pub use linkage_runtime::{Circuits, Columns, Cycle, circuits};
     pub use linkage_runtime::generated::close;
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::generated::fill_parallel;
@@ -101,4 +99,6 @@ pub mod __private {
         AssemblyError, AssemblyMode, Dimensions, FUSED, FunctionInfo, Group, Operations, Parameter,
         Scalar, Structure, Vector2, Vector3, if_alloc, if_rayon,
     };
+    #[cfg(feature = "alloc")]
+    pub use linkage_runtime::{Circuits, Columns, Cycle, circuits};
 }

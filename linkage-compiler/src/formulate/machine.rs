@@ -170,7 +170,7 @@ impl Machine {
     }
 
     /// What is prepared of all coupled groups near some inputs.
-    fn states(&self, inputs: &[f64]) -> Vec<Vec<f64>> {
+    pub(crate) fn states(&self, inputs: &[f64]) -> Vec<Vec<f64>> {
         let starts = self.starts.iter().zip(&self.coupled);
         starts
             .map(|(start, group)| {

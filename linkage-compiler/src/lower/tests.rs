@@ -8,6 +8,7 @@ use proc_macro2::TokenStream;
 use super::quantity::request;
 use crate::algebra::{Algebra, Direction, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
+use crate::formulate::{Formulation, Reference};
 use crate::{formulate, model, structure, syntax};
 
 const ITEMS: &str =
@@ -54,38 +55,94 @@ fn expect_agreement(items: &str, function: &str) {
         assert!(requested.by_parameters);
         requested.nodes
     });
+    let reference = formulate::assemble_reference(
+        &mut algebra,
+        &formulation,
+        &nominal,
+        &origins,
+        &mut diagnostics,
+    );
+    let messages: Vec<&String> = diagnostics.iter().map(|d| &d.message).collect();
+    assert!(
+        reference.closed || formulation.prepared().count() == 0,
+        "{messages:?}"
+    );
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    let compared: usize = (0..8)
-        .map(|_| compare(&algebra.graph, &results, &nominal, &mut random))
-        .sum();
+    let mut compared = 0;
+    for _ in 0..8 {
+        let position = Position::new(&nominal, &mut random);
+        let states = states(&algebra.graph, &formulation, &reference, &position);
+        compared += compare(&algebra.graph, &results, (&position, &states), &mut random);
+    }
     assert!(compared > 0, "the mechanism never closes: {items}");
 }
 
-/// At a random position of a random mechanism near the nominal one. Returns the number of results that are numbers.
+/// A random position of a random mechanism near the nominal one.
+struct Position {
+    parameters: Vec<f64>,
+    inputs: Vec<f64>,
+    modes: Vec<f64>,
+}
+
+impl Position {
+    fn new(nominal: &Nominal, random: &mut Random) -> Self {
+        let vary = |values: &[f64], random: &mut Random| -> Vec<f64> {
+            let varied = values.iter().map(|x| x + 0.05 * random.next() * x.abs());
+            varied.collect()
+        };
+        Self {
+            parameters: vary(&nominal.parameters, random),
+            inputs: vary(&nominal.inputs, random),
+            modes: (0..8).map(|_| random.next().signum()).collect(),
+        }
+    }
+
+    /// Parameters and inputs are multiplied by `noise`.
+    fn load(&self, source: Source, states: &[Vec<f64>], noise: &[f64]) -> f64 {
+        match source {
+            Source::Parameter(k) => self.parameters[k] * noise[k],
+            Source::Input(k) => self.inputs[k] * noise[39 - k],
+            Source::Mode(k) => self.modes[k],
+            Source::Centre(_) => 0.3,
+            Source::Winding(..) => 0.0,
+            Source::State(group, component) => states[group][component],
+            Source::Limit => 1e-7,
+            Source::Prepared(_) | Source::Carried(_) => f64::NAN,
+        }
+    }
+}
+
+/// The states of the coupled groups there, from those of the nominal mechanism.
+fn states(
+    graph: &Graph,
+    formulation: &Formulation,
+    reference: &Reference,
+    position: &Position,
+) -> Vec<Vec<f64>> {
+    let mut states = reference.machine.states(&position.inputs);
+    for prepared in formulation.prepared() {
+        for _ in 0..8 {
+            let load = |source| position.load(source, &states, &[1.0; 40]);
+            let stepped = evaluate(graph, &prepared.step, load);
+            let state = &mut states[prepared.number];
+            state[..prepared.size].copy_from_slice(&stepped[..prepared.size]);
+            state[prepared.size] = stepped[prepared.size + 1] / 2.0;
+        }
+    }
+    states
+}
+
+/// Returns the number of results that are numbers.
 #[track_caller]
 fn compare(
     graph: &Graph,
     results: &[Vec<NodeId>; 3],
-    nominal: &Nominal,
+    (position, states): (&Position, &[Vec<f64>]),
     random: &mut Random,
 ) -> usize {
-    let vary = |values: &[f64], random: &mut Random| -> Vec<f64> {
-        let varied = values.iter().map(|x| x + 0.05 * random.next() * x.abs());
-        varied.collect()
-    };
-    let parameters = vary(&nominal.parameters, random);
-    let inputs = vary(&nominal.inputs, random);
-    let modes: Vec<f64> = (0..8).map(|_| random.next().signum()).collect();
     let run = |nodes: &[NodeId], noise: f64, random: &mut Random| {
         let noise = [0; 40].map(|_| 1.0 + noise * random.next());
-        evaluate(graph, nodes, |source| match source {
-            Source::Parameter(k) => parameters[k] * noise[k],
-            Source::Input(k) => inputs[k] * noise[39 - k],
-            Source::Mode(k) => modes[k],
-            Source::Centre(_) => 0.3,
-            Source::Winding(..) => 0.0,
-            _ => f64::NAN,
-        })
+        evaluate(graph, nodes, |source| position.load(source, states, &noise))
     };
     let [forward, others @ ..] = results;
     let expected = run(forward, 0.0, random);
@@ -228,4 +285,28 @@ fn several_inputs_and_mixed_derivatives() {
     ] {
         expect_agreement(&items, &format!("f(phi, h) -> R {{ s: {quantities} }}"));
     }
+}
+
+#[test]
+fn coupled_groups() {
+    let triad = "unknown t1 = 20deg; unknown t2 = 100deg; unknown t3 = 290deg; unknown u = 10deg;
+        let k = polar(3 * e, phi) + polar(d / 2, t1);
+        loop k + polar(c - 20mm, u) = (b, 0) + polar(d / 2, t2);
+        loop k + polar(c - 20mm, u + 60deg) = (b / 2, d + 10mm) + polar(d / 2, t3);";
+    expect_all(triad, &["k", "u", "t2", "k.x * sin(t3)"]);
+    let guides = "unknown t1 = 20deg; unknown x = 30mm; unknown y = 60mm; unknown u = 10deg;
+        let k = polar(3 * e, phi) + polar(d / 2, t1);
+        loop k + polar(c, u) = (b, 0) + x * dir(100deg + phi / 5);
+        loop k + polar(y, u + 60deg) = (b / 2, d);";
+    expect_all(guides, &["k", "x", "y", "u"]);
+    let contour = "unknown t1 = 30deg; unknown t2 = 0deg; unknown t3 = 0deg; unknown t4 = 120deg;
+        let k = polar(e, phi);
+        loop k + polar(c, t1) + polar(d, t2) = (2 * d, 0) + polar(c, t4);
+        loop k + polar(d / 2, t1 + lift) + polar(b, t3) = (2 * d, 0) + polar(d / 2, t4 - lift);
+        unknown v = 30deg; unknown w = 120deg;
+        loop polar(a, t1) + polar(b, v) = (d, e) + polar(b, w);";
+    expect_agreement(
+        contour,
+        "f(phi) -> R { s: sensitivity(velocity(t4)), w: sensitivity(v) }",
+    );
 }

@@ -129,4 +129,9 @@ fn what_is_no_solution_is_refused() {
     assert_eq!(none, Err(Refusal::NotFinite));
     let none = Grid::build(&mut triad, &[0.0], &start, &[range(0.0, f64::INFINITY)]);
     assert_eq!(none, Err(Refusal::NotFinite));
+    let mut fixed = |_: &[f64], state: &mut [f64]| { EyeNeedle::MACHINE }.correct(&[0.0], state);
+    let most = Grid::build(&mut fixed, &[0.0; 8], &start, &[range(0.0, 1.0); 8]).unwrap();
+    assert_eq!(most.reached(), most.cells());
+    let none = Grid::build(&mut fixed, &[0.0; 9], &start, &[range(0.0, 1.0); 9]);
+    assert_eq!(none, Err(Refusal::NotConverging { at: 0.0 }));
 }

@@ -210,5 +210,5 @@ fn each_component_limits_its_own() {
     let found = requirement.by_component().allocate(&lengths::<3>(), &rule);
     let [a, b, c] = found.expect("it is possible").tolerances.values();
     near(a + 2.0 * b, 0.1, 1e-8);
-    near(c, 100.0, 1e-5);
+    near(c, 100.0, 1e-2);
 }

@@ -76,6 +76,39 @@ pub fn farthest(angles: &[f64]) -> Result<f64, AssemblyError> {
     Ok(farthest.fold(0.0, f64::max))
 }
 
+mechanism! {
+    /// A ternary link on three legs: its table needs an allocator.
+    pub struct Platform {
+        unit mm;
+        param leg = 50mm;
+        input phi = 60deg in 20deg..100deg;
+        unknown tilt = 20deg;
+        unknown leg_a = 20deg;
+        unknown leg_b = 100deg;
+        unknown leg_c = 290deg;
+        let a = polar(40mm, phi) + polar(leg, leg_a);
+        loop a + polar(60mm, tilt) = (120mm, 0) + polar(leg, leg_b);
+        loop a + polar(60mm, tilt + 60deg) = (60mm, 110mm) + polar(leg, leg_c);
+    }
+
+    impl Platform {
+        /// Its first joint.
+        pub fn joint(phi) -> Joint { a, v: velocity(a) }
+    }
+}
+
+/// How far the platform's joint moves for each radian, and how many assemblies there are.
+///
+/// # Errors
+///
+/// If the links do not reach each other.
+#[cfg(feature = "alloc")]
+pub fn platform(leg: f64, phi: f64) -> Result<(f64, usize), AssemblyError> {
+    let platform = Platform { leg };
+    let speed = platform.assemble()?.joint(phi).v.norm();
+    Ok((speed, platform.circuits()?.branches.len()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -173,7 +173,14 @@ impl CoupledGroup {
             let off = off / unknown.scale;
             off * off
         };
-        math::double::sqrt(self.unknowns.iter().zip(values).zip(placed).map(square).sum())
+        math::double::sqrt(
+            self.unknowns
+                .iter()
+                .zip(values)
+                .zip(placed)
+                .map(square)
+                .sum(),
+        )
     }
 
     fn placed(&self, values: &[f64]) -> Placed {

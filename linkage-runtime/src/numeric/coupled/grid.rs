@@ -52,22 +52,21 @@ impl Grid {
     ///
     /// # Errors
     ///
-    /// See [`Refusal`].
+    /// See [`Refusal`]; more than 8 inputs need too large a grid.
     ///
     /// # Panics
     ///
-    /// If there are not as many ranges as inputs, or more than 8.
+    /// If there are not as many ranges as inputs.
     pub fn build(
         correction: &mut impl Correction,
         at: &[f64],
         state: &[f64],
         ranges: &[Range],
     ) -> Result<Self, Refusal> {
-        assert!(
-            at.len() == ranges.len() && at.len() <= INPUTS,
-            "{} inputs",
-            at.len()
-        );
+        assert!(at.len() == ranges.len(), "a range for every input");
+        if at.len() > INPUTS {
+            return Err(Refusal::NotConverging { at: at[0] });
+        }
         let frames: Option<Vec<(Frame, bool)>> = at
             .iter()
             .zip(ranges)

@@ -150,11 +150,10 @@ fn conclude<const N: usize>(walker: &mut Walker<'_, N>) -> End<N> {
     }
     let vanishes = |j: usize| {
         place.is_outer(j, walker.variables)
-            && place.x[j].square() < 0.05 * 0.05
+            && place.x[j].square() < 0.01 * 0.01
             && rate(walker, j) > 0.05
     };
     if (0..N).any(vanishes) {
-        extern crate std; std::println!("VANISH {t:e} {:?} {:?} {:e}", place.x.map(|c| c.square()), core::array::from_fn::<f64, N, _>(|j| rate(walker, j)), walker.pivot);
         return End::Outside;
     }
     // Newton's method cannot reach the end because it is singular, not because it is far.
@@ -177,6 +176,8 @@ fn rate<const N: usize>(walker: &Walker<'_, N>, j: usize) -> f64 {
 struct Rates<const N: usize> {
     t: f64,
     rates: [f64; N],
+    /// How often in succession each of them has been the same as before.
+    same: [u8; N],
 }
 
 impl<const N: usize> Rates<N> {
@@ -184,30 +185,32 @@ impl<const N: usize> Rates<N> {
         Self {
             t: 1.0,
             rates: [0.0; N],
+            same: [0; N],
         }
     }
 
     /// Whether a coordinate that would be outside if it vanished tends to zero by a law that has
-    /// been the same for some time: it would be smaller than anything inside if the law went on
-    /// for about as long.
+    /// been the same for some time. Then its end is a hundred times smaller at least, which is
+    /// too small for a real solution.
     fn are_settled(&mut self, walker: &Walker<'_, N>) -> bool {
         /// Part of `t` after which the exponents are looked at again.
         const AFTER: f64 = 0.125;
-        const SMALL: f64 = 1e-4;
+        const SMALL: f64 = 2e-3;
         if walker.now().t > AFTER * self.t {
             return false;
         }
         let place = walker.homotopy.place(walker.now().x);
-        let rates: [f64; N] = core::array::from_fn(|j| rate(walker, j));
-        let settled = (0..N).any(|j| {
-            place.is_outer(j, walker.variables)
-                && place.x[j].square() < SMALL * SMALL
-                && rates[j] > 0.05
-                && (rates[j] - self.rates[j]).abs() < 0.02 * rates[j]
-        });
+        for j in 0..N {
+            let rate = rate(walker, j);
+            let same = rate > 0.05 && (rate - self.rates[j]).abs() < 0.01 * rate;
+            self.same[j] = if same { self.same[j] + 1 } else { 0 };
+            self.rates[j] = rate;
+        }
         self.t = walker.now().t;
-        self.rates = rates;
-        settled
+        (0..N).any(|j| {
+            let outer = place.is_outer(j, walker.variables);
+            outer && place.x[j].square() < SMALL * SMALL && self.same[j] >= 2
+        })
     }
 }
 
