@@ -3,12 +3,9 @@
 //! One file for each form of group. A group's unknowns get definitions that are computed by the closed form; their
 //! derivatives follow from the group's equations (see [`Solution`](crate::algebra::Solution)).
 
-mod bound;
 mod check;
-mod close;
 mod coupled;
 mod follow;
-mod laurent;
 mod machine;
 mod quadratic;
 mod ranges;

@@ -4,6 +4,7 @@
 //! directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups, in order. Each group is then brought
 //! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
 
+mod class;
 mod classify;
 mod coupled;
 mod eliminate;

@@ -9,9 +9,11 @@ use crate::algebra::Algebra;
 use crate::lower::Coupled;
 use crate::structure::report::loop_list;
 
-use super::machine::{Machine, Start};
-use super::reference::{AMBIGUOUS, Assembly};
-use super::{Prepared, Solved, followed_range};
+use crate::formulate::machine::{Machine, Start};
+use crate::formulate::reference::{AMBIGUOUS, Assembly};
+use crate::formulate::{Solved, check, followed_range};
+
+use super::Prepared;
 
 /// A coupled group on numbers.
 struct Numbers<'a> {
@@ -63,7 +65,11 @@ struct Candidate {
 
 impl Assembly<'_, '_> {
     /// Closes a coupled group; false if that was not possible.
-    pub(super) fn close_coupled(&mut self, solved: &Solved, prepared: &Prepared) -> bool {
+    pub(in crate::formulate) fn close_coupled(
+        &mut self,
+        solved: &Solved,
+        prepared: &Prepared,
+    ) -> bool {
         let loops = loop_list(&solved.group.loops);
         let unknowns = self.words.unknowns(&solved.group.unknowns);
         let place = self.words.at_reference(&self.nominal.inputs);
@@ -258,7 +264,7 @@ impl Assembly<'_, '_> {
         let range = prepared.inputs.first().copied();
         let span = range
             .filter(|&input| self.nominal.ranges[input].is_some())
-            .map(|input| super::check::range_span(&mechanism.inputs[input], self.origins))
+            .map(|input| check::range_span(&mechanism.inputs[input], self.origins))
             .unwrap_or_else(|| {
                 self.origins
                     .span(mechanism.loops[solved.group.loops[0]].origin)

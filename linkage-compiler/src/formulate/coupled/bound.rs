@@ -4,8 +4,9 @@ use linkage_symbolic::{NodeId, SymbolId, agree};
 
 use crate::structure::{Block, Core, Coupled, Private};
 
-use super::Solver;
-use super::coupled::Equations;
+use crate::formulate::Solver;
+
+use super::equations::Equations;
 
 impl Solver<'_, '_> {
     /// The sum of all products of the sizes of entries: no position with these lengths has a larger determinant.

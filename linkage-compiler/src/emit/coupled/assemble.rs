@@ -1,0 +1,138 @@
+//! Assembling a mechanism with coupled groups.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::emit::assembly::Types;
+use crate::emit::outline::Outline;
+use crate::emit::{literal, winding};
+use crate::lower::Lowered;
+
+/// `__assemble` and what it needs: the starts are found lane by lane on plain numbers.
+pub(in crate::emit) fn assemble(
+    outline: &Outline,
+    lowered: &Lowered,
+    types: &Types,
+) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        core,
+        ..
+    } = outline;
+    let Types {
+        modes,
+        inputs,
+        turns,
+        ..
+    } = types;
+    let float = quote!(::core::primitive::f64);
+    let turning = winding::turning(outline, lowered);
+    let estimates = lowered
+        .continuous_angles
+        .iter()
+        .map(|angle| literal::float(angle.estimate));
+    let count = literal::index(outline.starts.len());
+    let at = (0..outline.inputs.len()).map(|input| {
+        let input = literal::index(input);
+        quote!(T::lane(__at[#input], __lane))
+    });
+    quote! {
+        fn __assemble(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+        ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+            let mut __lanes = #runtime::Vec::new();
+            for __lane in 0..T::LANES {
+                match Self::__on_lane(__m, __modes, __at, __lane, #runtime::Wanted::Nearest) {
+                    ::core::result::Result::Ok(__starts) => __lanes.extend(__starts),
+                    ::core::result::Result::Err(__error) => {
+                        Self::__close_closed_forms(__m, __modes, __at)?;
+                        return ::core::result::Result::Err(__error);
+                    }
+                }
+            }
+            Self::__with_starts(__m, __modes, __at, &__lanes)
+        }
+
+        fn __assemblies(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+        ) -> ::core::result::Result<#runtime::Vec<Self>, #runtime::AssemblyError> {
+            let mut __found = #runtime::Vec::new();
+            let __all = Self::__on_lane(__m, __modes, __at, 0, #runtime::Wanted::All);
+            let __all = match __all {
+                ::core::result::Result::Ok(__all) => __all,
+                ::core::result::Result::Err(__error) => {
+                    Self::__close_closed_forms(__m, __modes, __at)?;
+                    return ::core::result::Result::Err(__error);
+                }
+            };
+            for __first in __all {
+                let mut __lanes = #runtime::Vec::from([__first.clone()]);
+                for __lane in 1..T::LANES {
+                    __lanes.extend(Self::__on_lane(
+                        __m, __modes, __at, __lane, #runtime::Wanted::Like(&__first),
+                    )?);
+                }
+                __found.push(Self::__with_starts(__m, __modes, __at, &__lanes)?);
+            }
+            ::core::result::Result::Ok(__found)
+        }
+
+        /// What is prepared of the coupled groups in one lane, for the wanted assemblies.
+        fn __on_lane(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+            __lane: ::core::primitive::usize,
+            __wanted: #runtime::Wanted<'_, #count>,
+        ) -> ::core::result::Result<#runtime::Vec<[#runtime::Start; #count]>, #runtime::AssemblyError> {
+            let __m: #name<#float> = #name::__lane(__m, __lane);
+            let __at = [#(#at),*];
+            #runtime::starts(&#assembly::<#float>::__GROUPS, &__at, __wanted, |__number, __starts| {
+                #assembly::<#float>::__coupled(&__m, &__modes, __at, __number, __starts)
+            })
+        }
+
+        /// Fails if a group with a closed form does not close before a coupled one is needed.
+        fn __close_closed_forms(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+        ) -> ::core::result::Result<(), #runtime::AssemblyError> {
+            let __lanes: #runtime::Vec<[#runtime::Start; #count]> =
+                (0..T::LANES).map(|_| [const { #runtime::Start::Nothing }; #count]).collect();
+            let __starts = Self::__starts(&__lanes);
+            let __turns: #turns = #runtime::Turns::at_estimates([#(#estimates),*]);
+            let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+            let __x = Self::__extend(&__starts, __at);
+            match Self::__close(__m, &__modes, &__prepared, __x) {
+                ::core::result::Result::Err(__error @ #runtime::AssemblyError::CannotClose { .. }) => {
+                    ::core::result::Result::Err(__error)
+                }
+                _ => ::core::result::Result::Ok(()),
+            }
+        }
+
+        fn __with_starts(
+            __m: &#name<T>,
+            __modes: #modes,
+            __at: #inputs,
+            __lanes: &[[#runtime::Start; #count]],
+        ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+            let __starts = Self::__starts(__lanes);
+            let __x = Self::__extend(&__starts, __at);
+            let __turns: #turns = #turning;
+            let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+            Self::__close(__m, &__modes, &__prepared, __x)?;
+            ::core::result::Result::Ok(Self {
+                __core: #core { __mechanism: *__m, __modes, __turns, __prepared },
+                __starts,
+            })
+        }
+    }
+}

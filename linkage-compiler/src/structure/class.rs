@@ -1,0 +1,122 @@
+//! Class, order and kind of coupled groups, read from their loops.
+
+use linkage_symbolic::agree;
+
+use super::Analysis;
+use super::classify::Polynomials;
+use super::coupled::Private;
+use super::equations::{Coordinate, CoordinateKind};
+
+impl Analysis<'_, '_> {
+    /// Class, order, and the number of links in the closed contour that changes its shape (0 without one). Loops whose known
+    /// parts are the same close a contour without the frame; every other loop adds a place where the group is
+    /// attached.
+    pub(super) fn class_and_order(
+        &mut self,
+        polynomials: &[Polynomials],
+        coordinates: &[Coordinate],
+    ) -> (u8, u8, usize) {
+        if let [only] = polynomials {
+            let dyad = if only.rows.len() == 2 { 2 } else { 0 };
+            return (dyad, dyad, 0);
+        }
+        let mut contours = 0;
+        let mut longest = 0;
+        for (index, a) in polynomials.iter().enumerate() {
+            let contour = polynomials[..index]
+                .iter()
+                .find_map(|b| self.contour(a, b, coordinates));
+            if let Some(length) = contour {
+                contours += 1;
+                longest = longest.max(length);
+            }
+        }
+        let order = polynomials.len() + 1 - contours;
+        let class = if contours == 0 { 3 } else { longest.max(4) };
+        (class as u8, order as u8, longest)
+    }
+
+    /// The number of unknowns in the sum or difference of two vector loops, if their known parts cancel.
+    fn contour(
+        &mut self,
+        a: &Polynomials,
+        b: &Polynomials,
+        coordinates: &[Coordinate],
+    ) -> Option<usize> {
+        if a.rows.len() != 2 || b.rows.len() != 2 {
+            return None;
+        }
+        [1.0, -1.0].into_iter().find_map(|sign| {
+            let mut cancels = |monomial: &[u8]| {
+                (0..2).all(|row| {
+                    let graph = &mut self.algebra.graph;
+                    let zero = graph.zero();
+                    let of = |p: &Polynomials| p.rows[row].get(monomial).copied().unwrap_or(zero);
+                    let (x, y) = (of(a), of(b));
+                    let y = if sign < 0.0 { graph.neg(y) } else { y };
+                    agree(graph, x, y)
+                })
+            };
+            let known = vec![0; a.rows[0].keys().next().map_or(0, Vec::len)];
+            if known.is_empty() || !cancels(&known) {
+                return None;
+            }
+            let mut left: Vec<Vec<u8>> = Vec::new();
+            for monomial in a.rows.iter().chain(&b.rows).flat_map(|row| row.keys()) {
+                if !left.contains(monomial) && !cancels(monomial) {
+                    left.push(monomial.clone());
+                }
+            }
+            let in_contour = |k: &usize| {
+                let first = self.first_symbol(coordinates, *k);
+                let width = self.symbols(&coordinates[*k]).len();
+                left.iter()
+                    .any(|m| m[first..first + width].iter().any(|&e| e > 0))
+            };
+            Some((0..coordinates.len()).filter(in_contour).count())
+        })
+    }
+
+    /// The legs of a triad by their joints, the outer one first.
+    pub(super) fn kind(
+        &self,
+        private: &[Option<(Private, usize)>],
+        coordinates: &[Coordinate],
+        core: &[usize],
+        class: u8,
+        contour: usize,
+    ) -> String {
+        let angle = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Angle(_));
+        let general = || match contour {
+            0 if private.len() == 1 => "polynomial".to_owned(),
+            0 => format!("{} loops", private.len()),
+            links => format!("contour of {links}"),
+        };
+        let (true, [Some(first), Some(second)], [a, b]) = (class == 3, private, core) else {
+            return general();
+        };
+        let mut legs: Vec<&str> = [first, second]
+            .map(|(p, _)| self.leg(p, coordinates))
+            .into();
+        match [a, b].map(angle) {
+            [true, true] => legs.push("RR"),
+            [false, false] => return general(),
+            _ => legs.push("PR"),
+        }
+        legs.sort_unstable_by_key(|leg| ["RR", "PR", "RP"].iter().position(|l| l == leg));
+        legs.join("-")
+    }
+
+    fn leg(&self, private: &Private, coordinates: &[Coordinate]) -> &'static str {
+        match private {
+            Private::Rotor(_) => "RR",
+            Private::Slide { guide, .. } => {
+                let turns = |c: &Coordinate| guide.iter().any(|&g| self.contains(g, c));
+                match coordinates.iter().any(turns) {
+                    true => "RP",
+                    false => "PR",
+                }
+            }
+        }
+    }
+}
