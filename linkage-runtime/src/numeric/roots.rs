@@ -71,7 +71,8 @@ pub struct Listing {
     /// Number of isolated solutions, real and complex, in which no variable is infinite and no
     /// unit vector is 0. Multiple solutions are not counted.
     pub complex: usize,
-    /// Number of paths that end in multiple solutions; not 0 at a turning point, for instance.
+    /// Number of paths that end in multiple solutions, or in solutions too close together to be
+    /// told apart, as next to a turning point. These are not listed, real or not.
     pub multiple: usize,
     /// Number of paths followed.
     pub paths: usize,
@@ -105,7 +106,8 @@ pub enum Unlisted {
     },
     /// A coefficient is NaN or infinite.
     NotFinite,
-    /// The solutions are not isolated points, or an equation does not depend on the variables.
+    /// The solutions are not isolated points (or singular in several directions), or an equation
+    /// does not depend on the variables.
     Degenerate,
 }
 
@@ -147,18 +149,14 @@ impl core::error::Error for Unlisted {}
 /// for every variable, an equation without number, a `Point` without its `Conjugate`.
 pub fn solve(system: &System<'_>, coefficients: &[[f64; 2]]) -> Result<Listing, Unlisted> {
     check_form(system, coefficients);
-    let target = polynomial::collect(system, coefficients)?;
+    let mut target = polynomial::collect(system, coefficients)?;
     let paths = start::count(&target)?;
-    let variables = system.variables;
-    match variables.len() {
-        1 => survey::list::<1>(variables, &target, paths),
-        2 => survey::list::<2>(variables, &target, paths),
-        3 => survey::list::<3>(variables, &target, paths),
-        4 => survey::list::<4>(variables, &target, paths),
-        5 => survey::list::<5>(variables, &target, paths),
-        6 => survey::list::<6>(variables, &target, paths),
-        7 => survey::list::<7>(variables, &target, paths),
-        _ => survey::list::<8>(variables, &target, paths),
+    // Few sizes, so that the code is not repeated for every one.
+    match target.len() {
+        1 | 2 => survey::list::<2>(system.variables, &mut target, paths),
+        3 => survey::list::<3>(system.variables, &mut target, paths),
+        4 => survey::list::<4>(system.variables, &mut target, paths),
+        _ => survey::list::<MOST_VARIABLES>(system.variables, &mut target, paths),
     }
 }
 

@@ -10,6 +10,8 @@ use super::start::{self, Univariate};
 use alloc::vec::Vec;
 
 /// `(1 - t) * target + t * start`, in coordinates of which each is a variable or its inverse.
+///
+/// In general the equations are lists of terms, of which few have all variables.
 pub(super) struct Homotopy<const N: usize> {
     equations: [Equation<N>; N],
     factors: [[Univariate; N]; N],
@@ -19,7 +21,7 @@ pub(super) struct Homotopy<const N: usize> {
     /// Highest degree of every variable.
     highest: [usize; N],
     powers: [Powers; N],
-    /// All of the above once more, if this simple form does.
+    /// Used in place of the terms and factors where the equations have this form.
     quadratics: Option<Quadratics>,
 }
 
@@ -125,9 +127,23 @@ impl<const N: usize> Homotopy<N> {
     /// The given equations and their derivatives.
     #[inline(always)]
     pub(super) fn target(&mut self, x: &Vector<N>) -> (Vector<N>, Matrix<N>) {
-        if let Some(quadratics) = &self.quadratics {
-            return quadratics.target(x);
+        match &self.quadratics {
+            Some(quadratics) => quadratics.target(x),
+            None => self.sparse_target(x),
         }
+    }
+
+    /// The equations at a point of a path.
+    #[inline(always)]
+    pub(super) fn evaluate(&mut self, x: &Vector<N>, t: f64) -> Evaluation<N> {
+        match &self.quadratics {
+            Some(quadratics) => quadratics.evaluate(x, t),
+            None => self.sparse_evaluate(x, t),
+        }
+    }
+
+    #[inline(never)]
+    fn sparse_target(&mut self, x: &Vector<N>) -> (Vector<N>, Matrix<N>) {
         for (powers, (&x, &highest)) in self.powers.iter_mut().zip(x.iter().zip(&self.highest)) {
             powers.fill(x, highest);
         }
@@ -142,13 +158,9 @@ impl<const N: usize> Homotopy<N> {
         (values, matrix)
     }
 
-    /// The equations at a point of a path.
-    #[inline(always)]
-    pub(super) fn evaluate(&mut self, x: &Vector<N>, t: f64) -> Evaluation<N> {
-        if let Some(quadratics) = &self.quadratics {
-            return quadratics.evaluate(x, t);
-        }
-        let (mut values, mut matrix) = self.target(x);
+    #[inline(never)]
+    fn sparse_evaluate(&mut self, x: &Vector<N>, t: f64) -> Evaluation<N> {
+        let (mut values, mut matrix) = self.sparse_target(x);
         let mut drift = [ZERO; N];
         for i in 0..N {
             let row = &mut matrix[i];

@@ -52,7 +52,7 @@ fn solve_two<const N: usize, const R: usize>(
 }
 
 /// By elimination, with pivots chosen as if all rows were of one size.
-#[inline(always)]
+#[inline(never)]
 fn eliminate<const N: usize, const R: usize>(
     matrix: &mut Matrix<N>,
     right: &mut [Vector<N>; R],

@@ -136,7 +136,7 @@ impl<'a, const N: usize> Walker<'a, N> {
     }
 
     /// One step that is not longer than `longest`, or a shorter length for the next one.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn advance(&mut self, longest: f64) {
         let wanted = self.step;
         let length = wanted.min(longest);
@@ -190,7 +190,7 @@ impl<'a, const N: usize> Walker<'a, N> {
     }
 
     /// One Newton step.
-    #[inline(always)]
+    #[inline(never)]
     fn correct(&mut self, x: &Vector<N>, t: f64) -> Correction<N> {
         let mut evaluation = self.homotopy.evaluate(x, t);
         let mut right = [

@@ -121,6 +121,24 @@ fn from_laurent(variables: &[Variable], terms: &Laurent<'_>) -> Result<Polynomia
     Ok(polynomial)
 }
 
+/// Adds variables that are 1 until there are `variables` of them.
+pub(super) fn fill(target: &mut Vec<Polynomial>, variables: usize) {
+    for j in target.len()..variables {
+        let mut polynomial = Polynomial {
+            terms: Vec::new(),
+            degrees: [0; MOST_VARIABLES],
+        };
+        polynomial.degrees[j] = 1;
+        for (exponent, factor) in [(0, -0.5), (1, 0.5)] {
+            let mut exponents = [0; MOST_VARIABLES];
+            exponents[j] = exponent;
+            let factor = Complex::new(factor, 0.0);
+            polynomial.terms.push(Monomial { factor, exponents });
+        }
+        target.push(polynomial);
+    }
+}
+
 fn too_large(variables: &[Variable], degree: usize) -> Unlisted {
     Unlisted::TooLarge {
         variables: variables.len(),

@@ -5,7 +5,7 @@ use super::ends::{End, Root, is_continuum};
 use super::homotopy::Homotopy;
 use super::path::{Pace, Trace, follow};
 use super::place::Place;
-use super::polynomial::Polynomial;
+use super::polynomial::{self, Polynomial};
 use super::real;
 use super::{Listing, Unlisted, Variable};
 use alloc::vec::Vec;
@@ -15,16 +15,26 @@ const ATTEMPTS: usize = 4;
 /// Multiple solutions that are examined for being part of a continuum.
 const EXAMINED: usize = 8;
 
+/// For at most `N` variables.
 pub(super) fn list<const N: usize>(
     variables: &[Variable],
-    target: &[Polynomial],
+    target: &mut Vec<Polynomial>,
     paths: usize,
 ) -> Result<Listing, Unlisted> {
+    polynomial::fill(target, N);
+    let count = variables.len();
+    let variables: [Variable; N] =
+        core::array::from_fn(|j| variables.get(j).copied().unwrap_or(Variable::Length));
     let mut doubts = paths;
     for attempt in 0..ATTEMPTS {
         let mut homotopy = Homotopy::<N>::new(target, attempt);
-        match listing(&mut homotopy, variables, Pace::of_attempt(attempt)) {
-            Outcome::Listed(listing) => return Ok(listing),
+        match listing(&mut homotopy, &variables, Pace::of_attempt(attempt)) {
+            Outcome::Listed(mut listing) => {
+                for solution in &mut listing.real {
+                    solution.truncate(count);
+                }
+                return Ok(listing);
+            }
             Outcome::Degenerate => return Err(Unlisted::Degenerate),
             Outcome::Doubtful(count) => doubts = count,
         }
