@@ -14,13 +14,14 @@ pub use crate::numeric::coupled::{Correction, Range, Step};
 pub use crate::numeric::roots::{Term, Variable};
 #[cfg(feature = "alloc")]
 pub use alloc::vec::Vec;
-#[cfg(feature = "alloc")]
-pub use close::assemblies;
 pub use close::close;
+#[cfg(feature = "alloc")]
+pub use close::{assemblies, one};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use coupled::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,
-    CoupledUnknown, Start, Wanted, couple, list, pairs, placed, put_state, starts, stepped,
+    CoupledUnknown, Start, Wanted, couple, list, nothing, pairs, placed, put_state, starts,
+    stepped,
 };
 #[cfg(feature = "rayon")]
 pub use sweep::fill_parallel;

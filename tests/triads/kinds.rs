@@ -42,6 +42,8 @@ pub(crate) struct Kind {
     /// Degree of the characteristic polynomial, which is the largest number of assemblies.
     pub(crate) degree: usize,
     pub(crate) joints: [Joints; 3],
+    /// Of the mechanism.
+    pub(crate) structure: &'static linkage::Structure,
     /// As written.
     pub(crate) dimensions: fn() -> Dimensions,
     /// The assembly that the estimates choose.
@@ -115,6 +117,7 @@ macro_rules! kinds {
                 name: $name,
                 degree: $degree,
                 joints: [$(Joints::$joints),*],
+                structure: &Mechanism::STRUCTURE,
                 dimensions: || {
                     let Mechanism { crank, a2, a3, b, c, kappa, q1, q2, q3 } = Mechanism::default();
                     [crank, a2.x, a2.y, a3.x, a3.y, b, c, kappa, q1, q2, q3]

@@ -28,6 +28,8 @@ pub(crate) struct Kind {
     /// The largest number of assemblies.
     pub(crate) degree: usize,
     pub(crate) joints: [Joints; 2],
+    /// Of the mechanism.
+    pub(crate) structure: &'static linkage::Structure,
     /// As written.
     pub(crate) dimensions: fn() -> Dimensions,
     /// All assemblies at an input.
@@ -125,6 +127,7 @@ macro_rules! kinds {
                 name: $name,
                 degree: $degree,
                 joints: [$(Joints::$joints),*],
+                structure: &Mechanism::STRUCTURE,
                 dimensions: || {
                     let m = Mechanism::default();
                     [

@@ -121,7 +121,7 @@ fn constructors(outline: &Outline) -> TokenStream {
         let title = outline.title();
         let all = match outline.starts.is_empty() {
             true => quote! {
-                #assembly::__assemble(self, __modes, #at).map(|__assembly| #runtime::Vec::from([__assembly]))
+                #assembly::__assemble(self, __modes, #at).map(|__assembly| #runtime::one(__assembly))
             },
             false => quote!(#assembly::__assemblies(self, __modes, #at)),
         };

@@ -9,8 +9,8 @@ use super::equations::{Coordinate, CoordinateKind};
 
 impl Analysis<'_, '_> {
     /// Class, order, and the number of links in the closed contour that changes its shape (0 without one). Loops whose known
-    /// parts are the same close a contour without the frame; every other loop adds a place where the group is
-    /// attached.
+    /// parts are the same, and a loop without any, close a contour that leaves the frame out; every other loop adds a place where
+    /// the group is attached.
     pub(super) fn class_and_order(
         &mut self,
         polynomials: &[Polynomials],
@@ -23,8 +23,10 @@ impl Analysis<'_, '_> {
         let mut contours = 0;
         let mut longest = 0;
         for (index, a) in polynomials.iter().enumerate() {
-            let contour = polynomials[..index]
-                .iter()
+            let alone = std::iter::once(None);
+            let with_others = polynomials[..index].iter().map(Some);
+            let contour = alone
+                .chain(with_others)
                 .find_map(|b| self.contour(a, b, coordinates));
             if let Some(length) = contour {
                 contours += 1;
@@ -36,14 +38,15 @@ impl Analysis<'_, '_> {
         (class as u8, order as u8, longest)
     }
 
-    /// The number of unknowns in the sum or difference of two vector loops, if their known parts cancel.
+    /// The number of unknowns in a vector loop, or in the sum or difference of two, if the known parts cancel.
     fn contour(
         &mut self,
         a: &Polynomials,
-        b: &Polynomials,
+        b: Option<&Polynomials>,
         coordinates: &[Coordinate],
     ) -> Option<usize> {
-        if a.rows.len() != 2 || b.rows.len() != 2 {
+        let both: Vec<&Polynomials> = std::iter::once(a).chain(b).collect();
+        if both.iter().any(|p| p.rows.len() != 2) {
             return None;
         }
         [1.0, -1.0].into_iter().find_map(|sign| {
@@ -52,17 +55,18 @@ impl Analysis<'_, '_> {
                     let graph = &mut self.algebra.graph;
                     let zero = graph.zero();
                     let of = |p: &Polynomials| p.rows[row].get(monomial).copied().unwrap_or(zero);
-                    let (x, y) = (of(a), of(b));
+                    let (x, y) = (of(a), b.map_or(zero, of));
                     let y = if sign < 0.0 { graph.neg(y) } else { y };
                     agree(graph, x, y)
                 })
             };
-            let known = vec![0; a.rows[0].keys().next().map_or(0, Vec::len)];
+            let mut monomials = both.iter().flat_map(|p| &p.rows).flat_map(|row| row.keys());
+            let known = vec![0; monomials.next().map_or(0, Vec::len)];
             if known.is_empty() || !cancels(&known) {
                 return None;
             }
             let mut left: Vec<Vec<u8>> = Vec::new();
-            for monomial in a.rows.iter().chain(&b.rows).flat_map(|row| row.keys()) {
+            for monomial in both.iter().flat_map(|p| &p.rows).flat_map(|row| row.keys()) {
                 if !left.contains(monomial) && !cancels(monomial) {
                     left.push(monomial.clone());
                 }

@@ -51,6 +51,12 @@ pub fn close<T: Scalar>(
     Ok(())
 }
 
+/// A list of one.
+#[cfg(feature = "alloc")]
+pub fn one<A>(only: A) -> Vec<A> {
+    Vec::from([only])
+}
+
 /// More modes than this are not listed.
 #[cfg(feature = "alloc")]
 const MOST_MODES: usize = 16;

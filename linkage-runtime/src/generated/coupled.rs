@@ -10,4 +10,4 @@ pub use lanes::Coupled;
 pub use solve::{
     CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution, CoupledUnknown, couple, list,
 };
-pub use starts::{Start, Wanted, pairs, placed, put_state, starts, stepped};
+pub use starts::{Start, Wanted, nothing, pairs, placed, put_state, starts, stepped};

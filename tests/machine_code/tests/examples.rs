@@ -24,6 +24,7 @@ example! {
     double_double "../../../examples/double_double.rs",
     drag_link "../../../examples/drag_link.rs",
     dyads "../../../examples/stability/dyads.rs",
+    eye_needle "../../../examples/eye_needle.rs",
     favorit "../../../examples/favorit.rs",
     geared_five_bar "../../../examples/geared_five_bar.rs",
     gears "../../../examples/gears.rs",
@@ -33,6 +34,7 @@ example! {
     systems "../../../examples/stability/systems.rs",
     textbook "../../../examples/stability/textbook.rs",
     trammel "../../../examples/trammel.rs",
+    two_crank_triad "../../../examples/two_crank_triad.rs",
 }
 
 check!(crank_rocker_: crank_rocker::CrankRocker, crank_rocker::CrankRockerAssembly:
@@ -50,6 +52,11 @@ check!(stability_rod_and_guide: dyads::RodAndGuide, dyads::RodAndGuideAssembly:
     place [place_sweep place_sweep_sets] (y));
 check!(stability_turning_guide: dyads::TurningGuide, dyads::TurningGuideAssembly:
     place [place_sweep place_sweep_sets] (y));
+check!(eye_needle_: eye_needle::EyeNeedle, eye_needle::EyeNeedleAssembly:
+    needle [needle_sweep needle_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
+    posture [posture_sweep posture_sweep_sets] (phi));
 check!(favorit_: favorit::Favorit, favorit::FavoritAssembly:
     needle [needle_sweep needle_sweep_sets] (phi12),
     motion [motion_sweep motion_sweep_sets] (phi12));
@@ -82,3 +89,6 @@ check!(trammel_: trammel::Trammel, trammel::TrammelAssembly:
 check!(trammel_scotch_yoke: trammel::ScotchYoke, trammel::ScotchYokeAssembly:
     yoke [yoke_sweep yoke_sweep_sets] (phi),
     accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
+check!(two_crank_triad_: two_crank_triad::TwoCranks, two_crank_triad::TwoCranksAssembly:
+    working_point [working_point_sweep working_point_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi));

@@ -1,18 +1,21 @@
-//! A triad that is singular at the reference: the three legs meet in one point.
+//! A triad that is singular at the reference: the lines of its three legs meet in one point.
 
 use linkage::mechanism;
 
 mechanism! {
     pub struct M {
         unit mm;
-        input phi = 0deg;
+        param length_a = hypot(15mm, 50mm);
+        param length_b = hypot(24mm, 80mm);
+        param length_c = 90mm;
+        input shift = 0mm;
         unknown link = 0deg;
-        unknown leg_a = 90deg;
-        unknown leg_b = 90deg;
+        unknown leg_a = 107deg;
+        unknown leg_b = 73deg;
         unknown leg_c = 90deg;
-        let a = (10mm, 0mm) * cos(phi) + polar(50mm, leg_a);
-        loop a + polar(40mm, link) = (50mm, 0mm) + polar(50mm, leg_b);
-        loop a + polar(90mm, link) = (100mm, 0mm) + polar(50mm, leg_c);
+        let a = (15mm, -50mm + shift) + polar(length_a, leg_a);
+        loop a + polar(60mm, link) = (36mm, -80mm) + polar(length_b, leg_b);
+        loop a + rotate((30mm, 50mm), link) = (30mm, -40mm) + polar(length_c, leg_c);
     }
 }
 

@@ -34,6 +34,27 @@
     }
 }
 
+::linkage::mechanism! {
+    /// A ternary link on three legs.
+    pub struct Platform {
+        unit mm;
+        param leg = 50mm;
+        input phi = 60deg in 20deg..100deg;
+        unknown tilt = 20deg;
+        unknown leg_a = 20deg;
+        unknown leg_b = 100deg;
+        unknown leg_c = 290deg;
+        let a = polar(40mm, phi) + polar(leg, leg_a);
+        loop a + polar(60mm, tilt) = (120mm, 0) + polar(leg, leg_b);
+        loop a + polar(60mm, tilt + 60deg) = (60mm, 110mm) + polar(leg, leg_c);
+    }
+
+    impl Platform {
+        /// Its first joint.
+        pub fn joint(phi) -> Joint { a, tilt, v: velocity(a), e: sensitivity(tilt) }
+    }
+}
+
 /// A module of its own, with a private mechanism nobody uses in full.
 pub mod inner {
     ::linkage::mechanism! {

@@ -47,7 +47,9 @@ pub(in crate::emit) fn assemble(
             let mut __lanes = #runtime::Vec::new();
             for __lane in 0..T::LANES {
                 match Self::__on_lane(__m, __modes, __at, __lane, #runtime::Wanted::Nearest) {
-                    ::core::result::Result::Ok(__starts) => __lanes.extend(__starts),
+                    ::core::result::Result::Ok(__starts) => {
+                        ::core::iter::Extend::extend(&mut __lanes, __starts);
+                    }
                     ::core::result::Result::Err(__error) => {
                         Self::__close_closed_forms(__m, __modes, __at)?;
                         return ::core::result::Result::Err(__error);
@@ -72,11 +74,12 @@ pub(in crate::emit) fn assemble(
                 }
             };
             for __first in __all {
-                let mut __lanes = #runtime::Vec::from([__first.clone()]);
+                let mut __lanes = #runtime::one(::core::clone::Clone::clone(&__first));
                 for __lane in 1..T::LANES {
-                    __lanes.extend(Self::__on_lane(
+                    let __next = Self::__on_lane(
                         __m, __modes, __at, __lane, #runtime::Wanted::Like(&__first),
-                    )?);
+                    )?;
+                    ::core::iter::Extend::extend(&mut __lanes, __next);
                 }
                 __found.push(Self::__with_starts(__m, __modes, __at, &__lanes)?);
             }
@@ -104,8 +107,7 @@ pub(in crate::emit) fn assemble(
             __modes: #modes,
             __at: #inputs,
         ) -> ::core::result::Result<(), #runtime::AssemblyError> {
-            let __lanes: #runtime::Vec<[#runtime::Start; #count]> =
-                (0..T::LANES).map(|_| [const { #runtime::Start::Nothing }; #count]).collect();
+            let __lanes = #runtime::nothing::<#count>(T::LANES);
             let __starts = Self::__starts(&__lanes);
             let __turns: #turns = #runtime::Turns::at_estimates([#(#estimates),*]);
             let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);

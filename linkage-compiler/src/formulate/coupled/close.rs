@@ -77,7 +77,11 @@ impl Assembly<'_, '_> {
             .origins
             .span(self.algebra.mechanism.loops[solved.group.loops[0]].origin);
         let candidates = match self.candidates(prepared.number) {
-            Ok(candidates) => candidates,
+            Ok(Some(candidates)) => candidates,
+            Ok(None) => {
+                self.refused(solved, prepared, Refusal::NotASolution);
+                return false;
+            }
             Err(reason) => {
                 let why = match reason {
                     Unlisted::NotFinite => {
@@ -146,8 +150,8 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// All real assemblies, the nearest to the estimates first.
-    fn candidates(&mut self, number: usize) -> Result<Vec<Candidate>, Unlisted> {
+    /// All real assemblies, the nearest to the estimates first; `None` if some meet at a turning point.
+    fn candidates(&mut self, number: usize) -> Result<Option<Vec<Candidate>>, Unlisted> {
         let mut numbers = Numbers {
             machine: &self.machine,
             number,
@@ -169,6 +173,9 @@ impl Assembly<'_, '_> {
             terms: &terms,
         };
         let listing = roots::solve(&system, &coefficients)?;
+        if listing.multiple > 0 {
+            return Ok(None);
+        }
         let own: Vec<f64> = group
             .inputs
             .iter()
@@ -186,7 +193,7 @@ impl Assembly<'_, '_> {
             candidates.push(self.candidate_of(group, state, &placed));
         }
         candidates.sort_by(|a, b| a.distance.total_cmp(&b.distance));
-        Ok(candidates)
+        Ok(Some(candidates))
     }
 
     fn candidate_of(&self, group: &Coupled, state: Vec<f64>, placed: &[f64]) -> Candidate {

@@ -136,6 +136,26 @@ impl CoupledGroup {
         })
     }
 
+    /// The real solutions of a listing, the nearest to the estimates first.
+    fn solutions(
+        &self,
+        listing: &Listing,
+        programs: &mut impl CoupledPrograms,
+        x: &[f64],
+    ) -> Result<Vec<CoupledSolution>, AssemblyError> {
+        let mut solutions: Vec<CoupledSolution> = states(self.variables, listing, x, programs)
+            .into_iter()
+            .map(|state| self.solution(programs, x, state))
+            .filter(|solution| solution.distance.is_finite())
+            .collect();
+        if solutions.is_empty() {
+            let complex = listing.complex;
+            return Err(self.error(CoupledCause::NoneReal { complex }));
+        }
+        solutions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        Ok(solutions)
+    }
+
     fn solution(
         &self,
         programs: &mut impl CoupledPrograms,
@@ -205,30 +225,25 @@ pub fn list(
     x: &[f64],
 ) -> Result<Vec<CoupledSolution>, AssemblyError> {
     let listing = group.listed(&programs.system(x))?;
-    let mut solutions: Vec<CoupledSolution> = states(group.variables, &listing, x, programs)
-        .into_iter()
-        .map(|state| group.solution(programs, x, state))
-        .filter(|solution| solution.distance.is_finite())
-        .collect();
-    if solutions.is_empty() {
-        let complex = listing.complex;
-        return Err(group.error(CoupledCause::NoneReal { complex }));
-    }
-    solutions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
-    Ok(solutions)
+    group.solutions(&listing, programs, x)
 }
 
 /// The solution at the inputs `x` that is nearest to the estimates.
 ///
 /// # Errors
 ///
-/// If the solutions cannot be listed, none is real, or two are equally near.
+/// If the solutions cannot be listed, none is real, two are equally near, or two meet at a turning point.
 pub fn couple(
     group: &CoupledGroup,
     programs: &mut impl CoupledPrograms,
     x: &[f64],
 ) -> Result<CoupledSolution, AssemblyError> {
-    let mut solutions = list(group, programs, x)?;
+    let listing = group.listed(&programs.system(x))?;
+    if listing.multiple > 0 {
+        // The one that is meant may be among those that meet.
+        return Err(group.error(CoupledCause::Singular));
+    }
+    let mut solutions = group.solutions(&listing, programs, x)?;
     if let [first, second, ..] = &solutions[..]
         && second.distance - first.distance <= AMBIGUOUS * second.distance
     {

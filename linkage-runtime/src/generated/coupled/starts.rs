@@ -138,6 +138,11 @@ fn start(
     made.map_err(|refusal| group.refused(refusal))
 }
 
+/// Nothing prepared, in every lane.
+pub fn nothing<const K: usize>(lanes: usize) -> Vec<[Start; K]> {
+    vec![[const { Start::Nothing }; K]; lanes]
+}
+
 /// Puts a state in its place among arguments.
 pub fn put_state(arguments: &mut [f64], first: usize, state: &[f64]) {
     arguments[first..first + state.len()].copy_from_slice(state);

@@ -60,10 +60,10 @@ const CONTOUR: System = System {
 };
 
 macro_rules! contour {
-    ($name:ident { $($items:tt)* }) => {
+    ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
         linkage_accuracy::form! {
             $name(phi) -> [alpha, beta, gamma, delta, end];
-            pairs p upper, at_q r;
+            $($pairs)*
             fields |g| {
                 crank: g[0], base: [g[1], g[2]].into(), p: g[3], q: g[4], at_q: g[5], r: g[6],
                 s: g[7], at_s: g[8], upper: g[9], lower: g[10]
@@ -93,13 +93,13 @@ macro_rules! contour {
     };
 }
 
-contour!(plain {
+contour!(plain [pairs p upper, at_q r;] {
     loop end + polar(upper, gamma) = base + polar(r, beta);
     loop a + polar(q, alpha + at_q) + polar(lower, delta) = base + polar(s, beta + at_s);
 });
 
 // The second loop goes around the contour.
-contour!(around {
+contour!(around [] {
     loop base + polar(r, beta) - polar(upper, gamma) = end;
     loop polar(upper, gamma) + polar(p, alpha) + polar(s, beta + at_s)
         = polar(lower, delta) + polar(q, alpha + at_q) + polar(r, beta);

@@ -1,75 +1,14 @@
-//! The eye-needle drive: three binary legs on a ternary link that is given by its sides.
+//! The eye-needle drive in two written forms.
 
+use crate::drive::EYE_NEEDLE;
 use crate::{LIMITS, cases, sizes};
-use linkage_accuracy::{
-    Big, Datum, Depth, Form, Output, Plane, Position, System, Unknown, compare, forms,
-};
-
-pub(crate) fn third(p: &Position) -> Plane {
-    p.polar("l12", "phi") + p.polar("l23", "phi23")
-}
-
-/// The unit vector of the angle between the sides 34 and 35.
-fn corner(p: &Position) -> Plane {
-    let [a, b, c] = ["l34", "l35", "l45"].map(|name| p.value(name));
-    let cosine = (a * a + b * b - c * c) / (a * b * 2.0);
-    let sine = (Big::one() - &cosine * &cosine).sqrt();
-    Plane { x: cosine, y: sine }
-}
-
-pub(crate) const EYE_NEEDLE: System = System {
-    name: "eye-needle drive, RR-RR-RR",
-    data: &[
-        Datum::length("l12", 50.0),
-        Datum::length("l23", 272.5),
-        Datum::length("l34", 81.0),
-        Datum::length("l45", 104.5),
-        Datum::length("l35", 174.0),
-        Datum::length("l46", 104.5),
-        Datum::length("l57", 261.0),
-        Datum::length("l78", 136.8),
-        Datum::degrees("angle_578", -25.0),
-        Datum::length("p6.x", 195.0),
-        Datum::length("p6.y", 226.0),
-        Datum::length("p7.x", 46.0),
-        Datum::length("p7.y", 533.0),
-        Datum::degrees("phi", 0.0),
-    ],
-    parameters: 13,
-    unknowns: &[
-        Unknown::angle("phi23", 62.0),
-        Unknown::angle("phi34", 146.0),
-        Unknown::angle("phi64", 144.0),
-        Unknown::angle("phi75", -99.0),
-    ],
-    residual: |p| {
-        let fourth = third(p) + p.polar("l34", "phi34") - p.point("p6") - p.polar("l46", "phi64");
-        let fifth = third(p) + p.polar("l35", "phi34").turned(&corner(p))
-            - p.point("p7")
-            - p.polar("l57", "phi75");
-        vec![fourth.x, fourth.y, fifth.x, fifth.y]
-    },
-    outputs: |p| {
-        let needle = p.point("p7") + p.polar("l78", "phi75").turned(&p.direction("angle_578"));
-        let angles =
-            ["phi23", "phi34", "phi64", "phi75"].map(|name| Output::Angle(p.direction(name)));
-        angles
-            .into_iter()
-            .chain([needle.x, needle.y].map(Output::Value))
-            .collect()
-    },
-    gap: |_| Big::one(),
-    turned: |_| Big::one(),
-    pairs: &[(1, 3), (4, 4)],
-    linear: false,
-    margin: false,
-};
+use linkage_accuracy::{Depth, Form, compare, forms};
 
 macro_rules! eye_needle {
-    ($name:ident { $($items:tt)* }) => {
+    ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
         linkage_accuracy::form! {
             $name(phi) -> [phi23, phi34, phi64, phi75, p8];
-            pairs l23 l45, l35 l35;
+            $($pairs)*
             fields |g| {
                 l12: g[0], l23: g[1], l34: g[2], l45: g[3], l35: g[4], l46: g[5], l57: g[6],
                 l78: g[7], angle_578: g[8], p6: [g[9], g[10]].into(), p7: [g[11], g[12]].into()
@@ -96,7 +35,7 @@ macro_rules! eye_needle {
     };
 }
 
-eye_needle!(plain {
+eye_needle!(plain [pairs l23 l45, l35 l35;] {
     unknown phi23 = 62deg;
     unknown phi34 = 146deg;
     unknown phi64 = 144deg;
@@ -108,7 +47,7 @@ eye_needle!(plain {
 });
 
 // The chains end at the needle; the second loop goes around the ternary link.
-eye_needle!(around_the_link {
+eye_needle!(around_the_link [] {
     unknown phi75 = -99deg;
     unknown phi64 = 144deg;
     unknown phi34 = 146deg;

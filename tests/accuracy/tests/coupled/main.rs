@@ -4,20 +4,20 @@
 //! unknowns adds up more roundings than a dyad.
 
 mod contour;
+mod drive;
 mod eye_needle;
 mod platforms;
 mod triads;
-mod turning;
 mod two_cranks;
 
 use linkage_accuracy::{Case, Kind, Limits, Random, System, rescaled};
 
 const LIMITS: Limits = Limits {
     condition: 10.0,
-    value: 10.0,
-    first: 30.0,
-    second: 100.0,
-    third: 100.0,
+    value: 5.0,
+    first: 10.0,
+    second: 10.0,
+    third: 10.0,
 };
 
 /// The mechanism as written all over the cycle, and with all dimensions changed by up to a part of

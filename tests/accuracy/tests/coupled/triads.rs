@@ -51,7 +51,7 @@ macro_rules! triad {
         $module:ident $name:literal [$leg1:ident $leg2:ident $leg3:ident] seeds $seed:literal
         data $q1:expr, $q2:expr, $q3:expr; unknowns $x1:expr, $x2:expr, $x3:expr, $theta:literal;
         default $crank:literal $a2x:literal $a2y:literal $a3x:literal $a3y:literal $b:literal $c:literal $kappa:literal;
-        form { $($items:tt)* }
+        form [$($pairs:tt)*] { $($items:tt)* }
     ) => {
         mod $module {
             use super::*;
@@ -85,7 +85,7 @@ macro_rules! triad {
 
             linkage_accuracy::form! {
                 plain(phi) -> [x1, x2, x3, theta, e3];
-                pairs b q1, kappa q3;
+                $($pairs)*
                 fields |g| {
                     crank: g[0], a2: [g[1], g[2]].into(), a3: [g[3], g[4]].into(), b: g[5], c: g[6],
                     kappa: g[7], q1: g[8], q2: g[9], q3: g[10]
@@ -113,7 +113,7 @@ triad! {
     data Datum::length("q1", 102.0), Datum::degrees("q2", 170.0), Datum::degrees("q3", -35.0);
     unknowns Unknown::angle("x1", -21.0), Unknown::slide("x2", -121.0), Unknown::slide("x3", 153.0), 1.0;
     default 27.0 96.0 -1.0 28.0 84.0 97.0 42.0 30.0;
-    form {
+    form [pairs b q1, kappa q3;] {
         param crank = 27mm;
         param a2 = (96mm, -1mm);
         param a3 = (28mm, 84mm);
@@ -140,7 +140,7 @@ triad! {
     data Datum::degrees("q1", 50.0), Datum::degrees("q2", -15.0), Datum::degrees("q3", -70.0);
     unknowns Unknown::slide("x1", 41.0), Unknown::slide("x2", 19.0), Unknown::slide("x3", 12.0), -16.0;
     default 20.0 128.0 17.0 82.0 111.0 96.0 73.0 80.0;
-    form {
+    form [] {
         param crank = 20mm;
         param a2 = (128mm, 17mm);
         param a3 = (82mm, 111mm);
@@ -167,7 +167,7 @@ triad! {
     data Datum::degrees("q1", 5.0), Datum::degrees("q2", -60.0), Datum::degrees("q3", -90.0);
     unknowns Unknown::slide("x1", 99.0), Unknown::slide("x2", -92.0), Unknown::slide("x3", 141.0), 142.0;
     default 35.0 90.0 12.0 68.0 102.0 107.0 89.0 85.0;
-    form {
+    form [] {
         param crank = 35mm;
         param a2 = (90mm, 12mm);
         param a3 = (68mm, 102mm);

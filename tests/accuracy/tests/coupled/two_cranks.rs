@@ -65,10 +65,10 @@ fn on_the_guide(p: &Position) -> Plane {
 }
 
 macro_rules! two_cranks {
-    ($name:ident { $($items:tt)* }) => {
+    ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
         linkage_accuracy::form! {
             $name(phi) -> [phi23, phi34, phi64, s, p8];
-            pairs l23 l35, angle_435 guide;
+            $($pairs)*
             fields |g| {
                 l12: g[0], l67: g[1], p7: [g[2], g[3]].into(), l23: g[4], l64: g[5], l34: g[6],
                 l35: g[7], angle_435: g[8], n1: g[9], guide: g[10], l58: g[11], angle_58: g[12]
@@ -102,13 +102,13 @@ macro_rules! two_cranks {
     };
 }
 
-two_cranks!(plain {
+two_cranks!(plain [pairs l23 l35, angle_435 guide;] {
     loop p3 + polar(l34, phi34) = p4;
     loop p3 + polar(l35, phi34 + angle_435) = p5;
 });
 
 // Both loops end on the slider.
-two_cranks!(from_the_slider {
+two_cranks!(from_the_slider [] {
     loop p4 - polar(l34, phi34) + polar(l35, phi34 + angle_435) = p5;
     loop p5 - rotate(polar(l35, phi34), angle_435) - p3 = 0;
 });

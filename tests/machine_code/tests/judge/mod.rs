@@ -15,10 +15,11 @@ macro_rules! check {
             $({
                 let operations = crate::judge::operations(structure, stringify!($function));
                 let one = check!(@one $assembly, $function $inputs);
+                let looked_up = crate::judge::looked_up(structure);
                 crate::judge::one(&mut table, stringify!($function), one, operations);
                 let sweeps: [*const (); _] = check!(@sweeps $mechanism, $assembly, $sweeps $inputs);
                 for entry in sweeps {
-                    crate::judge::clones(&mut table, stringify!($function), entry, operations);
+                    crate::judge::clones(&mut table, stringify!($function), entry, operations, looked_up);
                 }
             })*
             println!("{table}");
@@ -55,6 +56,14 @@ pub(crate) fn operations<'a>(structure: &'a Structure, name: &str) -> &'a Operat
     let mut functions = structure.functions.iter();
     let function = functions.find(|function| function.name == name);
     &function.expect("it is listed").operations
+}
+
+/// True if some group starts from a prepared state: sweeps look it up row by row.
+pub(crate) fn looked_up(structure: &Structure) -> bool {
+    structure
+        .groups
+        .iter()
+        .any(|group| group.method.starts_with("prepared"))
 }
 
 /// Instructions: of a single call, then of the sweeps over inputs and over mechanisms, each for three instruction sets.
@@ -105,7 +114,13 @@ pub(crate) fn one(table: &mut String, name: &str, entry: *const (), operations: 
 
 /// A sweep on all instruction sets: all arithmetic in loops is packed and as wide as the registers are. A build for a
 /// newer processor leaves some sets out.
-pub(crate) fn clones(table: &mut String, name: &str, entry: *const (), operations: &Operations) {
+pub(crate) fn clones(
+    table: &mut String,
+    name: &str,
+    entry: *const (),
+    operations: &Operations,
+    looked_up: bool,
+) {
     if cfg!(target_feature = "avx") {
         return;
     }
@@ -121,7 +136,14 @@ pub(crate) fn clones(table: &mut String, name: &str, entry: *const (), operation
         *table += &format!("{:>width$}", loops.instructions);
         let judgement = format!("{name} for {set:?}: {loops:?}, planned: {operations}");
         assert!(loops.library.is_empty(), "call in {judgement}");
-        packed(&loops, lanes, &judgement);
+        if looked_up {
+            // Beside the rows' look-ups, all arithmetic that is planned.
+            let full = loops.packed.get(&lanes).copied().unwrap_or(0);
+            let planned = (operations.total() / 2) as usize;
+            assert!(full > planned, "little packed arithmetic in {judgement}");
+        } else {
+            packed(&loops, lanes, &judgement);
+        }
         assert_eq!(loops.fused > 0, set != Set::Baseline, "{judgement}");
         assert!(
             set == Set::Baseline || only_repeats(&loops),
