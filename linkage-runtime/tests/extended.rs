@@ -42,7 +42,8 @@ fn rows_become_longer() {
         };
         let extended = Extended {
             inner,
-            extend: |[x]: [f64; 1]| [x, 2.0 * x, -x * x],
+            first: 0,
+            extend: |[x]: [f64; 1]| [2.0 * x, -x * x],
         };
         let mut columns = Columns::new(2, 0);
         fill(&Sum, &extended, &mut columns);

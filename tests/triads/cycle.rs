@@ -2,7 +2,7 @@
 //! reference, or NaN.
 
 use crate::kinds::{Answer, Dimensions, KINDS, Kind};
-use crate::legs::{Pose, distance, follow, poses};
+use crate::legs::{Pose, distance, follow, follow_and_measure, poses};
 use crate::random::{Random, effort};
 use std::f64::consts::TAU;
 
@@ -16,13 +16,15 @@ const END: f64 = 0.02;
 
 /// A slider farther out than this, in mm, is on its way to infinity: its mechanism is not looked at there.
 const FAR: f64 = 600.0;
+/// Where the determinant is smaller, two turning points have all but met: a table may end before it.
+const NARROW: f64 = 2e-3;
 
 /// The poses that lead from the reference to one end of a range, and where they end.
 struct Way {
     poses: Vec<(f64, Pose)>,
     end: f64,
-    /// Whether it ends because it is far out.
-    far: bool,
+    /// Whether there is nothing to say about what comes behind: it is far out, or the passage is narrow.
+    open: bool,
 }
 
 fn way(kind: &Kind, dimensions: &Dimensions, pose: Pose, to: f64) -> Way {
@@ -31,20 +33,20 @@ fn way(kind: &Kind, dimensions: &Dimensions, pose: Pose, to: f64) -> Way {
     let mut poses = vec![(at, here)];
     for step in 1..=STEPS {
         let next = REFERENCE + (to - REFERENCE) * f64::from(step) / f64::from(STEPS);
-        match follow(legs, here, (at, next)) {
-            Ok(there) if is_far(&there) => {
+        match follow_and_measure(legs, here, (at, next)) {
+            Ok((there, least)) if is_far(&there) || least < NARROW => {
                 return Way {
                     poses,
                     end: at,
-                    far: true,
+                    open: true,
                 };
             }
-            Ok(there) => (at, here) = (next, there),
+            Ok((there, _)) => (at, here) = (next, there),
             Err(end) => {
                 return Way {
                     poses,
                     end,
-                    far: false,
+                    open: false,
                 };
             }
         }
@@ -53,7 +55,7 @@ fn way(kind: &Kind, dimensions: &Dimensions, pose: Pose, to: f64) -> Way {
     Way {
         poses,
         end: to,
-        far: false,
+        open: false,
     }
 }
 
@@ -102,7 +104,7 @@ fn compare(
                 compared += 1;
             }
         }
-        if !way.far && !around.far {
+        if !way.open && !around.open {
             beyond(kind, dimensions, evaluate, way, around);
         }
     }

@@ -59,17 +59,17 @@ fn solve(mut rows: Vec<Vec<f64>>) -> (Vec<f64>, f64) {
     (result, determinant)
 }
 
-/// Follows a solution while an input goes from one value to another, in steps so short that it cannot
-/// get lost; `Err` with the input where it ends in a turning point.
+/// Follows a solution while an input goes from one value to another, as `legs::follow` does.
 pub(crate) fn follow<const N: usize>(
     equations: &dyn Fn(f64, &[f64; N]) -> [f64; N],
     start: [f64; N],
     (from, to): (f64, f64),
 ) -> Result<[f64; N], f64> {
     let (mut at, mut here, mut length) = (from, start, (to - from) / 64.0);
-    let sign = step(&|x| equations(from, x), &mut start.clone()).1.signum();
+    let mut last = step(&|x| equations(from, x), &mut start.clone()).1;
     while at != to {
-        length = length.clamp(-0.02, 0.02);
+        let longest = (last * last).min(0.02);
+        length = length.clamp(-longest, longest);
         let next = if (to - at).abs() <= length.abs() {
             to
         } else {
@@ -79,21 +79,21 @@ pub(crate) fn follow<const N: usize>(
         let (mut moved, mut contracts, mut determinant) = (f64::INFINITY, true, 0.0);
         for _ in 0..8 {
             let (now, d) = step(&|x| equations(next, x), &mut there);
-            contracts &= now.is_finite() && (now < 0.3 * moved || now < 1e-11);
+            contracts &= now.is_finite() && (now < 0.3 * moved || now < 1e-10);
             (moved, determinant) = (now, d);
             if !contracts || now < 1e-13 {
                 break;
             }
         }
         let apart = crate::largest(here.iter().zip(&there).map(|(a, b)| a - b));
-        if contracts && apart < 0.1 && determinant * sign > 0.0 {
-            (at, here) = (next, there);
+        if contracts && apart < 0.1 && (0.6..1.7).contains(&(determinant / last)) {
+            (at, here, last) = (next, there, determinant);
             length *= 1.5;
         } else {
             length *= 0.25;
-            if length.abs() < 1e-9 {
-                return Err(at);
-            }
+        }
+        if length.abs().min(longest) < 1e-8 {
+            return Err(at);
         }
     }
     Ok(here)

@@ -162,14 +162,63 @@ impl Algebra<'_> {
             let [rest, turn] = [self.cos_sin(rest), turn.map(|x| self.graph.constant(x))];
             return self.complex_product(rest, turn);
         }
-        if let Node::Binary(Binary::Atan2, y, x) = self.graph.node(argument) {
-            let length = self.length(&[x, y]);
-            return [self.graph.div(x, length), self.graph.div(y, length)];
+        self.undone(argument).unwrap_or_else(|| {
+            [
+                self.graph.unary(Unary::Cos, argument),
+                self.graph.unary(Unary::Sin, argument),
+            ]
+        })
+    }
+
+    /// Cosine and sine of the argument of a vector, or of an angle in a triangle, without any arc function; also as a summand.
+    fn undone(&mut self, argument: NodeId) -> Option<[NodeId; 2]> {
+        match self.graph.node(argument) {
+            Node::Binary(Binary::Atan2, y, x) => {
+                let length = self.length(&[x, y]);
+                Some([self.graph.div(x, length), self.graph.div(y, length)])
+            }
+            Node::Binary(Binary::Mul, a, b) => {
+                let two = |x| self.graph.constant_value(x) == Some(2.0);
+                let half = match (two(a), two(b)) {
+                    (true, _) => b,
+                    (_, true) => a,
+                    _ => return None,
+                };
+                let Node::Unary(Unary::Atan, tangent) = self.graph.node(half) else {
+                    return None;
+                };
+                Some(self.from_half_tangent(tangent))
+            }
+            Node::Unary(Unary::Neg, x) => {
+                let [cos, sin] = self.undone(x)?;
+                Some([cos, self.graph.neg(sin)])
+            }
+            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => {
+                let (first, second) = match (self.undone(a), self.undone(b)) {
+                    (None, None) => return None,
+                    (Some(first), Some(second)) => (first, second),
+                    (Some(first), None) => (first, self.cos_sin(b)),
+                    (None, Some(second)) => (self.cos_sin(a), second),
+                };
+                let second = match op {
+                    Binary::Sub => [second[0], self.graph.neg(second[1])],
+                    _ => second,
+                };
+                Some(self.complex_product(first, second))
+            }
+            _ => None,
         }
-        [
-            self.graph.unary(Unary::Cos, argument),
-            self.graph.unary(Unary::Sin, argument),
-        ]
+    }
+
+    /// `(1 - t^2)/(1 + t^2)` and `2 t/(1 + t^2)`
+    fn from_half_tangent(&mut self, tangent: NodeId) -> [NodeId; 2] {
+        let graph = &mut self.graph;
+        let square = graph.square(tangent);
+        let one = graph.one();
+        let (above, below) = (graph.sub(one, square), graph.add(one, square));
+        let two = graph.constant(2.0);
+        let twice = graph.mul(two, tangent);
+        [graph.div(above, below), graph.div(twice, below)]
     }
 
     /// An angle without a summand of whole quarter turns, and the unit vector of that summand.

@@ -242,16 +242,15 @@ impl Sweeps<'_> {
         let extend = coupled::extend_name(self.function);
         let count = self.function.arguments.len();
         let width = self.function.places(self.outline).width();
-        let inputs = (before..before + count).map(literal::index);
-        let others = (0..before).map(literal::index);
-        let extended = (0..width).map(literal::index);
-        let row = literal::index(before + count);
+        let states = (count..width).map(literal::index);
+        let [first, count] = [before, count].map(literal::index);
         quote! {
             #runtime::Extended {
                 inner: #rows,
-                extend: |__row: [T; #row]| {
-                    let __x = self.#extend([#(__row[#inputs]),*]);
-                    [#(__row[#others],)* #(__x[#extended]),*]
+                first: #first,
+                extend: |__x: [T; #count]| {
+                    let __x = self.#extend(__x);
+                    [#(__x[#states]),*]
                 },
             }
         }

@@ -1,6 +1,6 @@
 //! Prepared states over several inputs, for every lane of a scalar.
 
-use super::lanes::by_lane;
+use super::lanes::{by_lane, constants};
 use crate::Scalar;
 use crate::numeric::coupled::GridLookup;
 use alloc::vec::Vec;
@@ -26,6 +26,9 @@ impl<const I: usize, const S: usize> CoupledGrid<I, S> {
     #[must_use]
     #[inline(always)]
     pub fn at<T: Scalar>(&self, x: [T; I]) -> ([T; S], T) {
+        if T::LANES == 1 {
+            return constants(self.first.at(x.map(|x| x.lane(0))));
+        }
         by_lane::<T, S>(|lane| {
             let mut inputs = [0.0; I];
             for (input, x) in inputs.iter_mut().zip(x) {

@@ -28,6 +28,9 @@ impl<const S: usize> Coupled<S> {
     #[must_use]
     #[inline(always)]
     pub fn at<T: Scalar>(&self, x: T) -> ([T; S], T) {
+        if T::LANES == 1 {
+            return constants(self.first.at(x.lane(0)));
+        }
         by_lane::<T, S>(|lane| match lane {
             0 => self.first.at(x.lane(0)),
             _ => self.others[lane - 1].at(x.lane(lane)),
@@ -35,8 +38,13 @@ impl<const S: usize> Coupled<S> {
     }
 }
 
-/// Looks up the states of all lanes. A type of one lane costs nothing more than its look-up.
+/// A state as constants of the scalar.
 #[inline(always)]
+pub(super) fn constants<T: Scalar, const S: usize>((state, floor): ([f64; S], f64)) -> ([T; S], T) {
+    (state.map(T::from_f64), T::from_f64(floor))
+}
+
+/// Looks up the states of all lanes.
 pub(super) fn by_lane<T: Scalar, const S: usize>(
     look_up: impl Fn(usize) -> ([f64; S], f64),
 ) -> ([T; S], T) {

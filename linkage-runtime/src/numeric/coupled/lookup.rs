@@ -97,7 +97,6 @@ impl<const S: usize> Lookup<S> {
     #[allow(unsafe_code, reason = "a bounds check would be a branch")]
     #[inline(always)]
     fn cell(&self, slot: usize) -> &Fixed<S> {
-        debug_assert!(slot < self.index.len());
         // SAFETY: `Scale::find` gives slots below the number that the index was made for, its elements are numbers of
         // cells, and nothing changes either after `Table::from_pieces`.
         unsafe {

@@ -94,7 +94,6 @@ impl<const I: usize, const S: usize> GridLookup<I, S> {
     #[allow(unsafe_code, reason = "a bounds check would be a branch")]
     #[inline(always)]
     fn cell(&self, number: usize) -> &Fixed<I, S> {
-        debug_assert!(number < self.cells.len());
         // SAFETY: `Scale::cell` gives slots below `Scale::slots`, `Grid::build` makes a cell for every combination of
         // them, and nothing changes the axes or the cells afterwards.
         unsafe { self.cells.get_unchecked(number) }
