@@ -187,7 +187,7 @@ impl Algebra<'_> {
                 let Node::Unary(Unary::Atan, tangent) = self.graph.node(half) else {
                     return None;
                 };
-                Some(self.from_half_tangent(tangent))
+                Some(self.turned_by_half_tangent(tangent))
             }
             Node::Unary(Unary::Neg, x) => {
                 let [cos, sin] = self.undone(x)?;
@@ -211,7 +211,7 @@ impl Algebra<'_> {
     }
 
     /// `(1 - t^2)/(1 + t^2)` and `2 t/(1 + t^2)`
-    fn from_half_tangent(&mut self, tangent: NodeId) -> [NodeId; 2] {
+    fn turned_by_half_tangent(&mut self, tangent: NodeId) -> [NodeId; 2] {
         let graph = &mut self.graph;
         let square = graph.square(tangent);
         let one = graph.one();
