@@ -86,8 +86,8 @@ pub mod __private {
     pub use linkage_runtime::generated::{Along, Angle, Turns, turns, wind};
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::generated::{
-        Arguments, Block, Extended, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_slices, one,
-        put, rows,
+        Arguments, Block, Extended, Inputs, Kernel, Sets, States, Vec, assemblies, fill,
+        fill_slices, one, put, rows,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{

@@ -26,7 +26,9 @@ pub use coupled::{
 #[cfg(feature = "rayon")]
 pub use sweep::fill_parallel;
 #[cfg(feature = "alloc")]
-pub use sweep::{Arguments, Block, Extended, Inputs, Kernel, Sets, fill, fill_slices, put, rows};
+pub use sweep::{
+    Arguments, Block, Extended, Inputs, Kernel, Sets, States, fill, fill_slices, put, rows,
+};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use turns::{Along, Angle, Turns, turns, wind};
 

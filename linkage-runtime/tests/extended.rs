@@ -1,7 +1,24 @@
 //! Arguments of sweeps that are computed from others.
 
 use linkage_runtime::Columns;
-use linkage_runtime::generated::{Arguments, Extended, Inputs, Kernel, fill, put, rows};
+use linkage_runtime::generated::{Arguments, Extended, Inputs, Kernel, States, fill, put, rows};
+
+/// Twice an argument, by way of a place, and minus its square.
+struct Twice;
+
+impl States<f64, 1, 1, 2> for Twice {
+    fn locate(&self, [x]: [f64; 1]) -> [f64; 1] {
+        [2.0 * x]
+    }
+
+    fn at<const FUSED: bool>(&self, [x]: [f64; 1], [twice]: [f64; 1]) -> [f64; 2] {
+        [twice, -x * x]
+    }
+
+    fn whole(&self, x: [f64; 1]) -> [f64; 2] {
+        self.at::<false>(x, self.locate(x))
+    }
+}
 
 /// The sum of three arguments, and the last one.
 struct Sum;
@@ -19,7 +36,7 @@ impl Kernel<f64, 3, 2> for Sum {
         while row < len {
             let first = row.min(len - B);
             let mut block = [[0.0; B]; 3];
-            arguments.block(start + first, &mut block);
+            arguments.block::<FUSED, B>(start + first, &mut block);
             let mut sum = [0.0; B];
             for (lane, sum) in sum.iter_mut().enumerate() {
                 *sum = block[0][lane] + block[1][lane] + block[2][lane];
@@ -43,7 +60,7 @@ fn rows_become_longer() {
         let extended = Extended {
             inner,
             first: 0,
-            extend: |[x]: [f64; 1]| [2.0 * x, -x * x],
+            states: Twice,
         };
         let mut columns = Columns::new(2, 0);
         fill(&Sum, &extended, &mut columns);

@@ -46,29 +46,26 @@ fn characteristic_polynomials_have_the_degrees_of_the_table() {
 
 #[test]
 fn groups_are_named_after_their_legs() {
-    let named = kinds::KINDS.iter().map(|kind| (kind.name, kind.structure));
+    let named = kinds::KINDS
+        .iter()
+        .map(|kind| (kind.name.to_owned(), kind.structure));
+    // Where the ternary link does not turn, its guides are like those of the frame.
     let two_slides = two_slides::KINDS
         .iter()
-        .map(|kind| (kind.name, kind.structure));
+        .map(|kind| (kind.name.replace("RP", "PR"), kind.structure));
     for (name, structure) in named.chain(two_slides) {
-        let sorted = |name: &str| {
+        let legs = |name: &str| {
             let mut legs: Vec<String> = name.split('-').map(String::from).collect();
             legs.sort();
             legs
         };
-        println!(
-            "{name}: {:?}",
-            structure
-                .groups
-                .iter()
-                .map(|g| (g.kind, g.class, g.order))
-                .collect::<Vec<_>>()
-        );
         let [group] = structure.groups else {
             panic!("{name}: {structure}")
         };
-        assert_eq!((group.class, group.order), (3, 3), "{name}");
-        assert_eq!(sorted(group.kind), sorted(name));
+        assert_eq!(
+            (group.class, group.order, legs(group.kind)),
+            (3, 3, legs(&name))
+        );
     }
 }
 

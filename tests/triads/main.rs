@@ -13,6 +13,7 @@ mod newton;
 mod platforms;
 mod polynomial;
 mod random;
+mod sweeps;
 mod two_slides;
 
 /// The largest magnitude; NaN if there is one.

@@ -4,20 +4,22 @@
 mod assemble;
 mod description;
 mod preparing;
+mod states;
 
 use linkage_symbolic::program::Program;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::assembly::Types;
 use super::facts::Facts;
 use super::load::{Places, loader};
-use super::outline::{Function, Outline, Start};
+use super::outline::{Outline, Start};
 use super::{attribute, body, literal};
 use crate::lower::Lowered;
 use crate::model::Mechanism;
 
 pub(super) use assemble::assemble;
+pub(super) use states::{states_name, with_states};
 
 /// The type of all starts.
 pub(super) fn starts_type(outline: &Outline) -> TokenStream {
@@ -74,23 +76,10 @@ fn lookups(outline: &Outline) -> TokenStream {
     let together = extend(outline, &quote!(__starts), &all, &groups);
     let inputs = literal::index(outline.inputs.len());
     let width = literal::index(Places::new(outline, &all, &groups).width());
-    let functions = outline.functions.iter().map(|function| {
-        let body = extend(
-            outline,
-            &quote!(self.__starts),
-            &function.positions,
-            &function.states,
-        );
-        let name = extend_name(function);
-        let [before, after] =
-            [function.positions.len(), function.places(outline).width()].map(literal::index);
-        let everywhere = &attribute::split(function.attributes).everywhere;
-        quote! {
-            #(#everywhere)*
-            #[inline(always)]
-            fn #name(&self, __x: [T; #before]) -> [T; #after] { #body }
-        }
-    });
+    let functions = outline
+        .functions
+        .iter()
+        .map(|function| states::items(outline, function));
     let allow = attribute::allow();
     quote! {
         #allow
@@ -99,15 +88,9 @@ fn lookups(outline: &Outline) -> TokenStream {
 
             #[inline(always)]
             fn __extend(__starts: &#starts, __x: [T; #inputs]) -> [T; #width] { #together }
-
-            #(#functions)*
         }
+        #(#functions)*
     }
-}
-
-/// The method that adds the states of the groups that a function uses to its arguments.
-pub(super) fn extend_name(function: &Function) -> Ident {
-    format_ident!("__extend_{}", function.name)
 }
 
 /// `__x` followed by the states of groups; `inputs` are the inputs in `__x`.
@@ -121,8 +104,28 @@ fn extend(
         let k = literal::index(k);
         quote!(__x[#k])
     });
-    let mut looked_up = TokenStream::new();
     let mut numbers: Vec<TokenStream> = own.collect();
+    let (looked_up, states) = look_up(
+        outline,
+        inputs,
+        groups,
+        &|number, _, at| quote!(#starts.#number.at::<T>(#at)),
+    );
+    numbers.extend(states);
+    quote!(#looked_up [#(#numbers),*])
+}
+
+/// Statements that look up the states of groups, and the numbers of these; `how` prints the look-up from the number of the group, its
+/// place among the groups over one input, and its inputs.
+fn look_up(
+    outline: &Outline,
+    inputs: &[usize],
+    groups: &[usize],
+    how: &dyn Fn(&Literal, Option<usize>, &TokenStream) -> TokenStream,
+) -> (TokenStream, Vec<TokenStream>) {
+    let mut looked_up = TokenStream::new();
+    let mut numbers = Vec::new();
+    let mut tables = 0;
     for &group in groups {
         let Start { inputs: of, size } = &outline.starts[group];
         let name = format_ident!("__state{group}");
@@ -139,14 +142,17 @@ fn extend(
             [one] => one.clone(),
             several => quote!([#(#several),*]),
         };
-        looked_up.extend(quote!(let #name = #starts.#number.at::<T>(#at);));
+        let table = (of.len() == 1).then_some(tables);
+        tables += usize::from(table.is_some());
+        let found = how(&number, table, &at);
+        looked_up.extend(quote!(let #name = #found;));
         numbers.extend((0..*size).map(|k| {
             let k = literal::index(k);
             quote!(#name.0[#k])
         }));
         numbers.push(quote!(#name.1));
     }
-    quote!(#looked_up [#(#numbers),*])
+    (looked_up, numbers)
 }
 
 /// The programs of all groups as functions of the plumbing's arguments.

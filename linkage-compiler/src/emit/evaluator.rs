@@ -107,13 +107,9 @@ fn call(outline: &Outline, function: &Function) -> TokenStream {
     let Function {
         result, arguments, ..
     } = function;
-    let arguments = quote!([#(#arguments),*]);
     let arguments = match function.states.is_empty() {
-        true => arguments,
-        false => {
-            let extend = coupled::extend_name(function);
-            quote!(self.#extend(#arguments))
-        }
+        true => quote!([#(#arguments),*]),
+        false => coupled::with_states(outline, function),
     };
     let kernel = kernel_name(function, Version::Called);
     let called = quote!(self.__core.#kernel::<{ #runtime::FUSED }>(__x));

@@ -193,7 +193,7 @@ fn kernel(
                 let mut __done_rows = 0;
                 while __done_rows < __count {
                     let __row = ::core::cmp::Ord::min(__done_rows, __count - __BLOCK);
-                    __arguments.block(__first + __row, &mut __x.0);
+                    __arguments.block::<__FUSED, __BLOCK>(__first + __row, &mut __x.0);
                     #body
                     __done_rows = __row + __BLOCK;
                 }

@@ -239,21 +239,9 @@ impl Sweeps<'_> {
             return rows;
         }
         let runtime = &self.outline.runtime;
-        let extend = coupled::extend_name(self.function);
-        let count = self.function.arguments.len();
-        let width = self.function.places(self.outline).width();
-        let states = (count..width).map(literal::index);
-        let [first, count] = [before, count].map(literal::index);
-        quote! {
-            #runtime::Extended {
-                inner: #rows,
-                first: #first,
-                extend: |__x: [T; #count]| {
-                    let __x = self.#extend(__x);
-                    [#(__x[#states]),*]
-                },
-            }
-        }
+        let states = coupled::states_name(self.outline, self.function);
+        let first = literal::index(before);
+        quote!(#runtime::Extended { inner: #rows, first: #first, states: #states(self) })
     }
 
     /// The runtime's `Sets`.

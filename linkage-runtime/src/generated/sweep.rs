@@ -7,7 +7,7 @@ mod instruction_set;
 
 pub use arguments::{Arguments, Inputs, Sets};
 pub use blocks::{Block, put, rows};
-pub use extended::Extended;
+pub use extended::{Extended, States};
 
 use crate::{Columns, Scalar};
 

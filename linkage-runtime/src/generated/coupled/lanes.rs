@@ -24,6 +24,20 @@ impl<const S: usize> Coupled<S> {
         }
     }
 
+    /// Where the state at `x` stands, for scalars of one lane.
+    #[must_use]
+    #[inline(always)]
+    pub fn locate<T: Scalar>(&self, x: T) -> [f64; 2] {
+        self.first.locate(x.lane(0))
+    }
+
+    /// The state at a place from [`locate`](Self::locate), and the floor.
+    #[must_use]
+    #[inline(always)]
+    pub fn at_place<T: Scalar, const FUSED: bool>(&self, place: [f64; 2]) -> ([T; S], T) {
+        constants(self.first.at_place::<FUSED>(place))
+    }
+
     /// The state at `x` and the floor, without derivatives.
     #[must_use]
     #[inline(always)]

@@ -11,8 +11,9 @@ pub trait Arguments<T, const I: usize> {
     /// Panics if they are not complete.
     fn check(&self) -> usize;
 
-    /// Fills `B` rows from `start`, argument by argument; rows after the last repeat the last.
-    fn block<const B: usize>(&self, start: usize, block: &mut [[T; B]; I]);
+    /// Fills `B` rows from `start`, argument by argument; rows after the last repeat the last. With `FUSED` only on machines with
+    /// fused multiply-add.
+    fn block<const FUSED: bool, const B: usize>(&self, start: usize, block: &mut [[T; B]; I]);
 }
 
 /// One slice for each input.
@@ -46,7 +47,7 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
     }
 
     #[inline(always)]
-    fn block<const B: usize>(&self, start: usize, block: &mut [[T; B]; I]) {
+    fn block<const FUSED: bool, const B: usize>(&self, start: usize, block: &mut [[T; B]; I]) {
         // A loop over references: closures over arrays are not always inlined.
         for (column, slice) in block.iter_mut().zip(&self.slices) {
             match slice.get(start..).and_then(|rest| rest.first_chunk()) {
@@ -100,7 +101,7 @@ where
     }
 
     #[inline(always)]
-    fn block<const B: usize>(&self, start: usize, block: &mut [[T; B]; I]) {
+    fn block<const FUSED: bool, const B: usize>(&self, start: usize, block: &mut [[T; B]; I]) {
         for lane in 0..B {
             let index = (start + lane).min(self.sets.len() - 1);
             let mut inputs = [T::from_f64(0.0); N];

@@ -5,6 +5,8 @@ use super::polynomial::TERMS;
 use super::scale::{Scale, guard};
 use super::shared::Shared;
 use super::table::Table;
+use crate::Scalar;
+use crate::scalar::FUSED;
 use core::fmt;
 
 /// Beyond this place of a cell there is no state: half a cell outside the table.
@@ -78,18 +80,33 @@ impl<const S: usize> Lookup<S> {
     #[must_use]
     #[inline(always)]
     pub fn at(&self, x: f64) -> ([f64; S], f64) {
+        self.at_place::<{ FUSED }>(self.locate(x))
+    }
+
+    /// Where [`at`](Self::at) looks: the place in the range, and the bits of a slot's number.
+    #[must_use]
+    #[inline(always)]
+    pub fn locate(&self, x: f64) -> [f64; 2] {
         let (place, slot) = self.scale.find(x);
-        let cell = self.cell(slot);
+        [place, f64::from_bits(slot as u64)]
+    }
+
+    /// The state at a place from [`locate`](Self::locate). With `FUSED` only on machines with fused multiply-add.
+    #[must_use]
+    #[inline(always)]
+    pub fn at_place<const FUSED: bool>(&self, [place, slot]: [f64; 2]) -> ([f64; S], f64) {
+        let cell = self.cell(slot.to_bits() as usize);
         let t = (place - cell.centre) * cell.inverse;
         let guard = guard(t, OUTSIDE);
         let (t2, c) = (t * t, &cell.coefficients);
         let t4 = t2 * t2;
         let mut state = [0.0; S];
         for (index, number) in state.iter_mut().enumerate() {
-            let pair = |power: usize| c[power][index] + c[power + 1][index] * t;
-            let low = pair(0) + pair(2) * t2;
-            let high = pair(4) + pair(6) * t2;
-            *number = (low + high * t4) + guard;
+            let sum = |a: f64, factor: f64, b: f64| Scalar::mul_add::<FUSED>(b, factor, a);
+            let pair = |power: usize| sum(c[power][index], t, c[power + 1][index]);
+            let low = sum(pair(0), t2, pair(2));
+            let high = sum(pair(4), t2, pair(6));
+            *number = sum(low, t4, high) + guard;
         }
         (state, cell.floor + guard)
     }
@@ -97,9 +114,10 @@ impl<const S: usize> Lookup<S> {
     #[allow(unsafe_code, reason = "a bounds check would be a branch")]
     #[inline(always)]
     fn cell(&self, slot: usize) -> &Fixed<S> {
-        // SAFETY: `Scale::find` gives slots below the number that the index was made for, its elements are numbers of
-        // cells, and nothing changes either after `Table::from_pieces`.
+        // SAFETY: the index has as many elements as the scale has slots, at least one; they are numbers of cells, and nothing changes
+        // either after `Table::from_pieces`.
         unsafe {
+            let slot = slot.min(self.scale.slots() - 1);
             let number = *self.index.get_unchecked(slot);
             self.cells.get_unchecked(usize::from(number))
         }
