@@ -110,7 +110,7 @@ impl Errors {
     fn add(&mut self, value: f64, known: f64) {
         let error = (value - known).abs();
         // Not `f64::max`, which would let a NaN pass.
-        if !(error <= self.error) {
+        if error.is_nan() || error > self.error {
             self.error = error;
         }
         self.largest = self.largest.max(known.abs());

@@ -109,13 +109,16 @@ fn pose(e1: Vector2<f64>, direction: Vector2<f64>) -> Pose {
     }
 }
 
+/// A point with its first and second derivatives by three inputs.
+type Motion = ([f64; 2], [[f64; 2]; 3], [[[f64; 2]; 3]; 3]);
+
 /// Compares positions at random inputs in the given ranges, and derivatives at a few of them.
 fn compare(
     legs: fn([f64; 3]) -> [Leg; 3],
     reference: [f64; 3],
     ranges: [(f64, f64); 3],
     found: &dyn Fn([f64; 3]) -> (Pose, f64),
-    motion: &dyn Fn([f64; 3]) -> ([f64; 2], [[f64; 2]; 3], [[[f64; 2]; 3]; 3]),
+    motion: &dyn Fn([f64; 3]) -> Motion,
 ) {
     let start = found(reference).0;
     let listed = poses(&legs(reference)).expect("no two coincide");
@@ -162,7 +165,7 @@ fn compare(
         };
         let [b, f, bb, ff] = [-step, step, -2.0 * step, 2.0 * step].map(moved);
         for k in 0..2 {
-            let slope = |of: &dyn Fn(&([f64; 2], [[f64; 2]; 3], [[[f64; 2]; 3]; 3])) -> f64| {
+            let slope = |of: &dyn Fn(&Motion) -> f64| {
                 (8.0 * (of(&f) - of(&b)) - (of(&ff) - of(&bb))) / (12.0 * step)
             };
             let miss = slope(&|m| m.0[k]) - first[i][k];

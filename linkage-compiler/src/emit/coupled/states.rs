@@ -16,6 +16,7 @@ pub(in crate::emit) fn states_name(outline: &Outline, function: &Function) -> Id
 /// The arguments of a function's program: the inputs, then the states of the groups that it uses.
 pub(in crate::emit) fn with_states(outline: &Outline, function: &Function) -> TokenStream {
     let inputs = &function.arguments;
+    let count = literal::index(inputs.len());
     let (looked_up, states) = look_up(
         outline,
         &function.positions,
@@ -24,16 +25,16 @@ pub(in crate::emit) fn with_states(outline: &Outline, function: &Function) -> To
     );
     quote! {
         {
-            let __x = [#(#inputs),*];
+            let __x: [T; #count] = [#(#inputs),*];
             #looked_up
             [#(#inputs,)* #(#states),*]
         }
     }
 }
 
-/// The runtime's `States` of one function; nothing if it uses none.
+/// The runtime's `States` of one function; nothing if it uses none or has no sweep.
 pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
-    if function.states.is_empty() {
+    if function.states.is_empty() || function.arguments.is_empty() {
         return TokenStream::new();
     }
     let Outline {
