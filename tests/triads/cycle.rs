@@ -1,8 +1,9 @@
 //! An assembly stays itself over the whole cycle: a position is the one that fine steps lead to from the
 //! reference, or NaN.
 
+use crate::follow::{follow, follow_and_measure};
 use crate::kinds::{Answer, Dimensions, KINDS, Kind};
-use crate::legs::{Pose, distance, follow, follow_and_measure, poses};
+use crate::legs::{Pose, distance, poses};
 use crate::random::{Random, effort};
 use std::f64::consts::TAU;
 

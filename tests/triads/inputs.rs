@@ -1,6 +1,7 @@
 //! A platform on three legs with three inputs: lengths of the legs (3-RPR), or cranks (3-RRR).
 
-use crate::legs::{Leg, Pose, distance, follow, poses, turned};
+use crate::follow::follow;
+use crate::legs::{Leg, Pose, distance, poses, turned};
 use crate::random::Random;
 use linkage::{Scalar, Vector2};
 

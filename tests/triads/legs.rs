@@ -226,7 +226,7 @@ fn held_by_two(legs: &[Leg; 3], theta: f64) -> Option<Vec<Pose>> {
 }
 
 /// One step of Newton's method.
-fn step(legs: &[Leg; 3], pose: &mut Pose) {
+pub(crate) fn step(legs: &[Leg; 3], pose: &mut Pose) {
     let rows = legs.map(|leg| leg.miss(pose));
     let full = determinant_of(&rows.map(|[_, x, y, t]| [x, y, t]));
     pose.x -= determinant_of(&rows.map(|[m, _, y, t]| [m, y, t])) / full;
@@ -246,7 +246,7 @@ pub(crate) fn determinant(legs: &[Leg; 3], pose: &Pose) -> f64 {
     determinant_of(&rows)
 }
 
-fn reach(legs: &[Leg; 3]) -> f64 {
+pub(crate) fn reach(legs: &[Leg; 3]) -> f64 {
     let of = |leg: &Leg| match leg {
         Leg::Rr { at, .. } | Leg::Pr { at, .. } | Leg::Rp { at, .. } => at[0].hypot(at[1]),
         Leg::Pp { .. } => 0.0,
@@ -258,63 +258,6 @@ fn determinant_of(rows: &[[f64; 3]; 3]) -> f64 {
     let [a, b, c] = rows;
     a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
         + a[2] * (b[0] * c[1] - b[1] * c[0])
-}
-
-/// Follows a pose while the legs move with an input from one value to another; `Err` with the input where
-/// it ends in a turning point.
-///
-/// Towards a turning point the determinant goes to zero with the root of the distance: steps are so short
-/// that none leads across, where another pose may begin close by.
-pub(crate) fn follow(
-    legs: impl Fn(f64) -> [Leg; 3],
-    pose: Pose,
-    way: (f64, f64),
-) -> Result<Pose, f64> {
-    follow_and_measure(legs, pose, way).map(|(pose, _)| pose)
-}
-
-/// The same with the smallest determinant on the way.
-pub(crate) fn follow_and_measure(
-    legs: impl Fn(f64) -> [Leg; 3],
-    pose: Pose,
-    (from, to): (f64, f64),
-) -> Result<(Pose, f64), f64> {
-    let (mut at, mut here, mut length) = (from, pose, (to - from) / 64.0);
-    let mut last = determinant(&legs(from), &pose);
-    let mut least = last.abs();
-    while at != to {
-        let longest = (5.0 * last * last).min(0.02);
-        length = length.clamp(-longest, longest);
-        let next = if (to - at).abs() <= length.abs() {
-            to
-        } else {
-            at + length
-        };
-        let there = legs(next);
-        let mut pose = here;
-        let mut moved = f64::INFINITY;
-        let mut contracts = true;
-        for _ in 0..8 {
-            let before = pose;
-            step(&there, &mut pose);
-            let now = distance(&before, &pose, reach(&there));
-            contracts &= now.is_finite() && (now < 0.3 * moved || now < 1e-10);
-            moved = now;
-        }
-        let near = distance(&here, &pose, reach(&there)) < 0.05;
-        let determinant = determinant(&there, &pose);
-        if contracts && near && (0.6..1.7).contains(&(determinant / last)) {
-            (at, here, last) = (next, pose, determinant);
-            least = least.min(determinant.abs());
-            length *= 1.5;
-        } else {
-            length *= 0.25;
-        }
-        if length.abs().min(longest) < 1e-8 {
-            return Err(at);
-        }
-    }
-    Ok((here, least))
 }
 
 /// How far two poses are apart: the link's direction, and its point over the size of the link.

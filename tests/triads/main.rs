@@ -3,13 +3,15 @@
 
 mod assemblies;
 mod contour;
+mod contours;
 mod cycle;
+mod follow;
 mod inputs;
 mod kinds;
-mod larger;
 mod legs;
 mod machines;
 mod newton;
+mod pinned;
 mod platforms;
 mod polynomial;
 mod random;

@@ -59,7 +59,7 @@ fn solve(mut rows: Vec<Vec<f64>>) -> (Vec<f64>, f64) {
     (result, determinant)
 }
 
-/// Follows a solution while an input goes from one value to another, as `legs::follow` does.
+/// Follows a solution while an input goes from one value to another, as `follow::follow` does.
 pub(crate) fn follow<const N: usize>(
     equations: &dyn Fn(f64, &[f64; N]) -> [f64; N],
     start: [f64; N],

@@ -1,4 +1,4 @@
-//! Deterministic random numbers.
+//! Deterministic random numbers, and what else the tests share.
 
 /// A generator (splitmix64) that gives the same numbers on every machine.
 pub(crate) struct Random(u64);
@@ -36,4 +36,11 @@ pub(crate) fn effort() -> usize {
     let long = std::env::var("LINKAGE_LONG").ok();
     let times = long.and_then(|value| value.parse::<usize>().ok());
     times.map_or(1, |times| 10 * times.max(1))
+}
+
+/// Whether two lists of directions, or of numbers of size 1, are the same.
+pub(crate) fn alike(one: &[f64], two: &[f64], tolerance: f64) -> bool {
+    one.iter()
+        .zip(two)
+        .all(|(a, b)| ((a - b) / 2.0).sin().abs() < tolerance)
 }

@@ -90,13 +90,13 @@ impl Assembly<'_, '_> {
                             .to_owned()
                     }
                     Unlisted::Degenerate => {
-                        "its equations do not determine the unknowns at all, whatever the position: links that coincide \
+                        "the equations do not determine the unknowns at all, whatever the position: links that coincide \
                          or guides that are parallel\n\
                          help: look for lengths that are zero, joints that coincide, or a loop that repeats another"
                             .to_owned()
                     }
                     other => format!(
-                        "its assemblies cannot be listed: {other}\n\
+                        "the assemblies cannot be listed: {other}\n\
                          help: check that the loops need to be coupled"
                     ),
                 };
@@ -116,7 +116,7 @@ impl Assembly<'_, '_> {
             self.diagnostics.error(
                 span,
                 format!(
-                    "{loops} ({unknowns}) cannot close{place}: none of its assemblies is real\n\
+                    "{loops} ({unknowns}) cannot close{place}: no assembly is real\n\
                      help: change a length, or give a reference input at which the links reach each other"
                 ),
             );
@@ -259,6 +259,10 @@ impl Assembly<'_, '_> {
     fn refused(&mut self, solved: &Solved, prepared: &Prepared, refusal: Refusal) {
         let loops = loop_list(&solved.group.loops);
         let unknowns = self.words.unknowns(&solved.group.unknowns);
+        let [reach, come, are] = match solved.group.loops.len() {
+            1 => ["reaches", "comes", "is"],
+            _ => ["reach", "come", "are"],
+        };
         let place = self.words.at_reference(&self.nominal.inputs);
         let mechanism = self.algebra.mechanism;
         let at_input = |at: f64| {
@@ -278,18 +282,18 @@ impl Assembly<'_, '_> {
             });
         let message = match refusal {
             Refusal::TurningPoint { at } => format!(
-                "the mechanism comes apart in this range: {loops} ({unknowns}) reaches a turning point at {}, where this \
+                "the mechanism comes apart in this range: {loops} ({unknowns}) {reach} a turning point at {}, where this \
                  assembly meets another one and both end\n\
                  help: restrict the range, or change the lengths so that the links reach each other all the way",
                 at_input(at)
             ),
             Refusal::NotConverging { at } => format!(
-                "{loops} ({unknowns}) comes too near to a turning point at {} for a table over this range\n\
+                "{loops} ({unknowns}) {come} too near to a turning point at {} for a table over this range\n\
                  help: restrict the range, or choose lengths away from the turning point",
                 at_input(at)
             ),
             _ => format!(
-                "{loops} ({unknowns}) is singular{place}, a dead point\n\
+                "{loops} ({unknowns}) {are} singular{place}, a dead point\n\
                  help: choose a reference input or lengths away from the dead point"
             ),
         };
