@@ -85,6 +85,7 @@ impl Analysis<'_, '_> {
     pub(super) fn kind(
         &self,
         private: &[Option<(Private, usize)>],
+        polynomials: &[Polynomials],
         coordinates: &[Coordinate],
         core: &[usize],
         class: u8,
@@ -102,12 +103,30 @@ impl Analysis<'_, '_> {
         let mut legs: Vec<&str> = [first, second]
             .map(|(p, _)| self.leg(p, coordinates))
             .into();
+        let together = |monomial: &Vec<u8>| {
+            [a, b].into_iter().all(|k| {
+                let first = self.first_symbol(coordinates, *k);
+                let width = self.symbols(&coordinates[*k]).len();
+                monomial[first..first + width].iter().any(|&e| e > 0)
+            })
+        };
+        let guide_turns = || {
+            polynomials
+                .iter()
+                .flat_map(|p| &p.rows)
+                .any(|row| row.keys().any(together))
+        };
         match [a, b].map(angle) {
             [true, true] => legs.push("RR"),
-            [false, false] => return general(),
+            // The components of a point.
+            [false, false] if coordinates[*a].unknown == coordinates[*b].unknown => {
+                return general();
+            }
+            [false, false] => legs.push("PP"),
+            _ if guide_turns() => legs.push("RP"),
             _ => legs.push("PR"),
         }
-        legs.sort_unstable_by_key(|leg| ["RR", "PR", "RP"].iter().position(|l| l == leg));
+        legs.sort_unstable_by_key(|leg| ["PP", "RR", "PR", "RP"].iter().position(|l| l == leg));
         legs.join("-")
     }
 

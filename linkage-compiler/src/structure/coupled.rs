@@ -117,7 +117,7 @@ impl Analysis<'_, '_> {
             return None;
         }
         let (class, order, contour) = self.class_and_order(&polynomials, coordinates);
-        let kind = self.kind(&private, coordinates, &core, class, contour);
+        let kind = self.kind(&private, &polynomials, coordinates, &core, class, contour);
         let blocks = equations.iter().zip(&polynomials).zip(private);
         let blocks = blocks.map(|((equation, polynomials), private)| {
             self.block(equation, polynomials, private.map(|(private, _)| private))

@@ -119,7 +119,7 @@ fn nearest(all: Vec<CoupledSolution>, state: &[f64]) -> Option<CoupledSolution> 
 }
 
 /// Prepares a group from a solution at its inputs `x`. Where no range is declared, and for `every` assembly that was asked
-/// for, as far as the solution goes.
+/// for, as far as the solution goes; one that cannot be followed at all is prepared for these inputs alone.
 fn start(
     group: &CoupledGroup,
     programs: &mut impl CoupledPrograms,
@@ -131,7 +131,16 @@ fn start(
     let made: Result<Start, Refusal> = match group.inputs {
         [input] => {
             let partial = every || !input.declared;
-            Table::build(programs, x[0], state, ranges[0], partial).map(Start::Table)
+            let mut made = Table::build(programs, x[0], state, ranges[0], partial);
+            if every && made.is_err() {
+                let here = Range {
+                    low: x[0],
+                    high: x[0],
+                    turn: false,
+                };
+                made = Table::build(programs, x[0], state, here, partial);
+            }
+            made.map(Start::Table)
         }
         _ => Grid::build(programs, x, state, &ranges).map(Start::Grid),
     };

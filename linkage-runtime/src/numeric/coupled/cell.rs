@@ -208,7 +208,7 @@ fn check<C: Correction>(
     determinants: &mut Extent,
 ) -> Option<()> {
     let mut state = vec![0.0; width];
-    let (mut second, mut noise) = (0.0_f64, 0.0_f64);
+    let (mut second, mut noise, mut size) = (0.0_f64, 0.0_f64, 1.0_f64);
     for t in CHECKS {
         evaluate(&cell.coefficients, t, &mut state);
         let x = [frame.x(cell.place(t))];
@@ -220,8 +220,11 @@ fn check<C: Correction>(
         determinants.include(first.determinant);
         second = second.max(follower.correct(&x, &mut state)?.size);
         noise = noise.max(follower.correct(&x, &mut state)?.size);
+        size = state
+            .iter()
+            .fold(size, |most, number| most.max(number.abs()));
     }
-    (second <= NOISE.0 * noise + NOISE.1).then_some(())
+    (second <= NOISE.0 * noise + NOISE.1 * size).then_some(())
 }
 
 /// Whether a cell continues its neighbour.
