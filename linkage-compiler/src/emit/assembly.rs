@@ -164,7 +164,8 @@ fn constructors(outline: &Outline) -> TokenStream {
                 ///
                 /// # Errors
                 ///
-                /// Fails if a dimension is not a finite number, or if there are more than 16 groups with two modes.
+                /// Fails if a dimension is not a finite number, if there are more than 16 groups with two modes, or if the assemblies of a
+                /// group without a closed form cannot be listed or followed.
                 pub fn assemblies(&self) -> #list { #assemblies }
                 #at
             }

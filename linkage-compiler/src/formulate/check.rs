@@ -7,6 +7,7 @@ use crate::model::Input;
 use crate::structure::report::loop_list;
 use crate::syntax::SourceSpan;
 
+use super::follow::follow_angles;
 use super::ranges::{GRID, Ranges};
 use super::words::Words;
 use super::{Formulation, Reference};
@@ -52,8 +53,9 @@ pub(crate) fn check_ranges(
         reference,
         values: Vec::new(),
     };
-    let needed = ranges.reference.machine.valued.clone();
-    if let Some((angle, input)) = ranges.follow_angles(algebra, &needed) {
+    let machine = &mut ranges.reference.machine;
+    let needed = machine.valued.clone();
+    if let Some((angle, input)) = follow_angles(algebra, nominal, machine, &needed) {
         return report_unfollowed(algebra, angle, input, origins, diagnostics);
     }
     let declared: Vec<usize> = (0..nominal.ranges.len())
@@ -75,10 +77,14 @@ pub(crate) fn check_ranges(
             1 => String::new(),
             _ => format!(" (found on a grid of at most {GRID} positions)"),
         };
+        let reach = match solved.group.loops.len() {
+            1 => "reaches",
+            _ => "reach",
+        };
         diagnostics.error(
             range_span(&algebra.mechanism.inputs[input], origins),
             format!(
-                "the mechanism comes apart in this range: {} ({}) reaches a dead point at {}{how}\n\
+                "the mechanism comes apart in this range: {} ({}) {reach} a dead point at {}{how}\n\
                  help: restrict the range, or change the lengths so that the links reach each other all the way",
                 loop_list(&solved.group.loops),
                 words.unknowns(&solved.group.unknowns),
@@ -87,13 +93,14 @@ pub(crate) fn check_ranges(
         );
         return;
     }
-    let asked = ranges.reference.machine.outputs_of(algebra, asked);
-    if let Some((angle, input)) = ranges.follow_angles(algebra, &asked) {
+    let machine = &mut ranges.reference.machine;
+    let asked = machine.outputs_of(algebra, asked);
+    if let Some((angle, input)) = follow_angles(algebra, nominal, machine, &asked) {
         report_unfollowed(algebra, angle, input, origins, diagnostics);
     }
 }
 
-fn report_unfollowed(
+pub(super) fn report_unfollowed(
     algebra: &Algebra,
     angle: usize,
     input: usize,

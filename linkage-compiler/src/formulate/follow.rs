@@ -8,64 +8,72 @@ use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{Algebra, Atom, Nominal};
 
-use super::ranges::{Grid, Ranges};
+use super::machine::Machine;
+use super::ranges::Grid;
 
 /// An angle this near to half a turn from its guide cannot be told from one on the other side.
 const LIMIT: f64 = 0.98 * PI;
 
-impl Ranges<'_> {
-    /// Finds centres and windings of angles whose values are used; each comes with the output of its cosine. Returns an
-    /// angle and an input over whose range it cannot be followed.
-    pub(super) fn follow_angles(
-        &mut self,
-        algebra: &Algebra,
-        angles: &[(usize, usize)],
-    ) -> Option<(usize, usize)> {
-        let inputs = self.nominal.inputs.len();
-        for &(angle, output) in angles {
-            let here = self.angle(output, &self.nominal.inputs.clone(), self.centre(angle));
-            let mut centre = Centre::new(here);
-            for input in 0..inputs {
-                let (low, high) = followed_range(algebra, self.nominal, input);
-                let at = self.nominal.inputs[input];
-                if low == high {
-                    continue;
-                }
-                let rates = candidate_rates(algebra, input);
-                let mut position = self.nominal.inputs.clone();
-                let found = follow(low, high, at, here, &rates, |x| {
-                    position[input] = x;
-                    self.direction(output, &position)
-                });
-                let Some(winding) = found else {
-                    return Some((angle, input));
-                };
-                centre.add(winding, at);
-                self.reference
-                    .machine
-                    .windings
-                    .insert((angle, input), winding.turns);
-            }
-            self.reference.machine.centres.insert(angle, centre.value());
-            let several = (0..inputs)
-                .filter(|&k| self.nominal.ranges[k].is_some())
-                .count()
-                > 1;
-            if several && !self.stays_near_its_guide(angle, output) {
-                return Some((angle, inputs - 1));
-            }
-        }
-        None
-    }
+/// Finds centres and windings of angles whose values are used; each comes with the output of its cosine. Returns an
+/// angle and an input over whose range it cannot be followed.
+pub(super) fn follow_angles(
+    algebra: &Algebra,
+    nominal: &Nominal,
+    machine: &mut Machine,
+    angles: &[(usize, usize)],
+) -> Option<(usize, usize)> {
+    let values = Vec::new();
+    let mut numbers = Numbers {
+        nominal,
+        machine,
+        values,
+    };
+    angles
+        .iter()
+        .find_map(|&(angle, output)| numbers.follow(algebra, angle, output))
+}
 
-    fn centre(&self, angle: usize) -> f64 {
-        self.reference.machine.centres[&angle]
+/// The mechanism on numbers.
+struct Numbers<'a> {
+    nominal: &'a Nominal,
+    machine: &'a mut Machine,
+    values: Vec<f64>,
+}
+
+impl Numbers<'_> {
+    /// Finds centre and windings of an angle; returns it with an input over whose range it cannot be followed.
+    fn follow(&mut self, algebra: &Algebra, angle: usize, output: usize) -> Option<(usize, usize)> {
+        let inputs = self.nominal.inputs.len();
+        let estimate = algebra.angles[angle].estimate(self.nominal);
+        let here = self.angle(output, &self.nominal.inputs.clone(), estimate);
+        let mut centre = Centre::new(here);
+        for input in 0..inputs {
+            let (low, high) = followed_range(algebra, self.nominal, input);
+            let at = self.nominal.inputs[input];
+            if low == high {
+                continue;
+            }
+            let rates = candidate_rates(algebra, input);
+            let mut position = self.nominal.inputs.clone();
+            let found = follow(low, high, at, here, &rates, |x| {
+                position[input] = x;
+                self.direction(output, &position)
+            });
+            let Some(winding) = found else {
+                return Some((angle, input));
+            };
+            centre.add(winding, at);
+            self.machine.windings.insert((angle, input), winding.turns);
+        }
+        self.machine.centres.insert(angle, centre.value());
+        let declared = self.nominal.ranges.iter().flatten().count();
+        let strays = declared > 1 && !self.stays_near_its_guide(angle, output);
+        strays.then(|| (angle, inputs - 1))
     }
 
     fn direction(&mut self, output: usize, inputs: &[f64]) -> [f64; 2] {
-        let machine = &self.reference.machine;
-        machine.run(&mut self.values, inputs);
-        [output, output + 1].map(|k| machine.output(&self.values, k))
+        self.machine.run(&mut self.values, inputs);
+        [output, output + 1].map(|k| self.machine.output(&self.values, k))
     }
 
     /// The angle at given inputs that is nearest to `guide`.
@@ -81,12 +89,12 @@ impl Ranges<'_> {
         let mut followed = Vec::with_capacity(grid.count);
         for position in 0..grid.count {
             let inputs = grid.inputs(self.nominal, position);
-            let windings = &self.reference.machine.windings;
+            let windings = &self.machine.windings;
             let turned = inputs
                 .iter()
                 .enumerate()
                 .map(|(input, x)| windings.get(&(angle, input)).copied().unwrap_or(0.0) * x);
-            let guide = self.centre(angle) + turned.sum::<f64>();
+            let guide = self.machine.centres[&angle] + turned.sum::<f64>();
             let near = grid
                 .before(position)
                 .map_or(guide, |before| followed[before]);

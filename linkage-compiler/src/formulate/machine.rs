@@ -117,6 +117,14 @@ impl Machine {
             let symbols = &algebra.angles[angle];
             units.extend([symbols.cos_node, symbols.sin_node]);
         }
+        for (group, own) in machine.coupled.iter_mut().zip(&own) {
+            let needed = valued_angles(&inliner.target, &own.all());
+            let last = machine
+                .valued
+                .iter()
+                .rposition(|(angle, _)| needed.contains(angle));
+            group.turning = last.map_or(0, |last| last + 1);
+        }
         lists.push(
             units
                 .iter()

@@ -10,9 +10,11 @@ use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::structure::report::loop_list;
 
+use super::check::report_unfollowed;
+use super::follow::follow_angles;
 use super::machine::{Machine, Stage};
 use super::words::Words;
-use super::{Formulation, Solved};
+use super::{Formulation, Prepared, Solved};
 
 /// Below this margin a position cannot be told from a dead point.
 const SINGULAR: f64 = 1e-6;
@@ -110,7 +112,7 @@ impl Assembly<'_, '_> {
     fn close(&mut self, solved: &Solved, stage: &Stage, start: usize, closed: bool) -> bool {
         if let Some(prepared) = &solved.prepared {
             // What is known of it comes from groups before this one.
-            if !closed || !self.close_coupled(solved, prepared) {
+            if !closed || !self.follow_before(prepared) || !self.close_coupled(solved, prepared) {
                 self.advance(solved, stage, start, 1.0);
                 return false;
             }
@@ -192,6 +194,17 @@ impl Assembly<'_, '_> {
             }
         }
         true
+    }
+
+    /// Finds the turns of angles on which a coupled group depends; false if that was not possible.
+    fn follow_before(&mut self, prepared: &Prepared) -> bool {
+        let count = self.machine.coupled[prepared.number].turning;
+        let angles = self.machine.valued[..count].to_vec();
+        let unfollowed = follow_angles(self.algebra, self.nominal, &mut self.machine, &angles);
+        if let Some((angle, input)) = unfollowed {
+            report_unfollowed(self.algebra, angle, input, self.origins, self.diagnostics);
+        }
+        unfollowed.is_none()
     }
 
     fn advance(&mut self, solved: &Solved, stage: &Stage, start: usize, sign: f64) {

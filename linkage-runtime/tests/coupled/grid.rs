@@ -47,11 +47,12 @@ fn platform(x: &[f64], state: &mut [f64]) -> Step {
 #[test]
 fn a_platform_of_three_inputs() {
     let at = EyeNeedle::MACHINE.legs;
-    for (part, most) in [(0.02, 0), (0.1, 0), (0.2, 20)] {
+    for (part, most) in [(0.02, 0), (0.1, 0), (0.2, 400)] {
         let ranges = at.map(|leg| range(leg * (1.0 - part), leg * (1.0 + part)));
         let grid = Grid::build(&mut platform, &at, &EyeNeedle::start(), &ranges).unwrap();
         let [_, wrong, refused] = survey(&grid, &mut platform, &ranges);
-        // The legs do not reach each other everywhere in the widest ranges.
+        // The legs do not reach each other everywhere in the widest ranges, and cells at the border that do not share all of it with
+        // their neighbours are left out: two percent of the positions at most.
         assert!(wrong == 0 && refused <= most, "{part}: {refused}");
     }
 }

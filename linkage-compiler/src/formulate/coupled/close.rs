@@ -90,9 +90,9 @@ impl Assembly<'_, '_> {
                             .to_owned()
                     }
                     Unlisted::Degenerate => {
-                        "the equations do not determine the unknowns at all, whatever the position: links that coincide \
-                         or guides that are parallel\n\
-                         help: look for lengths that are zero, joints that coincide, or a loop that repeats another"
+                        "some of its solutions can move, so that the assemblies cannot be listed: links that coincide, guides \
+                         that are parallel, or a loop that repeats another\n\
+                         help: look for lengths that are zero and joints that coincide"
                             .to_owned()
                     }
                     other => format!(

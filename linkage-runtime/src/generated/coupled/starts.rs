@@ -85,11 +85,19 @@ pub fn starts<const K: usize, P: CoupledPrograms>(
     for (number, group) in groups.iter().enumerate() {
         let x: Vec<f64> = group.inputs.iter().map(|input| at[input.index]).collect();
         let mut next = Vec::new();
+        let mut missed = None;
         for before in found {
             let mut programs = programs(number, &before)?;
             let solutions = match wanted {
                 Wanted::Nearest => vec![couple(group, &mut programs, &x)?],
-                Wanted::All => list(group, &mut programs, &x)?,
+                Wanted::All => match list(group, &mut programs, &x) {
+                    // Other assemblies of the groups before may let it close.
+                    Err(error) if error.is_a_miss() => {
+                        missed = Some(error);
+                        continue;
+                    }
+                    listed => listed?,
+                },
                 Wanted::Like(like) => {
                     let state = like[number].state(&x);
                     let all = list(group, &mut programs, &x)?;
@@ -102,6 +110,9 @@ pub fn starts<const K: usize, P: CoupledPrograms>(
                 starts[number] = start(group, &mut programs, &x, &solution.state, every)?;
                 next.push(starts);
             }
+        }
+        if let (true, Some(error)) = (next.is_empty(), missed) {
+            return Err(error);
         }
         found = next;
     }

@@ -47,6 +47,7 @@ pub(super) fn fill<C: Correction>(
         follower,
         places: places(axes.len()).into(),
         corners: vec![None; layout.corners()],
+        reached: vec![Vec::new(); layout.cells()],
         filled: Filled {
             nodes: vec![None; layout.cells()],
             tested: 0,
@@ -67,6 +68,8 @@ struct Walk<'f, 'c, 'a, C> {
     places: Rc<[Vec<f64>]>,
     /// The solution at the corners of the cells.
     corners: Vec<Option<Vec<f64>>>,
+    /// The solution at the places of the cells that are filled.
+    reached: Vec<Vec<Option<Vec<f64>>>>,
     filled: Filled,
 }
 
@@ -192,6 +195,7 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
         let mut least = node.floor;
         let mut state = vec![0.0; node.state.len()];
         let mut reached = Vec::new();
+        let mut places = vec![None; self.places.len()];
         for (place, offsets) in self.places.clone().iter().enumerate() {
             let x = self.layout.moved(centre, offsets);
             node.state(offsets, &mut state);
@@ -203,6 +207,7 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
                 self.filled.absent += usize::from(!exists);
                 continue;
             };
+            places[place] = Some(state.clone());
             if determinant.abs() < least.abs() {
                 least = determinant;
             }
@@ -215,11 +220,52 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
                 }
             }
         }
+        if !self.joins(cell, &places) {
+            return None;
+        }
+        self.reached[self.layout.number(cell)] = places;
         for (number, state) in reached {
             self.corners[number] = Some(state);
         }
         node.floor = 0.5 * least;
         Some(())
+    }
+
+    /// Whether a cell has the same solution as every neighbour on the whole face between them. Where only one of them reaches it, as
+    /// around a cusp, they may hold different assemblies.
+    fn joins(&self, cell: &[usize], places: &[Option<Vec<f64>>]) -> bool {
+        (0..cell.len()).all(|axis| {
+            [false, true].into_iter().all(|up| {
+                let next = self.layout.neighbour(cell, axis, up);
+                next.is_none_or(|next| {
+                    let other = &self.reached[self.layout.number(&next)];
+                    next == cell || other.is_empty() || self.same_on_face(axis, up, places, other)
+                })
+            })
+        })
+    }
+
+    /// Whether two cells reach the same solutions on the face that is the upper or lower one of the first.
+    fn same_on_face(
+        &self,
+        axis: usize,
+        up: bool,
+        places: &[Option<Vec<f64>>],
+        other: &[Option<Vec<f64>>],
+    ) -> bool {
+        let side = if up { 0.5 } else { -0.5 };
+        let on_face = self.places.iter().zip(places);
+        let mut on_face = on_face.filter(|(offsets, _)| offsets[axis] == side);
+        on_face.all(|(offsets, here)| {
+            let mut opposite = offsets.clone();
+            opposite[axis] = -side;
+            let there = self.places.iter().position(|place| *place == opposite);
+            match (here, there.and_then(|there| other[there].as_ref())) {
+                (Some(one), Some(two)) => agree(one, two),
+                (None, None) => true,
+                _ => false,
+            }
+        })
     }
 }
 
