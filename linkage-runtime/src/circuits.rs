@@ -161,6 +161,7 @@ pub fn circuits<A, E>(
     if let (Some(error), false) = (error, listed) {
         return Err(error);
     }
+    lose_gaps(cycle, &mut found);
     let numbers = numbers(cycle, &found);
     let branches = found.into_iter().zip(numbers).map(|(one, circuit)| {
         let (at, least) = one.least(&margin);
@@ -226,6 +227,23 @@ impl<A> Found<A> {
         }
         let [low, high] = [self.sides[0].inside, self.sides[1].inside];
         minimum(low, high, MARGINS, |x| margin(&self.assembly, x))
+    }
+}
+
+/// At a turning point two assemblies end on the same side. Two ends that face each other across a narrow gap, with no partner of their
+/// own, are places where one assembly is nearly singular and was lost.
+fn lose_gaps<A>(cycle: &Cycle, found: &mut [Found<A>]) {
+    let ends = || (0..found.len()).flat_map(|one| [(one, 0), (one, 1)]);
+    let side = |(one, k): (usize, usize)| &found[one].sides[k];
+    let alone = |end: &(usize, usize)| {
+        ends().all(|other| other == *end || !side(other).meets(side(*end), cycle))
+    };
+    let lost: Vec<(usize, usize)> = ends()
+        .filter(alone)
+        .filter(|&end| ends().any(|other| side(other).faces(side(end), cycle)))
+        .collect();
+    for (one, k) in lost {
+        found[one].sides[k].lose();
     }
 }
 

@@ -139,8 +139,8 @@ impl Analysis<'_, '_> {
         let message = match rows {
             0..=2 => format!("no closed form for {names} in {loops}\nhelp: {what}"),
             _ => format!(
-                "a group of {count} unknowns ({names}) in {loops} cannot be solved: its loops are no polynomials in \
-                 directions and lengths, or more than {MOST_CORE} unknowns remain when links between two joints are left out\n\
+                "a group of {count} unknowns ({names}) in {loops} cannot be solved: its loops are no polynomials \
+                 of degree 4 or less in directions and lengths, or more than {MOST_CORE} unknowns remain when links between two joints are left out\n\
                  help: {what}; check that the loops need to be coupled"
             ),
         };

@@ -65,6 +65,21 @@ impl Side {
         }
     }
 
+    /// Whether two turning points face each other across a narrow gap.
+    pub(super) fn faces(&self, other: &Self, cycle: &Cycle) -> bool {
+        match (self.end, other.end) {
+            (BranchEnd::TurningPoint(a), BranchEnd::TurningPoint(b)) => {
+                self.side != other.side && (a - b).abs() <= REACH * (cycle.high - cycle.low)
+            }
+            _ => false,
+        }
+    }
+
+    /// It was no turning point.
+    pub(super) fn lose(&mut self) {
+        self.end = BranchEnd::Lost(self.inside);
+    }
+
     /// Whether two assemblies, or two ends of one, continue each other here.
     pub(super) fn meets(&self, other: &Self, cycle: &Cycle) -> bool {
         let range = cycle.high - cycle.low;

@@ -179,3 +179,29 @@ fn nothing_to_find_is_an_error() {
         "assembly  circuit  from  to  least margin  at\n"
     );
 }
+
+#[test]
+fn a_narrow_place_that_is_lost_is_no_turning_point() {
+    // One assembly whose margin nearly vanishes at 0.5, and which is not served there.
+    let margin = |_: &(), x: f64| {
+        let off = x - 0.5;
+        let margin = (off * off + 1e-9).sqrt();
+        if off.abs() < 2e-5 { f64::NAN } else { margin }
+    };
+    let cycle = Cycle {
+        low: 0.0,
+        high: 1.0,
+        angle: false,
+        samples: 12,
+    };
+    let found = circuits(
+        &cycle,
+        |_| Ok::<_, ()>(vec![()]),
+        margin,
+        |(), x| vec![x, 1.0],
+    )
+    .unwrap();
+    assert_eq!(found.branches.len(), 2);
+    let lost = |end: BranchEnd| matches!(end, BranchEnd::Lost(x) if (x - 0.5).abs() < 1e-3);
+    assert!(lost(found.branches[0].ends[1]) && lost(found.branches[1].ends[0]));
+}
