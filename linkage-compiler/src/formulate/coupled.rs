@@ -20,15 +20,26 @@ use crate::structure::{Core, Coupled};
 use super::{Closed, GapIn, Solver};
 
 use laurent::System;
+use newton::Plan;
 
-/// Newton steps from a table over one input, where the table's error is known.
-const STEPS_FROM_TABLE: usize = 1;
+/// From a table over one input, whose error is known.
+const FROM_TABLE: Plan = Plan {
+    steps: 1,
+    first: None,
+};
 
-/// Newton steps for dimensions, derivatives or digits that the table does not know.
-const STEPS_BESIDE_TABLE: usize = 3;
+/// From such a table for dimensions, derivatives or digits that it does not know. Dimensions that move the solution by more than
+/// this, in radians or scaled lengths, might lead to another assembly than a gradual change would.
+const BESIDE_TABLE: Plan = Plan {
+    steps: 4,
+    first: Some(0.05),
+};
 
-/// Newton steps from the nearest of prepared states over several inputs.
-const STEPS_FROM_GRID: usize = 4;
+/// From the nearest of prepared states over several inputs.
+const FROM_GRID: Plan = Plan {
+    steps: 4,
+    first: None,
+};
 
 /// What is prepared for a coupled group and how it is used.
 #[derive(Clone, Debug)]
@@ -87,8 +98,8 @@ impl Solver<'_, '_> {
         let rows: Vec<NodeId> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
         let inputs = self.algebra.inputs_below(&rows);
         let (called, beside) = match inputs.len() {
-            1 => (STEPS_FROM_TABLE, STEPS_BESIDE_TABLE),
-            _ => (STEPS_FROM_GRID, STEPS_FROM_GRID),
+            1 => (FROM_TABLE, BESIDE_TABLE),
+            _ => (FROM_GRID, FROM_GRID),
         };
         let called = self.solution(&equations, &form.core, &state, floor, called);
         let beside = self.solution(&equations, &form.core, &state, floor, beside);

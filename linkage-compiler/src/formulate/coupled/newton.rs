@@ -10,6 +10,14 @@ use crate::structure::Core;
 
 use super::equations::Equations;
 
+/// How a solution is reached.
+#[derive(Clone, Copy)]
+pub(super) struct Plan {
+    pub(super) steps: usize,
+    /// The largest first correction.
+    pub(super) first: Option<f64>,
+}
+
 /// A step from a state.
 pub(super) struct Step {
     pub(super) corrections: Vec<NodeId>,
@@ -100,16 +108,17 @@ impl Solver<'_, '_> {
         .collect()
     }
 
-    /// The state after some steps, NaN unless the last correction is small, every one much smaller than the one before, and the
-    /// determinant keeps its sign and, from a table, half of its size.
+    /// The state after some steps, NaN unless the first correction is within the plan's limit, the last one tiny, every one much
+    /// smaller than the one before, and the determinant keeps its sign and, from a table, half of its size.
     pub(super) fn solution(
         &mut self,
         equations: &Equations,
         core: &[Core],
         state: &[Vec<NodeId>],
         floor: NodeId,
-        steps: usize,
+        plan: Plan,
     ) -> Vec<Vec<NodeId>> {
+        let Plan { steps, first } = plan;
         let limit = self.algebra.graph.source(Source::Limit);
         let limit2 = self.algebra.graph.square(limit);
         let mut state = state.to_vec();
@@ -124,12 +133,18 @@ impl Solver<'_, '_> {
                 sound = graph.sub(sound, floor2);
             }
             let last = index + 1 == steps;
+            let first = before.is_none().then_some(first).flatten();
+            let first = first.map(|first| graph.constant(first * first));
             let allowed = before.map(|before| {
                 let share = graph.constant(1.0 / 16.0);
                 let share = graph.mul(share, before);
                 graph.binary(Binary::Max, share, limit2)
             });
-            let allowed = if last { Some(limit2) } else { allowed };
+            let allowed = if last {
+                Some(limit2)
+            } else {
+                allowed.or(first)
+            };
             let small = allowed.map(|allowed| graph.sub(allowed, step.size2));
             for condition in [Some(sound), small].into_iter().flatten() {
                 guard = Some(match guard {
