@@ -23,18 +23,21 @@ pub(super) use states::{states_name, with_states};
 
 /// The type of all starts.
 pub(super) fn starts_type(outline: &Outline) -> TokenStream {
-    let runtime = &outline.runtime;
-    let types = outline.starts.iter().map(|start| {
-        let size = literal::index(start.size);
-        match start.inputs.len() {
-            1 => quote!(#runtime::Coupled<#size>),
-            inputs => {
-                let inputs = literal::index(inputs);
-                quote!(#runtime::CoupledGrid<#inputs, #size>)
-            }
-        }
-    });
+    let types = outline
+        .starts
+        .iter()
+        .map(|start| start_type(outline, start));
     quote!((#(#types,)*))
+}
+
+/// A table over one input, or a grid over several or none.
+fn start_type(outline: &Outline, start: &Start) -> TokenStream {
+    let runtime = &outline.runtime;
+    let [inputs, size] = [start.inputs.len(), start.size].map(literal::index);
+    match start.inputs.len() {
+        1 => quote!(#runtime::Coupled<#size>),
+        _ => quote!(#runtime::CoupledGrid<#inputs, #size>),
+    }
 }
 
 /// Everything for the coupled groups of a mechanism; nothing if it has none.
@@ -62,20 +65,12 @@ fn lookups(outline: &Outline) -> TokenStream {
     let count = literal::index(outline.starts.len());
     let made = outline.starts.iter().enumerate().map(|(number, start)| {
         let number = literal::index(number);
-        let size = literal::index(start.size);
-        match start.inputs.len() {
-            1 => quote!(#runtime::Coupled::<#size>::of::<T>(|__lane| &__lanes[__lane][#number])),
-            inputs => {
-                let inputs = literal::index(inputs);
-                quote!(#runtime::CoupledGrid::<#inputs, #size>::of::<T>(|__lane| &__lanes[__lane][#number]))
-            }
-        }
+        let ty = start_type(outline, start);
+        quote!(<#ty>::of::<T>(|__lane| &__lanes[__lane][#number]))
     });
-    let all: Vec<usize> = (0..outline.inputs.len()).collect();
-    let groups: Vec<usize> = (0..outline.starts.len()).collect();
-    let together = extend(outline, &quote!(__starts), &all, &groups);
+    let together = extend(outline);
     let inputs = literal::index(outline.inputs.len());
-    let width = literal::index(Places::new(outline, &all, &groups).width());
+    let width = literal::index(Places::all(outline).width());
     let functions = outline
         .functions
         .iter()
@@ -93,26 +88,21 @@ fn lookups(outline: &Outline) -> TokenStream {
     }
 }
 
-/// `__x` followed by the states of groups; `inputs` are the inputs in `__x`.
-fn extend(
-    outline: &Outline,
-    starts: &TokenStream,
-    inputs: &[usize],
-    groups: &[usize],
-) -> TokenStream {
-    let own = (0..inputs.len()).map(|k| {
+/// All inputs, `__x`, followed by the states of all groups.
+fn extend(outline: &Outline) -> TokenStream {
+    let inputs: Vec<usize> = (0..outline.inputs.len()).collect();
+    let groups: Vec<usize> = (0..outline.starts.len()).collect();
+    let own = inputs.iter().map(|&k| {
         let k = literal::index(k);
         quote!(__x[#k])
     });
-    let mut numbers: Vec<TokenStream> = own.collect();
     let (looked_up, states) = look_up(
         outline,
-        inputs,
-        groups,
-        &|number, _, at| quote!(#starts.#number.at::<T>(#at)),
+        &inputs,
+        &groups,
+        &|number, _, at| quote!(__starts.#number.at::<T>(#at)),
     );
-    numbers.extend(states);
-    quote!(#looked_up [#(#numbers),*])
+    quote!(#looked_up [#(#own,)* #(#states),*])
 }
 
 /// Statements that look up the states of groups, and the numbers of these; `how` prints the look-up from the number of the group, its

@@ -26,10 +26,7 @@ pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
         return quote!(#runtime::Turns { centres: [], windings: [] });
     }
     let title = outline.title();
-    let estimates = lowered
-        .continuous_angles
-        .iter()
-        .map(|angle| literal::float(angle.estimate));
+    let at_estimates = at_estimates(outline, lowered);
     let (starts, at) = match outline.starts.is_empty() {
         true => (TokenStream::new(), quote!(__at)),
         false => (
@@ -51,7 +48,7 @@ pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
         }) {
             ::core::result::Result::Ok(__turns) => __turns,
             ::core::result::Result::Err(__unknown) => {
-                let __turns = #runtime::Turns::at_estimates([#(#estimates),*]);
+                let __turns = #at_estimates;
                 let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
                 Self::__close(__m, &__modes, &__prepared, #at)?;
                 return ::core::result::Result::Err(#runtime::AssemblyError::NoWinding {
@@ -61,6 +58,14 @@ pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
             }
         }
     }
+}
+
+/// Centres at the start estimates, no winding.
+pub(super) fn at_estimates(outline: &Outline, lowered: &Lowered) -> TokenStream {
+    let runtime = &outline.runtime;
+    let angles = lowered.continuous_angles.iter();
+    let estimates = angles.map(|angle| literal::float(angle.estimate));
+    quote!(#runtime::Turns::at_estimates([#(#estimates),*]))
 }
 
 /// `__wind` and the program of the directions; nothing for a mechanism without continuous angles.

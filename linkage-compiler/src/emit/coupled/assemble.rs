@@ -29,10 +29,7 @@ pub(in crate::emit) fn assemble(
     } = types;
     let float = quote!(::core::primitive::f64);
     let turning = winding::turning(outline, lowered);
-    let estimates = lowered
-        .continuous_angles
-        .iter()
-        .map(|angle| literal::float(angle.estimate));
+    let at_estimates = winding::at_estimates(outline, lowered);
     let count = literal::index(outline.starts.len());
     let at = (0..outline.inputs.len()).map(|input| {
         let input = literal::index(input);
@@ -109,7 +106,7 @@ pub(in crate::emit) fn assemble(
         ) -> ::core::result::Result<(), #runtime::AssemblyError> {
             let __lanes = #runtime::nothing::<#count>(T::LANES);
             let __starts = Self::__starts(&__lanes);
-            let __turns: #turns = #runtime::Turns::at_estimates([#(#estimates),*]);
+            let __turns: #turns = #at_estimates;
             let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
             let __x = Self::__extend(&__starts, __at);
             match Self::__close(__m, &__modes, &__prepared, __x) {

@@ -7,7 +7,7 @@ use crate::emit::assembly::Types;
 use crate::emit::facts::Facts;
 use crate::emit::load::Places;
 use crate::emit::outline::Outline;
-use crate::emit::{attribute, literal};
+use crate::emit::{attribute, literal, winding};
 use crate::lower::{Coupled, Lowered};
 use crate::model::Mechanism;
 
@@ -29,7 +29,9 @@ pub(super) fn items(
     } = outline;
     let Types { modes, .. } = Types::new(outline, facts, lowered);
     let float = quote!(::core::primitive::f64);
-    let prepared = prepared_of(outline, &float);
+    // As plain numbers.
+    let slots = literal::index(outline.prepared);
+    let prepared = quote!([#float; #slots]);
     let starts = starts_type(outline);
     let coupled = format_ident!("__{}Coupled", outline.name);
     let inputs = literal::index(outline.inputs.len());
@@ -147,11 +149,8 @@ fn turns(outline: &Outline, lowered: &Lowered) -> TokenStream {
     let runtime = &outline.runtime;
     let title = outline.title();
     if lowered.coupled.iter().all(|group| group.turning == 0) {
-        let estimates = lowered
-            .continuous_angles
-            .iter()
-            .map(|angle| literal::float(angle.estimate));
-        return quote!(let __turns = #runtime::Turns::at_estimates([#(#estimates),*]););
+        let at_estimates = winding::at_estimates(outline, lowered);
+        return quote!(let __turns = #at_estimates;);
     }
     let counts = lowered
         .coupled
@@ -163,10 +162,4 @@ fn turns(outline: &Outline, lowered: &Lowered) -> TokenStream {
             #runtime::AssemblyError::NoWinding { mechanism: #title, unknown: __unknown }
         })?;
     }
-}
-
-/// The prepared slots as plain numbers.
-fn prepared_of(outline: &Outline, float: &TokenStream) -> TokenStream {
-    let count = literal::index(outline.prepared);
-    quote!([#float; #count])
 }

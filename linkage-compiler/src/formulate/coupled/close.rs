@@ -150,13 +150,21 @@ impl Assembly<'_, '_> {
         }
     }
 
-    /// All real assemblies, the nearest to the estimates first; `None` if some meet at a turning point.
-    fn candidates(&mut self, number: usize) -> Result<Option<Vec<Candidate>>, Unlisted> {
-        let mut numbers = Numbers {
+    /// A coupled group at the reference inputs, and those of them that are its own.
+    fn numbers(&self, number: usize) -> (Numbers<'_>, Vec<f64>) {
+        let inputs = &self.nominal.inputs;
+        let own = &self.machine.coupled[number].inputs;
+        let numbers = Numbers {
             machine: &self.machine,
             number,
-            inputs: self.nominal.inputs.clone(),
+            inputs: inputs.clone(),
         };
+        (numbers, own.iter().map(|&input| inputs[input]).collect())
+    }
+
+    /// All real assemblies, the nearest to the estimates first; `None` if some meet at a turning point.
+    fn candidates(&mut self, number: usize) -> Result<Option<Vec<Candidate>>, Unlisted> {
+        let (mut numbers, own) = self.numbers(number);
         let group = &self.machine.coupled[number];
         let coefficients = numbers.run(&group.system, &[]);
         let coefficients: Vec<[f64; 2]> = coefficients.chunks(2).map(|c| [c[0], c[1]]).collect();
@@ -176,11 +184,6 @@ impl Assembly<'_, '_> {
         if listing.multiple > 0 {
             return Ok(None);
         }
-        let own: Vec<f64> = group
-            .inputs
-            .iter()
-            .map(|&input| self.nominal.inputs[input])
-            .collect();
         let states = linkage_runtime::numeric::coupled::states(
             &group.variables,
             &listing,
@@ -231,22 +234,13 @@ impl Assembly<'_, '_> {
 
     /// Prepares the group over the declared ranges. Where none is declared, as far as the assembly goes.
     fn start(&self, prepared: &Prepared, state: &[f64]) -> Result<Start, Refusal> {
-        let mut numbers = Numbers {
-            machine: &self.machine,
-            number: prepared.number,
-            inputs: self.nominal.inputs.clone(),
-        };
+        let (mut numbers, at) = self.numbers(prepared.number);
         let ranges = prepared.inputs.iter().map(|&input| {
             let (low, high) = followed_range(self.algebra, self.nominal, input);
             let turn = is_angle(self.algebra, input);
             Range { low, high, turn }
         });
         let ranges: Vec<Range> = ranges.collect();
-        let at: Vec<f64> = prepared
-            .inputs
-            .iter()
-            .map(|&input| self.nominal.inputs[input])
-            .collect();
         match (&ranges[..], prepared.has_table()) {
             ([range], true) => {
                 let partial = self.nominal.ranges[prepared.inputs[0]].is_none();

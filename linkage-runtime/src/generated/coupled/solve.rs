@@ -180,16 +180,14 @@ impl CoupledGroup {
 
     fn distance(&self, values: &[f64], placed: &[[f64; 2]]) -> f64 {
         let square = |((unknown, value), [_, size]): ((&CoupledUnknown, &f64), &[f64; 2])| {
-            let mut off = if unknown.angle {
-                value - unknown.estimate
+            let off = if unknown.angle {
+                // Adding and subtracting 1.5 * 2^52 rounds to an integer.
+                const ROUND: f64 = 6_755_399_441_055_744.0;
+                let off = value - unknown.estimate;
+                off - TAU * ((off / TAU + ROUND) - ROUND)
             } else {
                 value * size - unknown.estimate
             };
-            if unknown.angle {
-                // Adding and subtracting 1.5 * 2^52 rounds to an integer.
-                const ROUND: f64 = 6_755_399_441_055_744.0;
-                off -= TAU * ((off / TAU + ROUND) - ROUND);
-            }
             let off = off / unknown.scale;
             off * off
         };
