@@ -5,6 +5,7 @@
 
 mod check;
 mod coupled;
+mod directions;
 mod follow;
 mod machine;
 mod quadratic;
@@ -33,6 +34,7 @@ use solver::Solver;
 
 pub(crate) use check::check_ranges;
 pub(crate) use coupled::{Definition, Prepared};
+pub(crate) use directions::check_directions;
 pub(crate) use follow::{candidate_rates, followed_range};
 pub(crate) use machine::{unknown_nodes, valued_angles};
 pub(crate) use reference::{Reference, assemble_reference};
