@@ -66,13 +66,18 @@ pub fn solve(system: &System, data: &[Big], guess: &[f64]) -> Option<Solution> {
     None
 }
 
-/// The determinant as in [`Solution`], but at values of the unknowns that need not be a solution.
+/// The determinant as in [`Solution`], but at values of the unknowns that need not be a solution;
+/// that of one equation not divided by its length.
 pub(crate) fn determinant_at(system: &System, data: &[Big], values: &[f64]) -> Big {
     let scale = length_scale(system, data);
     let state = start(system, values, &scale);
     let equations = evaluate(system, data, &scale, &state);
     let jacobian = jacobian(system, data, &scale, &state, &equations);
-    normalised_determinant(system, &jacobian, &state).0
+    let (determinant, levers) = normalised_determinant(system, &jacobian, &state);
+    match &levers[..] {
+        [lever] => determinant * lever,
+        _ => determinant,
+    }
 }
 
 impl Solution {

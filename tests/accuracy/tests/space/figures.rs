@@ -34,13 +34,21 @@ fn rssr_of_the_reference() {
     for (theta, solutions) in RSSR_FIGURES {
         for expected in solutions {
             let data = [
-                1.0, 5.0, 3.0, 0.0, 4.0, 1.0, 0.5, 50f64.to_radians(), 0.0, f64::to_radians(theta),
+                1.0,
+                5.0,
+                3.0,
+                0.0,
+                4.0,
+                1.0,
+                0.5,
+                50f64.to_radians(),
+                0.0,
+                f64::to_radians(theta),
             ];
             let start = [(expected[0] + 1.0).to_radians()];
             let mut found = Reference::new(&RSSR, &data, &start).expect("assembles");
             let value = found.value(0).to_degrees();
-            let [first, second] =
-                [vec![9], vec![9, 9]].map(|by| found.derivative(&by)[0].to_f64());
+            let [first, second] = [vec![9], vec![9, 9]].map(|by| found.derivative(&by)[0].to_f64());
             agree([value, first, second], expected);
         }
     }

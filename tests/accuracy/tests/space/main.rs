@@ -2,8 +2,11 @@
 
 mod figures;
 mod joints;
+mod points;
+mod rows;
 mod rssp;
 mod rssr;
+mod unit_vector;
 
 use linkage_accuracy::{Limits, Random};
 use nalgebra::Vector3;

@@ -2,9 +2,9 @@
 
 use super::LIMITS;
 use linkage_accuracy::{
-    Big, Datum, Depth, Form, Output, Plan, Position, Random, Space, System, Unknown, compare,
-    cycle_cases, dead_point_cases, edge, far_input_cases, forms, proportion_cases, reach_gap,
-    scale_cases, wide_scale_cases,
+    Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, compare, cycle_cases,
+    dead_point_cases, edge, far_input_cases, forms, proportion_cases, reach_gap, scale_cases,
+    wide_scale_cases,
 };
 use nalgebra::Vector3;
 
@@ -16,10 +16,7 @@ fn pin(p: &Position) -> Space {
 /// The guides in the planes of x and y, and of y and z.
 fn guides(p: &Position) -> [Space; 2] {
     let [one, two] = ["one", "two"].map(|name| p.direction(name));
-    [
-        Space::new(one.x, one.y, 0.0),
-        Space::new(0.0, two.x, two.y),
-    ]
+    [Space::new(one.x, one.y, 0.0), Space::new(0.0, two.x, two.y)]
 }
 
 /// The third guide, which turns slowly about the z axis.
@@ -218,7 +215,11 @@ const ANGLE_PLAN: Plan = Plan {
             Vector3::new(0.0, two.cos(), two.sin()),
         );
         let slope = |psi: f64| g1.cross(&g2).dot(&(psi.cos() * y - psi.sin() * x)) * link;
-        let psi = if slope(psi) > 0.0 { psi + core::f64::consts::PI } else { psi };
+        let psi = if slope(psi) > 0.0 {
+            psi + core::f64::consts::PI
+        } else {
+            psi
+        };
         let pin = Vector3::new(crank * phi.cos(), crank * phi.sin(), 0.0);
         let base = pin + s * g1 + t * g2 - link * (psi.cos() * x + psi.sin() * y);
         vec![crank, link, base.x, base.y, base.z, one, two, tilt]

@@ -3,8 +3,7 @@
 use super::{LIMITS, direction};
 use linkage_accuracy::{
     Big, Datum, Depth, Form, Output, Plan, Position, Random, Space, System, Unknown, compare,
-    cycle_cases, dead_point_cases, decade_cases, edge, forms, line_gap, planes_line,
-    scale_cases,
+    cycle_cases, dead_point_cases, decade_cases, edge, forms, line_gap, planes_line, scale_cases,
 };
 use nalgebra::Vector3;
 

@@ -3,9 +3,8 @@
 use super::{PHI, directions, distance, outputs, pin, pin_of, radical};
 use crate::{LIMITS, direction};
 use linkage_accuracy::{
-    Big, Datum, Depth, Form, Plan, Random, System, Unknown, compare, cycle_cases,
-    dead_point_cases, decade_cases, edge, forms, line_gap, planes_line, proportion_cases,
-    scale_cases,
+    Big, Datum, Depth, Form, Plan, Random, System, Unknown, compare, cycle_cases, dead_point_cases,
+    decade_cases, edge, forms, line_gap, planes_line, proportion_cases, scale_cases,
 };
 use nalgebra::Vector3;
 
@@ -101,13 +100,7 @@ const PLAN: Plan = Plan {
 };
 
 fn closed(crank: f64, [two, three]: [Vector3<f64>; 2], lengths: [f64; 3]) -> Vec<f64> {
-    [
-        &[crank][..],
-        two.as_slice(),
-        three.as_slice(),
-        &lengths[..],
-    ]
-    .concat()
+    [&[crank][..], two.as_slice(), three.as_slice(), &lengths[..]].concat()
 }
 
 /// Three known points so near to each other beside the distances.
@@ -121,7 +114,11 @@ fn near_points(random: &mut Random, ratio: f64) -> Vec<f64> {
     let p = one + beside * (normal + 0.5 * direction(random)).normalize();
     let sign = (p - one).dot(&(p - two).cross(&(p - three)));
     let p = if sign > 0.0 { one - (p - one) } else { p };
-    closed(crank, [two, three], [one, two, three].map(|v| (p - v).norm()))
+    closed(
+        crank,
+        [two, three],
+        [one, two, three].map(|v| (p - v).norm()),
+    )
 }
 
 const FORMS: &[Form] = forms![distances, mixed];

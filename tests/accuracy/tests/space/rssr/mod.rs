@@ -154,7 +154,15 @@ fn closed(
     let pin = Vector3::new(crank * phi.cos(), crank * phi.sin(), 0.0);
     let pivot = pin + coupler - arm - lift * axis;
     vec![
-        crank, coupler.norm(), rocker, lift, pivot.x, pivot.y, pivot.z, gamma1, gamma2,
+        crank,
+        coupler.norm(),
+        rocker,
+        lift,
+        pivot.x,
+        pivot.y,
+        pivot.z,
+        gamma1,
+        gamma2,
     ]
 }
 
