@@ -180,7 +180,7 @@ fn spherical_both_sides_of_the_dead_point() {
 #[test]
 fn universal_joint() {
     let plan = Plan {
-        geometry: |random, _| vec![random.between(-1.5, 1.5)],
+        geometry: |random, _| vec![random.between(0.2, 1.45)],
         dead_points: &[],
     };
     let cases = cycle_cases(&UNIVERSAL, &plan, 60, 275);

@@ -12,7 +12,7 @@ use linkage_accuracy::{Limits, Random};
 use nalgebra::Vector3;
 
 const LIMITS: Limits = Limits {
-    condition: 10.0,
+    condition: 20.0,
     value: 10.0,
     first: 30.0,
     second: 100.0,
