@@ -9,116 +9,22 @@ mod classify;
 mod coupled;
 mod eliminate;
 mod equations;
+mod form;
 mod matching;
+mod point;
 pub(crate) mod report;
 mod rewrite;
+mod space;
 
 use linkage_symbolic::{NodeId, SymbolId};
 
-use crate::algebra::{Algebra, Nominal, Scalar};
+use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::model::{Dimension, Mechanism, Type};
 
 pub(crate) use coupled::{Block, Core, Coupled, Private};
 pub(crate) use equations::{Coordinate, Equation};
-
-/// A vector that turns with an unknown angle: `z (cos + i sense sin)` in complex numbers.
-#[derive(Clone, Debug)]
-pub(crate) struct Rotor {
-    pub(crate) angle: usize,
-    /// -1 if the vector turns against the angle.
-    pub(crate) sense: f64,
-    pub(crate) z: [NodeId; 2],
-}
-
-/// A group in the form in which it is solved. Each equation is `sum = 0`.
-#[derive(Clone, Debug)]
-pub(crate) enum Form {
-    /// `first + second + known = 0`: RRR
-    TwoRotors {
-        first: Rotor,
-        second: Rotor,
-        known: [NodeId; 2],
-    },
-    /// `rotor + slide * guide + known = 0`: RRP, PRR
-    RotorAndSlide {
-        rotor: Rotor,
-        slide: SymbolId,
-        guide: [NodeId; 2],
-        known: [NodeId; 2],
-    },
-    /// `(rotor + slide * guide) turning with one angle + known = 0`: RPR. The rotor's vector is the offset.
-    SlideOnRotor {
-        rotor: Rotor,
-        slide: SymbolId,
-        guide: [NodeId; 2],
-        known: [NodeId; 2],
-    },
-    /// `slide 1 * guide 1 + slide 2 * guide 2 + known = 0`: PRP, RPP
-    TwoSlides {
-        slides: [SymbolId; 2],
-        guides: [[NodeId; 2]; 2],
-        known: [NodeId; 2],
-    },
-    /// `a cos + b sin + c = 0`
-    Trigonometric {
-        angle: usize,
-        a: NodeId,
-        b: NodeId,
-        c: NodeId,
-    },
-    /// `a x^2 + b x + c = 0`
-    Quadratic {
-        symbol: SymbolId,
-        a: NodeId,
-        b: NodeId,
-        c: NodeId,
-    },
-    /// `a x + b = 0`
-    Linear {
-        symbol: SymbolId,
-        a: NodeId,
-        b: NodeId,
-    },
-    /// An angle given by others.
-    Relation { angle: usize, value: Scalar },
-    /// Several loops together: class III and higher
-    Coupled(Box<Coupled>),
-}
-
-impl Form {
-    /// The vectors that turn with its angles.
-    pub(crate) fn rotors(&self) -> Vec<&Rotor> {
-        match self {
-            Self::TwoRotors { first, second, .. } => vec![first, second],
-            Self::RotorAndSlide { rotor, .. } | Self::SlideOnRotor { rotor, .. } => vec![rotor],
-            Self::Coupled(coupled) => {
-                let privates = coupled.blocks.iter().filter_map(|b| b.private.as_ref());
-                let rotors = privates.filter_map(|private| match private {
-                    Private::Rotor(rotor) => Some(rotor),
-                    Private::Slide { .. } => None,
-                });
-                rotors.collect()
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    /// For dumps.
-    pub(crate) fn name(&self) -> &'static str {
-        match self {
-            Self::TwoRotors { .. } => "two rotors",
-            Self::RotorAndSlide { .. } => "rotor and slide",
-            Self::SlideOnRotor { .. } => "slide on rotor",
-            Self::TwoSlides { .. } => "two slides",
-            Self::Trigonometric { .. } => "trigonometric",
-            Self::Quadratic { .. } => "quadratic",
-            Self::Linear { .. } => "linear",
-            Self::Relation { .. } => "relation",
-            Self::Coupled(_) => "coupled",
-        }
-    }
-}
+pub(crate) use form::{Form, Plane, Rotor, Sphere};
 
 /// One Assur group.
 #[derive(Clone, Debug)]
@@ -142,6 +48,15 @@ impl Group {
         let equation = &mechanism.loops[self.loops[0]];
         let sides = [&equation.left.ty, &equation.right.ty];
         sides.into_iter().find_map(Type::dimension)
+    }
+
+    /// The dimension of its links, if its loop is about lengths or squares of lengths.
+    pub(crate) fn link_dimension(&self, mechanism: &Mechanism) -> Option<Dimension> {
+        let of_loop = self.loop_dimension(mechanism)?;
+        Some(match of_loop.half_lengths {
+            4 => Dimension::LENGTH,
+            _ => of_loop,
+        })
     }
 
     /// The dimension of its first unknown.
@@ -194,11 +109,7 @@ pub(crate) fn decompose(
         steps: 0,
     };
     analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
-    let before = analysis.diagnostics.len();
     let (equations, coordinates) = analysis.equations();
-    if analysis.diagnostics.len() > before {
-        return analysis.structure;
-    }
     analysis.solve(equations, coordinates);
     analysis.structure
 }
@@ -250,6 +161,9 @@ impl Analysis<'_, '_> {
         {
             return self.push_group(&equations, &coordinates, form);
         }
+        if let Some(form) = self.classify_point(&equations, &coordinates) {
+            return self.push_group(&equations, &coordinates, form);
+        }
         self.steps += 1;
         let allowed = self.steps <= STEPS_PER_LOOP * self.algebra.mechanism.loops.len();
         let reduced = if allowed {
@@ -260,7 +174,8 @@ impl Analysis<'_, '_> {
         if let Some((equations, coordinates)) = reduced {
             return self.solve(equations, coordinates);
         }
-        match self.coupled(&equations, &coordinates) {
+        let squared = self.squared(&equations, &coordinates);
+        match self.coupled(&squared, &coordinates) {
             Some(form) => self.push_group(&equations, &coordinates, form),
             None => self.report_unsolved(&equations, &coordinates),
         }
