@@ -1,9 +1,11 @@
 //! Frames in space: axes from two directions, points and coordinates in them.
 
-use linkage_symbolic::NodeId;
-use linkage_symbolic::program::Unary;
+use linkage_symbolic::{NodeId, agree_within};
 
 use super::{Algebra, Value};
+
+/// What rounding may leave of a product that is zero.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl Algebra<'_> {
     /// Origin and axes: `X = x / |x|`, `Y = (z x X) / |z x X|`, `Z = X x Y`.
@@ -11,20 +13,22 @@ impl Algebra<'_> {
         let [origin, x, z] = [0, 1, 2].map(|k| self.space_vector(&arguments[k]));
         let x = self.unit_vector(x);
         let projection = self.dot(&z, &x);
-        let (y, z) = if self.graph.is_zero(projection) {
-            // Perpendicular by construction, as an axis of rotation often is: nothing to project.
+        let (y, z) = if self.vanishes(projection) {
+            // Perpendicular by their formulas, as axes of rotation often are: nothing to project.
             let z = self.unit_vector(z);
-            (self.space_cross(z, x), z)
+            (self.cross3(z, x), z)
         } else {
-            let across = self.space_cross(z, x);
-            let y = self.unit_vector(across);
-            (y, self.space_cross(x, y))
+            let across = self.cross3(z, x);
+            let y = match across.iter().all(|&component| self.vanishes(component)) {
+                true => [self.graph.constant(f64::NAN); 3],
+                false => self.unit_vector(across),
+            };
+            (y, self.cross3(x, y))
         };
-        Value::Array(
-            [origin, x, y, z]
-                .map(|v| Value::Vector(v.to_vec()))
-                .to_vec(),
-        )
+        self.mark_unit(&y);
+        self.mark_unit(&z);
+        let parts = [origin, x, y, z].map(|part| Value::Vector(part.to_vec()));
+        Value::Array(parts.to_vec())
     }
 
     /// `origin + a X + b Y + c Z`
@@ -32,8 +36,7 @@ impl Algebra<'_> {
         let [origin, axes @ ..] = self.frame_parts(&arguments[0]);
         let local = self.space_vector(&arguments[1]);
         let point = [0, 1, 2].map(|k| {
-            let along = axes.map(|axis| axis[k]);
-            let offset = self.dot(&local, &along);
+            let offset = self.dot(&local, &axes.map(|axis| axis[k]));
             self.graph.add(origin[k], offset)
         });
         Value::Vector(point.to_vec())
@@ -43,22 +46,15 @@ impl Algebra<'_> {
     pub(super) fn coordinates_in(&mut self, arguments: &[Value]) -> Value {
         let [origin, axes @ ..] = self.frame_parts(&arguments[0]);
         let point = self.space_vector(&arguments[1]);
-        let arm = [0, 1, 2].map(|k| self.graph.sub(point[k], origin[k]));
+        let arm = self.difference(&point, &origin);
         let coordinates = axes.map(|axis| self.dot(&arm, &axis));
         Value::Vector(coordinates.to_vec())
     }
 
-    /// The vector divided by its length; NaN for one that is known to be zero. What is zero is left out, so that a unit vector of a
-    /// coordinate plane is known as one.
-    pub(crate) fn unit_vector(&mut self, v: [NodeId; 3]) -> [NodeId; 3] {
-        let rest: Vec<NodeId> = v.into_iter().filter(|&x| !self.graph.is_zero(x)).collect();
-        let length = match rest[..] {
-            [] => return [self.graph.constant(f64::NAN); 3],
-            [x] => self.graph.unary(Unary::Abs, x),
-            [x, y] if self.is_unit([x, y]) => return v,
-            _ => self.length(&rest),
-        };
-        v.map(|x| self.graph.div(x, length))
+    /// True if a node is zero wherever it is evaluated.
+    fn vanishes(&mut self, node: NodeId) -> bool {
+        let zero = self.graph.zero();
+        agree_within(&self.graph, node, zero, ROUNDING)
     }
 
     fn frame_parts(&mut self, frame: &Value) -> [[NodeId; 3]; 4] {
@@ -73,9 +69,5 @@ impl Algebra<'_> {
             [x, y, z] => [x, y, z],
             _ => [self.as_node(value); 3],
         }
-    }
-
-    fn space_cross(&mut self, a: [NodeId; 3], b: [NodeId; 3]) -> [NodeId; 3] {
-        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| self.cross([a[i], a[j]], [b[i], b[j]]))
     }
 }

@@ -246,7 +246,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn vector_of(
+    pub(super) fn vector_of(
         &mut self,
         argument: &mut Expr,
         name: &str,

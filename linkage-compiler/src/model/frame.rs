@@ -47,17 +47,8 @@ impl Resolver<'_> {
         };
         let name = Function::Frame.name();
         self.point(origin, name, "the origin of a frame is")?;
-        self.axis(x, name, "x")?;
-        self.axis(z, name, "z")?;
-        if let (Some(along), Some(beside)) = (written(x), written(z))
-            && parallel(along, beside)
-        {
-            let fact = "the x and z directions of a frame are parallel";
-            let help = "the z direction chooses the plane of the x and z axes: give another one";
-            let span = self.origins.span(z.origin);
-            self.diagnostics.error_with_help(span, fact, help);
-            return None;
-        }
+        self.vector_of(x, name, Some(3))?;
+        self.vector_of(z, name, Some(3))?;
         Some(Type::Frame)
     }
 
@@ -95,7 +86,10 @@ impl Resolver<'_> {
     fn point(&mut self, argument: &mut Expr, name: &str, role: &str) -> Option<()> {
         let wanted = Type::Vector(3, Dimension::LENGTH);
         argument.settle(&wanted);
-        let dimension = self.space_vector(argument, name)?;
+        if self.refuse_compound(argument) {
+            return None;
+        }
+        let (_, dimension) = self.vector_of(argument, name, Some(3))?;
         if dimension.fits(Dimension::LENGTH) {
             return Some(());
         }
@@ -107,32 +101,6 @@ impl Resolver<'_> {
         let span = self.origins.span(argument.origin);
         self.diagnostics.error_with_help(span, fact, help);
         None
-    }
-
-    /// A direction: a space vector of any dimension, not known to be zero.
-    fn axis(&mut self, argument: &mut Expr, name: &str, axis: &str) -> Option<()> {
-        let zero = matches!(argument.ty, Type::Zero(1 | 3)) || written(argument) == Some([0.0; 3]);
-        if zero {
-            let fact = format!("the {axis} direction of a frame is zero");
-            let help = "give a direction of any length, like `(0, 0, 1)`";
-            let span = self.origins.span(argument.origin);
-            self.diagnostics.error_with_help(span, fact, help);
-            return None;
-        }
-        settle_alone(argument);
-        self.space_vector(argument, name).map(|_| ())
-    }
-
-    fn space_vector(&mut self, argument: &Expr, name: &str) -> Option<Dimension> {
-        let help = match argument.ty {
-            Type::Vector(3, dimension) => return Some(dimension),
-            Type::Vector(..) | Type::Zero(2) => {
-                "a vector `v` of the plane is `(v.x, v.y, 0)` in space".to_owned()
-            }
-            Type::Frame => self.parts_help("take", argument),
-            _ => "write it as `(x, y, z)`".to_owned(),
-        };
-        self.wrong_argument(name, "a space vector here", argument, &help)
     }
 
     /// What to write for a frame where a vector is needed, its name filled in.
@@ -183,30 +151,4 @@ impl Resolver<'_> {
             .error_with_help(span, "a frame has no derivative", help);
         self.failed(span)
     }
-}
-
-/// A vector written in numbers.
-fn written(expr: &Expr) -> Option<[f64; 3]> {
-    let ExprKind::Vector(components) = &expr.kind else {
-        return None;
-    };
-    let [x, y, z] = &components[..] else {
-        return None;
-    };
-    Some([number(x)?, number(y)?, number(z)?])
-}
-
-fn number(expr: &Expr) -> Option<f64> {
-    match &expr.kind {
-        ExprKind::Number(value) => Some(*value),
-        ExprKind::Negate(inner) => number(inner).map(|value| -value),
-        _ => None,
-    }
-}
-
-fn parallel(a: [f64; 3], b: [f64; 3]) -> bool {
-    (0..3).all(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        a[i] * b[j] == a[j] * b[i]
-    })
 }

@@ -13,8 +13,6 @@ mechanism! {
         let pin = polar(crank, phi);
         let flat = frame(pin, (1, 0, 0), (0, 0, 1));
         let nowhere = frame((1, 2, 3), (1, 0, 0), (0, 0, 1));
-        let zero = frame(place, (0, 0, 0), (0, 0, 1));
-        let parallel = frame(place, (1, 2, 3), (-2, -4, -6));
         let body = frame(place, (cos(phi), sin(phi), 0), (0, 0, 1));
         let sum = body + place;
         let part = body.w;
