@@ -161,6 +161,12 @@ fn vector_loops() {
         &["loops 1: three slides for x, y, z"],
     );
     expect(
+        "unknown x = 10mm; unknown y = 20mm; unknown z = 30mm;
+         let end = pin + x * axis + y * k - z * (0.1, cos(phi), 1);
+         loop end.x = r; loop end.y = 0; loop dot(end, k) = a;",
+        &["loops 1 2 3: three slides for x, y, z"],
+    );
+    expect(
         "unknown x = 10mm; unknown y = 20mm; unknown psi = 30deg;
          loop pin + x * axis + y * k = pivot + turn((r, 0, 0), (0, 1, 0), psi);",
         &[
