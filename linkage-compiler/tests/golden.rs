@@ -95,3 +95,8 @@ fn output_is_deterministic() {
         assert_eq!(first, trace(read(name)).emit.to_string(), "{name}");
     }
 }
+
+#[test]
+fn wrist() {
+    check("wrist");
+}
