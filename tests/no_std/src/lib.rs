@@ -109,26 +109,6 @@ pub fn platform(leg: f64, phi: f64) -> Result<(f64, usize), AssemblyError> {
     Ok((speed, platform.circuits()?.branches.len()))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_two_precisions_agree() -> Result<(), AssemblyError> {
-        let linkage = CrankRocker::default().assemble()?;
-        let tracer = linkage.motion(1.0).tracer;
-        let single = reach_in_single_precision(1.0)?;
-        assert!((f64::from(single) - tracer.x.abs() - tracer.y.abs()).abs() < 1e-3);
-        assert_eq!(reach(40.0, 1.0)?, tracer.norm());
-        Ok(())
-    }
-
-    #[test]
-    fn a_crank_that_is_too_long_is_an_error() {
-        assert!(reach(400.0, 1.0).is_err());
-    }
-}
-
 mechanism! {
     /// A camera on a mast, looking at a point: a frame in space.
     pub struct Camera {
@@ -152,4 +132,24 @@ mechanism! {
 pub fn camera_turn(pan: f64) -> Result<f64, AssemblyError> {
     let pose = Camera::default().assemble()?.pose(pan);
     Ok(pose.body.isometry().rotation.angle())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_two_precisions_agree() -> Result<(), AssemblyError> {
+        let linkage = CrankRocker::default().assemble()?;
+        let tracer = linkage.motion(1.0).tracer;
+        let single = reach_in_single_precision(1.0)?;
+        assert!((f64::from(single) - tracer.x.abs() - tracer.y.abs()).abs() < 1e-3);
+        assert_eq!(reach(40.0, 1.0)?, tracer.norm());
+        Ok(())
+    }
+
+    #[test]
+    fn a_crank_that_is_too_long_is_an_error() {
+        assert!(reach(400.0, 1.0).is_err());
+    }
 }
