@@ -16,6 +16,7 @@ mod reach;
 pub(crate) mod report;
 mod rewrite;
 mod space;
+mod squared;
 
 use linkage_symbolic::{NodeId, SymbolId};
 
