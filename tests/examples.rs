@@ -39,3 +39,4 @@ example!(quick_return, "../examples/quick_return.rs");
 example!(stability, "../examples/stability.rs");
 example!(trammel, "../examples/trammel.rs");
 example!(two_crank_triad, "../examples/two_crank_triad.rs");
+example!(universal_joint, "../examples/universal_joint.rs");

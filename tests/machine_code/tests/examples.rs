@@ -35,6 +35,7 @@ example! {
     textbook "../../../examples/stability/textbook.rs",
     trammel "../../../examples/trammel.rs",
     two_crank_triad "../../../examples/two_crank_triad.rs",
+    universal_joint "../../../examples/universal_joint.rs",
 }
 
 check!(crank_rocker_: crank_rocker::CrankRocker, crank_rocker::CrankRockerAssembly:
@@ -92,3 +93,8 @@ check!(trammel_scotch_yoke: trammel::ScotchYoke, trammel::ScotchYokeAssembly:
 check!(two_crank_triad_: two_crank_triad::TwoCranks, two_crank_triad::TwoCranksAssembly:
     working_point [working_point_sweep working_point_sweep_sets] (phi),
     motion [motion_sweep motion_sweep_sets] (phi));
+check!(universal_joint_: universal_joint::Cardan, universal_joint::CardanAssembly:
+    single [single_sweep single_sweep_sets] (phi),
+    double [double_sweep double_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
+    bending [bending_sweep bending_sweep_sets] (phi));
