@@ -81,6 +81,9 @@ pub struct Graph {
     index: HashMap<Node, NodeId>,
     symbols: Vec<Symbol>,
     sources: HashMap<Source, SymbolId>,
+    /// The cosine that a sine belongs to.
+    cosines: HashMap<SymbolId, SymbolId>,
+    with_sine: HashSet<SymbolId>,
 }
 
 impl Graph {
@@ -155,6 +158,21 @@ impl Graph {
             binding: Binding::Call,
         });
         (symbol, self.intern(Node::Symbol(symbol)))
+    }
+
+    /// Says that two symbols are the cosine and the sine of one angle.
+    pub fn pair(&mut self, cos: SymbolId, sin: SymbolId) {
+        self.cosines.insert(sin, cos);
+        self.with_sine.insert(cos);
+    }
+
+    /// The cosine of the angle that a symbol is the sine of.
+    pub(crate) fn cosine_of(&self, sin: SymbolId) -> Option<SymbolId> {
+        self.cosines.get(&sin).copied()
+    }
+
+    pub(crate) fn is_cosine(&self, symbol: SymbolId) -> bool {
+        self.with_sine.contains(&symbol)
     }
 
     /// The node of a symbol.

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use crate::graph::{Graph, Node, NodeId};
+use crate::graph::{Graph, Node, NodeId, SymbolId};
 use crate::interpret::{apply_binary, apply_ternary, apply_unary};
 
 /// Places at which both sides must agree.
@@ -24,7 +24,7 @@ fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: u64) -> bool {
     for id in graph.reachable(&[a, b]) {
         let known = match graph.node(id) {
             Node::Constant(bits) => sized(f64::from_bits(bits)),
-            Node::Symbol(symbol) => sized(sample(symbol.index() as u64, place)),
+            Node::Symbol(symbol) => sized(sample(graph, symbol, place)),
             Node::Unary(op, x) => {
                 let (value, size) = values[&x];
                 let result = apply_unary(op, value);
@@ -54,9 +54,18 @@ fn sized(value: f64) -> (f64, f64) {
     (value, value.abs())
 }
 
-/// A number in 0.5..1.5 for each symbol and place, without pattern.
-fn sample(symbol: u64, place: u64) -> f64 {
-    let mut x = (symbol + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+/// A value for each symbol and place; the cosine and the sine of one angle fit each other.
+fn sample(graph: &Graph, symbol: SymbolId, place: u64) -> f64 {
+    match graph.cosine_of(symbol) {
+        Some(cosine) => number(cosine, place).sin(),
+        None if graph.is_cosine(symbol) => number(symbol, place).cos(),
+        None => number(symbol, place),
+    }
+}
+
+/// A number in 0.5..1.5, without pattern.
+fn number(symbol: SymbolId, place: u64) -> f64 {
+    let mut x = (symbol.index() as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)
         ^ (place + 1).wrapping_mul(0xd1b5_4a32_d192_ed03);
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

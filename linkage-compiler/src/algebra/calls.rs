@@ -40,20 +40,15 @@ impl Algebra<'_> {
                     self.components(&arguments[0]),
                     self.components(&arguments[1]),
                 );
-                let difference: Vec<NodeId> = a
-                    .iter()
-                    .zip(&b)
-                    .map(|(&x, &y)| self.graph.sub(x, y))
-                    .collect();
+                let difference = self.difference(&a, &b);
                 Value::Scalar(self.length(&difference).into())
             }
             Unit => {
                 let v = self.components(&arguments[0]);
-                let length = self.length(&v);
-                let unit: Vec<NodeId> = v.into_iter().map(|x| self.graph.div(x, length)).collect();
-                if let [x, y] = unit[..] {
-                    self.mark_unit([x, y]);
-                }
+                let unit = match v[..] {
+                    [x, y, z] => self.unit_vector([x, y, z]).to_vec(),
+                    _ => self.length_and_unit([v[0], v[1]]).1.to_vec(),
+                };
                 Value::Vector(unit)
             }
             Angle => {
@@ -104,6 +99,9 @@ impl Algebra<'_> {
     }
 
     pub(crate) fn dot(&mut self, a: &[NodeId], b: &[NodeId]) -> NodeId {
+        if a == b {
+            return self.sum_of_squares(a);
+        }
         let zero = self.graph.zero();
         a.iter().zip(b).fold(zero, |sum, (&x, &y)| {
             let product = self.graph.mul(x, y);
@@ -118,13 +116,12 @@ impl Algebra<'_> {
         self.graph.sub(left, right)
     }
 
-    fn cross3(&mut self, a: &[NodeId], b: &[NodeId]) -> Vec<NodeId> {
-        (0..3)
-            .map(|k| {
-                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-                self.cross([a[i], a[j]], [b[i], b[j]])
-            })
-            .collect()
+    /// `a x b` in space.
+    pub(crate) fn cross3(&mut self, a: [NodeId; 3], b: [NodeId; 3]) -> [NodeId; 3] {
+        [0, 1, 2].map(|k| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            self.cross([a[i], a[j]], [b[i], b[j]])
+        })
     }
 
     fn cross_call(&mut self, arguments: &[Value]) -> Value {
@@ -134,26 +131,22 @@ impl Algebra<'_> {
         );
         match a.len().max(b.len()) {
             2 => Value::Scalar(self.cross([a[0], a[1]], [b[0], b[1]]).into()),
-            _ => Value::Vector(self.cross3(&a, &b)),
+            _ => Value::Vector(self.cross3(spatial(&a), spatial(&b)).to_vec()),
         }
     }
 
     /// Rodrigues: `v cos + (k x v) sin + k (k . v) (1 - cos)` about the unit axis `k`.
     fn turn(&mut self, arguments: &[Value]) -> Value {
-        let v = self.components(&arguments[0]);
-        let axis = self.components(&arguments[1]);
-        let length = self.length(&axis);
-        let axis: Vec<NodeId> = axis
-            .into_iter()
-            .map(|x| self.graph.div(x, length))
-            .collect();
+        let v = spatial(&self.components(&arguments[0]));
+        let axis = spatial(&self.components(&arguments[1]));
+        let axis = self.unit_vector(axis);
         let [cos, sin] = self.direction_of(&arguments[2]);
         let one = self.graph.one();
         let versine = self.graph.sub(one, cos);
         let along = self.dot(&axis, &v);
         let along = self.graph.mul(along, versine);
-        let sideways = self.cross3(&axis, &v);
-        let turned = (0..3).map(|k| {
+        let sideways = self.cross3(axis, v);
+        let turned = [0, 1, 2].map(|k| {
             let terms = [
                 self.graph.mul(v[k], cos),
                 self.graph.mul(sideways[k], sin),
@@ -162,7 +155,10 @@ impl Algebra<'_> {
             let sum = self.graph.add(terms[0], terms[1]);
             self.graph.add(sum, terms[2])
         });
-        Value::Vector(turned.collect())
+        if self.is_unit(&v) {
+            self.mark_unit(&turned);
+        }
+        Value::Vector(turned.to_vec())
     }
 
     /// The angle between sides `a` and `b`, opposite to `c`, by Kahan's formula, which needle triangles do not hurt
@@ -191,4 +187,9 @@ impl Algebra<'_> {
         let two = g.constant(2.0);
         Value::Scalar(Scalar::from(g.mul(two, half)))
     }
+}
+
+/// The three components of a space vector.
+fn spatial(v: &[NodeId]) -> [NodeId; 3] {
+    [v[0], v[1], v[2]]
 }

@@ -8,6 +8,7 @@ mod calls;
 mod dependence;
 mod elimination;
 mod implicit;
+mod lengths;
 mod nominal;
 mod partial;
 mod scalar;
@@ -59,9 +60,11 @@ pub(crate) struct Algebra<'m> {
     pub(crate) angles: Vec<Angle>,
     pub(crate) bound: Vec<Bound>,
     /// Vectors behind nodes that are their lengths: a loop `distance(a, b) = l` is solved by these.
-    pub(crate) norms: HashMap<NodeId, [NodeId; 2]>,
+    pub(crate) norms: HashMap<NodeId, Vec<NodeId>>,
+    /// The same behind squares of lengths.
+    pub(crate) squares: HashMap<NodeId, Vec<NodeId>>,
     /// Vectors known to be of length 1.
-    units: HashSet<[NodeId; 2]>,
+    units: HashSet<Vec<NodeId>>,
     pub(crate) rules: HashMap<SymbolId, Rule>,
     pub(crate) solutions: Vec<Solution>,
     memo: DerivativeMemo,
@@ -84,6 +87,7 @@ impl<'m> Algebra<'m> {
             angles: Vec::new(),
             bound: Vec::new(),
             norms: HashMap::new(),
+            squares: HashMap::new(),
             units: HashSet::new(),
             rules: HashMap::new(),
             solutions: Vec::new(),
@@ -130,6 +134,7 @@ impl<'m> Algebra<'m> {
         let (cos, cos_node) = self.graph.unknown(format!("cos {name}"));
         let (sin, sin_node) = self.graph.unknown(format!("sin {name}"));
         let (value, value_node) = self.graph.unknown(name);
+        self.graph.pair(cos, sin);
         self.angles.push(Angle {
             cos,
             sin,

@@ -124,20 +124,8 @@ impl Algebra<'_> {
         let argument = self.node(&rest);
         let turned = self.cos_sin(argument);
         let unit = self.complex_product(turned, result);
-        self.mark_unit(unit);
+        self.mark_unit(&unit);
         unit
-    }
-
-    /// Remembers that a vector has length 1.
-    pub(crate) fn mark_unit(&mut self, v: [NodeId; 2]) {
-        let back = v.map(|x| self.graph.neg(x));
-        self.units
-            .extend([v, back, [back[1], v[0]], [v[1], back[0]]]);
-    }
-
-    /// True if a vector is known to have length 1.
-    pub(crate) fn is_unit(&self, v: [NodeId; 2]) -> bool {
-        self.units.contains(&v)
     }
 
     /// The unit vector of an unknown angle to an integer power.
@@ -247,25 +235,6 @@ impl Algebra<'_> {
         let [xx, yy] = [g.mul(a[0], b[0]), g.mul(a[1], b[1])];
         let [xy, yx] = [g.mul(a[0], b[1]), g.mul(a[1], b[0])];
         [g.sub(xx, yy), g.add(xy, yx)]
-    }
-
-    /// The length of a vector.
-    pub(crate) fn length(&mut self, v: &[NodeId]) -> NodeId {
-        match *v {
-            [x, y] => {
-                let length = self.graph.hypot(x, y);
-                self.norms.insert(length, [x, y]);
-                length
-            }
-            _ => {
-                let zero = self.graph.zero();
-                let square = v.iter().fold(zero, |sum, &x| {
-                    let x2 = self.graph.square(x);
-                    self.graph.add(sum, x2)
-                });
-                self.graph.sqrt(square)
-            }
-        }
     }
 
     /// True if a node is known at compile time or in `assemble()`.

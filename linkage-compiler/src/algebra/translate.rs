@@ -209,17 +209,30 @@ impl Algebra<'_> {
     }
 
     fn sum(&mut self, a: &Value, b: &Value, minus: bool) -> Value {
-        let mut a = self.components(a);
-        let mut b = self.components(b);
-        let count = a.len().max(b.len());
-        let zero = self.graph.zero();
-        a.resize(count, zero);
-        b.resize(count, zero);
+        let (a, b) = (self.components(a), self.components(b));
+        let (a, b) = self.equally_long(&a, &b);
         let sums = a.into_iter().zip(b).map(|(x, y)| match minus {
             true => self.graph.sub(x, y),
             false => self.graph.add(x, y),
         });
         Value::Vector(sums.collect())
+    }
+
+    /// `a - b`
+    pub(crate) fn difference(&mut self, a: &[NodeId], b: &[NodeId]) -> Vec<NodeId> {
+        let (a, b) = self.equally_long(a, b);
+        let pairs = a.into_iter().zip(b);
+        pairs.map(|(x, y)| self.graph.sub(x, y)).collect()
+    }
+
+    /// Two vectors, of which a 0 may have fewer components.
+    fn equally_long(&mut self, a: &[NodeId], b: &[NodeId]) -> (Vec<NodeId>, Vec<NodeId>) {
+        let (mut a, mut b) = (a.to_vec(), b.to_vec());
+        let count = a.len().max(b.len());
+        let zero = self.graph.zero();
+        a.resize(count, zero);
+        b.resize(count, zero);
+        (a, b)
     }
 
     fn product(&mut self, a: &Scalar, b: &Scalar) -> Value {

@@ -4,9 +4,13 @@
 //! derivatives follow from the group's equations (see [`Solution`](crate::algebra::Solution)).
 
 mod check;
+mod circles;
 mod coupled;
 mod follow;
+mod link_to_rotor;
+mod link_to_slide;
 mod machine;
+mod point;
 mod quadratic;
 mod ranges;
 mod reference;
@@ -14,6 +18,8 @@ mod rotor_and_slide;
 mod scalar;
 mod slide_on_rotor;
 mod solver;
+mod space;
+mod three_slides;
 mod trigonometric;
 mod two_rotors;
 mod two_slides;
@@ -66,6 +72,8 @@ pub(crate) enum GapIn {
     Loop,
     /// Like the unknown.
     Unknown,
+    /// Like the links: the loop is about their lengths or squares of them.
+    Link,
 }
 
 /// A group with its solution.
@@ -85,6 +93,7 @@ impl Solved {
         let dimension = match self.closed.gap_in {
             GapIn::Loop => self.group.loop_dimension(mechanism),
             GapIn::Unknown => self.group.unknown_dimension(mechanism),
+            GapIn::Link => self.group.link_dimension(mechanism),
         };
         dimension.unwrap_or(Dimension::LENGTH)
     }

@@ -217,6 +217,14 @@ impl Assembly<'_, '_> {
             .advance(&mut self.values, start, stage.end, &inputs);
     }
 
+    /// What distances from the estimate of an unknown length or vector are measured by.
+    pub(super) fn yardstick(&self, unknown: usize) -> f64 {
+        match self.algebra.mechanism.unknowns[unknown].ty.dimension() {
+            Some(dimension) if dimension.half_lengths == 0 => 1.0,
+            _ => self.longest,
+        }
+    }
+
     fn candidate(&mut self, solved: &Solved, stage: &Stage, start: usize, sign: f64) -> Candidate {
         self.advance(solved, stage, start, sign);
         let mut square = 0.0;
@@ -235,9 +243,8 @@ impl Assembly<'_, '_> {
                         .map(|k| self.output(output + k))
                         .collect();
                     let pairs = value.iter().zip(estimate);
-                    square += pairs
-                        .map(|(x, e)| ((x - e) / self.longest).powi(2))
-                        .sum::<f64>();
+                    let unit = self.yardstick(unknown);
+                    square += pairs.map(|(x, e)| ((x - e) / unit).powi(2)).sum::<f64>();
                     value
                 }
             };
@@ -261,17 +268,19 @@ impl Assembly<'_, '_> {
 /// The unit in which lengths are compared with angles: the longest link that turns with an unknown angle, else the
 /// largest length among the parameters and estimates.
 fn longest_link(algebra: &Algebra, formulation: &Formulation, nominal: &Nominal) -> f64 {
-    let rotors = formulation
-        .groups
-        .iter()
-        .flat_map(|solved| solved.group.form.rotors());
-    let nodes: Vec<NodeId> = rotors.flat_map(|rotor| rotor.z).collect();
+    let groups = formulation.groups.iter();
+    let vectors: Vec<Vec<NodeId>> = groups.flat_map(|s| s.group.form.links()).collect();
+    let nodes = vectors.concat();
     let values = evaluate(&algebra.graph, &nodes, |source| match source {
         Source::Parameter(index) => nominal.parameters[index],
         Source::Input(index) => nominal.inputs[index],
         _ => f64::NAN,
     });
-    let links = values.chunks(2).map(|z| z[0].hypot(z[1]));
+    let mut values = values.into_iter();
+    let links = vectors.iter().map(|vector| {
+        let components = values.by_ref().take(vector.len());
+        components.fold(0.0, |length: f64, x| length.hypot(x))
+    });
     let parameters = algebra
         .mechanism
         .scalar_parameters
@@ -286,7 +295,8 @@ fn longest_link(algebra: &Algebra, formulation: &Formulation, nominal: &Nominal)
     let largest = |values: &mut dyn Iterator<Item = f64>| {
         Some(values.fold(0.0, f64::max)).filter(|&longest| longest > 0.0)
     };
-    largest(&mut links.into_iter())
+    let mut links = links;
+    largest(&mut links)
         .or_else(|| largest(&mut lengths.chain(slides)))
         .unwrap_or(1.0)
 }

@@ -20,7 +20,7 @@ impl Solver<'_, '_> {
     ) -> Closed {
         let c = self.negative(known);
         let r = self.algebra.length(&rotor.z);
-        let (stretch, g) = self.length_and_unit(guide);
+        let (stretch, g) = self.algebra.length_and_unit(guide);
         let w = self.mode_sign();
 
         let x = self.algebra.cross(g, c);

@@ -18,7 +18,7 @@ impl Solver<'_, '_> {
         known: Vector,
     ) -> Closed {
         let c = self.negative(known);
-        let (stretch, direction) = self.length_and_unit(guide);
+        let (stretch, direction) = self.algebra.length_and_unit(guide);
         let w = self.mode_sign();
         let offset = self.algebra.cross(direction, rotor.z);
         let foot = self.algebra.dot(&direction, &rotor.z);

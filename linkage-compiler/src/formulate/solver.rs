@@ -51,6 +51,29 @@ impl Solver<'_, '_> {
             Form::Trigonometric { angle, a, b, c } => self.trigonometric(*angle, *a, *b, *c),
             Form::Quadratic { symbol, a, b, c } => self.quadratic(*symbol, *a, *b, *c),
             Form::Linear { symbol, a, b } => self.linear(*symbol, *a, *b),
+            Form::LinkToRotor {
+                angle,
+                cosine,
+                sine,
+                known,
+                length,
+            } => self.link_to_rotor(*angle, [*cosine, *sine], *known, *length),
+            Form::LinkToSlide {
+                slide,
+                guide,
+                known,
+                length,
+            } => self.link_to_slide(*slide, *guide, *known, *length),
+            Form::Point {
+                coordinates,
+                spheres,
+                planes,
+            } => self.point(coordinates, spheres, planes),
+            Form::ThreeSlides {
+                slides,
+                guides,
+                known,
+            } => self.three_slides(*slides, *guides, *known),
             Form::Relation { angle, value } => self.relation(*angle, value),
             Form::Coupled(coupled) => self.coupled(coupled),
         }

@@ -57,7 +57,7 @@ impl Solver<'_, '_> {
     /// The determinant's largest value: 1 for guides along directions, and for lines given by unit normals.
     fn largest_determinant(&mut self, guides: [Vector; 2]) -> NodeId {
         let [along, across] = [guides, [0, 1].map(|k| [guides[0][k], guides[1][k]])].map(|pair| {
-            let [first, second] = pair.map(|v| self.length_and_unit(v).0);
+            let [first, second] = pair.map(|v| self.algebra.length_and_unit(v).0);
             self.algebra.graph.mul(first, second)
         });
         let one = self.algebra.graph.one();

@@ -44,15 +44,6 @@ impl Solver<'_, '_> {
         self.algebra.complex_product(v, conjugate)
     }
 
-    /// A vector's length and the unit vector along it. Directions of the language are known to be unit vectors.
-    pub(super) fn length_and_unit(&mut self, v: Vector) -> (NodeId, Vector) {
-        if self.algebra.is_unit(v) {
-            return (self.algebra.graph.one(), v);
-        }
-        let length = self.algebra.length(&v);
-        (length, v.map(|x| self.algebra.graph.div(x, length)))
-    }
-
     pub(super) fn half(&mut self, x: NodeId) -> NodeId {
         let half = self.algebra.graph.constant(0.5);
         self.algebra.graph.mul(half, x)

@@ -37,6 +37,11 @@ impl Polynomials {
         [pair[0], pair[1]]
     }
 
+    pub(super) fn take_space(&mut self, symbols: &[SymbolId], zero: NodeId) -> [NodeId; 3] {
+        let taken = self.take(symbols, zero);
+        [taken[0], taken[1], taken[2]]
+    }
+
     /// True if a term contains the symbol at `place`.
     pub(super) fn mention(&self, place: usize) -> bool {
         let mut monomials = self.rows.iter().flat_map(|row| row.keys());
@@ -50,7 +55,7 @@ impl Polynomials {
     }
 
     /// True if every term has been taken.
-    fn is_exhausted(&self) -> bool {
+    pub(super) fn is_exhausted(&self) -> bool {
         self.rows.iter().all(Polynomial::is_empty)
     }
 }
@@ -78,6 +83,15 @@ impl Analysis<'_, '_> {
         Some(Polynomials { rows, symbols })
     }
 
+    /// Removes terms whose coefficients are 0 in a spelling that constructors do not see.
+    fn drop_cancelled(&mut self, polynomials: &mut Polynomials) {
+        let graph = &mut self.algebra.graph;
+        let zero = graph.zero();
+        for row in &mut polynomials.rows {
+            row.retain(|_, coefficient| !agree(graph, *coefficient, zero));
+        }
+    }
+
     /// The form in which one equation is solved for all its coordinates, if it has one of the known forms.
     pub(super) fn classify(
         &mut self,
@@ -87,6 +101,9 @@ impl Analysis<'_, '_> {
         use CoordinateKind::{Angle, Length};
         if let ([coordinate], 1) = (coordinates, equation.rows.len()) {
             return self.classify_scalar(equation, coordinate);
+        }
+        if equation.rows.len() == 3 {
+            return self.classify_three_slides(equation, coordinates);
         }
         if equation.rows.len() != 2 || coordinates.len() != 2 {
             return None;
@@ -200,7 +217,11 @@ impl Analysis<'_, '_> {
         {
             return Some(Form::Relation { angle, value });
         }
+        if let Some(form) = self.classify_distance(equation.rows[0], coordinate) {
+            return Some(form);
+        }
         let mut rest = self.polynomials(&equation.rows, std::slice::from_ref(coordinate))?;
+        self.drop_cancelled(&mut rest);
         let zero = self.algebra.graph.zero();
         let mut take = |symbols: &[SymbolId]| rest.take(symbols, zero)[0];
         let form = match coordinate.kind {

@@ -159,6 +159,7 @@ impl Analysis<'_, '_> {
             .or_else(|| self.join_rows(equations, coordinates))
             .or_else(|| self.distance_to_link(equations, coordinates))
             .or_else(|| self.split_along_guide(equations, coordinates))
+            .or_else(|| self.split_across_guides(equations, coordinates))
             .or_else(|| self.relative_angle(equations, coordinates))
     }
 
@@ -174,52 +175,39 @@ impl Analysis<'_, '_> {
         for (place, equation) in equations
             .iter()
             .enumerate()
-            .filter(|(_, e)| e.rows.len() == 2)
+            .filter(|(_, e)| e.rows.len() > 1)
         {
-            for pair in coordinates.windows(2) {
-                let [
-                    Coordinate {
-                        kind: CoordinateKind::Length(x),
-                        unknown: first,
-                    },
-                    Coordinate {
-                        kind: CoordinateKind::Length(y),
-                        unknown: second,
-                    },
-                ] = *pair
-                else {
+            for point in coordinates.windows(equation.rows.len()) {
+                let Some(symbols) = point_symbols(point) else {
                     continue;
                 };
-                if first != second {
-                    continue;
-                }
-                let Some(values) = self.solve_point(equation, [x, y]) else {
+                let Some(values) = self.solve_point(equation, &symbols) else {
                     continue;
                 };
-                for (symbol, value) in [x, y].into_iter().zip(values) {
+                for (symbol, value) in symbols.into_iter().zip(values) {
                     self.make_explicit(symbol, value);
                 }
-                return Some(self.without(equations, coordinates, place, pair));
+                return Some(self.without(equations, coordinates, place, point));
             }
         }
         None
     }
 
-    /// Both components of a point that enters an equation as `k (x, y)` with a constant `k`.
-    fn solve_point(&mut self, equation: &Equation, point: [SymbolId; 2]) -> Option<[NodeId; 2]> {
+    /// All components of a point that enters an equation as `k (x, y)` with a constant `k`.
+    fn solve_point(&mut self, equation: &Equation, point: &[SymbolId]) -> Option<Vec<NodeId>> {
         let graph = &mut self.algebra.graph;
-        let mut values = [graph.zero(); 2];
-        for row in 0..2 {
-            let mut terms = collect(graph, equation.rows[row], &point, &[])?;
-            let mut own = vec![0, 0];
+        let mut values = Vec::new();
+        for (row, &node) in equation.rows.iter().enumerate() {
+            let mut terms = collect(graph, node, point, &[])?;
+            let mut own = vec![0; point.len()];
             own[row] = 1;
             let factor = terms.remove(&own)?;
-            let rest = terms.remove(&vec![0, 0]).unwrap_or(graph.zero());
+            let rest = terms.remove(&vec![0; point.len()]).unwrap_or(graph.zero());
             if !terms.is_empty() || graph.constant_value(factor).is_none() {
                 return None;
             }
             let quotient = graph.div(rest, factor);
-            values[row] = graph.neg(quotient);
+            values.push(graph.neg(quotient));
         }
         Some(values)
     }
@@ -283,4 +271,16 @@ impl Analysis<'_, '_> {
             .collect();
         (equations, kept)
     }
+}
+
+/// The symbols of coordinates that are components of one unknown.
+fn point_symbols(coordinates: &[Coordinate]) -> Option<Vec<SymbolId>> {
+    let first = coordinates.first()?.unknown;
+    coordinates
+        .iter()
+        .map(|c| match c.kind {
+            CoordinateKind::Length(symbol) if c.unknown == first => Some(symbol),
+            _ => None,
+        })
+        .collect()
 }

@@ -7,7 +7,7 @@ use crate::model::Loop;
 
 use super::Analysis;
 
-/// A loop, or what became of one: one or two scalar equations `row = 0`.
+/// A loop, or what became of one: one to three scalar equations `row = 0`.
 #[derive(Clone, Debug)]
 pub(crate) struct Equation {
     pub(crate) rows: Vec<NodeId>,
@@ -50,20 +50,10 @@ impl Analysis<'_, '_> {
     pub(super) fn equations(&mut self) -> (Vec<Equation>, Vec<Coordinate>) {
         let mechanism = self.algebra.mechanism;
         self.algebra.translate_lets();
-        let mut equations = Vec::new();
-        for (index, item) in mechanism.loops.iter().enumerate() {
-            match self.equation(index, item) {
-                Some(equation) => equations.push(equation),
-                None => self.diagnostics.error(
-                    self.origins.span(item.origin),
-                    format!(
-                        "loop {} is a loop in space, which is not supported yet\n\
-                         help: loops between vectors `(x, y)` of the plane can be solved",
-                        index + 1
-                    ),
-                ),
-            }
-        }
+        let loops = mechanism.loops.iter().enumerate();
+        let equations = loops
+            .map(|(index, item)| self.equation(index, item))
+            .collect();
         let mut coordinates = Vec::new();
         for (unknown, bound) in self.algebra.bound.iter().enumerate() {
             let kinds: Vec<CoordinateKind> = match bound {
@@ -82,7 +72,7 @@ impl Analysis<'_, '_> {
         (equations, coordinates)
     }
 
-    fn equation(&mut self, index: usize, item: &Loop) -> Option<Equation> {
+    fn equation(&mut self, index: usize, item: &Loop) -> Equation {
         let left = self.algebra.translate(&item.left);
         let right = self.algebra.translate(&item.right);
         let (rows, relation) = match (&left, &right) {
@@ -93,21 +83,15 @@ impl Analysis<'_, '_> {
             _ => {
                 let a = self.algebra.components(&left);
                 let b = self.algebra.components(&right);
-                let rows = a
-                    .iter()
-                    .zip(&b)
-                    .map(|(&x, &y)| self.algebra.graph.sub(x, y))
-                    .collect();
-                (rows, None)
+                (self.algebra.difference(&a, &b), None)
             }
         };
-        let equation = Equation {
+        Equation {
             rows,
             relation,
             loops: vec![index],
             eliminated: Vec::new(),
-        };
-        (equation.rows.len() < 3).then_some(equation)
+        }
     }
 
     /// The symbols of a coordinate.
@@ -140,26 +124,14 @@ impl Analysis<'_, '_> {
 
     /// Replaces eliminated symbols in an equation.
     pub(super) fn substituted(&mut self, equation: &Equation) -> Equation {
-        self.substitute_norms(&equation.rows);
+        self.algebra
+            .substitute_norms(&equation.rows, &self.substitutions);
         let rows = substitute(&mut self.algebra.graph, &equation.rows, &self.substitutions);
         let relation = equation.relation.clone().filter(|_| rows == equation.rows);
         Equation {
             rows,
             relation,
             ..equation.clone()
-        }
-    }
-
-    /// Lengths in the rows stay known as lengths of vectors.
-    fn substitute_norms(&mut self, rows: &[NodeId]) {
-        for node in self.algebra.graph.reachable(rows) {
-            if let Some(&[x, y]) = self.algebra.norms.get(&node) {
-                let graph = &mut self.algebra.graph;
-                let renewed = substitute(graph, &[node, x, y], &self.substitutions);
-                self.algebra
-                    .norms
-                    .insert(renewed[0], [renewed[1], renewed[2]]);
-            }
         }
     }
 }

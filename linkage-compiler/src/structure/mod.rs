@@ -12,6 +12,7 @@ mod equations;
 mod matching;
 pub(crate) mod report;
 mod rewrite;
+mod space;
 
 use linkage_symbolic::{NodeId, SymbolId};
 
@@ -29,6 +30,21 @@ pub(crate) struct Rotor {
     /// -1 if the vector turns against the angle.
     pub(crate) sense: f64,
     pub(crate) z: [NodeId; 2],
+}
+
+/// `|known + factor * point| = radius`
+#[derive(Clone, Debug)]
+pub(crate) struct Sphere {
+    pub(crate) known: [NodeId; 3],
+    pub(crate) factor: NodeId,
+    pub(crate) radius: NodeId,
+}
+
+/// `normal . point + offset = 0`
+#[derive(Clone, Debug)]
+pub(crate) struct Plane {
+    pub(crate) normal: [NodeId; 3],
+    pub(crate) offset: NodeId,
 }
 
 /// A group in the form in which it is solved. Each equation is `sum = 0`.
@@ -80,6 +96,34 @@ pub(crate) enum Form {
         a: NodeId,
         b: NodeId,
     },
+    /// `|cosine cos + sine sin + known| = length` in space, the two perpendicular and equally long: RSSR
+    LinkToRotor {
+        angle: usize,
+        cosine: [NodeId; 3],
+        sine: [NodeId; 3],
+        known: [NodeId; 3],
+        length: NodeId,
+    },
+    /// `|slide * guide + known| = length` in space: RSSP
+    LinkToSlide {
+        slide: SymbolId,
+        guide: [NodeId; 3],
+        known: [NodeId; 3],
+        length: NodeId,
+    },
+    /// A point on spheres and planes, three in all; a component that is no coordinate is 0, which counts as a plane.
+    Point {
+        /// With the components that they are.
+        coordinates: Vec<(SymbolId, usize)>,
+        spheres: Vec<Sphere>,
+        planes: Vec<Plane>,
+    },
+    /// `slide 1 * guide 1 + slide 2 * guide 2 + slide 3 * guide 3 + known = 0` in space
+    ThreeSlides {
+        slides: [SymbolId; 3],
+        guides: [[NodeId; 3]; 3],
+        known: [NodeId; 3],
+    },
     /// An angle given by others.
     Relation { angle: usize, value: Scalar },
     /// Several loops together: class III and higher
@@ -87,8 +131,17 @@ pub(crate) enum Form {
 }
 
 impl Form {
-    /// The vectors that turn with its angles.
-    pub(crate) fn rotors(&self) -> Vec<&Rotor> {
+    /// The vectors that turn with its angles, and the lengths of its links in space.
+    pub(crate) fn links(&self) -> Vec<Vec<NodeId>> {
+        match self {
+            Self::LinkToRotor { cosine, length, .. } => vec![cosine.to_vec(), vec![*length]],
+            Self::LinkToSlide { length, .. } => vec![vec![*length]],
+            Self::Point { spheres, .. } => spheres.iter().map(|s| vec![s.radius]).collect(),
+            _ => self.rotors().iter().map(|rotor| rotor.z.to_vec()).collect(),
+        }
+    }
+
+    fn rotors(&self) -> Vec<&Rotor> {
         match self {
             Self::TwoRotors { first, second, .. } => vec![first, second],
             Self::RotorAndSlide { rotor, .. } | Self::SlideOnRotor { rotor, .. } => vec![rotor],
@@ -114,6 +167,10 @@ impl Form {
             Self::Trigonometric { .. } => "trigonometric",
             Self::Quadratic { .. } => "quadratic",
             Self::Linear { .. } => "linear",
+            Self::LinkToRotor { .. } => "link to rotor",
+            Self::LinkToSlide { .. } => "link to slide",
+            Self::Point { .. } => "point",
+            Self::ThreeSlides { .. } => "three slides",
             Self::Relation { .. } => "relation",
             Self::Coupled(_) => "coupled",
         }
@@ -142,6 +199,15 @@ impl Group {
         let equation = &mechanism.loops[self.loops[0]];
         let sides = [&equation.left.ty, &equation.right.ty];
         sides.into_iter().find_map(Type::dimension)
+    }
+
+    /// The dimension of its links, if its loop is about lengths or squares of lengths.
+    pub(crate) fn link_dimension(&self, mechanism: &Mechanism) -> Option<Dimension> {
+        let of_loop = self.loop_dimension(mechanism)?;
+        Some(match of_loop.half_lengths {
+            4 => Dimension::LENGTH,
+            _ => of_loop,
+        })
     }
 
     /// The dimension of its first unknown.
@@ -194,11 +260,7 @@ pub(crate) fn decompose(
         steps: 0,
     };
     analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
-    let before = analysis.diagnostics.len();
     let (equations, coordinates) = analysis.equations();
-    if analysis.diagnostics.len() > before {
-        return analysis.structure;
-    }
     analysis.solve(equations, coordinates);
     analysis.structure
 }
@@ -250,6 +312,9 @@ impl Analysis<'_, '_> {
         {
             return self.push_group(&equations, &coordinates, form);
         }
+        if let Some(form) = self.classify_point(&equations, &coordinates) {
+            return self.push_group(&equations, &coordinates, form);
+        }
         self.steps += 1;
         let allowed = self.steps <= STEPS_PER_LOOP * self.algebra.mechanism.loops.len();
         let reduced = if allowed {
@@ -260,7 +325,8 @@ impl Analysis<'_, '_> {
         if let Some((equations, coordinates)) = reduced {
             return self.solve(equations, coordinates);
         }
-        match self.coupled(&equations, &coordinates) {
+        let squared = self.squared(&equations, &coordinates);
+        match self.coupled(&squared, &coordinates) {
             Some(form) => self.push_group(&equations, &coordinates, form),
             None => self.report_unsolved(&equations, &coordinates),
         }

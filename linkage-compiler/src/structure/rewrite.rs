@@ -9,6 +9,7 @@ use crate::algebra::Atom;
 use super::Analysis;
 use super::eliminate::System;
 use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::space::Distance;
 
 impl Analysis<'_, '_> {
     /// Two scalar loops, the components of one vector loop.
@@ -45,9 +46,13 @@ impl Analysis<'_, '_> {
             .enumerate()
             .filter(|(_, e)| e.rows.len() == 1)
         {
-            let Some((vector, length)) = self.distance(equation.rows[0], coordinates) else {
+            let Some(Distance { vector, length }) = self.distance(equation.rows[0], coordinates)
+            else {
                 continue;
             };
+            if vector.len() != 2 {
+                continue;
+            }
             let mut equations = equations.to_vec();
             let mut coordinates = coordinates.to_vec();
             let angle = self.algebra.add_angle("link", None);
@@ -72,24 +77,6 @@ impl Analysis<'_, '_> {
             return Some((equations, coordinates));
         }
         None
-    }
-
-    /// A row `|v| - l` (or its negative) with a known `l`: `v` and `l`.
-    fn distance(&self, row: NodeId, coordinates: &[Coordinate]) -> Option<([NodeId; 2], NodeId)> {
-        use linkage_symbolic::Node;
-        use linkage_symbolic::program::{Binary, Unary};
-        let row = match self.algebra.graph.node(row) {
-            Node::Unary(Unary::Neg, inner) => inner,
-            _ => row,
-        };
-        let Node::Binary(Binary::Sub, a, b) = self.algebra.graph.node(row) else {
-            return None;
-        };
-        let known = |node| coordinates.iter().all(|c| !self.contains(node, c));
-        [(a, b), (b, a)]
-            .into_iter()
-            .filter(|(_, length)| known(*length))
-            .find_map(|(norm, length)| self.algebra.norms.get(&norm).map(|v| (*v, length)))
     }
 
     /// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains the angle alone.

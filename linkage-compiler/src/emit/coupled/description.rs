@@ -32,7 +32,9 @@ pub(super) fn description(
             Some(k) => format!("{}.{}", unknown.name, AXES[k]),
         };
         let estimate = literal::float(placed.estimate);
-        let scale = literal::float(if placed.angle { 1.0 } else { facts.longest });
+        let dimension = unknown.ty.dimension();
+        let number = dimension.is_some_and(|d| d.half_lengths == 0);
+        let scale = literal::float(if number { 1.0 } else { facts.longest });
         let unit = match placed.angle {
             true => String::new(),
             false => unknown

@@ -35,7 +35,7 @@ impl Solver<'_, '_> {
                     let length = self.algebra.length(&rotor.z);
                     self.algebra.graph.mul(equations.scale, length)
                 }
-                Some(Private::Slide { guide, .. }) => self.length_and_unit(*guide).0,
+                Some(Private::Slide { guide, .. }) => self.algebra.length_and_unit(*guide).0,
                 None => self.algebra.graph.one(),
             };
             let rows = if block.private.is_some() {

@@ -213,7 +213,8 @@ impl Assembly<'_, '_> {
                 }
                 false => {
                     let value = number();
-                    (value, (value - unknown.estimate) / self.longest)
+                    let unit = self.yardstick(unknown.unknown);
+                    (value, (value - unknown.estimate) / unit)
                 }
             };
             square += difference * difference;

@@ -88,7 +88,7 @@ impl Solver<'_, '_> {
     }
 
     fn square_of_guide(&mut self, guide: Vector) -> NodeId {
-        match self.algebra.is_unit(guide) {
+        match self.algebra.is_unit(&guide) {
             true => self.algebra.graph.one(),
             false => self.square(guide),
         }

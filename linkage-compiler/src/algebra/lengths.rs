@@ -1,0 +1,95 @@
+//! Lengths of vectors, vectors known to have length 1, and what lengths were made of.
+
+use linkage_symbolic::{NodeId, SymbolId, substitute};
+
+use super::Algebra;
+
+impl Algebra<'_> {
+    /// The length of a vector.
+    pub(crate) fn length(&mut self, v: &[NodeId]) -> NodeId {
+        let length = match *v {
+            [x, y] => self.graph.hypot(x, y),
+            _ => {
+                let square = self.sum_of_squares(v);
+                self.graph.sqrt(square)
+            }
+        };
+        self.norms.insert(length, v.to_vec());
+        length
+    }
+
+    /// `v . v`
+    pub(crate) fn sum_of_squares(&mut self, v: &[NodeId]) -> NodeId {
+        let zero = self.graph.zero();
+        let square = v.iter().fold(zero, |sum, &x| {
+            let x2 = self.graph.square(x);
+            self.graph.add(sum, x2)
+        });
+        self.squares.insert(square, v.to_vec());
+        square
+    }
+
+    /// A vector's length and the unit vector along it. Directions of the language are known to be unit vectors.
+    pub(crate) fn length_and_unit<const N: usize>(
+        &mut self,
+        v: [NodeId; N],
+    ) -> (NodeId, [NodeId; N]) {
+        if self.is_unit(&v) {
+            return (self.graph.one(), v);
+        }
+        let length = self.length(&v);
+        let unit = v.map(|x| self.graph.div(x, length));
+        self.mark_unit(&unit);
+        (length, unit)
+    }
+
+    /// The direction of a space vector.
+    pub(crate) fn unit_vector(&mut self, v: [NodeId; 3]) -> [NodeId; 3] {
+        self.length_and_unit(v).1
+    }
+
+    /// Remembers that a vector has length 1.
+    pub(crate) fn mark_unit(&mut self, v: &[NodeId]) {
+        let back: Vec<NodeId> = v.iter().map(|&x| self.graph.neg(x)).collect();
+        if let ([x, y], [back_x, back_y]) = (v, &back[..]) {
+            self.units.extend([vec![*back_y, *x], vec![*y, *back_x]]);
+        }
+        self.units.extend([v.to_vec(), back]);
+    }
+
+    /// True if a vector is known to have length 1.
+    pub(crate) fn is_unit(&self, v: &[NodeId]) -> bool {
+        let constants: Option<Vec<f64>> = v.iter().map(|&x| self.graph.constant_value(x)).collect();
+        match constants {
+            Some(numbers) => {
+                let square: f64 = numbers.iter().map(|x| x * x).sum();
+                (square - 1.0).abs() <= 2.0 * f64::EPSILON
+            }
+            None => self.units.contains(v),
+        }
+    }
+
+    /// Lengths in `roots` stay known as lengths of vectors when symbols are replaced.
+    pub(crate) fn substitute_norms(
+        &mut self,
+        roots: &[NodeId],
+        map: &std::collections::HashMap<SymbolId, NodeId>,
+    ) {
+        for node in self.graph.reachable(roots) {
+            for squared in [false, true] {
+                let known = if squared { &self.squares } else { &self.norms };
+                let Some(vector) = known.get(&node) else {
+                    continue;
+                };
+                let all = [&[node], &vector[..]].concat();
+                let renewed = substitute(&mut self.graph, &all, map);
+                let known = if squared {
+                    &mut self.squares
+                } else {
+                    &mut self.norms
+                };
+                known.insert(renewed[0], renewed[1..].to_vec());
+            }
+        }
+    }
+}

@@ -1,0 +1,310 @@
+//! Recognising groups in space: distances to a point that turns or slides, an unknown point at given distances, loops of three rows.
+
+use linkage_symbolic::program::{Binary, Unary};
+use linkage_symbolic::{Node, NodeId, SymbolId, agree, collect};
+
+use super::eliminate::System;
+use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::{Analysis, Form, Plane, Sphere};
+
+/// A row `|vector| = length`.
+pub(super) struct Distance {
+    pub(super) vector: Vec<NodeId>,
+    pub(super) length: NodeId,
+}
+
+type Vector = [NodeId; 3];
+
+impl Analysis<'_, '_> {
+    /// A row `|v| - l` or `v . v - l^2` (or its negative) with a known `l`.
+    pub(super) fn distance(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
+        let row = match self.algebra.graph.node(row) {
+            Node::Unary(Unary::Neg, inner) => inner,
+            _ => row,
+        };
+        let Node::Binary(Binary::Sub, a, b) = self.algebra.graph.node(row) else {
+            return None;
+        };
+        for (measured, given) in [(a, b), (b, a)] {
+            if coordinates.iter().any(|c| self.contains(given, c)) {
+                continue;
+            }
+            if let Some(vector) = self.algebra.norms.get(&measured) {
+                return Some(Distance {
+                    vector: vector.clone(),
+                    length: given,
+                });
+            }
+            let squared = self.algebra.squares.get(&measured).cloned();
+            if let Some(vector) = squared.filter(|v| v.len() == 3) {
+                let length = self.algebra.graph.sqrt(given);
+                return Some(Distance { vector, length });
+            }
+        }
+        None
+    }
+
+    /// A row that is a distance in space.
+    fn space_distance(
+        &mut self,
+        row: NodeId,
+        coordinates: &[Coordinate],
+    ) -> Option<(Vector, NodeId)> {
+        let Distance { vector, length } = self.distance(row, coordinates)?;
+        let &[x, y, z] = &vector[..] else { return None };
+        Some(([x, y, z], length))
+    }
+
+    /// A link with two ball joints to a point that turns about an axis (RSSR) or slides along a line (RSSP).
+    pub(super) fn classify_distance(
+        &mut self,
+        row: NodeId,
+        coordinate: &Coordinate,
+    ) -> Option<Form> {
+        let own = std::slice::from_ref(coordinate);
+        let (vector, length) = self.space_distance(row, own)?;
+        let mut rest = self.polynomials(&vector, own)?;
+        let zero = self.algebra.graph.zero();
+        match coordinate.kind {
+            CoordinateKind::Angle(angle) => {
+                let symbols = self.algebra.angles[angle].clone();
+                let cosine = rest.take_space(&[symbols.cos], zero);
+                let sine = rest.take_space(&[symbols.sin], zero);
+                let known = rest.take_space(&[], zero);
+                let product = self.algebra.dot(&cosine, &sine);
+                let [first, second] = [cosine, sine].map(|v| self.algebra.dot(&v, &v));
+                let graph = &self.algebra.graph;
+                let is_circle = agree(graph, product, zero) && agree(graph, first, second);
+                (rest.is_exhausted() && is_circle).then_some(Form::LinkToRotor {
+                    angle,
+                    cosine,
+                    sine,
+                    known,
+                    length,
+                })
+            }
+            CoordinateKind::Length(slide) => {
+                let guide = rest.take_space(&[slide], zero);
+                let known = rest.take_space(&[], zero);
+                rest.is_exhausted().then_some(Form::LinkToSlide {
+                    slide,
+                    guide,
+                    known,
+                    length,
+                })
+            }
+        }
+    }
+
+    /// Two or three numbers given by distances in space and planes: a point, or a direction.
+    pub(super) fn classify_point(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Option<Form> {
+        let symbols: Vec<SymbolId> = coordinates
+            .iter()
+            .map(|c| match c.kind {
+                CoordinateKind::Length(symbol) => Some(symbol),
+                CoordinateKind::Angle(_) => None,
+            })
+            .collect::<Option<_>>()?;
+        let scalar = equations.iter().all(|e| e.rows.len() == 1);
+        if !scalar || equations.len() != symbols.len() || !matches!(symbols.len(), 2 | 3) {
+            return None;
+        }
+        let mut places: Option<Vec<usize>> = None;
+        let mut spheres = Vec::new();
+        let mut linear = Vec::new();
+        for equation in equations {
+            let row = equation.rows[0];
+            let Some((vector, radius)) = self.space_distance(row, coordinates) else {
+                linear.push(self.linear_row(row, &symbols)?);
+                continue;
+            };
+            let (own, factor, known) = self.moved_point(vector, &symbols)?;
+            if places.get_or_insert_with(|| own.clone()) != &own {
+                return None;
+            }
+            spheres.push(Sphere {
+                known,
+                factor,
+                radius,
+            });
+        }
+        let places = places?;
+        let zero = self.algebra.graph.zero();
+        let planes = linear.into_iter().map(|(factors, offset)| {
+            let mut normal = [zero; 3];
+            for (&place, factor) in places.iter().zip(factors) {
+                normal[place] = factor;
+            }
+            Plane { normal, offset }
+        });
+        Some(Form::Point {
+            coordinates: symbols.into_iter().zip(places.clone()).collect(),
+            spheres,
+            planes: planes.collect(),
+        })
+    }
+
+    /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
+    fn moved_point(
+        &mut self,
+        vector: Vector,
+        symbols: &[SymbolId],
+    ) -> Option<(Vec<usize>, NodeId, Vector)> {
+        let zero = self.algebra.graph.zero();
+        let mut places = vec![None; symbols.len()];
+        let mut factor = None;
+        let mut known = [zero; 3];
+        for (component, row) in vector.into_iter().enumerate() {
+            let (factors, rest) = self.linear_row(row, symbols)?;
+            known[component] = rest;
+            let graph = &self.algebra.graph;
+            for (place, own) in places.iter_mut().zip(factors) {
+                if graph.is_zero(own) {
+                    continue;
+                }
+                let first = *factor.get_or_insert(own);
+                if place.replace(component).is_some() || !agree(graph, first, own) {
+                    return None;
+                }
+            }
+        }
+        let places: Vec<usize> = places.into_iter().collect::<Option<_>>()?;
+        let distinct = (1..places.len()).all(|k| !places[..k].contains(&places[k]));
+        Some((places, factor?, known)).filter(|_| distinct)
+    }
+
+    /// A row that is linear in some symbols: their factors and the rest.
+    fn linear_row(&mut self, row: NodeId, symbols: &[SymbolId]) -> Option<(Vec<NodeId>, NodeId)> {
+        let graph = &mut self.algebra.graph;
+        let zero = graph.zero();
+        let mut terms = collect(graph, row, symbols, &[])?;
+        let factors = (0..symbols.len())
+            .map(|k| {
+                let mut monomial = vec![0; symbols.len()];
+                monomial[k] = 1;
+                terms.remove(&monomial).unwrap_or(zero)
+            })
+            .collect();
+        let rest = terms.remove(&vec![0; symbols.len()]).unwrap_or(zero);
+        terms.is_empty().then_some((factors, rest))
+    }
+
+    /// A vector loop with three slides.
+    pub(super) fn classify_three_slides(
+        &mut self,
+        equation: &Equation,
+        coordinates: &[Coordinate],
+    ) -> Option<Form> {
+        let [x, y, z] = equation.rows[..] else {
+            return None;
+        };
+        let mut slides = Vec::new();
+        for coordinate in coordinates {
+            match coordinate.kind {
+                CoordinateKind::Length(symbol) => slides.push(symbol),
+                CoordinateKind::Angle(_) => return None,
+            }
+        }
+        let slides: [SymbolId; 3] = slides.try_into().ok()?;
+        let mut guides = [[self.algebra.graph.zero(); 3]; 3];
+        let mut known = guides[0];
+        for (row, node) in [x, y, z].into_iter().enumerate() {
+            let (factors, rest) = self.linear_row(node, &slides)?;
+            known[row] = rest;
+            for (guide, factor) in guides.iter_mut().zip(factors) {
+                guide[row] = factor;
+            }
+        }
+        Some(Form::ThreeSlides {
+            slides,
+            guides,
+            known,
+        })
+    }
+
+    /// Two slides and an angle in a loop of three rows: the equation across both guides contains the angle alone, those across
+    /// one of them the other slide.
+    pub(super) fn split_across_guides(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Option<System> {
+        let ([equation], [_, _, _]) = (equations, coordinates) else {
+            return None;
+        };
+        let [x, y, z] = equation.rows[..] else {
+            return None;
+        };
+        let slides: Vec<SymbolId> = coordinates
+            .iter()
+            .filter_map(|c| match c.kind {
+                CoordinateKind::Length(symbol) => Some(symbol),
+                CoordinateKind::Angle(_) => None,
+            })
+            .collect();
+        let zero = self.algebra.graph.zero();
+        let mut guides = vec![[zero; 3]; slides.len()];
+        let mut rest = [zero; 3];
+        for (row, node) in [x, y, z].into_iter().enumerate() {
+            let (factors, known) = self.linear_row(node, &slides)?;
+            rest[row] = known;
+            for (guide, factor) in guides.iter_mut().zip(factors) {
+                guide[row] = factor;
+            }
+        }
+        let &[first, second] = &guides[..] else {
+            return None;
+        };
+        let mut across = self.algebra.cross3(first, second);
+        if across.iter().all(|&x| self.algebra.is_fixed(x)) {
+            across = self.algebra.unit_vector(across);
+        }
+        let angle_alone = self.algebra.dot(&across, &rest);
+        let mut rows = vec![angle_alone];
+        for (slide, guide, other) in [(0, first, second), (1, second, first)] {
+            let direction = self.algebra.cross3(other, across);
+            let factor = self.algebra.dot(&direction, &guide);
+            let slide = self.algebra.graph.symbol_node(slides[slide]);
+            let moved = self.algebra.graph.mul(factor, slide);
+            let known = self.algebra.dot(&direction, &rest);
+            rows.push(self.algebra.graph.add(moved, known));
+        }
+        let angle = coordinates
+            .iter()
+            .find(|c| matches!(c.kind, CoordinateKind::Angle(_)))?;
+        let row = |node| Equation {
+            rows: vec![node],
+            relation: None,
+            ..equation.clone()
+        };
+        let rows: Vec<Equation> = rows.into_iter().map(row).collect();
+        self.classify(&rows[0], std::slice::from_ref(angle))?;
+        Some((rows, coordinates.to_vec()))
+    }
+
+    /// Distances in space as polynomials, for the general machinery: `(v . v / l - l)/2`, a length.
+    pub(super) fn squared(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Vec<Equation> {
+        let mut squared = equations.to_vec();
+        for equation in &mut squared {
+            let &[row] = &equation.rows[..] else { continue };
+            let Some((vector, length)) = self.space_distance(row, coordinates) else {
+                continue;
+            };
+            let square = self.algebra.dot(&vector, &vector);
+            let graph = &mut self.algebra.graph;
+            let share = graph.div(square, length);
+            let miss = graph.sub(share, length);
+            let half = graph.constant(0.5);
+            equation.rows = vec![graph.mul(half, miss)];
+        }
+        squared
+    }
+}
