@@ -34,6 +34,15 @@ pub(crate) struct Block {
     pub(crate) private: Option<Private>,
     /// The rows as polynomials.
     pub(crate) terms: Vec<Product>,
+    /// The length of a link in space, if the row is about the square of its vector.
+    pub(crate) distance: Option<NodeId>,
+}
+
+impl Block {
+    /// True if its rows are lengths: what a scalar loop is, nobody knows.
+    pub(crate) fn is_length(&self) -> bool {
+        self.rows.len() > 1 || self.distance.is_some()
+    }
 }
 
 /// A product of unknowns with one coefficient for each row.
@@ -117,7 +126,18 @@ impl Analysis<'_, '_> {
             return None;
         }
         let (class, order, contour) = self.class_and_order(&polynomials, coordinates);
-        let kind = self.kind(&private, &polynomials, coordinates, &core, class, contour);
+        let mut kind = self.kind(&private, &polynomials, coordinates, &core, class, contour);
+        let in_space = equations
+            .iter()
+            .any(|e| e.rows.len() == 3 || e.distance.is_some());
+        // Class and order are notions of the plane.
+        let (class, order) = if in_space { (0, 0) } else { (class, order) };
+        if in_space {
+            kind = match equations.len() {
+                1 => "loop in space".to_owned(),
+                count => format!("{count} loops in space"),
+            };
+        }
         let blocks = equations.iter().zip(&polynomials).zip(private);
         let blocks = blocks.map(|((equation, polynomials), private)| {
             self.block(equation, polynomials, private.map(|(private, _)| private))
@@ -223,6 +243,7 @@ impl Analysis<'_, '_> {
             rest: substitute(&mut self.algebra.graph, &equation.rows, &removed),
             rows: equation.rows.clone(),
             private,
+            distance: equation.distance,
         }
     }
 }
@@ -241,11 +262,12 @@ fn core_of(coordinates: &[Coordinate], index: usize) -> (Core, Option<usize>) {
     }
 }
 
-/// Marks neighbours that are the components of one point.
+/// Marks neighbours that are the components of one point of the plane.
 fn paired(core: Vec<(Core, Option<usize>)>) -> Vec<Core> {
     let mut marked: Vec<Core> = core.iter().map(|(core, _)| *core).collect();
     for k in 1..core.len() {
-        if core[k].1.is_none() || core[k].1 != core[k - 1].1 {
+        let together = core.iter().filter(|(_, unknown)| *unknown == core[k].1);
+        if core[k].1.is_none() || core[k].1 != core[k - 1].1 || together.count() != 2 {
             continue;
         }
         for (component, place) in [k - 1, k].into_iter().enumerate() {

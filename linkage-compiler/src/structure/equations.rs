@@ -13,6 +13,8 @@ pub(crate) struct Equation {
     pub(crate) rows: Vec<NodeId>,
     /// A scalar loop as a linear form in angles.
     pub(crate) relation: Option<Scalar>,
+    /// The length of a link in space, if the row is about the square of its vector.
+    pub(crate) distance: Option<NodeId>,
     /// The loops it comes from.
     pub(crate) loops: Vec<usize>,
     /// Unknowns of the model that were eliminated into it.
@@ -89,6 +91,7 @@ impl Analysis<'_, '_> {
         Equation {
             rows,
             relation,
+            distance: None,
             loops: vec![index],
             eliminated: Vec::new(),
         }

@@ -26,6 +26,7 @@ impl Analysis<'_, '_> {
         let joined = orders.map(|(first, second)| Equation {
             rows: vec![first.rows[0], second.rows[0]],
             relation: None,
+            distance: None,
             loops: sorted(&first.loops, &second.loops),
             eliminated: sorted(&first.eliminated, &second.eliminated),
         });

@@ -1,11 +1,11 @@
-//! Recognising groups in space: distances to a point that turns or slides, an unknown point at given distances, loops of three rows.
+//! Recognising groups in space: distances to a point that turns or slides, loops of three rows.
 
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Node, NodeId, SymbolId, agree, collect};
 
 use super::eliminate::System;
 use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::{Analysis, Form, Plane, Sphere};
+use super::{Analysis, Form};
 
 /// A row `|vector| = length`.
 pub(super) struct Distance {
@@ -13,7 +13,7 @@ pub(super) struct Distance {
     pub(super) length: NodeId,
 }
 
-type Vector = [NodeId; 3];
+pub(super) type Vector = [NodeId; 3];
 
 impl Analysis<'_, '_> {
     /// A row `|v| - l` or `v . v - l^2` (or its negative) with a known `l`.
@@ -45,7 +45,7 @@ impl Analysis<'_, '_> {
     }
 
     /// A row that is a distance in space.
-    fn space_distance(
+    pub(super) fn space_distance(
         &mut self,
         row: NodeId,
         coordinates: &[Coordinate],
@@ -96,89 +96,12 @@ impl Analysis<'_, '_> {
         }
     }
 
-    /// Two or three numbers given by distances in space and planes: a point, or a direction.
-    pub(super) fn classify_point(
-        &mut self,
-        equations: &[Equation],
-        coordinates: &[Coordinate],
-    ) -> Option<Form> {
-        let symbols: Vec<SymbolId> = coordinates
-            .iter()
-            .map(|c| match c.kind {
-                CoordinateKind::Length(symbol) => Some(symbol),
-                CoordinateKind::Angle(_) => None,
-            })
-            .collect::<Option<_>>()?;
-        let scalar = equations.iter().all(|e| e.rows.len() == 1);
-        if !scalar || equations.len() != symbols.len() || !matches!(symbols.len(), 2 | 3) {
-            return None;
-        }
-        let mut places: Option<Vec<usize>> = None;
-        let mut spheres = Vec::new();
-        let mut linear = Vec::new();
-        for equation in equations {
-            let row = equation.rows[0];
-            let Some((vector, radius)) = self.space_distance(row, coordinates) else {
-                linear.push(self.linear_row(row, &symbols)?);
-                continue;
-            };
-            let (own, factor, known) = self.moved_point(vector, &symbols)?;
-            if places.get_or_insert_with(|| own.clone()) != &own {
-                return None;
-            }
-            spheres.push(Sphere {
-                known,
-                factor,
-                radius,
-            });
-        }
-        let places = places?;
-        let zero = self.algebra.graph.zero();
-        let planes = linear.into_iter().map(|(factors, offset)| {
-            let mut normal = [zero; 3];
-            for (&place, factor) in places.iter().zip(factors) {
-                normal[place] = factor;
-            }
-            Plane { normal, offset }
-        });
-        Some(Form::Point {
-            coordinates: symbols.into_iter().zip(places.clone()).collect(),
-            spheres,
-            planes: planes.collect(),
-        })
-    }
-
-    /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
-    fn moved_point(
-        &mut self,
-        vector: Vector,
-        symbols: &[SymbolId],
-    ) -> Option<(Vec<usize>, NodeId, Vector)> {
-        let zero = self.algebra.graph.zero();
-        let mut places = vec![None; symbols.len()];
-        let mut factor = None;
-        let mut known = [zero; 3];
-        for (component, row) in vector.into_iter().enumerate() {
-            let (factors, rest) = self.linear_row(row, symbols)?;
-            known[component] = rest;
-            let graph = &self.algebra.graph;
-            for (place, own) in places.iter_mut().zip(factors) {
-                if graph.is_zero(own) {
-                    continue;
-                }
-                let first = *factor.get_or_insert(own);
-                if place.replace(component).is_some() || !agree(graph, first, own) {
-                    return None;
-                }
-            }
-        }
-        let places: Vec<usize> = places.into_iter().collect::<Option<_>>()?;
-        let distinct = (1..places.len()).all(|k| !places[..k].contains(&places[k]));
-        Some((places, factor?, known)).filter(|_| distinct)
-    }
-
     /// A row that is linear in some symbols: their factors and the rest.
-    fn linear_row(&mut self, row: NodeId, symbols: &[SymbolId]) -> Option<(Vec<NodeId>, NodeId)> {
+    pub(super) fn linear_row(
+        &mut self,
+        row: NodeId,
+        symbols: &[SymbolId],
+    ) -> Option<(Vec<NodeId>, NodeId)> {
         let graph = &mut self.algebra.graph;
         let zero = graph.zero();
         let mut terms = collect(graph, row, symbols, &[])?;
@@ -304,6 +227,7 @@ impl Analysis<'_, '_> {
             let miss = graph.sub(share, length);
             let half = graph.constant(0.5);
             equation.rows = vec![graph.mul(half, miss)];
+            equation.distance = Some(length);
         }
         squared
     }

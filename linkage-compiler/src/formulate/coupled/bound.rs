@@ -23,8 +23,11 @@ impl Solver<'_, '_> {
                 .map(|core| {
                     let size = self.column_size(block, *core);
                     match core {
-                        Core::Angle(_) if block.rows.len() == 2 => {
+                        Core::Angle(_) if block.is_length() => {
                             self.algebra.graph.mul(equations.scale, size)
+                        }
+                        Core::Length { .. } if !block.is_length() => {
+                            self.algebra.graph.mul(equations.unit, size)
                         }
                         _ => size,
                     }
@@ -72,8 +75,8 @@ impl Solver<'_, '_> {
                 continue;
             }
             let mut size = match product.coefficient[..] {
-                [x, y] => self.algebra.length(&[x, y]),
-                _ => self.abs(product.coefficient[0]),
+                [single] => self.abs(single),
+                _ => self.algebra.length(&product.coefficient),
             };
             for &(symbol, exponent) in &product.powers {
                 let is_direction = |a: &crate::algebra::Angle| a.cos == symbol || a.sin == symbol;
@@ -96,34 +99,40 @@ impl Solver<'_, '_> {
     }
 
     /// True for the sine's share of a vector that turns: the cosine's share is as long.
-    fn is_counted(&self, block: &Block, powers: &[(SymbolId, u8)], coefficient: &[NodeId]) -> bool {
-        let &[x, y] = coefficient else { return false };
-        self.algebra.angles.iter().any(|angle| {
-            let Some(place) = powers.iter().position(|&power| power == (angle.sin, 1)) else {
-                return false;
-            };
-            let mut partner = powers.to_vec();
-            partner[place].0 = angle.cos;
-            partner.sort_unstable();
-            block.terms.iter().any(|other| {
-                let mut own = other.powers.clone();
-                own.sort_unstable();
-                let graph = &self.algebra.graph;
-                let &[a, b] = &other.coefficient[..] else {
-                    return false;
-                };
-                let opposite = |p: NodeId, q: NodeId| self.opposite(p, q);
-                own == partner
-                    && ((agree(graph, y, a) && opposite(x, b))
-                        || (agree(graph, x, b) && opposite(y, a)))
+    fn is_counted(
+        &mut self,
+        block: &Block,
+        powers: &[(SymbolId, u8)],
+        coefficient: &[NodeId],
+    ) -> bool {
+        if coefficient.len() == 1 {
+            return false;
+        }
+        let angles = self.algebra.angles.iter();
+        let partners: Vec<Vec<(SymbolId, u8)>> = angles
+            .filter_map(|angle| {
+                let sine = |power: &(SymbolId, u8)| *power == (angle.sin, 1);
+                let place = powers.iter().position(sine)?;
+                let mut partner = powers.to_vec();
+                partner[place].0 = angle.cos;
+                partner.sort_unstable();
+                Some(partner)
             })
+            .collect();
+        block.terms.iter().any(|other| {
+            let mut own = other.powers.clone();
+            own.sort_unstable();
+            partners.contains(&own) && self.is_turned(coefficient, &other.coefficient)
         })
     }
 
-    fn opposite(&self, a: NodeId, b: NodeId) -> bool {
-        let mut graph = self.algebra.graph.clone();
-        let negative = graph.neg(b);
-        agree(&graph, a, negative)
+    /// True if two vectors are perpendicular and of one length.
+    fn is_turned(&mut self, a: &[NodeId], b: &[NodeId]) -> bool {
+        let product = self.algebra.dot(a, b);
+        let squares = [a, b].map(|v| self.algebra.dot(v, v));
+        let zero = self.algebra.graph.zero();
+        let graph = &self.algebra.graph;
+        agree(graph, product, zero) && agree(graph, squares[0], squares[1])
     }
 
     /// The determinant without its signs, of the last rows and the columns in a set.

@@ -34,6 +34,14 @@ impl Solver<'_, '_> {
                 Core::Length { .. } => one,
             })
             .collect();
+        let units: Vec<NodeId> = form
+            .core
+            .iter()
+            .map(|core| match core {
+                Core::Angle(_) => one,
+                Core::Length { .. } => unit,
+            })
+            .collect();
         let mut equations = Equations {
             reach,
             scale,
@@ -56,9 +64,10 @@ impl Solver<'_, '_> {
                 }
                 _ => {
                     for (row, &node) in block.rows.iter().enumerate() {
-                        let (factor, scales): (NodeId, Vec<NodeId>) = match block.rows.len() {
-                            2 => (scale, column_scales.clone()),
-                            _ => (one, vec![one; variables.len()]),
+                        // Vector loops and distances are lengths; what a scalar loop is, nobody knows.
+                        let (factor, scales): (NodeId, Vec<NodeId>) = match block.is_length() {
+                            true => (scale, column_scales.clone()),
+                            false => (one, units.clone()),
                         };
                         let residual = self.algebra.graph.mul(factor, node);
                         let entries = variables.iter().zip(&scales).map(|(&variable, &scale)| {
@@ -139,19 +148,21 @@ impl Solver<'_, '_> {
 
     /// The sum of the lengths of the links that do not depend on inputs. A power of two near its inverse scales the equations.
     fn reach(&mut self, form: &Coupled) -> NodeId {
-        let mut vectors: Vec<Vector> = Vec::new();
-        for block in form.blocks.iter().filter(|block| block.rows.len() == 2) {
+        let mut vectors: Vec<Vec<NodeId>> = Vec::new();
+        for block in form.blocks.iter().filter(|block| block.rows.len() > 1) {
             for product in &block.terms {
                 let turns = |symbol| self.algebra.angles.iter().any(|a| a.cos == symbol);
-                if let ([(symbol, 1)], &[x, y]) = (&product.powers[..], &product.coefficient[..])
-                    && turns(*symbol)
-                    && self.algebra.is_fixed(x)
-                    && self.algebra.is_fixed(y)
+                let fixed = |x: &NodeId| self.algebra.is_fixed(*x);
+                if let [(symbol, 1)] = product.powers[..]
+                    && turns(symbol)
+                    && product.coefficient.iter().all(fixed)
                 {
-                    vectors.push([x, y]);
+                    vectors.push(product.coefficient.clone());
                 }
             }
         }
+        let distances = form.blocks.iter().filter_map(|block| block.distance);
+        vectors.extend(distances.map(|length| vec![length]));
         let zero = self.algebra.graph.zero();
         vectors.iter().fold(zero, |sum, vector| {
             let length = self.algebra.length(vector);

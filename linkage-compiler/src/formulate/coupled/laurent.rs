@@ -1,7 +1,7 @@
 //! The equations of a coupled group as polynomials in complex unit vectors, whose real solutions are its assemblies.
 //!
 //! With `u = cos + i sin` and `1/u` its conjugate, a vector loop is one complex polynomial, and so is its conjugate. A private link
-//! gives `V conj(V) = r^2`, a private slide `Im(conj(guide) rest) = 0`.
+//! gives `V conj(V) = r^2`, a private slide `Im(conj(guide) rest) = 0`. Loops in space and scalar loops are real polynomials, row by row.
 
 use std::collections::BTreeMap;
 
@@ -114,10 +114,16 @@ impl Builder<'_, '_> {
                 let conjugate = self.conjugate(&all);
                 vec![self.cleaned(all), self.cleaned(conjugate)]
             }
-            None => {
-                let all = self.loop_polynomial(block, |_| true);
-                vec![self.cleaned(all)]
-            }
+            None => (0..block.rows.len())
+                .map(|row| {
+                    let all = self.row_polynomial(block, row);
+                    let all = match block.is_length() {
+                        true => self.scaled(all, scale),
+                        false => all,
+                    };
+                    self.cleaned(all)
+                })
+                .collect(),
         }
     }
 
@@ -130,6 +136,15 @@ impl Builder<'_, '_> {
         let mut sum = Laurent::new();
         for product in block.terms.iter().filter(|p| wanted(&p.powers)) {
             self.add_product(&mut sum, &product.coefficient, &product.powers);
+        }
+        sum
+    }
+
+    /// One row, a real polynomial.
+    fn row_polynomial(&mut self, block: &Block, row: usize) -> Laurent {
+        let mut sum = Laurent::new();
+        for product in &block.terms {
+            self.add_product(&mut sum, &product.coefficient[row..=row], &product.powers);
         }
         sum
     }

@@ -1,0 +1,107 @@
+//! Recognising an unknown point, or a direction, by its distances from known points and planes.
+
+use linkage_symbolic::interpret::evaluate;
+use linkage_symbolic::program::Source;
+use linkage_symbolic::{NodeId, SymbolId, agree};
+
+use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::space::Vector;
+use super::{Analysis, Form, Plane, Sphere};
+
+impl Analysis<'_, '_> {
+    /// Two or three numbers given by distances in space and planes: a point, or a direction.
+    pub(super) fn classify_point(
+        &mut self,
+        equations: &[Equation],
+        coordinates: &[Coordinate],
+    ) -> Option<Form> {
+        let symbols: Vec<SymbolId> = coordinates
+            .iter()
+            .map(|c| match c.kind {
+                CoordinateKind::Length(symbol) => Some(symbol),
+                CoordinateKind::Angle(_) => None,
+            })
+            .collect::<Option<_>>()?;
+        let scalar = equations.iter().all(|e| e.rows.len() == 1);
+        if !scalar || equations.len() != symbols.len() || !matches!(symbols.len(), 2 | 3) {
+            return None;
+        }
+        let mut places: Option<Vec<usize>> = None;
+        let mut spheres = Vec::new();
+        let mut linear = Vec::new();
+        for equation in equations {
+            let row = equation.rows[0];
+            let Some((vector, radius)) = self.space_distance(row, coordinates) else {
+                linear.push(self.linear_row(row, &symbols)?);
+                continue;
+            };
+            let (own, factor, known) = self.moved_point(vector, &symbols)?;
+            if places.get_or_insert_with(|| own.clone()) != &own {
+                return None;
+            }
+            spheres.push(Sphere {
+                known,
+                factor,
+                radius,
+            });
+        }
+        let places = places?;
+        self.smallest_first(&mut spheres);
+        let zero = self.algebra.graph.zero();
+        let planes = linear.into_iter().map(|(factors, offset)| {
+            let mut normal = [zero; 3];
+            for (&place, factor) in places.iter().zip(factors) {
+                normal[place] = factor;
+            }
+            Plane { normal, offset }
+        });
+        Some(Form::Point {
+            coordinates: symbols.into_iter().zip(places.clone()).collect(),
+            spheres,
+            planes: planes.collect(),
+        })
+    }
+
+    /// The accuracy of the solution is that of the first sphere: at the defaults and the reference position, it is the smallest.
+    fn smallest_first(&self, spheres: &mut [Sphere]) {
+        let size = |sphere: &Sphere| {
+            let nodes = [sphere.radius, sphere.factor];
+            let values = evaluate(&self.algebra.graph, &nodes, |source| match source {
+                Source::Parameter(index) => self.nominal.parameters[index],
+                Source::Input(index) => self.nominal.inputs[index],
+                _ => f64::NAN,
+            });
+            (values[0] / values[1]).abs()
+        };
+        spheres.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    }
+
+    /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
+    fn moved_point(
+        &mut self,
+        vector: Vector,
+        symbols: &[SymbolId],
+    ) -> Option<(Vec<usize>, NodeId, Vector)> {
+        let zero = self.algebra.graph.zero();
+        let mut places = vec![None; symbols.len()];
+        let mut factor = None;
+        let mut known = [zero; 3];
+        for (component, row) in vector.into_iter().enumerate() {
+            let (factors, rest) = self.linear_row(row, symbols)?;
+            known[component] = rest;
+            let graph = &self.algebra.graph;
+            for (place, own) in places.iter_mut().zip(factors) {
+                if graph.is_zero(own) {
+                    continue;
+                }
+                let first = *factor.get_or_insert(own);
+                if place.replace(component).is_some() || !agree(graph, first, own) {
+                    return None;
+                }
+            }
+        }
+        let places: Vec<usize> = places.into_iter().collect::<Option<_>>()?;
+        let distinct = (1..places.len()).all(|k| !places[..k].contains(&places[k]));
+        Some((places, factor?, known)).filter(|_| distinct)
+    }
+}
