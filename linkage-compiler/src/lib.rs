@@ -73,6 +73,11 @@ pub fn analyse(
     let mut algebra = Algebra::new(mechanism);
     let nominal = Nominal::of(&mut algebra);
     let before = diagnostics.len();
+    formulate::check_directions(mechanism, &nominal, origins, diagnostics);
+    if diagnostics.len() > before {
+        // What is computed with them would be reported as not finite.
+        return Analysis::default();
+    }
     nominal.check(mechanism, origins, diagnostics);
     let structure = structure::decompose(&mut algebra, &nominal, origins, diagnostics);
     if diagnostics.len() > before {

@@ -81,10 +81,15 @@ fn loader() {
     check("loader");
 }
 
+#[test]
+fn rssr() {
+    check("rssr");
+}
+
 /// Equal input gives equal output, whatever ran before in this process.
 #[test]
 fn output_is_deterministic() {
-    for name in ["crank_rocker", "favorit", "shaper", "loader"] {
+    for name in ["crank_rocker", "favorit", "shaper", "loader", "rssr"] {
         let first = trace(read(name)).emit.to_string();
         let _ = trace(read("favorit"));
         assert_eq!(first, trace(read(name)).emit.to_string(), "{name}");

@@ -30,5 +30,5 @@ pub use differentiate::{Calculus, DerivativeMemo, differentiate};
 pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
 pub use multiples::share_multiples;
 pub use polynomial::{Monomial, Polynomial, collect};
-pub use probe::agree;
+pub use probe::{agree, agree_within};
 pub use substitute::substitute;

@@ -15,10 +15,15 @@ const ROUNDING: f64 = 1e-10;
 /// True if two nodes have equal values wherever their symbols are independent, up to rounding. Definitions are not
 /// followed.
 pub fn agree(graph: &Graph, a: NodeId, b: NodeId) -> bool {
-    a == b || (0..PLACES).all(|place| agree_at(graph, a, b, place))
+    agree_within(graph, a, b, ROUNDING)
 }
 
-fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: u64) -> bool {
+/// The same up to a given share of the larger terms.
+pub fn agree_within(graph: &Graph, a: NodeId, b: NodeId, share: f64) -> bool {
+    a == b || (0..PLACES).all(|place| agree_at(graph, a, b, place, share))
+}
+
+fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: u64, share: f64) -> bool {
     // Each value comes with the size of the terms that it is made of: a small sum of large terms is known less well.
     let mut values: HashMap<NodeId, (f64, f64)> = HashMap::new();
     for id in graph.reachable(&[a, b]) {
@@ -47,7 +52,7 @@ fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: u64) -> bool {
         values.insert(id, known);
     }
     let ((a, a_size), (b, b_size)) = (values[&a], values[&b]);
-    (a - b).abs() <= ROUNDING * a_size.max(b_size).max(f64::MIN_POSITIVE)
+    (a - b).abs() <= share * a_size.max(b_size).max(f64::MIN_POSITIVE)
 }
 
 fn sized(value: f64) -> (f64, f64) {

@@ -1,8 +1,11 @@
 //! Lengths of vectors, vectors known to have length 1, and what lengths were made of.
 
-use linkage_symbolic::{NodeId, SymbolId, substitute};
+use linkage_symbolic::{NodeId, SymbolId, agree_within, substitute};
 
 use super::Algebra;
+
+/// What rounding may add to the square of a direction.
+const UNIT: f64 = 8.0 * f64::EPSILON;
 
 impl Algebra<'_> {
     /// The length of a vector.
@@ -43,8 +46,14 @@ impl Algebra<'_> {
         (length, unit)
     }
 
-    /// The direction of a space vector.
+    /// The direction of a space vector. What has length 1 by its formula, as `(cos t, 0, sin t)`, is not divided.
     pub(crate) fn unit_vector(&mut self, v: [NodeId; 3]) -> [NodeId; 3] {
+        if !self.is_unit(&v) {
+            let (square, one) = (self.sum_of_squares(&v), self.graph.one());
+            if agree_within(&self.graph, square, one, UNIT) {
+                self.mark_unit(&v);
+            }
+        }
         self.length_and_unit(v).1
     }
 

@@ -74,12 +74,28 @@ impl Angle {
 impl Algebra<'_> {
     /// An expression of constants and parameters as numbers.
     fn numbers(&mut self, expr: &Expr, count: usize, parameters: &[f64]) -> Vec<f64> {
+        let mut numbers = self.evaluated(expr, parameters, &[]);
+        if numbers.len() == 1 {
+            numbers.resize(count, numbers[0]);
+        }
+        numbers
+    }
+
+    /// The components of an expression; NaN where one depends on something that is not given.
+    pub(crate) fn evaluated(
+        &mut self,
+        expr: &Expr,
+        parameters: &[f64],
+        inputs: &[f64],
+    ) -> Vec<f64> {
         let nodes = match self.translate(expr) {
             Value::Vector(components) => components,
-            scalar => vec![self.as_node(&scalar); count],
+            scalar => vec![self.as_node(&scalar)],
         };
+        let given = |numbers: &[f64], index: usize| numbers.get(index).copied().unwrap_or(f64::NAN);
         evaluate(&self.graph, &nodes, |source| match source {
-            Source::Parameter(index) => parameters.get(index).copied().unwrap_or(f64::NAN),
+            Source::Parameter(index) => given(parameters, index),
+            Source::Input(index) => given(inputs, index),
             _ => f64::NAN,
         })
     }

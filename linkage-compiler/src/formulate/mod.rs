@@ -6,6 +6,7 @@
 mod check;
 mod circles;
 mod coupled;
+mod directions;
 mod follow;
 mod link_to_rotor;
 mod link_to_slide;
@@ -39,6 +40,7 @@ use solver::Solver;
 
 pub(crate) use check::check_ranges;
 pub(crate) use coupled::{Definition, Prepared};
+pub(crate) use directions::check_directions;
 pub(crate) use follow::{candidate_rates, followed_range};
 pub(crate) use machine::{unknown_nodes, valued_angles};
 pub(crate) use reference::{Reference, assemble_reference};

@@ -99,21 +99,26 @@ impl Solver<'_, '_> {
         }
         let scales = self.push_point(&coordinates, spheres, planes, &balls, arm, h);
 
-        // By row operations the determinant is that of the first sphere's arm and the planes' normals.
+        // By row operations the determinant is that of the first sphere's arm and the planes' normals; each length meets its scale
+        // at once, so that nothing overflows.
+        let (others, planes_and_axes) = levels.split_at(balls.len() - 1);
         let graph = &mut self.algebra.graph;
-        let mut determinant = graph.mul(hw, sine);
-        let mut largest = radius;
-        for scale in &scales {
-            determinant = graph.mul(*scale, determinant);
-        }
-        for (ball, level) in balls[1..].iter().zip(&levels) {
+        let own = graph.mul(scales[0], hw);
+        let mut determinant = graph.mul(own, sine);
+        let share = graph.div(h, radius);
+        let mut margin = graph.mul(share, sine);
+        for ((level, ball), &scale) in others.iter().zip(&balls[1..]).zip(&scales[1..]) {
             let graph = &mut self.algebra.graph;
-            let minus = graph.neg(level.length);
+            let scaled = graph.mul(scale, level.length);
+            let minus = graph.neg(scaled);
             determinant = graph.mul(minus, determinant);
-            largest = graph.mul(largest, ball.radius);
+            let share = graph.div(level.length, ball.radius);
+            margin = graph.mul(share, margin);
         }
-        for (level, _) in levels[balls.len() - 1..].iter().zip(planes) {
-            determinant = self.algebra.graph.mul(level.length, determinant);
+        for (level, &scale) in planes_and_axes.iter().zip(&scales[balls.len()..]) {
+            let graph = &mut self.algebra.graph;
+            let scaled = graph.mul(scale, level.length);
+            determinant = graph.mul(scaled, determinant);
         }
         if missing == Some(1) {
             determinant = self.algebra.graph.neg(determinant);
@@ -121,11 +126,6 @@ impl Solver<'_, '_> {
         self.set_determinant(determinant);
 
         let graph = &mut self.algebra.graph;
-        let mut margin = graph.mul(h, sine);
-        for level in &levels[..balls.len() - 1] {
-            margin = graph.mul(margin, level.length);
-        }
-        let margin = graph.div(margin, largest);
         let miss = graph.sub(distance, radius);
         let gap = self.gap(q, noise, miss);
         let gap = self.defined_gap(gap, sine2);

@@ -46,18 +46,21 @@ impl<'m> Words<'m> {
 
     pub(crate) fn unknown_value(&self, unknown: usize, value: &[f64]) -> String {
         let item = &self.mechanism.unknowns[unknown];
-        let dimension = match item.ty {
-            Type::Scalar(dimension) | Type::Vector(_, dimension) => dimension,
-            _ => Dimension {
-                half_lengths: 2,
-                angle: false,
-            },
+        let value = match (&item.ty, value) {
+            (Type::Scalar(dimension), [x]) => self.scalar(*dimension, *x),
+            (ty, components) => self.vector(ty, components),
         };
-        let parts: Vec<String> = value.iter().map(|&x| self.scalar(dimension, x)).collect();
-        match &parts[..] {
-            [one] => format!("{} = {one}", item.name),
-            all => format!("{} = ({})", item.name, all.join(", ")),
-        }
+        format!("{} = {value}", item.name)
+    }
+
+    /// `(10mm, 0mm, 0mm)`, `(0, 0, 1)`
+    pub(crate) fn vector(&self, ty: &Type, components: &[f64]) -> String {
+        let dimension = ty.dimension().unwrap_or(Dimension::NUMBER);
+        let parts = components.iter().map(|&x| match dimension {
+            Dimension::NUMBER => significant(x),
+            _ => self.scalar(dimension, x),
+        });
+        format!("({})", parts.collect::<Vec<_>>().join(", "))
     }
 
     pub(crate) fn gap(&self, solved: &Solved, gap: f64) -> String {

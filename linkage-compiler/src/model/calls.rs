@@ -76,7 +76,10 @@ impl Resolver<'_> {
     ) {
         let wanted = count(parameters.len(), "argument");
         let fact = format!("`{name}` takes {wanted}, found {found}");
-        let help = format!("write `{name}({})`", parameters.join(", "));
+        let help = match (name, found) {
+            ("rotate", 3) => "write `turn(vector, axis, angle)` for a space vector".to_owned(),
+            _ => format!("write `{name}({})`", parameters.join(", ")),
+        };
         self.diagnostics.error_with_help(span, fact, help);
     }
 
@@ -106,12 +109,14 @@ impl Resolver<'_> {
                 Some(Type::Vector(2, dimension))
             }
             Function::Turn => {
+                self.check_order(function, arguments, span)?;
                 let (_, dimension) = self.vector_of(&mut arguments[0], name, Some(3))?;
                 self.vector_of(&mut arguments[1], name, Some(3))?;
                 self.angle(&mut arguments[2], name)?;
                 Some(Type::Vector(3, dimension))
             }
             Function::Dot | Function::Cross => {
+                self.in_one_space(name, &arguments[0], &arguments[1])?;
                 let (count, left) = self.vector_of(&mut arguments[0], name, None)?;
                 let (_, right) = self.vector_of(&mut arguments[1], name, Some(count))?;
                 let spatial = function == Function::Cross && count == 3;
@@ -134,6 +139,7 @@ impl Resolver<'_> {
                 Some(Type::Scalar(Dimension::ANGLE))
             }
             Function::Distance => {
+                self.in_one_space(name, &arguments[0], &arguments[1])?;
                 let ty = self.alike(arguments, name)?;
                 for argument in &mut *arguments {
                     self.vector_of(argument, name, None)?;
@@ -161,29 +167,37 @@ impl Resolver<'_> {
         }
     }
 
-    /// Reports `polar(angle, length)` and `rotate(angle, vector)`.
+    /// Reports `polar(angle, length)`, `rotate(angle, vector)` and `turn(vector, angle, axis)`.
     fn check_order(
         &mut self,
         function: Function,
         arguments: &[Expr],
         span: SourceSpan,
     ) -> Option<()> {
-        let (first, second) = (&arguments[0].ty, &arguments[1].ty);
-        let is_angle = |ty: &Type| matches!(ty, Type::Scalar(found) if found.is_number_or_angle());
+        let angle = |k: usize| matches!(arguments[k].ty, Type::Scalar(d) if d.is_number_or_angle());
+        let vector = |k: usize| matches!(arguments[k].ty, Type::Vector(..));
+        let length = |k: usize| matches!(arguments[k].ty, Type::Scalar(_)) && !angle(k);
         let (swapped, order) = match function {
-            Function::Polar => (
-                matches!(second, Type::Scalar(_)) && !is_angle(second),
-                "length, angle",
+            Function::Polar => (angle(0) && length(1), "polar(length, angle)"),
+            Function::Turn => (
+                vector(2) && (angle(0) || angle(1)),
+                "turn(vector, axis, angle)",
             ),
-            _ => (matches!(second, Type::Vector(..)), "vector, angle"),
+            _ if arguments[1].ty.components() == Some(3) => (angle(0), "turn(vector, axis, angle)"),
+            _ => (angle(0) && vector(1), "rotate(vector, angle)"),
         };
-        if !swapped || !is_angle(first) {
+        if !swapped {
             return Some(());
         }
-        let name = function.name();
-        let fact = format!("the arguments of `{name}` are swapped: found {first} and {second}");
+        let found: Vec<String> = arguments.iter().map(|a| a.ty.to_string()).collect();
+        let (last, before) = found.split_last()?;
+        let fact = format!(
+            "the arguments of `{}` are swapped: found {} and {last}",
+            function.name(),
+            before.join(", ")
+        );
         self.diagnostics
-            .error_with_help(span, fact, format!("write `{name}({order})`"));
+            .error_with_help(span, fact, format!("write `{order}`"));
         None
     }
 
@@ -237,21 +251,19 @@ impl Resolver<'_> {
         wanted: Option<usize>,
     ) -> Option<(usize, Dimension)> {
         settle_alone(argument);
-        let (words, help) = match (name, wanted) {
-            ("rotate", _) => (
-                "a plane vector",
-                "`turn(v, axis, angle)` turns space vectors",
-            ),
-            ("turn", _) => ("a space vector", "`rotate(v, angle)` turns plane vectors"),
-            (_, Some(2)) => ("a plane vector", "write it as `(x, y)`"),
-            (_, Some(_)) => ("a space vector", "write it as `(x, y, z)`"),
-            (_, None) => ("a vector", "write it as `(x, y)`"),
+        let words = match wanted {
+            Some(2) => "a plane vector",
+            Some(_) => "a space vector",
+            None => "a vector",
         };
         match argument.ty {
             Type::Vector(count, dimension) if wanted.is_none_or(|wanted| wanted == count) => {
                 Some((count, dimension))
             }
-            _ => self.wrong_argument(name, &format!("{words} here"), argument, help),
+            _ => {
+                let help = self.vector_help(name, argument, wanted);
+                self.wrong_argument(name, &format!("{words} here"), argument, &help)
+            }
         }
     }
 

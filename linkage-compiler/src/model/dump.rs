@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter, Write};
 
-use super::types::{BinaryOp, Expr, ExprKind, Mechanism, Name, Type, Variable};
+use super::types::{BinaryOp, Expr, ExprKind, Mechanism, Type, Variable};
 
 /// One line for each item and quantity; every operation in parentheses, numbers in the mechanism's unit and radians.
 pub fn dump(mechanism: &Mechanism) -> String {
@@ -132,18 +132,6 @@ impl<'a> Show<'a> {
         }
     }
 
-    fn name(&self, name: Name) -> &str {
-        let mechanism = self.mechanism;
-        match name {
-            Name::Const(index) => &mechanism.constants[index].name,
-            Name::Parameter(index) => &mechanism.parameters[index].name,
-            Name::Input(index) => &mechanism.inputs[index].name,
-            Name::Unknown(index) => &mechanism.unknowns[index].name,
-            Name::Let(index) => &mechanism.lets[index].name,
-            Name::Pi => "PI",
-        }
-    }
-
     fn variable(&self, variable: Variable) -> &str {
         match variable {
             Variable::Input(index) => &self.mechanism.inputs[index].name,
@@ -156,7 +144,7 @@ impl Display for Show<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         match &self.expr.kind {
             ExprKind::Number(value) => write!(f, "{value:?}"),
-            ExprKind::Name(name) => f.write_str(self.name(*name)),
+            ExprKind::Name(name) => f.write_str(self.mechanism.name(*name)),
             ExprKind::Vector(components) => separated(
                 f,
                 "(",

@@ -98,8 +98,8 @@ impl Resolver<'_> {
         }) {
             let fact = format!("a component must be a scalar, found {}", inner.ty);
             let span = self.origins.span(inner.origin);
-            self.diagnostics
-                .error_with_help(span, fact, "take a component of it: `.x`");
+            let help = self.nested_help(&components);
+            self.diagnostics.error_with_help(span, fact, help);
             return self.failed(span);
         }
         let mut all: Vec<&mut Expr> = components.iter_mut().collect();
@@ -135,6 +135,10 @@ impl Resolver<'_> {
                 let fact = format!("{} has no component `{field}`", value.ty);
                 let help = match count {
                     1 => "only vectors have components".to_owned(),
+                    2 if field == COMPONENTS[2] => {
+                        "components are `.x`, `.y`; a space vector is written `(x, y, z)`"
+                            .to_owned()
+                    }
                     _ => format!("components are `.{}`", COMPONENTS[..count].join("`, `.")),
                 };
                 self.diagnostics.error_with_help(field.into(), fact, help);

@@ -228,7 +228,8 @@ impl Resolver<'_> {
         let origin = self.origins.add(item.span);
         let Some(ty) = Type::common(&left.ty, &right.ty) else {
             if !left.ty.is_error() && !right.ty.is_error() {
-                let fact = format!("the sides of the loop differ: {} = {}", left.ty, right.ty);
+                let (first, second) = self.both_types(&left, &right);
+                let fact = format!("the sides of the loop differ: {first} = {second}");
                 let help = self.mismatch_help(&left, &right);
                 self.diagnostics.error_with_help(item.span, fact, help);
             }

@@ -12,6 +12,7 @@ mod items;
 mod names;
 mod operators;
 mod parameter;
+mod plane_and_space;
 #[cfg(test)]
 mod tests;
 mod types;

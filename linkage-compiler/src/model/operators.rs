@@ -1,6 +1,7 @@
 //! Sums, products, and the dimension that zero takes from its surroundings.
 
 use super::names::Resolver;
+use super::plane_and_space::{plane_beside_space, vector_components};
 use super::types::{BinaryOp, Expr, ExprKind, Name, Type};
 use crate::syntax::SourceSpan;
 
@@ -103,9 +104,10 @@ impl Resolver<'_> {
             right.settle(&ty);
             return Some(ty);
         }
+        let (first, second) = self.both_types(left, right);
         let fact = match operator {
-            BinaryOp::Sub => format!("cannot subtract {} from {}", right.ty, left.ty),
-            _ => format!("cannot add {} and {}", left.ty, right.ty),
+            BinaryOp::Sub => format!("cannot subtract {second} from {first}"),
+            _ => format!("cannot add {first} and {second}"),
         };
         let help = self.mismatch_help(left, right);
         self.diagnostics.error_with_help(span, fact, help);
@@ -188,12 +190,16 @@ impl Resolver<'_> {
                 return format!("declare `{}` with a unit: `0{unit}` or `0deg`", symbol.text);
             }
         }
-        let vector = |value: &Expr| value.ty.components().is_some_and(|count| count > 1);
-        if vector(left) != vector(right) {
-            return "write a vector `(x, y)` on both sides, or take a component `.x`".to_owned();
+        if let Some(plane) = plane_beside_space(left, right) {
+            return self.lifted(plane);
         }
-        if left.ty.components() != right.ty.components() {
-            return "give both vectors the same number of components".to_owned();
+        let components = [left, right].map(vector_components);
+        if components[0] != components[1] {
+            let vector = match components.contains(&Some(3)) {
+                true => "(x, y, z)",
+                false => "(x, y)",
+            };
+            return format!("write a vector `{vector}` on both sides, or take a component `.x`");
         }
         for value in [left, right] {
             if let ExprKind::Number(number) = value.kind

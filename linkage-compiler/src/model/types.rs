@@ -224,3 +224,17 @@ pub struct Mechanism {
     pub evaluators: Vec<EvaluatorDef>,
     pub origin: OriginId,
 }
+
+impl Mechanism {
+    /// A name as it is written.
+    pub fn name(&self, name: Name) -> &str {
+        match name {
+            Name::Const(index) => &self.constants[index].name,
+            Name::Parameter(index) => &self.parameters[index].name,
+            Name::Input(index) => &self.inputs[index].name,
+            Name::Unknown(index) => &self.unknowns[index].name,
+            Name::Let(index) => &self.lets[index].name,
+            Name::Pi => "PI",
+        }
+    }
+}

@@ -45,6 +45,9 @@ impl Analysis<'_, '_> {
                 radius,
             });
         }
+        if let ([_, _, _], [a, b, c]) = (&linear[..], &symbols[..]) {
+            return Some(three_slides([*a, *b, *c], &linear));
+        }
         let places = places?;
         self.smallest_first(&mut spheres);
         let zero = self.algebra.graph.zero();
@@ -103,5 +106,14 @@ impl Analysis<'_, '_> {
         let places: Vec<usize> = places.into_iter().collect::<Option<_>>()?;
         let distinct = (1..places.len()).all(|k| !places[..k].contains(&places[k]));
         Some((places, factor?, known)).filter(|_| distinct)
+    }
+}
+
+/// Three linear rows in three lengths.
+fn three_slides(slides: [SymbolId; 3], rows: &[(Vec<NodeId>, NodeId)]) -> Form {
+    Form::ThreeSlides {
+        slides,
+        guides: [0, 1, 2].map(|slide| [0, 1, 2].map(|row| rows[row].0[slide])),
+        known: [0, 1, 2].map(|row| rows[row].1),
     }
 }

@@ -27,7 +27,7 @@ fn expressions() {
         ),
         (
             "p + s",
-            "cannot add a plane vector of lengths and a space vector of lengths\nhelp: give both vectors the same number of components",
+            "cannot add `p` (a plane vector of lengths) and `s` (a space vector of lengths)\nhelp: write `(p.x, p.y, 0)`, or declare `p` as `(x, y, z)`",
         ),
         (
             "(l + zero) * sin(zero)",
@@ -50,11 +50,19 @@ fn expressions() {
         ("(l, l, l, l)", "found 4"),
         (
             "(p, l)",
-            "a component must be a scalar, found a plane vector of lengths",
+            "a component must be a scalar, found a plane vector of lengths\nhelp: write `(p.x, p.y, l)`",
+        ),
+        (
+            "(l, p)",
+            "found a plane vector of lengths\nhelp: take a component of it: `.x`",
         ),
         (
             "p.z",
-            "a plane vector of lengths has no component `z`\nhelp: components are `.x`, `.y`",
+            "a plane vector of lengths has no component `z`\nhelp: components are `.x`, `.y`; a space vector is written `(x, y, z)`",
+        ),
+        (
+            "s.w",
+            "a space vector of lengths has no component `w`\nhelp: components are `.x`, `.y`, `.z`",
         ),
         (
             "l.x",
@@ -80,8 +88,24 @@ fn expressions() {
             "`rotate` takes a plane vector here, found a space vector of lengths\nhelp: `turn(v, axis, angle)` turns space vectors",
         ),
         (
+            "rotate(a, s)",
+            "the arguments of `rotate` are swapped: found an angle and a space vector of lengths\nhelp: write `turn(vector, axis, angle)`",
+        ),
+        (
+            "rotate(s, t, a)",
+            "`rotate` takes 2 arguments, found 3\nhelp: write `turn(vector, axis, angle)` for a space vector",
+        ),
+        (
+            "turn(s, a, t)",
+            "the arguments of `turn` are swapped: found a space vector of lengths, an angle and a space vector of numbers\nhelp: write `turn(vector, axis, angle)`",
+        ),
+        (
             "turn(p, t, a)",
-            "`turn` takes a space vector here, found a plane vector of lengths",
+            "`turn` takes a space vector here, found a plane vector of lengths\nhelp: write `(p.x, p.y, 0)`, or declare `p` as `(x, y, z)`; `rotate(v, angle)` turns plane vectors",
+        ),
+        (
+            "turn(s, (0, n), a)",
+            "`turn` takes a space vector here, found a plane vector of numbers\nhelp: give it a third component: `(0, n, 0)`",
         ),
         (
             "polar(l, k)",
@@ -107,13 +131,50 @@ fn expressions() {
             "distance(l, k)",
             "`distance` takes a vector here, found a length",
         ),
-        ("distance(p, s)", "the arguments of `distance` differ"),
+        (
+            "distance(p, s)",
+            "the arguments of `distance` differ: `p` (a plane vector of lengths) and `s` (a space vector of lengths)\nhelp: write `(p.x, p.y, 0)`",
+        ),
         (
             "dot(p, s)",
-            "`dot` takes a plane vector here, found a space vector of lengths",
+            "the arguments of `dot` differ: `p` (a plane vector of lengths) and `s` (a space vector of lengths)",
         ),
-        ("cross(s, p)", "`cross` takes a space vector here"),
-        ("angle(s)", "`angle` takes a plane vector here"),
+        (
+            "cross(s, -polar(l, a))",
+            "the arguments of `cross` differ: `s` (a space vector of lengths) and a plane vector of lengths\nhelp: `polar` makes plane vectors; in space write `turn((l, 0, 0), (0, 0, 1), a)`",
+        ),
+        (
+            "s - dir(a)",
+            "cannot subtract a plane vector of numbers from `s` (a space vector of lengths)\nhelp: `dir` makes plane vectors; in space write `turn((1, 0, 0), (0, 0, 1), a)`",
+        ),
+        (
+            "s + (l, s.x)",
+            "help: give it a third component: `(l, s.x, 0)`",
+        ),
+        (
+            "s + rotate(p, a)",
+            "help: `rotate` turns plane vectors; in space write `turn((p.x, p.y, 0), (0, 0, 1), a)`",
+        ),
+        (
+            "s + (p + q)",
+            "help: name the plane vector, `let p = ...;`, and write `(p.x, p.y, 0)`",
+        ),
+        (
+            "s + l",
+            "help: write a vector `(x, y, z)` on both sides, or take a component `.x`",
+        ),
+        (
+            "cross(s, l)",
+            "`cross` takes a space vector here, found a length\nhelp: write it as `(x, y, z)`",
+        ),
+        (
+            "unit(l)",
+            "`unit` takes a vector here, found a length\nhelp: write it as `(x, y)` or `(x, y, z)`",
+        ),
+        (
+            "angle(s)",
+            "`angle` takes a plane vector here, found a space vector of lengths\nhelp: the angle between two directions in space is `atan2(norm(cross(a, b)), dot(a, b))`",
+        ),
         (
             "triangle_angle(l, k, a)",
             "the arguments of `triangle_angle` differ",

@@ -1,0 +1,117 @@
+//! Where a mechanism needs a direction: axes of `turn`, arguments of `unit`.
+
+use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
+
+/// A vector that must not be zero.
+pub(super) struct Asked<'m> {
+    pub(super) function: Function,
+    pub(super) vector: &'m Expr,
+    /// It stands in a loop, or in a derived quantity that a loop is written with.
+    pub(super) in_loop: bool,
+}
+
+/// All of them, in the order of the source for each kind of item.
+pub(super) fn asked_for(mechanism: &Mechanism) -> Vec<Asked<'_>> {
+    let mut asked = Vec::new();
+    let mut collect = |expr, in_loop| collect(expr, in_loop, &mut asked);
+    let in_loops = lets_of_loops(mechanism);
+    mechanism
+        .constants
+        .iter()
+        .for_each(|c| collect(&c.value, false));
+    for parameter in &mechanism.parameters {
+        collect(&parameter.nominal, false);
+        let tolerances = parameter.tolerances.iter().flatten();
+        tolerances.for_each(|tolerance| collect(tolerance, false));
+    }
+    for input in &mechanism.inputs {
+        collect(&input.reference, false);
+        if let Some((low, high)) = &input.range {
+            collect(low, false);
+            collect(high, false);
+        }
+    }
+    mechanism
+        .unknowns
+        .iter()
+        .for_each(|u| collect(&u.estimate, false));
+    for (item, in_loop) in mechanism.lets.iter().zip(in_loops) {
+        collect(&item.value, in_loop);
+    }
+    for item in &mechanism.loops {
+        collect(&item.left, true);
+        collect(&item.right, true);
+    }
+    let quantities = mechanism.evaluators.iter().flat_map(|e| &e.quantities);
+    quantities.for_each(|quantity| collect(&quantity.value, false));
+    asked
+}
+
+fn collect<'m>(expr: &'m Expr, in_loop: bool, asked: &mut Vec<Asked<'m>>) {
+    if let ExprKind::Call(function, arguments) = &expr.kind {
+        let vector = match function {
+            Function::Turn => arguments.get(1),
+            Function::Unit => arguments.first(),
+            _ => None,
+        };
+        asked.extend(
+            vector
+                .filter(|vector| !has_derivative(vector))
+                .map(|vector| Asked {
+                    function: *function,
+                    vector,
+                    in_loop,
+                }),
+        );
+    }
+    operands(expr)
+        .into_iter()
+        .for_each(|operand| collect(operand, in_loop, asked));
+}
+
+/// Derived quantities that loops are written with, directly or through others.
+fn lets_of_loops(mechanism: &Mechanism) -> Vec<bool> {
+    fn mark(expr: &Expr, used: &mut [bool]) {
+        if let ExprKind::Name(Name::Let(index)) = expr.kind {
+            used[index] = true;
+        }
+        operands(expr)
+            .into_iter()
+            .for_each(|operand| mark(operand, used));
+    }
+    let mut used = vec![false; mechanism.lets.len()];
+    for item in &mechanism.loops {
+        mark(&item.left, &mut used);
+        mark(&item.right, &mut used);
+    }
+    for index in (0..used.len()).rev() {
+        if used[index] {
+            mark(&mechanism.lets[index].value, &mut used);
+        }
+    }
+    used
+}
+
+fn operands(expr: &Expr) -> Vec<&Expr> {
+    match &expr.kind {
+        ExprKind::Vector(all) | ExprKind::Call(_, all) => all.iter().collect(),
+        ExprKind::Component(a, _) | ExprKind::Index(a, _) | ExprKind::Negate(a) => vec![a],
+        ExprKind::Binary(_, a, b) => vec![a, b],
+        ExprKind::Derivative(a, _)
+        | ExprKind::InputDerivative(a, _)
+        | ExprKind::Sensitivity(a, _) => vec![a],
+        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Margin | ExprKind::Error => Vec::new(),
+    }
+}
+
+/// Quantities of functions are known at run time only.
+fn has_derivative(expr: &Expr) -> bool {
+    let own = matches!(
+        expr.kind,
+        ExprKind::Derivative(..)
+            | ExprKind::InputDerivative(..)
+            | ExprKind::Sensitivity(..)
+            | ExprKind::Margin
+    );
+    own || operands(expr).into_iter().any(has_derivative)
+}
