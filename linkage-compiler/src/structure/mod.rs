@@ -15,6 +15,7 @@ mod point;
 pub(crate) mod report;
 mod rewrite;
 mod space;
+mod squared;
 
 use linkage_symbolic::{NodeId, SymbolId};
 

@@ -208,27 +208,4 @@ impl Analysis<'_, '_> {
         self.classify(&rows[0], std::slice::from_ref(angle))?;
         Some((rows, coordinates.to_vec()))
     }
-
-    /// Distances in space as polynomials, for the general machinery: `(v . v / l - l)/2`, a length.
-    pub(super) fn squared(
-        &mut self,
-        equations: &[Equation],
-        coordinates: &[Coordinate],
-    ) -> Vec<Equation> {
-        let mut squared = equations.to_vec();
-        for equation in &mut squared {
-            let &[row] = &equation.rows[..] else { continue };
-            let Some((vector, length)) = self.space_distance(row, coordinates) else {
-                continue;
-            };
-            let square = self.algebra.dot(&vector, &vector);
-            let graph = &mut self.algebra.graph;
-            let share = graph.div(square, length);
-            let miss = graph.sub(share, length);
-            let half = graph.constant(0.5);
-            equation.rows = vec![graph.mul(half, miss)];
-            equation.distance = Some(length);
-        }
-        squared
-    }
 }
