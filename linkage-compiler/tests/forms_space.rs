@@ -45,6 +45,7 @@ fn a_link_to_a_rocker() {
             "loop distance(end, pin) - l = 0;",
             "loop dot(end - pin, end - pin) = l * l;",
             "loop l * l - dot(pin - end, pin - end) = 0;",
+            "let v = end - pin; loop v.x * v.x + v.y * v.y + v.z * v.z = l * l;",
         ] {
             expect(
                 &format!("unknown psi = 80deg; {end} {equation}"),

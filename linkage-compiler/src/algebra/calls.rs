@@ -142,13 +142,21 @@ impl Algebra<'_> {
         let axis = self.unit_vector(axis);
         let [cos, sin] = self.direction_of(&arguments[2]);
         let one = self.graph.one();
-        let versine = self.graph.sub(one, cos);
         let along = self.dot(&axis, &v);
-        let along = self.graph.mul(along, versine);
         let sideways = self.cross3(axis, v);
+        // Of a vector that is prepared only the part across the axis turns: what is left of a long part along it by
+        // rounding would tilt the circle.
+        let fixed = v.iter().chain(&axis).all(|&x| self.is_fixed(x));
+        let (turning, sideways, along) = if fixed {
+            let across = self.cross3(sideways, axis);
+            (across, self.cross3(axis, across), along)
+        } else {
+            let versine = self.graph.sub(one, cos);
+            (v, sideways, self.graph.mul(along, versine))
+        };
         let turned = [0, 1, 2].map(|k| {
             let terms = [
-                self.graph.mul(v[k], cos),
+                self.graph.mul(turning[k], cos),
                 self.graph.mul(sideways[k], sin),
                 self.graph.mul(axis[k], along),
             ];

@@ -167,11 +167,13 @@ pub(crate) fn formulate(algebra: &mut Algebra, structure: Structure) -> Formulat
     for group in structure.groups {
         let first_symbol = algebra.graph.symbol_count();
         let index = algebra.solutions.len();
+        let dimension = group.loop_dimension(algebra.mechanism);
         let mut solver = Solver {
             algebra,
             index,
             mode: modes,
             number: coupled,
+            dimension,
             defined: Vec::new(),
             prepared: None,
         };

@@ -97,10 +97,10 @@ impl Solver<'_, '_> {
             let value = self.guarded(value, h);
             self.define_length(symbol, value, position);
         }
-        let scales = self.push_point(&coordinates, spheres, planes, &balls, arm, h);
+        let scales = self.push_point(&coordinates, planes, &balls, arm, h);
 
-        // By row operations the determinant is that of the first sphere's arm and the planes' normals; each length meets its scale
-        // at once, so that nothing overflows.
+        // The determinant is that of the first sphere's arm and the planes' normals; each length meets its scale at once, so
+        // that nothing overflows.
         let (others, planes_and_axes) = levels.split_at(balls.len() - 1);
         let graph = &mut self.algebra.graph;
         let own = graph.mul(scales[0], hw);
@@ -110,8 +110,7 @@ impl Solver<'_, '_> {
         for ((level, ball), &scale) in others.iter().zip(&balls[1..]).zip(&scales[1..]) {
             let graph = &mut self.algebra.graph;
             let scaled = graph.mul(scale, level.length);
-            let minus = graph.neg(scaled);
-            determinant = graph.mul(minus, determinant);
+            determinant = graph.mul(scaled, determinant);
             let share = graph.div(level.length, ball.radius);
             margin = graph.mul(share, margin);
         }
@@ -159,9 +158,14 @@ impl Solver<'_, '_> {
         }
     }
 
+    /// From one centre to the other.
+    fn apart(&mut self, base: &Ball, ball: &Ball) -> Space {
+        [0, 1, 2].map(|k| self.algebra.graph.sub(ball.centre[k], base.centre[k]))
+    }
+
     /// The plane of the circle in which two spheres meet: `a . y = (a.a + (r0 - r)(r0 + r))/2` for the distance `a` of the centres.
     fn radical_plane(&mut self, base: &Ball, ball: &Ball) -> Level {
-        let apart = [0, 1, 2].map(|k| self.algebra.graph.sub(ball.centre[k], base.centre[k]));
+        let apart = self.apart(base, ball);
         let square = self.algebra.dot(&apart, &apart);
         let imbalance = self.difference_of_squares(base.radius, ball.radius);
         let sum = self.algebra.graph.add(square, imbalance);

@@ -18,6 +18,12 @@ pub(super) type Vector = [NodeId; 3];
 impl Analysis<'_, '_> {
     /// A row `|v| - l` or `v . v - l^2` (or its negative) with a known `l`.
     pub(super) fn distance(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
+        self.measured(row, coordinates)
+            .or_else(|| self.written_squares(row, coordinates))
+    }
+
+    /// A length or its square on one side, known numbers on the other.
+    fn measured(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
         let row = match self.algebra.graph.node(row) {
             Node::Unary(Unary::Neg, inner) => inner,
             _ => row,
@@ -42,6 +48,41 @@ impl Analysis<'_, '_> {
             }
         }
         None
+    }
+
+    /// `x x + y y + z z - ...` with a known rest.
+    fn written_squares(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
+        let unknown =
+            |analysis: &Self, node| coordinates.iter().any(|c| analysis.contains(node, c));
+        let terms = self.summands(row);
+        let sign = terms.iter().find(|(_, x)| unknown(self, *x))?.0;
+        let mut vector = Vec::new();
+        let mut wanted = self.algebra.graph.zero();
+        for (own, term) in terms {
+            match self.algebra.graph.node(term) {
+                Node::Binary(Binary::Mul, a, b) if a == b && own == sign => vector.push(a),
+                _ if unknown(self, term) => return None,
+                _ if own == sign => wanted = self.algebra.graph.sub(wanted, term),
+                _ => wanted = self.algebra.graph.add(wanted, term),
+            }
+        }
+        let length = self.algebra.graph.sqrt(wanted);
+        (vector.len() == 3).then_some(Distance { vector, length })
+    }
+
+    /// The terms of a sum; false for those that are subtracted.
+    fn summands(&self, node: NodeId) -> Vec<(bool, NodeId)> {
+        let mut found = Vec::new();
+        let mut open = vec![(true, node)];
+        while let Some((sign, node)) = open.pop() {
+            match self.algebra.graph.node(node) {
+                Node::Unary(Unary::Neg, x) => open.push((!sign, x)),
+                Node::Binary(Binary::Add, a, b) => open.extend([(sign, b), (sign, a)]),
+                Node::Binary(Binary::Sub, a, b) => open.extend([(!sign, b), (sign, a)]),
+                _ => found.push((sign, node)),
+            }
+        }
+        found
     }
 
     /// A row that is a distance in space.

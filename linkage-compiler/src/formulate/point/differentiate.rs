@@ -6,7 +6,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 use crate::algebra::{CoreRow, Elimination, Solution, Term};
 use crate::formulate::Solver;
 use crate::formulate::space::Space;
-use crate::structure::{Plane, Sphere};
+use crate::structure::Plane;
 
 use super::Ball;
 
@@ -15,7 +15,6 @@ impl Solver<'_, '_> {
     pub(super) fn push_point(
         &mut self,
         coordinates: &[(SymbolId, usize)],
-        spheres: &[Sphere],
         planes: &[Plane],
         balls: &[Ball],
         arm: Space,
@@ -36,41 +35,48 @@ impl Solver<'_, '_> {
         let mut terms = Vec::new();
         let mut rows = Vec::new();
         let mut factors = Vec::new();
-        for (row, (sphere, ball)) in spheres.iter().zip(balls).enumerate() {
+        // The first sphere, and how the others differ from it: three nearly equal rows would cancel.
+        let mut legs: Vec<Space> = Vec::new();
+        for ball in balls {
             let link = [0, 1, 2].map(|k| {
                 let graph = &mut self.algebra.graph;
                 let apart = graph.sub(ball.centre[k], balls[0].centre[k]);
-                let own = graph.sub(arm[k], apart);
-                let value = graph.mul(sphere.factor, own);
+                let value = graph.sub(arm[k], apart);
                 let value = self.guarded(value, h);
                 let moved = coordinates.iter().zip(&point).find(|((_, c), _)| *c == k);
-                let graph = &mut self.algebra.graph;
-                let moved = moved.map_or(zero, |(_, &p)| graph.mul(sphere.factor, p));
-                let equal = graph.add(sphere.known[k], moved);
+                let moved = moved.map_or(zero, |(_, &p)| p);
+                let equal = self.algebra.graph.sub(moved, ball.centre[k]);
                 self.alias("leg", value, equal)
             });
-            let own = self.distance_terms(link, sphere.known, sphere.radius);
+            legs.push(link);
+        }
+        for (row, ball) in balls.iter().enumerate() {
+            let base = &balls[0];
+            let known = base.centre.map(|x| self.algebra.graph.neg(x));
+            let own = match row {
+                0 => self.distance_terms(legs[0], known, base.radius),
+                _ => self.difference_terms(legs[row], base, ball),
+            };
             terms.extend(own.into_iter().map(|term| Term {
                 coefficient: row_of(row, term.coefficient[0]),
                 factor: term.factor,
             }));
-            let along: Vec<NodeId> = coordinates.iter().map(|&(_, k)| link[k]).collect();
-            let factor = self.algebra.dot(&along, &point);
-            terms.push(Term {
-                coefficient: row_of(row, sphere.factor),
-                factor,
-            });
+            let (slope, length) = match row {
+                0 => (legs[0], base.radius),
+                _ => {
+                    let apart = self.apart(base, ball);
+                    (apart, self.algebra.length(&apart))
+                }
+            };
             for (column, &(_, k)) in coordinates.iter().enumerate() {
-                jacobian[column][row] = self.algebra.graph.mul(sphere.factor, link[k]);
+                jacobian[column][row] = slope[k];
             }
-            let graph = &mut self.algebra.graph;
-            let scale = graph.unary(Unary::InverseScale, sphere.radius);
+            let scale = self.algebra.graph.unary(Unary::InverseScale, length);
             rows.push(scale);
-            let square = graph.square(sphere.factor);
-            factors.push(graph.mul(scale, square));
+            factors.push(scale);
         }
         for (k, plane) in planes.iter().enumerate() {
-            let row = spheres.len() + k;
+            let row = balls.len() + k;
             for (column, &(_, k)) in coordinates.iter().enumerate() {
                 jacobian[column][row] = plane.normal[k];
                 terms.push(Term {
@@ -112,6 +118,25 @@ impl Solver<'_, '_> {
             elimination: Some(elimination),
         });
         factors
+    }
+
+    /// The terms of `a . (p - c) - (a . a + r^2 - r'^2)/2`, where `a` leads from the first sphere's centre `c` to that of the other.
+    fn difference_terms(&mut self, leg: Space, base: &Ball, ball: &Ball) -> Vec<Term> {
+        let apart = self.apart(base, ball);
+        let mut terms = Vec::new();
+        for k in 0..3 {
+            terms.push((apart[k], leg[k]));
+            terms.push((base.centre[k], self.algebra.graph.neg(apart[k])));
+        }
+        terms.push((base.radius, self.algebra.graph.neg(base.radius)));
+        terms.push((ball.radius, ball.radius));
+        let terms = terms.into_iter();
+        terms
+            .map(|(coefficient, factor)| Term {
+                coefficient: vec![coefficient],
+                factor,
+            })
+            .collect()
     }
 
     /// The determinant of the last solution, computed as `value`.
