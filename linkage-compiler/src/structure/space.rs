@@ -114,8 +114,10 @@ impl Analysis<'_, '_> {
                 let known = rest.take_space(&[], zero);
                 let product = self.algebra.dot(&cosine, &sine);
                 let [first, second] = [cosine, sine].map(|v| self.algebra.dot(&v, &v));
-                let graph = &self.algebra.graph;
-                let is_circle = agree(graph, product, zero) && agree(graph, first, second);
+                // Of constants the product is roundoff, which agrees with 0 beside the square only.
+                let graph = &mut self.algebra.graph;
+                let beside = graph.add(first, product);
+                let is_circle = agree(graph, beside, first) && agree(graph, first, second);
                 (rest.is_exhausted() && is_circle).then_some(Form::LinkToRotor {
                     angle,
                     cosine,
