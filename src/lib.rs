@@ -9,8 +9,8 @@ pub use linkage_runtime::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::Lanes;
 pub use linkage_runtime::{
-    AssemblyError, AssemblyMode, Dimensions, FunctionInfo, Group, Operations, Parameter, Scalar,
-    Structure, Vector2, Vector3, true_acceleration, true_velocity,
+    AssemblyError, AssemblyMode, Dimensions, Frame, FunctionInfo, Group, Operations, Parameter,
+    Scalar, Structure, Vector2, Vector3, true_acceleration, true_velocity,
 };
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{
@@ -96,8 +96,8 @@ pub mod __private {
         put_state, starts, stepped,
     };
     pub use linkage_runtime::{
-        AssemblyError, AssemblyMode, Dimensions, FUSED, FunctionInfo, Group, Operations, Parameter,
-        Scalar, Structure, Vector2, Vector3, if_alloc, if_rayon,
+        AssemblyError, AssemblyMode, Dimensions, FUSED, Frame, FunctionInfo, Group, Operations,
+        Parameter, Scalar, Structure, Vector2, Vector3, if_alloc, if_rayon,
     };
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::{Circuits, Columns, Cycle, circuits};

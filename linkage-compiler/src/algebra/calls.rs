@@ -71,6 +71,9 @@ impl Algebra<'_> {
                 let v = [self.as_node(&arguments[0]), self.as_node(&arguments[1])];
                 Value::Scalar(self.length(&v).into())
             }
+            Frame => self.frame(&arguments),
+            PointIn => self.point_in(&arguments),
+            CoordinatesIn => self.coordinates_in(&arguments),
         }
     }
 
