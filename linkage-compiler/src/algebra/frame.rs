@@ -1,6 +1,7 @@
 //! Frames in space: axes from two directions, points and coordinates in them.
 
-use linkage_symbolic::{NodeId, agree_within};
+use linkage_symbolic::program::{Binary, Unary};
+use linkage_symbolic::{Node, NodeId, agree_within};
 
 use super::{Algebra, Value};
 
@@ -16,14 +17,17 @@ impl Algebra<'_> {
         let (y, z) = if self.vanishes(projection) {
             // Perpendicular by their formulas, as axes of rotation often are: nothing to project.
             let z = self.unit_vector(z);
-            (self.cross3(z, x), z)
+            (self.sparse_cross(z, x), z)
         } else {
-            let across = self.cross3(z, x);
-            let y = match across.iter().all(|&component| self.vanishes(component)) {
+            let across = self.sparse_cross(z, x);
+            let y = match across
+                .iter()
+                .all(|&component| self.graph.is_zero(component))
+            {
                 true => [self.graph.constant(f64::NAN); 3],
                 false => self.unit_vector(across),
             };
-            (y, self.cross3(x, y))
+            (y, self.sparse_cross(x, y))
         };
         self.mark_unit(&y);
         self.mark_unit(&z);
@@ -51,10 +55,29 @@ impl Algebra<'_> {
         Value::Vector(coordinates.to_vec())
     }
 
-    /// True if a node is zero wherever it is evaluated.
+    /// `a x b`; components that are zero by their formulas are constants.
+    fn sparse_cross(&mut self, a: [NodeId; 3], b: [NodeId; 3]) -> [NodeId; 3] {
+        self.cross3(a, b)
+            .map(|component| match self.vanishes(component) {
+                true => self.graph.zero(),
+                false => component,
+            })
+    }
+
+    /// True if a node is zero wherever it is evaluated. It is tried at places; where the formula depends on signs, these would
+    /// prove nothing.
     fn vanishes(&mut self, node: NodeId) -> bool {
+        let by_sign = |id| {
+            matches!(
+                self.graph.node(id),
+                Node::Unary(Unary::Abs, _)
+                    | Node::Binary(Binary::Min | Binary::Max, ..)
+                    | Node::Ternary(..)
+            )
+        };
+        let depends = self.graph.reachable(&[node]).into_iter().any(by_sign);
         let zero = self.graph.zero();
-        agree_within(&self.graph, node, zero, ROUNDING)
+        node == zero || (!depends && agree_within(&self.graph, node, zero, ROUNDING))
     }
 
     fn frame_parts(&mut self, frame: &Value) -> [[NodeId; 3]; 4] {

@@ -6,6 +6,7 @@
 mod check;
 mod circles;
 mod coupled;
+mod degenerate;
 mod directions;
 mod follow;
 mod link_to_rotor;
@@ -15,6 +16,7 @@ mod point;
 mod quadratic;
 mod ranges;
 mod reference;
+mod refusal;
 mod rotor_and_slide;
 mod scalar;
 mod slide_on_rotor;

@@ -12,6 +12,7 @@ mod equations;
 mod form;
 mod matching;
 mod point;
+mod reach;
 pub(crate) mod report;
 mod rewrite;
 mod space;
@@ -178,7 +179,7 @@ impl Analysis<'_, '_> {
         let squared = self.squared(&equations, &coordinates);
         match self.coupled(&squared, &coordinates) {
             Some(form) => self.push_group(&equations, &coordinates, form),
-            None => self.report_unsolved(&equations, &coordinates),
+            None => self.report_unsolved(&squared, &coordinates),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Recognising groups in space: distances to a point that turns or slides, loops of three rows.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Node, NodeId, SymbolId, agree, collect};
+use linkage_symbolic::{Node, NodeId, SymbolId, collect};
 
 use super::eliminate::System;
 use super::equations::{Coordinate, CoordinateKind, Equation};
@@ -112,10 +112,7 @@ impl Analysis<'_, '_> {
                 let cosine = rest.take_space(&[symbols.cos], zero);
                 let sine = rest.take_space(&[symbols.sin], zero);
                 let known = rest.take_space(&[], zero);
-                let product = self.algebra.dot(&cosine, &sine);
-                let [first, second] = [cosine, sine].map(|v| self.algebra.dot(&v, &v));
-                let graph = &self.algebra.graph;
-                let is_circle = agree(graph, product, zero) && agree(graph, first, second);
+                let is_circle = self.algebra.is_turned(&cosine, &sine);
                 (rest.is_exhausted() && is_circle).then_some(Form::LinkToRotor {
                     angle,
                     cosine,
