@@ -151,10 +151,10 @@ impl Solver<'_, '_> {
             let quotient = graph.div(x, sphere.factor);
             graph.neg(quotient)
         });
-        let radius = graph.div(sphere.radius, sphere.factor);
+        let stretch = graph.abs(sphere.factor);
         Ball {
             centre,
-            radius: self.abs(radius),
+            radius: graph.div(sphere.radius, stretch),
         }
     }
 
