@@ -260,3 +260,17 @@ fn chains_and_loops_that_must_be_solved_together() {
         &["loops 1 2 3: coupled for x, y, z"],
     );
 }
+
+#[test]
+fn the_miss_across_guides_is_a_length() {
+    // 100 mm apart along z, of which the lever spans 60, whatever the angle between the guides.
+    let text = "pub struct M {
+        unit mm;
+        input phi = 0.1rad;
+        unknown s = 50mm; unknown t = 50mm; unknown psi = 10deg;
+        loop s * (1, 0, 0) + t * (cos(phi), sin(phi), 0)
+            = (70mm, 20mm, -100mm) + turn((0mm, 60mm, 0mm), (1, 0, 0), psi);
+    }";
+    let messages = trace(text.parse().expect("tokens")).messages;
+    assert!(messages[0].contains("misses by 40mm"), "{messages:?}");
+}

@@ -263,7 +263,8 @@ impl Analysis<'_, '_> {
             return None;
         };
         let mut across = self.algebra.cross3(first, second);
-        if across.iter().all(|&x| self.algebra.is_fixed(x)) {
+        let turns = |x: &NodeId| coordinates.iter().any(|c| self.contains(*x, c));
+        if !across.iter().any(turns) {
             across = self.algebra.unit_vector(across);
         }
         let angle_alone = self.algebra.dot(&across, &rest);
