@@ -274,3 +274,15 @@ fn the_miss_across_guides_is_a_length() {
     let messages = trace(text.parse().expect("tokens")).messages;
     assert!(messages[0].contains("misses by 40mm"), "{messages:?}");
 }
+
+#[test]
+fn the_miss_of_a_direction_is_a_number() {
+    let text = "pub struct M {
+        unit mm;
+        unknown psi = 10deg; unknown n = (1, 0, 0);
+        loop 10mm * n = (150mm, 0mm, 0mm) + (60mm * cos(psi), 60mm * sin(psi), 0mm);
+        loop norm(n) = 1;
+    }";
+    let messages = trace(text.parse().expect("tokens")).messages;
+    assert!(messages[0].contains("misses by 8\n"), "{messages:?}");
+}

@@ -15,6 +15,8 @@ pub(crate) struct Equation {
     pub(crate) relation: Option<Scalar>,
     /// The length of a link in space, if the row is about the square of its vector.
     pub(crate) distance: Option<NodeId>,
+    /// The loop that its rows were written as.
+    pub(crate) written: usize,
     /// The loops it comes from.
     pub(crate) loops: Vec<usize>,
     /// Unknowns of the model that were eliminated into it.
@@ -92,6 +94,7 @@ impl Analysis<'_, '_> {
             rows,
             relation,
             distance: None,
+            written: index,
             loops: vec![index],
             eliminated: Vec::new(),
         }

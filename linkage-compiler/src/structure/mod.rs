@@ -33,6 +33,8 @@ pub(crate) use form::{Form, Plane, Rotor, Sphere};
 pub(crate) struct Group {
     /// Indices of its loops in the mechanism.
     pub(crate) loops: Vec<usize>,
+    /// That of them which is solved; the others were eliminated, or are solved with it.
+    pub(crate) written: usize,
     /// Indices of the unknowns that it finds, in the model.
     pub(crate) unknowns: Vec<usize>,
     pub(crate) form: Form,
@@ -45,9 +47,9 @@ impl Group {
         matches!(self.form, Form::Trigonometric { .. }) && self.unknowns.iter().any(point)
     }
 
-    /// The dimension of both sides of its loop.
+    /// The dimension of both sides of the loop that is solved.
     pub(crate) fn loop_dimension(&self, mechanism: &Mechanism) -> Option<Dimension> {
-        let equation = &mechanism.loops[self.loops[0]];
+        let equation = &mechanism.loops[self.written];
         let sides = [&equation.left.ty, &equation.right.ty];
         sides.into_iter().find_map(Type::dimension)
     }
@@ -195,6 +197,7 @@ impl Analysis<'_, '_> {
         };
         self.structure.groups.push(Group {
             loops: sorted(loops.collect()),
+            written: equations[0].written,
             unknowns: sorted(own.chain(eliminated).collect()),
             form,
         });

@@ -26,6 +26,7 @@ impl Analysis<'_, '_> {
             rows: vec![first.rows[0], second.rows[0]],
             relation: None,
             distance: None,
+            written: first.written,
             loops: sorted(&first.loops, &second.loops),
             eliminated: sorted(&first.eliminated, &second.eliminated),
         });
