@@ -20,7 +20,7 @@ pub use linkage_runtime::{
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use linkage_runtime::{Handle, Scene};
 
-/// Compiles a planar mechanism: a struct block with dimensions, inputs, unknowns and loops, then an
+/// Compiles a mechanism of the plane or of space: a struct block with dimensions, inputs, unknowns and loops, then an
 /// `impl` block with functions, listed by the quantities that they give.
 ///
 /// It generates the struct of dimensions, its assembly, the functions on the assembly, and a result

@@ -38,6 +38,7 @@ example!(hydraulic_cylinder, "../examples/hydraulic_cylinder.rs");
 example!(machine, "../examples/machine.rs");
 example!(needle_drive, "../examples/needle_drive.rs");
 example!(quick_return, "../examples/quick_return.rs");
+example!(spatial_crank_rocker, "../examples/spatial_crank_rocker.rs");
 example!(spatial_slider_crank, "../examples/spatial_slider_crank.rs");
 example!(stability, "../examples/stability.rs");
 example!(trammel, "../examples/trammel.rs");

@@ -46,6 +46,9 @@ fn a_link_to_a_rocker() {
             "loop l = norm(end - pin);",
             "loop distance(end, pin) - l = 0;",
             "loop dot(end - pin, end - pin) = l * l;",
+            "loop sqrt(dot(end - pin, end - pin)) = l;",
+            "loop distance(pin, end) / l = 1;",
+            "loop 2 * distance(pin, end) = l + l;",
             "loop l * l - dot(pin - end, pin - end) = 0;",
             "let v = end - pin; loop v.x * v.x + v.y * v.y + v.z * v.z = l * l;",
         ] {
@@ -60,6 +63,13 @@ fn a_link_to_a_rocker() {
                  loop pin + c = end; loop norm(c) = l;"
             ),
             &["loops 1 2: link to rotor for psi, c"],
+        );
+        expect(
+            &format!(
+                "unknown psi = 80deg; unknown n = (0.3, 0.8, 0.5); {end}
+                 loop pin + l * n = end; loop norm(n) = 1;"
+            ),
+            &["loops 1 2: link to rotor for psi, n"],
         );
     }
 }

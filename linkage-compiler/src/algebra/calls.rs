@@ -62,7 +62,7 @@ impl Algebra<'_> {
             Asin => self.unary_call(Unary::Asin, &arguments),
             Acos => self.unary_call(Unary::Acos, &arguments),
             Atan => self.unary_call(Unary::Atan, &arguments),
-            Sqrt => self.unary_call(Unary::Sqrt, &arguments),
+            Sqrt => self.square_root(&arguments[0]),
             Abs => self.unary_call(Unary::Abs, &arguments),
             Atan2 => self.binary_call(Binary::Atan2, &arguments),
             Min => self.binary_call(Binary::Min, &arguments),
@@ -89,6 +89,16 @@ impl Algebra<'_> {
     ) -> Value {
         let unit = self.direction_of(angle);
         Value::Scalar(pick(self, unit).into())
+    }
+
+    /// The root of `v . v` is known as a length.
+    fn square_root(&mut self, argument: &Value) -> Value {
+        let square = self.as_node(argument);
+        let root = match self.squares.get(&square).cloned() {
+            Some(vector) if vector.len() == 3 => self.length(&vector),
+            _ => self.graph.sqrt(square),
+        };
+        Value::Scalar(root.into())
     }
 
     fn unary_call(&mut self, op: Unary, arguments: &[Value]) -> Value {

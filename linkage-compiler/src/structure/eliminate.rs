@@ -1,6 +1,6 @@
 //! Bringing a coupled set of loops to known forms: unknowns that are explicit expressions of others go.
 
-use linkage_symbolic::{NodeId, SymbolId, collect};
+use linkage_symbolic::{Binding, NodeId, SymbolId, collect};
 
 use crate::algebra::{Atom, Scalar};
 
@@ -193,7 +193,7 @@ impl Analysis<'_, '_> {
         None
     }
 
-    /// All components of a point that enters an equation as `k (x, y)` with a constant `k`.
+    /// All components of a point that enters an equation as `k (x, y)` with a `k` that is known before the input.
     fn solve_point(&mut self, equation: &Equation, point: &[SymbolId]) -> Option<Vec<NodeId>> {
         let graph = &mut self.algebra.graph;
         let mut values = Vec::new();
@@ -203,7 +203,7 @@ impl Analysis<'_, '_> {
             own[row] = 1;
             let factor = terms.remove(&own)?;
             let rest = terms.remove(&vec![0; point.len()]).unwrap_or(graph.zero());
-            if !terms.is_empty() || graph.constant_value(factor).is_none() {
+            if !terms.is_empty() || graph.binding(factor) == Binding::Call {
                 return None;
             }
             let quotient = graph.div(rest, factor);

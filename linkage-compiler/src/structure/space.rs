@@ -35,6 +35,7 @@ impl Analysis<'_, '_> {
             if coordinates.iter().any(|c| self.contains(given, c)) {
                 continue;
             }
+            let (measured, given) = self.without_factors(measured, given, coordinates);
             if let Some(vector) = self.algebra.norms.get(&measured) {
                 return Some(Distance {
                     vector: vector.clone(),
@@ -48,6 +49,31 @@ impl Analysis<'_, '_> {
             }
         }
         None
+    }
+
+    /// Both sides divided by the known factors of the first.
+    fn without_factors(
+        &mut self,
+        mut measured: NodeId,
+        mut given: NodeId,
+        coordinates: &[Coordinate],
+    ) -> (NodeId, NodeId) {
+        loop {
+            let node = self.algebra.graph.node(measured);
+            let known = |analysis: &Self, x| !coordinates.iter().any(|c| analysis.contains(x, c));
+            match node {
+                Node::Binary(Binary::Div, a, b) if known(self, b) => {
+                    measured = a;
+                    given = self.algebra.graph.mul(given, b);
+                }
+                Node::Binary(Binary::Mul, a, b) if a != b && (known(self, a) || known(self, b)) => {
+                    let (factor, rest) = if known(self, a) { (a, b) } else { (b, a) };
+                    measured = rest;
+                    given = self.algebra.graph.div(given, factor);
+                }
+                _ => return (measured, given),
+            }
+        }
     }
 
     /// `x x + y y + z z - ...` with a known rest.

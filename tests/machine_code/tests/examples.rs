@@ -33,6 +33,7 @@ example! {
     machine "../../../examples/machine.rs",
     needle_drive "../../../examples/needle_drive.rs",
     quick_return "../../../examples/quick_return.rs",
+    spatial_crank_rocker "../../../examples/spatial_crank_rocker.rs",
     spatial_slider_crank "../../../examples/spatial_slider_crank.rs",
     systems "../../../examples/stability/systems.rs",
     textbook "../../../examples/stability/textbook.rs",
@@ -100,6 +101,14 @@ check!(needle_drive_: needle_drive::NeedleDrive, needle_drive::NeedleDriveAssemb
 check!(quick_return_: quick_return::QuickReturn, quick_return::QuickReturnAssembly:
     position [position_sweep position_sweep_sets] (phi),
     stroke [stroke_sweep stroke_sweep_sets] (phi));
+check!(spatial_crank_rocker_: spatial_crank_rocker::SpatialCrankRocker, spatial_crank_rocker::SpatialCrankRockerAssembly:
+    motion [motion_sweep motion_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
+    pose [pose_sweep pose_sweep_sets] (phi));
+check!(spatial_crank_rocker_published: spatial_crank_rocker::published::Published, spatial_crank_rocker::published::PublishedAssembly:
+    rocker [rocker_sweep rocker_sweep_sets] (theta));
+check!(spatial_crank_rocker_flat: spatial_crank_rocker::published::Flat, spatial_crank_rocker::published::FlatAssembly:
+    rocker [rocker_sweep rocker_sweep_sets] (theta));
 check!(spatial_slider_crank_: spatial_slider_crank::SpatialSlider, spatial_slider_crank::SpatialSliderAssembly:
     joints [joints_sweep joints_sweep_sets] (phi),
     stroke [stroke_sweep stroke_sweep_sets] (phi),

@@ -53,3 +53,77 @@ fn rssr_of_the_reference() {
         }
     }
 }
+
+linkage::mechanism! {
+    struct Rssr {
+        param crank = 1m;
+        param coupler = 5m;
+        param rocker = 3m;
+        param pivot = (4m, 1m, 0.5m);
+        param gamma = 50deg;
+        input theta = 60deg in 0deg..360deg;
+        unknown psi = 76deg;
+        let pin = turn((crank, 0m, 0m), (0, 0, 1), theta);
+        let axis = (sin(gamma), 0, cos(gamma));
+        let end = pivot + turn(rocker * (cos(gamma), 0, -sin(gamma)), axis, psi);
+        loop distance(pin, end) = coupler;
+    }
+
+    impl Rssr {
+        fn motion(theta) -> RssrMotion { psi, first: velocity(psi), second: acceleration(psi) }
+    }
+}
+
+#[test]
+fn rssr_of_the_program() {
+    let assemblies = Rssr::default().assemblies().expect("two modes");
+    assert_eq!(assemblies.len(), 2);
+    let usual = Rssr::default().assemble().expect("closes");
+    assert_eq!(assemblies[0].modes(), usual.modes());
+    for (theta, solutions) in RSSR_FIGURES {
+        for (assembly, expected) in assemblies.iter().zip(solutions) {
+            let found = assembly.motion(theta.to_radians());
+            agree(
+                [found.psi.to_degrees(), found.first, found.second],
+                expected,
+            );
+        }
+    }
+}
+
+linkage::mechanism! {
+    struct Universal {
+        param bend = 30deg;
+        input phi = 45deg in 0deg..360deg;
+        unknown psi = 41deg;
+        let axis = (sin(bend), 0, cos(bend));
+        let u = turn((0, 1, 0), (0, 0, 1), phi);
+        loop dot(u, turn((cos(bend), 0, -sin(bend)), axis, psi)) = 0;
+    }
+
+    impl Universal {
+        fn motion(phi) -> UniversalMotion { psi, ratio: velocity(psi) }
+    }
+}
+
+/// By figures at 45 degrees, elsewhere by `tan(out) = cos(bend) tan(in)`.
+#[test]
+fn universal_joint() {
+    let joint = Universal::default().assemble().expect("closes");
+    let found = joint.motion(45f64.to_radians());
+    assert!((found.psi.to_degrees() - 40.8933946491).abs() < 1e-10);
+    assert!((found.ratio - 0.989743318611).abs() < 1e-12);
+    for k in 0..72 {
+        let phi = f64::from(5 * k).to_radians();
+        let (bend, found) = (30f64.to_radians(), joint.motion(phi));
+        let ratio = bend.cos() / (1.0 - (bend.sin() * phi.sin()).powi(2));
+        let expected = (bend.cos() * phi.sin()).atan2(phi.cos());
+        let turns = (found.psi - expected) / core::f64::consts::TAU;
+        assert!((turns - turns.round()).abs() < 1e-15, "{phi}: {turns}");
+        assert!(
+            (found.ratio - ratio).abs() < 1e-14,
+            "{phi}: {} {ratio}",
+            found.ratio
+        );
+    }
+}

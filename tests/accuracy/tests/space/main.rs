@@ -1,7 +1,10 @@
 //! Groups in space.
 
 mod figures;
+mod identities;
 mod joints;
+mod margins;
+mod parallel;
 mod points;
 mod rows;
 mod rssp;

@@ -105,7 +105,7 @@ fn closed([crank, s]: [f64; 2], rod: Vector3<f64>, guide: Vector3<f64>) -> Vec<f
     ]
 }
 
-const PLAN: Plan = Plan {
+pub(crate) const PLAN: Plan = Plan {
     geometry: |random, spread| {
         let lengths = [0; 2].map(|_| random.length(spread));
         let rod = random.length(spread).abs() * direction(random);
@@ -122,31 +122,39 @@ fn short_rod(random: &mut Random, ratio: f64) -> Vec<f64> {
     closed(lengths, rod, direction(random))
 }
 
-const FORMS: &[Form] = forms![distances, square, unknown_rod];
+pub(crate) const FORMS: &[Form] = forms![distances, square, unknown_rod];
 
 #[test]
 fn cycles() {
-    let cases = cycle_cases(&RSSP, &PLAN, 30, 221);
-    compare(&RSSP, FORMS, &cases, Depth::Full).check("cycles", &LIMITS);
+    let cases = cycle_cases(&RSSP, &PLAN, 20, 221);
+    compare(&RSSP, FORMS, &cases, Depth::Full)
+        .at_least(35)
+        .check("cycles", &LIMITS);
 }
 
 #[test]
 fn dead_points() {
-    let cases = dead_point_cases(&RSSP, &PLAN, 8, 222);
-    compare(&RSSP, FORMS, &cases, Depth::Full).check("dead points", &LIMITS);
+    let cases = dead_point_cases(&RSSP, &PLAN, 5, 222);
+    compare(&RSSP, FORMS, &cases, Depth::Full)
+        .at_least(45)
+        .check("dead points", &LIMITS);
 }
 
 #[test]
 fn proportions() {
     let mut cases = proportion_cases(&RSSP, &PLAN, 30, 223);
     cases.extend(decade_cases(&RSSP, short_rod, 3, 224));
-    compare(&RSSP, FORMS, &cases, Depth::Full).check("proportions", &LIMITS.any_proportions());
+    compare(&RSSP, FORMS, &cases, Depth::Usual)
+        .at_least(70)
+        .check("proportions", &LIMITS.any_proportions());
 }
 
 #[test]
 fn scales() {
     let cases = scale_cases(&RSSP, &PLAN, 6, 225);
-    compare(&RSSP, FORMS, &cases, Depth::Full).check("scales", &LIMITS);
+    compare(&RSSP, FORMS, &cases, Depth::Usual)
+        .at_least(25)
+        .check("scales", &LIMITS);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! An unknown point at given distances from known points, or in known planes.
 
 mod one_distance;
-mod three_distances;
+pub(crate) mod three_distances;
 mod two_distances;
 
 use crate::direction;

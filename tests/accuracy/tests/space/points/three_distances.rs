@@ -88,10 +88,12 @@ three!(mixed [] {
     loop l1 = norm(p - one);
 });
 
-const PLAN: Plan = Plan {
+pub(crate) const PLAN: Plan = Plan {
     geometry: |random, spread| {
         let crank = random.length(spread);
-        let lengths = [0; 3].map(|_| random.length(spread).abs());
+        // As in the mechanism as written, the first distance is the shortest: the others refer to it.
+        let mut lengths = [0; 3].map(|_| random.length(spread).abs());
+        lengths.sort_by(f64::total_cmp);
         let [u1, u2, u3] = directions(random, -1.0);
         let p = pin_of(crank) + lengths[0] * u1;
         closed(crank, [p - lengths[1] * u2, p - lengths[2] * u3], lengths)
@@ -121,37 +123,47 @@ fn near_points(random: &mut Random, ratio: f64) -> Vec<f64> {
     )
 }
 
-const FORMS: &[Form] = forms![distances, mixed];
+pub(crate) const FORMS: &[Form] = forms![distances, mixed];
 
 #[test]
 fn cycles() {
     assert_eq!(THREE.reference_input(), PHI);
-    let cases = cycle_cases(&THREE, &PLAN, 20, 231);
-    compare(&THREE, FORMS, &cases, Depth::Full).check("cycles", &LIMITS);
+    let cases = cycle_cases(&THREE, &PLAN, 8, 231);
+    compare(&THREE, FORMS, &cases, Depth::Full)
+        .at_least(19)
+        .check("cycles", &LIMITS);
 }
 
 #[test]
 fn dead_points() {
-    let cases = dead_point_cases(&THREE, &PLAN, 5, 232);
-    compare(&THREE, FORMS, &cases, Depth::Usual).check("dead points", &LIMITS);
+    let cases = dead_point_cases(&THREE, &PLAN, 4, 232);
+    compare(&THREE, FORMS, &cases, Depth::Usual)
+        .at_least(55)
+        .check("dead points", &LIMITS);
 }
 
 #[test]
 fn proportions() {
     let cases = proportion_cases(&THREE, &PLAN, 20, 233);
-    compare(&THREE, FORMS, &cases, Depth::Usual).check("proportions", &LIMITS.any_proportions());
+    compare(&THREE, FORMS, &cases, Depth::Usual)
+        .at_least(25)
+        .check("proportions", &LIMITS.any_proportions());
 }
 
 #[test]
 fn near_each_other() {
     let cases = decade_cases(&THREE, near_points, 3, 234);
-    compare(&THREE, FORMS, &cases, Depth::Usual).check("near points", &LIMITS.any_proportions());
+    compare(&THREE, FORMS, &cases, Depth::Usual)
+        .at_least(30)
+        .check("near points", &LIMITS.any_proportions());
 }
 
 #[test]
 fn scales() {
     let cases = scale_cases(&THREE, &PLAN, 4, 235);
-    compare(&THREE, FORMS, &cases, Depth::Usual).check("scales", &LIMITS);
+    compare(&THREE, FORMS, &cases, Depth::Usual)
+        .at_least(15)
+        .check("scales", &LIMITS);
 }
 
 #[test]

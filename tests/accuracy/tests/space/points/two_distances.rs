@@ -90,7 +90,9 @@ two!(point_in_plane [] {
 const PLAN: Plan = Plan {
     geometry: |random, spread| {
         let crank = random.length(spread);
-        let lengths = [0; 2].map(|_| random.length(spread).abs());
+        // As in the mechanism as written, the first distance is the shortest: the others refer to it.
+        let mut lengths = [0; 2].map(|_| random.length(spread).abs());
+        lengths.sort_by(f64::total_cmp);
         let size = random.ratio(0.5, 2.0);
         let [u1, u2, normal] = directions(random, 1.0);
         let p = pin_of(crank) + lengths[0] * u1;
@@ -108,22 +110,30 @@ const FORMS: &[Form] = forms![height_along_normal, point_in_plane];
 
 #[test]
 fn cycles() {
-    let cases = cycle_cases(&TWO, &PLAN, 20, 241);
-    compare(&TWO, FORMS, &cases, Depth::Full).check("cycles", &LIMITS);
+    let cases = cycle_cases(&TWO, &PLAN, 8, 241);
+    compare(&TWO, FORMS, &cases, Depth::Full)
+        .at_least(20)
+        .check("cycles", &LIMITS);
 }
 
 #[test]
 fn dead_points() {
-    let cases = dead_point_cases(&TWO, &PLAN, 5, 242);
-    compare(&TWO, FORMS, &cases, Depth::Usual).check("dead points", &LIMITS);
+    let cases = dead_point_cases(&TWO, &PLAN, 4, 242);
+    compare(&TWO, FORMS, &cases, Depth::Usual)
+        .at_least(55)
+        .check("dead points", &LIMITS);
 }
 
 #[test]
 fn proportions_and_scales() {
     let cases = proportion_cases(&TWO, &PLAN, 20, 243);
-    compare(&TWO, FORMS, &cases, Depth::Usual).check("proportions", &LIMITS.any_proportions());
+    compare(&TWO, FORMS, &cases, Depth::Usual)
+        .at_least(25)
+        .check("proportions", &LIMITS.any_proportions());
     let cases = scale_cases(&TWO, &PLAN, 4, 244);
-    compare(&TWO, FORMS, &cases, Depth::Usual).check("scales", &LIMITS);
+    compare(&TWO, FORMS, &cases, Depth::Usual)
+        .at_least(16)
+        .check("scales", &LIMITS);
 }
 
 #[test]
