@@ -1,10 +1,11 @@
 //! The functions of the language.
 
-use linkage_symbolic::NodeId;
 use linkage_symbolic::program::{Binary, Ternary, Unary};
+use linkage_symbolic::{NodeId, agree_within};
 
 use crate::model::Function;
 
+use super::lengths::UNIT;
 use super::{Algebra, Scalar, Value};
 
 impl Algebra<'_> {
@@ -135,25 +136,25 @@ impl Algebra<'_> {
         }
     }
 
-    /// Rodrigues: `v cos + (k x v) sin + k (k . v) (1 - cos)` about the unit axis `k`.
+    /// Rodrigues: what lies along the unit axis `k` stays, the rest turns: `p + (v - p) cos + (k x v) sin`, `p = k (k . v)`. A
+    /// vector that is perpendicular to the axis by its formula has no `p`.
     fn turn(&mut self, arguments: &[Value]) -> Value {
         let v = spatial(&self.components(&arguments[0]));
         let axis = spatial(&self.components(&arguments[1]));
         let axis = self.unit_vector(axis);
         let [cos, sin] = self.direction_of(&arguments[2]);
-        let one = self.graph.one();
-        let versine = self.graph.sub(one, cos);
-        let along = self.dot(&axis, &v);
-        let along = self.graph.mul(along, versine);
+        let zero = self.graph.zero();
+        let mut along = self.dot(&axis, &v);
+        if agree_within(&self.graph, along, zero, UNIT) {
+            along = zero;
+        }
         let sideways = self.cross3(axis, v);
         let turned = [0, 1, 2].map(|k| {
-            let terms = [
-                self.graph.mul(v[k], cos),
-                self.graph.mul(sideways[k], sin),
-                self.graph.mul(axis[k], along),
-            ];
+            let stays = self.graph.mul(axis[k], along);
+            let turns = self.graph.sub(v[k], stays);
+            let terms = [self.graph.mul(turns, cos), self.graph.mul(sideways[k], sin)];
             let sum = self.graph.add(terms[0], terms[1]);
-            self.graph.add(sum, terms[2])
+            self.graph.add(sum, stays)
         });
         if self.is_unit(&v) {
             self.mark_unit(&turned);

@@ -4,8 +4,8 @@ use linkage_symbolic::{NodeId, SymbolId, agree_within, substitute};
 
 use super::Algebra;
 
-/// What rounding may add to the square of a direction.
-const UNIT: f64 = 8.0 * f64::EPSILON;
+/// What rounding may add to the square of a direction, or to a product of directions.
+pub(super) const UNIT: f64 = 8.0 * f64::EPSILON;
 
 impl Algebra<'_> {
     /// The length of a vector.

@@ -1,26 +1,26 @@
 //! What differentiation needs of a point on spheres and planes.
 
-use linkage_symbolic::program::Unary;
 use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{CoreRow, Elimination, Solution, Term};
 use crate::formulate::Solver;
-use crate::formulate::space::Space;
 use crate::structure::{Plane, Sphere};
 
-use super::Ball;
+use super::{Ball, Place};
 
 impl Solver<'_, '_> {
-    /// Records what differentiation needs but the determinant; returns the factors by which the rows and their links enter it.
+    /// Records what differentiation needs. `determinant` is that of the scaled distances from the centres and the unit normals.
+    ///
+    /// A sphere's equation is `(V.V - l^2)/2` times the scale, so that its row of the matrix has no length.
     pub(super) fn push_point(
         &mut self,
         coordinates: &[(SymbolId, usize)],
         spheres: &[Sphere],
         planes: &[Plane],
         balls: &[Ball],
-        arm: Space,
-        h: NodeId,
-    ) -> Vec<NodeId> {
+        place: &Place,
+        mut determinant: NodeId,
+    ) {
         let count = coordinates.len();
         let (zero, one) = (self.algebra.graph.zero(), self.algebra.graph.one());
         let row_of = |row: usize, node: NodeId| {
@@ -34,40 +34,37 @@ impl Solver<'_, '_> {
             .collect();
         let mut jacobian = vec![vec![zero; count]; count];
         let mut terms = Vec::new();
-        let mut rows = Vec::new();
         let mut factors = Vec::new();
         for (row, (sphere, ball)) in spheres.iter().zip(balls).enumerate() {
             let link = [0, 1, 2].map(|k| {
                 let graph = &mut self.algebra.graph;
-                let apart = graph.sub(ball.centre[k], balls[0].centre[k]);
-                let own = graph.sub(arm[k], apart);
+                let own = graph.sub(place.arm[k], ball.apart[k]);
                 let value = graph.mul(sphere.factor, own);
-                let value = self.guarded(value, h);
+                let value = self.guarded(value, place.h);
                 let moved = coordinates.iter().zip(&point).find(|((_, c), _)| *c == k);
                 let graph = &mut self.algebra.graph;
                 let moved = moved.map_or(zero, |(_, &p)| graph.mul(sphere.factor, p));
                 let equal = graph.add(sphere.known[k], moved);
+                let equal = graph.mul(place.scale, equal);
                 self.alias("leg", value, equal)
             });
-            let own = self.distance_terms(link, sphere.known, sphere.radius);
-            terms.extend(own.into_iter().map(|term| Term {
-                coefficient: row_of(row, term.coefficient[0]),
-                factor: term.factor,
-            }));
+            let graph = &mut self.algebra.graph;
+            let length = graph.mul(place.scale, sphere.radius);
+            let minus = graph.neg(length);
+            let known = sphere.known.into_iter().zip(link);
             let along: Vec<NodeId> = coordinates.iter().map(|&(_, k)| link[k]).collect();
-            let factor = self.algebra.dot(&along, &point);
-            terms.push(Term {
-                coefficient: row_of(row, sphere.factor),
+            let moved = self.algebra.dot(&along, &point);
+            let own = known.chain([(sphere.radius, minus), (sphere.factor, moved)]);
+            terms.extend(own.map(|(coefficient, factor)| Term {
+                coefficient: row_of(row, coefficient),
                 factor,
-            });
+            }));
             for (column, &(_, k)) in coordinates.iter().enumerate() {
                 jacobian[column][row] = self.algebra.graph.mul(sphere.factor, link[k]);
             }
-            let graph = &mut self.algebra.graph;
-            let scale = graph.unary(Unary::InverseScale, sphere.radius);
-            rows.push(scale);
-            let square = graph.square(sphere.factor);
-            factors.push(graph.mul(scale, square));
+            factors.push(one);
+            let square = self.algebra.graph.square(sphere.factor);
+            determinant = self.algebra.graph.mul(square, determinant);
         }
         for (k, plane) in planes.iter().enumerate() {
             let row = spheres.len() + k;
@@ -83,22 +80,25 @@ impl Solver<'_, '_> {
                 factor: one,
             });
             let (length, _) = self.algebra.length_and_unit(plane.normal);
-            let scale = self.algebra.graph.unary(Unary::InverseScale, length);
-            rows.push(scale);
-            factors.push(scale);
+            factors.push(self.algebra.graph.div(one, length));
         }
-        let matrix = (0..count)
+        let matrix: Vec<Vec<NodeId>> = (0..count)
             .map(|row| {
                 let columns = jacobian.iter();
                 columns
-                    .map(|column| self.algebra.graph.mul(rows[row], column[row]))
+                    .map(|column| self.algebra.graph.mul(factors[row], column[row]))
                     .collect()
             })
             .collect();
-        let rows = rows.into_iter().enumerate().map(|(first, scale)| CoreRow {
-            first,
-            factors: vec![scale],
-        });
+        let product = self.algebra.determinant(&matrix);
+        let determinant = self.alias("det", determinant, product);
+        let rows = factors
+            .into_iter()
+            .enumerate()
+            .map(|(first, factor)| CoreRow {
+                first,
+                factors: vec![factor],
+            });
         let elimination = Elimination {
             rows: rows.collect(),
             matrix,
@@ -108,18 +108,8 @@ impl Solver<'_, '_> {
         self.push_solution(Solution {
             terms,
             jacobian,
-            determinant: zero,
+            determinant,
             elimination: Some(elimination),
         });
-        factors
-    }
-
-    /// The determinant of the last solution, computed as `value`.
-    pub(super) fn set_determinant(&mut self, value: NodeId) {
-        let solution = self.algebra.solutions[self.index].clone();
-        let matrix = solution.elimination.map(|e| e.matrix).unwrap_or_default();
-        let product = self.algebra.determinant(&matrix);
-        let determinant = self.alias("det", value, product);
-        self.algebra.solutions[self.index].determinant = determinant;
     }
 }
