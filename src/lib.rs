@@ -9,8 +9,8 @@ pub use linkage_runtime::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::Lanes;
 pub use linkage_runtime::{
-    AssemblyError, AssemblyMode, Dimensions, FunctionInfo, Group, Operations, Parameter, Scalar,
-    Structure, Vector2, Vector3, true_acceleration, true_velocity,
+    AssemblyError, AssemblyMode, Dimensions, Frame, FunctionInfo, Group, Operations, Parameter,
+    Scalar, Structure, Vector2, Vector3, true_acceleration, true_velocity,
 };
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{
@@ -20,7 +20,7 @@ pub use linkage_runtime::{
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use linkage_runtime::{Handle, Scene};
 
-/// Compiles a planar mechanism: a struct block with dimensions, inputs, unknowns and loops, then an
+/// Compiles a mechanism of the plane or of space: a struct block with dimensions, inputs, unknowns and loops, then an
 /// `impl` block with functions, listed by the quantities that they give.
 ///
 /// It generates the struct of dimensions, its assembly, the functions on the assembly, and a result
@@ -96,8 +96,8 @@ pub mod __private {
         put_state, starts, stepped,
     };
     pub use linkage_runtime::{
-        AssemblyError, AssemblyMode, Dimensions, FUSED, FunctionInfo, Group, Operations, Parameter,
-        Scalar, Structure, Vector2, Vector3, if_alloc, if_rayon,
+        AssemblyError, AssemblyMode, Dimensions, FUSED, Frame, FunctionInfo, Group, Operations,
+        Parameter, Scalar, Structure, Vector2, Vector3, if_alloc, if_rayon,
     };
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::{Circuits, Columns, Cycle, circuits};

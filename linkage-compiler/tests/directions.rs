@@ -1,4 +1,4 @@
-//! Axes of `turn` and arguments of `unit` that are zero: found where their numbers are known, and only there.
+//! Axes of `turn` and arguments of `unit` that are zero, axes of frames that are zero or parallel: found where their numbers are known, and only there.
 
 use linkage_compiler::trace::trace;
 
@@ -115,5 +115,67 @@ fn what_has_a_direction_is_not() {
         let found = messages(vector);
         let reported = found.iter().any(|m| m.contains("no direction"));
         assert!(!reported, "{vector}: {found:#?}");
+    }
+}
+
+/// The messages about a frame with these directions, the angle `psi` unknown.
+fn messages_of_frame(x: &str, z: &str) -> Vec<String> {
+    let text = format!(
+        "pub struct M {{
+            const a = (0.1, 0.2, 0.3);
+            param p = (1m, 2m, 3m);
+            input s = 10mm in 5mm..15mm;
+            unknown psi = 15deg;
+            let body = frame(p, {x}, {z});
+            loop body.origin.x * cos(psi) + body.y.x * s = 0.9 * p.x;
+        }}"
+    );
+    trace(text.parse().expect("tokens")).messages
+}
+
+#[test]
+fn parallel_axes_are_reported() {
+    for (x, z, expected) in [
+        (
+            "(0, 0, 0)",
+            "a",
+            "the x axis of `frame` has no direction: it is (0, 0, 0)",
+        ),
+        (
+            "a",
+            "p - p",
+            "the z axis of `frame` has no direction: it is",
+        ),
+        (
+            "a",
+            "-3 * a",
+            "the z axis of `frame` is parallel to its x axis, (0.1, 0.2, 0.3) and (-0.3, -0.6, -0.9)\nhelp",
+        ),
+        (
+            "p",
+            "a",
+            "is parallel to its x axis, (1m, 2m, 3m) and (0.1, 0.2, 0.3)\nhelp: choose another vector",
+        ),
+        (
+            "(0.01m, 0.01m, s)",
+            "(1, 1, 1)",
+            "at the reference input `s = 0.01m`, (0.01m, 0.01m, 0.01m) and (1, 1, 1)\nhelp: choose a reference input",
+        ),
+    ] {
+        let found = messages_of_frame(x, z);
+        let [message] = &found[..] else {
+            panic!("{x} {z}: {found:#?}");
+        };
+        assert!(message.contains(expected), "{x} {z}: {message}");
+    }
+    for (x, z) in [
+        ("a", "(0.1, 0.2, 0.30001)"),
+        ("(1e-9, 0, 0)", "(1e-9, 1e-12, 0)"),
+        ("(cos(psi), sin(psi), 0)", "(cos(psi), sin(psi), 0)"),
+        ("(0.01m, 0.01m, 1.001 * s)", "(1, 1, 1)"),
+    ] {
+        let found = messages_of_frame(x, z);
+        let reported = found.iter().any(|m| m.contains("axis of"));
+        assert!(!reported, "{x} {z}: {found:#?}");
     }
 }

@@ -35,6 +35,8 @@ fn a_link_to_a_rocker() {
         "let end = pivot + turn((r, 0, 0), axis, psi);",
         "let end = pivot + turn((r, 2mm, 7mm), k, psi - 30deg);",
         "let end = pivot - turn(turn((0, r, 0), axis, phi), axis, -psi);",
+        "let end = pivot + turn((0, 50mm, 10mm), (1, 1, 0), psi);",
+        "let end = turn((7mm, 50mm, 10mm), (1, -3, 0.7), psi);",
         "let end = pivot + (r * cos(psi), 0mm, r * sin(psi));",
         "let up = cross(axis, (1, 0, 0)); let over = cross(up, axis);
          let end = pivot + r * (unit(over) * cos(psi) + unit(up) * sin(psi));",
@@ -45,6 +47,7 @@ fn a_link_to_a_rocker() {
             "loop distance(end, pin) - l = 0;",
             "loop dot(end - pin, end - pin) = l * l;",
             "loop l * l - dot(pin - end, pin - end) = 0;",
+            "let v = end - pin; loop v.x * v.x + v.y * v.y + v.z * v.z = l * l;",
         ] {
             expect(
                 &format!("unknown psi = 80deg; {end} {equation}"),

@@ -1,4 +1,4 @@
-//! Every phase's text for four mechanisms, compared with files in `tests/golden`.
+//! Every phase's text for several mechanisms, compared with files in `tests/golden`.
 //!
 //! `UPDATE=1 cargo test -p linkage-compiler --test golden` writes them anew; read the difference before you commit it.
 
@@ -89,9 +89,21 @@ fn rssr() {
 /// Equal input gives equal output, whatever ran before in this process.
 #[test]
 fn output_is_deterministic() {
-    for name in ["crank_rocker", "favorit", "shaper", "loader", "rssr"] {
+    for name in [
+        "crank_rocker",
+        "favorit",
+        "shaper",
+        "loader",
+        "rssr",
+        "wrist",
+    ] {
         let first = trace(read(name)).emit.to_string();
         let _ = trace(read("favorit"));
         assert_eq!(first, trace(read(name)).emit.to_string(), "{name}");
     }
+}
+
+#[test]
+fn wrist() {
+    check("wrist");
 }

@@ -8,7 +8,7 @@ use linkage_compiler::compile;
 use proc_macro2::{Group, Literal, TokenStream, TokenTree};
 use quote::quote;
 
-const SAMPLES: [&str; 4] = ["crank_rocker", "favorit", "shaper", "loader"];
+const SAMPLES: [&str; 5] = ["crank_rocker", "favorit", "shaper", "loader", "wrist"];
 
 /// Mutations of all samples together; `ROBUST_COUNT=100000` in the environment takes more.
 const COUNT: usize = 2000;

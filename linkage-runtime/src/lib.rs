@@ -5,7 +5,7 @@
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
 //! everything that computes angles), `alloc` (part of `std`: `Columns`, `Scene`), `nalgebra`
-//! (`Vector2`, `Vector3`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
+//! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
 //! `tolerance` and `monte-carlo` (the module `tolerance`).
 #![no_std]
 #![warn(missing_docs)]
@@ -24,6 +24,8 @@ mod dimensions;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod elementary;
 mod error;
+#[cfg(feature = "nalgebra")]
+mod frame;
 #[doc(hidden)]
 pub mod generated;
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -47,6 +49,8 @@ pub use dimensions::Dimensions;
 pub use error::AssemblyError;
 #[cfg(feature = "alloc")]
 pub use error::{CoupledCause, CoupledError, Placed, Value};
+#[cfg(feature = "nalgebra")]
+pub use frame::Frame;
 pub use motion::{true_acceleration, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{Vector2, Vector3};

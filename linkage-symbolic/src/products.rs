@@ -105,11 +105,11 @@ impl Graph {
         if self.is_one(b) {
             return a;
         }
-        if a == b {
-            return self.one();
-        }
         if let (Some(x), Some(y)) = (self.constant_value(a), self.constant_value(b)) {
             return self.constant(x / y);
+        }
+        if a == b {
+            return self.one();
         }
         if let Some(y) = self.negated(b) {
             let a = self.neg(a);

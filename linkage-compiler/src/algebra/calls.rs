@@ -1,11 +1,10 @@
 //! The functions of the language.
 
+use linkage_symbolic::NodeId;
 use linkage_symbolic::program::{Binary, Ternary, Unary};
-use linkage_symbolic::{NodeId, agree_within};
 
 use crate::model::Function;
 
-use super::lengths::UNIT;
 use super::{Algebra, Scalar, Value};
 
 impl Algebra<'_> {
@@ -72,6 +71,9 @@ impl Algebra<'_> {
                 let v = [self.as_node(&arguments[0]), self.as_node(&arguments[1])];
                 Value::Scalar(self.length(&v).into())
             }
+            Frame => self.frame(&arguments),
+            PointIn => self.point_in(&arguments),
+            CoordinatesIn => self.coordinates_in(&arguments),
         }
     }
 
@@ -136,25 +138,35 @@ impl Algebra<'_> {
         }
     }
 
-    /// Rodrigues: what lies along the unit axis `k` stays, the rest turns: `p + (v - p) cos + (k x v) sin`, `p = k (k . v)`. A
-    /// vector that is perpendicular to the axis by its formula has no `p`.
+    /// Rodrigues: `v cos + (k x v) sin + k (k . v) (1 - cos)` about the unit axis `k`.
     fn turn(&mut self, arguments: &[Value]) -> Value {
         let v = spatial(&self.components(&arguments[0]));
         let axis = spatial(&self.components(&arguments[1]));
         let axis = self.unit_vector(axis);
         let [cos, sin] = self.direction_of(&arguments[2]);
-        let zero = self.graph.zero();
-        let mut along = self.dot(&axis, &v);
-        if agree_within(&self.graph, along, zero, UNIT) {
-            along = zero;
-        }
+        let (one, zero) = (self.graph.one(), self.graph.zero());
+        let along = self.dot(&axis, &v);
         let sideways = self.cross3(axis, v);
+        let fixed = v.iter().chain(&axis).all(|&x| self.is_fixed(x));
+        let (turning, sideways, along) = if self.vanishes(along) {
+            (v, sideways, zero)
+        } else if fixed {
+            // Of a vector that is prepared only the part across the axis turns: what is left of a long part along it by
+            // rounding would tilt the circle.
+            let across = self.cross3(sideways, axis);
+            (across, self.cross3(axis, across), along)
+        } else {
+            let versine = self.graph.sub(one, cos);
+            (v, sideways, self.graph.mul(along, versine))
+        };
         let turned = [0, 1, 2].map(|k| {
-            let stays = self.graph.mul(axis[k], along);
-            let turns = self.graph.sub(v[k], stays);
-            let terms = [self.graph.mul(turns, cos), self.graph.mul(sideways[k], sin)];
+            let terms = [
+                self.graph.mul(turning[k], cos),
+                self.graph.mul(sideways[k], sin),
+                self.graph.mul(axis[k], along),
+            ];
             let sum = self.graph.add(terms[0], terms[1]);
-            self.graph.add(sum, stays)
+            self.graph.add(sum, terms[2])
         });
         if self.is_unit(&v) {
             self.mark_unit(&turned);

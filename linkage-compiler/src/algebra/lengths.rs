@@ -1,11 +1,11 @@
 //! Lengths of vectors, vectors known to have length 1, and what lengths were made of.
 
-use linkage_symbolic::{NodeId, SymbolId, agree_within, substitute};
+use linkage_symbolic::{NodeId, SymbolId, agree, agree_within, substitute};
 
 use super::Algebra;
 
-/// What rounding may add to the square of a direction, or to a product of directions.
-pub(super) const UNIT: f64 = 8.0 * f64::EPSILON;
+/// What rounding may add to the square of a direction.
+const UNIT: f64 = 8.0 * f64::EPSILON;
 
 impl Algebra<'_> {
     /// The length of a vector.
@@ -76,6 +76,17 @@ impl Algebra<'_> {
             }
             None => self.units.contains(v),
         }
+    }
+
+    /// True if two vectors are perpendicular and of one length. Not by a product that vanishes: rounded constants leave a rest of it, which
+    /// is small only beside the squares.
+    pub(crate) fn is_turned(&mut self, a: &[NodeId], b: &[NodeId]) -> bool {
+        let [first, second] = [a, b].map(|v| self.sum_of_squares(v));
+        let pairs = a.iter().zip(b);
+        let sum: Vec<NodeId> = pairs.map(|(&x, &y)| self.graph.add(x, y)).collect();
+        let whole = self.sum_of_squares(&sum);
+        let parts = self.graph.add(first, second);
+        agree(&self.graph, first, second) && agree(&self.graph, whole, parts)
     }
 
     /// Lengths in `roots` stay known as lengths of vectors when symbols are replaced.

@@ -7,6 +7,7 @@ mod adjoint;
 mod calls;
 mod dependence;
 mod elimination;
+mod frame;
 mod implicit;
 mod lengths;
 mod nominal;

@@ -12,6 +12,7 @@ use super::{Algebra, Atom, Bound, Scalar};
 pub(crate) enum Value {
     Scalar(Scalar),
     Vector(Vec<NodeId>),
+    /// A frame has four entries: its origin and its axes.
     Array(Vec<Value>),
 }
 

@@ -30,12 +30,10 @@ pub(super) fn items(
     };
     let Outline {
         runtime,
-        name,
         assembly,
         core,
         ..
     } = outline;
-    let float = quote!(::core::primitive::f64);
     let Types { arguments, .. } = Types::new(outline, facts, lowered);
     let places = Places::all(outline);
     let statements = body::statements(&lowered.survey, &loader(outline, &places));
@@ -55,6 +53,17 @@ pub(super) fn items(
     let (low, high) = (literal::float(low), literal::float(high));
     let samples = literal::index(samples + 1);
     let allow = attribute::allow();
+    let method = method(
+        outline,
+        quote! {
+            #runtime::circuits(
+                &#runtime::Cycle { low: #low, high: #high, angle: #angle, samples: #samples },
+                |__x| self.assemblies_at(__x),
+                |__assembly, __x| __assembly.__survey::<{ #runtime::FUSED }>(__x)[0],
+                |__assembly, __x| __assembly.__survey::<{ #runtime::FUSED }>(__x)[1..].to_vec(),
+            )
+        },
+    );
     quote! {
         #runtime::if_alloc! {
             #allow
@@ -67,25 +76,41 @@ pub(super) fn items(
                     #outputs
                 }
             }
-            #allow
-            impl #name<#float> {
-                /// Every assembly over the range of the input (a turn about the reference where an angle has none): how far each
-                /// reaches, its turning points, and where its margin is smallest.
-                ///
-                /// # Errors
-                ///
-                /// As `assemblies()`, if it fails at every position.
-                #[inline]
-                pub fn circuits(&self) -> ::core::result::Result<
-                    #runtime::Circuits<#assembly<#float>>, #runtime::AssemblyError,
-                > {
-                    #runtime::circuits(
-                        &#runtime::Cycle { low: #low, high: #high, angle: #angle, samples: #samples },
-                        |__x| self.assemblies_at(__x),
-                        |__assembly, __x| __assembly.__survey::<{ #runtime::FUSED }>(__x)[0],
-                        |__assembly, __x| __assembly.__survey::<{ #runtime::FUSED }>(__x)[1..].to_vec(),
-                    )
-                }
+            #method
+        }
+    }
+}
+
+/// The method of a mechanism with mistakes.
+pub(super) fn skeleton(outline: &Outline) -> TokenStream {
+    let runtime = &outline.runtime;
+    let method = method(outline, TokenStream::new());
+    quote!(#runtime::if_alloc! { #method })
+}
+
+fn method(outline: &Outline, body: TokenStream) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let float = quote!(::core::primitive::f64);
+    let (allow, body) = (attribute::allow(), outline.body(body));
+    quote! {
+        #allow
+        impl #name<#float> {
+            /// Every assembly over the range of the input (a turn about the reference where an angle has none): how far each
+            /// reaches, its turning points, and where its margin is smallest.
+            ///
+            /// # Errors
+            ///
+            /// As `assemblies()`, if it fails at every position.
+            #[inline]
+            pub fn circuits(&self) -> ::core::result::Result<
+                #runtime::Circuits<#assembly<#float>>, #runtime::AssemblyError,
+            > {
+                #body
             }
         }
     }

@@ -180,9 +180,13 @@ fn fields(outline: &Outline, function: &Function) -> TokenStream {
         let ty = slices_type(&field.shape);
         let body = outline.body(slices(&field.shape, &mut next));
         let doc = doc(&format!(
-            "`{}` at all positions{}.",
+            "`{}` at all positions{}.{}",
             plain(name),
-            in_unit(&field.unit)
+            in_unit(&field.unit),
+            match field.shape {
+                Shape::Frame => " Entries are its origin and its axes x, y, z.",
+                _ => "",
+            }
         ));
         quote! {
             #doc
@@ -204,6 +208,7 @@ fn slices_type(shape: &Shape) -> TokenStream {
             let (n, entry) = (literal::index(*n), slices_type(entry));
             quote!([#entry; #n])
         }
+        Shape::Frame => quote!([[&[T]; 3]; 4]),
     }
 }
 
@@ -215,6 +220,7 @@ fn slices(shape: &Shape, next: &mut usize) -> TokenStream {
     match shape {
         Shape::Vector(n) => entries(*n, &Shape::Scalar),
         Shape::Array(n, entry) => entries(*n, entry),
+        Shape::Frame => entries(4, &Shape::Vector(3)),
         Shape::Scalar => {
             let column = literal::index(*next);
             *next += 1;

@@ -77,6 +77,7 @@ impl<'a> Guess<'a> {
                 Shape::Array(_, entry) => *entry,
                 _ => Shape::Scalar,
             },
+            ExprKind::Field(value, _) if shape(value) == Shape::Frame => Shape::Vector(3),
             ExprKind::Negate(inner) => shape(inner),
             ExprKind::Binary(BinaryOp::Div, left, _) => shape(left),
             ExprKind::Binary(_, left, right) => match shape(left) {
@@ -101,7 +102,8 @@ impl<'a> Guess<'a> {
         let array = |n: usize, entry: Shape| Shape::Array(n, Box::new(entry));
         match function {
             "polar" | "dir" => Shape::Vector(2),
-            "turn" => Shape::Vector(3),
+            "turn" | "point_in" | "coordinates_in" => Shape::Vector(3),
+            "frame" => Shape::Frame,
             "rotate" | "unit" | "d" | "jerk" => first(),
             "cross" if first() == Shape::Vector(3) => first(),
             "velocity" if inputs > 1 => array(inputs, first()),

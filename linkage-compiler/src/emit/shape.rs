@@ -21,6 +21,7 @@ impl Outline<'_> {
                 let n = literal::index(*n);
                 quote!([#entry; #n])
             }
+            Shape::Frame => quote!(#runtime::Frame<#scalar>),
         }
     }
 
@@ -44,6 +45,11 @@ impl Outline<'_> {
                 let entries: Vec<_> = (0..*n).map(|_| self.field_value(entry, scalars)).collect();
                 quote!([#(#entries),*])
             }
+            Shape::Frame => {
+                let [origin, x, y, z] =
+                    [(); 4].map(|()| self.field_value(&Shape::Vector(3), scalars));
+                quote!(#runtime::Frame { origin: #origin, x: #x, y: #y, z: #z })
+            }
         }
     }
 }
@@ -56,6 +62,7 @@ pub(super) fn of_type(ty: &Type) -> Shape {
             let entry = entries.first().map_or(Shape::Scalar, of_type);
             Shape::Array(entries.len(), Box::new(entry))
         }
+        Type::Frame => Shape::Frame,
         _ => Shape::Scalar,
     }
 }

@@ -8,10 +8,12 @@ use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::shape::of_type;
-use super::{assembly, columns, dimensions, evaluator, guess::Guess, mechanism, structure};
+use super::{
+    assembly, circuits, columns, dimensions, evaluator, guess::Guess, mechanism, structure,
+};
 use crate::lower::Shape;
 use crate::model::{FUNCTION_SUFFIXES, Mechanism};
-use crate::syntax::{FunctionDef, MechanismDef};
+use crate::syntax::{FunctionDef, Item, MechanismDef};
 
 /// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
 pub fn skeleton(
@@ -24,6 +26,10 @@ pub fn skeleton(
     items.extend(mechanism::constants(&outline, &structure::empty(&outline)));
     items.extend(dimensions::items(&outline));
     items.extend(assembly::items(&outline));
+    let has_loop = def.items.iter().any(|item| matches!(item, Item::Loop(_)));
+    if has_loop && outline.inputs.len() == 1 {
+        items.extend(circuits::skeleton(&outline));
+    }
     for function in &outline.functions {
         items.extend(evaluator::items(&outline, function));
         items.extend(columns::items(&outline, function));

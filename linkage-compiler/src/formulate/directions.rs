@@ -1,5 +1,5 @@
-//! Vectors that must have a direction and have none: axes of `turn` and arguments of `unit` that are zero, as far as
-//! their numbers are known. What depends on an unknown is left to run time.
+//! Vectors that must have a direction and have none: axes of `turn` and `frame` and arguments of `unit` that are zero, axes
+//! of a frame that are parallel, as far as their numbers are known. What depends on an unknown is left to run time.
 
 mod asked;
 
@@ -12,7 +12,7 @@ use crate::model::{BinaryOp, Expr, ExprKind, Function, Mechanism, Name};
 use super::words::Words;
 use asked::{Asked, asked_for};
 
-/// Reports every axis and argument of `unit` that is zero for the default dimensions, and in loops those that are zero
+/// Reports every axis and argument of `unit` that is zero, or parallel to the one that it must differ from, for the default dimensions, and in loops those that are zero
 /// at the reference input.
 pub(crate) fn check_directions(
     mechanism: &Mechanism,
@@ -34,36 +34,19 @@ pub(crate) fn check_directions(
         inputs: &[],
         sizes: HashMap::new(),
     };
-    for Asked {
-        function,
-        vector,
-        in_loop,
-    } in asked
-    {
+    for asked in asked {
         check.know(&[]);
         let mut place = String::new();
-        let mut zero = check.is_zero(vector);
-        if !zero && in_loop {
+        let mut found = check.mistake(&asked, &place);
+        if found.is_none() && asked.in_loop {
             check.know(&nominal.inputs);
             place = Words::new(mechanism).at_reference(&nominal.inputs);
-            zero = check.is_zero(vector);
+            found = check.mistake(&asked, &place);
         }
-        if !zero {
-            continue;
+        if let Some((fact, help)) = found {
+            let span = origins.span(asked.vector.origin);
+            diagnostics.error_with_help(span, fact, help);
         }
-        let subject = match function {
-            Function::Turn => "the axis of `turn`",
-            _ => "the vector of `unit`",
-        };
-        let (why, mut help) = check.reason(vector, "it");
-        if !place.is_empty() {
-            help = "choose a reference input at which it has a direction".to_owned();
-        }
-        diagnostics.error_with_help(
-            origins.span(vector.origin),
-            format!("{subject} has no direction{place}: {why}"),
-            help,
-        );
     }
 }
 
@@ -101,6 +84,18 @@ impl<'a> Check<'a, '_> {
             return true;
         }
         !largest.is_nan() && largest <= ROUNDOFFS * f64::EPSILON * self.size(vector, DEPTH)
+    }
+
+    /// True if neither of two space vectors is zero, but their product is.
+    fn parallel(&mut self, a: &Expr, b: &Expr) -> bool {
+        let ([x, y], size) = (
+            [self.value(a), self.value(b)],
+            self.size(a, DEPTH) * self.size(b, DEPTH),
+        );
+        let product: Vec<f64> = [(1, 2), (2, 0), (0, 1)]
+            .map(|(i, j)| x[i] * y[j] - x[j] * y[i])
+            .to_vec();
+        !self.is_zero(a) && largest(&product) <= ROUNDOFFS * f64::EPSILON * size
     }
 
     /// How large the terms are that a value is the sum of.
@@ -147,6 +142,31 @@ impl<'m> Check<'_, 'm> {
             Name::Let(index) => Some(&mechanism.lets[index].value),
             Name::Input(_) | Name::Unknown(_) | Name::Pi => None,
         }
+    }
+
+    /// What is wrong with a direction, and what to do about it. `place` says where if that is not everywhere.
+    fn mistake(&mut self, asked: &Asked, place: &str) -> Option<(String, String)> {
+        let Asked {
+            subject, vector, ..
+        } = *asked;
+        if self.is_zero(vector) {
+            let (why, help) = self.reason(vector, "it");
+            let help = match place {
+                "" => help,
+                _ => "choose a reference input at which it has a direction".to_owned(),
+            };
+            return Some((format!("{subject} has no direction{place}: {why}"), help));
+        }
+        let beside = asked
+            .beside
+            .filter(|beside| self.parallel(beside, vector))?;
+        let both = self.words(&[beside, vector]);
+        let fact = format!("{subject} is parallel to its x axis{place}{both}");
+        let help = match place {
+            "" => "choose another vector: it lies in the plane of the x and z axes",
+            _ => "choose a reference input at which they are not parallel",
+        };
+        Some((fact, help.to_owned()))
     }
 
     /// Why a vector is zero, and what to do about it. `subject` is what it is called.

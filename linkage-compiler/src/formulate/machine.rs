@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use linkage_runtime::Scalar;
 use linkage_runtime::numeric::coupled::{Grid, Table};
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::interpret::{run, run_steps};
+use linkage_symbolic::interpret::{evaluate, run, run_steps};
 use linkage_symbolic::program::{Program, Source, Value};
 use linkage_symbolic::schedule::{schedule_stages, schedule_whole};
 use linkage_symbolic::{Graph, NodeId};
@@ -204,6 +204,12 @@ impl Machine {
             Source::Limit => <f64 as Scalar>::CORRECTION_LIMIT,
             Source::Prepared(_) | Source::Carried(_) => f64::NAN,
         }
+    }
+
+    /// Nodes of the mechanism's graph at given inputs.
+    pub(super) fn evaluate(&self, graph: &Graph, nodes: &[NodeId], inputs: &[f64]) -> Vec<f64> {
+        let states = self.states(inputs);
+        evaluate(graph, nodes, |source| self.load(source, inputs, &states))
     }
 
     /// All values at given inputs.

@@ -6,6 +6,7 @@
 mod check;
 mod circles;
 mod coupled;
+mod degenerate;
 mod directions;
 mod follow;
 mod link_to_rotor;
@@ -15,6 +16,7 @@ mod point;
 mod quadratic;
 mod ranges;
 mod reference;
+mod refusal;
 mod rotor_and_slide;
 mod scalar;
 mod slide_on_rotor;
@@ -167,11 +169,13 @@ pub(crate) fn formulate(algebra: &mut Algebra, structure: Structure) -> Formulat
     for group in structure.groups {
         let first_symbol = algebra.graph.symbol_count();
         let index = algebra.solutions.len();
+        let dimension = group.loop_dimension(algebra.mechanism);
         let mut solver = Solver {
             algebra,
             index,
             mode: modes,
             number: coupled,
+            dimension,
             defined: Vec::new(),
             prepared: None,
         };

@@ -116,15 +116,7 @@ impl Solver<'_, '_> {
             self.define_length(symbol, value, position);
         }
         let place = Place { arm, scale, h };
-        // By row operations the determinant is that of the first sphere's arm and the planes' normals.
-        let mut determinant = volume;
-        for _ in &balls[1..] {
-            determinant = self.algebra.graph.neg(determinant);
-        }
-        if missing == Some(1) {
-            determinant = self.algebra.graph.neg(determinant);
-        }
-        self.push_point(&coordinates, spheres, planes, &balls, &place, determinant);
+        self.push_point(&coordinates, planes, &balls, &place, volume);
 
         let graph = &mut self.algebra.graph;
         let share = graph.div(h, radius);

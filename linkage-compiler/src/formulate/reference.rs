@@ -13,11 +13,12 @@ use crate::structure::report::loop_list;
 use super::check::report_unfollowed;
 use super::follow::follow_angles;
 use super::machine::{Machine, Stage};
+use super::refusal::Verdict;
 use super::words::Words;
 use super::{Formulation, Prepared, Solved};
 
 /// Below this margin a position cannot be told from a dead point.
-const SINGULAR: f64 = 1e-6;
+pub(super) const SINGULAR: f64 = 1e-6;
 
 /// Estimates whose distances to two modes differ by less than this share do not choose.
 pub(super) const AMBIGUOUS: f64 = 0.01;
@@ -134,49 +135,27 @@ impl Assembly<'_, '_> {
         let span = self
             .origins
             .span(self.algebra.mechanism.loops[solved.group.loops[0]].origin);
-        let loops = loop_list(&solved.group.loops);
-        let unknowns = self.words.unknowns(&solved.group.unknowns);
-        let place = self.words.at_reference(&self.nominal.inputs);
         let undefined = gap.is_nan() || margin.is_nan();
         if undefined && !closed {
             // A group before this one did not close and has been reported.
             return false;
         }
-        if gap.is_nan() && solved.closed.two_modes {
-            self.diagnostics.error(
-                span,
-                format!(
-                    "{loops} ({unknowns}) cannot be solved{place}: what is known of it is not a finite number\n\
-                     help: look for a division by zero, or a root or an arc function out of its range"
-                ),
-            );
+        let verdict = if gap.is_nan() && solved.closed.two_modes {
+            Some(Verdict::NotFinite)
+        } else if gap > 0.0 {
+            Some(Verdict::Open(gap))
+        } else if undefined || margin < SINGULAR {
+            Some(Verdict::Singular)
+        } else {
+            None
+        };
+        if let Some(verdict) = verdict {
+            self.refuse(solved, verdict, span);
             return false;
         }
-        if gap > 0.0 {
-            let miss = self.words.gap(solved, gap);
-            let other = match place.is_empty() {
-                true => "",
-                false => ", or give a reference input at which the links reach each other",
-            };
-            self.diagnostics.error(
-                span,
-                format!(
-                    "{loops} ({unknowns}) cannot close{place}: misses by {miss}\n\
-                     help: change a length{other}"
-                ),
-            );
-            return false;
-        }
-        if undefined || margin < SINGULAR {
-            self.diagnostics.error(
-                span,
-                format!(
-                    "{loops} ({unknowns}) is singular{place}, a dead point: its margin is below {SINGULAR:e}\n\
-                     help: choose a reference input or lengths away from the dead point"
-                ),
-            );
-            return false;
-        }
+        let loops = loop_list(&solved.group.loops);
+        let unknowns = self.words.unknowns(&solved.group.unknowns);
+        let place = self.words.at_reference(&self.nominal.inputs);
         if let [a, b] = &candidates[..] {
             let larger = a.distance.max(b.distance);
             if (a.distance - b.distance).abs() <= AMBIGUOUS * larger {

@@ -4,6 +4,7 @@ use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{Algebra, AngleRule, Rule, Solution, Turning};
+use crate::model::Dimension;
 use crate::structure::{Form, Rotor};
 
 use super::{Closed, Prepared};
@@ -17,6 +18,8 @@ pub(super) struct Solver<'a, 'm> {
     pub(super) mode: usize,
     /// Its index among the coupled groups, if it is one.
     pub(super) number: usize,
+    /// The dimension of its loop.
+    pub(super) dimension: Option<Dimension>,
     /// The unknown symbols that were given definitions.
     pub(super) defined: Vec<SymbolId>,
     /// For a coupled group.

@@ -1,6 +1,7 @@
 //! A scalar loop with one unknown angle.
 
 use linkage_symbolic::NodeId;
+use linkage_symbolic::program::Unary;
 
 use crate::algebra::{Solution, Term};
 
@@ -17,6 +18,7 @@ impl Solver<'_, '_> {
         known: NodeId,
     ) -> Closed {
         let w = self.mode_sign();
+        let ([a, b, known], scale) = self.scaled([a, b, known]);
         let c = self.algebra.graph.neg(known);
         let r = self.algebra.length(&[a, b]);
         let q = self.difference_of_squares(r, c);
@@ -58,6 +60,7 @@ impl Solver<'_, '_> {
 
         let size = self.abs(c);
         let miss = self.algebra.graph.sub(size, r);
+        let miss = self.algebra.graph.div(miss, scale);
         let gap = self.gap(q, r2, miss);
         let graph = &mut self.algebra.graph;
         Closed {
@@ -72,5 +75,17 @@ impl Solver<'_, '_> {
             gap,
             gap_in: GapIn::Loop,
         }
+    }
+
+    /// An equation between areas, times a power of two near 1 over its size: the squares of areas would leave the range of numbers early.
+    fn scaled(&mut self, equation: [NodeId; 3]) -> ([NodeId; 3], NodeId) {
+        let one = self.algebra.graph.one();
+        if self.dimension.is_none_or(|d| d.half_lengths <= 2) {
+            return (equation, one);
+        }
+        let size = self.algebra.length(&equation[..2]);
+        let graph = &mut self.algebra.graph;
+        let scale = graph.unary(Unary::InverseScale, size);
+        (equation.map(|x| graph.mul(scale, x)), scale)
     }
 }

@@ -56,11 +56,13 @@ impl<'m> Words<'m> {
     /// `(10mm, 0mm, 0mm)`, `(0, 0, 1)`
     pub(crate) fn vector(&self, ty: &Type, components: &[f64]) -> String {
         let dimension = ty.dimension().unwrap_or(Dimension::NUMBER);
-        let parts = components.iter().map(|&x| match dimension {
-            Dimension::NUMBER => significant(x),
-            _ => self.scalar(dimension, x),
-        });
-        format!("({})", parts.collect::<Vec<_>>().join(", "))
+        let parts: Vec<String> = match dimension {
+            Dimension::NUMBER => numbers(components),
+            _ => without_noise(components)
+                .map(|x| self.scalar(dimension, x))
+                .collect(),
+        };
+        format!("({})", parts.join(", "))
     }
 
     pub(crate) fn gap(&self, solved: &Solved, gap: f64) -> String {
@@ -79,6 +81,22 @@ impl<'m> Words<'m> {
             _ => significant(x),
         }
     }
+}
+
+/// Components of a vector.
+pub(super) fn numbers(components: &[f64]) -> Vec<String> {
+    without_noise(components).map(significant).collect()
+}
+
+/// Components that are nothing but roundoff of the largest one become 0.
+fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
+    let largest = components.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+    components
+        .iter()
+        .map(move |&x| match x.abs() <= 1e-12 * largest {
+            true => 0.0,
+            false => x,
+        })
 }
 
 /// Up to seven significant digits, without trailing zeros.

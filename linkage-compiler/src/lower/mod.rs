@@ -241,6 +241,7 @@ fn shape(ty: &Type) -> Shape {
     match ty {
         Type::Scalar(_) | Type::Zero(1) | Type::Error => Shape::Scalar,
         Type::Vector(count, _) | Type::Zero(count) => Shape::Vector(*count),
+        Type::Frame => Shape::Frame,
         Type::Array(entries) => {
             let entry = entries.first().map_or(Shape::Scalar, shape);
             Shape::Array(entries.len(), Box::new(entry))
@@ -259,6 +260,7 @@ fn unit_words(ty: &Type, length: LengthUnit) -> String {
                 _ => "various units".to_owned(),
             }
         }
+        Type::Frame => format!("{}, its axes of length 1", length.name()),
         Type::Zero(_) | Type::Error => String::new(),
     }
 }

@@ -77,6 +77,8 @@ pub enum Shape {
     /// 2 or 3 components.
     Vector(usize),
     Array(usize, Box<Shape>),
+    /// Origin and axes x, y, z: four vectors of space.
+    Frame,
 }
 
 impl Shape {
@@ -86,6 +88,7 @@ impl Shape {
             Self::Scalar => 1,
             Self::Vector(n) => *n,
             Self::Array(n, entry) => n * entry.width(),
+            Self::Frame => 12,
         }
     }
 }

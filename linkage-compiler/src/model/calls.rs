@@ -33,11 +33,11 @@ impl Resolver<'_> {
             self.wrong_count(&name, parameters, arguments.len(), span);
             return self.failed(span);
         }
-        let arrays = arguments
+        let refused = arguments
             .iter()
-            .filter(|argument| self.refuse_array(argument))
+            .filter(|argument| !function.takes(&argument.ty) && self.refuse_compound(argument))
             .count();
-        if arrays > 0 || arguments.iter().any(|argument| argument.ty.is_error()) {
+        if refused > 0 || arguments.iter().any(|argument| argument.ty.is_error()) {
             return self.failed(span);
         }
         match self.result(*function, &mut arguments, span) {
@@ -164,6 +164,8 @@ impl Resolver<'_> {
                 let root = self.scalar(&mut arguments[0], name)?.root();
                 self.in_range(root.map(Type::Scalar), span)
             }
+            Function::Frame => self.frame(arguments),
+            Function::PointIn | Function::CoordinatesIn => self.in_frame(function, arguments, span),
         }
     }
 
@@ -201,7 +203,7 @@ impl Resolver<'_> {
         None
     }
 
-    fn wrong_argument<T>(
+    pub(super) fn wrong_argument<T>(
         &mut self,
         name: &str,
         wanted: &str,
@@ -244,7 +246,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn vector_of(
+    pub(super) fn vector_of(
         &mut self,
         argument: &mut Expr,
         name: &str,

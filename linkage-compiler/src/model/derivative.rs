@@ -173,11 +173,11 @@ impl Resolver<'_> {
         entries > ENTRY_LIMIT
     }
 
-    /// The first argument: anything but an array literal; zero is a number.
+    /// The first argument: anything but an array literal or a frame; zero is a number.
     fn differentiable(&mut self, quantity: &syntax::Expr, context: Context) -> Expr {
         let mut value = self.expression(quantity, context);
         super::operators::settle_alone(&mut value);
-        value
+        self.refuse_frame_derivative(value)
     }
 
     fn finish(&mut self, kind: ExprKind, ty: Type, span: SourceSpan) -> Expr {

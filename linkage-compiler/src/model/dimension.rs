@@ -112,6 +112,7 @@ impl Display for Type {
             Type::Vector(_, dimension) => write!(f, "a plane vector of {}", dimension.plural()),
             Type::Array(entries) if entries.len() == 1 => f.write_str("an array of 1 entry"),
             Type::Array(entries) => write!(f, "an array of {} entries", entries.len()),
+            Type::Frame => f.write_str("a frame"),
             Type::Zero(1) => f.write_str("zero"),
             Type::Zero(3) => f.write_str("a space vector of zeros"),
             Type::Zero(_) => f.write_str("a plane vector of zeros"),
@@ -133,12 +134,12 @@ impl Type {
         }
     }
 
-    /// Number of components; `None` for arrays and errors.
+    /// Number of components; `None` for arrays, frames and errors.
     pub fn components(&self) -> Option<usize> {
         match self {
             Type::Scalar(_) => Some(1),
             Type::Vector(count, _) | Type::Zero(count) => Some(*count),
-            Type::Array(_) | Type::Error => None,
+            Type::Array(_) | Type::Frame | Type::Error => None,
         }
     }
 
@@ -147,7 +148,7 @@ impl Type {
         match self {
             Type::Scalar(dimension) | Type::Vector(_, dimension) => Some(*dimension),
             Type::Zero(_) => Some(Dimension::NUMBER),
-            Type::Array(_) | Type::Error => None,
+            Type::Array(_) | Type::Frame | Type::Error => None,
         }
     }
 

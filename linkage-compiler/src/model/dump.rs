@@ -159,6 +159,9 @@ impl Display for Show<'_> {
                     super::parameter::COMPONENTS[*index]
                 )
             }
+            ExprKind::Index(value, index) if value.ty == Type::Frame => {
+                write!(f, "{}.{}", self.inner(value), super::frame::PARTS[*index])
+            }
             ExprKind::Index(value, index) => write!(f, "{}[{index}]", self.inner(value)),
             ExprKind::Negate(value) => write!(f, "(-{})", self.inner(value)),
             ExprKind::Binary(operator, left, right) => {

@@ -1,5 +1,6 @@
 //! Expressions: everything but calls.
 
+use super::frame::PARTS_HELP;
 use super::names::{Context, Resolver};
 use super::parameter::COMPONENTS;
 use super::types::{BinaryOp, Expr, ExprKind, Type};
@@ -118,7 +119,10 @@ impl Resolver<'_> {
     }
 
     fn component(&mut self, value: Expr, field: &proc_macro2::Ident, span: SourceSpan) -> Expr {
-        if value.ty.is_error() || self.refuse_array(&value) {
+        if value.ty == Type::Frame {
+            return self.part(value, field, span);
+        }
+        if value.ty.is_error() || self.refuse_compound(&value) {
             return self.failed(span);
         }
         let index = COMPONENTS.iter().position(|component| field == component);
@@ -154,7 +158,10 @@ impl Resolver<'_> {
         }
         let Type::Array(entries) = &value.ty else {
             let fact = format!("{} has no entries", value.ty);
-            let help = "components of a vector are `.x`, `.y` and `.z`";
+            let help = match value.ty {
+                Type::Frame => PARTS_HELP,
+                _ => "components of a vector are `.x`, `.y` and `.z`",
+            };
             self.diagnostics.error_with_help(span, fact, help);
             return self.failed(span);
         };

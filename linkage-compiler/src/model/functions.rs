@@ -4,7 +4,7 @@ use super::derivative::QUANTITIES;
 use super::types::Function;
 
 /// Name, function, arguments as messages show them.
-pub(super) const FUNCTIONS: [(&str, Function, &[&str]); 23] = [
+pub(super) const FUNCTIONS: [(&str, Function, &[&str]); 26] = [
     ("polar", Function::Polar, &["length", "angle"]),
     ("dir", Function::Dir, &["angle"]),
     ("rotate", Function::Rotate, &["vector", "angle"]),
@@ -28,6 +28,13 @@ pub(super) const FUNCTIONS: [(&str, Function, &[&str]); 23] = [
     ("abs", Function::Abs, &["a"]),
     ("min", Function::Min, &["a", "b"]),
     ("max", Function::Max, &["a", "b"]),
+    ("frame", Function::Frame, &["origin", "x", "z"]),
+    ("point_in", Function::PointIn, &["frame", "vector"]),
+    (
+        "coordinates_in",
+        Function::CoordinatesIn,
+        &["frame", "point"],
+    ),
 ];
 
 pub(super) fn is_function(name: &str) -> bool {

@@ -150,6 +150,7 @@ impl Resolver<'_> {
                 self.expression(high, context),
             )
         });
+        self.refuse_frame_item(&mut reference, "an input is an angle or a length");
         let mut all: Vec<&mut Expr> = vec![&mut reference];
         if let Some((low, high)) = &mut range {
             all.extend([low, high]);
@@ -186,6 +187,7 @@ impl Resolver<'_> {
             item: position,
         };
         let mut estimate = self.expression(&item.value, context);
+        self.refuse_frame_item(&mut estimate, "an unknown is an angle, a length or a point");
         let bare_zero = matches!(estimate.ty, Type::Zero(_));
         let mut ty = self.declared(Name::Unknown(index), &estimate.ty);
         estimate.settle(&ty);
@@ -226,6 +228,7 @@ impl Resolver<'_> {
         let mut left = self.expression(&item.left, context);
         let mut right = self.expression(&item.right, context);
         let origin = self.origins.add(item.span);
+        self.refuse_frame_loop(&mut left, &mut right, item.span);
         let Some(ty) = Type::common(&left.ty, &right.ty) else {
             if !left.ty.is_error() && !right.ty.is_error() {
                 let (first, second) = self.both_types(&left, &right);

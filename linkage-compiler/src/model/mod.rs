@@ -7,6 +7,7 @@ mod dimension;
 mod dump;
 mod evaluators;
 mod expression;
+mod frame;
 mod functions;
 mod items;
 mod names;

@@ -145,9 +145,9 @@ impl<'a> Resolver<'a> {
 
     /// A result type is new: the name of a well-known type there is a misunderstanding, and would hide that type.
     pub(super) fn check_new_type(&mut self, ident: &Ident) {
-        const KNOWN: [&str; 14] = [
-            "f64", "f32", "bool", "usize", "i32", "u32", "Vector2", "Vector3", "Self", "Option",
-            "Result", "Vec", "String", "T",
+        const KNOWN: [&str; 15] = [
+            "f64", "f32", "bool", "usize", "i32", "u32", "Vector2", "Vector3", "Frame", "Self",
+            "Option", "Result", "Vec", "String", "T",
         ];
         let text = ident.to_string();
         if KNOWN.contains(&text.as_str()) {

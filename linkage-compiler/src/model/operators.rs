@@ -9,7 +9,8 @@ impl Type {
     /// The type of a sum of the two; `None` if they cannot be added.
     pub(super) fn common(left: &Type, right: &Type) -> Option<Type> {
         match (left, right) {
-            (Type::Array(_) | Type::Error, _) | (_, Type::Array(_) | Type::Error) => None,
+            (Type::Array(_) | Type::Frame | Type::Error, _)
+            | (_, Type::Array(_) | Type::Frame | Type::Error) => None,
             (Type::Zero(1), other) | (other, Type::Zero(1)) => Some(other.clone()),
             _ if left.components() != right.components() => None,
             (Type::Zero(_), other) | (other, Type::Zero(_)) => Some(other.clone()),
@@ -60,7 +61,7 @@ impl Expr {
 
 impl Resolver<'_> {
     pub(super) fn negate(&mut self, value: Expr, span: SourceSpan) -> Expr {
-        if self.refuse_array(&value) {
+        if self.refuse_compound(&value) {
             return self.failed(span);
         }
         let ty = value.ty.clone();
@@ -74,7 +75,7 @@ impl Resolver<'_> {
         mut right: Expr,
         span: SourceSpan,
     ) -> Expr {
-        let refused = [self.refuse_array(&left), self.refuse_array(&right)].contains(&true);
+        let refused = [self.refuse_compound(&left), self.refuse_compound(&right)].contains(&true);
         if refused || left.ty.is_error() || right.ty.is_error() {
             return self.failed(span);
         }
@@ -159,7 +160,7 @@ impl Resolver<'_> {
     pub(super) fn common_type(&mut self, values: &mut [&mut Expr], what: &str) -> Type {
         let mut ty = Type::Zero(1);
         for index in 0..values.len() {
-            if values[index].ty.is_error() || self.refuse_array(values[index]) {
+            if values[index].ty.is_error() || self.refuse_compound(values[index]) {
                 return Type::Error;
             }
             match Type::common(&ty, &values[index].ty) {
@@ -211,16 +212,19 @@ impl Resolver<'_> {
         "both must have the same dimension".to_owned()
     }
 
-    /// Arrays have entries of different dimensions, so there is no arithmetic with them.
-    pub(super) fn refuse_array(&mut self, value: &Expr) -> bool {
-        let is_array = matches!(value.ty, Type::Array(_));
-        if is_array && !value.ty.is_error() {
+    /// Arrays and frames consist of values of different dimensions, so there is no arithmetic with them.
+    pub(super) fn refuse_compound(&mut self, value: &Expr) -> bool {
+        let help = match &value.ty {
+            Type::Array(_) => "take one entry: `[0]`".to_owned(),
+            Type::Frame => self.parts_help("take", value),
+            _ => return false,
+        };
+        if !value.ty.is_error() {
             let fact = format!("{} cannot be used in an expression", value.ty);
             let span = self.origins.span(value.origin);
-            self.diagnostics
-                .error_with_help(span, fact, "take one entry: `[0]`");
+            self.diagnostics.error_with_help(span, fact, help);
         }
-        is_array
+        true
     }
 }
 

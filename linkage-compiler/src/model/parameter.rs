@@ -33,6 +33,7 @@ impl Resolver<'_> {
                 self.components(components, *span, context)
             }
         };
+        self.refuse_frame_item(&mut nominal, "a parameter is a scalar or a vector");
         let mut ty = nominal.ty.clone();
         let mut bare_zero = matches!(ty, Type::Zero(_));
         if bare_zero && let Some(tolerance) = tolerances.iter().flatten().next() {

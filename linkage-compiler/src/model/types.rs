@@ -21,6 +21,8 @@ pub enum Type {
     Vector(usize, Dimension),
     /// `velocity` with several inputs, `sensitivity`: entries that may differ in dimension.
     Array(Vec<Type>),
+    /// A point and three perpendicular directions in space; what it consists of is read as entries 0 (the origin) to 3.
+    Frame,
     /// The literal `0` (or a vector of such): fits every dimension. The count is 1 for a scalar.
     Zero(usize),
     /// Follows from a mistake already reported.
@@ -41,7 +43,7 @@ pub enum ExprKind {
     Name(Name),
     Vector(Vec<Expr>),
     Component(Box<Expr>, usize),
-    /// Entry of an array (`velocity(p)[1]`).
+    /// Entry of an array (`velocity(p)[1]`), part of a frame (`body.origin`).
     Index(Box<Expr>, usize),
     Negate(Box<Expr>),
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
@@ -112,6 +114,9 @@ pub enum Function {
     Abs,
     Min,
     Max,
+    Frame,
+    PointIn,
+    CoordinatesIn,
 }
 
 #[derive(Clone, Debug)]

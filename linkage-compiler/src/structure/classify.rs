@@ -1,9 +1,12 @@
 //! Recognising a group by its mathematics: its loop as a polynomial in its unknowns.
 
-use linkage_symbolic::{NodeId, Polynomial, SymbolId, agree, collect};
+use linkage_symbolic::{NodeId, Polynomial, SymbolId, agree, agree_within, collect};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Form, Rotor};
+
+/// Coefficients below this share of the others are rounding.
+const NEGLIGIBLE: f64 = 1e-14;
 
 /// The equations of a group as polynomials in the symbols of its coordinates.
 #[derive(Clone, Debug)]
@@ -83,12 +86,19 @@ impl Analysis<'_, '_> {
         Some(Polynomials { rows, symbols })
     }
 
-    /// Removes terms whose coefficients are 0 in a spelling that constructors do not see.
+    /// Removes terms in a direction whose coefficients are 0 in a spelling that constructors do not see, or by rounding.
     fn drop_cancelled(&mut self, polynomials: &mut Polynomials) {
         let graph = &mut self.algebra.graph;
         let zero = graph.zero();
         for row in &mut polynomials.rows {
-            row.retain(|_, coefficient| !agree(graph, *coefficient, zero));
+            let size = row.values().fold(zero, |sum, &coefficient| {
+                let size = graph.abs(coefficient);
+                graph.add(sum, size)
+            });
+            row.retain(|_, coefficient| {
+                let with = graph.add(size, *coefficient);
+                !agree(graph, *coefficient, zero) && !agree_within(graph, with, size, NEGLIGIBLE)
+            });
         }
     }
 
@@ -221,7 +231,9 @@ impl Analysis<'_, '_> {
             return Some(form);
         }
         let mut rest = self.polynomials(&equation.rows, std::slice::from_ref(coordinate))?;
-        self.drop_cancelled(&mut rest);
+        if let CoordinateKind::Angle(_) = coordinate.kind {
+            self.drop_cancelled(&mut rest);
+        }
         let zero = self.algebra.graph.zero();
         let mut take = |symbols: &[SymbolId]| rest.take(symbols, zero)[0];
         let form = match coordinate.kind {

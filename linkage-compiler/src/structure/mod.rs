@@ -12,9 +12,11 @@ mod equations;
 mod form;
 mod matching;
 mod point;
+mod reach;
 pub(crate) mod report;
 mod rewrite;
 mod space;
+mod squared;
 
 use linkage_symbolic::{NodeId, SymbolId};
 
@@ -177,7 +179,7 @@ impl Analysis<'_, '_> {
         let squared = self.squared(&equations, &coordinates);
         match self.coupled(&squared, &coordinates) {
             Some(form) => self.push_group(&equations, &coordinates, form),
-            None => self.report_unsolved(&equations, &coordinates),
+            None => self.report_unsolved(&squared, &coordinates),
         }
     }
 

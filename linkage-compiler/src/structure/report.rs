@@ -2,7 +2,7 @@
 
 use super::Analysis;
 use super::coupled::MOST_CORE;
-use super::equations::{Coordinate, Equation};
+use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
 
 impl Analysis<'_, '_> {
@@ -51,6 +51,18 @@ impl Analysis<'_, '_> {
             .origins
             .span(self.algebra.mechanism.unknowns[unknown].origin);
         let name = &self.algebra.mechanism.unknowns[unknown].name;
+        if sharing.is_empty() && self.is_component(undetermined, coordinates) {
+            let component = self.coordinate_name(coordinate);
+            let dimension = self.algebra.mechanism.unknowns[unknown].ty.dimension();
+            let norm = match dimension.is_some_and(|d| d.half_lengths == 0) {
+                true => format!("; the loop of a direction is `norm({name}) = 1`"),
+                false => String::new(),
+            };
+            return self.diagnostics.error(
+                span,
+                format!("`{component}` is in no loop\nhelp: add a `loop` that contains it{norm}"),
+            );
+        }
         if sharing.is_empty() {
             return self.diagnostics.error(
                 span,
@@ -100,10 +112,17 @@ impl Analysis<'_, '_> {
         } else {
             let inputs = self.algebra.mechanism.inputs.len();
             let mobility = (inputs + coordinates.len()) as isize - rows as isize;
+            let own: Vec<Coordinate> = contained.iter().map(|&k| coordinates[k].clone()).collect();
+            let short = self.short_of(equation, &own);
+            let short = short.map_or_else(String::new, |short| format!(": {short}"));
+            let link = match equation.rows.len() {
+                3 => "; a link between two ball joints is one equation, `distance(a, b) = length`",
+                _ => "",
+            };
             format!(
                 "more equations than unknowns: {loops} {} too many for {} ({} for {} in all; mobility {mobility}, \
-                 driven inputs {inputs})\n\
-                 help: make a dimension, an angle or an input of {loops} an `unknown`, or remove a loop",
+                 driven inputs {inputs}){short}\n\
+                 help: make a dimension, an angle or an input of {loops} an `unknown`, or remove a loop{link}",
                 if surplus == 1 {
                     "has one equation".to_owned()
                 } else {
@@ -134,21 +153,74 @@ impl Analysis<'_, '_> {
             .origins
             .span(self.algebra.mechanism.loops[equations[0].loops[0]].origin);
         let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
-        let what = "an unknown angle may stand in `polar`, `dir`, `rotate`, `sin`, `cos`, an unknown length may be \
+        let what = "an unknown angle may stand in `polar`, `dir`, `rotate`, `turn`, `sin`, `cos`, an unknown length may be \
                          multiplied by known quantities or by a direction";
+        let other = equations
+            .iter()
+            .filter(|e| self.polynomials(&e.rows, coordinates).is_none());
+        let other: Vec<usize> = other.flat_map(|e| e.loops.iter().copied()).collect();
         let message = match rows {
             0..=2 => format!("no closed form for {names} in {loops}\nhelp: {what}"),
+            _ if other.is_empty() => format!(
+                "a group of {count} unknowns ({names}) in {loops} cannot be solved: more than {MOST_CORE} unknowns remain \
+                 when links between two joints are left out\n\
+                 help: check that the loops need to be coupled; an input instead of an unknown may split them"
+            ),
             _ => format!(
-                "a group of {count} unknowns ({names}) in {loops} cannot be solved: its loops are no polynomials \
-                 of degree 4 or less in directions and lengths, or more than {MOST_CORE} unknowns remain when links between two joints are left out\n\
-                 help: {what}; check that the loops need to be coupled"
+                "a group of {count} unknowns ({names}) in {loops} cannot be solved: {} of degree 4 or less \
+                 in directions and lengths\n\
+                 help: {what}; check that the loops need to be coupled",
+                match loop_list(&other) {
+                    one if one.starts_with("loop ") => format!("{one} is no polynomial"),
+                    several => format!("{several} are no polynomials"),
+                }
             ),
         };
         self.diagnostics.error(span, message);
     }
 
+    /// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
     fn unknown_names<'c>(&self, coordinates: impl Iterator<Item = &'c Coordinate>) -> String {
-        self.names(coordinates.filter_map(|c| c.unknown).collect())
+        let coordinates: Vec<&Coordinate> = coordinates.filter(|c| c.unknown.is_some()).collect();
+        let mut names: Vec<(usize, String)> = Vec::new();
+        for coordinate in &coordinates {
+            let Some(unknown) = coordinate.unknown else {
+                continue;
+            };
+            let of_it = coordinates.iter().filter(|c| c.unknown == Some(unknown));
+            let name = match of_it.count() == self.algebra.components_of(unknown) {
+                true => self.algebra.mechanism.unknowns[unknown].name.clone(),
+                false => self.coordinate_name(coordinate),
+            };
+            names.push((unknown, format!("`{name}`")));
+        }
+        names.sort_by_key(|(unknown, _)| *unknown);
+        names.dedup();
+        let names: Vec<String> = names.into_iter().map(|(_, name)| name).collect();
+        names.join(", ")
+    }
+
+    /// True if these are not all components of the first one's unknown.
+    fn is_component(&self, own: &[usize], coordinates: &[Coordinate]) -> bool {
+        let Some(unknown) = own.first().and_then(|&k| coordinates[k].unknown) else {
+            return false;
+        };
+        let of_it = own
+            .iter()
+            .filter(|&&k| coordinates[k].unknown == Some(unknown));
+        let missing = coordinates.iter().filter(|c| c.unknown == Some(unknown));
+        of_it.count() < missing.count()
+    }
+
+    /// `theta`, or a component: `p.x`.
+    fn coordinate_name(&self, coordinate: &Coordinate) -> String {
+        match coordinate.kind {
+            CoordinateKind::Length(symbol) => self.algebra.graph.symbol(symbol).name.clone(),
+            CoordinateKind::Angle(angle) => {
+                let value = self.algebra.angles[angle].value;
+                self.algebra.graph.symbol(value).name.clone()
+            }
+        }
     }
 
     fn names(&self, mut unknowns: Vec<usize>) -> String {

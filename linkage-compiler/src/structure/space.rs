@@ -1,7 +1,7 @@
 //! Recognising groups in space: distances to a point that turns or slides, loops of three rows.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Node, NodeId, SymbolId, agree, collect};
+use linkage_symbolic::{Node, NodeId, SymbolId, collect};
 
 use super::eliminate::System;
 use super::equations::{Coordinate, CoordinateKind, Equation};
@@ -18,6 +18,12 @@ pub(super) type Vector = [NodeId; 3];
 impl Analysis<'_, '_> {
     /// A row `|v| - l` or `v . v - l^2` (or its negative) with a known `l`.
     pub(super) fn distance(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
+        self.measured(row, coordinates)
+            .or_else(|| self.written_squares(row, coordinates))
+    }
+
+    /// A length or its square on one side, known numbers on the other.
+    fn measured(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
         let row = match self.algebra.graph.node(row) {
             Node::Unary(Unary::Neg, inner) => inner,
             _ => row,
@@ -42,6 +48,41 @@ impl Analysis<'_, '_> {
             }
         }
         None
+    }
+
+    /// `x x + y y + z z - ...` with a known rest.
+    fn written_squares(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
+        let unknown =
+            |analysis: &Self, node| coordinates.iter().any(|c| analysis.contains(node, c));
+        let terms = self.summands(row);
+        let sign = terms.iter().find(|(_, x)| unknown(self, *x))?.0;
+        let mut vector = Vec::new();
+        let mut wanted = self.algebra.graph.zero();
+        for (own, term) in terms {
+            match self.algebra.graph.node(term) {
+                Node::Binary(Binary::Mul, a, b) if a == b && own == sign => vector.push(a),
+                _ if unknown(self, term) => return None,
+                _ if own == sign => wanted = self.algebra.graph.sub(wanted, term),
+                _ => wanted = self.algebra.graph.add(wanted, term),
+            }
+        }
+        let length = self.algebra.graph.sqrt(wanted);
+        (vector.len() == 3).then_some(Distance { vector, length })
+    }
+
+    /// The terms of a sum; false for those that are subtracted.
+    fn summands(&self, node: NodeId) -> Vec<(bool, NodeId)> {
+        let mut found = Vec::new();
+        let mut open = vec![(true, node)];
+        while let Some((sign, node)) = open.pop() {
+            match self.algebra.graph.node(node) {
+                Node::Unary(Unary::Neg, x) => open.push((!sign, x)),
+                Node::Binary(Binary::Add, a, b) => open.extend([(sign, b), (sign, a)]),
+                Node::Binary(Binary::Sub, a, b) => open.extend([(!sign, b), (sign, a)]),
+                _ => found.push((sign, node)),
+            }
+        }
+        found
     }
 
     /// A row that is a distance in space.
@@ -71,10 +112,7 @@ impl Analysis<'_, '_> {
                 let cosine = rest.take_space(&[symbols.cos], zero);
                 let sine = rest.take_space(&[symbols.sin], zero);
                 let known = rest.take_space(&[], zero);
-                let product = self.algebra.dot(&cosine, &sine);
-                let [first, second] = [cosine, sine].map(|v| self.algebra.dot(&v, &v));
-                let graph = &self.algebra.graph;
-                let is_circle = agree(graph, product, zero) && agree(graph, first, second);
+                let is_circle = self.algebra.is_turned(&cosine, &sine);
                 (rest.is_exhausted() && is_circle).then_some(Form::LinkToRotor {
                     angle,
                     cosine,
@@ -207,28 +245,5 @@ impl Analysis<'_, '_> {
         let rows: Vec<Equation> = rows.into_iter().map(row).collect();
         self.classify(&rows[0], std::slice::from_ref(angle))?;
         Some((rows, coordinates.to_vec()))
-    }
-
-    /// Distances in space as polynomials, for the general machinery: `(v . v / l - l)/2`, a length.
-    pub(super) fn squared(
-        &mut self,
-        equations: &[Equation],
-        coordinates: &[Coordinate],
-    ) -> Vec<Equation> {
-        let mut squared = equations.to_vec();
-        for equation in &mut squared {
-            let &[row] = &equation.rows[..] else { continue };
-            let Some((vector, length)) = self.space_distance(row, coordinates) else {
-                continue;
-            };
-            let square = self.algebra.dot(&vector, &vector);
-            let graph = &mut self.algebra.graph;
-            let share = graph.div(square, length);
-            let miss = graph.sub(share, length);
-            let half = graph.constant(0.5);
-            equation.rows = vec![graph.mul(half, miss)];
-            equation.distance = Some(length);
-        }
-        squared
     }
 }

@@ -136,11 +136,10 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn select(s: Self, a: Self, b: Self) -> Self {
-                // The sign bit, but not that of -0.
+                // The sign bit, but not that of -0. A choice by masks is seen through and may become a branch around a load.
                 let negative = s.to_bits() & s.to_bits().wrapping_sub(1);
-                let negative = (negative.cast_signed() >> (<$bits>::BITS - 1)).cast_unsigned();
                 let [a, b] = [a, b].map(<$float>::to_bits);
-                let chosen = a ^ ((a ^ b) & negative);
+                let chosen = select_unpredictable(negative.cast_signed() < 0, b, a);
                 // Zero, or NaN.
                 let nan = select_unpredictable(s < 0.0, 0.0, s);
                 let nan = <$float>::abs(select_unpredictable(nan > 0.0, 0.0, nan));

@@ -1,7 +1,7 @@
 //! What one program gives at one position, as plain numbers.
 
 use crate::Fused;
-use nalgebra::Vector2;
+use nalgebra::{Vector2, Vector3};
 
 /// Everything that a test program is asked for at one position.
 #[derive(Clone, Debug, Default)]
@@ -46,6 +46,12 @@ impl Components for Fused {
 }
 
 impl<T: Components> Components for Vector2<T> {
+    fn components(&self) -> Vec<f64> {
+        self.iter().flat_map(Components::components).collect()
+    }
+}
+
+impl<T: Components> Components for Vector3<T> {
     fn components(&self) -> Vec<f64> {
         self.iter().flat_map(Components::components).collect()
     }

@@ -1,7 +1,7 @@
 //! How strongly the loops pass an error on.
 
 use crate::reference::{Reference, STEP};
-use crate::{Big, Kind};
+use crate::{Big, Kind, Output};
 
 impl Reference<'_> {
     /// The condition number of every output: by how many lengths it moves at most when the loops
@@ -40,11 +40,12 @@ impl Reference<'_> {
                         let turn = unknowns[index].quarter().times(&step);
                         unknowns[index] = unknowns[index].clone() + turn;
                     }
-                    _ => unknowns[index].x = &unknowns[index].x + &(&step * lever),
+                    Kind::Ratio => unknowns[index].x = &unknowns[index].x + &step,
+                    Kind::Length => unknowns[index].x = &unknowns[index].x + &(&step * lever),
                 }
                 let unit = match self.system.unknowns[index].kind {
-                    Kind::Angle => &step * lever,
-                    _ => &step * (lever * lever),
+                    Kind::Length => &step * (lever * lever),
+                    _ => &step * lever,
                 };
                 let changes = self.changes(&self.data, &unknowns);
                 for (sum, change) in sum.iter_mut().zip(changes) {
@@ -57,7 +58,7 @@ impl Reference<'_> {
     }
 
     /// For every output by how much it changes at most when each equation is missed by a unit of
-    /// length.
+    /// length (a number: by the size of the mechanism).
     fn gains(&self) -> Vec<Big> {
         let mut sum = vec![Big::zero(); self.outputs.len()];
         let step = Big::power_of_two(STEP);
@@ -66,6 +67,12 @@ impl Reference<'_> {
             let changes = self.changes(&self.data, &unknowns);
             for (sum, change) in sum.iter_mut().zip(changes) {
                 *sum = &*sum + change.abs() / &miss;
+            }
+        }
+        let size = self.system.size(&self.given());
+        for (gain, output) in sum.iter_mut().zip(&self.outputs) {
+            if let Output::Number(_) = output {
+                *gain = &*gain * size;
             }
         }
         sum

@@ -21,7 +21,7 @@ pub(crate) fn must_be_nan(answers: &Found, data: &[f64], report: &mut Report) {
 }
 
 /// Errors of lengths and coordinates by the size of the mechanism, which is that of its longest
-/// length, and by the condition number.
+/// length (of numbers by 1), and by the condition number.
 pub(crate) fn compare_positions(
     system: &System,
     reference: &mut Reference,
@@ -29,12 +29,13 @@ pub(crate) fn compare_positions(
     data: &[f64],
     report: &mut Report,
 ) {
-    let lengths = (0..reference.outputs()).filter(|&k| !reference.is_angle(k));
+    let lengths = (0..reference.outputs()).filter(|&k| reference.is_length(k));
     let size = lengths.fold(system.size(data), |size, k| {
         size.max(reference.value(k).abs())
     });
     let turned = system.turned_at(&reference.data);
-    let unit = Big::from(size) * ROUNDOFF * turned;
+    let roundoff = Big::from(ROUNDOFF) * turned;
+    let of_lengths = &roundoff * size;
     let conditions = reference.conditions();
     for (program, a) in answers {
         if a.values.len() != reference.outputs() {
@@ -45,7 +46,12 @@ pub(crate) fn compare_positions(
             if reference.is_angle(k) {
                 continue;
             }
-            let raw = ratio(x, &reference.error(k, x), &unit);
+            let unit = if reference.is_length(k) {
+                &of_lengths
+            } else {
+                &roundoff
+            };
+            let raw = ratio(x, &reference.error(k, x), unit);
             let conditioned = raw / conditions[k];
             let errors = Errors {
                 raw: raw * turned,
@@ -170,8 +176,8 @@ fn compare_one(
     }
 }
 
-/// How large quantities are: the largest one of the same kind (of a length, of an angle), at least
-/// that of a mechanism that grows as a whole or turns with the input.
+/// How large quantities are: the largest one of the same kind (of a length, of an angle or
+/// number), at least that of a mechanism that grows as a whole or turns with the input.
 fn sizes(reference: &mut Reference, by: &[usize]) -> Vec<Big> {
     let system = reference.system;
     let size = Big::from(system.size(&reference.given()));
@@ -187,19 +193,19 @@ fn sizes(reference: &mut Reference, by: &[usize]) -> Vec<Big> {
         [] => Big::from(reference.value(k)).abs(),
         _ => derivative[k].abs(),
     };
-    let of_kind = |angle: bool| {
-        let least = if angle { Big::one() } else { size.clone() } / &divisor;
+    let of_kind = |length: bool| {
+        let least = if length { size.clone() } else { Big::one() } / &divisor;
         (0..reference.outputs())
-            .filter(|&k| reference.is_angle(k) == angle)
+            .filter(|&k| reference.is_length(k) == length)
             .fold(least, |largest, k| largest.max(&magnitude(k)))
     };
-    let [lengths, angles] = [of_kind(false), of_kind(true)];
+    let [lengths, numbers] = [of_kind(true), of_kind(false)];
     (0..reference.outputs())
         .map(|k| {
-            if reference.is_angle(k) {
-                angles.clone()
-            } else {
+            if reference.is_length(k) {
                 lengths.clone()
+            } else {
+                numbers.clone()
             }
         })
         .collect()

@@ -1,6 +1,6 @@
-//! How far a dyad is from its dead point, from the known sides alone.
+//! How far a group is from its dead point, from the known sides alone.
 
-use crate::Big;
+use crate::{Big, Space};
 
 /// For two links of the given lengths between two points at the given distance: 0 where they fold
 /// or stretch out.
@@ -20,4 +20,37 @@ pub fn triangle_gap(one: &Big, two: &Big, distance: &Big) -> Big {
 /// is square to it.
 pub fn reach_gap(link: &Big, offset: &Big) -> Big {
     (link.abs() - offset.abs()) / (link.abs() + offset.abs())
+}
+
+/// For a bar of the given length between a point and a circle in space (its axis a unit vector): 0
+/// where it reaches the nearest or the farthest point of the circle.
+pub fn circle_gap(
+    length: &Big,
+    point: &Space,
+    (centre, axis, radius): (&Space, &Space, &Big),
+) -> Big {
+    let from_centre = point.clone() - centre.clone();
+    let height = from_centre.dot(axis);
+    let distance = from_centre.cross(axis).norm();
+    let at = |across: Big| (&across * &across + &height * &height).sqrt();
+    let radius = radius.abs();
+    let (nearest, farthest) = (at(&distance - &radius), at(&distance + &radius));
+    let long = (length - &nearest) / (length + &nearest);
+    let short = (&farthest - length) / (&farthest + length);
+    if long < short { long } else { short }
+}
+
+/// For a bar of the given length between a point and a line: 0 where it is square to the line.
+pub fn line_gap(length: &Big, point: &Space, (on_line, direction): (&Space, &Space)) -> Big {
+    let from_line = point.clone() - on_line.clone();
+    let distance = from_line.cross(direction).norm() / direction.norm();
+    (length - &distance) / (length + &distance)
+}
+
+/// A point of the line in which two planes `normal . x = offset` meet, and its direction.
+pub fn planes_line([one, two]: [(&Space, &Big); 2]) -> (Space, Space) {
+    let direction = one.0.cross(two.0);
+    let square = direction.dot(&direction);
+    let sum = two.0.cross(&direction).times(one.1) + direction.cross(one.0).times(two.1);
+    (sum.times(&(Big::one() / square)), direction)
 }

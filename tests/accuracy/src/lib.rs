@@ -1,8 +1,8 @@
 //! The accuracy proof of `linkage`.
 //!
 //! A test mechanism is written twice: in the language of `linkage::mechanism!` (in several written
-//! forms), and here as a [`System`]: its loop equations as residuals over unknown unit vectors and
-//! slides, with `c^2 + s^2 = 1` as further equations. The reference solves the system by Newton's
+//! forms), and here as a [`System`]: its loop equations as residuals over unknown unit vectors, slides
+//! and coordinates, with `c^2 + s^2 = 1` as further equations. The reference solves the system by Newton's
 //! method in 154 digits and takes every derivative as a central difference of the *solved* quantity
 //! with steps of 8e-31. No formula of the compiler is used: no closed form of a dyad, no derivative
 //! of a loop.
@@ -27,6 +27,7 @@ mod form;
 mod fused;
 mod gap;
 mod generate;
+mod homogeneous;
 mod limits;
 mod matrix;
 mod plane;
@@ -34,6 +35,7 @@ mod random;
 mod reference;
 mod report;
 mod solve;
+mod space;
 mod standing;
 mod system;
 mod uncertainty;
@@ -47,14 +49,16 @@ pub use cases::{
 pub use compare::{Case, Depth, Evaluate, Form, Variant, compare};
 pub use edge::{Edge, edge};
 pub use fused::Fused;
-pub use gap::{reach_gap, triangle_gap};
+pub use gap::{circle_gap, line_gap, planes_line, reach_gap, triangle_gap};
 pub use generate::{approach, rescaled};
+pub use homogeneous::homogeneous;
 pub use limits::Limits;
 pub use plane::Plane;
 pub use random::Random;
 pub use reference::Reference;
 pub use report::{Measure, Report};
 pub use solve::{Solution, solve};
+pub use space::Space;
 pub use system::{Datum, Kind, Output, Position, System, Unknown};
 
 use compare::default_mode;

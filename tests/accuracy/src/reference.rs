@@ -57,7 +57,7 @@ impl<'s> Reference<'s> {
         let outputs = (system.outputs)(&position);
         let magnitude = |output: &Output| match output {
             Output::Value(value) => value.abs() + size,
-            Output::Angle(_) => Big::one(),
+            Output::Number(_) | Output::Angle(_) => Big::one(),
         };
         let sizes = outputs.iter().map(magnitude).collect();
         let (base, tangents) = (solution.state(system), vec![None; data.len()]);
@@ -98,10 +98,15 @@ impl<'s> Reference<'s> {
         matches!(self.outputs[output], Output::Angle(_))
     }
 
+    /// Whether an output is a length or a coordinate.
+    pub fn is_length(&self, output: usize) -> bool {
+        matches!(self.outputs[output], Output::Value(_))
+    }
+
     /// The output as `f64`; an angle between -180 and 180 degrees.
     pub fn value(&self, output: usize) -> f64 {
         match &self.outputs[output] {
-            Output::Value(value) => value.to_f64(),
+            Output::Value(value) | Output::Number(value) => value.to_f64(),
             Output::Angle(direction) => direction.y.to_f64().atan2(direction.x.to_f64()),
         }
     }
@@ -109,7 +114,7 @@ impl<'s> Reference<'s> {
     /// How far a computed value lies from the output; full turns do not count for an angle.
     pub fn error(&self, output: usize, computed: f64) -> Big {
         match &self.outputs[output] {
-            Output::Value(value) => (value - &Big::from(computed)).abs(),
+            Output::Value(value) | Output::Number(value) => (value - &Big::from(computed)).abs(),
             Output::Angle(direction) => {
                 let turned = direction.turned_back(&Plane::direction(&Big::from(computed)));
                 if turned.x.is_negative() {
@@ -188,7 +193,8 @@ impl<'s> Reference<'s> {
         };
         let outputs = (self.system.outputs)(&position);
         let change = |(after, before): (&Output, &Output)| match (after, before) {
-            (Output::Value(after), Output::Value(before)) => after - before,
+            (Output::Value(after), Output::Value(before))
+            | (Output::Number(after), Output::Number(before)) => after - before,
             (Output::Angle(after), Output::Angle(before)) => {
                 small_angle(&after.turned_back(before))
             }

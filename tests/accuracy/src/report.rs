@@ -135,6 +135,22 @@ impl Report {
         of_measure.fold(0.0, |largest, (_, s)| f64::max(largest, s.largest))
     }
 
+    /// The report, if that many positions were compared.
+    ///
+    /// # Panics
+    ///
+    /// If there were fewer.
+    #[must_use]
+    pub fn at_least(self, positions: usize) -> Self {
+        let compared = self.positions;
+        assert!(
+            compared >= positions,
+            "{}: {compared} positions",
+            self.system
+        );
+        self
+    }
+
     /// Prints the figures of this set of cases and panics if one is beyond its limit or something
     /// failed. `LINKAGE_FORMS=1` prints those of every written form too.
     pub fn check(&self, set: &str, limits: &Limits) {

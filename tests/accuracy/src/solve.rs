@@ -46,10 +46,10 @@ pub fn solve(system: &System, data: &[Big], guess: &[f64]) -> Option<Solution> {
                 .zip(system.unknowns)
                 .map(|(lever, unknown)| {
                     // A slide and the residuals are scaled alike.
-                    if unknown.kind == Kind::Angle {
-                        lever * &scale
-                    } else {
+                    if unknown.kind == Kind::Length {
                         lever
+                    } else {
+                        lever * &scale
                     }
                 });
             let levers = levers.collect();
@@ -66,13 +66,18 @@ pub fn solve(system: &System, data: &[Big], guess: &[f64]) -> Option<Solution> {
     None
 }
 
-/// The determinant as in [`Solution`], but at values of the unknowns that need not be a solution.
+/// The determinant as in [`Solution`], but at values of the unknowns that need not be a solution;
+/// that of one equation not divided by its length.
 pub(crate) fn determinant_at(system: &System, data: &[Big], values: &[f64]) -> Big {
     let scale = length_scale(system, data);
     let state = start(system, values, &scale);
     let equations = evaluate(system, data, &scale, &state);
     let jacobian = jacobian(system, data, &scale, &state, &equations);
-    normalised_determinant(system, &jacobian, &state).0
+    let (determinant, levers) = normalised_determinant(system, &jacobian, &state);
+    match &levers[..] {
+        [lever] => determinant * lever,
+        _ => determinant,
+    }
 }
 
 impl Solution {
@@ -83,7 +88,8 @@ impl Solution {
         for (unknown, value) in system.unknowns.iter().zip(&self.unknowns) {
             match unknown.kind {
                 Kind::Angle => state.extend([value.x.clone(), value.y.clone()]),
-                _ => state.push(&value.x / &self.scale),
+                Kind::Ratio => state.push(value.x.clone()),
+                Kind::Length => state.push(&value.x / &self.scale),
             }
         }
         state
@@ -152,13 +158,8 @@ impl Solution {
 
 /// A power of two near the longest length, by which slides are scaled.
 fn length_scale(system: &System, data: &[Big]) -> Big {
-    let lengths = system
-        .data
-        .iter()
-        .zip(data)
-        .filter(|(datum, _)| datum.kind == Kind::Length);
-    let size = lengths.fold(Big::zero(), |size, (_, x)| size.max(&x.abs()));
-    Big::power_of_two(size.to_f64().log2().round() as i32)
+    let data: Vec<f64> = data.iter().map(Big::to_f64).collect();
+    Big::power_of_two(system.size(&data).log2().round() as i32)
 }
 
 fn start(system: &System, guess: &[f64], scale: &Big) -> Vec<Big> {
@@ -166,7 +167,8 @@ fn start(system: &System, guess: &[f64], scale: &Big) -> Vec<Big> {
     for (unknown, &value) in system.unknowns.iter().zip(guess) {
         match unknown.kind {
             Kind::Angle => state.extend([value.cos(), value.sin()].map(Big::from)),
-            _ => state.push(Big::from(value) / scale),
+            Kind::Ratio => state.push(Big::from(value)),
+            Kind::Length => state.push(Big::from(value) / scale),
         }
     }
     state
@@ -180,7 +182,11 @@ fn unknowns(system: &System, scale: &Big, state: &[Big]) -> Vec<Plane> {
             x: next().clone(),
             y: next().clone(),
         },
-        _ => Plane {
+        Kind::Ratio => Plane {
+            x: next().clone(),
+            y: Big::zero(),
+        },
+        Kind::Length => Plane {
             x: next() * scale,
             y: Big::zero(),
         },

@@ -1,6 +1,6 @@
 //! A mechanism as the reference sees it: data, unknowns, residuals, outputs.
 
-use crate::{Big, Plane};
+use crate::{Big, Plane, Space};
 
 /// What a number is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl Datum {
 pub struct Unknown {
     /// Its name.
     pub name: &'static str,
-    /// `Angle` (then a unit vector is solved for) or `Length`.
+    /// `Angle` (then a unit vector is solved for), `Length`, or `Ratio`.
     pub kind: Kind,
     /// The start estimate at the reference input of the mechanism as written.
     pub estimate: f64,
@@ -82,13 +82,24 @@ impl Unknown {
             estimate,
         }
     }
+
+    /// An unknown number with its estimate, as the component of a unit vector in space.
+    pub const fn number(name: &'static str, estimate: f64) -> Self {
+        Self {
+            name,
+            kind: Kind::Ratio,
+            estimate,
+        }
+    }
 }
 
 /// A quantity to compare.
 #[derive(Clone, Debug)]
 pub enum Output {
-    /// A length, a coordinate or a ratio.
+    /// A length or a coordinate.
     Value(Big),
+    /// A number without dimension, as the component of a direction.
+    Number(Big),
     /// An angle, given by a vector that points along it.
     Angle(Plane),
 }
@@ -108,7 +119,8 @@ pub struct System {
     pub parameters: usize,
     /// The unknowns.
     pub unknowns: &'static [Unknown],
-    /// The equations, zero at the solution; as many as unknowns.
+    /// The equations, zero at the solution; as many as unknowns. They are lengths, if there is a
+    /// length among the data.
     pub residual: fn(&Position) -> Vec<Big>,
     /// The quantities to compare, the unknowns first.
     pub outputs: fn(&Position) -> Vec<Output>,
@@ -145,14 +157,17 @@ impl System {
         self.data[self.input()].default
     }
 
-    /// The size of the mechanism: its longest given length.
+    /// The size of the mechanism: its longest given length; 1 without lengths.
     pub fn size(&self, data: &[f64]) -> f64 {
         let lengths = self
             .data
             .iter()
             .zip(data)
             .filter(|(datum, _)| datum.kind == Kind::Length);
-        lengths.fold(0.0, |size: f64, (_, x)| size.max(x.abs()))
+        lengths
+            .map(|(_, x)| x.abs())
+            .reduce(f64::max)
+            .unwrap_or(1.0)
     }
 
     /// The value of [`System::turned`], at least 1.
@@ -179,7 +194,7 @@ impl System {
 pub struct Position<'a> {
     pub(crate) system: &'a System,
     pub(crate) data: &'a [Big],
-    /// One entry for each unknown: a unit vector, or a slide in its first component.
+    /// One entry for each unknown: a unit vector, or a slide or number in its first component.
     pub(crate) unknowns: &'a [Plane],
 }
 
@@ -196,6 +211,20 @@ impl Position<'_> {
         Plane {
             x: component("x"),
             y: component("y"),
+        }
+    }
+
+    /// A vector of space given by three data, or by three unknowns: `name.x`, `name.y`, `name.z`.
+    pub fn space(&self, name: &str) -> Space {
+        let component = |axis: &str| {
+            let name = format!("{name}.{axis}");
+            let unknown = self.unknown(&name).map(|unknown| &unknown.x);
+            unknown.unwrap_or_else(|| self.value(&name)).clone()
+        };
+        Space {
+            x: component("x"),
+            y: component("y"),
+            z: component("z"),
         }
     }
 

@@ -56,7 +56,7 @@ impl Reference<'_> {
             return self.derivative(by).iter().map(Big::abs).collect();
         }
         let magnitude = |output: &Output| match output {
-            Output::Value(value) => value.abs(),
+            Output::Value(value) | Output::Number(value) => value.abs(),
             Output::Angle(_) => Big::from(core::f64::consts::PI),
         };
         self.outputs.iter().map(magnitude).collect()

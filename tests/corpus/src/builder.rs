@@ -2,6 +2,7 @@
 
 use crate::plane::{Vector, step};
 use crate::random::Random;
+use crate::space::Place;
 
 /// A named point of the mechanism.
 #[derive(Clone, Debug)]
@@ -27,7 +28,7 @@ pub struct Unknown {
     pub name: String,
     /// Components of its value.
     pub value: Vec<f64>,
-    /// True for an angle.
+    /// True for an angle, or for the numbers of a direction.
     pub is_angle: bool,
     /// Bit `k`: depends on input `k`.
     pub inputs: u32,
@@ -53,11 +54,12 @@ pub(crate) struct Builder {
     pub(crate) random: Random,
     pub(crate) items: Vec<String>,
     pub(crate) points: Vec<Point>,
+    pub(crate) places: Vec<Place>,
     pub(crate) bodies: Vec<Body>,
     pub(crate) inputs: Vec<Input>,
     pub(crate) unknowns: Vec<Unknown>,
     pub(crate) closures: Vec<Closure>,
-    /// Scalar parameters: name, true for an angle.
+    /// Scalar parameters: name, true for an angle or a number.
     pub(crate) parameters: Vec<(String, bool)>,
     count: usize,
 }
@@ -68,6 +70,7 @@ impl Builder {
             random: Random::new(seed),
             items: Vec::new(),
             points: Vec::new(),
+            places: Vec::new(),
             bodies: Vec::new(),
             inputs: Vec::new(),
             unknowns: Vec::new(),

@@ -73,6 +73,16 @@ pub(crate) fn functions(builder: &mut Builder) -> (String, Vec<Function>) {
             name: p.text.clone(),
             components: 2,
         }));
+        let places = builder
+            .places
+            .iter()
+            .filter(|p| p.inputs == mask)
+            .rev()
+            .take(1);
+        quantities.extend(places.map(|p| Quantity {
+            name: p.text.clone(),
+            components: 3,
+        }));
         let unknowns = builder
             .unknowns
             .iter()

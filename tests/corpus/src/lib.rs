@@ -12,6 +12,8 @@ mod plane;
 pub mod random;
 mod sample;
 mod scalars;
+mod space;
+mod spatial;
 mod subject;
 
 pub use builder::Unknown;

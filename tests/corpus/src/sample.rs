@@ -18,7 +18,7 @@ pub struct Sample {
     pub functions: Vec<Function>,
     /// Names of the scalar parameters: `crank`, `pivot.x`.
     pub parameters: Vec<String>,
-    /// True for the scalar parameters that are angles.
+    /// True for the scalar parameters that are angles or numbers.
     pub angles: Vec<bool>,
     /// True for the inputs that are angles.
     pub angle_inputs: Vec<bool>,
@@ -28,6 +28,12 @@ pub struct Sample {
     pub range: f64,
 }
 
+/// Seeds below this one give mechanisms of the plane.
+const PLANAR: u64 = 36;
+
+/// The share of groups in space in the others.
+const IN_SPACE: f64 = 0.75;
+
 /// The mechanism that belongs to a seed, of up to six chained groups.
 pub fn sample(seed: u64, name: &str) -> Sample {
     let mut builder = Builder::new(seed);
@@ -35,10 +41,15 @@ pub fn sample(seed: u64, name: &str) -> Sample {
     if builder.random.chance(0.25) {
         builder.crank();
     }
-    let wanted = 1 + builder.random.below(6);
+    let in_space = seed >= PLANAR;
+    let wanted = 1 + builder.random.below(if in_space { 4 } else { 6 });
     let mut found = 0;
     while found < wanted {
-        found += usize::from(builder.add_group());
+        let closed = match in_space && builder.random.chance(IN_SPACE) {
+            true => builder.add_group_in_space(),
+            false => builder.add_group(),
+        };
+        found += usize::from(closed);
     }
     // A group passes motions on at most about threefold, and may turn by half a radian.
     let range = 0.15 / 3f64.powi(wanted as i32) / builder.inputs.len() as f64;

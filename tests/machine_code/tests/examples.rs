@@ -21,6 +21,7 @@ macro_rules! example {
 
 example! {
     crank_rocker "../../../examples/crank_rocker.rs",
+    delta_robot "../../../examples/delta_robot.rs",
     double_double "../../../examples/double_double.rs",
     drag_link "../../../examples/drag_link.rs",
     dyads "../../../examples/stability/dyads.rs",
@@ -30,17 +31,28 @@ example! {
     gears "../../../examples/gears.rs",
     hydraulic_cylinder "../../../examples/hydraulic_cylinder.rs",
     machine "../../../examples/machine.rs",
+    needle_drive "../../../examples/needle_drive.rs",
     quick_return "../../../examples/quick_return.rs",
+    spatial_crank_rocker "../../../examples/spatial_crank_rocker.rs",
+    spatial_slider_crank "../../../examples/spatial_slider_crank.rs",
     systems "../../../examples/stability/systems.rs",
     textbook "../../../examples/stability/textbook.rs",
     trammel "../../../examples/trammel.rs",
     two_crank_triad "../../../examples/two_crank_triad.rs",
+    universal_joint "../../../examples/universal_joint.rs",
 }
 
 check!(crank_rocker_: crank_rocker::CrankRocker, crank_rocker::CrankRockerAssembly:
     angles [angles_sweep angles_sweep_sets] (phi),
     motion [motion_sweep motion_sweep_sets] (phi),
     accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
+check!(delta_robot_: delta_robot::Delta, delta_robot::DeltaAssembly:
+    platform [platform_sweep platform_sweep_sets] (phi1, phi2, phi3),
+    motion [motion_sweep motion_sweep_sets] (phi1, phi2, phi3),
+    joints [joints_sweep joints_sweep_sets] (phi1, phi2, phi3),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi1, phi2, phi3));
+check!(delta_robot_back: delta_robot::Back, delta_robot::BackAssembly:
+    drives [drives_sweep drives_sweep_sets] (x, y, z));
 check!(double_double_: double_double::CrankRocker, double_double::CrankRockerAssembly:
     motion [motion_sweep motion_sweep_sets] (phi));
 check!(drag_link_: drag_link::DragLink, drag_link::DragLinkAssembly:
@@ -81,9 +93,26 @@ check!(machine_sinkers: machine::SinkerDrive, machine::SinkerDriveAssembly:
     position [position_sweep position_sweep_sets] (phi));
 check!(machine_press: machine::PressDrive, machine::PressDriveAssembly:
     position [position_sweep position_sweep_sets] (phi));
+check!(needle_drive_: needle_drive::NeedleDrive, needle_drive::NeedleDriveAssembly:
+    needle [needle_sweep needle_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi),
+    joints [joints_sweep joints_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
 check!(quick_return_: quick_return::QuickReturn, quick_return::QuickReturnAssembly:
     position [position_sweep position_sweep_sets] (phi),
     stroke [stroke_sweep stroke_sweep_sets] (phi));
+check!(spatial_crank_rocker_: spatial_crank_rocker::SpatialCrankRocker, spatial_crank_rocker::SpatialCrankRockerAssembly:
+    motion [motion_sweep motion_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
+    pose [pose_sweep pose_sweep_sets] (phi));
+check!(spatial_crank_rocker_published: spatial_crank_rocker::published::Published, spatial_crank_rocker::published::PublishedAssembly:
+    rocker [rocker_sweep rocker_sweep_sets] (theta));
+check!(spatial_crank_rocker_flat: spatial_crank_rocker::published::Flat, spatial_crank_rocker::published::FlatAssembly:
+    rocker [rocker_sweep rocker_sweep_sets] (theta));
+check!(spatial_slider_crank_: spatial_slider_crank::SpatialSlider, spatial_slider_crank::SpatialSliderAssembly:
+    joints [joints_sweep joints_sweep_sets] (phi),
+    stroke [stroke_sweep stroke_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
 check!(trammel_: trammel::Trammel, trammel::TrammelAssembly:
     point [point_sweep point_sweep_sets] (phi));
 check!(trammel_scotch_yoke: trammel::ScotchYoke, trammel::ScotchYokeAssembly:
@@ -92,3 +121,8 @@ check!(trammel_scotch_yoke: trammel::ScotchYoke, trammel::ScotchYokeAssembly:
 check!(two_crank_triad_: two_crank_triad::TwoCranks, two_crank_triad::TwoCranksAssembly:
     working_point [working_point_sweep working_point_sweep_sets] (phi),
     motion [motion_sweep motion_sweep_sets] (phi));
+check!(universal_joint_: universal_joint::Cardan, universal_joint::CardanAssembly:
+    single [single_sweep single_sweep_sets] (phi),
+    double [double_sweep double_sweep_sets] (phi),
+    accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
+    bending [bending_sweep bending_sweep_sets] (phi));

@@ -109,6 +109,31 @@ pub fn platform(leg: f64, phi: f64) -> Result<(f64, usize), AssemblyError> {
     Ok((speed, platform.circuits()?.branches.len()))
 }
 
+mechanism! {
+    /// A camera on a mast, looking at a point: a frame in space.
+    pub struct Camera {
+        param height = 2m;
+        input pan = 0deg;
+        let eye = (0, 0, height);
+        let body = frame(eye, (5m * cos(pan), 5m * sin(pan), -height), (0, 0, 1));
+    }
+
+    impl Camera {
+        /// Where the camera is.
+        pub fn pose(pan) -> CameraPose { body, tip: point_in(body, (0.1m, 0, 0)) }
+    }
+}
+
+/// The camera's turn out of its fixed place, in radians.
+///
+/// # Errors
+///
+/// None: nothing has to close.
+pub fn camera_turn(pan: f64) -> Result<f64, AssemblyError> {
+    let pose = Camera::default().assemble()?.pose(pan);
+    Ok(pose.body.isometry().rotation.angle())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

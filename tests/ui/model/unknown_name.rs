@@ -6,7 +6,7 @@ mechanism! {
     pub struct M {
         param coupler = 120mm;
         let a = 2 * copler;
-        let b = 2 * frame;
+        let b = 2 * ground;
         let c = pi / 2;
     }
 

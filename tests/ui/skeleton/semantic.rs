@@ -25,5 +25,6 @@ fn main() {
     let speed: f64 = motion.v.x.hypot(motion.v.y);
     let columns = linkage.motion_sweep(&[0.0, 1.0]);
     println!("{speed} {} {:?} {:?}", motion.psi.sin(), columns.psi(), M::PARAMETERS);
+    println!("{:?}", M::default().circuits().map(|circuits| circuits.branches.len()));
     let _ = M { crank: 41.0, ..M::default() };
 }

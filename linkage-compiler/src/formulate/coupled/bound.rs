@@ -1,6 +1,6 @@
 //! How large the determinant of a coupled group can become: what its margin is measured by.
 
-use linkage_symbolic::{NodeId, SymbolId, agree};
+use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::structure::{Block, Core, Coupled, Private};
 
@@ -122,17 +122,8 @@ impl Solver<'_, '_> {
         block.terms.iter().any(|other| {
             let mut own = other.powers.clone();
             own.sort_unstable();
-            partners.contains(&own) && self.is_turned(coefficient, &other.coefficient)
+            partners.contains(&own) && self.algebra.is_turned(coefficient, &other.coefficient)
         })
-    }
-
-    /// True if two vectors are perpendicular and of one length.
-    fn is_turned(&mut self, a: &[NodeId], b: &[NodeId]) -> bool {
-        let product = self.algebra.dot(a, b);
-        let squares = [a, b].map(|v| self.algebra.dot(v, v));
-        let zero = self.algebra.graph.zero();
-        let graph = &self.algebra.graph;
-        agree(graph, product, zero) && agree(graph, squares[0], squares[1])
     }
 
     /// The determinant without its signs, of the last rows and the columns in a set.

@@ -1,11 +1,14 @@
-//! Where a mechanism needs a direction: axes of `turn`, arguments of `unit`.
+//! Where a mechanism needs a direction: axes of `turn` and of `frame`, arguments of `unit`.
 
 use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
 
 /// A vector that must not be zero.
 pub(super) struct Asked<'m> {
-    pub(super) function: Function,
+    /// What messages call it.
+    pub(super) subject: &'static str,
     pub(super) vector: &'m Expr,
+    /// Another one that must not be parallel to it.
+    pub(super) beside: Option<&'m Expr>,
     /// It stands in a loop, or in a derived quantity that a loop is written with.
     pub(super) in_loop: bool,
 }
@@ -49,20 +52,25 @@ pub(super) fn asked_for(mechanism: &Mechanism) -> Vec<Asked<'_>> {
 
 fn collect<'m>(expr: &'m Expr, in_loop: bool, asked: &mut Vec<Asked<'m>>) {
     if let ExprKind::Call(function, arguments) = &expr.kind {
-        let vector = match function {
-            Function::Turn => arguments.get(1),
-            Function::Unit => arguments.first(),
-            _ => None,
+        let own = |subject, index: usize, beside: Option<usize>| Asked {
+            subject,
+            vector: &arguments[index],
+            beside: beside.map(|index| &arguments[index]),
+            in_loop,
         };
-        asked.extend(
-            vector
-                .filter(|vector| !has_derivative(vector))
-                .map(|vector| Asked {
-                    function: *function,
-                    vector,
-                    in_loop,
-                }),
-        );
+        let all = match function {
+            Function::Turn => vec![own("the axis of `turn`", 1, None)],
+            Function::Unit => vec![own("the vector of `unit`", 0, None)],
+            Function::Frame => vec![
+                own("the x axis of `frame`", 1, None),
+                own("the z axis of `frame`", 2, Some(1)),
+            ],
+            _ => Vec::new(),
+        };
+        asked.extend(all.into_iter().filter(|own| {
+            let vectors = std::iter::once(own.vector).chain(own.beside);
+            !vectors.into_iter().any(has_derivative)
+        }));
     }
     operands(expr)
         .into_iter()

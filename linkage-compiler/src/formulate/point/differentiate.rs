@@ -4,112 +4,128 @@ use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{CoreRow, Elimination, Solution, Term};
 use crate::formulate::Solver;
-use crate::structure::{Plane, Sphere};
+use crate::formulate::space::Space;
+use crate::structure::Plane;
 
 use super::{Ball, Place};
 
+/// Coefficients and factors of one equation.
+type Row = Vec<(NodeId, NodeId)>;
+
 impl Solver<'_, '_> {
-    /// Records what differentiation needs. `determinant` is that of the scaled distances from the centres and the unit normals.
+    /// Records what differentiation needs. `volume` is the determinant of the first sphere's arm and the normals, scaled.
     ///
-    /// A sphere's equation is `(V.V - l^2)/2` times the scale, so that its row of the matrix has no length.
+    /// The equations are the first sphere's and how the others differ from it: three nearly equal rows would cancel. They are
+    /// multiplied by the scale, so that the matrix consists of scaled lengths.
     pub(super) fn push_point(
         &mut self,
         coordinates: &[(SymbolId, usize)],
-        spheres: &[Sphere],
         planes: &[Plane],
         balls: &[Ball],
         place: &Place,
-        mut determinant: NodeId,
+        volume: NodeId,
     ) {
         let count = coordinates.len();
         let (zero, one) = (self.algebra.graph.zero(), self.algebra.graph.one());
-        let row_of = |row: usize, node: NodeId| {
-            let mut coefficient = vec![zero; count];
-            coefficient[row] = node;
-            coefficient
-        };
         let point: Vec<NodeId> = coordinates
             .iter()
             .map(|(symbol, _)| self.algebra.graph.symbol_node(*symbol))
             .collect();
-        let mut jacobian = vec![vec![zero; count]; count];
-        let mut terms = Vec::new();
-        let mut factors = Vec::new();
-        for (row, (sphere, ball)) in spheres.iter().zip(balls).enumerate() {
-            let link = [0, 1, 2].map(|k| {
+        let mut rows: Vec<(Row, Space, NodeId)> = Vec::new();
+        for ball in balls {
+            let leg = [0, 1, 2].map(|k| {
                 let graph = &mut self.algebra.graph;
-                let own = graph.sub(place.arm[k], ball.apart[k]);
-                let value = graph.mul(sphere.factor, own);
+                let value = graph.sub(place.arm[k], ball.apart[k]);
                 let value = self.guarded(value, place.h);
                 let moved = coordinates.iter().zip(&point).find(|((_, c), _)| *c == k);
+                let moved = moved.map_or(zero, |(_, &p)| p);
                 let graph = &mut self.algebra.graph;
-                let moved = moved.map_or(zero, |(_, &p)| graph.mul(sphere.factor, p));
-                let equal = graph.add(sphere.known[k], moved);
+                let equal = graph.sub(moved, ball.centre[k]);
                 let equal = graph.mul(place.scale, equal);
                 self.alias("leg", value, equal)
             });
-            let graph = &mut self.algebra.graph;
-            let length = graph.mul(place.scale, sphere.radius);
-            let minus = graph.neg(length);
-            let known = sphere.known.into_iter().zip(link);
-            let along: Vec<NodeId> = coordinates.iter().map(|&(_, k)| link[k]).collect();
-            let moved = self.algebra.dot(&along, &point);
-            let own = known.chain([(sphere.radius, minus), (sphere.factor, moved)]);
-            terms.extend(own.map(|(coefficient, factor)| Term {
-                coefficient: row_of(row, coefficient),
-                factor,
+            rows.push(match rows.is_empty() {
+                true => (self.sphere_terms(leg, ball), leg, one),
+                false => (self.difference_terms(leg, &balls[0], ball), ball.apart, one),
+            });
+        }
+        for plane in planes {
+            let mut terms = vec![(plane.offset, one)];
+            for (&(_, k), &coordinate) in coordinates.iter().zip(&point) {
+                terms.push((plane.normal[k], coordinate));
+            }
+            let (length, _) = self.algebra.length_and_unit(plane.normal);
+            let factor = self.algebra.graph.div(one, length);
+            rows.push((terms, plane.normal, factor));
+        }
+
+        let mut terms = Vec::new();
+        let mut jacobian = vec![vec![zero; count]; count];
+        let mut core = Vec::new();
+        let mut matrix = Vec::new();
+        for (row, (own, slope, factor)) in rows.into_iter().enumerate() {
+            terms.extend(own.into_iter().map(|(node, factor)| {
+                let mut coefficient = vec![zero; count];
+                coefficient[row] = node;
+                Term {
+                    coefficient,
+                    factor,
+                }
             }));
             for (column, &(_, k)) in coordinates.iter().enumerate() {
-                jacobian[column][row] = self.algebra.graph.mul(sphere.factor, link[k]);
+                jacobian[column][row] = slope[k];
             }
-            factors.push(one);
-            let square = self.algebra.graph.square(sphere.factor);
-            determinant = self.algebra.graph.mul(square, determinant);
-        }
-        for (k, plane) in planes.iter().enumerate() {
-            let row = spheres.len() + k;
-            for (column, &(_, k)) in coordinates.iter().enumerate() {
-                jacobian[column][row] = plane.normal[k];
-                terms.push(Term {
-                    coefficient: row_of(row, plane.normal[k]),
-                    factor: point[column],
-                });
-            }
-            terms.push(Term {
-                coefficient: row_of(row, plane.offset),
-                factor: one,
-            });
-            let (length, _) = self.algebra.length_and_unit(plane.normal);
-            factors.push(self.algebra.graph.div(one, length));
-        }
-        let matrix: Vec<Vec<NodeId>> = (0..count)
-            .map(|row| {
-                let columns = jacobian.iter();
-                columns
-                    .map(|column| self.algebra.graph.mul(factors[row], column[row]))
-                    .collect()
-            })
-            .collect();
-        let product = self.algebra.determinant(&matrix);
-        let determinant = self.alias("det", determinant, product);
-        let rows = factors
-            .into_iter()
-            .enumerate()
-            .map(|(first, factor)| CoreRow {
-                first,
+            let entries = coordinates.iter();
+            matrix.push(
+                entries
+                    .map(|&(_, k)| self.algebra.graph.mul(factor, slope[k]))
+                    .collect(),
+            );
+            core.push(CoreRow {
+                first: row,
                 factors: vec![factor],
             });
-        let elimination = Elimination {
-            rows: rows.collect(),
-            matrix,
-            units: vec![one; count],
-            privates: Vec::new(),
+        }
+        // With two coordinates the third row is an axis.
+        let missing = (0..3).find(|k| coordinates.iter().all(|(_, component)| component != k));
+        let value = match missing {
+            Some(1) => self.algebra.graph.neg(volume),
+            _ => volume,
         };
+        let product = self.algebra.determinant(&matrix);
+        let determinant = self.alias("det", value, product);
         self.push_solution(Solution {
             terms,
             jacobian,
             determinant,
-            elimination: Some(elimination),
+            elimination: Some(Elimination {
+                rows: core,
+                matrix,
+                units: vec![one; count],
+                privates: Vec::new(),
+            }),
         });
+    }
+
+    /// `((p - c).(p - c) - r^2)/2`
+    fn sphere_terms(&mut self, leg: Space, ball: &Ball) -> Row {
+        let mut terms: Row = (0..3)
+            .map(|k| (ball.centre[k], self.algebra.graph.neg(leg[k])))
+            .collect();
+        terms.push((ball.radius, self.algebra.graph.neg(ball.scaled)));
+        terms
+    }
+
+    /// `a . (p - c) - (a . a + r^2 - r'^2)/2`, where `a` leads from the first sphere's centre `c` to that of the other.
+    fn difference_terms(&mut self, leg: Space, base: &Ball, ball: &Ball) -> Row {
+        let graph = &mut self.algebra.graph;
+        let mut terms = Row::new();
+        for k in 0..3 {
+            terms.push((graph.sub(ball.centre[k], base.centre[k]), leg[k]));
+            terms.push((base.centre[k], graph.neg(ball.apart[k])));
+        }
+        terms.push((base.radius, graph.neg(base.scaled)));
+        terms.push((ball.radius, ball.scaled));
+        terms
     }
 }

@@ -2,6 +2,7 @@
 
 mod derivatives;
 mod dimensions;
+mod frames;
 mod golden;
 mod item_messages;
 mod messages;

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use linkage::Vector2;
+use linkage::{Vector2, Vector3};
 use linkage_corpus::random::Random;
 use linkage_corpus::{Case, Kind, code};
 
@@ -27,6 +27,12 @@ impl Numbers for f64 {
 impl Numbers for Vector2<f64> {
     fn append(&self, numbers: &mut Vec<f64>) {
         numbers.extend([self.x, self.y]);
+    }
+}
+
+impl Numbers for Vector3<f64> {
+    fn append(&self, numbers: &mut Vec<f64>) {
+        numbers.extend([self.x, self.y, self.z]);
     }
 }
 

@@ -1,0 +1,110 @@
+//! Directions in which a loop in space is moved by its unknowns, for messages.
+
+use std::collections::HashMap;
+
+use linkage_symbolic::interpret::evaluate;
+use linkage_symbolic::program::Source;
+use linkage_symbolic::{NodeId, SymbolId, substitute};
+
+use crate::algebra::Bound;
+
+use super::Analysis;
+use super::equations::{Coordinate, CoordinateKind, Equation};
+
+type NodeVector = [NodeId; 3];
+type Direction = [f64; 3];
+
+impl Analysis<'_, '_> {
+    /// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
+    /// move it in all directions.
+    pub(super) fn short_of(&mut self, equation: &Equation, own: &[Coordinate]) -> Option<String> {
+        let rows: NodeVector = equation.rows.clone().try_into().ok()?;
+        let mut reached: Vec<Direction> = Vec::new();
+        for coordinate in own {
+            let column = self.column(rows, coordinate)?;
+            let across = reached.iter().fold(column, |rest, unit| {
+                let along = dot(rest, *unit);
+                [0, 1, 2].map(|k| rest[k] - along * unit[k])
+            });
+            if length(across) > 1e-6 * length(column) {
+                reached.push(across.map(|x| x / length(across)));
+            }
+        }
+        match reached[..] {
+            [only] if own.len() == 1 => Some(format!("it is moved along {} only", words(only))),
+            [only] => Some(format!("they move it along {} only", words(only))),
+            [a, b] => {
+                let [x, y, z] = [0, 1, 2].map(|k| {
+                    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                    a[i] * b[j] - a[j] * b[i]
+                });
+                Some(format!("none of them moves it along {}", words([x, y, z])))
+            }
+            _ => None,
+        }
+    }
+
+    /// How the rows change with one coordinate, at the estimates.
+    fn column(&mut self, rows: NodeVector, coordinate: &Coordinate) -> Option<Direction> {
+        coordinate.unknown?;
+        let step = 1e-5;
+        let ahead = self.rows_at(rows, coordinate, step);
+        let behind = self.rows_at(rows, coordinate, -step);
+        let column = [0, 1, 2].map(|k| (ahead[k] - behind[k]) / (2.0 * step));
+        column.iter().all(|x| x.is_finite()).then_some(column)
+    }
+
+    /// The rows at the estimates with one coordinate moved: by radians, or by a share of the estimate.
+    fn rows_at(&mut self, rows: NodeVector, moved: &Coordinate, step: f64) -> Vec<f64> {
+        let mut values: HashMap<SymbolId, NodeId> = HashMap::new();
+        for (unknown, bound) in self.algebra.bound.iter().enumerate() {
+            let estimate = &self.nominal.estimates[unknown];
+            match bound {
+                Bound::Angle(index) => {
+                    let angle = &self.algebra.angles[*index];
+                    let shift = match moved.kind == CoordinateKind::Angle(*index) {
+                        true => step,
+                        false => 0.0,
+                    };
+                    let value = estimate[0] + shift;
+                    let graph = &mut self.algebra.graph;
+                    values.insert(angle.cos, graph.constant(value.cos()));
+                    values.insert(angle.sin, graph.constant(value.sin()));
+                    values.insert(angle.value, graph.constant(value));
+                }
+                Bound::Lengths(symbols) => {
+                    for ((symbol, _), estimate) in symbols.iter().zip(estimate) {
+                        let shift = match moved.kind == CoordinateKind::Length(*symbol) {
+                            true => step * estimate.abs().max(1.0),
+                            false => 0.0,
+                        };
+                        let value = self.algebra.graph.constant(estimate + shift);
+                        values.insert(*symbol, value);
+                    }
+                }
+            }
+        }
+        let rows = substitute(&mut self.algebra.graph, &rows, &values);
+        evaluate(&self.algebra.graph, &rows, |source| match source {
+            Source::Parameter(index) => self.nominal.parameters[index],
+            Source::Input(index) => self.nominal.inputs[index],
+            _ => f64::NAN,
+        })
+    }
+}
+
+fn dot(a: Direction, b: Direction) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn length(a: Direction) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// A unit vector to three digits; of the two signs, the one whose first component other than 0 is positive.
+fn words(direction: Direction) -> String {
+    let rounded = direction.map(|x| (1000.0 * x).round() / 1000.0);
+    let first = rounded.into_iter().find(|x| *x != 0.0).unwrap_or(1.0);
+    let [x, y, z] = rounded.map(|x| x * first.signum() + 0.0);
+    format!("({x}, {y}, {z})")
+}
