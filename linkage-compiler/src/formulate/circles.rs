@@ -13,8 +13,8 @@ pub(super) struct Squares {
     pub(super) half_scale2: NodeId,
     /// `(r1^2 - r2^2)/2`
     pub(super) imbalance: NodeId,
-    /// The smaller of both.
-    pub(super) smaller2: NodeId,
+    /// Twice the smaller of both.
+    pub(super) twice: NodeId,
     /// What rounding of the second one's is measured by, if it is not given as a length.
     pub(super) noise2: Option<NodeId>,
 }
@@ -50,11 +50,13 @@ impl Solver<'_, '_> {
         let half_scale2 = self.half(scale2);
         let imbalance = self.difference_of_squares(r1s, r2s);
         let imbalance = self.half(imbalance);
+        let graph = &mut self.algebra.graph;
+        let (smaller2, two) = (graph.square(smaller), graph.constant(2.0));
         let squares = Squares {
             scale,
             half_scale2,
             imbalance,
-            smaller2: self.algebra.graph.square(smaller),
+            twice: graph.mul(two, smaller2),
             noise2: None,
         };
         (squares, [r1s, r2s])
@@ -71,7 +73,7 @@ impl Solver<'_, '_> {
             scale,
             half_scale2,
             imbalance,
-            smaller2,
+            twice,
             noise2,
         } = squares;
         let size = self.abs(imbalance);
@@ -82,8 +84,6 @@ impl Solver<'_, '_> {
         let n1 = graph.add(m, imbalance);
         let n2 = graph.sub(m, imbalance);
         let n = graph.sub(m, size);
-        let two = graph.constant(2.0);
-        let twice = graph.mul(two, smaller2);
         let t = graph.mul(twice, m);
         let n_squared = graph.square(n);
         let q = graph.sub(t, n_squared);

@@ -27,7 +27,7 @@ impl Solver<'_, '_> {
         let (r, along) = self.algebra.length_and_unit(cosine);
         let beside = sine.map(|x| self.algebra.graph.div(x, r));
         let axis = self.algebra.cross3(along, beside);
-        let [x, y, z] = [along, beside, axis].map(|e| self.algebra.dot(&e, &known));
+        let [x, y, z] = [along, beside, axis].map(|e| self.projection(e, known));
         let seen = self.negative([x, y]);
         let squares = self.shadow(r, l, z);
         let circles = self.circles(seen, &squares);
@@ -118,11 +118,15 @@ impl Solver<'_, '_> {
         let z2 = graph.square(z);
         let half = graph.mul(squares.half_scale2, z2);
         squares.imbalance = graph.add(squares.imbalance, half);
-        let scale2 = graph.square(squares.scale);
-        let z2 = graph.mul(scale2, z2);
-        let [r2, l2] = [r_scaled, l_scaled].map(|x| graph.square(x));
+        let four = graph.constant(4.0);
+        let z2 = graph.mul(four, half);
+        let [r2, l2] = [r_scaled, l_scaled].map(|x| {
+            let two = graph.constant(2.0);
+            let square = graph.square(x);
+            graph.mul(two, square)
+        });
         let seen2 = graph.sub(l2, z2);
-        squares.smaller2 = graph.binary(Binary::Min, r2, seen2);
+        squares.twice = graph.binary(Binary::Min, r2, seen2);
         let reach_scaled = graph.add(r_scaled, l_scaled);
         squares.noise2 = Some(graph.mul(l_scaled, reach_scaled));
         squares

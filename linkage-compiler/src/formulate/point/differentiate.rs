@@ -31,23 +31,20 @@ impl Solver<'_, '_> {
             .iter()
             .map(|(symbol, _)| self.algebra.graph.symbol_node(*symbol))
             .collect();
-        let mut rows: Vec<(Row, Space, NodeId)> = Vec::new();
-        for ball in balls {
-            let leg = [0, 1, 2].map(|k| {
-                let graph = &mut self.algebra.graph;
-                let value = graph.sub(place.arm[k], ball.apart[k]);
-                let value = self.guarded(value, place.h);
-                let moved = coordinates.iter().zip(&point).find(|((_, c), _)| *c == k);
-                let moved = moved.map_or(zero, |(_, &p)| p);
-                let graph = &mut self.algebra.graph;
-                let equal = graph.sub(moved, ball.centre[k]);
-                let equal = graph.mul(place.scale, equal);
-                self.alias("leg", value, equal)
-            });
-            rows.push(match rows.is_empty() {
-                true => (self.sphere_terms(leg, ball), leg, one),
-                false => (self.difference_terms(leg, &balls[0], ball), ball.apart, one),
-            });
+        let first = [0, 1, 2].map(|k| {
+            let value = self.guarded(place.arm[k], place.h);
+            let moved = coordinates.iter().zip(&point).find(|((_, c), _)| *c == k);
+            let moved = moved.map_or(zero, |(_, &p)| p);
+            let graph = &mut self.algebra.graph;
+            let equal = graph.sub(moved, balls[0].centre[k]);
+            let equal = graph.mul(place.scale, equal);
+            self.alias("leg", value, equal)
+        });
+        let mut rows = vec![(self.sphere_terms(first, &balls[0]), first, one)];
+        for ball in &balls[1..] {
+            let leg = [0, 1, 2].map(|k| self.algebra.graph.sub(first[k], ball.apart[k]));
+            let terms = self.difference_terms(leg, &balls[0], ball);
+            rows.push((terms, ball.apart, one));
         }
         for plane in planes {
             let mut terms = vec![(plane.offset, one)];
