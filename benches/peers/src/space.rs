@@ -85,7 +85,10 @@ pub fn dimensions4(m: &K4) -> [f64; 4] {
 }
 
 /// The numbers of vectors in one row, other numbers behind them.
-fn row<const N: usize>(vectors: impl IntoIterator<Item = Vector3<f64>>, others: &[f64]) -> [f64; N] {
+fn row<const N: usize>(
+    vectors: impl IntoIterator<Item = Vector3<f64>>,
+    others: &[f64],
+) -> [f64; N] {
     let mut row = [0.0; N];
     let numbers = vectors.into_iter().flat_map(|v| [v.x, v.y, v.z]);
     let numbers = numbers.chain(others.iter().copied());
