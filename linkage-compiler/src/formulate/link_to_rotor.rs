@@ -12,10 +12,11 @@ use super::{Closed, GapIn, Solver};
 impl Solver<'_, '_> {
     /// `|K + A cos + B sin| = l`, `A` and `B` perpendicular and of length `r`.
     ///
-    /// Everything is written in the rocker's frame, `K = (x, y, z)` with z along its axis. The link spans `z` along the axis; seen along
-    /// it there remain two links of lengths `r` and `sqrt(l^2 - z^2)` in the plane of the circle, solved as RRR. So parallel
-    /// axes give the planar mechanism, and needle triangles stay accurate. Of the second link only the square is needed.
-    /// The link's vector is that of the circles, never `K + A cos + B sin`.
+    /// In the rocker's frame `K = (x, y, z)`, z along its axis. The link spans `z` along the axis; seen along it there remain two
+    /// links of lengths `r` and `sqrt(l^2 - z^2)` in the plane of the circle, solved as RRR, which needs the second one's square only.
+    /// So parallel axes give the planar mechanism, and needle triangles stay accurate. The link's vector is put together
+    /// from both parts, never `K + A cos + B sin`. Derivatives are taken in fixed coordinates, where they have the velocity of
+    /// the rocker's point in common with what users ask for.
     pub(super) fn link_to_rotor(
         &mut self,
         angle: usize,
@@ -107,6 +108,7 @@ impl Solver<'_, '_> {
             gap_in: GapIn::Link,
         }
     }
+
     /// The circles of radii `r` and `sqrt(l^2 - z^2)`.
     fn shadow(&mut self, r: NodeId, l: NodeId, z: NodeId) -> Squares {
         let reach = self.algebra.graph.add(r, l);

@@ -10,6 +10,9 @@ use crate::structure::{Plane, Sphere};
 use super::space::Space;
 use super::{Closed, GapIn, Solver};
 
+/// About what a vector's length is of the sum of its components, which needs no root: it is 0.58 to 1.
+const SUM_OF_COMPONENTS: f64 = 0.625;
+
 /// A sphere `|f (p - centre)| = radius`, with its own numbers.
 struct Ball {
     centre: Space,
@@ -98,7 +101,9 @@ impl Solver<'_, '_> {
         let graph = &mut self.algebra.graph;
         let shallow = graph.mul(sine, inverse);
         let sizes = graph.mul(reach, shallow);
-        let far = graph.mul(radius, sizes);
+        let share = graph.constant(SUM_OF_COMPONENTS);
+        let share = graph.mul(share, radius);
+        let far = graph.mul(share, sizes);
         let noise = graph.add(far, radius2);
         let h = self.root(q, noise);
         let graph = &mut self.algebra.graph;

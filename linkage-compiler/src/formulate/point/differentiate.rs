@@ -117,8 +117,8 @@ impl Solver<'_, '_> {
     fn difference_terms(&mut self, leg: Space, base: &Ball, ball: &Ball) -> Row {
         let graph = &mut self.algebra.graph;
         let mut terms = Row::new();
-        for k in 0..3 {
-            terms.push((graph.sub(ball.centre[k], base.centre[k]), leg[k]));
+        for (k, leg) in leg.into_iter().enumerate() {
+            terms.push((graph.sub(ball.centre[k], base.centre[k]), leg));
             terms.push((base.centre[k], graph.neg(ball.apart[k])));
         }
         terms.push((base.radius, graph.neg(base.scaled)));
