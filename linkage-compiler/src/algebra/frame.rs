@@ -66,7 +66,7 @@ impl Algebra<'_> {
 
     /// True if a node is zero wherever it is evaluated. It is tried at places; where the formula depends on signs, these would
     /// prove nothing.
-    fn vanishes(&mut self, node: NodeId) -> bool {
+    pub(super) fn vanishes(&mut self, node: NodeId) -> bool {
         let by_sign = |id| {
             matches!(
                 self.graph.node(id),

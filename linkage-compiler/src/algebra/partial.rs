@@ -18,7 +18,7 @@ pub(super) struct System {
 }
 
 impl System {
-    fn new(group: usize, by: Vec<SymbolId>) -> Self {
+    pub(super) fn new(group: usize, by: Vec<SymbolId>) -> Self {
         Self {
             group,
             order: by.len(),

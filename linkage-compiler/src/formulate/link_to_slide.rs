@@ -20,7 +20,7 @@ impl Solver<'_, '_> {
         let w = self.mode_sign();
         let l = self.abs(length);
         let (stretch, g) = self.algebra.length_and_unit(guide);
-        let along = self.algebra.dot(&g, &known);
+        let along = self.projection(g, known);
         let moment = self.algebra.cross3(g, known);
         let x = self.algebra.length(&moment);
         let q = self.difference_of_squares(l, x);

@@ -48,6 +48,7 @@ fn expect_agreement(items: &str, function: &str) {
         Direction::Forward,
         Direction::FromResults,
         Direction::FromUnknowns,
+        Direction::Gradient,
     ];
     let results = directions.map(|direction| {
         let function = &mechanism.evaluators[0];
@@ -136,7 +137,7 @@ fn states(
 #[track_caller]
 fn compare(
     graph: &Graph,
-    results: &[Vec<NodeId>; 3],
+    results: &[Vec<NodeId>; 4],
     (position, states): (&Position, &[Vec<f64>]),
     random: &mut Random,
 ) -> usize {
