@@ -50,6 +50,9 @@ fn a_link_to_a_rocker() {
             "loop distance(pin, end) / l = 1;",
             "loop 2 * distance(pin, end) = l + l;",
             "loop l * l - dot(pin - end, pin - end) = 0;",
+            "loop distance(pin, end) + a - l = a * cos(phi);",
+            "loop l - a = 2 * a - (distance(pin, end) + r);",
+            "loop dot(end - pin, end - pin) + a * a - l * l = 0;",
             "let v = end - pin; loop v.x * v.x + v.y * v.y + v.z * v.z = l * l;",
         ] {
             expect(

@@ -24,18 +24,11 @@ impl Analysis<'_, '_> {
 
     /// A length or its square on one side, known numbers on the other.
     fn measured(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
-        let row = match self.algebra.graph.node(row) {
-            Node::Unary(Unary::Neg, inner) => inner,
-            _ => row,
-        };
-        let Node::Binary(Binary::Sub, a, b) = self.algebra.graph.node(row) else {
-            return None;
-        };
-        for (measured, given) in [(a, b), (b, a)] {
-            if coordinates.iter().any(|c| self.contains(given, c)) {
-                continue;
-            }
-            let (measured, given) = self.without_factors(measured, given, coordinates);
+        let mut sides = (row, self.algebra.graph.zero());
+        loop {
+            // Squares of what is known may belong to the vector: one term after the other.
+            sides = self.without_term(sides, coordinates)?;
+            let (measured, given) = self.without_factors(sides.0, sides.1, coordinates);
             if let Some(vector) = self.algebra.norms.get(&measured).cloned() {
                 // No distance is negative.
                 let graph = &mut self.algebra.graph;
@@ -49,7 +42,29 @@ impl Analysis<'_, '_> {
                 return Some(Distance { vector, length });
             }
         }
-        None
+    }
+
+    /// Both sides of an equation less a known term of the first.
+    fn without_term(
+        &mut self,
+        (side, other): (NodeId, NodeId),
+        coordinates: &[Coordinate],
+    ) -> Option<(NodeId, NodeId)> {
+        let known = |analysis: &Self, x| !coordinates.iter().any(|c| analysis.contains(x, c));
+        let node = self.algebra.graph.node(side);
+        let (knows_first, knows_second) = match node {
+            Node::Binary(_, a, b) => (known(self, a), known(self, b)),
+            _ => (false, false),
+        };
+        let graph = &mut self.algebra.graph;
+        Some(match node {
+            Node::Unary(Unary::Neg, a) => (a, graph.neg(other)),
+            Node::Binary(Binary::Add, a, b) if knows_second => (a, graph.sub(other, b)),
+            Node::Binary(Binary::Add, a, b) if knows_first => (b, graph.sub(other, a)),
+            Node::Binary(Binary::Sub, a, b) if knows_second => (a, graph.add(other, b)),
+            Node::Binary(Binary::Sub, a, b) if knows_first => (b, graph.sub(a, other)),
+            _ => return None,
+        })
     }
 
     /// Both sides divided by the known factors of the first.
