@@ -18,6 +18,30 @@ mechanism! {
 }
 
 mechanism! {
+    /// Distances in space, one group of each kind.
+    struct Space {
+        unit mm;
+        param coupler = 130mm;
+        param rod = 150mm;
+        param leg = 90mm;
+        input phi = 20deg in 0deg..90deg;
+        let pin = (10mm * cos(phi), 10mm * sin(phi), 0mm);
+        unknown psi = 100deg;
+        let end = (110mm, 30mm, -50mm) + turn((70mm, 0mm, 0mm), (0.2, 0.1, 1), psi);
+        loop distance(pin, end) = coupler;
+        unknown s = 100mm;
+        loop distance(pin, (0mm, 20mm, 30mm) + s * (1, 0, 0.1)) = rod;
+        unknown p = (40mm, 30mm, 80mm);
+        loop distance(p, pin) = leg;
+        loop norm(p - (90mm, 0mm, 0mm)) = 90mm;
+        loop distance((0mm, 80mm, 0mm), p) = 90mm;
+    }
+    impl Space {
+        fn motion(phi) -> SpaceMotion { end, s, p }
+    }
+}
+
+mechanism! {
     /// Two bars on a wall.
     struct Truss {
         unit mm;
@@ -65,6 +89,31 @@ fn a_distance_is_not_negative() {
     ] {
         assert!(matches!(
             boom.assemble(),
+            Err(AssemblyError::NotFinite { .. })
+        ));
+    }
+}
+
+#[test]
+fn a_distance_in_space_is_not_negative() {
+    let dimensions = Space::default();
+    assert!(dimensions.assemble().is_ok());
+    for dimensions in [
+        Space {
+            coupler: -130.0,
+            ..dimensions
+        },
+        Space {
+            rod: -150.0,
+            ..dimensions
+        },
+        Space {
+            leg: -90.0,
+            ..dimensions
+        },
+    ] {
+        assert!(matches!(
+            dimensions.assemble(),
             Err(AssemblyError::NotFinite { .. })
         ));
     }

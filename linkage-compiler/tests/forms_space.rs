@@ -96,6 +96,31 @@ fn a_rocker_on_a_moving_body() {
 }
 
 #[test]
+fn a_choice_is_no_circle() {
+    // Twice as wide as high for most `r`, whatever it is where lengths are tried.
+    for end in [
+        "let end = pivot + (max(r, 2mm) * cos(psi), 2mm * sin(psi), 0mm);",
+        "let end = pivot + (r * cos(psi), min(r, 200mm) * sin(psi), 0mm);",
+    ] {
+        expect(
+            &format!("unknown psi = 80deg; {end} loop distance(pin, end) = l;"),
+            &["loops 1: coupled for psi"],
+        );
+    }
+    expect(
+        "unknown psi = 80deg; let end = pivot + (-r * cos(psi), abs(r) * sin(psi), 0mm);
+         loop distance(pin, end) = l;",
+        &["loops 1: link to rotor for psi"],
+    );
+    // A root that is not defined for all lengths.
+    expect(
+        "unknown psi = 80deg; let end = pivot + turn((sqrt(r * r - a * a), 0mm, 0mm), axis, psi);
+         loop distance(pin, end) = l;",
+        &["loops 1: link to rotor for psi"],
+    );
+}
+
+#[test]
 fn a_link_to_a_slide() {
     for equation in [
         "loop distance(pin, pivot + s * axis) = l;",

@@ -5,9 +5,13 @@ use std::collections::HashMap;
 
 use crate::graph::{Graph, Node, NodeId, SymbolId};
 use crate::interpret::{apply_binary, apply_ternary, apply_unary};
+use crate::program::{Binary, Unary};
 
-/// Places at which both sides must agree.
+/// Places at which both sides must be defined and agree.
 const PLACES: u64 = 4;
+
+/// Places that are tried: not every function is defined everywhere.
+const TRIED: u64 = 64;
 
 /// Differences below this share of the larger terms are rounding.
 const ROUNDING: f64 = 1e-10;
@@ -20,10 +24,44 @@ pub fn agree(graph: &Graph, a: NodeId, b: NodeId) -> bool {
 
 /// The same up to a given share of the larger terms.
 pub fn agree_within(graph: &Graph, a: NodeId, b: NodeId, share: f64) -> bool {
-    a == b || (0..PLACES).all(|place| agree_at(graph, a, b, place, share))
+    if a == b {
+        return true;
+    }
+    let near = (0..TRIED).map(|place| agree_at(graph, a, b, Place::Near(place), share));
+    let near: Vec<bool> = near.flatten().take(PLACES as usize).collect();
+    let analytic = || {
+        graph
+            .reachable(&[a, b])
+            .iter()
+            .all(|&id| !splits(graph, id))
+    };
+    let far = || (0..TRIED).filter_map(|place| agree_at(graph, a, b, Place::Far(place), share));
+    !near.is_empty() && near.into_iter().all(|x| x) && (analytic() || far().all(|x| x))
 }
 
-fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: u64, share: f64) -> bool {
+/// True for functions that are different formulas on different sides of some value.
+fn splits(graph: &Graph, id: NodeId) -> bool {
+    matches!(
+        graph.node(id),
+        Node::Unary(
+            Unary::Abs | Unary::Sign | Unary::Asin | Unary::Acos | Unary::Atan,
+            _
+        ) | Node::Binary(Binary::Min | Binary::Max | Binary::Atan2, ..)
+            | Node::Ternary(..)
+    )
+}
+
+/// Where expressions are evaluated.
+#[derive(Clone, Copy)]
+enum Place {
+    /// All symbols in 0.5..1.5: roots are defined, nothing is lost beside large terms.
+    Near(u64),
+    /// Any signs and magnitudes.
+    Far(u64),
+}
+
+/// Nothing where both sides are undefined.
+fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: Place, share: f64) -> Option<bool> {
     // Each value comes with the size of the terms that it is made of: a small sum of large terms is known less well.
     let mut values: HashMap<NodeId, (f64, f64)> = HashMap::new();
     for id in graph.reachable(&[a, b]) {
@@ -39,8 +77,8 @@ fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: u64, share: f64) -> bool
                 let ((x, x_size), (y, y_size)) = (values[&x], values[&y]);
                 let result = apply_binary(op, x, y);
                 let size = match op {
-                    crate::program::Binary::Mul => x_size * y_size,
-                    crate::program::Binary::Div => x_size / y.abs(),
+                    Binary::Mul => x_size * y_size,
+                    Binary::Div => x_size / y.abs(),
                     _ => x_size.max(y_size),
                 };
                 (result, result.abs().max(size))
@@ -52,7 +90,8 @@ fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: u64, share: f64) -> bool
         values.insert(id, known);
     }
     let ((a, a_size), (b, b_size)) = (values[&a], values[&b]);
-    (a - b).abs() <= share * a_size.max(b_size).max(f64::MIN_POSITIVE)
+    let agree = (a - b).abs() <= share * a_size.max(b_size).max(f64::MIN_POSITIVE);
+    (a.is_finite() || b.is_finite()).then_some(agree)
 }
 
 fn sized(value: f64) -> (f64, f64) {
@@ -60,7 +99,7 @@ fn sized(value: f64) -> (f64, f64) {
 }
 
 /// A value for each symbol and place; the cosine and the sine of one angle fit each other.
-fn sample(graph: &Graph, symbol: SymbolId, place: u64) -> f64 {
+fn sample(graph: &Graph, symbol: SymbolId, place: Place) -> f64 {
     match graph.cosine_of(symbol) {
         Some(cosine) => number(cosine, place).sin(),
         None if graph.is_cosine(symbol) => number(symbol, place).cos(),
@@ -68,11 +107,22 @@ fn sample(graph: &Graph, symbol: SymbolId, place: u64) -> f64 {
     }
 }
 
-/// A number in 0.5..1.5, without pattern.
-fn number(symbol: SymbolId, place: u64) -> f64 {
+/// A number without pattern.
+fn number(symbol: SymbolId, place: Place) -> f64 {
+    let (place, far) = match place {
+        Place::Near(place) => (place, false),
+        Place::Far(place) => (TRIED + place, true),
+    };
     let mut x = (symbol.index() as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)
         ^ (place + 1).wrapping_mul(0xd1b5_4a32_d192_ed03);
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    0.5 + ((x ^ (x >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    x ^= x >> 31;
+    let near = 0.5 + (x >> 11) as f64 / (1u64 << 53) as f64;
+    if !far {
+        return near;
+    }
+    // The lowest bits are not in the number: a sign, and a power of ten from -3 to 4.
+    let sign = if x & 1 == 0 { 1.0 } else { -1.0 };
+    sign * near * 10f64.powi((x >> 1 & 7) as i32 - 3)
 }

@@ -61,7 +61,7 @@ impl Algebra<'_> {
     ) -> NodeId {
         match direction {
             Direction::Forward => differentiate(self, node, parameter),
-            Direction::Gradient => self.from_gradient(node, parameter),
+            Direction::Gradient => self.gradient_by(node, parameter),
             Direction::FromResults => {
                 let multipliers = self.multipliers_of(node);
                 let start = self.partial(node, parameter);

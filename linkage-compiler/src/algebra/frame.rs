@@ -1,7 +1,6 @@
 //! Frames in space: axes from two directions, points and coordinates in them.
 
-use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Node, NodeId, agree_within};
+use linkage_symbolic::{NodeId, agree_within};
 
 use super::{Algebra, Value};
 
@@ -64,20 +63,10 @@ impl Algebra<'_> {
             })
     }
 
-    /// True if a node is zero wherever it is evaluated. It is tried at places; where the formula depends on signs, these would
-    /// prove nothing.
+    /// True if a node is zero wherever it is evaluated.
     pub(super) fn vanishes(&mut self, node: NodeId) -> bool {
-        let by_sign = |id| {
-            matches!(
-                self.graph.node(id),
-                Node::Unary(Unary::Abs, _)
-                    | Node::Binary(Binary::Min | Binary::Max, ..)
-                    | Node::Ternary(..)
-            )
-        };
-        let depends = self.graph.reachable(&[node]).into_iter().any(by_sign);
         let zero = self.graph.zero();
-        node == zero || (!depends && agree_within(&self.graph, node, zero, ROUNDING))
+        agree_within(&self.graph, node, zero, ROUNDING)
     }
 
     fn frame_parts(&mut self, frame: &Value) -> [[NodeId; 3]; 4] {

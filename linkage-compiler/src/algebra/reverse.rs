@@ -31,7 +31,7 @@ struct Weights {
 
 impl Algebra<'_> {
     /// The derivative of a node by a parameter, from the gradient of the node.
-    pub(super) fn from_gradient(&mut self, node: NodeId, parameter: SymbolId) -> NodeId {
+    pub(super) fn gradient_by(&mut self, node: NodeId, parameter: SymbolId) -> NodeId {
         if !self.gradients.contains_key(&node) {
             let gradient = self.gradient(node);
             self.gradients.insert(node, gradient);

@@ -22,9 +22,8 @@ impl Solver<'_, '_> {
         angle: usize,
         [cosine, sine]: [Space; 2],
         known: Space,
-        length: NodeId,
+        l: NodeId,
     ) -> Closed {
-        let l = self.abs(length);
         let (r, along) = self.algebra.length_and_unit(cosine);
         let beside = sine.map(|x| self.algebra.graph.div(x, r));
         let axis = self.algebra.cross3(along, beside);
@@ -67,7 +66,7 @@ impl Solver<'_, '_> {
         let slope = self.algebra.dot(&link, &slope);
         let determinant = self.algebra.graph.neg(circles.product);
         let determinant = self.alias("det", determinant, slope);
-        let mut terms = self.distance_terms(link, known, length);
+        let mut terms = self.distance_terms(link, known, l);
         for (vector, factor) in [(cosine, cos), (sine, sin)] {
             terms.extend((0..3).map(|k| Term {
                 coefficient: vec![vector[k]],

@@ -15,10 +15,9 @@ impl Solver<'_, '_> {
         slide: SymbolId,
         guide: Space,
         known: Space,
-        length: NodeId,
+        l: NodeId,
     ) -> Closed {
         let w = self.mode_sign();
-        let l = self.abs(length);
         let (stretch, g) = self.algebra.length_and_unit(guide);
         let along = self.projection(g, known);
         let moment = self.algebra.cross3(g, known);
@@ -52,7 +51,7 @@ impl Solver<'_, '_> {
         let slope = self.algebra.dot(&link, &guide);
         let determinant = self.algebra.graph.mul(stretch, hw);
         let determinant = self.alias("det", determinant, slope);
-        let mut terms = self.distance_terms(link, known, length);
+        let mut terms = self.distance_terms(link, known, l);
         terms.extend((0..3).map(|k| Term {
             coefficient: vec![guide[k]],
             factor: self.algebra.graph.mul(link[k], s),

@@ -174,8 +174,8 @@ impl Solver<'_, '_> {
                     let quotient = graph.div(x, sphere.factor);
                     graph.neg(quotient)
                 });
-                let radius = graph.div(sphere.radius, sphere.factor);
-                (centre, self.abs(radius))
+                let stretch = graph.abs(sphere.factor);
+                (centre, graph.div(sphere.radius, stretch))
             })
             .collect();
         let graph = &mut self.algebra.graph;

@@ -91,10 +91,11 @@ impl Analysis<'_, '_> {
         let graph = &mut self.algebra.graph;
         let zero = graph.zero();
         for row in &mut polynomials.rows {
-            let size = row.values().fold(zero, |sum, &coefficient| {
-                let size = graph.abs(coefficient);
-                graph.add(sum, size)
+            let square = row.values().fold(zero, |sum, &coefficient| {
+                let square = graph.square(coefficient);
+                graph.add(sum, square)
             });
+            let size = graph.sqrt(square);
             row.retain(|_, coefficient| {
                 let with = graph.add(size, *coefficient);
                 !agree(graph, *coefficient, zero) && !agree_within(graph, with, size, NEGLIGIBLE)

@@ -1,7 +1,6 @@
 //! Bringing a coupled set of loops to known forms: distances become links, components become vectors, a sum of angles
 //! becomes an angle.
 
-use linkage_symbolic::program::Ternary;
 use linkage_symbolic::{NodeId, SymbolId, collect};
 
 use crate::algebra::Atom;
@@ -62,9 +61,6 @@ impl Analysis<'_, '_> {
                 self.algebra.angles[angle].sin_node,
             ];
             let graph = &mut self.algebra.graph;
-            // No distance is negative.
-            let nan = graph.constant(f64::NAN);
-            let length = graph.ternary(Ternary::Select, length, length, nan);
             let rows = (0..2).map(|k| {
                 let along = graph.mul(length, unit[k]);
                 graph.sub(vector[k], along)

@@ -1,6 +1,6 @@
 //! Recognising groups in space: distances to a point that turns or slides, loops of three rows.
 
-use linkage_symbolic::program::{Binary, Unary};
+use linkage_symbolic::program::{Binary, Ternary, Unary};
 use linkage_symbolic::{Node, NodeId, SymbolId, collect};
 
 use super::eliminate::System;
@@ -36,11 +36,12 @@ impl Analysis<'_, '_> {
                 continue;
             }
             let (measured, given) = self.without_factors(measured, given, coordinates);
-            if let Some(vector) = self.algebra.norms.get(&measured) {
-                return Some(Distance {
-                    vector: vector.clone(),
-                    length: given,
-                });
+            if let Some(vector) = self.algebra.norms.get(&measured).cloned() {
+                // No distance is negative.
+                let graph = &mut self.algebra.graph;
+                let nan = graph.constant(f64::NAN);
+                let length = graph.ternary(Ternary::Select, given, given, nan);
+                return Some(Distance { vector, length });
             }
             let squared = self.algebra.squares.get(&measured).cloned();
             if let Some(vector) = squared.filter(|v| v.len() == 3) {

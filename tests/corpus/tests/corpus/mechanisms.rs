@@ -5363,7 +5363,7 @@ impl Generated40 {
 }
 
 corpus! {
-    m41 Generated41 [f2.x, f2.y, l3, l7, w9, f11.x, f11.y, l12, l14, f16.x, f16.y, f16.z, f17.x, f17.y, f17.z, l19, l20, l21, v27.x, v27.y, v27.z, f32.x, f32.y, f32.z, d34.x, d34.y, d34.z, d35.x, d35.y, d35.z, d42.x, d42.y, d42.z, f43.x, f43.y, f43.z, v44.x, v44.y, v44.z, l47]
+    m41 Generated41 [f2.x, f2.y, l3, l7, w9, f11.x, f11.y, l12, l14, f16.x, f16.y, f16.z, f17.x, f17.y, f17.z, l19, l20, l21, v27.x, v27.y, v27.z, f32.x, f32.y, f32.z, d34.x, d34.y, d34.z, f40.x, f40.y, f40.z, f41.x, f41.y, f41.z, l43, l44]
     {
 pub struct Generated41 {
     unit cm;
@@ -5403,22 +5403,25 @@ pub struct Generated41 {
     loop q22 + s28 * unit((0, 1, 0)) + s29 * unit(d24) = f26 + turn(v27, d25, t30);
     let q31 = f26 + turn(v27, d25, t30);
     param f32 = (32.7800mm, 23.9332mm, 39.3744mm);
-    const d33 = (-1.3656652, -0.1511365, 1.4533122);
-    param d34 = (-1.1248731, 0.0522373, -1.6528556);
-    param d35 = (0.3856781, -0.3417199, 0.8570181);
-    unknown s36 = -97.4mm;
-    unknown s37 = 3.1mm;
-    unknown s38 = 63.8mm;
-    loop q15 - s38 * unit(turn((0, 1, 0), d35, phi1)) = q31 + s36 * unit(turn((1, 0, 0), (0, 1, 0), t30)) + s37 * unit(d34);
-    let q39 = q31 + s36 * unit(turn((1, 0, 0), (0, 1, 0), t30));
-    param d42 = (-0.7024258, 0.5117255, 1.8013148);
-    param f43 = (48.1203mm, -14.5764mm, 117.9359mm);
-    param v44 = (-57.9178mm, -4.6305mm, 14.9697mm);
-    unknown t45 = -44deg;
-    let q46 = f43 + turn(v44, d42, t45);
-    param l47 = 84.5021mm;
-    loop norm(q31 - (f43 + turn(v44, d42, t45))) = l47;
-    let q48 = (q46.x, q46.y);
+    const d33 = (0.8170673, -0.5708761, -0.0806317);
+    param d34 = (0.5969810, -1.3662459, -1.3330363);
+    const d35 = (-0.0372790, 0.4392804, -0.8975762);
+    unknown s36 = 85.8mm;
+    unknown s37 = 19.9mm;
+    unknown s38 = 117.7mm;
+    loop q22 + s36 * unit(turn(d33, (1, 0, 0), t30)) + s37 * unit(d34) = f32 - s38 * unit(d35);
+    let q39 = q22 + s36 * unit(turn(d33, (1, 0, 0), t30));
+    param f40 = (-20.6322mm, -118.1963mm, 115.2363mm);
+    param f41 = (63.3170mm, -23.8266mm, 58.5380mm);
+    unknown p42 = (-12.4mm, -46.5mm, 139.4mm);
+    param l43 = 54.7800mm;
+    loop norm(p42 - q31) = l43;
+    param l44 = 76.0785mm;
+    loop dot(f40 - p42, f40 - p42) = l44 * l44;
+    const l45 = 113.0571mm;
+    loop distance(p42, f41) = l45;
+    let q46 = p42;
+    let q47 = (q46.x, q46.y);
 }
 
 impl Generated41 {
@@ -5433,26 +5436,26 @@ impl Generated41 {
     }
     pub fn accuracy1(phi1) -> Accuracy1 {
         q4,
-        e0: sensitivity(q4, [l12, f32.x]),
+        e0: sensitivity(q4, [w9, d34.x]),
         v0: d(q4, phi1),
-        m0: d(q4, phi1, l12),
-        w0: d(q4, l12, f32.x)
+        m0: d(q4, phi1, w9),
+        w0: d(q4, w9, d34.x)
     }
     pub fn position2(phi5) -> Position2 {
-        q48,
+        q47,
         q23,
         q46,
-        t45,
-        t30,
-        s29,
-        s28,
+        p42,
+        s38,
+        s37,
+        s36,
         margin: margin()
     }
     pub fn motion2(phi5) -> Motion2 {
-        q48,
-        velocity0: velocity(q48),
-        acceleration0: acceleration(q48),
-        jerk0: jerk(q48),
+        q47,
+        velocity0: velocity(q47),
+        acceleration0: acceleration(q47),
+        jerk0: jerk(q47),
         q23,
         velocity1: velocity(q23),
         acceleration1: acceleration(q23),
@@ -5461,32 +5464,32 @@ impl Generated41 {
         velocity2: velocity(q46),
         acceleration2: acceleration(q46),
         jerk2: jerk(q46),
-        t45,
-        velocity3: velocity(t45),
-        acceleration3: acceleration(t45),
-        jerk3: jerk(t45)
+        p42,
+        velocity3: velocity(p42),
+        acceleration3: acceleration(p42),
+        jerk3: jerk(p42)
     }
     pub fn accuracy2(phi5) -> Accuracy2 {
-        q48,
-        e0: sensitivity(q48, [f11.y, d35.z]),
-        v0: d(q48, phi5),
-        m0: d(q48, phi5, f11.y),
-        w0: d(q48, f11.y, d35.z),
+        q47,
+        e0: sensitivity(q47, [d34.y, f11.y]),
+        v0: d(q47, phi5),
+        m0: d(q47, phi5, d34.y),
+        w0: d(q47, d34.y, f11.y),
         q23,
-        e1: sensitivity(q23, [l12, l14]),
+        e1: sensitivity(q23, [f2.x, f16.y]),
         v1: d(q23, phi5),
-        m1: d(q23, phi5, l12),
-        w1: d(q23, l12, l14),
+        m1: d(q23, phi5, f2.x),
+        w1: d(q23, f2.x, f16.y),
         q46,
-        e2: sensitivity(q46, [f32.y, f11.x]),
+        e2: sensitivity(q46, [f2.y, l20]),
         v2: d(q46, phi5),
-        m2: d(q46, phi5, f32.y),
-        w2: d(q46, f32.y, f11.x),
-        t45,
-        e3: sensitivity(t45, [f32.x, d35.y]),
-        v3: d(t45, phi5),
-        m3: d(t45, phi5, f32.x),
-        w3: d(t45, f32.x, d35.y)
+        m2: d(q46, phi5, f2.y),
+        w2: d(q46, f2.y, l20),
+        p42,
+        e3: sensitivity(p42, [f41.x, w9]),
+        v3: d(p42, phi5),
+        m3: d(p42, phi5, f41.x),
+        w3: d(p42, f41.x, w9)
     }
     pub fn closure2(phi5) -> Closure2 {
         r0: (l19) - (norm(p18 - q15)),
@@ -5501,71 +5504,28 @@ impl Generated41 {
         r3: (q22 + s28 * unit((0, 1, 0)) + s29 * unit(d24)) - (f26 + turn(v27, d25, t30)),
         v3: velocity((q22 + s28 * unit((0, 1, 0)) + s29 * unit(d24)) - (f26 + turn(v27, d25, t30))),
         a3: acceleration((q22 + s28 * unit((0, 1, 0)) + s29 * unit(d24)) - (f26 + turn(v27, d25, t30))),
-        r4: (norm(q31 - (f43 + turn(v44, d42, t45)))) - (l47),
-        v4: velocity((norm(q31 - (f43 + turn(v44, d42, t45)))) - (l47)),
-        a4: acceleration((norm(q31 - (f43 + turn(v44, d42, t45)))) - (l47))
-    }
-    pub fn position3(phi1, phi5) -> Position3 {
-        q39,
-        s38,
-        s37,
-        s36,
-        margin: margin()
-    }
-    pub fn motion3(phi1, phi5) -> Motion3 {
-        q39,
-        velocity0: velocity(q39),
-        acceleration0: acceleration(q39),
-        s38,
-        velocity1: velocity(s38),
-        acceleration1: acceleration(s38),
-        s37,
-        velocity2: velocity(s37),
-        acceleration2: acceleration(s37),
-        s36,
-        velocity3: velocity(s36),
-        acceleration3: acceleration(s36)
-    }
-    pub fn accuracy3(phi1, phi5) -> Accuracy3 {
-        q39,
-        e0: sensitivity(q39, [f32.y, v27.x]),
-        v0: d(q39, phi1),
-        m0: d(q39, phi1, f32.y),
-        w0: d(q39, f32.y, v27.x),
-        s38,
-        e1: sensitivity(s38, [f16.z, w9]),
-        v1: d(s38, phi1),
-        m1: d(s38, phi1, f16.z),
-        w1: d(s38, f16.z, w9),
-        s37,
-        e2: sensitivity(s37, [v44.x, f16.z]),
-        v2: d(s37, phi1),
-        m2: d(s37, phi1, v44.x),
-        w2: d(s37, v44.x, f16.z),
-        s36,
-        e3: sensitivity(s36, [v44.z, l3]),
-        v3: d(s36, phi1),
-        m3: d(s36, phi1, v44.z),
-        w3: d(s36, v44.z, l3)
-    }
-    pub fn closure3(phi1, phi5) -> Closure3 {
-        r0: (q15 - s38 * unit(turn((0, 1, 0), d35, phi1))) - (q31 + s36 * unit(turn((1, 0, 0), (0, 1, 0), t30)) + s37 * unit(d34)),
-        v0: velocity((q15 - s38 * unit(turn((0, 1, 0), d35, phi1))) - (q31 + s36 * unit(turn((1, 0, 0), (0, 1, 0), t30)) + s37 * unit(d34))),
-        a0: acceleration((q15 - s38 * unit(turn((0, 1, 0), d35, phi1))) - (q31 + s36 * unit(turn((1, 0, 0), (0, 1, 0), t30)) + s37 * unit(d34)))
+        r4: (q22 + s36 * unit(turn(d33, (1, 0, 0), t30)) + s37 * unit(d34)) - (f32 - s38 * unit(d35)),
+        v4: velocity((q22 + s36 * unit(turn(d33, (1, 0, 0), t30)) + s37 * unit(d34)) - (f32 - s38 * unit(d35))),
+        a4: acceleration((q22 + s36 * unit(turn(d33, (1, 0, 0), t30)) + s37 * unit(d34)) - (f32 - s38 * unit(d35))),
+        r5: (norm(p42 - q31)) - (l43),
+        v5: velocity((norm(p42 - q31)) - (l43)),
+        a5: acceleration((norm(p42 - q31)) - (l43)),
+        r6: (dot(f40 - p42, f40 - p42)) - (l44 * l44),
+        v6: velocity((dot(f40 - p42, f40 - p42)) - (l44 * l44)),
+        a6: acceleration((dot(f40 - p42, f40 - p42)) - (l44 * l44)),
+        r7: (distance(p42, f41)) - (l45),
+        v7: velocity((distance(p42, f41)) - (l45)),
+        a7: acceleration((distance(p42, f41)) - (l45))
     }
 }
 }
     position1(0): q4;
     motion1(0): q4, velocity0, acceleration0, jerk0;
     accuracy1(0): q4, e0, v0, m0, w0;
-    position2(1): q48, q23, q46, t45, t30, s29, s28, margin;
-    motion2(1): q48, velocity0, acceleration0, jerk0, q23, velocity1, acceleration1, jerk1, q46, velocity2, acceleration2, jerk2, t45, velocity3, acceleration3, jerk3;
-    accuracy2(1): q48, e0, v0, m0, w0, q23, e1, v1, m1, w1, q46, e2, v2, m2, w2, t45, e3, v3, m3, w3;
-    closure2(1): r0, v0, a0, r1, v1, a1, r2, v2, a2, r3, v3, a3, r4, v4, a4;
-    position3(0, 1): q39, s38, s37, s36, margin;
-    motion3(0, 1): q39, velocity0, acceleration0, s38, velocity1, acceleration1, s37, velocity2, acceleration2, s36, velocity3, acceleration3;
-    accuracy3(0, 1): q39, e0, v0, m0, w0, s38, e1, v1, m1, w1, s37, e2, v2, m2, w2, s36, e3, v3, m3, w3;
-    closure3(0, 1): r0, v0, a0;
+    position2(1): q47, q23, q46, p42, s38, s37, s36, margin;
+    motion2(1): q47, velocity0, acceleration0, jerk0, q23, velocity1, acceleration1, jerk1, q46, velocity2, acceleration2, jerk2, p42, velocity3, acceleration3, jerk3;
+    accuracy2(1): q47, e0, v0, m0, w0, q23, e1, v1, m1, w1, q46, e2, v2, m2, w2, p42, e3, v3, m3, w3;
+    closure2(1): r0, v0, a0, r1, v1, a1, r2, v2, a2, r3, v3, a3, r4, v4, a4, r5, v5, a5, r6, v6, a6, r7, v7, a7;
 }
 
 corpus! {
