@@ -197,9 +197,14 @@ impl Algebra<'_> {
         let solution = self.solutions[system.group].clone();
         let zero = self.graph.zero();
         if system.by.is_empty() {
-            return solution.terms.iter().fold(zero, |sum, term| {
+            let slopes = solution.terms.iter().map(|term| {
                 let slope = self.partial(term.coefficient[row], variable);
-                let product = self.graph.mul(slope, term.factor);
+                (slope, term.factor)
+            });
+            let slopes = slopes.collect();
+            let slopes = self.gathered(slopes).into_iter();
+            return slopes.fold(zero, |sum, (slope, factor)| {
+                let product = self.graph.mul(slope, factor);
                 self.graph.add(sum, product)
             });
         }
