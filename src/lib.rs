@@ -8,6 +8,8 @@ pub use linkage_runtime::Dual;
 pub use linkage_runtime::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::Lanes;
+/// The library whose vectors and poses results are: what else it offers for them, in the version that fits.
+pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Dimensions, Frame, FunctionInfo, Group, Operations, Parameter,
     Scalar, Structure, Vector2, Vector3, true_acceleration, true_velocity,

@@ -2,13 +2,14 @@
 //! every set that may be chosen when the benchmark runs.
 
 fn main() {
-    println!("cargo:rerun-if-changed=kernels.c");
-    println!("cargo:rerun-if-changed=sweeps.c");
+    for file in ["kernels.c", "space.c", "sine.h", "sweeps.c"] {
+        println!("cargo:rerun-if-changed={file}");
+    }
     println!("cargo:rustc-check-cfg=cfg(vector_sweeps)");
     let setting = |name: &str| std::env::var(name).unwrap_or_default();
     let features = setting("CARGO_CFG_TARGET_FEATURE");
     let mut build = optimised();
-    build.file("kernels.c");
+    build.file("kernels.c").file("space.c");
     if features.split(',').any(|feature| feature == "fma") {
         build.flag_if_supported("-march=x86-64-v3");
         build.flag_if_supported("-ffp-contract=fast");

@@ -7,19 +7,7 @@
  * sweeps.c includes this file with another sine and cosine and with KERNEL set to "static inline".
  */
 #ifndef KERNEL
-#define _GNU_SOURCE
-#include <math.h>
-#define KERNEL
-
-static inline void sine_cosine(double x, double *s, double *c)
-{
-#ifdef __GLIBC__
-    sincos(x, s, c);
-#else
-    *s = sin(x);
-    *c = cos(x);
-#endif
-}
+#include "sine.h"
 #endif
 
 /* K1: crank a on the origin, coupler b, rocker c on the pivot d; the tracer is carried by the

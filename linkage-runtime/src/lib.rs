@@ -53,7 +53,7 @@ pub use error::{CoupledCause, CoupledError, Placed, Value};
 pub use frame::Frame;
 pub use motion::{true_acceleration, true_velocity};
 #[cfg(feature = "nalgebra")]
-pub use nalgebra::{Vector2, Vector3};
+pub use nalgebra::{self, Vector2, Vector3};
 #[cfg(feature = "num-dual")]
 pub use scalar::Dual;
 #[doc(hidden)]

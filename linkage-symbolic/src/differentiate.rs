@@ -57,6 +57,21 @@ pub fn differentiate<C: Calculus + ?Sized>(
     calculus.memo()[&(root, variable)]
 }
 
+/// The chain rule backwards: from the derivative `weight` of a result by an operation, what each of the operation's operands contributes
+/// to the result's derivatives by them.
+pub fn pull_back(graph: &mut Graph, id: NodeId, weight: NodeId) -> Vec<(NodeId, NodeId)> {
+    let node = graph.node(id);
+    let operands: Vec<NodeId> = node.operands().collect();
+    let zero = graph.zero();
+    (0..operands.len())
+        .map(|k| {
+            let mut inner = vec![zero; operands.len()];
+            inner[k] = weight;
+            (operands[k], chain_rule(graph, id, node, &inner))
+        })
+        .collect()
+}
+
 /// The derivative of an operation from those of its operands.
 fn chain_rule(g: &mut Graph, id: NodeId, node: Node, inner: &[NodeId]) -> NodeId {
     if inner.iter().all(|&d| g.is_zero(d)) {

@@ -26,7 +26,7 @@ pub mod stages;
 mod substitute;
 mod sums;
 
-pub use differentiate::{Calculus, DerivativeMemo, differentiate};
+pub use differentiate::{Calculus, DerivativeMemo, differentiate, pull_back};
 pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
 pub use multiples::share_multiples;
 pub use polynomial::{Monomial, Polynomial, collect};

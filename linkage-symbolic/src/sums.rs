@@ -22,7 +22,7 @@ impl Graph {
 
     /// `|a|`
     pub fn abs(&mut self, a: NodeId) -> NodeId {
-        let a = self.negated(a).unwrap_or(a);
+        let a = self.negative_term(a).unwrap_or(a);
         match self.node(a) {
             Node::Constant(bits) => self.constant(f64::from_bits(bits).abs()),
             Node::Unary(Unary::Abs | Unary::Sqrt | Unary::InverseScale, _) => a,

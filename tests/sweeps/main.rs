@@ -7,6 +7,7 @@ mod parallel;
 mod scalars;
 mod sets;
 mod singular;
+mod space;
 
 use linkage::{Scalar, mechanism};
 

@@ -1,7 +1,21 @@
-//! The kernels in C (`kernels.c`), hand-derived, with the sine and cosine of the C library.
+//! The kernels in C (`kernels.c`, `space.c`), hand-derived, with the sine and cosine of the C library.
 
 #![allow(unsafe_code, reason = "calls of C functions")]
 
+/// A kernel: constants and inputs in, numbers out.
+macro_rules! kernel {
+    ($(#[$doc:meta])* $name:ident = $function:ident($($input:ident),*) -> $out:ty) => {
+        $(#[$doc])*
+        #[inline(always)]
+        pub fn $name(&self, $($input: f64,)* out: &mut $out) {
+            // SAFETY: the function reads `struct` at the first pointer and writes exactly the
+            // numbers of the array at the last one.
+            unsafe { $function(self, $($input,)* out.as_mut_ptr()) }
+        }
+    };
+}
+
+pub mod space;
 pub mod sweep;
 
 use crate::{Motion, Position, Sensitivities1, Sensitivities2};
@@ -43,19 +57,6 @@ unsafe extern "C" {
     fn k2c(k: *const K2, phi: f64, out: *mut f64);
 }
 
-/// A kernel: constants and input in, numbers out.
-macro_rules! kernel {
-    ($(#[$doc:meta])* $name:ident = $function:ident -> $out:ty) => {
-        $(#[$doc])*
-        #[inline(always)]
-        pub fn $name(&self, phi: f64, out: &mut $out) {
-            // SAFETY: the function reads `struct` at the first pointer and writes exactly the
-            // numbers of the array at the last one.
-            unsafe { $function(self, phi, out.as_mut_ptr()) }
-        }
-    };
-}
-
 impl K1 {
     /// What depends on the dimensions alone, these in the order of the mechanism's parameters.
     #[must_use]
@@ -70,15 +71,15 @@ impl K1 {
 
     kernel!(
         /// K1a.
-        point = k1a -> Position
+        point = k1a(phi) -> Position
     );
     kernel!(
         /// K1b.
-        motion = k1b -> Motion
+        motion = k1b(phi) -> Motion
     );
     kernel!(
         /// K1c.
-        accuracy = k1c -> Sensitivities1
+        accuracy = k1c(phi) -> Sensitivities1
     );
 }
 
@@ -110,14 +111,14 @@ impl K2 {
 
     kernel!(
         /// K2a.
-        point = k2a -> Position
+        point = k2a(phi) -> Position
     );
     kernel!(
         /// K2b.
-        motion = k2b -> Motion
+        motion = k2b(phi) -> Motion
     );
     kernel!(
         /// K2c.
-        accuracy = k2c -> Sensitivities2
+        accuracy = k2c(phi) -> Sensitivities2
     );
 }

@@ -2,7 +2,8 @@
 //!
 //! K1 is a crank-rocker with a coupler point, K2 the hook needle of a warp-knitting machine (two
 //! cranks, a dyad RRR, a dyad RRP on a guide that moves). Each is asked for a point ([`Position`]),
-//! for the point with both derivatives ([`Motion`]), and for the point with its sensitivities.
+//! for the point with both derivatives ([`Motion`]), and for the point with its sensitivities. K3 (RSSR) and K4
+//! (a delta robot) are the same in [`space`].
 
 pub mod c;
 pub mod closed;
@@ -11,6 +12,7 @@ pub mod dual;
 pub mod mechanisms;
 pub mod newton;
 pub mod reference;
+pub mod space;
 pub mod textbook;
 pub mod timing;
 

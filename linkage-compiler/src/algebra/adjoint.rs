@@ -24,6 +24,8 @@ pub(crate) enum Direction {
     FromResults,
     /// Backwards from each unknown in it, then forward: several results often hang on one angle.
     FromUnknowns,
+    /// Backwards from each number through its whole formula.
+    Gradient,
 }
 
 impl Direction {
@@ -33,6 +35,7 @@ impl Direction {
             Self::Forward => "forward",
             Self::FromResults => "backwards from the results",
             Self::FromUnknowns => "backwards from the unknowns",
+            Self::Gradient => "backwards through all formulas",
         }
     }
 }
@@ -58,6 +61,7 @@ impl Algebra<'_> {
     ) -> NodeId {
         match direction {
             Direction::Forward => differentiate(self, node, parameter),
+            Direction::Gradient => self.gradient_by(node, parameter),
             Direction::FromResults => {
                 let multipliers = self.multipliers_of(node);
                 let start = self.partial(node, parameter);
@@ -193,9 +197,14 @@ impl Algebra<'_> {
         let solution = self.solutions[system.group].clone();
         let zero = self.graph.zero();
         if system.by.is_empty() {
-            return solution.terms.iter().fold(zero, |sum, term| {
+            let slopes = solution.terms.iter().map(|term| {
                 let slope = self.partial(term.coefficient[row], variable);
-                let product = self.graph.mul(slope, term.factor);
+                (slope, term.factor)
+            });
+            let slopes = slopes.collect();
+            let slopes = self.gathered(slopes).into_iter();
+            return slopes.fold(zero, |sum, (slope, factor)| {
+                let product = self.graph.mul(slope, factor);
                 self.graph.add(sum, product)
             });
         }
@@ -213,7 +222,7 @@ impl Algebra<'_> {
 
     /// `J^T l = weights` by Cramer's rule. The determinant is known from the closed form. Computed from the scaled weights,
     /// of which there are fewer; differentiated as the quotients, whose derivatives stay in range for lengths of any unit.
-    fn solve_transposed(&mut self, group: usize, weights: &[NodeId]) -> Vec<NodeId> {
+    pub(super) fn solve_transposed(&mut self, group: usize, weights: &[NodeId]) -> Vec<NodeId> {
         let solution = self.solutions[group].clone();
         if solution.elimination.is_some() {
             return self.eliminate_transposed(group, weights);

@@ -154,13 +154,15 @@ impl Algebra<'_> {
         let axis = spatial(&self.components(&arguments[1]));
         let axis = self.unit_vector(axis);
         let [cos, sin] = self.direction_of(&arguments[2]);
-        let one = self.graph.one();
+        let (one, zero) = (self.graph.one(), self.graph.zero());
         let along = self.dot(&axis, &v);
         let sideways = self.cross3(axis, v);
-        // Of a vector that is prepared only the part across the axis turns: what is left of a long part along it by
-        // rounding would tilt the circle.
         let fixed = v.iter().chain(&axis).all(|&x| self.is_fixed(x));
-        let (turning, sideways, along) = if fixed {
+        let (turning, sideways, along) = if self.vanishes(along) {
+            (v, sideways, zero)
+        } else if fixed {
+            // Of a vector that is prepared only the part across the axis turns: what is left of a long part along it by
+            // rounding would tilt the circle.
             let across = self.cross3(sideways, axis);
             (across, self.cross3(axis, across), along)
         } else {

@@ -57,10 +57,9 @@ impl Algebra<'_> {
             .iter()
             .map(|row| self.dot(&row.factors, &right[row.first..]))
             .collect();
-        let numerators = self.cofactor_products(&elimination.matrix, &core);
+        let quotients = self.solve_core(&elimination.matrix, &core, solution.determinant);
         let mut rates = Vec::new();
-        for (position, numerator) in numerators.into_iter().enumerate() {
-            let quotient = self.graph.div(numerator, solution.determinant);
+        for (position, quotient) in quotients.into_iter().enumerate() {
             let rate = self.graph.mul(elimination.units[position], quotient);
             rates.push(name(self, position, rate));
         }
@@ -118,6 +117,27 @@ impl Algebra<'_> {
             }
         }
         multipliers
+    }
+
+    /// The solution of a linear system. What is divided by the determinant is the right-hand side where that is mostly 0.
+    fn solve_core(
+        &mut self,
+        matrix: &[Vec<NodeId>],
+        right: &[NodeId],
+        determinant: NodeId,
+    ) -> Vec<NodeId> {
+        let entries = right.iter().filter(|&&x| !self.graph.is_zero(x)).count();
+        if entries < right.len() {
+            let right: Vec<NodeId> = right
+                .iter()
+                .map(|&x| self.graph.div(x, determinant))
+                .collect();
+            return self.cofactor_products(matrix, &right);
+        }
+        let numerators = self.cofactor_products(matrix, right).into_iter();
+        numerators
+            .map(|numerator| self.graph.div(numerator, determinant))
+            .collect()
     }
 
     /// The adjugate of a matrix times a vector: the solution of the linear system times the determinant.

@@ -203,9 +203,14 @@ impl Algebra<'_> {
             let zero = self.graph.zero();
             return (0..equations)
                 .map(|row| {
-                    solution.terms.iter().fold(zero, |sum, term| {
+                    let slopes = solution.terms.iter().map(|term| {
                         let slope = differentiate(self, term.coefficient[row], last);
-                        let product = self.graph.mul(slope, term.factor);
+                        (slope, term.factor)
+                    });
+                    let slopes = slopes.collect();
+                    let slopes = self.gathered(slopes).into_iter();
+                    slopes.fold(zero, |sum, (slope, factor)| {
+                        let product = self.graph.mul(slope, factor);
                         self.graph.sub(sum, product)
                     })
                 })

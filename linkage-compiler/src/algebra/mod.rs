@@ -12,6 +12,7 @@ mod implicit;
 mod lengths;
 mod nominal;
 mod partial;
+mod reverse;
 mod scalar;
 mod translate;
 mod written;
@@ -72,6 +73,7 @@ pub(crate) struct Algebra<'m> {
     rates: HashMap<(usize, Vec<SymbolId>), implicit::Rates>,
     partials: partial::Partials,
     adjoints: adjoint::Adjoints,
+    gradients: HashMap<NodeId, reverse::Gradient>,
     lets: Vec<Option<Value>>,
     constants: Vec<Option<Value>>,
     /// Factors with which input angles turn vectors.
@@ -96,6 +98,7 @@ impl<'m> Algebra<'m> {
             rates: HashMap::new(),
             partials: Default::default(),
             adjoints: Default::default(),
+            gradients: HashMap::new(),
             lets: vec![None; mechanism.lets.len()],
             constants: vec![None; mechanism.constants.len()],
             turning: Vec::new(),

@@ -18,7 +18,7 @@ pub(super) struct System {
 }
 
 impl System {
-    fn new(group: usize, by: Vec<SymbolId>) -> Self {
+    pub(super) fn new(group: usize, by: Vec<SymbolId>) -> Self {
         Self {
             group,
             order: by.len(),
@@ -80,6 +80,25 @@ impl<'m> Implicit<'m> for Partial<'_, 'm> {
 }
 
 impl Algebra<'_> {
+    /// Products of slopes and factors, those of equal slopes put together: a centre that moves alone moves all differences from
+    /// it.
+    pub(super) fn gathered(&mut self, products: Vec<(NodeId, NodeId)>) -> Vec<(NodeId, NodeId)> {
+        let mut gathered: Vec<(NodeId, NodeId)> = Vec::new();
+        for (slope, factor) in products {
+            if self.graph.is_zero(slope) {
+                continue;
+            }
+            let opposite = self.graph.neg(slope);
+            let like = |(other, _): &&mut (NodeId, NodeId)| *other == slope || *other == opposite;
+            match gathered.iter_mut().find(like) {
+                Some((other, sum)) if *other == slope => *sum = self.graph.add(*sum, factor),
+                Some((_, sum)) => *sum = self.graph.sub(*sum, factor),
+                None => gathered.push((slope, factor)),
+            }
+        }
+        gathered
+    }
+
     /// The derivative of a node that mentions `variable`, a parameter or a symbol from [`Self::symbol_for`].
     pub(crate) fn partial(&mut self, node: NodeId, variable: SymbolId) -> NodeId {
         differentiate(&mut Partial(self), node, variable)

@@ -10,6 +10,7 @@ mod equations;
 mod jacobian;
 mod laurent;
 mod newton;
+mod refused;
 
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{NodeId, SymbolId};

@@ -19,7 +19,7 @@ impl Solver<'_, '_> {
     ) -> Closed {
         let w = self.mode_sign();
         let (stretch, g) = self.algebra.length_and_unit(guide);
-        let along = self.algebra.dot(&g, &known);
+        let along = self.projection(g, known);
         let moment = self.algebra.cross3(g, known);
         let x = self.algebra.length(&moment);
         let q = self.difference_of_squares(l, x);

@@ -1,6 +1,7 @@
 //! What closed forms in space share.
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::program::{Binary, Unary};
+use linkage_symbolic::{Node, NodeId};
 
 use crate::algebra::Term;
 
@@ -39,5 +40,36 @@ impl Solver<'_, '_> {
             let second = self.algebra.graph.mul(b, v[k]);
             self.algebra.graph.add(first, second)
         })
+    }
+    /// `e . v`. What is prepared of it, and what each further term is multiplied by, is put together beforehand: with a crank in `v` and a
+    /// fixed `e`, two multiply-adds remain.
+    pub(super) fn projection(&mut self, e: Space, v: Space) -> NodeId {
+        if !e.iter().all(|&x| self.algebra.is_fixed(x)) {
+            return self.algebra.dot(&e, &v);
+        }
+        let parts = v.map(|x| self.early_and_late(x));
+        let early = parts.map(|(early, _)| early);
+        let late = parts.map(|(_, late)| late);
+        let start = self.algebra.dot(&e, &early);
+        e.into_iter().zip(late).fold(start, |sum, (e, late)| {
+            let product = self.algebra.graph.mul(e, late);
+            self.algebra.graph.add(sum, product)
+        })
+    }
+
+    /// A sum in two parts: what is known before a call, and the rest.
+    fn early_and_late(&mut self, sum: NodeId) -> (NodeId, NodeId) {
+        let zero = self.algebra.graph.zero();
+        if self.algebra.is_fixed(sum) {
+            return (sum, zero);
+        }
+        let (op, a, b) = match self.algebra.graph.node(sum) {
+            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => (op, a, b),
+            Node::Unary(Unary::Neg, a) => (Binary::Sub, zero, a),
+            _ => return (zero, sum),
+        };
+        let (a, b) = (self.early_and_late(a), self.early_and_late(b));
+        let graph = &mut self.algebra.graph;
+        (graph.binary(op, a.0, b.0), graph.binary(op, a.1, b.1))
     }
 }

@@ -13,7 +13,8 @@ impl Solver<'_, '_> {
         let c = self.negative(known);
         let [r1, r2] = [first.z, second.z].map(|z| self.algebra.length(&z));
         let reach = self.algebra.graph.add(r1, r2);
-        let circles = self.circles(c, [r1, r2], reach);
+        let (squares, radii) = self.squares([r1, r2], reach);
+        let circles = self.circles(c, &squares);
         let h = circles.h;
 
         let mut terms = Vec::new();
@@ -41,7 +42,7 @@ impl Solver<'_, '_> {
         let gap = self.gap(circles.q, circles.noise, miss);
         let gap = self.defined_gap(gap, circles.m);
         let graph = &mut self.algebra.graph;
-        let largest = graph.mul(circles.radii[0], circles.radii[1]);
+        let largest = graph.mul(radii[0], radii[1]);
         let margin = graph.div(h, largest);
         let largest2 = graph.square(largest);
         Closed {

@@ -48,7 +48,11 @@ impl Choice {
             return;
         }
         let mut least = cost_of(&inliner.target, &self.outputs);
-        for direction in [Direction::FromResults, Direction::FromUnknowns] {
+        for direction in [
+            Direction::FromResults,
+            Direction::FromUnknowns,
+            Direction::Gradient,
+        ] {
             let requested = request(algebra, formulation, definition, direction);
             let outputs = plain(algebra, inliner, &requested.nodes);
             let cost = cost_of(&inliner.target, &outputs);

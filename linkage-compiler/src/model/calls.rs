@@ -236,7 +236,7 @@ impl Resolver<'_> {
         match argument.ty {
             Type::Scalar(dimension) if dimension.is_number_or_angle() => Some(()),
             Type::Scalar(_) => {
-                let help = "divide by a length for a number";
+                let help = "give angles in `deg` or `rad`, or divide by a length for a number";
                 self.wrong_argument(name, "an angle or a number here", argument, help)
             }
             _ => {

@@ -18,6 +18,7 @@ mod plane_and_space;
 mod tests;
 mod types;
 pub(crate) mod units;
+mod usage;
 mod variable;
 mod zeros;
 

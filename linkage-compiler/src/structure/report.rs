@@ -27,6 +27,9 @@ impl Analysis<'_, '_> {
         }
         for (k, equation) in equations.iter().enumerate() {
             let surplus = equation.rows.len() - matching.coordinates_of[k].len();
+            if incidence[k].is_empty() && self.is_told(equation, &told, coordinates) {
+                continue;
+            }
             if surplus > 0 && (complete || incidence[k].is_empty()) {
                 complete = false;
                 let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
@@ -34,6 +37,13 @@ impl Analysis<'_, '_> {
             }
         }
         complete
+    }
+
+    /// True for a loop whose unknowns cancel out, if that has been said of one of them.
+    fn is_told(&self, equation: &Equation, told: &[usize], coordinates: &[Coordinate]) -> bool {
+        let written = self.algebra.mechanism.usage(&equation.loops).unknowns;
+        let mut told = told.iter().filter_map(|&k| coordinates[k].unknown);
+        told.any(|unknown| written[unknown])
     }
 
     fn report_undetermined(
@@ -61,6 +71,19 @@ impl Analysis<'_, '_> {
             return self.diagnostics.error(
                 span,
                 format!("`{component}` is in no loop\nhelp: add a `loop` that contains it{norm}"),
+            );
+        }
+        let written: Vec<usize> = (0..self.algebra.mechanism.loops.len())
+            .filter(|&k| self.algebra.mechanism.usage(&[k]).unknowns[unknown])
+            .collect();
+        if sharing.is_empty() && !written.is_empty() {
+            let loops = loop_list(&written);
+            return self.diagnostics.error(
+                span,
+                format!(
+                    "no loop changes with `{name}`: it cancels out of {loops}\n\
+                     help: look for a vector that is turned by `{name}` and lies along its axis, or that is multiplied by 0"
+                ),
             );
         }
         if sharing.is_empty() {

@@ -132,7 +132,13 @@ impl Builder {
 
     /// A direction that turns with a link about a fixed axis.
     pub(crate) fn turning_direction(&mut self, body: &Body) -> Direction {
-        let (axis, start) = (self.any_direction(), self.any_direction());
+        let axis = self.any_direction();
+        let start = loop {
+            let start = self.any_direction();
+            if length(cross(axis.unit, start.unit)) > 0.3 {
+                break start;
+            }
+        };
         Direction {
             text: format!("turn({}, {}, {})", start.text, axis.text, body.text),
             unit: turn(start.unit, axis.unit, body.angle),

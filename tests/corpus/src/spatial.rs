@@ -12,13 +12,13 @@ const TRIALS: usize = 200;
 impl Builder {
     /// Appends one group in space at random; false if no configuration was found for it.
     pub(crate) fn add_group_in_space(&mut self) -> bool {
-        match self.random.below(11) {
-            0..3 => self.link_to_rocker(),
-            3 | 4 => self.link_to_slider(),
-            5 | 6 => self.point_in_space(),
-            7 => self.direction_between(),
-            8 => self.universal_joint(),
-            9 => self.three_slides(),
+        match self.random.below(12) {
+            0 => self.link_to_slider(),
+            1..4 => self.point_in_space(),
+            4..7 => self.link_to_rocker(),
+            7 => self.universal_joint(),
+            8..10 => self.three_slides(),
+            10 => self.direction_between(),
             _ => self.two_slides_and_an_angle(),
         }
     }

@@ -30,12 +30,25 @@ mechanism! {
 
 mechanism! {
     pub struct UniversalJoint {
+        param pin = (0, 1, 1);
         input phi = 70deg;
         unknown psi = 10deg;
-        loop dot(turn((1, 0, 0), (0, 0, 1), phi), turn((0, 1, 1), (0, 1, 1), psi)) = 0;
+        loop dot(turn((1, 0, 0), (0, 0, 1), phi), turn(pin, (0, 1, 1), psi)) = 0;
     }
     impl UniversalJoint {
         pub fn angle(phi) -> OutputAngle { psi }
+    }
+}
+
+mechanism! {
+    pub struct ConstantJoint {
+        input phi = 70deg;
+        unknown psi = 10deg;
+        let pin = turn((0, 1, 1), (0, 1, 1), psi);
+        loop dot(turn((1, 0, 0), (0, 0, 1), phi), pin) = 0;
+    }
+    impl ConstantJoint {
+        pub fn angle(phi) -> OutputAngle2 { psi }
     }
 }
 

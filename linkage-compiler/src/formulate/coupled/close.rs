@@ -11,9 +11,12 @@ use crate::structure::report::loop_list;
 
 use crate::formulate::machine::{Machine, Start};
 use crate::formulate::reference::{AMBIGUOUS, Assembly};
-use crate::formulate::{Solved, check, followed_range};
+use crate::formulate::{Solved, followed_range};
 
 use super::Prepared;
+
+/// So many assemblies are listed in a message: all of a triad.
+const LISTED: usize = 6;
 
 /// A coupled group on numbers.
 struct Numbers<'a> {
@@ -109,6 +112,7 @@ impl Assembly<'_, '_> {
         };
         let listed = candidates
             .iter()
+            .take(LISTED)
             .map(|c| format!("`{}` at distance {:.4}", c.position, c.distance))
             .collect::<Vec<_>>()
             .join(", ");
@@ -130,10 +134,11 @@ impl Assembly<'_, '_> {
             self.diagnostics.error(
                 origin.map_or(span, |o| self.origins.span(o)),
                 format!(
-                    "the start estimates of {unknowns} lie equally near to two assemblies of {loops}{place}; there are {}: \
+                    "the start estimates of {unknowns} lie equally near to two assemblies of {loops}{place}; there are {}{}: \
                      {listed}\n\
                      help: move the estimates towards the assembly that is meant",
-                    candidates.len()
+                    candidates.len(),
+                    if candidates.len() > LISTED { ", the nearest" } else { "" }
                 ),
             );
             return false;
@@ -249,50 +254,6 @@ impl Assembly<'_, '_> {
             }
             _ => Grid::build(&mut numbers, &at, state, &ranges).map(Start::Grid),
         }
-    }
-
-    fn refused(&mut self, solved: &Solved, prepared: &Prepared, refusal: Refusal) {
-        let loops = loop_list(&solved.group.loops);
-        let unknowns = self.words.unknowns(&solved.group.unknowns);
-        let [reach, come, are] = match solved.group.loops.len() {
-            1 => ["reaches", "comes", "is"],
-            _ => ["reach", "come", "are"],
-        };
-        let place = self.words.at_reference(&self.nominal.inputs);
-        let mechanism = self.algebra.mechanism;
-        let at_input = |at: f64| {
-            let mut inputs = self.nominal.inputs.clone();
-            if let Some(&input) = prepared.inputs.first() {
-                inputs[input] = at;
-            }
-            self.words.inputs(&inputs, &prepared.inputs)
-        };
-        let range = prepared.inputs.first().copied();
-        let span = range
-            .filter(|&input| self.nominal.ranges[input].is_some())
-            .map(|input| check::range_span(&mechanism.inputs[input], self.origins))
-            .unwrap_or_else(|| {
-                self.origins
-                    .span(mechanism.loops[solved.group.loops[0]].origin)
-            });
-        let message = match refusal {
-            Refusal::TurningPoint { at } => format!(
-                "the mechanism comes apart in this range: {loops} ({unknowns}) {reach} a turning point at {}, where this \
-                 assembly meets another one and both end\n\
-                 help: restrict the range, or change the lengths so that the links reach each other all the way",
-                at_input(at)
-            ),
-            Refusal::NotConverging { at } => format!(
-                "{loops} ({unknowns}) {come} too near to a turning point at {} for a table over this range\n\
-                 help: restrict the range, or choose lengths away from the turning point",
-                at_input(at)
-            ),
-            _ => format!(
-                "{loops} ({unknowns}) {are} singular{place}, a dead point\n\
-                 help: choose a reference input or lengths away from the dead point"
-            ),
-        };
-        self.diagnostics.error(span, message);
     }
 }
 

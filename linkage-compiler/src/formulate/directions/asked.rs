@@ -1,6 +1,6 @@
 //! Where a mechanism needs a direction: axes of `turn` and of `frame`, arguments of `unit`.
 
-use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
+use crate::model::{Expr, ExprKind, Function, Mechanism};
 
 /// A vector that must not be zero.
 pub(super) struct Asked<'m> {
@@ -17,7 +17,8 @@ pub(super) struct Asked<'m> {
 pub(super) fn asked_for(mechanism: &Mechanism) -> Vec<Asked<'_>> {
     let mut asked = Vec::new();
     let mut collect = |expr, in_loop| collect(expr, in_loop, &mut asked);
-    let in_loops = lets_of_loops(mechanism);
+    let loops: Vec<usize> = (0..mechanism.loops.len()).collect();
+    let in_loops = mechanism.usage(&loops).lets;
     mechanism
         .constants
         .iter()
@@ -72,44 +73,9 @@ fn collect<'m>(expr: &'m Expr, in_loop: bool, asked: &mut Vec<Asked<'m>>) {
             !vectors.into_iter().any(has_derivative)
         }));
     }
-    operands(expr)
+    expr.operands()
         .into_iter()
         .for_each(|operand| collect(operand, in_loop, asked));
-}
-
-/// Derived quantities that loops are written with, directly or through others.
-fn lets_of_loops(mechanism: &Mechanism) -> Vec<bool> {
-    fn mark(expr: &Expr, used: &mut [bool]) {
-        if let ExprKind::Name(Name::Let(index)) = expr.kind {
-            used[index] = true;
-        }
-        operands(expr)
-            .into_iter()
-            .for_each(|operand| mark(operand, used));
-    }
-    let mut used = vec![false; mechanism.lets.len()];
-    for item in &mechanism.loops {
-        mark(&item.left, &mut used);
-        mark(&item.right, &mut used);
-    }
-    for index in (0..used.len()).rev() {
-        if used[index] {
-            mark(&mechanism.lets[index].value, &mut used);
-        }
-    }
-    used
-}
-
-fn operands(expr: &Expr) -> Vec<&Expr> {
-    match &expr.kind {
-        ExprKind::Vector(all) | ExprKind::Call(_, all) => all.iter().collect(),
-        ExprKind::Component(a, _) | ExprKind::Index(a, _) | ExprKind::Negate(a) => vec![a],
-        ExprKind::Binary(_, a, b) => vec![a, b],
-        ExprKind::Derivative(a, _)
-        | ExprKind::InputDerivative(a, _)
-        | ExprKind::Sensitivity(a, _) => vec![a],
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Margin | ExprKind::Error => Vec::new(),
-    }
 }
 
 /// Quantities of functions are known at run time only.
@@ -121,5 +87,5 @@ fn has_derivative(expr: &Expr) -> bool {
             | ExprKind::Sensitivity(..)
             | ExprKind::Margin
     );
-    own || operands(expr).into_iter().any(has_derivative)
+    own || expr.operands().into_iter().any(has_derivative)
 }

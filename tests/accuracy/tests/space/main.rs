@@ -9,6 +9,7 @@ mod points;
 mod rows;
 mod rssp;
 mod rssr;
+mod scalars;
 mod unit_vector;
 
 use linkage_accuracy::{Limits, Random};

@@ -143,7 +143,14 @@ fn the_corpus_has_all_kinds_of_groups() {
         .collect();
     kinds.sort_unstable();
     println!("{} groups: {kinds:?}", kinds.len());
-    for kind in ["RRR", "RRP", "RPR", "PRP"] {
+    let in_plane = ["RRR", "RRP", "RPR", "PRP"];
+    let links = ["SSR", "SSP", "PPP"];
+    let points = [
+        "three distances",
+        "two distances, one plane",
+        "one distance, two planes",
+    ];
+    for kind in [&in_plane[..], &links, &points].concat() {
         assert!(kinds.iter().any(|k| k == kind), "{kind} is missing");
     }
 }

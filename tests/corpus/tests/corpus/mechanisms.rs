@@ -4718,6 +4718,1287 @@ impl Generated35 {
     closure1(0): r0, v0, a0, r1, v1, a1, r2, v2, a2, r3, v3, a3, r4, v4, a4;
 }
 
+corpus! {
+    m36 Generated36 [f2.x, f2.y, l3, l5, l9, f10.x, f10.y, f10.z, l11, f12.x, f12.y, f12.z, l13, w18, w19, f20.x, f20.y, f20.z, l21]
+    {
+pub struct Generated36 {
+    unit m;
+    input phi1 = -0.9302605rad in -0.9469272rad..-0.9135938rad;
+    param f2 = (33.0311mm, -12.8933mm);
+    param l3 = 28.8611mm;
+    let q4 = f2 + polar(l3, phi1);
+    param l5 = 31.6731mm +- 20um;
+    let q6 = (q4.x, q4.y, l5);
+    const d7 = (1.8786269, 0.2252243, 0.6481012);
+    unknown p8 = (74.1mm, -15.0mm, -16.5mm);
+    param l9 = 57.7624mm;
+    loop norm(p8 - q6) = l9;
+    param f10 = (110.1728mm, -42.9358mm, -0.7056mm);
+    param l11 = -36.0239mm;
+    loop dot(unit((1, 0, 0)), p8 - f10) = l11;
+    param f12 = (12.9913mm, -41.4112mm, -82.5440mm);
+    param l13 = 43.1115mm +- 20um;
+    loop dot(unit(turn(d7, (0, 0, 1), phi1)), p8 - f12) = l13;
+    let q14 = p8;
+    let q15 = (q14.x, q14.y);
+    const d16 = (0.1557312, -1.2777865, 1.5306892);
+    unknown n17 = (-0.61, 0.40, -0.69);
+    loop norm(n17) = 1;
+    param w18 = 1.8413785rad;
+    loop dot(n17, unit(turn(d16, (0, 1, 0), phi1))) = cos(w18);
+    param w19 = 1.1583957rad;
+    loop cos(w19) = dot(n17, unit((0, 1, 0)));
+    param f20 = (-39.9232mm, 2.4598mm, 0.2947mm);
+    param l21 = 43.2565mm;
+    let q22 = f20 + l21 * n17;
+}
+
+impl Generated36 {
+    pub fn position1(phi1) -> Position1 {
+        q15,
+        q4,
+        q22,
+        n17,
+        p8,
+        margin: margin()
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q15,
+        velocity0: velocity(q15),
+        acceleration0: acceleration(q15),
+        jerk0: jerk(q15),
+        q4,
+        velocity1: velocity(q4),
+        acceleration1: acceleration(q4),
+        jerk1: jerk(q4),
+        q22,
+        velocity2: velocity(q22),
+        acceleration2: acceleration(q22),
+        jerk2: jerk(q22),
+        n17,
+        velocity3: velocity(n17),
+        acceleration3: acceleration(n17),
+        jerk3: jerk(n17)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q15,
+        e0: sensitivity(q15, [l3, w19]),
+        v0: d(q15, phi1),
+        m0: d(q15, phi1, l3),
+        w0: d(q15, l3, w19),
+        q4,
+        e1: sensitivity(q4, [f12.z, f12.x]),
+        v1: d(q4, phi1),
+        m1: d(q4, phi1, f12.z),
+        w1: d(q4, f12.z, f12.x),
+        q22,
+        e2: sensitivity(q22, [w19, f10.z]),
+        v2: d(q22, phi1),
+        m2: d(q22, phi1, w19),
+        w2: d(q22, w19, f10.z),
+        n17,
+        e3: sensitivity(n17, [f12.x, l9]),
+        v3: d(n17, phi1),
+        m3: d(n17, phi1, f12.x),
+        w3: d(n17, f12.x, l9)
+    }
+    pub fn closure1(phi1) -> Closure1 {
+        r0: (norm(p8 - q6)) - (l9),
+        v0: velocity((norm(p8 - q6)) - (l9)),
+        a0: acceleration((norm(p8 - q6)) - (l9)),
+        r1: (dot(unit((1, 0, 0)), p8 - f10)) - (l11),
+        v1: velocity((dot(unit((1, 0, 0)), p8 - f10)) - (l11)),
+        a1: acceleration((dot(unit((1, 0, 0)), p8 - f10)) - (l11)),
+        r2: (dot(unit(turn(d7, (0, 0, 1), phi1)), p8 - f12)) - (l13),
+        v2: velocity((dot(unit(turn(d7, (0, 0, 1), phi1)), p8 - f12)) - (l13)),
+        a2: acceleration((dot(unit(turn(d7, (0, 0, 1), phi1)), p8 - f12)) - (l13)),
+        r3: (norm(n17)) - (1),
+        v3: velocity((norm(n17)) - (1)),
+        a3: acceleration((norm(n17)) - (1)),
+        r4: (dot(n17, unit(turn(d16, (0, 1, 0), phi1)))) - (cos(w18)),
+        v4: velocity((dot(n17, unit(turn(d16, (0, 1, 0), phi1)))) - (cos(w18))),
+        a4: acceleration((dot(n17, unit(turn(d16, (0, 1, 0), phi1)))) - (cos(w18))),
+        r5: (cos(w19)) - (dot(n17, unit((0, 1, 0)))),
+        v5: velocity((cos(w19)) - (dot(n17, unit((0, 1, 0))))),
+        a5: acceleration((cos(w19)) - (dot(n17, unit((0, 1, 0)))))
+    }
+}
+}
+    position1(0): q15, q4, q22, n17, p8, margin;
+    motion1(0): q15, velocity0, acceleration0, jerk0, q4, velocity1, acceleration1, jerk1, q22, velocity2, acceleration2, jerk2, n17, velocity3, acceleration3, jerk3;
+    accuracy1(0): q15, e0, v0, m0, w0, q4, e1, v1, m1, w1, q22, e2, v2, m2, w2, n17, e3, v3, m3, w3;
+    closure1(0): r0, v0, a0, r1, v1, a1, r2, v2, a2, r3, v3, a3, r4, v4, a4, r5, v5, a5;
+}
+
+corpus! {
+    m37 Generated37 [f2.x, f2.y, l3, w5, f7.x, f7.y, l8, f10.x, f10.y, w11, w13, l14, l16, f18.x, f18.y, f18.z, f19.x, f19.y, f19.z, l21, l22, l23, l26, f28.x, f28.y, f28.z, d29.x, d29.y, d29.z, w32, w33, f34.x, f34.y, f34.z, l35, f37.x, f37.y, f37.z, v38.x, v38.y, v38.z, l41]
+    {
+pub struct Generated37 {
+    unit mm;
+    input phi1 = -2.9181905rad;
+    param f2 = (22.3967mm, 17.0016mm);
+    param l3 = 41.8218mm;
+    let q4 = f2 + polar(l3, phi1);
+    param w5 = -0.1510075rad;
+    let g6 = w5 - phi1;
+    param f7 = (75.6322mm, 17.0016mm);
+    param l8 = 38.9929mm;
+    let q9 = f7 + polar(l8, g6);
+    param f10 = (-15.3778mm, 72.3173mm);
+    param w11 = 0.0920239rad;
+    unknown s12 = 70.8mm;
+    param w13 = -0.1859787rad;
+    param l14 = 129.4393mm;
+    loop l14 = dot(q9 + polar(s12, w11) - f10, dir(w13));
+    let q15 = q9 + polar(s12, w11);
+    param l16 = 31.1170mm;
+    let q17 = (q4.x, q4.y, l16);
+    param f18 = (14.1667mm, -28.2970mm, 46.6095mm);
+    param f19 = (-35.8114mm, -10.2435mm, 108.2729mm);
+    unknown p20 = (-5.0mm, 31.6mm, 96.0mm);
+    param l21 = 70.4066mm;
+    loop distance(p20, q17) = l21;
+    param l22 = 79.9279mm;
+    loop l22 * l22 = dot(f18 - p20, f18 - p20);
+    param l23 = 53.3871mm +- 20um;
+    loop l23 = distance(p20, f19);
+    let q24 = p20;
+    let q25 = (q24.x, q24.y);
+    param l26 = 28.1968mm;
+    let q27 = (q25.x, q25.y, l26);
+    param f28 = (-79.6284mm, 10.5902mm, 13.4697mm);
+    param d29 = (0.8759715, 0.4740172, -0.0893399);
+    unknown n31 = (-0.65, -0.62, 0.44);
+    loop 1 = dot(n31, n31);
+    param w32 = 1.7004456rad;
+    loop cos(w32) = dot(n31, unit(turn((0, 1, 0), d29, g6)));
+    param w33 = 1.1576215rad;
+    loop cos(w33) = dot(n31, unit((-0.8561942, -0.1110387, -0.5045810)));
+    param f34 = (33.9015mm, -18.9395mm, 9.5907mm);
+    param l35 = 37.4245mm;
+    let q36 = f34 + l35 * n31;
+    param f37 = (8.2850mm, 49.2433mm, -3.2173mm);
+    param v38 = (23.7376mm, 54.6301mm, -7.2162mm);
+    unknown t39 = 140deg;
+    let q40 = f37 + turn(v38, (0, 0, 1), t39);
+    param l41 = 92.1157mm;
+    loop norm(q36 - q40) = l41;
+    let q42 = (q40.x, q40.y);
+}
+
+impl Generated37 {
+    pub fn position1(phi1) -> Position1 {
+        q42,
+        q25,
+        q40,
+        t39,
+        n31,
+        p20,
+        s12,
+        margin: margin()
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q42,
+        velocity0: velocity(q42),
+        acceleration0: acceleration(q42),
+        jerk0: jerk(q42),
+        q25,
+        velocity1: velocity(q25),
+        acceleration1: acceleration(q25),
+        jerk1: jerk(q25),
+        q40,
+        velocity2: velocity(q40),
+        acceleration2: acceleration(q40),
+        jerk2: jerk(q40),
+        t39,
+        velocity3: velocity(t39),
+        acceleration3: acceleration(t39),
+        jerk3: jerk(t39)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q42,
+        e0: sensitivity(q42, [f19.y, f37.y]),
+        v0: d(q42, phi1),
+        m0: d(q42, phi1, f19.y),
+        w0: d(q42, f19.y, f37.y),
+        q25,
+        e1: sensitivity(q25, [l8, f7.y]),
+        v1: d(q25, phi1),
+        m1: d(q25, phi1, l8),
+        w1: d(q25, l8, f7.y),
+        q40,
+        e2: sensitivity(q40, [f37.z, v38.z]),
+        v2: d(q40, phi1),
+        m2: d(q40, phi1, f37.z),
+        w2: d(q40, f37.z, v38.z),
+        t39,
+        e3: sensitivity(t39, [v38.z, f28.z]),
+        v3: d(t39, phi1),
+        m3: d(t39, phi1, v38.z),
+        w3: d(t39, v38.z, f28.z)
+    }
+    pub fn closure1(phi1) -> Closure1 {
+        r0: (l14) - (dot(q9 + polar(s12, w11) - f10, dir(w13))),
+        v0: velocity((l14) - (dot(q9 + polar(s12, w11) - f10, dir(w13)))),
+        a0: acceleration((l14) - (dot(q9 + polar(s12, w11) - f10, dir(w13)))),
+        r1: (distance(p20, q17)) - (l21),
+        v1: velocity((distance(p20, q17)) - (l21)),
+        a1: acceleration((distance(p20, q17)) - (l21)),
+        r2: (l22 * l22) - (dot(f18 - p20, f18 - p20)),
+        v2: velocity((l22 * l22) - (dot(f18 - p20, f18 - p20))),
+        a2: acceleration((l22 * l22) - (dot(f18 - p20, f18 - p20))),
+        r3: (l23) - (distance(p20, f19)),
+        v3: velocity((l23) - (distance(p20, f19))),
+        a3: acceleration((l23) - (distance(p20, f19))),
+        r4: (1) - (dot(n31, n31)),
+        v4: velocity((1) - (dot(n31, n31))),
+        a4: acceleration((1) - (dot(n31, n31))),
+        r5: (cos(w32)) - (dot(n31, unit(turn((0, 1, 0), d29, g6)))),
+        v5: velocity((cos(w32)) - (dot(n31, unit(turn((0, 1, 0), d29, g6))))),
+        a5: acceleration((cos(w32)) - (dot(n31, unit(turn((0, 1, 0), d29, g6))))),
+        r6: (cos(w33)) - (dot(n31, unit((-0.8561942, -0.1110387, -0.5045810)))),
+        v6: velocity((cos(w33)) - (dot(n31, unit((-0.8561942, -0.1110387, -0.5045810))))),
+        a6: acceleration((cos(w33)) - (dot(n31, unit((-0.8561942, -0.1110387, -0.5045810))))),
+        r7: (norm(q36 - q40)) - (l41),
+        v7: velocity((norm(q36 - q40)) - (l41)),
+        a7: acceleration((norm(q36 - q40)) - (l41))
+    }
+}
+}
+    position1(0): q42, q25, q40, t39, n31, p20, s12, margin;
+    motion1(0): q42, velocity0, acceleration0, jerk0, q25, velocity1, acceleration1, jerk1, q40, velocity2, acceleration2, jerk2, t39, velocity3, acceleration3, jerk3;
+    accuracy1(0): q42, e0, v0, m0, w0, q25, e1, v1, m1, w1, q40, e2, v2, m2, w2, t39, e3, v3, m3, w3;
+    closure1(0): r0, v0, a0, r1, v1, a1, r2, v2, a2, r3, v3, a3, r4, v4, a4, r5, v5, a5, r6, v6, a6, r7, v7, a7;
+}
+
+corpus! {
+    m38 Generated38 [f2.x, f2.y, l3, f6.x, f6.y, l7, f9.x, f9.y, w10, w11, l15, d19.x, d19.y, d19.z, f20.x, f20.y, f20.z, v21.x, v21.y, v21.z, f26.x, f26.y, f26.z, l28, d31.x, d31.y, d31.z, d32.x, d32.y, d32.z, w38, f39.x, f39.y, f39.z, l40]
+    {
+pub struct Generated38 {
+    unit mm;
+    input phi1 = -1.7296213rad;
+    input phi5 = -1.7575466rad;
+    param f2 = (33.4397mm, -39.4155mm);
+    param l3 = 22.3777mm;
+    let q4 = f2 + polar(l3, phi1);
+    param f6 = (-6.4524mm, 33.7687mm);
+    param l7 = 37.4480mm;
+    let q8 = f6 + polar(l7, phi5);
+    param f9 = (-18.7652mm, -88.8748mm);
+    param w10 = -0.6279044rad;
+    param w11 = 0.0667966rad;
+    unknown s12 = 70.4mm;
+    unknown s13 = 21.1mm;
+    loop f9 + polar(s13, phi5 + w11) = q4 + polar(s12, phi5 + w10);
+    let q14 = q4 + polar(s12, phi5 + w10);
+    param l15 = 1.7541mm;
+    let q16 = (q4.x, q4.y, l15);
+    param d19 = (-0.9795735, 0.1361638, 0.1479703);
+    param f20 = (-38.7414mm, -68.0090mm, -30.7202mm);
+    param v21 = (16.2798mm, 38.9890mm, 42.6008mm);
+    unknown s22 = 54.6mm;
+    unknown s23 = 9.0mm;
+    unknown t24 = -10deg;
+    loop f20 + turn(v21, d19, t24) = q16 + s22 * unit((-0.9160594, 0.3665166, 0.1627903)) + s23 * unit(turn((0.8513091, 0.5104835, 0.1211588), (0, 1, 0), phi5));
+    let q25 = f20 + turn(v21, d19, t24);
+    param f26 = (88.9130mm, 7.3095mm, 21.5496mm);
+    unknown s27 = 52.9mm;
+    param l28 = 116.1757mm;
+    loop norm(q16 - (f26 + s27 * unit((0, 0, 1)))) = l28;
+    let q29 = f26 + s27 * unit((0, 0, 1));
+    let q30 = (q29.x, q29.y);
+    param d31 = (-0.1884291, 0.2411759, -1.9764434);
+    param d32 = (-0.1033353, -0.4071079, 0.9075158);
+    const d35 = (0.4493504, -0.8933541, 0.0016234);
+    unknown t37 = 67deg;
+    param w38 = 1.2102688rad;
+    loop cos(w38) = dot(unit(turn((0, 1, 0), (-0.1273192, -0.8294161, 0.5439290), phi1)), turn(unit((1.7356369, 0.4177134, -0.9017096)), d35, t37));
+    param f39 = (-27.9155mm, 9.3406mm, 27.0828mm);
+    param l40 = 59.9239mm;
+    let q41 = f39 + l40 * turn(unit((1.7356369, 0.4177134, -0.9017096)), d35, t37);
+}
+
+impl Generated38 {
+    pub fn position1(phi1) -> Position1 {
+        q30,
+        q4,
+        q41,
+        t37,
+        s27,
+        margin: margin()
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q30,
+        velocity0: velocity(q30),
+        acceleration0: acceleration(q30),
+        jerk0: jerk(q30),
+        q4,
+        velocity1: velocity(q4),
+        acceleration1: acceleration(q4),
+        jerk1: jerk(q4),
+        q41,
+        velocity2: velocity(q41),
+        acceleration2: acceleration(q41),
+        jerk2: jerk(q41),
+        t37,
+        velocity3: velocity(t37),
+        acceleration3: acceleration(t37),
+        jerk3: jerk(t37)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q30,
+        e0: sensitivity(q30, [f20.y, f20.z]),
+        v0: d(q30, phi1),
+        m0: d(q30, phi1, f20.y),
+        w0: d(q30, f20.y, f20.z),
+        q4,
+        e1: sensitivity(q4, [f20.x, d32.x]),
+        v1: d(q4, phi1),
+        m1: d(q4, phi1, f20.x),
+        w1: d(q4, f20.x, d32.x),
+        q41,
+        e2: sensitivity(q41, [d32.x, f6.y]),
+        v2: d(q41, phi1),
+        m2: d(q41, phi1, d32.x),
+        w2: d(q41, d32.x, f6.y),
+        t37,
+        e3: sensitivity(t37, [l28, f6.y]),
+        v3: d(t37, phi1),
+        m3: d(t37, phi1, l28),
+        w3: d(t37, l28, f6.y)
+    }
+    pub fn closure1(phi1) -> Closure1 {
+        r0: (norm(q16 - (f26 + s27 * unit((0, 0, 1))))) - (l28),
+        v0: velocity((norm(q16 - (f26 + s27 * unit((0, 0, 1))))) - (l28)),
+        a0: acceleration((norm(q16 - (f26 + s27 * unit((0, 0, 1))))) - (l28)),
+        r1: (cos(w38)) - (dot(unit(turn((0, 1, 0), (-0.1273192, -0.8294161, 0.5439290), phi1)), turn(unit((1.7356369, 0.4177134, -0.9017096)), d35, t37))),
+        v1: velocity((cos(w38)) - (dot(unit(turn((0, 1, 0), (-0.1273192, -0.8294161, 0.5439290), phi1)), turn(unit((1.7356369, 0.4177134, -0.9017096)), d35, t37)))),
+        a1: acceleration((cos(w38)) - (dot(unit(turn((0, 1, 0), (-0.1273192, -0.8294161, 0.5439290), phi1)), turn(unit((1.7356369, 0.4177134, -0.9017096)), d35, t37))))
+    }
+    pub fn position2(phi5) -> Position2 {
+        q8
+    }
+    pub fn motion2(phi5) -> Motion2 {
+        q8,
+        velocity0: velocity(q8),
+        acceleration0: acceleration(q8),
+        jerk0: jerk(q8)
+    }
+    pub fn accuracy2(phi5) -> Accuracy2 {
+        q8,
+        e0: sensitivity(q8, [l15, f26.z]),
+        v0: d(q8, phi5),
+        m0: d(q8, phi5, l15),
+        w0: d(q8, l15, f26.z)
+    }
+    pub fn position3(phi1, phi5) -> Position3 {
+        q14,
+        q25,
+        t24,
+        s23,
+        s22,
+        s13,
+        margin: margin()
+    }
+    pub fn motion3(phi1, phi5) -> Motion3 {
+        q14,
+        velocity0: velocity(q14),
+        acceleration0: acceleration(q14),
+        q25,
+        velocity1: velocity(q25),
+        acceleration1: acceleration(q25),
+        t24,
+        velocity2: velocity(t24),
+        acceleration2: acceleration(t24),
+        s23,
+        velocity3: velocity(s23),
+        acceleration3: acceleration(s23)
+    }
+    pub fn accuracy3(phi1, phi5) -> Accuracy3 {
+        q14,
+        e0: sensitivity(q14, [d19.y, w10]),
+        v0: d(q14, phi1),
+        m0: d(q14, phi1, d19.y),
+        w0: d(q14, d19.y, w10),
+        q25,
+        e1: sensitivity(q25, [f26.y, f6.y]),
+        v1: d(q25, phi1),
+        m1: d(q25, phi1, f26.y),
+        w1: d(q25, f26.y, f6.y),
+        t24,
+        e2: sensitivity(t24, [f39.y, v21.z]),
+        v2: d(t24, phi1),
+        m2: d(t24, phi1, f39.y),
+        w2: d(t24, f39.y, v21.z),
+        s23,
+        e3: sensitivity(s23, [d32.y, l40]),
+        v3: d(s23, phi1),
+        m3: d(s23, phi1, d32.y),
+        w3: d(s23, d32.y, l40)
+    }
+    pub fn closure3(phi1, phi5) -> Closure3 {
+        r0: (f9 + polar(s13, phi5 + w11)) - (q4 + polar(s12, phi5 + w10)),
+        v0: velocity((f9 + polar(s13, phi5 + w11)) - (q4 + polar(s12, phi5 + w10))),
+        a0: acceleration((f9 + polar(s13, phi5 + w11)) - (q4 + polar(s12, phi5 + w10))),
+        r1: (f20 + turn(v21, d19, t24)) - (q16 + s22 * unit((-0.9160594, 0.3665166, 0.1627903)) + s23 * unit(turn((0.8513091, 0.5104835, 0.1211588), (0, 1, 0), phi5))),
+        v1: velocity((f20 + turn(v21, d19, t24)) - (q16 + s22 * unit((-0.9160594, 0.3665166, 0.1627903)) + s23 * unit(turn((0.8513091, 0.5104835, 0.1211588), (0, 1, 0), phi5)))),
+        a1: acceleration((f20 + turn(v21, d19, t24)) - (q16 + s22 * unit((-0.9160594, 0.3665166, 0.1627903)) + s23 * unit(turn((0.8513091, 0.5104835, 0.1211588), (0, 1, 0), phi5))))
+    }
+}
+}
+    position1(0): q30, q4, q41, t37, s27, margin;
+    motion1(0): q30, velocity0, acceleration0, jerk0, q4, velocity1, acceleration1, jerk1, q41, velocity2, acceleration2, jerk2, t37, velocity3, acceleration3, jerk3;
+    accuracy1(0): q30, e0, v0, m0, w0, q4, e1, v1, m1, w1, q41, e2, v2, m2, w2, t37, e3, v3, m3, w3;
+    closure1(0): r0, v0, a0, r1, v1, a1;
+    position2(1): q8;
+    motion2(1): q8, velocity0, acceleration0, jerk0;
+    accuracy2(1): q8, e0, v0, m0, w0;
+    position3(0, 1): q14, q25, t24, s23, s22, s13, margin;
+    motion3(0, 1): q14, velocity0, acceleration0, q25, velocity1, acceleration1, t24, velocity2, acceleration2, s23, velocity3, acceleration3;
+    accuracy3(0, 1): q14, e0, v0, m0, w0, q25, e1, v1, m1, w1, t24, e2, v2, m2, w2, s23, e3, v3, m3, w3;
+    closure3(0, 1): r0, v0, a0, r1, v1, a1;
+}
+
+corpus! {
+    m39 Generated39 [f2.x, f2.y, l3, w5, l8, l10, f12.x, f12.y, f12.z, d14.x, d14.y, d14.z, l16, l19, w20]
+    {
+pub struct Generated39 {
+    unit mm;
+    input phi1 = 0.8203047rad;
+    param f2 = (24.5048mm, 31.8893mm);
+    param l3 = 31.1984mm;
+    let q4 = f2 + polar(l3, phi1);
+    param w5 = 0.5008702rad;
+    let g6 = 2 * phi1 + w5;
+    const f7 = (55.9281mm, 31.8893mm);
+    param l8 = 38.3484mm;
+    let q9 = f7 + polar(l8, g6);
+    param l10 = -20.5724mm;
+    let q11 = (q9.x, q9.y, l10);
+    param f12 = (25.7938mm, 97.2295mm, 16.2787mm);
+    const d13 = (-0.8804039, 0.1355047, 0.4544530);
+    param d14 = (-1.4905797, 1.2203097, 0.5376027);
+    const f15 = (80.3880mm, 114.1785mm);
+    param l16 = -14.4672mm;
+    unknown t17 = -120deg;
+    unknown s18 = 65.8mm;
+    loop q9 = f15 + polar(s18, t17) + polar(l16, t17 + 90deg);
+    param l19 = 24.3281mm +- 20um;
+    param w20 = 0.8735394rad;
+    let q21 = f15 + polar(l19, t17 + w20);
+}
+
+impl Generated39 {
+    pub fn position1(phi1) -> Position1 {
+        q21,
+        q9,
+        q11,
+        s18,
+        t17,
+        margin: margin()
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q21,
+        velocity0: velocity(q21),
+        acceleration0: acceleration(q21),
+        jerk0: jerk(q21),
+        q9,
+        velocity1: velocity(q9),
+        acceleration1: acceleration(q9),
+        jerk1: jerk(q9),
+        q11,
+        velocity2: velocity(q11),
+        acceleration2: acceleration(q11),
+        jerk2: jerk(q11),
+        s18,
+        velocity3: velocity(s18),
+        acceleration3: acceleration(s18),
+        jerk3: jerk(s18)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q21,
+        e0: sensitivity(q21, [l8, l16]),
+        v0: d(q21, phi1),
+        m0: d(q21, phi1, l8),
+        w0: d(q21, l8, l16),
+        q9,
+        e1: sensitivity(q9, [l19, l3]),
+        v1: d(q9, phi1),
+        m1: d(q9, phi1, l19),
+        w1: d(q9, l19, l3),
+        q11,
+        e2: sensitivity(q11, [w5, f12.z]),
+        v2: d(q11, phi1),
+        m2: d(q11, phi1, w5),
+        w2: d(q11, w5, f12.z),
+        s18,
+        e3: sensitivity(s18, [w5, f2.y]),
+        v3: d(s18, phi1),
+        m3: d(s18, phi1, w5),
+        w3: d(s18, w5, f2.y)
+    }
+    pub fn closure1(phi1) -> Closure1 {
+        r0: (q9) - (f15 + polar(s18, t17) + polar(l16, t17 + 90deg)),
+        v0: velocity((q9) - (f15 + polar(s18, t17) + polar(l16, t17 + 90deg))),
+        a0: acceleration((q9) - (f15 + polar(s18, t17) + polar(l16, t17 + 90deg)))
+    }
+}
+}
+    position1(0): q21, q9, q11, s18, t17, margin;
+    motion1(0): q21, velocity0, acceleration0, jerk0, q9, velocity1, acceleration1, jerk1, q11, velocity2, acceleration2, jerk2, s18, velocity3, acceleration3, jerk3;
+    accuracy1(0): q21, e0, v0, m0, w0, q9, e1, v1, m1, w1, q11, e2, v2, m2, w2, s18, e3, v3, m3, w3;
+    closure1(0): r0, v0, a0;
+}
+
+corpus! {
+    m40 Generated40 [f2.x, f2.y, l3, l5, l10, f11.x, f11.y, f11.z, l12, f13.x, f13.y, f13.z, l14, w19, w20, f21.x, f21.y, f21.z, l22]
+    {
+pub struct Generated40 {
+    unit mm;
+    input phi1 = -2.8797933rad;
+    param f2 = (-22.9313mm, 37.7924mm);
+    param l3 = 39.6505mm;
+    let q4 = f2 + polar(l3, phi1);
+    param l5 = 18.4063mm;
+    let q6 = (q4.x, q4.y, l5);
+    const d7 = (-0.2062754, -0.9074212, 0.3661110);
+    const d8 = (0.3971449, 1.1811604, -1.5643325);
+    unknown p9 = (-126.8mm, 14.2mm, -14.4mm);
+    param l10 = 74.5050mm;
+    loop distance(p9, q6) = l10;
+    param f11 = (-27.6112mm, 66.7010mm, 9.1766mm);
+    param l12 = -57.9366mm +- 20um;
+    loop l12 = dot(unit(turn(d8, d7, phi1)), p9 - f11);
+    param f13 = (-53.5288mm, 25.0853mm, -18.3431mm);
+    param l14 = 3.9782mm;
+    loop l14 = dot(unit((0, 0, 1)), p9 - f13);
+    let q15 = p9;
+    let q16 = (q15.x, q15.y);
+    unknown n18 = (-0.36, 0.64, -0.68);
+    loop 1 = norm(n18);
+    param w19 = 1.2329161rad;
+    loop cos(w19) = dot(n18, unit(turn((1, 0, 0), (0.2007909, 0.9705341, 0.1332163), phi1)));
+    param w20 = 0.8757331rad;
+    loop cos(w20) = dot(n18, unit((0, 1, 0)));
+    param f21 = (34.8470mm, -19.6191mm, 0.8835mm);
+    param l22 = 49.6564mm +- 20um;
+    let q23 = f21 + l22 * n18;
+}
+
+impl Generated40 {
+    pub fn position1(phi1) -> Position1 {
+        q16,
+        q4,
+        q23,
+        n18,
+        p9,
+        margin: margin()
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q16,
+        velocity0: velocity(q16),
+        acceleration0: acceleration(q16),
+        jerk0: jerk(q16),
+        q4,
+        velocity1: velocity(q4),
+        acceleration1: acceleration(q4),
+        jerk1: jerk(q4),
+        q23,
+        velocity2: velocity(q23),
+        acceleration2: acceleration(q23),
+        jerk2: jerk(q23),
+        n18,
+        velocity3: velocity(n18),
+        acceleration3: acceleration(n18),
+        jerk3: jerk(n18)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q16,
+        e0: sensitivity(q16, [f21.x, l22]),
+        v0: d(q16, phi1),
+        m0: d(q16, phi1, f21.x),
+        w0: d(q16, f21.x, l22),
+        q4,
+        e1: sensitivity(q4, [f2.y, l5]),
+        v1: d(q4, phi1),
+        m1: d(q4, phi1, f2.y),
+        w1: d(q4, f2.y, l5),
+        q23,
+        e2: sensitivity(q23, [f13.y, l12]),
+        v2: d(q23, phi1),
+        m2: d(q23, phi1, f13.y),
+        w2: d(q23, f13.y, l12),
+        n18,
+        e3: sensitivity(n18, [f2.y, l22]),
+        v3: d(n18, phi1),
+        m3: d(n18, phi1, f2.y),
+        w3: d(n18, f2.y, l22)
+    }
+    pub fn closure1(phi1) -> Closure1 {
+        r0: (distance(p9, q6)) - (l10),
+        v0: velocity((distance(p9, q6)) - (l10)),
+        a0: acceleration((distance(p9, q6)) - (l10)),
+        r1: (l12) - (dot(unit(turn(d8, d7, phi1)), p9 - f11)),
+        v1: velocity((l12) - (dot(unit(turn(d8, d7, phi1)), p9 - f11))),
+        a1: acceleration((l12) - (dot(unit(turn(d8, d7, phi1)), p9 - f11))),
+        r2: (l14) - (dot(unit((0, 0, 1)), p9 - f13)),
+        v2: velocity((l14) - (dot(unit((0, 0, 1)), p9 - f13))),
+        a2: acceleration((l14) - (dot(unit((0, 0, 1)), p9 - f13))),
+        r3: (1) - (norm(n18)),
+        v3: velocity((1) - (norm(n18))),
+        a3: acceleration((1) - (norm(n18))),
+        r4: (cos(w19)) - (dot(n18, unit(turn((1, 0, 0), (0.2007909, 0.9705341, 0.1332163), phi1)))),
+        v4: velocity((cos(w19)) - (dot(n18, unit(turn((1, 0, 0), (0.2007909, 0.9705341, 0.1332163), phi1))))),
+        a4: acceleration((cos(w19)) - (dot(n18, unit(turn((1, 0, 0), (0.2007909, 0.9705341, 0.1332163), phi1))))),
+        r5: (cos(w20)) - (dot(n18, unit((0, 1, 0)))),
+        v5: velocity((cos(w20)) - (dot(n18, unit((0, 1, 0))))),
+        a5: acceleration((cos(w20)) - (dot(n18, unit((0, 1, 0)))))
+    }
+}
+}
+    position1(0): q16, q4, q23, n18, p9, margin;
+    motion1(0): q16, velocity0, acceleration0, jerk0, q4, velocity1, acceleration1, jerk1, q23, velocity2, acceleration2, jerk2, n18, velocity3, acceleration3, jerk3;
+    accuracy1(0): q16, e0, v0, m0, w0, q4, e1, v1, m1, w1, q23, e2, v2, m2, w2, n18, e3, v3, m3, w3;
+    closure1(0): r0, v0, a0, r1, v1, a1, r2, v2, a2, r3, v3, a3, r4, v4, a4, r5, v5, a5;
+}
+
+corpus! {
+    m41 Generated41 [f2.x, f2.y, l3, l7, w9, f11.x, f11.y, l12, l14, f16.x, f16.y, f16.z, f17.x, f17.y, f17.z, l19, l20, l21, v27.x, v27.y, v27.z, f32.x, f32.y, f32.z, d34.x, d34.y, d34.z, f40.x, f40.y, f40.z, f41.x, f41.y, f41.z, l43, l44]
+    {
+pub struct Generated41 {
+    unit cm;
+    input phi1 = 0.7452556rad in 0.7443297rad..0.7461815rad;
+    input phi5 = -1.5166911rad in -1.5176170rad..-1.5157652rad;
+    param f2 = (-34.5135mm, 7.8711mm);
+    param l3 = 23.2367mm +- 20um;
+    let q4 = f2 + polar(l3, phi1);
+    const f6 = (-21.5677mm, 19.2117mm);
+    param l7 = 25.4946mm;
+    let q8 = f6 + polar(l7, phi5);
+    param w9 = 0.3973057rad;
+    let g10 = w9 - phi5;
+    param f11 = (12.2334mm, 19.2117mm);
+    param l12 = 18.7683mm;
+    let q13 = f11 + polar(l12, g10);
+    param l14 = 8.2918mm;
+    let q15 = (q8.x, q8.y, l14);
+    param f16 = (80.4745mm, 15.6151mm, 66.9238mm);
+    param f17 = (-52.2160mm, -86.0837mm, 3.2555mm);
+    unknown p18 = (-38.9mm, -29.8mm, 111.3mm);
+    param l19 = 107.3485mm +- 20um;
+    loop l19 = norm(p18 - q15);
+    param l20 = 135.2013mm;
+    loop l20 = norm(p18 - f16);
+    param l21 = 122.5747mm +- 20um;
+    loop l21 = distance(p18, f17);
+    let q22 = p18;
+    let q23 = (q22.x, q22.y);
+    const d24 = (-0.3804600, 0.7147424, 0.5868504);
+    const d25 = (0.3613940, -1.3300038, 1.4493048);
+    const f26 = (33.5720mm, -57.8957mm, 65.4506mm);
+    param v27 = (11.6989mm, -44.0462mm, -39.0265mm);
+    unknown s28 = 5.2mm;
+    unknown s29 = -42.7mm;
+    unknown t30 = -116deg;
+    loop q22 + s28 * unit((0, 1, 0)) + s29 * unit(d24) = f26 + turn(v27, d25, t30);
+    let q31 = f26 + turn(v27, d25, t30);
+    param f32 = (32.7800mm, 23.9332mm, 39.3744mm);
+    const d33 = (0.8170673, -0.5708761, -0.0806317);
+    param d34 = (0.5969810, -1.3662459, -1.3330363);
+    const d35 = (-0.0372790, 0.4392804, -0.8975762);
+    unknown s36 = 85.8mm;
+    unknown s37 = 19.9mm;
+    unknown s38 = 117.7mm;
+    loop q22 + s36 * unit(turn(d33, (1, 0, 0), t30)) + s37 * unit(d34) = f32 - s38 * unit(d35);
+    let q39 = q22 + s36 * unit(turn(d33, (1, 0, 0), t30));
+    param f40 = (-20.6322mm, -118.1963mm, 115.2363mm);
+    param f41 = (63.3170mm, -23.8266mm, 58.5380mm);
+    unknown p42 = (-12.4mm, -46.5mm, 139.4mm);
+    param l43 = 54.7800mm;
+    loop norm(p42 - q31) = l43;
+    param l44 = 76.0785mm;
+    loop dot(f40 - p42, f40 - p42) = l44 * l44;
+    const l45 = 113.0571mm;
+    loop distance(p42, f41) = l45;
+    let q46 = p42;
+    let q47 = (q46.x, q46.y);
+}
+
+impl Generated41 {
+    pub fn position1(phi1) -> Position1 {
+        q4
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q4,
+        velocity0: velocity(q4),
+        acceleration0: acceleration(q4),
+        jerk0: jerk(q4)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q4,
+        e0: sensitivity(q4, [w9, d34.x]),
+        v0: d(q4, phi1),
+        m0: d(q4, phi1, w9),
+        w0: d(q4, w9, d34.x)
+    }
+    pub fn position2(phi5) -> Position2 {
+        q47,
+        q23,
+        q46,
+        p42,
+        s38,
+        s37,
+        s36,
+        margin: margin()
+    }
+    pub fn motion2(phi5) -> Motion2 {
+        q47,
+        velocity0: velocity(q47),
+        acceleration0: acceleration(q47),
+        jerk0: jerk(q47),
+        q23,
+        velocity1: velocity(q23),
+        acceleration1: acceleration(q23),
+        jerk1: jerk(q23),
+        q46,
+        velocity2: velocity(q46),
+        acceleration2: acceleration(q46),
+        jerk2: jerk(q46),
+        p42,
+        velocity3: velocity(p42),
+        acceleration3: acceleration(p42),
+        jerk3: jerk(p42)
+    }
+    pub fn accuracy2(phi5) -> Accuracy2 {
+        q47,
+        e0: sensitivity(q47, [d34.y, f11.y]),
+        v0: d(q47, phi5),
+        m0: d(q47, phi5, d34.y),
+        w0: d(q47, d34.y, f11.y),
+        q23,
+        e1: sensitivity(q23, [f2.x, f16.y]),
+        v1: d(q23, phi5),
+        m1: d(q23, phi5, f2.x),
+        w1: d(q23, f2.x, f16.y),
+        q46,
+        e2: sensitivity(q46, [f2.y, l20]),
+        v2: d(q46, phi5),
+        m2: d(q46, phi5, f2.y),
+        w2: d(q46, f2.y, l20),
+        p42,
+        e3: sensitivity(p42, [f41.x, w9]),
+        v3: d(p42, phi5),
+        m3: d(p42, phi5, f41.x),
+        w3: d(p42, f41.x, w9)
+    }
+    pub fn closure2(phi5) -> Closure2 {
+        r0: (l19) - (norm(p18 - q15)),
+        v0: velocity((l19) - (norm(p18 - q15))),
+        a0: acceleration((l19) - (norm(p18 - q15))),
+        r1: (l20) - (norm(p18 - f16)),
+        v1: velocity((l20) - (norm(p18 - f16))),
+        a1: acceleration((l20) - (norm(p18 - f16))),
+        r2: (l21) - (distance(p18, f17)),
+        v2: velocity((l21) - (distance(p18, f17))),
+        a2: acceleration((l21) - (distance(p18, f17))),
+        r3: (q22 + s28 * unit((0, 1, 0)) + s29 * unit(d24)) - (f26 + turn(v27, d25, t30)),
+        v3: velocity((q22 + s28 * unit((0, 1, 0)) + s29 * unit(d24)) - (f26 + turn(v27, d25, t30))),
+        a3: acceleration((q22 + s28 * unit((0, 1, 0)) + s29 * unit(d24)) - (f26 + turn(v27, d25, t30))),
+        r4: (q22 + s36 * unit(turn(d33, (1, 0, 0), t30)) + s37 * unit(d34)) - (f32 - s38 * unit(d35)),
+        v4: velocity((q22 + s36 * unit(turn(d33, (1, 0, 0), t30)) + s37 * unit(d34)) - (f32 - s38 * unit(d35))),
+        a4: acceleration((q22 + s36 * unit(turn(d33, (1, 0, 0), t30)) + s37 * unit(d34)) - (f32 - s38 * unit(d35))),
+        r5: (norm(p42 - q31)) - (l43),
+        v5: velocity((norm(p42 - q31)) - (l43)),
+        a5: acceleration((norm(p42 - q31)) - (l43)),
+        r6: (dot(f40 - p42, f40 - p42)) - (l44 * l44),
+        v6: velocity((dot(f40 - p42, f40 - p42)) - (l44 * l44)),
+        a6: acceleration((dot(f40 - p42, f40 - p42)) - (l44 * l44)),
+        r7: (distance(p42, f41)) - (l45),
+        v7: velocity((distance(p42, f41)) - (l45)),
+        a7: acceleration((distance(p42, f41)) - (l45))
+    }
+}
+}
+    position1(0): q4;
+    motion1(0): q4, velocity0, acceleration0, jerk0;
+    accuracy1(0): q4, e0, v0, m0, w0;
+    position2(1): q47, q23, q46, p42, s38, s37, s36, margin;
+    motion2(1): q47, velocity0, acceleration0, jerk0, q23, velocity1, acceleration1, jerk1, q46, velocity2, acceleration2, jerk2, p42, velocity3, acceleration3, jerk3;
+    accuracy2(1): q47, e0, v0, m0, w0, q23, e1, v1, m1, w1, q46, e2, v2, m2, w2, p42, e3, v3, m3, w3;
+    closure2(1): r0, v0, a0, r1, v1, a1, r2, v2, a2, r3, v3, a3, r4, v4, a4, r5, v5, a5, r6, v6, a6, r7, v7, a7;
+}
+
+corpus! {
+    m42 Generated42 [l2, w8, w9, f10.x, f10.y, f10.z, l11, f13.x, f13.y, l14, l17, l19, d22.x, d22.y, d22.z, l24, l26, f27.x, f27.y, f27.z]
+    {
+pub struct Generated42 {
+    unit mm;
+    input phi1 = -0.9651671rad in -0.9707226rad..-0.9596115rad;
+    param l2 = 28.3580mm +- 20um;
+    let q3 = polar(l2, phi1);
+    const d4 = (-0.0100397, -0.9068093, 0.4214215);
+    const d5 = (0.2419861, -0.8600234, -0.4492242);
+    const d6 = (0.7306472, 0.3156214, 0.6054236);
+    unknown n7 = (0.54, -0.84, 0.06);
+    loop dot(n7, n7) = 1;
+    param w8 = 1.1775120rad;
+    loop cos(w8) = dot(n7, unit(turn(d5, d4, phi1)));
+    param w9 = 2.1723189rad;
+    loop cos(w9) = dot(n7, unit(turn((0, 0, 1), d6, phi1)));
+    param f10 = (0.3996mm, 38.5079mm, -10.8158mm);
+    param l11 = 35.6549mm +- 20um;
+    let q12 = f10 + l11 * n7;
+    param f13 = (20.1652mm, -75.0941mm);
+    param l14 = 36.4772mm +- 20um;
+    unknown t15 = -179deg;
+    unknown t16 = 128deg;
+    param l17 = 65.1683mm;
+    loop q3 + polar(l14, t15) = f13 + polar(l17, t16);
+    let q18 = q3 + polar(l14, t15);
+    param l19 = -3.5049mm;
+    let q20 = (q18.x, q18.y, l19);
+    const d21 = (-0.4669297, 0.5283857, 0.7090735);
+    param d22 = (-0.3760873, 0.9039622, 0.2034961);
+    unknown p23 = (123.6mm, 6.0mm, 47.6mm);
+    param l24 = 118.2203mm;
+    loop l24 * l24 = dot(q12 - p23, q12 - p23);
+    const f25 = (83.4452mm, 5.7601mm, 28.4660mm);
+    param l26 = -5.0193mm;
+    loop l26 = dot(unit(d21), p23 - f25);
+    param f27 = (58.8631mm, -89.3733mm, 17.0489mm);
+    const l28 = 68.1271mm;
+    loop l28 = dot(unit(d22), p23 - f27);
+    let q29 = p23;
+    let q30 = (q29.x, q29.y);
+}
+
+impl Generated42 {
+    pub fn position1(phi1) -> Position1 {
+        q30,
+        q18,
+        q29,
+        p23,
+        t16,
+        t15,
+        n7,
+        margin: margin()
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q30,
+        velocity0: velocity(q30),
+        acceleration0: acceleration(q30),
+        jerk0: jerk(q30),
+        q18,
+        velocity1: velocity(q18),
+        acceleration1: acceleration(q18),
+        jerk1: jerk(q18),
+        q29,
+        velocity2: velocity(q29),
+        acceleration2: acceleration(q29),
+        jerk2: jerk(q29),
+        p23,
+        velocity3: velocity(p23),
+        acceleration3: acceleration(p23),
+        jerk3: jerk(p23)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q30,
+        e0: sensitivity(q30, [f27.x, f27.y]),
+        v0: d(q30, phi1),
+        m0: d(q30, phi1, f27.x),
+        w0: d(q30, f27.x, f27.y),
+        q18,
+        e1: sensitivity(q18, [l19, d22.y]),
+        v1: d(q18, phi1),
+        m1: d(q18, phi1, l19),
+        w1: d(q18, l19, d22.y),
+        q29,
+        e2: sensitivity(q29, [f10.y, d22.z]),
+        v2: d(q29, phi1),
+        m2: d(q29, phi1, f10.y),
+        w2: d(q29, f10.y, d22.z),
+        p23,
+        e3: sensitivity(p23, [l24, f10.z]),
+        v3: d(p23, phi1),
+        m3: d(p23, phi1, l24),
+        w3: d(p23, l24, f10.z)
+    }
+    pub fn closure1(phi1) -> Closure1 {
+        r0: (dot(n7, n7)) - (1),
+        v0: velocity((dot(n7, n7)) - (1)),
+        a0: acceleration((dot(n7, n7)) - (1)),
+        r1: (cos(w8)) - (dot(n7, unit(turn(d5, d4, phi1)))),
+        v1: velocity((cos(w8)) - (dot(n7, unit(turn(d5, d4, phi1))))),
+        a1: acceleration((cos(w8)) - (dot(n7, unit(turn(d5, d4, phi1))))),
+        r2: (cos(w9)) - (dot(n7, unit(turn((0, 0, 1), d6, phi1)))),
+        v2: velocity((cos(w9)) - (dot(n7, unit(turn((0, 0, 1), d6, phi1))))),
+        a2: acceleration((cos(w9)) - (dot(n7, unit(turn((0, 0, 1), d6, phi1))))),
+        r3: (q3 + polar(l14, t15)) - (f13 + polar(l17, t16)),
+        v3: velocity((q3 + polar(l14, t15)) - (f13 + polar(l17, t16))),
+        a3: acceleration((q3 + polar(l14, t15)) - (f13 + polar(l17, t16))),
+        r4: (l24 * l24) - (dot(q12 - p23, q12 - p23)),
+        v4: velocity((l24 * l24) - (dot(q12 - p23, q12 - p23))),
+        a4: acceleration((l24 * l24) - (dot(q12 - p23, q12 - p23))),
+        r5: (l26) - (dot(unit(d21), p23 - f25)),
+        v5: velocity((l26) - (dot(unit(d21), p23 - f25))),
+        a5: acceleration((l26) - (dot(unit(d21), p23 - f25))),
+        r6: (l28) - (dot(unit(d22), p23 - f27)),
+        v6: velocity((l28) - (dot(unit(d22), p23 - f27))),
+        a6: acceleration((l28) - (dot(unit(d22), p23 - f27)))
+    }
+}
+}
+    position1(0): q30, q18, q29, p23, t16, t15, n7, margin;
+    motion1(0): q30, velocity0, acceleration0, jerk0, q18, velocity1, acceleration1, jerk1, q29, velocity2, acceleration2, jerk2, p23, velocity3, acceleration3, jerk3;
+    accuracy1(0): q30, e0, v0, m0, w0, q18, e1, v1, m1, w1, q29, e2, v2, m2, w2, p23, e3, v3, m3, w3;
+    closure1(0): r0, v0, a0, r1, v1, a1, r2, v2, a2, r3, v3, a3, r4, v4, a4, r5, v5, a5, r6, v6, a6;
+}
+
+corpus! {
+    m43 Generated43 [w4, f6.x, f6.y, l7, l9, f11.x, f11.y, f11.z, d12.x, d12.y, d12.z, l14, l15, f16.x, f16.y, f16.z]
+    {
+pub struct Generated43 {
+    unit mm;
+    input phi1 = 2.0490165rad;
+    const l2 = 32.9813mm;
+    let q3 = polar(l2, phi1);
+    param w4 = 0.7669167rad;
+    let g5 = w4 - phi1 / 2;
+    param f6 = (35.4062mm, 0.0000mm);
+    param l7 = 18.0026mm;
+    let q8 = f6 + polar(l7, g5);
+    param l9 = 37.3617mm;
+    let q10 = (q3.x, q3.y, l9);
+    param f11 = (-2.9607mm, 40.7949mm, 79.8780mm);
+    param d12 = (0.6420549, -0.7404687, -0.1986745);
+    unknown p13 = (37.1mm, 62.7mm, 27.1mm);
+    param l14 = 62.9431mm;
+    loop l14 = distance(p13, q10);
+    param l15 = 69.8511mm;
+    loop l15 = norm(p13 - f11);
+    param f16 = (24.2817mm, 78.4592mm, 136.5326mm);
+    const l17 = 1.0426mm;
+    loop l17 = dot(unit(turn((0, 1, 0), d12, g5)), p13 - f16);
+    let q18 = p13;
+    let q19 = (q18.x, q18.y);
+}
+
+impl Generated43 {
+    pub fn position1(phi1) -> Position1 {
+        q19,
+        q8,
+        q18,
+        p13,
+        margin: margin()
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q19,
+        velocity0: velocity(q19),
+        acceleration0: acceleration(q19),
+        jerk0: jerk(q19),
+        q8,
+        velocity1: velocity(q8),
+        acceleration1: acceleration(q8),
+        jerk1: jerk(q8),
+        q18,
+        velocity2: velocity(q18),
+        acceleration2: acceleration(q18),
+        jerk2: jerk(q18),
+        p13,
+        velocity3: velocity(p13),
+        acceleration3: acceleration(p13),
+        jerk3: jerk(p13)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q19,
+        e0: sensitivity(q19, [f11.y, f16.z]),
+        v0: d(q19, phi1),
+        m0: d(q19, phi1, f11.y),
+        w0: d(q19, f11.y, f16.z),
+        q8,
+        e1: sensitivity(q8, [l14, f16.x]),
+        v1: d(q8, phi1),
+        m1: d(q8, phi1, l14),
+        w1: d(q8, l14, f16.x),
+        q18,
+        e2: sensitivity(q18, [d12.y, f6.x]),
+        v2: d(q18, phi1),
+        m2: d(q18, phi1, d12.y),
+        w2: d(q18, d12.y, f6.x),
+        p13,
+        e3: sensitivity(p13, [f16.z, f16.x]),
+        v3: d(p13, phi1),
+        m3: d(p13, phi1, f16.z),
+        w3: d(p13, f16.z, f16.x)
+    }
+    pub fn closure1(phi1) -> Closure1 {
+        r0: (l14) - (distance(p13, q10)),
+        v0: velocity((l14) - (distance(p13, q10))),
+        a0: acceleration((l14) - (distance(p13, q10))),
+        r1: (l15) - (norm(p13 - f11)),
+        v1: velocity((l15) - (norm(p13 - f11))),
+        a1: acceleration((l15) - (norm(p13 - f11))),
+        r2: (l17) - (dot(unit(turn((0, 1, 0), d12, g5)), p13 - f16)),
+        v2: velocity((l17) - (dot(unit(turn((0, 1, 0), d12, g5)), p13 - f16))),
+        a2: acceleration((l17) - (dot(unit(turn((0, 1, 0), d12, g5)), p13 - f16)))
+    }
+}
+}
+    position1(0): q19, q8, q18, p13, margin;
+    motion1(0): q19, velocity0, acceleration0, jerk0, q8, velocity1, acceleration1, jerk1, q18, velocity2, acceleration2, jerk2, p13, velocity3, acceleration3, jerk3;
+    accuracy1(0): q19, e0, v0, m0, w0, q8, e1, v1, m1, w1, q18, e2, v2, m2, w2, p13, e3, v3, m3, w3;
+    closure1(0): r0, v0, a0, r1, v1, a1, r2, v2, a2;
+}
+
+corpus! {
+    m44 Generated44 [f2.x, f2.y, l3, w5, f7.x, f7.y, l8, l12, w14, f16.x, f16.y, d19.x, d19.y, d19.z, d20.x, d20.y, d20.z, w23, w24, f25.x, f25.y, f25.z, l26]
+    {
+pub struct Generated44 {
+    unit m;
+    input phi1 = 1.7435839rad in 1.7185839rad..1.7685839rad;
+    input phi10 = 2.4731316rad in 2.4481316rad..2.4981316rad;
+    param f2 = (38.5219mm, 5.3030mm);
+    param l3 = 31.6698mm;
+    let q4 = f2 + polar(l3, phi1);
+    param w5 = 0.9937381rad;
+    let g6 = w5 - phi1;
+    param f7 = (81.1573mm, 5.3030mm);
+    param l8 = 39.8213mm +- 20um;
+    let q9 = f7 + polar(l8, g6);
+    const f11 = (-36.9398mm, -3.7262mm);
+    param l12 = 48.2140mm +- 20um;
+    let q13 = f11 + polar(l12, phi10);
+    param w14 = -0.3888047rad;
+    let g15 = w14 - phi10;
+    param f16 = (20.5278mm, -3.7262mm);
+    const l17 = 33.7493mm;
+    let q18 = f16 + polar(l17, g15);
+    param d19 = (-0.2216737, -0.7833011, 0.5807755);
+    param d20 = (0.2823662, -0.6942230, -0.6620602);
+    const d21 = (0.4099071, 0.8905948, 0.1970205);
+    unknown n22 = (0.89, 0.45, -0.08);
+    loop dot(n22, n22) = 1;
+    param w23 = 1.5757687rad;
+    loop cos(w23) = dot(n22, unit(turn(d19, (1, 0, 0), phi10)));
+    param w24 = 1.1501832rad;
+    loop cos(w24) = dot(n22, unit(turn(d21, d20, g6)));
+    param f25 = (-7.7945mm, -24.0298mm, -31.0131mm);
+    param l26 = 55.5653mm;
+    let q27 = f25 + l26 * n22;
+}
+
+impl Generated44 {
+    pub fn position1(phi1) -> Position1 {
+        q9,
+        q4
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q9,
+        velocity0: velocity(q9),
+        acceleration0: acceleration(q9),
+        jerk0: jerk(q9),
+        q4,
+        velocity1: velocity(q4),
+        acceleration1: acceleration(q4),
+        jerk1: jerk(q4)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q9,
+        e0: sensitivity(q9, [d19.z, d20.x]),
+        v0: d(q9, phi1),
+        m0: d(q9, phi1, d19.z),
+        w0: d(q9, d19.z, d20.x),
+        q4,
+        e1: sensitivity(q4, [d19.z, f2.y]),
+        v1: d(q4, phi1),
+        m1: d(q4, phi1, d19.z),
+        w1: d(q4, d19.z, f2.y)
+    }
+    pub fn position2(phi10) -> Position2 {
+        q18,
+        q13
+    }
+    pub fn motion2(phi10) -> Motion2 {
+        q18,
+        velocity0: velocity(q18),
+        acceleration0: acceleration(q18),
+        jerk0: jerk(q18),
+        q13,
+        velocity1: velocity(q13),
+        acceleration1: acceleration(q13),
+        jerk1: jerk(q13)
+    }
+    pub fn accuracy2(phi10) -> Accuracy2 {
+        q18,
+        e0: sensitivity(q18, [w14, f7.x]),
+        v0: d(q18, phi10),
+        m0: d(q18, phi10, w14),
+        w0: d(q18, w14, f7.x),
+        q13,
+        e1: sensitivity(q13, [d20.z, f7.x]),
+        v1: d(q13, phi10),
+        m1: d(q13, phi10, d20.z),
+        w1: d(q13, d20.z, f7.x)
+    }
+    pub fn position3(phi1, phi10) -> Position3 {
+        q27,
+        n22,
+        margin: margin()
+    }
+    pub fn motion3(phi1, phi10) -> Motion3 {
+        q27,
+        velocity0: velocity(q27),
+        acceleration0: acceleration(q27),
+        n22,
+        velocity1: velocity(n22),
+        acceleration1: acceleration(n22)
+    }
+    pub fn accuracy3(phi1, phi10) -> Accuracy3 {
+        q27,
+        e0: sensitivity(q27, [f2.x, d20.y]),
+        v0: d(q27, phi1),
+        m0: d(q27, phi1, f2.x),
+        w0: d(q27, f2.x, d20.y),
+        n22,
+        e1: sensitivity(n22, [f7.x, l26]),
+        v1: d(n22, phi1),
+        m1: d(n22, phi1, f7.x),
+        w1: d(n22, f7.x, l26)
+    }
+    pub fn closure3(phi1, phi10) -> Closure3 {
+        r0: (dot(n22, n22)) - (1),
+        v0: velocity((dot(n22, n22)) - (1)),
+        a0: acceleration((dot(n22, n22)) - (1)),
+        r1: (cos(w23)) - (dot(n22, unit(turn(d19, (1, 0, 0), phi10)))),
+        v1: velocity((cos(w23)) - (dot(n22, unit(turn(d19, (1, 0, 0), phi10))))),
+        a1: acceleration((cos(w23)) - (dot(n22, unit(turn(d19, (1, 0, 0), phi10))))),
+        r2: (cos(w24)) - (dot(n22, unit(turn(d21, d20, g6)))),
+        v2: velocity((cos(w24)) - (dot(n22, unit(turn(d21, d20, g6))))),
+        a2: acceleration((cos(w24)) - (dot(n22, unit(turn(d21, d20, g6)))))
+    }
+}
+}
+    position1(0): q9, q4;
+    motion1(0): q9, velocity0, acceleration0, jerk0, q4, velocity1, acceleration1, jerk1;
+    accuracy1(0): q9, e0, v0, m0, w0, q4, e1, v1, m1, w1;
+    position2(1): q18, q13;
+    motion2(1): q18, velocity0, acceleration0, jerk0, q13, velocity1, acceleration1, jerk1;
+    accuracy2(1): q18, e0, v0, m0, w0, q13, e1, v1, m1, w1;
+    position3(0, 1): q27, n22, margin;
+    motion3(0, 1): q27, velocity0, acceleration0, n22, velocity1, acceleration1;
+    accuracy3(0, 1): q27, e0, v0, m0, w0, n22, e1, v1, m1, w1;
+    closure3(0, 1): r0, v0, a0, r1, v1, a1, r2, v2, a2;
+}
+
+corpus! {
+    m45 Generated45 [l2, w4, f6.x, f6.y, l7, l9, f11.x, f11.y, f11.z, l13, l14, f15.x, f15.y, f15.z, l16, l19, f22.x, f22.y, f22.z, v23.x, v23.y, v23.z, l26]
+    {
+pub struct Generated45 {
+    unit mm;
+    input phi1 = 2.1834069rad in 2.1667402rad..2.2000736rad;
+    param l2 = 35.9358mm;
+    let q3 = polar(l2, phi1);
+    param w4 = -0.9539598rad;
+    let g5 = w4 - phi1;
+    param f6 = (40.5133mm, 0.0000mm);
+    param l7 = 27.5372mm +- 20um;
+    let q8 = f6 + polar(l7, g5);
+    param l9 = 4.8850mm +- 20um;
+    let q10 = (q3.x, q3.y, l9);
+    param f11 = (10.7122mm, 28.3585mm, 53.0883mm);
+    unknown p12 = (-80.8mm, 49.1mm, 38.0mm);
+    param l13 = 71.4107mm;
+    loop dot(q10 - p12, q10 - p12) = l13 * l13;
+    param l14 = 95.0595mm +- 20um;
+    loop l14 = norm(p12 - f11);
+    param f15 = (16.4664mm, 7.5630mm, 56.4862mm);
+    param l16 = 41.4881mm;
+    loop dot(unit((0, 1, 0)), p12 - f15) = l16;
+    let q17 = p12;
+    let q18 = (q17.x, q17.y);
+    param l19 = 23.9274mm;
+    let q20 = (q8.x, q8.y, l19);
+    const d21 = (-0.1797225, -0.9797523, 0.0882343);
+    param f22 = (67.8265mm, 45.2443mm, -6.7101mm);
+    param v23 = (-19.2743mm, -9.7195mm, 55.9824mm);
+    unknown t24 = 12deg;
+    let q25 = f22 + turn(v23, d21, t24);
+    param l26 = 49.2571mm +- 20um;
+    loop dot((f22 + turn(v23, d21, t24)) - q20, (f22 + turn(v23, d21, t24)) - q20) = l26 * l26;
+    let q27 = (q25.x, q25.y);
+}
+
+impl Generated45 {
+    pub fn position1(phi1) -> Position1 {
+        q27,
+        q18,
+        q25,
+        t24,
+        p12,
+        margin: margin()
+    }
+    pub fn motion1(phi1) -> Motion1 {
+        q27,
+        velocity0: velocity(q27),
+        acceleration0: acceleration(q27),
+        jerk0: jerk(q27),
+        q18,
+        velocity1: velocity(q18),
+        acceleration1: acceleration(q18),
+        jerk1: jerk(q18),
+        q25,
+        velocity2: velocity(q25),
+        acceleration2: acceleration(q25),
+        jerk2: jerk(q25),
+        t24,
+        velocity3: velocity(t24),
+        acceleration3: acceleration(t24),
+        jerk3: jerk(t24)
+    }
+    pub fn accuracy1(phi1) -> Accuracy1 {
+        q27,
+        e0: sensitivity(q27, [w4, f6.x]),
+        v0: d(q27, phi1),
+        m0: d(q27, phi1, w4),
+        w0: d(q27, w4, f6.x),
+        q18,
+        e1: sensitivity(q18, [l7, l9]),
+        v1: d(q18, phi1),
+        m1: d(q18, phi1, l7),
+        w1: d(q18, l7, l9),
+        q25,
+        e2: sensitivity(q25, [l19, l26]),
+        v2: d(q25, phi1),
+        m2: d(q25, phi1, l19),
+        w2: d(q25, l19, l26),
+        t24,
+        e3: sensitivity(t24, [f15.x, f15.z]),
+        v3: d(t24, phi1),
+        m3: d(t24, phi1, f15.x),
+        w3: d(t24, f15.x, f15.z)
+    }
+    pub fn closure1(phi1) -> Closure1 {
+        r0: (dot(q10 - p12, q10 - p12)) - (l13 * l13),
+        v0: velocity((dot(q10 - p12, q10 - p12)) - (l13 * l13)),
+        a0: acceleration((dot(q10 - p12, q10 - p12)) - (l13 * l13)),
+        r1: (l14) - (norm(p12 - f11)),
+        v1: velocity((l14) - (norm(p12 - f11))),
+        a1: acceleration((l14) - (norm(p12 - f11))),
+        r2: (dot(unit((0, 1, 0)), p12 - f15)) - (l16),
+        v2: velocity((dot(unit((0, 1, 0)), p12 - f15)) - (l16)),
+        a2: acceleration((dot(unit((0, 1, 0)), p12 - f15)) - (l16)),
+        r3: (dot((f22 + turn(v23, d21, t24)) - q20, (f22 + turn(v23, d21, t24)) - q20)) - (l26 * l26),
+        v3: velocity((dot((f22 + turn(v23, d21, t24)) - q20, (f22 + turn(v23, d21, t24)) - q20)) - (l26 * l26)),
+        a3: acceleration((dot((f22 + turn(v23, d21, t24)) - q20, (f22 + turn(v23, d21, t24)) - q20)) - (l26 * l26))
+    }
+}
+}
+    position1(0): q27, q18, q25, t24, p12, margin;
+    motion1(0): q27, velocity0, acceleration0, jerk0, q18, velocity1, acceleration1, jerk1, q25, velocity2, acceleration2, jerk2, t24, velocity3, acceleration3, jerk3;
+    accuracy1(0): q27, e0, v0, m0, w0, q18, e1, v1, m1, w1, q25, e2, v2, m2, w2, t24, e3, v3, m3, w3;
+    closure1(0): r0, v0, a0, r1, v1, a1, r2, v2, a2, r3, v3, a3;
+}
+
 /// The results of all functions of each mechanism.
 pub(crate) const ALL: &[crate::Results] = &[
     m0::results,
@@ -4756,4 +6037,14 @@ pub(crate) const ALL: &[crate::Results] = &[
     m33::results,
     m34::results,
     m35::results,
+    m36::results,
+    m37::results,
+    m38::results,
+    m39::results,
+    m40::results,
+    m41::results,
+    m42::results,
+    m43::results,
+    m44::results,
+    m45::results,
 ];

@@ -1,0 +1,60 @@
+//! What expressions are written with.
+
+use super::types::{Expr, ExprKind, Mechanism, Name};
+
+/// Names that loops are written with, directly or through derived quantities.
+#[derive(Clone, Debug)]
+pub(crate) struct Usage {
+    pub(crate) lets: Vec<bool>,
+    pub(crate) unknowns: Vec<bool>,
+}
+
+impl Mechanism {
+    /// What some of the loops are written with, whether it cancels out there or not.
+    pub(crate) fn usage(&self, loops: &[usize]) -> Usage {
+        let mut usage = Usage {
+            lets: vec![false; self.lets.len()],
+            unknowns: vec![false; self.unknowns.len()],
+        };
+        for &number in loops {
+            usage.mark(&self.loops[number].left);
+            usage.mark(&self.loops[number].right);
+        }
+        for index in (0..usage.lets.len()).rev() {
+            if usage.lets[index] {
+                usage.mark(&self.lets[index].value);
+            }
+        }
+        usage
+    }
+}
+
+impl Usage {
+    fn mark(&mut self, expr: &Expr) {
+        match expr.kind {
+            ExprKind::Name(Name::Let(index)) => self.lets[index] = true,
+            ExprKind::Name(Name::Unknown(index)) => self.unknowns[index] = true,
+            _ => {}
+        }
+        expr.operands()
+            .into_iter()
+            .for_each(|operand| self.mark(operand));
+    }
+}
+
+impl Expr {
+    /// The expressions that it is made of.
+    pub(crate) fn operands(&self) -> Vec<&Expr> {
+        match &self.kind {
+            ExprKind::Vector(all) | ExprKind::Call(_, all) => all.iter().collect(),
+            ExprKind::Component(a, _) | ExprKind::Index(a, _) | ExprKind::Negate(a) => vec![a],
+            ExprKind::Binary(_, a, b) => vec![a, b],
+            ExprKind::Derivative(a, _)
+            | ExprKind::InputDerivative(a, _)
+            | ExprKind::Sensitivity(a, _) => vec![a],
+            ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Margin | ExprKind::Error => {
+                Vec::new()
+            }
+        }
+    }
+}
