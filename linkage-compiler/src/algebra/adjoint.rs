@@ -8,7 +8,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use linkage_symbolic::{NodeId, SymbolId, differentiate};
+use linkage_symbolic::{Graph, NodeId, SymbolId, differentiate};
 
 use super::Algebra;
 use super::implicit::Rule;
@@ -195,18 +195,9 @@ impl Algebra<'_> {
     /// The derivative of an equation of a system by a variable that is not one of its results.
     fn slope(&mut self, system: &System, row: usize, variable: SymbolId) -> NodeId {
         let solution = self.solutions[system.group].clone();
-        let zero = self.graph.zero();
         if system.by.is_empty() {
-            let slopes = solution.terms.iter().map(|term| {
-                let slope = self.partial(term.coefficient[row], variable);
-                (slope, term.factor)
-            });
-            let slopes = slopes.collect();
-            let slopes = self.gathered(slopes).into_iter();
-            return slopes.fold(zero, |sum, (slope, factor)| {
-                let product = self.graph.mul(slope, factor);
-                self.graph.add(sum, product)
-            });
+            let mut slope = |algebra: &mut Self, node| algebra.partial(node, variable);
+            return self.sum_of_slopes(&solution.terms, row, Graph::add, &mut slope);
         }
         // J r - right
         let rates = self.rates(system.group, system.by.clone());

@@ -200,20 +200,9 @@ impl Algebra<'_> {
         let solution = self.solutions[group].clone();
         let equations = solution.jacobian[0].len();
         if before.is_empty() {
-            let zero = self.graph.zero();
+            let mut slope = |algebra: &mut Self, node| differentiate(algebra, node, last);
             return (0..equations)
-                .map(|row| {
-                    let slopes = solution.terms.iter().map(|term| {
-                        let slope = differentiate(self, term.coefficient[row], last);
-                        (slope, term.factor)
-                    });
-                    let slopes = slopes.collect();
-                    let slopes = self.gathered(slopes).into_iter();
-                    slopes.fold(zero, |sum, (slope, factor)| {
-                        let product = self.graph.mul(slope, factor);
-                        self.graph.sub(sum, product)
-                    })
-                })
+                .map(|row| self.sum_of_slopes(&solution.terms, row, Graph::sub, &mut slope))
                 .collect();
         }
         let lower = self.rates(group, before.to_vec());

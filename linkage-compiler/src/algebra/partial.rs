@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashMap};
 use linkage_symbolic::{Calculus, DerivativeMemo, Graph, Node, NodeId, SymbolId, differentiate};
 
 use super::Algebra;
-use super::implicit::{AngleRule, Implicit, Rule};
+use super::implicit::{AngleRule, Implicit, Rule, Term};
 
 /// What is solved together: a group's unknowns, or their derivatives by some variables. In the order in which they
 /// depend on each other: a system mentions its own results and those of smaller ones.
@@ -80,14 +80,40 @@ impl<'m> Implicit<'m> for Partial<'_, 'm> {
 }
 
 impl Algebra<'_> {
+    /// 0 plus or minus all derivatives of coefficients, which `slope` finds, times their factors.
+    pub(super) fn sum_of_slopes(
+        &mut self,
+        terms: &[Term],
+        row: usize,
+        join: fn(&mut Graph, NodeId, NodeId) -> NodeId,
+        slope: &mut dyn FnMut(&mut Self, NodeId) -> NodeId,
+    ) -> NodeId {
+        let zero = self.graph.zero();
+        let mut products = Vec::new();
+        let mut sum = zero;
+        for term in terms {
+            let slope = slope(self, term.coefficient[row]);
+            let product = self.graph.mul(slope, term.factor);
+            sum = join(&mut self.graph, sum, product);
+            if !self.graph.is_zero(slope) {
+                products.push((slope, term.factor));
+            }
+        }
+        let gathered = self.gathered(&products);
+        if gathered.len() == products.len() {
+            return sum;
+        }
+        gathered.into_iter().fold(zero, |sum, (slope, factor)| {
+            let product = self.graph.mul(slope, factor);
+            join(&mut self.graph, sum, product)
+        })
+    }
+
     /// Products of slopes and factors, those of equal slopes put together: a centre that moves alone moves all differences from
     /// it.
-    pub(super) fn gathered(&mut self, products: Vec<(NodeId, NodeId)>) -> Vec<(NodeId, NodeId)> {
+    fn gathered(&mut self, products: &[(NodeId, NodeId)]) -> Vec<(NodeId, NodeId)> {
         let mut gathered: Vec<(NodeId, NodeId)> = Vec::new();
-        for (slope, factor) in products {
-            if self.graph.is_zero(slope) {
-                continue;
-            }
+        for &(slope, factor) in products {
             let opposite = self.graph.neg(slope);
             let like = |(other, _): &&mut (NodeId, NodeId)| *other == slope || *other == opposite;
             match gathered.iter_mut().find(like) {
