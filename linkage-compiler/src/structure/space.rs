@@ -213,20 +213,27 @@ impl Analysis<'_, '_> {
             }
         }
         let slides: [SymbolId; 3] = slides.try_into().ok()?;
-        let mut guides = [[self.algebra.graph.zero(); 3]; 3];
-        let mut known = guides[0];
-        for (row, node) in [x, y, z].into_iter().enumerate() {
-            let (factors, rest) = self.linear_row(node, &slides)?;
+        let (guides, known) = self.guides([x, y, z], &slides)?;
+        Some(Form::ThreeSlides {
+            slides,
+            guides: guides.try_into().ok()?,
+            known,
+        })
+    }
+
+    /// Three rows that are linear in slides: the guide of each, and the rest.
+    fn guides(&mut self, rows: Vector, slides: &[SymbolId]) -> Option<(Vec<Vector>, Vector)> {
+        let zero = self.algebra.graph.zero();
+        let mut guides = vec![[zero; 3]; slides.len()];
+        let mut known = [zero; 3];
+        for (row, node) in rows.into_iter().enumerate() {
+            let (factors, rest) = self.linear_row(node, slides)?;
             known[row] = rest;
             for (guide, factor) in guides.iter_mut().zip(factors) {
                 guide[row] = factor;
             }
         }
-        Some(Form::ThreeSlides {
-            slides,
-            guides,
-            known,
-        })
+        Some((guides, known))
     }
 
     /// Two slides and an angle in a loop of three rows: the equation across both guides contains the angle alone, those across
@@ -249,16 +256,7 @@ impl Analysis<'_, '_> {
                 CoordinateKind::Angle(_) => None,
             })
             .collect();
-        let zero = self.algebra.graph.zero();
-        let mut guides = vec![[zero; 3]; slides.len()];
-        let mut rest = [zero; 3];
-        for (row, node) in [x, y, z].into_iter().enumerate() {
-            let (factors, known) = self.linear_row(node, &slides)?;
-            rest[row] = known;
-            for (guide, factor) in guides.iter_mut().zip(factors) {
-                guide[row] = factor;
-            }
-        }
+        let (guides, rest) = self.guides([x, y, z], &slides)?;
         let &[first, second] = &guides[..] else {
             return None;
         };
