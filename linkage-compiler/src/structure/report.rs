@@ -182,8 +182,18 @@ impl Analysis<'_, '_> {
             .iter()
             .filter(|e| self.polynomials(&e.rows, coordinates).is_none());
         let other: Vec<usize> = other.flat_map(|e| e.loops.iter().copied()).collect();
+        let valued = self.valued(equations, coordinates);
         let message = match rows {
             0..=2 => format!("no closed form for {names} in {loops}\nhelp: {what}"),
+            _ if other.is_empty() && !valued.is_empty() => format!(
+                "a group of {count} unknowns ({names}) in {loops} cannot be solved: {} for an angle, and the angle itself, not \
+                 its direction, stands in a loop\n\
+                 help: {what}; a slide is a length times a direction, not a number times a vector of lengths",
+                match &valued[..] {
+                    [_] => format!("{} stands", self.names(valued.clone())),
+                    _ => format!("each of {} stands", self.names(valued.clone())),
+                }
+            ),
             _ if other.is_empty() => format!(
                 "a group of {count} unknowns ({names}) in {loops} cannot be solved: more than {MOST_CORE} unknowns remain \
                  when links between two joints are left out\n\
@@ -203,6 +213,20 @@ impl Analysis<'_, '_> {
     }
 
     /// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
+    /// The unknown angles of which polynomial loops contain the value.
+    fn valued(&mut self, equations: &[Equation], coordinates: &[Coordinate]) -> Vec<usize> {
+        let polynomials: Vec<_> = equations
+            .iter()
+            .filter_map(|e| self.polynomials(&e.rows, coordinates))
+            .collect();
+        let angles = coordinates.iter().enumerate().filter(|(k, coordinate)| {
+            let value = self.first_symbol(coordinates, *k) + 2;
+            matches!(coordinate.kind, CoordinateKind::Angle(_))
+                && polynomials.iter().any(|p| p.mention(value))
+        });
+        angles.filter_map(|(_, c)| c.unknown).collect()
+    }
+
     fn unknown_names<'c>(&self, coordinates: impl Iterator<Item = &'c Coordinate>) -> String {
         let coordinates: Vec<&Coordinate> = coordinates.filter(|c| c.unknown.is_some()).collect();
         let mut names: Vec<(usize, String)> = Vec::new();
