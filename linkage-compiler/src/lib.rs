@@ -15,6 +15,7 @@ pub mod oracle;
 mod structure;
 pub mod syntax;
 pub mod trace;
+mod vector;
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;

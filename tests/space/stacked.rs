@@ -61,3 +61,42 @@ fn rates_are_differences() {
         close(motion.s[0][axis], slope[axis], 1e-6);
     }
 }
+
+mechanism! {
+    /// The same, driven by the length of a rod between the rockers.
+    pub struct Driven {
+        unit mm;
+        param l = 100mm;
+        input rod = 110mm in 109mm..111mm;
+        unknown p = (40mm, 30mm, 80mm);
+        unknown psi = 40deg;
+        unknown chi = 120deg;
+        let a = 60mm * (cos(psi), 0, sin(psi));
+        let b = (180mm, 10mm, 0) + 60mm * (cos(chi), 0.6 * sin(chi), 0.8 * sin(chi));
+        loop distance(p, (0, 0, 0)) = l;
+        loop distance(p, (0, 70mm, 0)) = l;
+        loop distance(p, a) = l;
+        loop distance(b, p) = 1.2 * l;
+        loop distance(a, b) = rod;
+    }
+
+    impl Driven {
+        pub fn rods(rod) -> Rods { between: distance(a, b), v: velocity(p), p }
+    }
+}
+
+#[test]
+fn a_driven_length_is_kept() {
+    // Estimates grow with the links that are not driven.
+    for l in [100.0, 100.2] {
+        let driven = Driven { l }.assemble().expect("it assembles");
+        for rod in [109.2, 110.0, 110.7] {
+            let rods = driven.rods(rod);
+            close(rods.between, rod, 1e-13);
+            for axis in 0..3 {
+                let [v, _] = differences(|x| driven.rods(x).p[axis], rod, 1e-4);
+                close(rods.v[axis], v, 1e-7);
+            }
+        }
+    }
+}

@@ -95,20 +95,19 @@ impl Algebra<'_> {
         roots: &[NodeId],
         map: &std::collections::HashMap<SymbolId, NodeId>,
     ) {
-        for node in self.graph.reachable(roots) {
-            for squared in [false, true] {
-                let known = if squared { &self.squares } else { &self.norms };
-                let Some(vector) = known.get(&node) else {
-                    continue;
-                };
-                let all = [&[node], &vector[..]].concat();
-                let renewed = substitute(&mut self.graph, &all, map);
-                let known = if squared {
-                    &mut self.squares
-                } else {
-                    &mut self.norms
-                };
-                known.insert(renewed[0], renewed[1..].to_vec());
+        let Self {
+            graph,
+            norms,
+            squares,
+            ..
+        } = self;
+        for node in graph.reachable(roots) {
+            for known in [&mut *norms, &mut *squares] {
+                if let Some(vector) = known.get(&node) {
+                    let all = [&[node], &vector[..]].concat();
+                    let renewed = substitute(graph, &all, map);
+                    known.insert(renewed[0], renewed[1..].to_vec());
+                }
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use linkage_symbolic::interpret::evaluate;
 use linkage_symbolic::program::Source;
+use linkage_symbolic::{Graph, NodeId};
 
 use crate::model::Expr;
 
@@ -52,6 +53,17 @@ impl Nominal {
             nominal.estimates.push(estimate);
         }
         nominal
+    }
+}
+
+impl Nominal {
+    /// Nodes at the defaults and the reference position; NaN for what depends on modes or prepared states.
+    pub(crate) fn evaluate(&self, graph: &Graph, nodes: &[NodeId]) -> Vec<f64> {
+        evaluate(graph, nodes, |source| match source {
+            Source::Parameter(index) => self.parameters[index],
+            Source::Input(index) => self.inputs[index],
+            _ => f64::NAN,
+        })
     }
 }
 

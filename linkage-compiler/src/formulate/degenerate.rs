@@ -5,6 +5,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::model::{Dimension, Type};
 use crate::structure::{Form, Sphere};
+use crate::vector::{Vector, cross, dot, minus, norm};
 
 use super::Solved;
 use super::reference::Assembly;
@@ -17,8 +18,6 @@ const NOTHING: f64 = 1e-12;
 
 /// A fact, and what to write.
 type Reason = (String, String);
-
-type Vector = [f64; 3];
 
 impl Assembly<'_, '_> {
     /// What is degenerate about a group at the reference inputs.
@@ -241,25 +240,6 @@ impl Assembly<'_, '_> {
 fn direction(v: &[f64]) -> String {
     let numbers = super::words::numbers(v);
     format!("({})", numbers.join(", "))
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        a[i] * b[j] - a[j] * b[i]
-    })
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|k| a[k] - b[k])
-}
-
-fn norm(a: Vector) -> f64 {
-    dot(a, a).sqrt()
 }
 
 fn parallel(a: Vector, b: Vector) -> bool {

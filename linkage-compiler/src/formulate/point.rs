@@ -90,7 +90,7 @@ impl Solver<'_, '_> {
         let graph = &mut self.algebra.graph;
         let (one, minus) = (graph.one(), graph.neg(second.offset));
         let inverse = graph.div(one, sine2);
-        let between = self.combine_space(first.offset, second.normal, minus, first.normal);
+        let between = self.combine(first.offset, second.normal, minus, first.normal);
         let radius = base.scaled;
         let radius2 = self.algebra.graph.square(radius);
         let between2 = self.algebra.dot(&between, &between);
@@ -111,7 +111,7 @@ impl Solver<'_, '_> {
         let volume = graph.mul(hw, sine);
         let rise = graph.mul(hw, shallow);
         let foot = self.algebra.cross3(between, normal);
-        let arm = self.combine_space(inverse, foot, rise, normal);
+        let arm = self.combine(inverse, foot, rise, normal);
 
         for (position, &(symbol, component)) in coordinates.iter().enumerate() {
             let graph = &mut self.algebra.graph;

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use linkage_symbolic::NodeId;
-use linkage_symbolic::interpret::{apply_ternary, evaluate};
-use linkage_symbolic::program::{Source, Ternary};
+use linkage_symbolic::interpret::apply_ternary;
+use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
@@ -250,11 +250,7 @@ fn longest_link(algebra: &Algebra, formulation: &Formulation, nominal: &Nominal)
     let groups = formulation.groups.iter();
     let vectors: Vec<Vec<NodeId>> = groups.flat_map(|s| s.group.form.links()).collect();
     let nodes = vectors.concat();
-    let values = evaluate(&algebra.graph, &nodes, |source| match source {
-        Source::Parameter(index) => nominal.parameters[index],
-        Source::Input(index) => nominal.inputs[index],
-        _ => f64::NAN,
-    });
+    let values = nominal.evaluate(&algebra.graph, &nodes);
     let mut values = values.into_iter();
     let links = vectors.iter().map(|vector| {
         let components = values.by_ref().take(vector.len());

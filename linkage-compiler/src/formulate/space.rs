@@ -33,14 +33,6 @@ impl Solver<'_, '_> {
         terms
     }
 
-    /// `a u + b v`
-    pub(super) fn combine_space(&mut self, a: NodeId, u: Space, b: NodeId, v: Space) -> Space {
-        [0, 1, 2].map(|k| {
-            let first = self.algebra.graph.mul(a, u[k]);
-            let second = self.algebra.graph.mul(b, v[k]);
-            self.algebra.graph.add(first, second)
-        })
-    }
     /// `e . v`. What is prepared of it, and what each further term is multiplied by, is put together beforehand: with a crank in `v` and a
     /// fixed `e`, two multiply-adds remain.
     pub(super) fn projection(&mut self, e: Space, v: Space) -> NodeId {

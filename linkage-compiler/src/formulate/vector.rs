@@ -24,8 +24,14 @@ impl Solver<'_, '_> {
     }
 
     /// `a u + b v`
-    pub(super) fn combine(&mut self, a: NodeId, u: Vector, b: NodeId, v: Vector) -> Vector {
-        [0, 1].map(|k| {
+    pub(super) fn combine<const N: usize>(
+        &mut self,
+        a: NodeId,
+        u: [NodeId; N],
+        b: NodeId,
+        v: [NodeId; N],
+    ) -> [NodeId; N] {
+        std::array::from_fn(|k| {
             let first = self.algebra.graph.mul(a, u[k]);
             let second = self.algebra.graph.mul(b, v[k]);
             self.algebra.graph.add(first, second)

@@ -3,8 +3,7 @@
 use linkage_runtime::numeric::roots::Variable;
 use linkage_symbolic::NodeId;
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::interpret::evaluate;
-use linkage_symbolic::program::{Program, Source};
+use linkage_symbolic::program::Program;
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::formulate::{Definition, Formulation, Prepared, unknown_nodes};
@@ -153,10 +152,7 @@ pub(crate) fn groups(
             correct: program(&own.correct),
             placed: program(&own.placed),
             turning: 0,
-            reach: evaluate(&algebra.graph, &[prepared.reach], |source| match source {
-                Source::Parameter(index) => nominal.parameters[index],
-                _ => f64::NAN,
-            })[0],
+            reach: nominal.evaluate(&algebra.graph, &[prepared.reach])[0],
             unknowns: placed_unknowns(algebra, formulation, index)
                 .into_iter()
                 .flat_map(|unknown| placed(algebra, nominal, unknown))

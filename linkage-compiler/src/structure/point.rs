@@ -1,7 +1,5 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
-use linkage_symbolic::interpret::evaluate;
-use linkage_symbolic::program::Source;
 use linkage_symbolic::{NodeId, SymbolId, agree};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
@@ -69,11 +67,7 @@ impl Analysis<'_, '_> {
     fn smallest_first(&self, spheres: &mut [Sphere]) {
         let size = |sphere: &Sphere| {
             let nodes = [sphere.radius, sphere.factor];
-            let values = evaluate(&self.algebra.graph, &nodes, |source| match source {
-                Source::Parameter(index) => self.nominal.parameters[index],
-                Source::Input(index) => self.nominal.inputs[index],
-                _ => f64::NAN,
-            });
+            let values = self.nominal.evaluate(&self.algebra.graph, &nodes);
             (values[0] / values[1]).abs()
         };
         spheres.sort_by(|a, b| size(a).total_cmp(&size(b)));

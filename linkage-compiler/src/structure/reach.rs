@@ -2,17 +2,15 @@
 
 use std::collections::HashMap;
 
-use linkage_symbolic::interpret::evaluate;
-use linkage_symbolic::program::Source;
 use linkage_symbolic::{NodeId, SymbolId, substitute};
 
 use crate::algebra::Bound;
+use crate::vector::{Vector as Direction, cross, dot, norm};
 
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 
 type NodeVector = [NodeId; 3];
-type Direction = [f64; 3];
 
 impl Analysis<'_, '_> {
     /// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
@@ -26,20 +24,17 @@ impl Analysis<'_, '_> {
                 let along = dot(rest, *unit);
                 [0, 1, 2].map(|k| rest[k] - along * unit[k])
             });
-            if length(across) > 1e-6 * length(column) {
-                reached.push(across.map(|x| x / length(across)));
+            if norm(across) > 1e-6 * norm(column) {
+                reached.push(across.map(|x| x / norm(across)));
             }
         }
         match reached[..] {
             [only] if own.len() == 1 => Some(format!("it is moved along {} only", words(only))),
             [only] => Some(format!("they move it along {} only", words(only))),
-            [a, b] => {
-                let [x, y, z] = [0, 1, 2].map(|k| {
-                    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-                    a[i] * b[j] - a[j] * b[i]
-                });
-                Some(format!("none of them moves it along {}", words([x, y, z])))
-            }
+            [a, b] => Some(format!(
+                "none of them moves it along {}",
+                words(cross(a, b))
+            )),
             _ => None,
         }
     }
@@ -85,20 +80,8 @@ impl Analysis<'_, '_> {
             }
         }
         let rows = substitute(&mut self.algebra.graph, &rows, &values);
-        evaluate(&self.algebra.graph, &rows, |source| match source {
-            Source::Parameter(index) => self.nominal.parameters[index],
-            Source::Input(index) => self.nominal.inputs[index],
-            _ => f64::NAN,
-        })
+        self.nominal.evaluate(&self.algebra.graph, &rows)
     }
-}
-
-fn dot(a: Direction, b: Direction) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn length(a: Direction) -> f64 {
-    dot(a, a).sqrt()
 }
 
 /// A unit vector to three digits; of the two signs, the one whose first component other than 0 is positive.

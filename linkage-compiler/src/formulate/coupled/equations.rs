@@ -162,6 +162,7 @@ impl Solver<'_, '_> {
             }
         }
         let distances = form.blocks.iter().filter_map(|block| block.distance);
+        let distances = distances.filter(|length| self.algebra.is_fixed(*length));
         vectors.extend(distances.map(|length| vec![length]));
         let zero = self.algebra.graph.zero();
         vectors.iter().fold(zero, |sum, vector| {
