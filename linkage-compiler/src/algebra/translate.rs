@@ -56,6 +56,7 @@ pub(crate) trait Translate<'m> {
             ExprKind::Derivative(..)
             | ExprKind::InputDerivative(..)
             | ExprKind::Sensitivity(..)
+            | ExprKind::Mechanics(_)
             | ExprKind::Margin => self.quantity(expr),
             ExprKind::Error => {
                 let node = self.algebra().graph.constant(f64::NAN);
@@ -148,6 +149,10 @@ impl Algebra<'_> {
                 } else {
                     Value::Scalar(self.input(index).into())
                 }
+            }
+            Name::Argument(index) => {
+                let place = self.mechanism.inputs.len() + index;
+                Value::Scalar(self.input(place).into())
             }
             Name::Unknown(index) => match self.bound[index].clone() {
                 Bound::Angle(angle) => Value::Scalar(self.atom(Atom::Angle(angle))),

@@ -140,7 +140,7 @@ impl<'m> Check<'_, 'm> {
             Name::Const(index) => Some(&mechanism.constants[index].value),
             Name::Parameter(index) => Some(&mechanism.parameters[index].nominal),
             Name::Let(index) => Some(&mechanism.lets[index].value),
-            Name::Input(_) | Name::Unknown(_) | Name::Pi => None,
+            Name::Input(_) | Name::Unknown(_) | Name::Argument(_) | Name::Pi => None,
         }
     }
 

@@ -15,7 +15,7 @@ pub(super) fn check_inputs(
     diagnostics: &mut Diagnostics,
 ) {
     let mechanism = algebra.mechanism;
-    let name = |input: usize| &mechanism.inputs[input].name;
+    let name = |input: usize| mechanism.input_name(input);
     let mut needed = algebra.inputs_below(&requested.underlying);
     let computed = algebra.inputs_below(&requested.nodes);
     needed.extend(&requested.variables);
@@ -37,8 +37,8 @@ pub(super) fn check_inputs(
         .filter(|input| !definition.inputs.contains(input))
         .collect();
     if !missing.is_empty() {
-        let names: Vec<&str> = missing.iter().map(|&input| name(input).as_str()).collect();
-        let listed = definition.inputs.iter().map(|&input| name(input).as_str());
+        let names: Vec<&str> = missing.iter().map(|&input| name(input)).collect();
+        let listed = definition.inputs.iter().map(|&input| name(input));
         let complete: Vec<&str> = listed.chain(names.iter().copied()).collect();
         diagnostics.error(
             origins.span(definition.origin),

@@ -11,17 +11,20 @@ impl Dimension {
     /// A bare number.
     pub const NUMBER: Dimension = Dimension {
         half_lengths: 0,
+        half_forces: 0,
+        half_times: 0,
+        half_kilograms: 0,
         angle: false,
     };
     /// An angle; converts freely to and from a number.
     pub const ANGLE: Dimension = Dimension {
-        half_lengths: 0,
         angle: true,
+        ..Dimension::NUMBER
     };
     /// A length.
     pub const LENGTH: Dimension = Dimension {
         half_lengths: 2,
-        angle: false,
+        ..Dimension::NUMBER
     };
 
     /// Whether the two may be added: numbers and angles are alike.
@@ -61,7 +64,7 @@ impl Dimension {
     pub(super) fn root(self) -> Option<Dimension> {
         (self.half_lengths % 2 == 0).then_some(Dimension {
             half_lengths: self.half_lengths / 2,
-            angle: false,
+            ..Dimension::NUMBER
         })
     }
 
@@ -70,6 +73,7 @@ impl Dimension {
         in_range.then_some(Dimension {
             half_lengths,
             angle: angle && half_lengths == 0,
+            ..Dimension::NUMBER
         })
     }
 

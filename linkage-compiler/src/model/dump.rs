@@ -82,7 +82,7 @@ fn write_functions(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
         let inputs = function
             .inputs
             .iter()
-            .map(|input| mechanism.inputs[*input].name.as_str());
+            .map(|input| mechanism.input_name(*input));
         let inputs: Vec<&str> = inputs.collect();
         writeln!(
             out,
@@ -195,6 +195,7 @@ impl Display for Show<'_> {
                 let names = parameters.iter().map(|scalar| Variable::Parameter(*scalar));
                 separated(f, "[", names.map(|variable| self.variable(variable)), "])")
             }
+            ExprKind::Mechanics(_) => Ok(()),
             ExprKind::Margin => f.write_str("margin()"),
             ExprKind::Error => f.write_str("<error>"),
         }

@@ -47,6 +47,7 @@ impl Resolver<'_> {
                 self.diagnostics.error_with_help(span, fact, help);
                 self.failed(span)
             }
+            syntax::ExprKind::Power(..) => self.failed(span),
             syntax::ExprKind::Error => self.failed(span),
         }
     }

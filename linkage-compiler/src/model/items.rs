@@ -22,6 +22,12 @@ impl Resolver<'_> {
             unknowns: Vec::new(),
             lets: Vec::new(),
             loops: Vec::new(),
+            arguments: Vec::new(),
+            gravity: None,
+            bodies: Vec::new(),
+            joints: Vec::new(),
+            loads: Vec::new(),
+            elements: Vec::new(),
             evaluators: Vec::new(),
             origin: self.origins.add((&definition.name).into()),
         };
@@ -177,6 +183,8 @@ impl Resolver<'_> {
             dimension: dimension.unwrap_or(Dimension::NUMBER),
             reference,
             range,
+            speed: None,
+            acceleration: None,
             origin: self.origins.add((&item.name).into()),
         }
     }

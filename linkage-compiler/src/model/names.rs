@@ -71,7 +71,7 @@ impl<'a> Resolver<'a> {
             diagnostics,
         };
         resolver.check_reserved(&definition.name);
-        let mut counts = [0; 5];
+        let mut counts = [0; 6];
         for (position, item) in definition.items.iter().enumerate() {
             if let Some(ident) = item.name() {
                 resolver.declare(ident, position, next_name(item, &mut counts));
@@ -212,13 +212,14 @@ impl<'a> Resolver<'a> {
 }
 
 /// Each kind of item counts on its own.
-fn next_name(item: &Item, counts: &mut [usize; 5]) -> Name {
+fn next_name(item: &Item, counts: &mut [usize; 6]) -> Name {
     let (kind, name): (usize, fn(usize) -> Name) = match item {
         Item::Const(_) => (0, Name::Const),
         Item::Param(_) => (1, Name::Parameter),
         Item::Input(_) => (2, Name::Input),
         Item::Unknown(_) => (3, Name::Unknown),
-        Item::Let(_) | Item::Unit(_) | Item::Loop(_) => (4, Name::Let),
+        Item::Argument(_) => (5, Name::Argument),
+        _ => (4, Name::Let),
     };
     counts[kind] += 1;
     name(counts[kind] - 1)
@@ -278,5 +279,6 @@ pub(super) fn kind(name: Name) -> &'static str {
         Name::Input(_) => "an input",
         Name::Unknown(_) => "an unknown",
         Name::Let(_) => "a derived quantity",
+        Name::Argument(_) => "an argument",
     }
 }

@@ -6,11 +6,17 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct OriginId(pub u32);
 
-/// Power of length of a quantity, in halves so that square roots stay exact (`2` is a length, `4` an area). Numbers
-/// and angles convert freely, so both have power 0; `angle` only chooses words in messages, units in docs.
+/// Powers of length, force and time of a quantity, in halves so that square roots stay exact (`2` is a length, `4` an
+/// area). A mass is force times time squared over length. Numbers and angles convert freely, so all powers of both are 0;
+/// `angle` only chooses words in messages, units in docs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension {
     pub half_lengths: i32,
+    pub half_forces: i32,
+    pub half_times: i32,
+    /// How many kilograms the unit has in which it is given and printed; the rest of the powers is newtons, seconds and the
+    /// length unit. It does not count for whether two dimensions fit. See [`Dimension::internal_per_unit`].
+    pub half_kilograms: i32,
     pub angle: bool,
 }
 
@@ -38,7 +44,7 @@ pub struct Expr {
 
 #[derive(Clone, Debug)]
 pub enum ExprKind {
-    /// In the mechanism's length unit, or radians.
+    /// In the unit of its dimension: the mechanism's length unit, radians, newtons, seconds, kilograms.
     Number(f64),
     Name(Name),
     Vector(Vec<Expr>),
@@ -55,7 +61,29 @@ pub enum ExprKind {
     /// By these scalar parameters, in this order.
     Sensitivity(Box<Expr>, Vec<ScalarParameterId>),
     Margin,
+    /// A quantity of the mechanics, for the speeds that the function lists.
+    Mechanics(Mechanics),
     Error,
+}
+
+/// What bodies, joints and loads give.
+#[derive(Clone, Debug)]
+pub enum Mechanics {
+    /// `reaction(joint)`: the force on the joint's body from the one that it hangs on.
+    Reaction(usize),
+    /// `moment(joint)`: the moment on the body about the joint's point.
+    Moment(usize),
+    /// `torque(input)`, `force(input)`: what drives that input.
+    Drive(usize),
+    /// `power()`: of all drives.
+    Power,
+    KineticEnergy,
+    /// Of gravity and springs.
+    PotentialEnergy,
+    /// `shaking_force()`: the sum of the inertia forces.
+    ShakingForce,
+    /// `shaking_moment()`, `shaking_moment(point)`: their moment about a fixed point, the origin if it is not named.
+    ShakingMoment(Option<Box<Expr>>),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,6 +102,7 @@ pub enum Name {
     Input(usize),
     Unknown(usize),
     Let(usize),
+    Argument(usize),
     /// `PI`
     Pi,
 }
@@ -156,6 +185,19 @@ pub struct Input {
     pub dimension: Dimension,
     pub reference: Expr,
     pub range: Option<(Expr, Expr)>,
+    /// The arguments that are its speed and acceleration.
+    pub speed: Option<usize>,
+    pub acceleration: Option<usize>,
+    pub origin: OriginId,
+}
+
+/// A number that functions take besides inputs: a load, a speed. Nothing that moves depends on it.
+#[derive(Clone, Debug)]
+pub struct Argument {
+    pub name: String,
+    pub dimension: Dimension,
+    /// `None` for a speed or acceleration.
+    pub reference: Option<Expr>,
     pub origin: OriginId,
 }
 
@@ -185,11 +227,84 @@ pub struct Loop {
     pub origin: OriginId,
 }
 
+/// A rigid member that moves, in declaration order; the frame has no number.
+#[derive(Clone, Debug)]
+pub struct Body {
+    pub name: String,
+    /// What it hangs on; the joint's point is the body's origin.
+    pub joint: usize,
+    /// An angle; in space a frame, the vector along a slender rod, or the angle about the joint's axis. `None`: it turns as
+    /// the body that it hangs on.
+    pub turns: Option<Expr>,
+    /// Masses and where they are.
+    pub masses: Vec<(Expr, Expr)>,
+    /// Moments of inertia about the centre of mass, or about a point.
+    pub inertias: Vec<(Inertia, Option<Expr>)>,
+    pub origin: OriginId,
+}
+
+#[derive(Clone, Debug)]
+pub enum Inertia {
+    Scalar(Expr),
+    /// In the axes of the body's frame: rows of a symmetric matrix.
+    Tensor(Box<[[Expr; 3]; 3]>),
+}
+
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// `None` for a joint that nobody can ask for.
+    pub name: Option<String>,
+    pub kind: JointKind,
+    pub body: usize,
+    /// `None`: the frame.
+    pub on: Option<usize>,
+    pub at: Expr,
+    /// The guide of a slide, the axis of a pin or a cylinder in space.
+    pub direction: Option<Expr>,
+    pub origin: OriginId,
+}
+
+pub use crate::syntax::JointKind;
+
+/// A force at a point or a torque on a body, the opposite on another; `None` is the frame.
+#[derive(Clone, Debug)]
+pub struct Load {
+    pub value: Expr,
+    pub on: Option<usize>,
+    pub from: Option<usize>,
+    /// `None` for a torque.
+    pub at: Option<Expr>,
+    pub origin: OriginId,
+}
+
+/// A spring or a damper.
+#[derive(Clone, Debug)]
+pub struct Element {
+    pub kind: ElementKind,
+    pub value: Expr,
+    pub between: Between,
+    pub free: Option<Expr>,
+    pub origin: OriginId,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ElementKind {
+    Spring,
+    Damper,
+}
+
+#[derive(Clone, Debug)]
+pub enum Between {
+    /// Bodies (`None` is the frame) and points on them.
+    Points([(Option<usize>, Expr); 2]),
+    Joint(usize),
+}
+
 #[derive(Clone, Debug)]
 pub struct EvaluatorDef {
     pub name: String,
     pub result: String,
-    /// Inputs in the order of the function's arguments.
+    /// Inputs in the order of the function's arguments. Numbers from [`Mechanism::inputs`]'s length on are arguments.
     pub inputs: Vec<usize>,
     /// Origins of the arguments, same order.
     pub input_origins: Vec<OriginId>,
@@ -226,6 +341,13 @@ pub struct Mechanism {
     pub unknowns: Vec<Unknown>,
     pub lets: Vec<Let>,
     pub loops: Vec<Loop>,
+    pub arguments: Vec<Argument>,
+    pub gravity: Option<Expr>,
+    pub bodies: Vec<Body>,
+    /// Those that bodies hang on, and those that close loops.
+    pub joints: Vec<Joint>,
+    pub loads: Vec<Load>,
+    pub elements: Vec<Element>,
     pub evaluators: Vec<EvaluatorDef>,
     pub origin: OriginId,
 }
@@ -239,7 +361,16 @@ impl Mechanism {
             Name::Input(index) => &self.inputs[index].name,
             Name::Unknown(index) => &self.unknowns[index].name,
             Name::Let(index) => &self.lets[index].name,
+            Name::Argument(index) => &self.arguments[index].name,
             Name::Pi => "PI",
+        }
+    }
+
+    /// The name of an input or, behind the inputs, an argument.
+    pub fn input_name(&self, index: usize) -> &str {
+        match index.checked_sub(self.inputs.len()) {
+            None => &self.inputs[index].name,
+            Some(argument) => &self.arguments[argument].name,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What expressions are written with.
 
-use super::types::{Expr, ExprKind, Mechanism, Name};
+use super::types::{Expr, ExprKind, Mechanics, Mechanism, Name};
 
 /// Names that loops are written with, directly or through derived quantities.
 #[derive(Clone, Debug)]
@@ -52,9 +52,12 @@ impl Expr {
             ExprKind::Derivative(a, _)
             | ExprKind::InputDerivative(a, _)
             | ExprKind::Sensitivity(a, _) => vec![a],
-            ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Margin | ExprKind::Error => {
-                Vec::new()
-            }
+            ExprKind::Mechanics(Mechanics::ShakingMoment(Some(point))) => vec![point],
+            ExprKind::Number(_)
+            | ExprKind::Name(_)
+            | ExprKind::Mechanics(_)
+            | ExprKind::Margin
+            | ExprKind::Error => Vec::new(),
         }
     }
 }

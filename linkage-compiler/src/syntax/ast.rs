@@ -42,6 +42,15 @@ pub enum Item {
     Unknown(NamedItem),
     Let(NamedItem),
     Loop(LoopItem),
+    /// `argument NAME = expr;`
+    Argument(NamedItem),
+    Gravity(GravityItem),
+    Body(BodyItem),
+    Joint(JointItem),
+    Force(LoadItem),
+    Torque(LoadItem),
+    Spring(ElementItem),
+    Damper(ElementItem),
 }
 
 /// `unit mm;`
@@ -82,7 +91,7 @@ pub enum Toleranced {
     },
 }
 
-/// `input NAME = expr [in lo..hi];`
+/// `input NAME = expr [in lo..hi] [at SPEED [, ACCELERATION]];`
 #[derive(Debug)]
 pub struct InputItem {
     pub attributes: Vec<Attribute>,
@@ -90,6 +99,9 @@ pub struct InputItem {
     pub value: Expr,
     /// `lo..hi` (`lo..=hi` is accepted and means the same).
     pub range: Option<(Expr, Expr)>,
+    /// Names of the arguments that are its speed and acceleration.
+    pub speed: Option<Ident>,
+    pub acceleration: Option<Ident>,
 }
 
 /// `loop expr = expr;`
@@ -98,6 +110,100 @@ pub struct LoopItem {
     pub left: Expr,
     pub right: Expr,
     pub span: SourceSpan,
+}
+
+/// `gravity = expr;`
+#[derive(Debug)]
+pub struct GravityItem {
+    pub value: Expr,
+    pub span: SourceSpan,
+}
+
+/// `body NAME = JOINT, turns expr, mass expr at expr, inertia expr [at expr];`, the clauses after the joint in any order.
+#[derive(Debug)]
+pub struct BodyItem {
+    pub attributes: Vec<Attribute>,
+    pub name: Ident,
+    /// What the body hangs on; its point is the body's origin.
+    pub joint: JointPart,
+    pub turns: Option<Expr>,
+    pub masses: Vec<MassPart>,
+    pub inertias: Vec<InertiaPart>,
+}
+
+/// `KIND [NAME] on BODY at expr [along expr | about expr]`, the clauses after the name in any order.
+#[derive(Debug)]
+pub struct JointPart {
+    pub kind: JointKind,
+    pub name: Option<Ident>,
+    pub on: Ident,
+    pub at: Expr,
+    /// The guide of a slide, the axis of a pin or a cylinder in space.
+    pub direction: Option<Expr>,
+    pub span: SourceSpan,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointKind {
+    Pin,
+    Slide,
+    Ball,
+    Cylinder,
+    Fixed,
+}
+
+/// `mass expr at expr`
+#[derive(Debug)]
+pub struct MassPart {
+    pub mass: Expr,
+    pub at: Expr,
+}
+
+/// `inertia expr [at expr]`: about the body's centre of mass, or about a point.
+#[derive(Debug)]
+pub struct InertiaPart {
+    pub inertia: Expr,
+    pub at: Option<Expr>,
+}
+
+/// A joint between two bodies that hang on others: `pin NAME = BODY on BODY at expr;`
+#[derive(Debug)]
+pub struct JointItem {
+    pub attributes: Vec<Attribute>,
+    /// The body on which the reaction acts.
+    pub body: Ident,
+    /// Its name is never missing.
+    pub joint: JointPart,
+}
+
+/// `force expr on BODY [from BODY] at expr;`, `torque expr on BODY [from BODY];`
+#[derive(Debug)]
+pub struct LoadItem {
+    pub value: Expr,
+    pub on: Ident,
+    /// The body that takes the opposite; the frame if it is not named.
+    pub from: Option<Ident>,
+    pub at: Option<Expr>,
+    pub span: SourceSpan,
+}
+
+/// `spring expr BETWEEN [, free expr];`, `damper expr BETWEEN;`
+#[derive(Debug)]
+pub struct ElementItem {
+    /// Stiffness or damping.
+    pub value: Expr,
+    pub between: Between,
+    /// Length or angle without force; zero if it is not given.
+    pub free: Option<Expr>,
+    pub span: SourceSpan,
+}
+
+#[derive(Debug)]
+pub enum Between {
+    /// `from BODY at expr to BODY at expr`
+    Points([(Ident, Expr); 2]),
+    /// `on JOINT`
+    Joint(Ident),
 }
 
 #[derive(Clone, Debug)]
@@ -122,6 +228,8 @@ pub enum ExprKind {
     Index(Box<Expr>, Box<Expr>),
     Negate(Box<Expr>),
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// `mm^2`: a power, of units only.
+    Power(Box<Expr>, i32),
     /// `name(args)`, also `d(...)`, `sensitivity(q, [..])`, `margin()`.
     Call(Ident, Vec<Expr>),
     /// `[a, b]`, only meaningful as second argument of `sensitivity`.
@@ -198,13 +306,23 @@ impl Expr {
 }
 
 impl Item {
-    /// The name it declares; `unit` and `loop` declare none.
+    /// The name of a value that it declares. Names of bodies and joints are of their own.
     pub fn name(&self) -> Option<&Ident> {
         match self {
-            Item::Const(item) | Item::Unknown(item) | Item::Let(item) => Some(&item.name),
+            Item::Const(item) | Item::Unknown(item) | Item::Let(item) | Item::Argument(item) => {
+                Some(&item.name)
+            }
             Item::Param(item) => Some(&item.name),
             Item::Input(item) => Some(&item.name),
-            Item::Unit(_) | Item::Loop(_) => None,
+            Item::Unit(_)
+            | Item::Loop(_)
+            | Item::Gravity(_)
+            | Item::Body(_)
+            | Item::Joint(_)
+            | Item::Force(_)
+            | Item::Torque(_)
+            | Item::Spring(_)
+            | Item::Damper(_) => None,
         }
     }
 }

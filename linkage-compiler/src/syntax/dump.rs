@@ -49,6 +49,7 @@ impl Display for Line<'_> {
                     None => Ok(()),
                 }
             }
+            _ => Ok(()),
         }
     }
 }
@@ -92,6 +93,7 @@ impl Display for Expr {
             ExprKind::Index(value, index) => write!(f, "{value}[{index}]"),
             ExprKind::Negate(value) => write!(f, "(-{value})"),
             ExprKind::Binary(operator, left, right) => write!(f, "({left} {operator} {right})"),
+            ExprKind::Power(base, power) => write!(f, "{base}^{power}"),
             ExprKind::Error => f.write_str("<error>"),
         }
     }

@@ -88,6 +88,8 @@ impl Parser<'_> {
                         name,
                         value,
                         range,
+                        speed: None,
+                        acceleration: None,
                     }),
                     complete,
                 ))
