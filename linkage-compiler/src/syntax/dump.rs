@@ -2,7 +2,10 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::ast::{BinaryOp, Expr, ExprKind, Item, MechanismDef, NamedItem, Toleranced};
+use super::ast::{
+    Between, BinaryOp, BodyItem, ElementItem, Expr, ExprKind, InputItem, Item, JointItem,
+    JointKind, LoadItem, MechanismDef, NamedItem, Toleranced,
+};
 
 /// One line for each item and quantity, every operation in parentheses.
 pub fn dump(definition: &MechanismDef) -> String {
@@ -42,16 +45,108 @@ impl Display for Line<'_> {
             Item::Let(item) => named(f, "let", item),
             Item::Loop(item) => write!(f, "loop {} = {}", item.left, item.right),
             Item::Param(item) => write!(f, "param {} = {}", item.name, item.value),
-            Item::Input(item) => {
-                write!(f, "input {} = {}", item.name, item.value)?;
-                match &item.range {
-                    Some((low, high)) => write!(f, " in {low}..{high}"),
-                    None => Ok(()),
-                }
-            }
-            _ => Ok(()),
+            Item::Input(item) => write!(f, "{item}"),
+            Item::Argument(item) => named(f, "argument", item),
+            Item::Gravity(item) => write!(f, "gravity = {}", item.value),
+            Item::Body(item) => write!(f, "{item}"),
+            Item::Joint(item) => write!(f, "{item}"),
+            Item::Force(item) => write!(f, "force {item}"),
+            Item::Torque(item) => write!(f, "torque {item}"),
+            Item::Spring(item) => write!(f, "spring {item}"),
+            Item::Damper(item) => write!(f, "damper {item}"),
         }
     }
+}
+
+impl Display for InputItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "input {} = {}", self.name, self.value)?;
+        if let Some((low, high)) = &self.range {
+            write!(f, " in {low}..{high}")?;
+        }
+        optional(f, " at ", self.speed.as_ref())?;
+        optional(f, ", ", self.acceleration.as_ref())
+    }
+}
+
+impl Display for BodyItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let joint = &self.joint;
+        write!(f, "body {} = {}", self.name, joint.kind)?;
+        optional(f, " ", joint.name.as_ref())?;
+        write!(f, " on {} at {}", joint.on, joint.at)?;
+        direction(f, joint.kind, joint.direction.as_ref())?;
+        optional(f, ", turns ", self.turns.as_ref())?;
+        for part in &self.masses {
+            write!(f, ", mass {} at {}", part.mass, part.at)?;
+        }
+        for part in &self.inertias {
+            write!(f, ", inertia {}", part.inertia)?;
+            optional(f, " at ", part.at.as_ref())?;
+        }
+        Ok(())
+    }
+}
+
+impl Display for JointItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let joint = &self.joint;
+        write!(f, "{}", joint.kind)?;
+        optional(f, " ", joint.name.as_ref())?;
+        write!(f, " = {} on {} at {}", self.body, joint.on, joint.at)?;
+        direction(f, joint.kind, joint.direction.as_ref())
+    }
+}
+
+impl Display for JointKind {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(match self {
+            JointKind::Pin => "pin",
+            JointKind::Slide => "slide",
+            JointKind::Ball => "ball",
+            JointKind::Cylinder => "cylinder",
+            JointKind::Fixed => "fixed",
+        })
+    }
+}
+
+fn direction(f: &mut Formatter, kind: JointKind, direction: Option<&Expr>) -> fmt::Result {
+    let word = match kind {
+        JointKind::Slide => " along ",
+        _ => " about ",
+    };
+    optional(f, word, direction)
+}
+
+impl Display for LoadItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "{} on {}", self.value, self.on)?;
+        optional(f, " from ", self.from.as_ref())?;
+        optional(f, " at ", self.at.as_ref())
+    }
+}
+
+impl Display for ElementItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "{} {}", self.value, self.between)?;
+        optional(f, ", free ", self.free.as_ref())
+    }
+}
+
+impl Display for Between {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        match self {
+            Between::Joint(joint) => write!(f, "on {joint}"),
+            Between::Points([(from, start), (to, end)]) => {
+                write!(f, "from {from} at {start} to {to} at {end}")
+            }
+        }
+    }
+}
+
+/// A word and what belongs to it, if it is there.
+fn optional(f: &mut Formatter, word: &str, value: Option<&impl Display>) -> fmt::Result {
+    value.map_or(Ok(()), |value| write!(f, "{word}{value}"))
 }
 
 impl Display for Toleranced {

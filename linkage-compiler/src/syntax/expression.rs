@@ -197,12 +197,12 @@ impl Parser<'_> {
             return self.fail("a path cannot stand here", help);
         }
         // `param a = ` while it is being typed: the next item is not its value.
-        if is_keyword(&ident.to_string()) || self.at_item() {
+        if is_keyword(&ident.to_string()) || self.at_declaration() {
             return self.expected("an expression", "");
         }
         self.stream.skip(1);
         let Some(group) = self.stream.group(0, Delimiter::Parenthesis).cloned() else {
-            return Ok(Expr {
+            return self.power(Expr {
                 kind: ExprKind::Name(ident),
                 span,
             });

@@ -3,12 +3,12 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{
-    Attribute, Expr, InputItem, Item, LoopItem, NamedItem, ParamItem, SourceSpan, Toleranced,
-    UnitItem,
+    Attribute, Expr, Item, LoopItem, NamedItem, ParamItem, SourceSpan, Toleranced, UnitItem,
 };
 use super::expression::PlusMinus;
+use super::joints::Kind;
 use super::parser::{Parsed, Parser};
-use super::words::{ITEMS, is_keyword};
+use super::words::ITEMS;
 use crate::diagnostic::text::nearest;
 
 impl Parser<'_> {
@@ -52,6 +52,9 @@ impl Parser<'_> {
         if word != "param" {
             self.only_documentation(&attributes, &format!("`{word}`"));
         }
+        if let Some(kind) = Kind::find(word, start) {
+            return self.joint_item(kind, attributes);
+        }
         match word {
             "unit" => {
                 let item = Item::Unit(self.unit(start)?);
@@ -78,21 +81,27 @@ impl Parser<'_> {
                     complete,
                 ))
             }
-            "input" => {
-                let name = self.name(&format!("a name after `{word}`"))?;
-                let (value, complete) = self.value(Self::with_range);
-                let (value, range) = value.unwrap_or_else(|span| (Expr::error(span), None));
-                Ok((
-                    Item::Input(InputItem {
-                        attributes,
-                        name,
-                        value,
-                        range,
-                        speed: None,
-                        acceleration: None,
-                    }),
-                    complete,
-                ))
+            "input" => self.input_item(attributes),
+            "gravity" => {
+                let item = Item::Gravity(self.gravity(start)?);
+                Ok((item, self.end_of_item().is_ok()))
+            }
+            "body" => self.body_item(attributes),
+            "force" | "torque" => {
+                let load = self.load(word, start)?;
+                let item = match word {
+                    "force" => Item::Force(load),
+                    _ => Item::Torque(load),
+                };
+                Ok((item, self.end_of_item().is_ok()))
+            }
+            "spring" | "damper" => {
+                let element = self.element(word, start)?;
+                let item = match word {
+                    "spring" => Item::Spring(element),
+                    _ => Item::Damper(element),
+                };
+                Ok((item, self.end_of_item().is_ok()))
             }
             _ => {
                 let name = self.name(&format!("a name after `{word}`"))?;
@@ -110,6 +119,7 @@ impl Parser<'_> {
                 let item = match word {
                     "const" => Item::Const(item),
                     "unknown" => Item::Unknown(item),
+                    "argument" => Item::Argument(item),
                     _ => Item::Let(item),
                 };
                 Ok((item, complete))
@@ -136,7 +146,7 @@ impl Parser<'_> {
     }
 
     /// `= RULE ;`. A mistake in it leaves the span of the item so far; the flag says whether the end was reached.
-    fn value<T>(
+    pub(super) fn value<T>(
         &mut self,
         rule: impl FnOnce(&mut Self) -> Parsed<T>,
     ) -> (Result<T, SourceSpan>, bool) {
@@ -151,7 +161,7 @@ impl Parser<'_> {
         }
     }
 
-    fn equals(&mut self) -> Parsed<()> {
+    pub(super) fn equals(&mut self) -> Parsed<()> {
         if self.stream.eat_punct('=') {
             return match self.stream.is_punct(0, '=') {
                 true => self.fail("expected `=`, found `==`", "write `=`"),
@@ -163,38 +173,6 @@ impl Parser<'_> {
             false => "",
         };
         self.expected("`=`", help)
-    }
-
-    /// `;`, which the last item may lack; a missing one before the next item is reported and read over.
-    fn end_of_item(&mut self) -> Parsed<()> {
-        if self.stream.eat_punct(';') || self.stream.at_end() {
-            return Ok(());
-        }
-        if self.at_item() || self.stream.is_punct(0, '#') {
-            let span = self.stream.previous_span();
-            let _ = self.fail_at::<()>(span, "the item lacks its `;`", "write `;` here");
-            return Ok(());
-        }
-        self.unexpected_after_expression("`;`")
-    }
-
-    /// The beginning of an item, judging by its words.
-    pub(super) fn at_item(&self) -> bool {
-        let Some(word) = self.stream.ident(0).map(ToString::to_string) else {
-            return false;
-        };
-        let declares = self.stream.ident(1).is_some() && !self.stream.is_word(1, "in");
-        ITEMS.contains(&word.as_str()) && (declares || is_keyword(&word))
-    }
-
-    /// To the start of the next item, after a mistake.
-    fn skip_item(&mut self) {
-        while !self.stream.at_end() && !self.at_item() {
-            if self.stream.eat_punct(';') {
-                return;
-            }
-            self.stream.skip(1);
-        }
     }
 
     fn unit(&mut self, start: SourceSpan) -> Parsed<UnitItem> {
@@ -223,26 +201,5 @@ impl Parser<'_> {
         let right = self.expression()?;
         let span = start.to(right.span);
         Ok(LoopItem { left, right, span })
-    }
-
-    fn with_range(&mut self) -> Parsed<(Expr, Option<(Expr, Expr)>)> {
-        let value = self.sum(PlusMinus::JointIsMistake)?;
-        if !self.stream.eat_word("in") {
-            return Ok((value, None));
-        }
-        let low = self.expression()?;
-        if !self.stream.is_puncts("..") {
-            return self.unexpected_after_expression("`..` between the ends of the range");
-        }
-        self.stream.skip(2);
-        self.stream.eat_punct('=');
-        if self.stream.at_end() || self.stream.is_punct(0, ';') {
-            return self.fail(
-                "the range has no upper end",
-                "write both ends: `0deg..360deg`",
-            );
-        }
-        let high = self.expression()?;
-        Ok((value, Some((low, high))))
     }
 }

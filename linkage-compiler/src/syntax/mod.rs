@@ -2,12 +2,18 @@
 
 mod ast;
 mod attributes;
+mod clauses;
 mod dump;
 mod expression;
 mod function;
+mod input;
 mod items;
+mod joints;
 mod literal;
+mod loads;
 mod parser;
+mod power;
+mod recovery;
 mod stream;
 #[cfg(test)]
 mod tests;

@@ -37,7 +37,7 @@ fn expressions() {
         ),
         ("\"3\"", "expected a number, found `\"3\"`"),
         (
-            "a^2",
+            "a^1.5",
             "there is no operator for powers\nhelp: write `a * a` for a square",
         ),
         ("a ** 2", "there is no operator for powers"),

@@ -1,6 +1,7 @@
 //! Grammar: what is read, what is reported, what survives a mistake.
 
 mod groups;
+mod mechanics;
 mod messages;
 
 use super::{dump, parse};
