@@ -26,7 +26,7 @@ fn expressions() {
         ("f(1) + (1 + 2,5)[0](2)", "expected `;`, found `(`"),
         (
             "2x",
-            "unknown unit `x`\nhelp: units are m mm cm um nm inch deg rad arcmin arcsec turn; a product is written `2 * x`",
+            "unknown unit `x`\nhelp: units are m mm cm um nm inch deg rad arcmin arcsec turn kg g mg t N mN kN s ms min J mJ kJ W mW kW Pa kPa MPa; a product is written `2 * x`",
         ),
         ("12in", "unknown unit `in`\nhelp: write `12inch`"),
         ("45deg30arcmin", "help: write `45deg + 30arcmin`"),
