@@ -71,6 +71,8 @@ pub(crate) struct Mechanics<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
     forces: &'a mut Forces,
     speeds: Speeds,
+    /// Whether reactions are asked for.
+    with_reactions: bool,
 }
 
 impl Forces {
@@ -87,17 +89,20 @@ impl Forces {
         }
     }
 
-    /// For a function that lists these inputs and arguments: speeds that it does not list are zero.
+    /// For a function that lists these inputs and arguments: speeds that it does not list are zero. Drives are found from the joints if
+    /// reactions are asked for, too.
     pub(crate) fn at<'a, 'm>(
         &'a mut self,
         algebra: &'a mut Algebra<'m>,
         listed: &[usize],
+        with_reactions: bool,
     ) -> Mechanics<'a, 'm> {
         let speeds = Speeds::listed(algebra.mechanism, listed);
         Mechanics {
             algebra,
             forces: self,
             speeds,
+            with_reactions,
         }
     }
 }

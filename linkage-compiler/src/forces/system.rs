@@ -44,6 +44,8 @@ struct Axial {
 pub(super) struct System {
     pub(super) unknowns: Vec<Unknown>,
     pub(super) equations: Vec<Equation>,
+    /// What drives move.
+    pub(super) driven: Vec<Way>,
     axial: Vec<Axial>,
     matrix: Vec<Vec<NodeId>>,
     pub(super) matching: Matching,
@@ -79,7 +81,7 @@ impl Mechanics<'_, '_> {
     fn assembled(&mut self, axial: Vec<Axial>) -> System {
         let (unknowns, mut equations) = self.reactions(&axial);
         let released = equations.len();
-        let motions = self.free_motions(unknowns.len() - released + axial.len());
+        let (motions, driven) = self.motions(unknowns.len() - released + axial.len());
         let taken = |motion: &FreeMotion| {
             let mut bodies = motion.iter().map(|(_, way)| way.body);
             bodies.all(|body| axial.iter().any(|own| own.link == body))
@@ -106,6 +108,7 @@ impl Mechanics<'_, '_> {
         System {
             unknowns,
             equations,
+            driven,
             axial,
             matrix,
             matching,
@@ -330,8 +333,11 @@ impl Mechanics<'_, '_> {
             .collect();
         let determinant = self.algebra.determinant(&matrix);
         let numerators = self.algebra.cofactor_products(&matrix, &right);
+        // The determinant is known long before the loads.
+        let one = self.algebra.graph.one();
+        let factor = self.algebra.graph.div(one, determinant);
         for (&unknown, numerator) in own.iter().zip(numerators) {
-            let value = self.algebra.graph.div(numerator, determinant);
+            let value = self.algebra.graph.mul(numerator, factor);
             self.case().solved.insert(unknown, value);
         }
         self.case().solved[&unknown]
@@ -382,14 +388,6 @@ impl System {
             Equation::Released(_) => false,
         };
         equations.any(unknown) && self.unknowns.iter().any(|own| own.joint == joint)
-    }
-
-    /// True if one of the free motions contains such a way.
-    pub(super) fn has_motion(&self, is_way: impl Fn(&Way) -> bool) -> bool {
-        self.equations.iter().any(|equation| match equation {
-            Equation::Motion(motion) => motion.iter().any(|(_, way)| is_way(way)),
-            Equation::Released(_) => false,
-        })
     }
 
     /// Blocks that are too large to solve.
