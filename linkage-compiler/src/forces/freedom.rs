@@ -11,7 +11,7 @@ use super::Mechanics;
 use super::geometry::{Turning, slides_along, turns_about};
 
 /// A way in which a body moves in its own joint.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Way {
     pub(super) body: usize,
     /// Along a guide; else a turn.

@@ -14,6 +14,8 @@
 //! | `loads` | what acts on each body: inertia, weight, loads, springs, dampers |
 //! | `freedom` | motions of the tree's joints that nothing drives |
 //! | `system` | equations for the reactions of the cut joints |
+//! | `links` | links that leave one number of a reaction open |
+//! | `reactions` | the equations solved, group by group |
 //! | `wrench` | what bodies beyond a joint carry together |
 //! | `quantities` | what functions ask for |
 //! | `check` | do bodies and joints fit the motion? |
@@ -22,9 +24,11 @@ mod check;
 mod freedom;
 mod geometry;
 mod inertia;
+mod links;
 mod loads;
 mod motion;
 mod quantities;
+mod reactions;
 mod system;
 mod tree;
 mod vector;
