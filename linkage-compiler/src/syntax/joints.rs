@@ -77,7 +77,10 @@ impl Parser<'_> {
         }
         let kind = self.kind()?;
         let named = self.stream.ident(0).is_some() && !self.at_clause_word();
-        let name = named.then(|| self.joint_name(kind)).flatten();
+        let name = match named {
+            true => self.joint_name(kind),
+            false => None,
+        };
         let word = kind.word;
         let span = kind.span.to(self.stream.previous_span());
         let rules = [joint_rules(kind.kind), &BODY].concat();
@@ -122,11 +125,13 @@ impl Parser<'_> {
                 .to(name.as_ref().map_or(kind.span, SourceSpan::from)),
         };
         let clauses = self.clauses(owner, joint_rules(kind.kind));
-        let name = name.ok_or(Reported);
-        let joint = self.joint_part(kind, Some(name?), owner, clauses);
+        let (Some(name), Some(body)) = (name, body) else {
+            return Err(Reported);
+        };
+        let joint = self.joint_part(kind, Some(name), owner, clauses);
         let item = JointItem {
             attributes,
-            body: body.ok_or(Reported)?,
+            body,
             joint,
         };
         Ok((Item::Joint(item), self.end_of_item().is_ok()))

@@ -1,6 +1,6 @@
 //! What follows the word of a clause: a name, an expression, a point.
 
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::Ident;
 
 use super::ast::{Expr, SourceSpan};
 use super::clauses::{Point, Rule};
@@ -91,7 +91,7 @@ impl Parser<'_> {
         let is_name = |ident: &Ident| words::clause(&ident.to_string()).is_none();
         self.stream.ident(ahead).is_some_and(is_name)
             || self.stream.literal(ahead).is_some()
-            || self.stream.group(ahead, Delimiter::Parenthesis).is_some()
+            || self.stream.parenthesis(ahead).is_some()
     }
 
     /// To the next clause or the end of the item, after a mistake.
