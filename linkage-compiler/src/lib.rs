@@ -8,6 +8,7 @@ mod algebra;
 pub mod diagnostic;
 pub mod emit;
 mod facts;
+mod forces;
 mod formulate;
 pub mod lower;
 pub mod model;
@@ -23,6 +24,7 @@ use quote::quote;
 use algebra::{Algebra, Nominal};
 use diagnostic::{Diagnostics, Origins};
 use emit::facts::Facts;
+use forces::Forces;
 use lower::Lowered;
 use model::Mechanism;
 
@@ -87,7 +89,13 @@ pub fn analyse(
     let formulation = formulate::formulate(&mut algebra, structure);
     let mut reference =
         formulate::assemble_reference(&mut algebra, &formulation, &nominal, origins, diagnostics);
-    let lowered = lower::lower(&mut algebra, &formulation, &nominal, origins, diagnostics);
+    let mut forces = Forces::new(&mut algebra);
+    if reference.closed {
+        let numbers = (&reference, &nominal);
+        forces::check(&mut algebra, &mut forces, numbers, origins, diagnostics);
+    }
+    let whole = (&mut algebra, &mut forces, &formulation);
+    let lowered = lower::lower(whole, &nominal, origins, diagnostics);
     if reference.closed {
         let asked = &lowered.continuous_angles;
         let checked = (&mut algebra, &formulation, &nominal);

@@ -7,6 +7,7 @@ use linkage_symbolic::{Graph, NodeId};
 
 use crate::algebra::{Algebra, Angle, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
+use crate::forces::Forces;
 use crate::formulate::{Formulation, formulate};
 use crate::lower::requested_nodes;
 use crate::model::Mechanism;
@@ -29,10 +30,13 @@ impl Oracle {
         let mut diagnostics = Diagnostics::default();
         let structure = decompose(&mut algebra, &nominal, origins, &mut diagnostics);
         let formulation: Formulation = formulate(&mut algebra, structure);
+        let mut forces = Forces::new(&mut algebra);
         let functions = mechanism
             .evaluators
             .iter()
-            .map(|definition| requested_nodes(&mut algebra, &formulation, definition))
+            .map(|definition| {
+                requested_nodes((&mut algebra, &mut forces, &formulation), definition)
+            })
             .collect();
         let estimate = |angle: &Angle| angle.estimate(&nominal);
         Self {

@@ -64,7 +64,7 @@ impl Algebra<'_> {
     }
 
     /// True if a node is zero wherever it is evaluated.
-    pub(super) fn vanishes(&mut self, node: NodeId) -> bool {
+    pub(crate) fn vanishes(&mut self, node: NodeId) -> bool {
         let zero = self.graph.zero();
         agree_within(&self.graph, node, zero, ROUNDING)
     }

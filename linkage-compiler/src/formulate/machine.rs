@@ -207,7 +207,7 @@ impl Machine {
     }
 
     /// Nodes of the mechanism's graph at given inputs.
-    pub(super) fn evaluate(&self, graph: &Graph, nodes: &[NodeId], inputs: &[f64]) -> Vec<f64> {
+    pub(crate) fn evaluate(&self, graph: &Graph, nodes: &[NodeId], inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs);
         evaluate(graph, nodes, |source| self.load(source, inputs, &states))
     }

@@ -46,6 +46,7 @@ pub(crate) use directions::check_directions;
 pub(crate) use follow::{candidate_rates, followed_range};
 pub(crate) use machine::{unknown_nodes, valued_angles};
 pub(crate) use reference::{Reference, assemble_reference};
+pub(crate) use words::{Words, numbers};
 
 /// What a kind of group tells about its solution.
 #[derive(Clone, Debug)]

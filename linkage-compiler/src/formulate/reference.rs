@@ -8,6 +8,7 @@ use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
+use crate::model::Dimension;
 use crate::structure::report::loop_list;
 
 use super::check::report_unfollowed;
@@ -262,7 +263,7 @@ fn longest_link(algebra: &Algebra, formulation: &Formulation, nominal: &Nominal)
         .iter()
         .zip(&nominal.parameters);
     let lengths = parameters
-        .filter(|(p, _)| p.dimension.half_lengths == 2)
+        .filter(|(p, _)| p.dimension.fits(Dimension::LENGTH))
         .map(|(_, x)| x.abs());
     let unknowns = algebra.bound.iter().zip(&nominal.estimates);
     let slides = unknowns.filter(|(bound, _)| matches!(bound, Bound::Lengths(_)));

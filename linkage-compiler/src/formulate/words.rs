@@ -84,7 +84,7 @@ impl<'m> Words<'m> {
 }
 
 /// Components of a vector.
-pub(super) fn numbers(components: &[f64]) -> Vec<String> {
+pub(crate) fn numbers(components: &[f64]) -> Vec<String> {
     without_noise(components).map(significant).collect()
 }
 

@@ -5,6 +5,7 @@ use linkage_symbolic::schedule::{Slots, schedule};
 use linkage_symbolic::{Graph, NodeId, share_multiples};
 
 use crate::algebra::{Algebra, Direction};
+use crate::forces::Forces;
 use crate::formulate::Formulation;
 use crate::model::EvaluatorDef;
 
@@ -39,9 +40,8 @@ impl Choice {
     /// Tries the other directions; the first of equals stays.
     pub(super) fn improve(
         &mut self,
-        algebra: &mut Algebra,
+        (algebra, forces, formulation): (&mut Algebra, &mut Forces, &Formulation),
         inliner: &mut Inliner,
-        formulation: &Formulation,
         definition: &EvaluatorDef,
     ) {
         if self.direction.is_none() {
@@ -53,7 +53,11 @@ impl Choice {
             Direction::FromUnknowns,
             Direction::Gradient,
         ] {
-            let requested = request(algebra, formulation, definition, direction);
+            let requested = request(
+                (&mut *algebra, &mut *forces, formulation),
+                definition,
+                direction,
+            );
             let outputs = plain(algebra, inliner, &requested.nodes);
             let cost = cost_of(&inliner.target, &outputs);
             if cost < least {

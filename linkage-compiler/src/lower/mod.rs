@@ -16,6 +16,7 @@ use linkage_symbolic::schedule::{Slots, schedule};
 
 use crate::algebra::{Algebra, Direction, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
+use crate::forces::Forces;
 use crate::formulate::{Formulation, Prepared, unknown_nodes, valued_angles};
 use crate::model::{EvaluatorDef, LengthUnit, Type};
 
@@ -28,8 +29,7 @@ pub use types::{ContinuousAngle, Evaluator, Field, Lowered, Shape};
 
 /// Lowers all functions of the mechanism. An argument list that does not fit its quantities is reported.
 pub(crate) fn lower(
-    algebra: &mut Algebra,
-    formulation: &Formulation,
+    (algebra, forces, formulation): (&mut Algebra, &mut Forces, &Formulation),
     nominal: &Nominal,
     origins: &Origins,
     diagnostics: &mut Diagnostics,
@@ -38,7 +38,8 @@ pub(crate) fn lower(
     let mut inliner = Inliner::default();
     let mut choices = Vec::new();
     for definition in &mechanism.evaluators {
-        let request = quantity::request(algebra, formulation, definition, Direction::Forward);
+        let whole = (&mut *algebra, &mut *forces, formulation);
+        let request = quantity::request(whole, definition, Direction::Forward);
         needs::check_inputs(algebra, definition, &request, origins, diagnostics);
         choices.push(Choice::forward(algebra, &mut inliner, &request));
     }
@@ -52,7 +53,11 @@ pub(crate) fn lower(
     let survey = copy(&mut inliner, algebra, &survey);
     // Last, so that one function's other directions change nothing for the others.
     for (choice, definition) in choices.iter_mut().zip(&mechanism.evaluators) {
-        choice.improve(algebra, &mut inliner, formulation, definition);
+        choice.improve(
+            (&mut *algebra, &mut *forces, formulation),
+            &mut inliner,
+            definition,
+        );
     }
 
     let nodes = coupled_nodes(algebra, formulation, &mut inliner);
@@ -172,11 +177,10 @@ fn states(program: &Program) -> Vec<usize> {
 
 /// The results of one function as nodes of the expression graph.
 pub(crate) fn requested_nodes(
-    algebra: &mut Algebra,
-    formulation: &Formulation,
+    whole: (&mut Algebra, &mut Forces, &Formulation),
     definition: &EvaluatorDef,
 ) -> Vec<NodeId> {
-    quantity::request(algebra, formulation, definition, Direction::Forward).nodes
+    quantity::request(whole, definition, Direction::Forward).nodes
 }
 
 fn copy(inliner: &mut Inliner, algebra: &Algebra, nodes: &[NodeId]) -> Vec<NodeId> {

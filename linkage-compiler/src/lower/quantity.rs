@@ -4,6 +4,7 @@ use linkage_symbolic::program::Binary;
 use linkage_symbolic::{NodeId, SymbolId};
 
 use crate::algebra::{Algebra, Direction, Translate, Value};
+use crate::forces::Forces;
 use crate::formulate::Formulation;
 use crate::model::{EvaluatorDef, Expr, ExprKind, Variable};
 
@@ -21,13 +22,13 @@ pub(super) struct Requested {
 }
 
 pub(super) fn request<'m>(
-    algebra: &mut Algebra<'m>,
-    formulation: &Formulation,
+    (algebra, forces, formulation): (&mut Algebra<'m>, &mut Forces, &Formulation),
     definition: &EvaluatorDef,
     direction: Direction,
 ) -> Requested {
     let mut request = Request {
         algebra,
+        forces,
         definition,
         direction,
         margin: None,
@@ -49,6 +50,7 @@ pub(super) fn request<'m>(
 
 struct Request<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
+    forces: &'a mut Forces,
     definition: &'a EvaluatorDef,
     /// How derivatives by parameters are found.
     direction: Direction,
@@ -188,6 +190,13 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                     .iter()
                     .map(|&parameter| self.derivative(&value, Variable::Parameter(parameter)));
                 Value::Array(entries.collect())
+            }
+            ExprKind::Mechanics(quantity) => {
+                // About the whole motion, whether the values depend on an input or not.
+                let listed = &self.definition.inputs;
+                self.requested.variables.extend(listed);
+                let mut mechanics = self.forces.at(self.algebra, listed);
+                mechanics.quantity(quantity)
             }
             _ => {
                 self.asks_margin = true;

@@ -54,7 +54,11 @@ fn expect_agreement(items: &str, function: &str) {
     ];
     let results = directions.map(|direction| {
         let function = &mechanism.evaluators[0];
-        let requested = request(&mut algebra, &formulation, function, direction);
+        let requested = request(
+            (&mut algebra, &mut forces, &formulation),
+            function,
+            direction,
+        );
         assert!(requested.by_parameters);
         requested.nodes
     });

@@ -3,7 +3,8 @@
 use proc_macro2::Ident;
 
 use super::derivative::QUANTITIES;
-use super::functions::FUNCTIONS;
+use super::functions::{FUNCTIONS, is_quantity};
+use super::mechanics::MECHANICS;
 use super::names::{Context, Resolver, kind};
 use super::operators::settle_alone;
 use super::types::{Dimension, Expr, ExprKind, Function, Type};
@@ -19,7 +20,7 @@ impl Resolver<'_> {
         span: SourceSpan,
     ) -> Expr {
         let name = ident.to_string();
-        if QUANTITIES.contains(&name.as_str()) {
+        if is_quantity(&name) {
             return self.quantity_call(&name, ident, arguments, context, span);
         }
         let Some((_, function, parameters)) = FUNCTIONS.iter().find(|(known, ..)| *known == name)
@@ -48,7 +49,11 @@ impl Resolver<'_> {
 
     fn unknown_function(&mut self, ident: &Ident) {
         let name = ident.to_string();
-        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain(QUANTITIES);
+        let known = FUNCTIONS
+            .iter()
+            .map(|(known, ..)| *known)
+            .chain(QUANTITIES)
+            .chain(MECHANICS);
         let fact = match self.find(&name) {
             Some(symbol) => format!("`{name}` is {}, not a function", kind(symbol.name)),
             None => format!("unknown function `{name}`"),

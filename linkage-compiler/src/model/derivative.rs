@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use super::mechanics::MECHANICS;
 use super::names::{Context, Place, Resolver};
 use super::types::{Dimension, Expr, ExprKind, Name, Type, Variable};
 use crate::diagnostic::text::count;
@@ -34,6 +35,9 @@ impl Resolver<'_> {
             self.diagnostics.error_with_help(ident.into(), fact, help);
             return self.failed(span);
         };
+        if MECHANICS.contains(&name) {
+            return self.mechanics_call(name, arguments, context, span);
+        }
         match name {
             "margin" => self.margin(arguments, span),
             "d" => self.derivative(arguments, context, span),
@@ -139,6 +143,8 @@ impl Resolver<'_> {
         let Some(inputs) = inputs else {
             return self.failed(span);
         };
+        let drives = inputs.iter().filter(|input| **input < self.input_count);
+        let inputs: Vec<usize> = drives.copied().collect();
         if inputs.is_empty() {
             let fact = format!("`{name}` in a function without an input");
             let help = match self.names_of(|name| matches!(name, Name::Input(_))).first() {
@@ -158,7 +164,7 @@ impl Resolver<'_> {
         if self.too_many_entries(&value.ty, entries, span) {
             return self.failed(span);
         }
-        let ty = self.by_inputs(&value.ty, inputs, order);
+        let ty = self.by_inputs(&value.ty, &inputs, order);
         self.finish(ExprKind::InputDerivative(Box::new(value), order), ty, span)
     }
 

@@ -1,11 +1,9 @@
-//! Arithmetic of dimensions and their names in messages.
-
-use std::fmt::{self, Display, Formatter};
+//! Arithmetic of dimensions and types.
 
 use super::types::{Dimension, Type};
 
-/// Powers of length beyond this are taken for a mistake; sums of two stay far from overflow.
-const HALF_LENGTHS_LIMIT: i32 = 64;
+/// Powers beyond this (in halves) are taken for a mistake; sums of two stay far from overflow.
+const LIMIT: i32 = 64;
 
 impl Dimension {
     /// A bare number.
@@ -22,18 +20,56 @@ impl Dimension {
         ..Dimension::NUMBER
     };
     /// A length.
-    pub const LENGTH: Dimension = Dimension {
-        half_lengths: 2,
-        ..Dimension::NUMBER
+    pub const LENGTH: Dimension = Dimension::of(1, 0, 0);
+    /// A force.
+    pub const FORCE: Dimension = Dimension::of(0, 1, 0);
+    /// A time.
+    pub const TIME: Dimension = Dimension::of(0, 0, 1);
+    /// A moment; energy is of the same dimension.
+    pub const MOMENT: Dimension = Dimension::of(1, 1, 0);
+    /// Work in a time.
+    pub const POWER: Dimension = Dimension::of(1, 1, -1);
+    /// Length over time squared.
+    pub const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
+    /// In kilograms.
+    pub const MASS: Dimension = Dimension {
+        half_kilograms: 2,
+        ..Dimension::of(-1, 1, 2)
+    };
+    /// In kilograms times the length unit squared.
+    pub const INERTIA: Dimension = Dimension {
+        half_kilograms: 2,
+        ..Dimension::of(1, 1, 2)
     };
 
-    /// Whether the two may be added: numbers and angles are alike.
+    /// Of whole powers of length, force and time.
+    pub(super) const fn of(lengths: i32, forces: i32, times: i32) -> Dimension {
+        Dimension {
+            half_lengths: 2 * lengths,
+            half_forces: 2 * forces,
+            half_times: 2 * times,
+            half_kilograms: 0,
+            angle: false,
+        }
+    }
+
+    /// Whether the two may be added: numbers and angles are alike, and units do not matter.
     pub fn fits(self, other: Dimension) -> bool {
-        self.half_lengths == other.half_lengths
+        self.powers() == other.powers()
+    }
+
+    /// Halves of length, force and time.
+    pub(super) fn powers(self) -> (i32, i32, i32) {
+        (self.half_lengths, self.half_forces, self.half_times)
     }
 
     pub(super) fn is_number_or_angle(self) -> bool {
-        self.half_lengths == 0
+        self.fits(Dimension::NUMBER)
+    }
+
+    /// Whether it is about lengths and angles alone.
+    pub(super) fn is_geometric(self) -> bool {
+        self.half_forces == 0 && self.half_times == 0
     }
 
     /// Of a sum: an angle if one of the two is.
@@ -44,84 +80,49 @@ impl Dimension {
         }
     }
 
-    /// Of a product; `None` for a power of length beyond all use.
+    /// Of a product; `None` for powers beyond all use.
     pub(super) fn times(self, other: Dimension) -> Option<Dimension> {
-        Self::new(
-            self.half_lengths + other.half_lengths,
-            self.angle != other.angle,
-        )
+        self.combined(other, 1, self.angle != other.angle)
     }
 
     /// Of a quotient, a derivative too.
     pub(super) fn over(self, other: Dimension) -> Option<Dimension> {
-        Self::new(
-            self.half_lengths - other.half_lengths,
-            self.angle && !other.angle,
-        )
+        self.combined(other, -1, self.angle && !other.angle)
+    }
+
+    /// Of a whole power.
+    pub(super) fn to_the(self, power: i32) -> Option<Dimension> {
+        let factor = Some(power).filter(|power| power.abs() <= LIMIT)?;
+        Dimension::NUMBER.combined(self, factor, self.angle && power == 1)
     }
 
     /// Of a square root; `None` if that is not a half power.
     pub(super) fn root(self) -> Option<Dimension> {
-        (self.half_lengths % 2 == 0).then_some(Dimension {
-            half_lengths: self.half_lengths / 2,
-            ..Dimension::NUMBER
+        let halved = |halves: i32| (halves % 2 == 0).then_some(halves / 2);
+        Some(Dimension {
+            half_lengths: halved(self.half_lengths)?,
+            half_forces: halved(self.half_forces)?,
+            half_times: halved(self.half_times)?,
+            half_kilograms: halved(self.half_kilograms)?,
+            angle: false,
         })
     }
 
-    fn new(half_lengths: i32, angle: bool) -> Option<Dimension> {
-        let in_range = half_lengths.abs() <= HALF_LENGTHS_LIMIT;
-        in_range.then_some(Dimension {
+    /// All powers of `self` and `factor` times those of `other`. Only angles, and what is made of them and times, remember it.
+    fn combined(self, other: Dimension, factor: i32, angle: bool) -> Option<Dimension> {
+        let power = |own: i32, other: i32| {
+            let power = own + factor * other;
+            (power.abs() <= LIMIT).then_some(power)
+        };
+        let half_lengths = power(self.half_lengths, other.half_lengths)?;
+        let half_forces = power(self.half_forces, other.half_forces)?;
+        Some(Dimension {
             half_lengths,
-            angle: angle && half_lengths == 0,
-            ..Dimension::NUMBER
+            half_forces,
+            half_times: power(self.half_times, other.half_times)?,
+            half_kilograms: power(self.half_kilograms, other.half_kilograms)?,
+            angle: angle && half_lengths == 0 && half_forces == 0,
         })
-    }
-
-    /// In the plural, for the components of a vector.
-    fn plural(self) -> String {
-        match (self.half_lengths, self.angle) {
-            (0, false) => "numbers".to_owned(),
-            (0, true) => "angles".to_owned(),
-            (2, _) => "lengths".to_owned(),
-            _ => self.power(),
-        }
-    }
-
-    fn power(self) -> String {
-        match self.half_lengths {
-            halves if halves % 2 != 0 => format!("length^({halves}/2)"),
-            halves => format!("length^{}", halves / 2),
-        }
-    }
-}
-
-/// With its article: `a number`, `an angle`, `a length`, `a length^2`.
-impl Display for Dimension {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        match (self.half_lengths, self.angle) {
-            (0, false) => f.write_str("a number"),
-            (0, true) => f.write_str("an angle"),
-            (2, _) => f.write_str("a length"),
-            _ => write!(f, "a {}", self.power()),
-        }
-    }
-}
-
-/// With its article: `a length`, `a plane vector of lengths`.
-impl Display for Type {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        match self {
-            Type::Scalar(dimension) => write!(f, "{dimension}"),
-            Type::Vector(3, dimension) => write!(f, "a space vector of {}", dimension.plural()),
-            Type::Vector(_, dimension) => write!(f, "a plane vector of {}", dimension.plural()),
-            Type::Array(entries) if entries.len() == 1 => f.write_str("an array of 1 entry"),
-            Type::Array(entries) => write!(f, "an array of {} entries", entries.len()),
-            Type::Frame => f.write_str("a frame"),
-            Type::Zero(1) => f.write_str("zero"),
-            Type::Zero(3) => f.write_str("a space vector of zeros"),
-            Type::Zero(_) => f.write_str("a plane vector of zeros"),
-            Type::Error => f.write_str("an error"),
-        }
     }
 }
 

@@ -145,10 +145,11 @@ impl Resolver<'_> {
 
     fn argument(&mut self, ident: &Ident) -> Option<usize> {
         let text = ident.to_string();
-        let inputs = self.names_of(|name| matches!(name, Name::Input(_)));
+        let inputs = self.names_of(|name| matches!(name, Name::Input(_) | Name::Argument(_)));
         let fact = match self.find(&text) {
             Some(symbol) => match symbol.name {
                 Name::Input(input) => return Some(input),
+                Name::Argument(argument) => return Some(self.input_count + argument),
                 other => format!("`{text}` is {}, not an input", kind(other)),
             },
             None => format!("unknown input `{text}`"),

@@ -32,6 +32,9 @@ impl Resolver<'_> {
                 let value = self.expression(value, context);
                 self.negate(value, span)
             }
+            syntax::ExprKind::Binary(syntax::BinaryOp::Mul | syntax::BinaryOp::Div, ..) => {
+                self.product_or_quotient(expr, context)
+            }
             syntax::ExprKind::Binary(operator, left, right) => {
                 let left = self.expression(left, context);
                 let right = self.expression(right, context);
@@ -47,7 +50,7 @@ impl Resolver<'_> {
                 self.diagnostics.error_with_help(span, fact, help);
                 self.failed(span)
             }
-            syntax::ExprKind::Power(..) => self.failed(span),
+            syntax::ExprKind::Power(base, power) => self.lonely_power(base, *power, span),
             syntax::ExprKind::Error => self.failed(span),
         }
     }
@@ -72,16 +75,23 @@ impl Resolver<'_> {
     }
 
     fn number(&mut self, text: &str, suffix: &str, span: SourceSpan) -> Expr {
-        let problem = match units::convert(text, suffix, self.unit) {
+        let converted = units::convert(text, suffix, self.unit);
+        self.literal(converted, &format!("`{text}{suffix}`"), span)
+    }
+
+    /// A converted number; `what` it is in messages.
+    pub(super) fn literal(&mut self, converted: Literal, what: &str, span: SourceSpan) -> Expr {
+        let problem = match converted {
             Literal::BareZero => return self.make(ExprKind::Number(0.0), Type::Zero(1), span),
             Literal::Value(value, dimension) => {
                 return self.make(ExprKind::Number(value), Type::Scalar(dimension), span);
             }
             Literal::TooLarge => "too large for a 64-bit number",
             Literal::TooSmall => "so small that it becomes zero",
+            Literal::Beyond => "in a power of a unit beyond all use",
             Literal::Malformed => "not a number with a unit",
         };
-        let fact = format!("`{text}{suffix}` is {problem}");
+        let fact = format!("{what} is {problem}");
         self.diagnostics
             .error_with_help(span, fact, "check the exponent and the unit");
         self.failed(span)

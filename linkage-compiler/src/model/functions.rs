@@ -1,6 +1,7 @@
 //! The functions of expressions: one table.
 
 use super::derivative::QUANTITIES;
+use super::mechanics::MECHANICS;
 use super::types::Function;
 
 /// Name, function, arguments as messages show them.
@@ -38,7 +39,12 @@ pub(super) const FUNCTIONS: [(&str, Function, &[&str]); 26] = [
 ];
 
 pub(super) fn is_function(name: &str) -> bool {
-    FUNCTIONS.iter().any(|(known, ..)| *known == name) || QUANTITIES.contains(&name)
+    FUNCTIONS.iter().any(|(known, ..)| *known == name) || is_quantity(name)
+}
+
+/// Whether it is known in the functions of the `impl` block.
+pub(super) fn is_quantity(name: &str) -> bool {
+    QUANTITIES.contains(&name) || MECHANICS.contains(&name)
 }
 
 impl Function {

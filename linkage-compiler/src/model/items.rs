@@ -69,6 +69,7 @@ impl Resolver<'_> {
                 _ => {}
             }
         }
+        mechanism.arguments = self.arguments(definition, &mechanism.inputs);
         for (position, item) in items() {
             let context = Context {
                 place: Place::Body,
@@ -78,6 +79,8 @@ impl Resolver<'_> {
                 Item::Let(item) => {
                     let name = Name::Let(mechanism.lets.len());
                     let value = self.named(item, name, context);
+                    let argument = self.argument_below(&value);
+                    self.arguments_of_lets.push(argument);
                     let (name, origin) = (item.name.to_string(), self.name_origin(item));
                     mechanism.lets.push(Let {
                         name,
@@ -89,6 +92,7 @@ impl Resolver<'_> {
                 _ => {}
             }
         }
+        self.mechanics(definition, &mut mechanism);
         mechanism
             .scalar_parameters
             .clone_from(&self.scalar_parameters);
@@ -183,8 +187,8 @@ impl Resolver<'_> {
             dimension: dimension.unwrap_or(Dimension::NUMBER),
             reference,
             range,
-            speed: None,
-            acceleration: None,
+            speed: self.rates[index][0],
+            acceleration: self.rates[index][1],
             origin: self.origins.add((&item.name).into()),
         }
     }
@@ -236,6 +240,8 @@ impl Resolver<'_> {
         let mut left = self.expression(&item.left, context);
         let mut right = self.expression(&item.right, context);
         let origin = self.origins.add(item.span);
+        self.refuse_argument(&mut left, "a loop");
+        self.refuse_argument(&mut right, "a loop");
         self.refuse_frame_loop(&mut left, &mut right, item.span);
         let Some(ty) = Type::common(&left.ty, &right.ty) else {
             if !left.ty.is_error() && !right.ty.is_error() {
@@ -251,6 +257,12 @@ impl Resolver<'_> {
             };
         };
         let ty = ty.settled();
+        if let Some(dimension) = ty.dimension().filter(|dimension| !dimension.is_geometric()) {
+            let fact =
+                format!("a loop is about lengths and angles, found {dimension} on both sides");
+            let help = "what moves does not depend on forces and times: divide by them";
+            self.diagnostics.error_with_help(item.span, fact, help);
+        }
         left.settle(&ty);
         right.settle(&ty);
         Loop {

@@ -1,5 +1,6 @@
 //! Syntax tree to model: names become ids, dimensions are checked, numbers get one unit.
 
+mod argument;
 mod calls;
 mod decimal;
 mod derivative;
@@ -7,19 +8,23 @@ mod dimension;
 mod dump;
 mod evaluators;
 mod expression;
+mod factors;
 mod frame;
 mod functions;
 mod items;
+mod mechanics;
 mod names;
 mod operators;
 mod parameter;
 mod plane_and_space;
+mod presentation;
 #[cfg(test)]
 mod tests;
 mod types;
 pub(crate) mod units;
 mod usage;
 mod variable;
+mod words;
 mod zeros;
 
 pub use dump::dump;

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
+use super::mechanics::Scope;
 use super::types::{Dimension, LengthUnit, Name, ScalarParameter, Type};
 use crate::diagnostic::text::nearest;
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::syntax::{Item, MechanismDef, SourceSpan};
+use crate::syntax::{InputItem, Item, MechanismDef, SourceSpan};
 
 /// One declared name.
 pub(super) struct Symbol {
@@ -29,8 +30,11 @@ pub(super) enum Place<'a> {
     Parameter,
     Input,
     Estimate,
+    Argument,
     /// A `let` or `loop`.
     Body,
+    /// A clause of bodies, joints and loads.
+    Mechanics,
     /// A function of these inputs; `None` if its list has a mistake.
     Function(Option<&'a [usize]>),
 }
@@ -47,6 +51,13 @@ pub(super) struct Resolver<'a> {
     by_name: BTreeMap<String, usize>,
     pub(super) unit: LengthUnit,
     pub(super) scalar_parameters: Vec<ScalarParameter>,
+    /// How many inputs there are; in functions, arguments are counted behind them.
+    pub(super) input_count: usize,
+    /// For each derived quantity so far, an argument that it depends on.
+    pub(super) arguments_of_lets: Vec<Option<usize>>,
+    /// Speeds and accelerations of each input.
+    pub(super) rates: Vec<[Option<usize>; 2]>,
+    pub(super) mechanics: Scope,
     /// Names whose bare zero is a length, not a number.
     zero_lengths: &'a [Name],
     pub(super) origins: &'a mut Origins,
@@ -66,6 +77,10 @@ impl<'a> Resolver<'a> {
             by_name: BTreeMap::new(),
             unit: LengthUnit::Metre,
             scalar_parameters: Vec::new(),
+            input_count: 0,
+            arguments_of_lets: Vec::new(),
+            rates: Vec::new(),
+            mechanics: Scope::default(),
             zero_lengths,
             origins,
             diagnostics,
@@ -76,8 +91,24 @@ impl<'a> Resolver<'a> {
             if let Some(ident) = item.name() {
                 resolver.declare(ident, position, next_name(item, &mut counts));
             }
+            if let Item::Input(input) = item {
+                resolver.declare_rates(input, position, &mut counts);
+            }
         }
+        resolver.input_count = counts[INPUTS];
         resolver
+    }
+
+    /// The arguments that are speed and acceleration of an input.
+    fn declare_rates(&mut self, input: &InputItem, item: usize, counts: &mut [usize; 6]) {
+        let rates = [&input.speed, &input.acceleration].map(|ident| {
+            let ident = ident.as_ref()?;
+            let argument = counts[ARGUMENTS];
+            counts[ARGUMENTS] += 1;
+            self.declare(ident, item, Name::Argument(argument));
+            Some(argument)
+        });
+        self.rates.push(rates);
     }
 
     fn declare(&mut self, ident: &Ident, item: usize, name: Name) {
@@ -211,14 +242,18 @@ impl<'a> Resolver<'a> {
     }
 }
 
+/// Where [`next_name`] counts inputs and arguments.
+const INPUTS: usize = 2;
+const ARGUMENTS: usize = 5;
+
 /// Each kind of item counts on its own.
 fn next_name(item: &Item, counts: &mut [usize; 6]) -> Name {
     let (kind, name): (usize, fn(usize) -> Name) = match item {
         Item::Const(_) => (0, Name::Const),
         Item::Param(_) => (1, Name::Parameter),
-        Item::Input(_) => (2, Name::Input),
+        Item::Input(_) => (INPUTS, Name::Input),
         Item::Unknown(_) => (3, Name::Unknown),
-        Item::Argument(_) => (5, Name::Argument),
+        Item::Argument(_) => (ARGUMENTS, Name::Argument),
         _ => (4, Name::Let),
     };
     counts[kind] += 1;
@@ -237,6 +272,9 @@ fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
         }
         Place::Input if !constant => {
             "the reference and range of an input may use numbers, functions and constants only"
+        }
+        Place::Argument if !constant => {
+            "the value of an argument may use numbers, functions and constants only"
         }
         Place::Estimate if !constant && !parameter => {
             "an estimate may use numbers, functions, constants and parameters only"

@@ -163,7 +163,7 @@ impl Resolver<'_> {
 
 impl Expr {
     /// One component of a vector.
-    fn component(&self, component: usize) -> Expr {
+    pub(super) fn component(&self, component: usize) -> Expr {
         if let ExprKind::Vector(components) = &self.kind {
             return components[component].clone();
         }

@@ -1,43 +1,127 @@
 //! The units of literals: one table.
 
+use std::collections::BTreeMap;
+
 use super::decimal::Decimal;
 use super::types::{Dimension, LengthUnit};
 
 /// How many digits of pi are multiplied: far more than a double's literal can tell apart.
 const PI: &str = "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899\
                   8628034825342117067982148086513282306647";
+/// Its reciprocal.
+const PER_PI: &str = "0.31830988618379067153776752674502872406891929148091289749533468811779359526845307\
+                      01802276055325061719121456";
+/// Factors of one kind beyond this are taken for a mistake.
+const LIMIT: i32 = 64;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Unit {
-    /// Metres, times ten to this power.
-    Metric(i64),
-    Inch,
-    Radian,
-    /// This many make half a turn.
-    PerHalfTurn(u32),
-    Turn,
+/// A unit: a scale times powers of kilogram, newton, metre and second.
+#[derive(Clone, Copy, Debug)]
+struct Unit {
+    kilograms: i32,
+    newtons: i32,
+    metres: i32,
+    seconds: i32,
+    angle: bool,
+    scale: Scale,
 }
 
-const UNITS: [(&str, Unit); 13] = [
-    ("m", Unit::Metric(0)),
-    ("mm", Unit::Metric(-3)),
-    ("cm", Unit::Metric(-2)),
-    ("um", Unit::Metric(-6)),
+/// `10^ten * pi^pi * whole.0^whole.1`
+#[derive(Clone, Copy, Debug)]
+struct Scale {
+    ten: i64,
+    pi: i32,
+    whole: (u32, i32),
+}
+
+const ONE: Unit = Unit {
+    kilograms: 0,
+    newtons: 0,
+    metres: 0,
+    seconds: 0,
+    angle: false,
+    scale: Scale {
+        ten: 0,
+        pi: 0,
+        whole: (1, 1),
+    },
+};
+const METRE: Unit = Unit { metres: 1, ..ONE };
+const KILOGRAM: Unit = Unit {
+    kilograms: 1,
+    ..ONE
+};
+const NEWTON: Unit = Unit { newtons: 1, ..ONE };
+const SECOND: Unit = Unit { seconds: 1, ..ONE };
+const JOULE: Unit = Unit {
+    metres: 1,
+    ..NEWTON
+};
+const WATT: Unit = Unit {
+    seconds: -1,
+    ..JOULE
+};
+const PASCAL: Unit = Unit {
+    metres: -2,
+    ..NEWTON
+};
+const RADIAN: Unit = Unit { angle: true, ..ONE };
+/// 254 of the unit 1e-4 m.
+const INCH: Unit = Unit {
+    scale: Scale {
+        ten: -4,
+        pi: 0,
+        whole: (254, 1),
+    },
+    ..METRE
+};
+const MINUTE: Unit = Unit {
+    scale: Scale {
+        whole: (60, 1),
+        ..ONE.scale
+    },
+    ..SECOND
+};
+
+const UNITS: [(&str, Unit); 32] = [
+    ("m", METRE),
+    ("mm", METRE.shifted(-3)),
+    ("cm", METRE.shifted(-2)),
+    ("um", METRE.shifted(-6)),
     // The micro sign and the Greek letter look alike.
-    ("\u{b5}m", Unit::Metric(-6)),
-    ("\u{3bc}m", Unit::Metric(-6)),
-    ("nm", Unit::Metric(-9)),
-    ("inch", Unit::Inch),
-    ("deg", Unit::PerHalfTurn(180)),
-    ("rad", Unit::Radian),
-    ("arcmin", Unit::PerHalfTurn(180 * 60)),
-    ("arcsec", Unit::PerHalfTurn(180 * 3600)),
-    ("turn", Unit::Turn),
+    ("\u{b5}m", METRE.shifted(-6)),
+    ("\u{3bc}m", METRE.shifted(-6)),
+    ("nm", METRE.shifted(-9)),
+    ("inch", INCH),
+    ("deg", RADIAN.half_turns(180, -1)),
+    ("rad", RADIAN),
+    ("arcmin", RADIAN.half_turns(180 * 60, -1)),
+    ("arcsec", RADIAN.half_turns(180 * 3600, -1)),
+    ("turn", RADIAN.half_turns(2, 1)),
+    ("kg", KILOGRAM),
+    ("g", KILOGRAM.shifted(-3)),
+    ("mg", KILOGRAM.shifted(-6)),
+    ("t", KILOGRAM.shifted(3)),
+    ("N", NEWTON),
+    ("mN", NEWTON.shifted(-3)),
+    ("kN", NEWTON.shifted(3)),
+    ("s", SECOND),
+    ("ms", SECOND.shifted(-3)),
+    ("min", MINUTE),
+    ("J", JOULE),
+    ("mJ", JOULE.shifted(-3)),
+    ("kJ", JOULE.shifted(3)),
+    ("W", WATT),
+    ("mW", WATT.shifted(-3)),
+    ("kW", WATT.shifted(3)),
+    ("Pa", PASCAL),
+    ("kPa", PASCAL.shifted(3)),
+    ("MPa", PASCAL.shifted(6)),
 ];
 
 /// The units as messages list them.
-pub(crate) const UNIT_NAMES: [&str; 11] = [
-    "m", "mm", "cm", "um", "nm", "inch", "deg", "rad", "arcmin", "arcsec", "turn",
+pub(crate) const UNIT_NAMES: [&str; 30] = [
+    "m", "mm", "cm", "um", "nm", "inch", "deg", "rad", "arcmin", "arcsec", "turn", "kg", "g", "mg",
+    "t", "N", "mN", "kN", "s", "ms", "min", "J", "mJ", "kJ", "W", "mW", "kW", "Pa", "kPa", "MPa",
 ];
 
 /// The length units that a mechanism can have, as messages list them.
@@ -53,6 +137,32 @@ fn find(name: &str) -> Option<Unit> {
         .iter()
         .find(|(known, _)| *known == name)
         .map(|(_, unit)| *unit)
+}
+
+impl Unit {
+    const fn shifted(mut self, ten: i64) -> Unit {
+        self.scale.ten = ten;
+        self
+    }
+
+    /// Half a turn times a power of a number.
+    const fn half_turns(mut self, number: u32, power: i32) -> Unit {
+        self.scale.pi = 1;
+        self.scale.whole = (number, power);
+        self
+    }
+
+    fn dimension(self) -> Dimension {
+        Dimension {
+            half_kilograms: 2 * self.kilograms,
+            angle: self.angle,
+            ..Dimension::of(
+                self.metres - self.kilograms,
+                self.newtons + self.kilograms,
+                self.seconds + 2 * self.kilograms,
+            )
+        }
+    }
 }
 
 impl LengthUnit {
@@ -78,33 +188,9 @@ impl LengthUnit {
             LengthUnit::Inch => "inch",
         }
     }
-
-    fn unit(self) -> Unit {
-        match self {
-            LengthUnit::Metre => Unit::Metric(0),
-            LengthUnit::Millimetre => Unit::Metric(-3),
-            LengthUnit::Centimetre => Unit::Metric(-2),
-            LengthUnit::Micrometre => Unit::Metric(-6),
-            LengthUnit::Inch => Unit::Inch,
-        }
-    }
 }
 
-impl Dimension {
-    /// The unit of a quantity: `mm`, `mm^2`, `mm^(1/2)`, `rad`, nothing for a number.
-    pub fn unit(self, length: LengthUnit) -> String {
-        let word = length.name();
-        match self.half_lengths {
-            0 if self.angle => "rad".to_owned(),
-            0 => String::new(),
-            2 => word.to_owned(),
-            halves if halves % 2 == 0 => format!("{word}^{}", halves / 2),
-            halves => format!("{word}^({halves}/2)"),
-        }
-    }
-}
-
-/// A literal in the mechanism's unit or in radians.
+/// A literal in the unit of its dimension: the mechanism's length unit, radians, newtons, seconds, kilograms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Literal {
     /// Zero without a unit fits every dimension.
@@ -112,52 +198,100 @@ pub(super) enum Literal {
     Value(f64, Dimension),
     TooLarge,
     TooSmall,
+    /// A power of a unit beyond all use.
+    Beyond,
     /// Not digits, or an unknown unit.
     Malformed,
 }
 
 /// Converts a literal, rounding once.
 pub(super) fn convert(text: &str, suffix: &str, length: LengthUnit) -> Literal {
+    match suffix {
+        "" => convert_product(text, &[], length),
+        _ => convert_product(text, &[(suffix, 1)], length),
+    }
+}
+
+/// Converts a literal with factors, each a unit and its power, rounding once.
+pub(super) fn convert_product(text: &str, factors: &[(&str, i32)], length: LengthUnit) -> Literal {
     let Some(decimal) = Decimal::parse(text) else {
         return Literal::Malformed;
     };
-    let (converted, dimension) = match find(suffix) {
-        None if suffix.is_empty() => (decimal, Dimension::NUMBER),
-        None => return Literal::Malformed,
-        Some(unit @ (Unit::Metric(_) | Unit::Inch)) => (
-            convert_length(decimal, unit, length.unit()),
-            Dimension::LENGTH,
-        ),
-        Some(unit) => (convert_angle(decimal, unit), Dimension::ANGLE),
+    if factors.iter().any(|(name, _)| !is_unit(name)) {
+        return Literal::Malformed;
+    }
+    let Some((factor, dimension)) = Factor::of(factors, length) else {
+        return Literal::Beyond;
     };
+    let converted = factor.times(decimal);
     let value = converted.to_f64();
     match () {
-        () if converted.is_zero() && suffix.is_empty() => Literal::BareZero,
+        () if converted.is_zero() && factors.is_empty() => Literal::BareZero,
         () if value.is_infinite() => Literal::TooLarge,
         () if value == 0.0 && !converted.is_zero() => Literal::TooSmall,
         () => Literal::Value(value, dimension),
     }
 }
 
-fn convert_length(value: Decimal, from: Unit, to: Unit) -> Decimal {
-    let millimetres_per_inch = || Decimal::parse("25.4").expect("a number");
-    match (from, to) {
-        (Unit::Metric(from), Unit::Metric(to)) => value.shifted(from - to),
-        (Unit::Inch, Unit::Metric(to)) => value.times(&millimetres_per_inch()).shifted(-3 - to),
-        // 25.4 mm are 254 of the unit 1e-4 m.
-        (Unit::Metric(from), Unit::Inch) => value.shifted(from + 4).over(254),
-        _ => value,
-    }
+/// A product of scales.
+#[derive(Default)]
+struct Factor {
+    ten: i64,
+    pi: i32,
+    whole: BTreeMap<u32, i32>,
 }
 
-fn convert_angle(value: Decimal, unit: Unit) -> Decimal {
-    let pi = || Decimal::parse(PI).expect("a number");
-    match unit {
-        Unit::PerHalfTurn(parts) => value.times(&pi()).over(parts),
-        Unit::Turn => value
-            .times(&pi())
-            .times(&Decimal::parse("2").expect("a number")),
-        _ => value,
+impl Factor {
+    /// From a product of units to the unit of its dimension; `None` for powers beyond all use.
+    fn of(units: &[(&str, i32)], length: LengthUnit) -> Option<(Factor, Dimension)> {
+        let mut factor = Factor::default();
+        let mut dimension = Dimension::NUMBER;
+        let mut metres = 0;
+        for (name, power) in units {
+            let unit = find(name)?;
+            dimension = dimension.times(unit.dimension().to_the(*power)?)?;
+            factor.include(unit.scale, *power)?;
+            metres += unit.metres * power;
+        }
+        factor.include(find(length.name())?.scale, -metres)?;
+        Some((factor, dimension))
+    }
+
+    fn include(&mut self, scale: Scale, power: i32) -> Option<()> {
+        self.ten += scale.ten * i64::from(power);
+        self.pi += scale.pi * power;
+        let (number, own) = scale.whole;
+        if number > 1 {
+            *self.whole.entry(number).or_default() += own * power;
+        }
+        let counts = self.whole.values().chain([&self.pi]);
+        counts
+            .map(|count| count.abs())
+            .all(|count| count <= LIMIT)
+            .then_some(())
+    }
+
+    fn times(&self, mut value: Decimal) -> Decimal {
+        let number = |text: &str| Decimal::parse(text).expect("a number");
+        let pi = match self.pi {
+            0.. => number(PI),
+            _ => number(PER_PI),
+        };
+        for _ in 0..self.pi.abs() {
+            value = value.times(&pi);
+        }
+        for (whole, count) in &self.whole {
+            let factor = number(&whole.to_string());
+            for _ in 0..*count {
+                value = value.times(&factor);
+            }
+        }
+        for (whole, count) in &self.whole {
+            for _ in *count..0 {
+                value = value.over(*whole);
+            }
+        }
+        value.shifted(self.ten)
     }
 }
 

@@ -2,15 +2,15 @@
 
 /// A maximum matching: an equation of two rows takes up to two coordinates.
 #[derive(Clone, Debug)]
-pub(super) struct Matching {
+pub(crate) struct Matching {
     /// The equation that determines each coordinate.
-    pub(super) equation_of: Vec<Option<usize>>,
+    pub(crate) equation_of: Vec<Option<usize>>,
     /// The coordinates that each equation determines.
-    pub(super) coordinates_of: Vec<Vec<usize>>,
+    pub(crate) coordinates_of: Vec<Vec<usize>>,
 }
 
 /// Matches by augmenting paths, coordinates in order.
-pub(super) fn maximum(rows: &[usize], incidence: &[Vec<usize>], coordinates: usize) -> Matching {
+pub(crate) fn maximum(rows: &[usize], incidence: &[Vec<usize>], coordinates: usize) -> Matching {
     let mut matching = Matching {
         equation_of: vec![None; coordinates],
         coordinates_of: vec![Vec::new(); rows.len()],
@@ -66,7 +66,7 @@ fn exchange(
 }
 
 /// Strongly connected components of the equations, those that others depend on first (Tarjan, without recursion).
-pub(super) fn components(incidence: &[Vec<usize>], matching: &Matching) -> Vec<Vec<usize>> {
+pub(crate) fn components(incidence: &[Vec<usize>], matching: &Matching) -> Vec<Vec<usize>> {
     let needs: Vec<Vec<usize>> = incidence
         .iter()
         .map(|contained| {

@@ -10,7 +10,7 @@ mod coupled;
 mod eliminate;
 mod equations;
 mod form;
-mod matching;
+pub(crate) mod matching;
 mod point;
 mod reach;
 pub(crate) mod report;

@@ -1,0 +1,60 @@
+//! Who hangs on whom: bodies form a tree that is rooted in the frame; the other joints close loops.
+
+use crate::model::Mechanism;
+
+#[derive(Clone, Debug)]
+pub(super) struct Tree {
+    /// `None` is the frame.
+    pub(super) parent: Vec<Option<usize>>,
+    pub(super) children: Vec<Vec<usize>>,
+    /// The joints that close loops.
+    pub(super) closing: Vec<usize>,
+    /// Bodies, each behind the one that it hangs on.
+    pub(super) order: Vec<usize>,
+}
+
+impl Tree {
+    pub(super) fn new(mechanism: &Mechanism) -> Self {
+        let bodies = &mechanism.bodies;
+        let parent: Vec<_> = bodies
+            .iter()
+            .map(|body| mechanism.joints[body.joint].on)
+            .collect();
+        let mut children = vec![Vec::new(); bodies.len()];
+        for (body, parent) in parent.iter().enumerate() {
+            if let Some(parent) = *parent {
+                children[parent].push(body);
+            }
+        }
+        let own = |joint: &usize| bodies.iter().any(|body| body.joint == *joint);
+        let closing = (0..mechanism.joints.len())
+            .filter(|joint| !own(joint))
+            .collect();
+        let mut order: Vec<usize> = (0..bodies.len())
+            .filter(|&body| parent[body].is_none())
+            .collect();
+        let mut next = 0;
+        while next < order.len() {
+            order.extend(&children[order[next]]);
+            next += 1;
+        }
+        Self {
+            parent,
+            children,
+            closing,
+            order,
+        }
+    }
+
+    /// True if a body hangs on another, directly or by others, or is that body. The frame hangs on nothing.
+    pub(super) fn hangs_on(&self, body: Option<usize>, on: usize) -> bool {
+        let mut next = body;
+        while let Some(body) = next {
+            if body == on {
+                return true;
+            }
+            next = self.parent[body];
+        }
+        false
+    }
+}

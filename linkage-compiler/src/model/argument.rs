@@ -1,0 +1,106 @@
+//! Arguments: loads and speeds that functions take at run time.
+
+use super::names::{Context, Place, Resolver};
+use super::types::{Argument, Dimension, Expr, ExprKind, Input, Name, Type};
+use crate::syntax::{Item, MechanismDef, NamedItem};
+
+impl Resolver<'_> {
+    /// All arguments in the order of their names; speeds and accelerations stand at their inputs.
+    pub(super) fn arguments(
+        &mut self,
+        definition: &MechanismDef,
+        inputs: &[Input],
+    ) -> Vec<Argument> {
+        let mut arguments = Vec::new();
+        let mut input = 0;
+        for (position, item) in definition.items.iter().enumerate() {
+            match item {
+                Item::Argument(item) => {
+                    let argument = self.run_time_argument(item, arguments.len(), position);
+                    arguments.push(argument);
+                }
+                Item::Input(item) => {
+                    let rates = [&item.speed, &item.acceleration];
+                    for (order, ident) in (1..).zip(rates) {
+                        let Some(ident) = ident else { continue };
+                        let name = Name::Argument(arguments.len());
+                        let dimension = rate(inputs[input].dimension, order);
+                        self.set_type(name, Type::Scalar(dimension), false);
+                        arguments.push(Argument {
+                            name: ident.to_string(),
+                            dimension,
+                            reference: None,
+                            origin: self.origins.add(ident.into()),
+                        });
+                    }
+                    input += 1;
+                }
+                _ => {}
+            }
+        }
+        arguments
+    }
+
+    /// `argument NAME = value;`
+    fn run_time_argument(&mut self, item: &NamedItem, index: usize, position: usize) -> Argument {
+        let context = Context {
+            place: Place::Argument,
+            item: position,
+        };
+        let mut reference = self.expression(&item.value, context);
+        self.refuse_frame_item(&mut reference, "an argument is a scalar");
+        let bare_zero = matches!(reference.ty, Type::Zero(1));
+        let mut ty = self.declared(Name::Argument(index), &reference.ty);
+        reference.settle(&ty);
+        if !matches!(ty, Type::Scalar(_) | Type::Error) {
+            let fact = format!("an argument is a scalar, found {ty}");
+            let help = "declare one argument for each component";
+            self.diagnostics
+                .error_with_help(item.value.span, fact, help);
+            ty = Type::Error;
+        }
+        let dimension = ty.dimension().unwrap_or(Dimension::NUMBER);
+        self.set_type(Name::Argument(index), ty, bare_zero);
+        Argument {
+            name: item.name.to_string(),
+            dimension,
+            reference: Some(reference),
+            origin: self.origins.add((&item.name).into()),
+        }
+    }
+
+    /// An argument that a value depends on, perhaps through derived quantities.
+    pub(super) fn argument_below(&self, value: &Expr) -> Option<usize> {
+        match value.kind {
+            ExprKind::Name(Name::Argument(argument)) => Some(argument),
+            ExprKind::Name(Name::Let(index)) => self.arguments_of_lets.get(index).copied()?,
+            _ => value
+                .operands()
+                .into_iter()
+                .find_map(|operand| self.argument_below(operand)),
+        }
+    }
+
+    /// Reports what must be known before functions are called and depends on an argument.
+    pub(super) fn refuse_argument(&mut self, value: &mut Expr, what: &str) {
+        let Some(argument) = self.argument_below(value) else {
+            return;
+        };
+        let name = Name::Argument(argument);
+        let symbol = self.symbols.iter().find(|symbol| symbol.name == name);
+        let text = symbol.map_or("", |symbol| symbol.text.as_str());
+        let fact = format!("{what} depends on the argument `{text}`");
+        let help = "nothing that moves depends on arguments: declare a `param` or an `input`";
+        let span = self.origins.span(value.origin);
+        self.diagnostics.error_with_help(span, fact, help);
+        *value = self.failed(span);
+    }
+}
+
+/// The dimension of a speed (1) or acceleration (2) of an input.
+fn rate(of_input: Dimension, order: i32) -> Dimension {
+    Dimension {
+        half_times: -2 * order,
+        ..of_input
+    }
+}

@@ -1,0 +1,116 @@
+//! Bodies: what they hang on, how they turn, their masses.
+
+use super::super::names::Resolver;
+use super::super::types::{Body, Dimension, Expr, Joint, Mechanism, Type};
+use super::CONTEXT;
+use crate::syntax::{self, BodyItem, JointKind, SourceSpan};
+
+impl Resolver<'_> {
+    /// A body and the joint that it hangs on, both of the same number.
+    pub(super) fn body(&mut self, item: &BodyItem, index: usize) -> (Body, Joint) {
+        let joint = self.joint(&item.joint, index);
+        let turns = match &item.turns {
+            Some(turns) => Some(self.turns(turns, item.joint.kind)),
+            None => {
+                self.check_turning(item);
+                None
+            }
+        };
+        let masses = item
+            .masses
+            .iter()
+            .map(|part| {
+                let mass = self.scalar_clause(&part.mass, Dimension::MASS, "mass", "100g");
+                (mass, self.point_clause(&part.at))
+            })
+            .collect();
+        let inertias = item
+            .inertias
+            .iter()
+            .map(|part| self.inertia(part, turns.as_ref()))
+            .collect();
+        let body = Body {
+            name: item.name.to_string(),
+            joint: index,
+            turns,
+            masses,
+            inertias,
+            origin: self.origins.add((&item.name).into()),
+        };
+        (body, joint)
+    }
+
+    /// In the plane an angle. In space a frame; the direction of a rod between balls; the angle about the joint's axis.
+    fn turns(&mut self, expr: &syntax::Expr, kind: JointKind) -> Expr {
+        let mut value = self.expression(expr, CONTEXT);
+        self.refuse_argument(&mut value, "what a body turns with");
+        if matches!(value.ty, Type::Zero(1)) {
+            value.settle(&Type::Scalar(Dimension::ANGLE));
+        }
+        let angle = matches!(value.ty, Type::Scalar(found) if found.is_number_or_angle());
+        let (fits, wanted, example) = match (self.mechanics.components, kind) {
+            (None, _) => return value,
+            (Some(2), _) => (angle, "an angle", "turns phi"),
+            (_, JointKind::Pin | JointKind::Cylinder) => (
+                angle || value.ty == Type::Frame,
+                "the angle about the joint's axis or a frame",
+                "turns phi",
+            ),
+            (_, JointKind::Ball) => (
+                matches!(value.ty, Type::Vector(3, _)) || value.ty == Type::Frame,
+                "a frame or the vector along a slender rod",
+                "turns q - p",
+            ),
+            _ => (value.ty == Type::Frame, "a frame", "turns frame(p, x, z)"),
+        };
+        match fits {
+            true => value,
+            false => self.wrong_clause(value, "turns", wanted, example),
+        }
+    }
+
+    /// A body can leave out how it turns if it turns with the body that it hangs on.
+    fn check_turning(&mut self, item: &BodyItem) {
+        if matches!(item.joint.kind, JointKind::Slide | JointKind::Fixed) {
+            return;
+        }
+        let help = match self.mechanics.components {
+            Some(2) | None => "name its angle: `turns phi`",
+            Some(_) => "name the frame that it turns with: `turns frame(p, x, z)`",
+        };
+        let fact = format!("how does `{}` turn? A `turns` is missing", item.name);
+        self.diagnostics
+            .error_with_help((&item.name).into(), fact, help);
+    }
+
+    /// Each body must hang, over others, on the frame.
+    pub(super) fn refuse_circles(&mut self, mechanism: &Mechanism) {
+        let on = |body: usize| mechanism.joints[body].on;
+        for (start, body) in mechanism.bodies.iter().enumerate() {
+            let chain = std::iter::successors(on(start), |body| on(*body));
+            let chain: Vec<usize> = chain.take(mechanism.bodies.len()).collect();
+            let Some(length) = chain.iter().position(|body| *body == start) else {
+                continue;
+            };
+            // The first body of the circle tells.
+            if chain[..length].iter().any(|body| *body < start) {
+                continue;
+            }
+            let names: Vec<&str> = chain[..=length]
+                .iter()
+                .map(|body| mechanism.bodies[*body].name.as_str())
+                .collect();
+            let fact = match length {
+                0 => format!("`{}` hangs on itself", body.name),
+                _ => format!(
+                    "`{}` hangs on itself: on `{}`",
+                    body.name,
+                    names.join("`, on `")
+                ),
+            };
+            let help = "let one of them hang on `frame`, and write the joint that closes the loop by itself";
+            let span: SourceSpan = self.origins.span(body.origin);
+            self.diagnostics.error_with_help(span, fact, help);
+        }
+    }
+}

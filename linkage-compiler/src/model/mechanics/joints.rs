@@ -1,0 +1,87 @@
+//! Joints: between which bodies, where, along which direction.
+
+use super::super::names::Resolver;
+use super::super::types::{Expr, Joint};
+use crate::syntax::{JointItem, JointKind, JointPart};
+
+impl Resolver<'_> {
+    /// `pin NAME = BODY on BODY at point;`
+    pub(super) fn closing_joint(&mut self, item: &JointItem) -> Joint {
+        let body = self.body_named(&item.body);
+        if body == Some(None) {
+            let fact = "the body of a joint moves, `frame` does not";
+            let kind = item.joint.kind.word();
+            let help = format!("name the frame second: `{kind} NAME = BODY on frame`");
+            self.diagnostics
+                .error_with_help((&item.body).into(), fact, help);
+        }
+        let joint = self.joint(&item.joint, body.flatten().unwrap_or_default());
+        if body.is_some_and(|body| body.is_some() && body == joint.on) {
+            let fact = format!("a joint between `{}` and itself", item.body);
+            self.diagnostics
+                .error_with_help(item.joint.span, fact, "name two bodies");
+        }
+        joint
+    }
+
+    /// What bodies and joint items have in common.
+    pub(super) fn joint(&mut self, part: &JointPart, body: usize) -> Joint {
+        let on = self.body_named(&part.on).flatten();
+        let at = self.point_clause(&part.at);
+        let word = match part.kind {
+            JointKind::Slide => "along",
+            _ => "about",
+        };
+        let direction = part
+            .direction
+            .as_ref()
+            .map(|direction| self.direction_clause(direction, word));
+        self.check_kind(part, direction.as_ref());
+        Joint {
+            name: part.name.as_ref().map(ToString::to_string),
+            kind: part.kind,
+            body,
+            on,
+            at,
+            direction,
+            origin: self.origins.add(part.span),
+        }
+    }
+
+    /// Whether there is such a joint in the plane or in space, and whether it needs a direction.
+    fn check_kind(&mut self, part: &JointPart, direction: Option<&Expr>) {
+        let Some(components) = self.mechanics.components else {
+            return;
+        };
+        let plane = components == 2;
+        let kind = part.kind.word();
+        let (fact, help) = match (part.kind, plane, direction) {
+            (JointKind::Ball, true, _) => (
+                "a `ball` in the plane".to_owned(),
+                "write `pin`, or points of space `(x, y, z)`".to_owned(),
+            ),
+            (JointKind::Cylinder, true, _) => (
+                "a `cylinder` in the plane".to_owned(),
+                "write `slide`, or points of space `(x, y, z)`".to_owned(),
+            ),
+            (JointKind::Slide, _, None) => (
+                "a `slide` without `along`".to_owned(),
+                "name the direction of its guide: `along dir(phi)`".to_owned(),
+            ),
+            (JointKind::Pin | JointKind::Cylinder, false, None) => (
+                format!("a `{kind}` in space without `about`"),
+                "name its axis: `about (0, 0, 1)`".to_owned(),
+            ),
+            (JointKind::Pin, true, Some(_)) => (
+                "a `pin` in the plane has no axis to choose".to_owned(),
+                "leave out `about`".to_owned(),
+            ),
+            (JointKind::Ball | JointKind::Fixed, _, Some(_)) => (
+                format!("a `{kind}` has no direction"),
+                "leave it out".to_owned(),
+            ),
+            _ => return,
+        };
+        self.diagnostics.error_with_help(part.span, fact, help);
+    }
+}

@@ -1,0 +1,164 @@
+//! Forces, torques, springs, dampers.
+
+use proc_macro2::Ident;
+
+use super::super::names::Resolver;
+use super::super::types::{Between, Dimension, Element, ElementKind, Expr, Load};
+use crate::syntax::{self, ElementItem, JointKind, LoadItem, SourceSpan};
+
+impl Resolver<'_> {
+    /// `force vector on BODY [from BODY] at point;`
+    pub(super) fn force(&mut self, item: &LoadItem) -> Load {
+        let [on, from] = self.two_bodies(item);
+        let at = item.at.as_ref().map(|at| self.point_clause(at));
+        if at.is_none() {
+            let help = "name the point where it acts: `at p`";
+            self.diagnostics
+                .error_with_help(item.span, "a `force` without `at`", help);
+        }
+        let value = self.vector_clause(&item.value, Some(Dimension::FORCE), "force", "(0, -500N)");
+        self.load(value, [on, from], at, item.span)
+    }
+
+    /// `torque moment on BODY [from BODY];`
+    pub(super) fn torque(&mut self, item: &LoadItem) -> Load {
+        let bodies = self.two_bodies(item);
+        if let Some(at) = &item.at {
+            let fact = "a `torque` acts on a body, wherever";
+            self.diagnostics
+                .error_with_help(at.span, fact, "leave out `at`");
+        }
+        let value = match self.mechanics.components {
+            Some(3) => self.vector_clause(
+                &item.value,
+                Some(Dimension::MOMENT),
+                "torque",
+                "(0, 0, 3N*mm)",
+            ),
+            _ => self.scalar_clause(&item.value, Dimension::MOMENT, "torque", "3N*mm"),
+        };
+        self.load(value, bodies, None, item.span)
+    }
+
+    fn load(
+        &mut self,
+        value: Expr,
+        [on, from]: [Option<usize>; 2],
+        at: Option<Expr>,
+        span: SourceSpan,
+    ) -> Load {
+        Load {
+            value,
+            on,
+            from,
+            at,
+            origin: self.origins.add(span),
+        }
+    }
+
+    fn two_bodies(&mut self, item: &LoadItem) -> [Option<usize>; 2] {
+        let on = self.body_named(&item.on);
+        let from = match &item.from {
+            Some(from) => self.body_named(from),
+            None => Some(None),
+        };
+        self.different(on, from, &item.on, item.span);
+        [on.flatten(), from.flatten()]
+    }
+
+    /// Reports what would act between a body and itself.
+    fn different(
+        &mut self,
+        first: Option<Option<usize>>,
+        second: Option<Option<usize>>,
+        name: &Ident,
+        span: SourceSpan,
+    ) {
+        if first.is_none() || first != second {
+            return;
+        }
+        let fact = match first.flatten() {
+            Some(_) => format!("this acts between `{name}` and itself, which has no effect"),
+            None => "this acts on `frame` alone, which has no effect".to_owned(),
+        };
+        let help = "name a body that moves, and another or none";
+        self.diagnostics.error_with_help(span, fact, help);
+    }
+
+    /// `spring stiffness BETWEEN [, free length];`
+    pub(super) fn spring(&mut self, item: &ElementItem) -> Element {
+        let (between, turning) = self.between(item);
+        let (stiffness, free) = match turning {
+            true => ((Dimension::MOMENT, "300N*mm"), (Dimension::ANGLE, "20deg")),
+            false => (
+                (Dimension::of(-1, 1, 0), "2.5N/mm"),
+                (Dimension::LENGTH, "40mm"),
+            ),
+        };
+        let value = self.scalar_clause(&item.value, stiffness.0, "spring", stiffness.1);
+        let free = item
+            .free
+            .as_ref()
+            .map(|length| self.scalar_clause(length, free.0, "free", free.1));
+        Element {
+            kind: ElementKind::Spring,
+            value,
+            between,
+            free,
+            origin: self.origins.add(item.span),
+        }
+    }
+
+    /// `damper damping BETWEEN;`
+    pub(super) fn damper(&mut self, item: &ElementItem) -> Element {
+        let (between, turning) = self.between(item);
+        let (damping, example) = match turning {
+            true => (Dimension::of(1, 1, 1), "5N*mm*s"),
+            false => (Dimension::of(-1, 1, 1), "0.2N*s/mm"),
+        };
+        let value = self.scalar_clause(&item.value, damping, "damper", example);
+        if let Some(free) = &item.free {
+            let fact = "a `damper` has no length without force";
+            self.diagnostics
+                .error_with_help(free.span, fact, "leave out `free`");
+        }
+        Element {
+            kind: ElementKind::Damper,
+            value,
+            between,
+            free: None,
+            origin: self.origins.add(item.span),
+        }
+    }
+
+    /// Where a spring or damper is, and whether it acts on an angle.
+    fn between(&mut self, item: &ElementItem) -> (Between, bool) {
+        match &item.between {
+            syntax::Between::Points([(from, start), (to, end)]) => {
+                let (first, second) = (self.body_named(from), self.body_named(to));
+                self.different(first, second, from, item.span);
+                let ends = [
+                    (first.flatten(), self.point_clause(start)),
+                    (second.flatten(), self.point_clause(end)),
+                ];
+                (Between::Points(ends), false)
+            }
+            syntax::Between::Joint(ident) => {
+                let joint = self.joint_named(ident);
+                let kind = joint.map(|joint| self.mechanics.joints[joint]);
+                if let Some(kind) = kind
+                    && !matches!(kind, JointKind::Pin | JointKind::Slide)
+                {
+                    let fact = format!("`{ident}` is a `{}`", kind.word());
+                    let help =
+                        "springs and dampers act on a `pin`, on a `slide`, or between two points";
+                    self.diagnostics.error_with_help(ident.into(), fact, help);
+                }
+                (
+                    Between::Joint(joint.unwrap_or_default()),
+                    kind != Some(JointKind::Slide),
+                )
+            }
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Names of bodies and joints: a name space of their own.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::Ident;
+
+use super::super::names::Resolver;
+use crate::diagnostic::text::nearest;
+use crate::syntax::{Item, JointKind, MechanismDef, SourceSpan};
+
+/// The fixed link.
+const FRAME: &str = "frame";
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Member {
+    Body(usize),
+    Joint(usize),
+}
+
+/// What the mechanics of a mechanism is about.
+#[derive(Default)]
+pub(in crate::model) struct Scope {
+    members: BTreeMap<String, (Member, SourceSpan)>,
+    pub(super) bodies: usize,
+    /// Kinds of all joints: those that bodies hang on in the order of the bodies, then those that close loops.
+    pub(super) joints: Vec<JointKind>,
+    /// Components of points; `None` before the first.
+    pub(super) components: Option<usize>,
+}
+
+impl Resolver<'_> {
+    /// Declares all bodies and joints.
+    pub(super) fn declare_members(&mut self, definition: &MechanismDef) {
+        let parts = || {
+            definition.items.iter().filter_map(|item| match item {
+                Item::Body(item) => Some((Some(&item.name), &item.joint)),
+                _ => None,
+            })
+        };
+        let closing = definition.items.iter().filter_map(|item| match item {
+            Item::Joint(item) => Some((None, &item.joint)),
+            _ => None,
+        });
+        self.mechanics.bodies = parts().count();
+        for (index, (body, joint)) in parts().chain(closing).enumerate() {
+            if let Some(body) = body {
+                self.declare_member(body, Member::Body(index));
+            }
+            if let Some(name) = &joint.name {
+                self.declare_member(name, Member::Joint(index));
+            }
+            self.mechanics.joints.push(joint.kind);
+        }
+    }
+
+    fn declare_member(&mut self, ident: &Ident, member: Member) {
+        let text = ident.to_string();
+        let span = SourceSpan::from(ident);
+        self.check_reserved(ident);
+        if text == FRAME {
+            let fact = "`frame` is the fixed link";
+            self.diagnostics
+                .error_with_help(span, fact, "choose another name");
+            return;
+        }
+        match self.mechanics.members.get(&text) {
+            Some((_, first)) => {
+                let first = *first;
+                let fact = format!("the name `{text}` is given to two bodies or joints");
+                self.duplicate(&fact, &text, span, first);
+            }
+            None => {
+                self.mechanics.members.insert(text, (member, span));
+            }
+        }
+    }
+
+    /// The body of that name, `Some(None)` for the frame; `None` after a report.
+    pub(super) fn body_named(&mut self, ident: &Ident) -> Option<Option<usize>> {
+        let text = ident.to_string();
+        if text == FRAME {
+            return Some(None);
+        }
+        let fact = match self.mechanics.members.get(&text) {
+            Some((Member::Body(body), _)) => return Some(Some(*body)),
+            Some(_) => format!("`{text}` is a joint, not a body"),
+            None => format!("unknown body `{text}`"),
+        };
+        let mut names = self.members(|member| matches!(member, Member::Body(_)));
+        names.push(FRAME);
+        let help = match nearest(&text, names.iter().copied()) {
+            Some(name) => format!("did you mean `{name}`?"),
+            None => format!("bodies are `{}`", names.join("`, `")),
+        };
+        self.diagnostics.error_with_help(ident.into(), fact, help);
+        None
+    }
+
+    /// The joint of that name; `None` after a report.
+    pub(super) fn joint_named(&mut self, ident: &Ident) -> Option<usize> {
+        let text = ident.to_string();
+        let found = self.mechanics.members.get(&text).map(|(member, _)| *member);
+        let fact = match found {
+            Some(Member::Joint(joint)) => return Some(joint),
+            Some(_) => format!("`{text}` is a body, not a joint"),
+            None => format!("unknown joint `{text}`"),
+        };
+        let names = self.members(|member| matches!(member, Member::Joint(_)));
+        let help = match (nearest(&text, names.iter().copied()), found) {
+            (Some(name), _) => format!("did you mean `{name}`?"),
+            (None, Some(Member::Body(body))) => {
+                let kind = self.mechanics.joints[body].word();
+                format!("give the joint that it hangs on a name: `{kind} NAME on ...`")
+            }
+            (None, _) if names.is_empty() => {
+                "give the joint a name: `pin NAME on frame at ...`".to_owned()
+            }
+            (None, _) => format!("joints are `{}`", names.join("`, `")),
+        };
+        self.diagnostics.error_with_help(ident.into(), fact, help);
+        None
+    }
+
+    fn members(&self, wanted: fn(Member) -> bool) -> Vec<&str> {
+        let members = self.mechanics.members.iter();
+        members
+            .filter(|(_, (member, _))| wanted(*member))
+            .map(|(name, _)| name.as_str())
+            .collect()
+    }
+}
+
+impl JointKind {
+    /// As it is written.
+    pub(in crate::model) fn word(self) -> &'static str {
+        match self {
+            JointKind::Pin => "pin",
+            JointKind::Slide => "slide",
+            JointKind::Ball => "ball",
+            JointKind::Cylinder => "cylinder",
+            JointKind::Fixed => "fixed",
+        }
+    }
+}
