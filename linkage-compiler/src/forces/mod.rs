@@ -14,17 +14,23 @@
 //! | `loads` | what acts on each body: inertia, weight, loads, springs, dampers |
 //! | `freedom` | motions of the tree's joints that nothing drives |
 //! | `system` | equations for the reactions of the cut joints |
+//! | `links` | links that leave one number of a reaction open |
+//! | `reactions` | the equations solved, group by group |
 //! | `wrench` | what bodies beyond a joint carry together |
 //! | `quantities` | what functions ask for |
 //! | `check` | do bodies and joints fit the motion? |
+//! | `print` | how reactions are found, for golden files |
 
 mod check;
 mod freedom;
 mod geometry;
 mod inertia;
+mod links;
 mod loads;
 mod motion;
+mod print;
 mod quantities;
+mod reactions;
 mod system;
 mod tree;
 mod vector;
@@ -45,6 +51,7 @@ use tree::Tree;
 use wrench::Wrench;
 
 pub(crate) use check::check;
+pub(crate) use print::describe;
 
 /// All that is known of the mechanics, made when it is asked for.
 #[derive(Debug)]
@@ -71,6 +78,8 @@ pub(crate) struct Mechanics<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
     forces: &'a mut Forces,
     speeds: Speeds,
+    /// Whether reactions are asked for.
+    with_reactions: bool,
 }
 
 impl Forces {
@@ -87,17 +96,20 @@ impl Forces {
         }
     }
 
-    /// For a function that lists these inputs and arguments: speeds that it does not list are zero.
+    /// For a function that lists these inputs and arguments: speeds that it does not list are zero. Drives are found from the joints if
+    /// reactions are asked for, too.
     pub(crate) fn at<'a, 'm>(
         &'a mut self,
         algebra: &'a mut Algebra<'m>,
         listed: &[usize],
+        with_reactions: bool,
     ) -> Mechanics<'a, 'm> {
         let speeds = Speeds::listed(algebra.mechanism, listed);
         Mechanics {
             algebra,
             forces: self,
             speeds,
+            with_reactions,
         }
     }
 }
