@@ -178,7 +178,7 @@ impl Parser<'_> {
         self.require(&clauses, owner, &["on", "at"]);
         let lost = lost_joint(owner.span);
         let on = clauses.take_name("on").unwrap_or(lost.on);
-        let at = clauses.take_value("at").unwrap_or(lost.at);
+        let at = clauses.take_value("at").unwrap_or_else(|| lost.at.clone());
         let along = clauses.take("along");
         let about = clauses.take("about");
         if let (Some(_), Some(about)) = (&along, &about) {
@@ -186,12 +186,17 @@ impl Parser<'_> {
             let fact = format!("`along` and `about` in one `{}` joint", kind.word);
             self.diagnostics.error_with_help(about.span, &fact, help);
         }
+        let needs_direction = matches!(kind.kind, JointKind::Slide | JointKind::Cylinder);
+        let direction = match along.or(about) {
+            None if needs_direction && clauses.broken => Some(lost.at.clone()),
+            clause => clause.map(|clause| clause.value),
+        };
         JointPart {
             kind: kind.kind,
             name,
             on,
             at,
-            direction: along.or(about).map(|clause| clause.value),
+            direction,
             span: owner.span,
         }
     }

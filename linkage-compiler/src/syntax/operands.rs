@@ -30,10 +30,10 @@ impl Parser<'_> {
             false => self.before_clauses(|parser| parser.sum(PlusMinus::JointIsMistake)),
         };
         match value {
-            Ok(value) if self.at_decimal_comma() => {
+            Ok(_) if self.at_decimal_comma() => {
                 let _ = self.unexpected_after_expression::<()>("a clause");
                 self.stream.skip(2);
-                value
+                Expr::error(span)
             }
             Ok(value) => value,
             Err(_) => {
