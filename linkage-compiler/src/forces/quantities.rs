@@ -7,6 +7,7 @@ use crate::model::{Between, ElementKind, Mechanics as Quantity};
 
 use super::Mechanics;
 use super::geometry::{slides_along, turns_about};
+use super::system::Unknown;
 use super::wrench::Wrench;
 
 impl Mechanics<'_, '_> {
@@ -76,20 +77,29 @@ impl Mechanics<'_, '_> {
     fn drive_of_joints(&mut self, input: usize) -> NodeId {
         let zero = self.algebra.graph.zero();
         let system = self.system();
-        system.driven.iter().fold(zero, |sum, way| {
+        let of_joints = system.driven.iter().fold(zero, |sum, way| {
             let rate = self.driven_rate(way, input);
             if self.algebra.graph.is_zero(rate) {
                 return sum;
             }
             let carried = self.wrench(way.body, &[], &[]);
-            let carried = if way.slides {
-                carried.force
-            } else {
-                carried.moment
-            };
-            let along = self.algebra.dot(&way.direction, &carried);
+            let along = self.algebra.dot(&way.direction, carried.along(way));
             let work = self.algebra.graph.mul(rate, along);
             self.algebra.graph.sub(sum, work)
+        });
+        // Gears that run on a driven shaft load it.
+        let unknowns = system.unknowns.iter().enumerate();
+        unknowns.fold(of_joints, |sum, (index, unknown)| {
+            let Unknown::Tie(tie) = unknown else {
+                return sum;
+            };
+            let rate = self.tie_rate(tie, input);
+            if self.algebra.graph.is_zero(rate) {
+                return sum;
+            }
+            let couple = self.solved(index);
+            let work = self.algebra.graph.mul(rate, couple);
+            self.algebra.graph.add(sum, work)
         })
     }
 
