@@ -6,6 +6,7 @@ use proc_macro2::Ident;
 
 use super::mechanics::Scope;
 use super::types::{Dimension, LengthUnit, Name, ScalarParameter, Type};
+use super::units::is_unit;
 use crate::diagnostic::text::nearest;
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::syntax::{InputItem, Item, MechanismDef, SourceSpan};
@@ -227,6 +228,9 @@ impl<'a> Resolver<'a> {
         let fact = format!("unknown name `{text}`");
         let help = match nearest(&text, names) {
             Some(name) => format!("did you mean `{name}`?"),
+            None if is_unit(&text) => {
+                format!("write the unit as a factor: `1 * {text}`")
+            }
             None if super::functions::is_function(&text) => {
                 format!("`{text}` is a function: write `{text}(...)`")
             }
@@ -287,7 +291,10 @@ fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
                 "`{text}` is {}, which cannot be used here",
                 kind(symbol.name)
             ),
-            rule.to_owned(),
+            match is_unit(text) {
+                true => format!("{rule}; the name hides the unit `{text}`"),
+                false => rule.to_owned(),
+            },
         ));
     }
     let ordered = match context.place {
