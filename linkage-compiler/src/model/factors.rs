@@ -1,8 +1,9 @@
 //! Units as factors: `2.5N/mm`, `9.80665m/s^2`, `press / (3 * mm^2)`.
 
+use super::conversion::convert_product;
 use super::names::{Context, Resolver, kind};
 use super::types::{self, BinaryOp, Dimension, Expr, Type};
-use super::units::{convert_product, is_unit};
+use super::units::is_unit;
 use crate::syntax::{self, ExprKind, SourceSpan};
 
 /// A number with units, or units alone.
