@@ -4,7 +4,7 @@ use linkage_symbolic::interpret::evaluate;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Graph, NodeId};
 
-use crate::model::Expr;
+use crate::model::{Expr, ExprKind, Name, Type};
 
 use super::{Algebra, Angle, Translate, Value};
 
@@ -25,31 +25,28 @@ impl Nominal {
         let mut nominal = Self::default();
         for parameter in &mechanism.parameters {
             let count = parameter.tolerances.len();
+            let unit = &parameter.ty;
             nominal
                 .parameters
-                .extend(algebra.numbers(&parameter.nominal, count, &[]));
+                .extend(algebra.numbers(&parameter.nominal, (count, unit), &[]));
             for tolerance in &parameter.tolerances {
                 let value = tolerance
                     .as_ref()
-                    .map_or(0.0, |t| algebra.numbers(t, 1, &[])[0]);
+                    .map_or(0.0, |t| algebra.numbers(t, (1, unit), &[])[0]);
                 nominal.tolerances.push(value);
             }
         }
         for input in &mechanism.inputs {
-            nominal
-                .inputs
-                .push(algebra.numbers(&input.reference, 1, &[])[0]);
-            let range = input.range.as_ref().map(|(low, high)| {
-                (
-                    algebra.numbers(low, 1, &[])[0],
-                    algebra.numbers(high, 1, &[])[0],
-                )
-            });
+            let mut number = |expr| algebra.evaluated(expr, &[], &[])[0];
+            nominal.inputs.push(number(&input.reference));
+            let range = input.range.as_ref();
+            let range = range.map(|(low, high)| (number(low), number(high)));
             nominal.ranges.push(range);
         }
         for (unknown, item) in mechanism.unknowns.iter().enumerate() {
             let count = algebra.components_of(unknown);
-            let estimate = algebra.numbers(&item.estimate, count, &nominal.parameters);
+            let wanted = (count, &item.ty);
+            let estimate = algebra.numbers(&item.estimate, wanted, &nominal.parameters);
             nominal.estimates.push(estimate);
         }
         nominal
@@ -57,11 +54,11 @@ impl Nominal {
 }
 
 impl Nominal {
-    /// Nodes at the defaults and the reference position; NaN for what depends on modes or prepared states.
+    /// Nodes at the defaults and the reference position; NaN for what depends on modes, prepared states or arguments.
     pub(crate) fn evaluate(&self, graph: &Graph, nodes: &[NodeId]) -> Vec<f64> {
         evaluate(graph, nodes, |source| match source {
             Source::Parameter(index) => self.parameters[index],
-            Source::Input(index) => self.inputs[index],
+            Source::Input(index) => self.inputs.get(index).copied().unwrap_or(f64::NAN),
             _ => f64::NAN,
         })
     }
@@ -84,13 +81,48 @@ impl Angle {
 }
 
 impl Algebra<'_> {
-    /// An expression of constants and parameters as numbers.
-    fn numbers(&mut self, expr: &Expr, count: usize, parameters: &[f64]) -> Vec<f64> {
-        let mut numbers = self.evaluated(expr, parameters, &[]);
+    /// An expression of constants and parameters as so many numbers, in the unit of a type.
+    fn numbers(
+        &mut self,
+        expr: &Expr,
+        (count, unit): (usize, &Type),
+        parameters: &[f64],
+    ) -> Vec<f64> {
+        let scale = self.internal_per_unit(unit);
+        let mut numbers = match self.written(expr, scale) {
+            Some(numbers) => numbers,
+            None => {
+                let numbers = self.evaluated(expr, parameters, &[]).into_iter();
+                numbers.map(|number| number / scale).collect()
+            }
+        };
         if numbers.len() == 1 {
             numbers.resize(count, numbers[0]);
         }
         numbers
+    }
+
+    /// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not rounded again.
+    fn written(&self, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
+        match &expr.kind {
+            ExprKind::Number(value) => {
+                (self.internal_per_unit(&expr.ty) == scale).then(|| vec![*value])
+            }
+            ExprKind::Negate(inner) => {
+                let numbers = self.written(inner, scale)?;
+                Some(numbers.into_iter().map(|number| -number).collect())
+            }
+            ExprKind::Vector(components) => {
+                let components = components.iter();
+                let numbers: Option<Vec<_>> =
+                    components.map(|own| self.written(own, scale)).collect();
+                Some(numbers?.concat())
+            }
+            ExprKind::Name(Name::Const(index)) => {
+                self.written(&self.mechanism.constants[*index].value, scale)
+            }
+            _ => None,
+        }
     }
 
     /// The components of an expression; NaN where one depends on something that is not given.

@@ -25,7 +25,9 @@ pub(crate) trait Translate<'m> {
     fn translate(&mut self, expr: &Expr) -> Value {
         match &expr.kind {
             ExprKind::Number(value) => {
-                let node = self.algebra().graph.constant(*value);
+                let algebra = self.algebra();
+                let scale = algebra.internal_per_unit(&expr.ty);
+                let node = algebra.graph.constant(value * scale);
                 Value::Scalar(node.into())
             }
             ExprKind::Name(name) => self.algebra().name(*name),
@@ -134,13 +136,14 @@ impl Algebra<'_> {
             Name::Parameter(index) => {
                 let parameter = &self.mechanism.parameters[index];
                 let first = parameter.first_scalar.0;
+                let scale = self.internal_per_unit(&parameter.ty);
                 match parameter.ty {
                     Type::Vector(count, _) | Type::Zero(count) if count > 1 => Value::Vector(
                         (first..first + count)
-                            .map(|k| self.graph.source(Source::Parameter(k)))
+                            .map(|k| self.scaled(Source::Parameter(k), scale))
                             .collect(),
                     ),
-                    _ => Value::Scalar(self.graph.source(Source::Parameter(first)).into()),
+                    _ => Value::Scalar(self.scaled(Source::Parameter(first), scale).into()),
                 }
             }
             Name::Input(index) => {
@@ -152,7 +155,9 @@ impl Algebra<'_> {
             }
             Name::Argument(index) => {
                 let place = self.mechanism.inputs.len() + index;
-                Value::Scalar(self.input(place).into())
+                let ty = Type::Scalar(self.mechanism.arguments[index].dimension);
+                let scale = self.internal_per_unit(&ty);
+                Value::Scalar(self.scaled(Source::Input(place), scale).into())
             }
             Name::Unknown(index) => match self.bound[index].clone() {
                 Bound::Angle(angle) => Value::Scalar(self.atom(Atom::Angle(angle))),
@@ -162,6 +167,20 @@ impl Algebra<'_> {
                 },
             },
         }
+    }
+
+    /// What is given in a unit with kilograms, as the program computes with it.
+    fn scaled(&mut self, source: Source, internal_per_unit: f64) -> NodeId {
+        let given = self.graph.source(source);
+        let scale = self.graph.constant(internal_per_unit);
+        self.graph.mul(scale, given)
+    }
+
+    /// See [`Dimension::internal_per_unit`](crate::model::Dimension::internal_per_unit).
+    pub(crate) fn internal_per_unit(&self, ty: &Type) -> f64 {
+        let unit = self.mechanism.unit;
+        ty.dimension()
+            .map_or(1.0, |dimension| dimension.internal_per_unit(unit))
     }
 
     fn negate(&mut self, value: Value) -> Value {

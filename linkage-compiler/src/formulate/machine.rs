@@ -192,7 +192,7 @@ impl Machine {
     fn load(&self, source: Source, inputs: &[f64], states: &[Vec<f64>]) -> f64 {
         match source {
             Source::Parameter(index) => self.parameters[index],
-            Source::Input(index) => inputs[index],
+            Source::Input(index) => inputs.get(index).copied().unwrap_or(f64::NAN),
             Source::Mode(index) => self.modes[index],
             Source::Centre(angle) => self.centres.get(&angle).copied().unwrap_or(f64::NAN),
             Source::Winding(angle, input) => {

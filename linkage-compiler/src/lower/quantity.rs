@@ -6,7 +6,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 use crate::algebra::{Algebra, Direction, Translate, Value};
 use crate::forces::Forces;
 use crate::formulate::Formulation;
-use crate::model::{EvaluatorDef, Expr, ExprKind, Variable};
+use crate::model::{EvaluatorDef, Expr, ExprKind, Type, Variable};
 
 /// What one function computes.
 #[derive(Debug, Default)]
@@ -65,10 +65,44 @@ impl Request<'_, '_> {
         let mut nodes = Vec::new();
         for quantity in &self.definition.quantities {
             let value = self.translate(&quantity.value);
+            let value = self.in_unit(value, &quantity.value.ty);
             self.flatten(&value, &mut nodes);
         }
         self.requested.underlying.extend(&nodes);
         nodes
+    }
+
+    /// What the program has computed in the unit in which the result is given.
+    fn in_unit(&mut self, value: Value, ty: &Type) -> Value {
+        match (value, ty) {
+            (Value::Array(entries), Type::Array(types)) => {
+                let entries = entries.into_iter().zip(types);
+                Value::Array(entries.map(|(entry, ty)| self.in_unit(entry, ty)).collect())
+            }
+            (value, ty) => {
+                let scale = self.algebra.internal_per_unit(ty);
+                self.divided(value, scale)
+            }
+        }
+    }
+
+    fn divided(&mut self, value: Value, divisor: f64) -> Value {
+        if divisor == 1.0 {
+            return value;
+        }
+        match value {
+            Value::Scalar(scalar) => Value::Scalar(self.algebra.scale(&scalar, 1.0 / divisor)),
+            Value::Vector(components) => {
+                let graph = &mut self.algebra.graph;
+                let factor = graph.constant(1.0 / divisor);
+                let components = components.into_iter();
+                Value::Vector(components.map(|x| graph.mul(factor, x)).collect())
+            }
+            Value::Array(entries) => {
+                let entries = entries.into_iter();
+                Value::Array(entries.map(|entry| self.divided(entry, divisor)).collect())
+            }
+        }
     }
 
     fn flatten(&mut self, value: &Value, nodes: &mut Vec<NodeId>) {
@@ -112,11 +146,17 @@ impl Request<'_, '_> {
             Variable::Parameter(_) => self.requested.by_parameters = true,
         }
         let symbol = self.algebra.variable(variable);
-        let direction = match variable {
-            Variable::Input(_) => Direction::Forward,
-            Variable::Parameter(_) => self.direction,
+        let (direction, ty) = match variable {
+            Variable::Input(_) => (Direction::Forward, None),
+            Variable::Parameter(id) => {
+                let parameter = &self.algebra.mechanism.scalar_parameters[id.0];
+                (self.direction, Some(Type::Scalar(parameter.dimension)))
+            }
         };
-        self.slope(value, symbol, direction)
+        let slope = self.slope(value, symbol, direction);
+        // By the field, which is given in its own unit.
+        let field_unit = ty.map_or(1.0, |ty| self.algebra.internal_per_unit(&ty));
+        self.divided(slope, field_unit)
     }
 
     fn slope(&mut self, value: &Value, variable: SymbolId, direction: Direction) -> Value {
@@ -155,7 +195,9 @@ impl Request<'_, '_> {
         if order == 0 {
             return value.clone();
         }
-        let inputs = self.definition.inputs.clone();
+        let drives = 0..self.algebra.mechanism.inputs.len();
+        let inputs = self.definition.inputs.iter().copied();
+        let inputs: Vec<usize> = inputs.filter(|input| drives.contains(input)).collect();
         let mut entries = inputs.iter().map(|&input| {
             let slope = self.derivative(value, Variable::Input(input));
             self.by_inputs(&slope, order - 1)

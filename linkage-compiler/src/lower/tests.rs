@@ -1,6 +1,7 @@
 //! Sensitivities are the same in every direction, for every kind of group.
 
 mod space;
+mod units;
 
 use linkage_symbolic::interpret::evaluate;
 use linkage_symbolic::program::Source;

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Display, Formatter, Write};
 
+use super::mechanics::write_mechanics;
 use super::types::{BinaryOp, Expr, ExprKind, Mechanism, Type, Variable};
 
 /// One line for each item and quantity; every operation in parentheses, numbers in the mechanism's unit and radians.
@@ -45,6 +46,16 @@ fn write_items(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
         if let Some((low, high)) = &item.range {
             write!(out, " in {}..{}", show(low), show(high))?;
         }
+        for rate in [item.speed, item.acceleration].into_iter().flatten() {
+            write!(out, " at {}", mechanism.arguments[rate].name)?;
+        }
+        writeln!(out, ": {}", item.dimension)?;
+    }
+    for item in &mechanism.arguments {
+        write!(out, "argument {}", item.name)?;
+        if let Some(reference) = &item.reference {
+            write!(out, " = {}", show(reference))?;
+        }
         writeln!(out, ": {}", item.dimension)?;
     }
     for item in &mechanism.unknowns {
@@ -74,7 +85,7 @@ fn write_items(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
             item.left.ty
         )?;
     }
-    Ok(())
+    write_mechanics(out, mechanism)
 }
 
 fn write_functions(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
@@ -119,13 +130,13 @@ impl Display for Full<'_> {
     }
 }
 
-struct Show<'a> {
-    expr: &'a Expr,
-    mechanism: &'a Mechanism,
+pub(super) struct Show<'a> {
+    pub(super) expr: &'a Expr,
+    pub(super) mechanism: &'a Mechanism,
 }
 
 impl<'a> Show<'a> {
-    fn inner(&self, expr: &'a Expr) -> Show<'a> {
+    pub(super) fn inner(&self, expr: &'a Expr) -> Show<'a> {
         Show {
             expr,
             mechanism: self.mechanism,
@@ -195,14 +206,14 @@ impl Display for Show<'_> {
                 let names = parameters.iter().map(|scalar| Variable::Parameter(*scalar));
                 separated(f, "[", names.map(|variable| self.variable(variable)), "])")
             }
-            ExprKind::Mechanics(_) => Ok(()),
+            ExprKind::Mechanics(quantity) => self.quantity(f, quantity),
             ExprKind::Margin => f.write_str("margin()"),
             ExprKind::Error => f.write_str("<error>"),
         }
     }
 }
 
-fn separated<T: Display>(
+pub(super) fn separated<T: Display>(
     f: &mut Formatter,
     open: &str,
     entries: impl Iterator<Item = T>,

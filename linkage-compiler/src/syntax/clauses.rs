@@ -1,9 +1,8 @@
-//! Clauses: a word and what belongs to it, as in `on crank at p2`.
+//! Clauses: a word and what belongs to it, as in `on crank at p2`. Which an item has, in any order.
 
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::Ident;
 
 use super::ast::{Expr, SourceSpan};
-use super::expression::PlusMinus;
 use super::parser::{Parsed, Parser};
 use super::words;
 use crate::diagnostic::text::{list, nearest};
@@ -11,9 +10,9 @@ use crate::diagnostic::text::{list, nearest};
 /// A clause that an item may have.
 #[derive(Clone, Copy)]
 pub(super) struct Rule {
-    word: &'static str,
+    pub(super) word: &'static str,
     content: Content,
-    point: Point,
+    pub(super) point: Point,
     repeats: bool,
 }
 
@@ -26,7 +25,7 @@ enum Content {
 
 /// Whether `at POINT` belongs to the clause.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Point {
+pub(super) enum Point {
     Never,
     Optional,
     Required,
@@ -72,6 +71,10 @@ impl Rule {
         }
     }
 
+    fn is_named(&self) -> bool {
+        matches!(self.content, Content::Name(_))
+    }
+
     /// How a clause is read that belongs to other items.
     fn foreign(word: &'static str) -> Self {
         match word {
@@ -92,11 +95,21 @@ pub(super) struct Clause {
     pub(super) span: SourceSpan,
 }
 
+/// What messages say of the item that the clauses belong to.
+#[derive(Clone, Copy)]
+pub(super) struct Owner<'a> {
+    /// `force`, `body on a `pin` joint`: what follows an article.
+    pub(super) what: &'a str,
+    /// How the item is written.
+    pub(super) form: &'a str,
+    pub(super) span: SourceSpan,
+}
+
 /// All clauses of one item.
 #[derive(Default)]
 pub(super) struct Clauses {
     found: Vec<Clause>,
-    /// Something could not be read: what seems to be missing may be there.
+    /// Something could not be read: what seems to be missing may be meant by it.
     pub(super) broken: bool,
 }
 
@@ -114,8 +127,8 @@ impl Clauses {
         self.take(word).map(|clause| clause.value)
     }
 
-    pub(super) fn take_all(&mut self, word: &str) -> Vec<Clause> {
-        std::iter::from_fn(|| self.take(word)).collect()
+    pub(super) fn take_all(&mut self, word: &str) -> impl Iterator<Item = Clause> {
+        std::iter::from_fn(move || self.take(word))
     }
 
     fn has(&self, word: &str) -> bool {
@@ -124,177 +137,122 @@ impl Clauses {
 }
 
 impl Parser<'_> {
-    /// The clauses of an item in any order, commas between them or not, to the end of the item.
-    pub(super) fn clauses(&mut self, item: &str, rules: &[Rule]) -> Clauses {
+    /// The clauses of an item, commas between them or not, to its end.
+    pub(super) fn clauses(&mut self, owner: Owner, rules: &[Rule]) -> Clauses {
         let mut clauses = Clauses::default();
         loop {
-            let is_decimal_comma = self.stream.is_punct(0, ',') && self.stream.literal(1).is_some();
-            if !is_decimal_comma {
-                self.stream.eat_punct(',');
-            }
+            self.stream.eat_punct(',');
             if self.at_end_of_clauses() {
                 return clauses;
             }
-            if self.clause(item, rules, &mut clauses).is_err() {
-                clauses.broken = true;
-                self.stream.skip(1);
-                self.skip_clause();
+            let start = self.stream.span();
+            match self.clause_word(owner, rules, &clauses) {
+                Ok((rule, known)) => {
+                    let known = known && !self.is_second(owner, &rule, start, &clauses);
+                    let clause = self.clause(&rule, start);
+                    clauses.broken |= rule.is_named() && clause.name.is_none();
+                    clauses.found.extend(Some(clause).filter(|_| known));
+                }
+                Err(_) => {
+                    clauses.broken = true;
+                    self.stream.skip(1);
+                    self.skip_to_clause(rules);
+                }
             }
         }
-    }
-
-    /// Reports a clause that is missing.
-    pub(super) fn require(
-        &mut self,
-        clauses: &Clauses,
-        item: &str,
-        span: SourceSpan,
-        (word, wanted): (&str, &str),
-    ) {
-        if !clauses.broken && !clauses.has(word) {
-            let fact = format!("the `{item}` lacks `{word}`");
-            let help = format!("write `{wanted}`");
-            self.diagnostics.error_with_help(span, &fact, &help);
-        }
-    }
-
-    fn at_end_of_clauses(&self) -> bool {
-        self.stream.at_end()
-            || self.stream.is_punct(0, ';')
-            || self.stream.is_punct(0, '#')
-            || self.at_item()
-    }
-
-    fn clause(&mut self, item: &str, rules: &[Rule], clauses: &mut Clauses) -> Parsed<()> {
-        let start = self.stream.span();
-        let (rule, known) = self.rule(item, rules)?;
-        self.stream.skip(1);
-        let second = known && !rule.repeats && clauses.has(rule.word);
-        if second {
-            let fact = format!("a second `{}`", rule.word);
-            let help = format!("`{item}` has one");
-            self.diagnostics.error_with_help(start, &fact, &help);
-        }
-        let mut clause = Clause {
-            word: rule.word,
-            name: None,
-            value: Expr::error(start),
-            point: None,
-            span: start,
-        };
-        match rule.content {
-            Content::Name(what) => {
-                clause.name = self.clause_name(rule.word, what);
-                clauses.broken |= clause.name.is_none();
-            }
-            Content::Value => clause.value = self.clause_value(rule.word),
-        }
-        clause.point = self.clause_point(&rule);
-        clause.span = start.to(self.stream.previous_span());
-        if known && !second {
-            clauses.found.push(clause);
-        }
-        Ok(())
     }
 
     /// What the next word begins, and whether the item may have it.
-    fn rule(&mut self, item: &str, rules: &[Rule]) -> Parsed<(Rule, bool)> {
+    fn clause_word(
+        &mut self,
+        owner: Owner,
+        rules: &[Rule],
+        clauses: &Clauses,
+    ) -> Parsed<(Rule, bool)> {
         let Some(ident) = self.stream.ident(0).cloned() else {
             return self.unexpected_after_expression("a clause or `;`");
         };
+        let find = |word: &str| rules.iter().find(|rule| rule.word == word).copied();
         let word = ident.to_string();
-        if let Some(rule) = rules.iter().find(|rule| rule.word == word) {
-            return Ok((*rule, true));
+        if let Some(rule) = find(&word) {
+            self.stream.skip(1);
+            return Ok((rule, true));
         }
         let words: Vec<&str> = rules.iter().map(|rule| rule.word).collect();
-        let all = format!("clauses of `{item}` are {}", list(&words));
+        let all = format!("clauses of a {} are {}", owner.what, list(&words));
         if let Some(word) = words::clause(&word) {
-            let fact = format!("`{word}` does not belong to `{item}`");
+            let fact = format!("`{word}` does not belong to a {}", owner.what);
             let span = (&ident).into();
             self.diagnostics.error_with_help(span, &fact, &all);
+            self.stream.skip(1);
             return Ok((Rule::foreign(word), false));
         }
-        let meant = nearest(&word, words.iter().copied());
-        let help = meant.map_or(all, |meant| format!("did you mean `{meant}`?"));
-        let reported = self.expected("a clause or `;`", &help);
-        match rules.iter().find(|rule| Some(rule.word) == meant) {
-            Some(rule) => Ok((*rule, true)),
-            None => reported,
-        }
-    }
-
-    fn clause_name(&mut self, word: &str, what: &str) -> Option<Ident> {
-        let wanted = format!("{what} after `{word}`");
-        let name = match self.lacks_operand() {
-            true => self.expected(&wanted, ""),
-            false => self.name(&wanted),
-        };
-        if name.is_err() {
-            self.skip_clause();
-        }
-        name.ok()
-    }
-
-    /// The expression after a clause's or a load's word; a mistake in it has been read over.
-    pub(super) fn clause_value(&mut self, word: &str) -> Expr {
-        let span = self.stream.previous_span();
-        let value = match self.lacks_operand() {
-            true => self.expected(&format!("an expression after `{word}`"), ""),
-            false => self.sum(PlusMinus::JointIsMistake),
-        };
-        value.unwrap_or_else(|_| {
-            self.skip_clause();
-            Expr::error(span)
-        })
-    }
-
-    fn clause_point(&mut self, rule: &Rule) -> Option<Expr> {
-        if rule.point == Point::Never {
-            return None;
-        }
-        if self.stream.eat_word("at") {
-            return Some(self.clause_value("at"));
-        }
-        if rule.point == Point::Optional {
-            return None;
-        }
-        let word = rule.word;
-        let help = format!("write `{word} ... at POINT`");
-        let _ = self.expected::<()>(&format!("`at` to complete `{word}`"), &help);
-        // With a comma in front it is meant all the same.
-        if self.stream.is_punct(0, ',') && self.stream.is_word(1, "at") {
-            self.stream.skip(2);
-            return Some(self.clause_value("at"));
-        }
-        Some(Expr::error(self.stream.previous_span()))
-    }
-
-    /// A clause begins here where an operand should stand. A name may look like a clause's word, but what follows
-    /// a name is no operand.
-    fn lacks_operand(&self) -> bool {
-        self.at_clause_word() && self.at_operand(1)
-    }
-
-    pub(super) fn at_clause_word(&self) -> bool {
-        self.stream
-            .ident(0)
-            .is_some_and(|ident| words::clause(&ident.to_string()).is_some())
-    }
-
-    fn at_operand(&self, ahead: usize) -> bool {
-        let is_name = |ident: &Ident| words::clause(&ident.to_string()).is_none();
-        self.stream.ident(ahead).is_some_and(is_name)
-            || self.stream.literal(ahead).is_some()
-            || self.stream.group(ahead, Delimiter::Parenthesis).is_some()
-    }
-
-    /// To the next clause or the end of the item, after a mistake.
-    fn skip_clause(&mut self) {
-        while !self.at_end_of_clauses()
-            && !self.stream.is_punct(0, ',')
-            && !(self.at_clause_word() && self.at_operand(1))
-        {
+        if let Some(rule) = nearest(&word, words).and_then(find) {
+            let help = format!("did you mean `{}`?", rule.word);
+            let _ = self.expected::<()>("a clause or `;`", &help);
             self.stream.skip(1);
+            return Ok((rule, true));
         }
+        let first = rules[0].word;
+        let is_body = !self.at_operand(1) && !self.stream.is_word(1, "on");
+        if first == "on" && clauses.found.is_empty() && !clauses.broken && is_body {
+            let _ = self.expected::<()>("`on`", &format!("write `on {word}`"));
+            return Ok((rules[0], true));
+        }
+        self.expected("a clause or `;`", &all)
+    }
+
+    fn is_second(
+        &mut self,
+        owner: Owner,
+        rule: &Rule,
+        start: SourceSpan,
+        clauses: &Clauses,
+    ) -> bool {
+        let second = !rule.repeats && clauses.has(rule.word);
+        if second {
+            let fact = format!("a second `{}`", rule.word);
+            let help = format!("a {} has one", owner.what);
+            self.diagnostics.error_with_help(start, &fact, &help);
+        }
+        second
+    }
+
+    /// What follows the clause's word.
+    fn clause(&mut self, rule: &Rule, start: SourceSpan) -> Clause {
+        let (name, value) = match rule.content {
+            Content::Name(what) => (self.clause_name(rule.word, what), Expr::error(start)),
+            Content::Value => (None, self.clause_value(rule.word)),
+        };
+        let lost = rule.is_named() && name.is_none();
+        let point = match lost && !self.stream.is_word(0, "at") {
+            true => None,
+            false => self.clause_point(rule, start),
+        };
+        Clause {
+            word: rule.word,
+            name,
+            value,
+            point,
+            span: start.to(self.stream.previous_span()),
+        }
+    }
+
+    /// Reports those of the words that no clause begins with.
+    pub(super) fn require(&mut self, clauses: &Clauses, owner: Owner, words: &[&str]) {
+        let missing: Vec<&str> = words
+            .iter()
+            .copied()
+            .filter(|word| !clauses.has(word))
+            .collect();
+        if !missing.is_empty() && !clauses.broken {
+            let fact = format!("the {} lacks {}", owner.what, list(&missing));
+            self.lacks(owner, &fact);
+        }
+    }
+
+    pub(super) fn lacks(&mut self, owner: Owner, fact: &str) {
+        let help = format!("write `{}`", owner.form);
+        self.diagnostics.error_with_help(owner.span, fact, &help);
     }
 }

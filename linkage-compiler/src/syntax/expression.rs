@@ -159,7 +159,10 @@ impl Parser<'_> {
     fn primary(&mut self) -> Parsed<Expr> {
         let span = self.stream.span();
         match self.stream.peek(0).cloned() {
-            Some(TokenTree::Literal(_)) => self.number(),
+            Some(TokenTree::Literal(_)) => {
+                let number = self.number()?;
+                self.no_power_of_number(number)
+            }
             Some(TokenTree::Ident(ident)) => self.name_or_call(ident),
             Some(TokenTree::Group(group)) => match group.delimiter() {
                 Delimiter::Parenthesis | Delimiter::None => self.parenthesis(&group),
@@ -196,8 +199,9 @@ impl Parser<'_> {
             let help = "only names of this mechanism and `PI` can be used";
             return self.fail("a path cannot stand here", help);
         }
-        // `param a = ` while it is being typed: the next item is not its value.
-        if is_keyword(&ident.to_string()) || self.at_declaration() {
+        // `param a = ` while it is being typed: the next item is not its value, nor is a clause after `mass 2 * `.
+        let clause_here = self.clauses_follow() && self.lacks_operand();
+        if is_keyword(&ident.to_string()) || self.at_declaration() || clause_here {
             return self.expected("an expression", "");
         }
         self.stream.skip(1);

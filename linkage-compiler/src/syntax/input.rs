@@ -1,10 +1,12 @@
 //! Inputs: value, range, speed and acceleration.
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, TokenTree};
 
 use super::ast::{Attribute, Expr, InputItem, Item};
 use super::expression::PlusMinus;
 use super::parser::{Parsed, Parser};
+
+const RATES: &str = "`at` names the arguments that are its speed and acceleration: `input phi = 30deg at omega, epsilon;`";
 
 impl Parser<'_> {
     /// `NAME = expr [in lo..hi] [at SPEED [, ACCELERATION]] ;` after `input`, and whether its end has been reached.
@@ -23,28 +25,49 @@ impl Parser<'_> {
     }
 
     fn input_parts(&mut self, input: &mut InputItem) -> Parsed<()> {
-        self.equals()?;
+        self.equals("")?;
         input.value = self.sum(PlusMinus::JointIsMistake)?;
-        if self.stream.eat_word("in") {
-            input.range = Some(self.range()?);
-        }
-        if self.stream.eat_word("at") {
-            input.speed = Some(self.rate("speed")?);
-            if self.stream.eat_punct(',') {
-                input.acceleration = Some(self.rate("acceleration")?);
+        loop {
+            if input.range.is_none() && self.stream.eat_word("in") {
+                input.range = Some(self.range()?);
+            } else if input.speed.is_none() && self.stream.eat_word("at") {
+                self.rates(input)?;
+            } else if self.at_clause_word() {
+                return self.expected("`in`, `at` or `;`", RATES);
+            } else {
+                return self.end_of_item();
             }
         }
-        self.end_of_item()
+    }
+
+    /// `SPEED [, ACCELERATION]`
+    fn rates(&mut self, input: &mut InputItem) -> Parsed<()> {
+        input.speed = Some(self.rate("speed")?);
+        if self.stream.eat_punct(',') {
+            input.acceleration = Some(self.rate("acceleration")?);
+        }
+        match self.stream.peek(0) {
+            Some(TokenTree::Ident(next))
+                if input.acceleration.is_none() && next != "in" && !self.at_item() =>
+            {
+                self.expected("`,` or `;`", RATES)
+            }
+            Some(TokenTree::Punct(next)) if next.as_char() == ',' => self.expected("`;`", RATES),
+            _ => Ok(()),
+        }
     }
 
     fn range(&mut self) -> Parsed<(Expr, Expr)> {
+        if self.lacks_operand() {
+            return self.expected("the lower end of the range", "write `in 0deg..360deg`");
+        }
         let low = self.expression()?;
         if !self.stream.is_puncts("..") {
             return self.unexpected_after_expression("`..` between the ends of the range");
         }
         self.stream.skip(2);
         self.stream.eat_punct('=');
-        if self.stream.at_end() || self.stream.is_punct(0, ';') || self.at_rates() {
+        if self.lacks_operand() {
             return self.fail(
                 "the range has no upper end",
                 "write both ends: `0deg..360deg`",
@@ -54,18 +77,12 @@ impl Parser<'_> {
         Ok((low, high))
     }
 
-    /// `at` and a name, where an expression may stand too.
-    fn at_rates(&self) -> bool {
-        self.stream.is_word(0, "at") && self.stream.ident(1).is_some()
-    }
-
     /// The argument that is the input's speed or acceleration.
     fn rate(&mut self, what: &str) -> Parsed<Ident> {
-        if self.stream.ident(0).is_none() {
-            let help =
-                "name the arguments that functions take: `input phi = 30deg at omega, epsilon;`";
-            return self.expected(&format!("a name for the {what} after `at`"), help);
+        let wanted = format!("a name for the {what} after `at`");
+        match self.stream.ident(0) {
+            None => self.expected(&wanted, RATES),
+            Some(_) => self.name(&wanted),
         }
-        self.name(&format!("a name for the {what} after `at`"))
     }
 }

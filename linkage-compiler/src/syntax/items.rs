@@ -8,7 +8,7 @@ use super::ast::{
 use super::expression::PlusMinus;
 use super::joints::Kind;
 use super::parser::{Parsed, Parser};
-use super::words::ITEMS;
+use super::words::{self, ITEMS};
 use crate::diagnostic::text::nearest;
 
 impl Parser<'_> {
@@ -136,6 +136,9 @@ impl Parser<'_> {
         }
         let help = match word.as_str() {
             "fn" => "functions belong in the `impl` block after the struct".to_owned(),
+            clause if words::clause(clause).is_some() => {
+                "a clause belongs before the `;` of its body, joint or load".to_owned()
+            }
             "pub" => "leave `pub` out: every `param` is a public field".to_owned(),
             _ => match nearest(&word, ITEMS) {
                 Some(item) => format!("did you mean `{item}`?"),
@@ -151,7 +154,7 @@ impl Parser<'_> {
         rule: impl FnOnce(&mut Self) -> Parsed<T>,
     ) -> (Result<T, SourceSpan>, bool) {
         let span = self.stream.previous_span();
-        let value = match self.equals() {
+        let value = match self.equals("") {
             Ok(()) => rule(self),
             Err(reported) => Err(reported),
         };
@@ -161,7 +164,8 @@ impl Parser<'_> {
         }
     }
 
-    pub(super) fn equals(&mut self) -> Parsed<()> {
+    /// `=`; `help` says what to write if it is missing.
+    pub(super) fn equals(&mut self, help: &str) -> Parsed<()> {
         if self.stream.eat_punct('=') {
             return match self.stream.is_punct(0, '=') {
                 true => self.fail("expected `=`, found `==`", "write `=`"),
@@ -170,7 +174,7 @@ impl Parser<'_> {
         }
         let help = match self.stream.is_punct(0, ':') {
             true => "leave the type out: the value gives it",
-            false => "",
+            false => help,
         };
         self.expected("`=`", help)
     }
@@ -197,7 +201,7 @@ impl Parser<'_> {
         if !self.stream.is_punct(0, '=') {
             return self.unexpected_after_expression("`=`");
         }
-        self.equals()?;
+        self.equals("")?;
         let right = self.expression()?;
         let span = start.to(right.span);
         Ok(LoopItem { left, right, span })

@@ -6,8 +6,8 @@ use super::ast::{
     Attribute, BodyItem, Expr, InertiaPart, Item, JointItem, JointKind, JointPart, MassPart,
     SourceSpan,
 };
-use super::clauses::{Clause, Clauses, Rule};
-use super::parser::{Parsed, Parser};
+use super::clauses::{Clause, Clauses, Owner, Rule};
+use super::parser::{Parsed, Parser, Reported};
 use crate::diagnostic::text::nearest;
 
 const KINDS: [(&str, JointKind); 5] = [
@@ -71,33 +71,28 @@ impl Parser<'_> {
     }
 
     fn body_parts(&mut self, body: &mut BodyItem) -> Parsed<()> {
-        self.equals()?;
+        let equals = self.equals("write `body NAME = pin on BODY at POINT, ...`");
+        if equals.is_err() && self.kind_ahead().is_none() {
+            return equals;
+        }
         let kind = self.kind()?;
         let named = self.stream.ident(0).is_some() && !self.at_clause_word();
-        let name = match named {
-            true => Some(self.name("the name of the joint")?),
-            false => None,
-        };
+        let name = named.then(|| self.joint_name(kind)).flatten();
+        let word = kind.word;
+        let span = kind.span.to(self.stream.previous_span());
         let rules = [joint_rules(kind.kind), &BODY].concat();
-        let mut clauses = self.clauses(kind.word, &rules);
+        let of_body = Owner {
+            what: &format!("body on a `{word}` joint"),
+            form: &format!("{word} on BODY at POINT"),
+            span,
+        };
+        let mut clauses = self.clauses(of_body, &rules);
         body.turns = clauses
             .take_value("turns")
-            .or_else(|| clauses.broken.then(|| Expr::error(kind.span)));
-        let mass = |clause: Clause| MassPart {
-            at: clause.point.unwrap_or_else(|| Expr::error(clause.span)),
-            mass: clause.value,
-        };
-        body.masses = clauses.take_all("mass").into_iter().map(mass).collect();
-        let inertia = |clause: Clause| InertiaPart {
-            inertia: clause.value,
-            at: clause.point,
-        };
-        body.inertias = clauses
-            .take_all("inertia")
-            .into_iter()
-            .map(inertia)
-            .collect();
-        body.joint = self.joint_part(kind, name, clauses);
+            .or_else(|| clauses.broken.then(|| Expr::error(span)));
+        body.masses = clauses.take_all("mass").map(mass).collect();
+        body.inertias = clauses.take_all("inertia").map(inertia).collect();
+        body.joint = self.joint_part(kind, name, of_body, clauses);
         self.end_of_item()
     }
 
@@ -107,64 +102,119 @@ impl Parser<'_> {
         kind: Kind,
         attributes: Vec<Attribute>,
     ) -> Parsed<(Item, bool)> {
-        let name = self.name(&format!("a name after `{}`", kind.word))?;
-        self.equals()?;
-        let body = self.name("the name of a body")?;
-        let clauses = self.clauses(kind.word, joint_rules(kind.kind));
-        let joint = self.joint_part(kind, Some(name), clauses);
+        let word = kind.word;
+        let form = format!("{word} NAME = BODY on BODY at POINT");
+        let help = format!("write `{form}`");
+        let name = match self.stream.is_punct(0, '=') {
+            true => self.expected(&format!("a name after `{word}`"), &help).ok(),
+            false => self.joint_name(kind),
+        };
+        self.equals(&help)?;
+        let body = match self.lacks_operand() {
+            true => self.expected("the name of a body after `=`", &help).ok(),
+            false => Some(self.name("the name of a body after `=`")?),
+        };
+        let owner = Owner {
+            what: &format!("`{word}` joint"),
+            form: &form,
+            span: kind
+                .span
+                .to(name.as_ref().map_or(kind.span, SourceSpan::from)),
+        };
+        let clauses = self.clauses(owner, joint_rules(kind.kind));
+        let name = name.ok_or(Reported);
+        let joint = self.joint_part(kind, Some(name?), owner, clauses);
         let item = JointItem {
             attributes,
-            body,
+            body: body.ok_or(Reported)?,
             joint,
         };
         Ok((Item::Joint(item), self.end_of_item().is_ok()))
     }
 
+    /// The name of a joint; one that is none has been read over.
+    fn joint_name(&mut self, kind: Kind) -> Option<Ident> {
+        let name = self.name(&format!("a name after `{}`", kind.word));
+        self.stream.skip(usize::from(name.is_err()));
+        name.ok()
+    }
+
+    fn kind_ahead(&self) -> Option<Kind> {
+        let word = self.stream.ident(0)?.to_string();
+        Kind::find(&word, self.stream.span())
+    }
+
+    /// The joint's word. One that is near is taken for it.
     fn kind(&mut self) -> Parsed<Kind> {
-        let span = self.stream.span();
-        let word = self.stream.ident(0).map(ToString::to_string);
-        let word = word.unwrap_or_default();
-        if let Some(kind) = Kind::find(&word, span) {
+        if let Some(kind) = self.kind_ahead() {
             self.stream.skip(1);
             return Ok(kind);
         }
         let words = KINDS.map(|(word, _)| word);
-        let help = match nearest(&word, words) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None => format!("joints are {}", words.join(" ")),
+        let word = self.stream.ident(0).map(ToString::to_string);
+        let word = word.unwrap_or_default();
+        let Some(meant) = other_word(&word).or_else(|| nearest(&word, words)) else {
+            return self.expected("a joint", &format!("joints are {}", words.join(" ")));
         };
-        self.expected("a joint", &help)
+        let _ = self.expected::<()>("a joint", &format!("did you mean `{meant}`?"));
+        let span = self.stream.span();
+        self.stream.skip(1);
+        Kind::find(meant, span).ok_or(Reported)
     }
 
-    /// What the clauses say of the joint. A clause that is missing is reported.
-    fn joint_part(&mut self, kind: Kind, name: Option<Ident>, mut clauses: Clauses) -> JointPart {
-        let span = match &name {
-            Some(name) => kind.span.to(name.into()),
-            None => kind.span,
-        };
-        let lost = lost_joint(span);
-        let word = kind.word;
-        for (clause, wanted) in [("on", "on BODY"), ("at", "at POINT")] {
-            self.require(&clauses, word, span, (clause, wanted));
-        }
+    /// What the clauses say of the joint. Clauses that are missing are reported.
+    fn joint_part(
+        &mut self,
+        kind: Kind,
+        name: Option<Ident>,
+        owner: Owner,
+        mut clauses: Clauses,
+    ) -> JointPart {
+        self.require(&clauses, owner, &["on", "at"]);
+        let lost = lost_joint(owner.span);
         let on = clauses.take_name("on").unwrap_or(lost.on);
         let at = clauses.take_value("at").unwrap_or(lost.at);
         let along = clauses.take("along");
         let about = clauses.take("about");
         if let (Some(_), Some(about)) = (&along, &about) {
             let help = "both words name its axis: write one of them";
-            let fact = format!("`along` and `about` in one `{word}`");
+            let fact = format!("`along` and `about` in one `{}` joint", kind.word);
             self.diagnostics.error_with_help(about.span, &fact, help);
         }
-        let direction = along.or(about).map(|clause| clause.value);
         JointPart {
             kind: kind.kind,
             name,
             on,
             at,
-            direction,
-            span,
+            direction: along.or(about).map(|clause| clause.value),
+            span: owner.span,
         }
+    }
+}
+
+/// The word here for what others call so.
+fn other_word(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "hinge" | "revolute" | "pivot" => "pin",
+        "slider" | "prismatic" | "guide" => "slide",
+        "sphere" | "spherical" | "socket" => "ball",
+        "cylindrical" => "cylinder",
+        "weld" | "rigid" => "fixed",
+        _ => return None,
+    })
+}
+
+fn mass(clause: Clause) -> MassPart {
+    MassPart {
+        at: clause.point.unwrap_or_else(|| Expr::error(clause.span)),
+        mass: clause.value,
+    }
+}
+
+fn inertia(clause: Clause) -> InertiaPart {
+    InertiaPart {
+        inertia: clause.value,
+        at: clause.point,
     }
 }
 

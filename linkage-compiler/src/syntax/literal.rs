@@ -116,8 +116,9 @@ fn other_spelling(text: &str, suffix: &str) -> Option<String> {
         "micron" | "microns" => "um",
         "degree" | "degrees" => "deg",
         "radian" | "radians" => "rad",
-        "min" | "arcminute" => "arcmin",
-        "sec" | "arcsecond" => "arcsec",
+        "arcminute" => "arcmin",
+        "arcsecond" => "arcsec",
+        "sec" => return Some(format!("`{text}s` for time, `{text}arcsec` for an angle")),
         "rev" | "turns" => "turn",
         _ => return compound(text, suffix),
     };

@@ -2,14 +2,12 @@
 
 use proc_macro2::Ident;
 
-use super::ast::{Between, ElementItem, Expr, GravityItem, LoadItem, SourceSpan};
-use super::clauses::{Clause, Clauses, Rule};
+use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem, SourceSpan};
+use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::expression::PlusMinus;
 use super::parser::{Parsed, Parser, Reported};
 
 const BODY: &str = "the name of a body";
-
-const ENDS: &str = "write `from BODY at POINT to BODY at POINT`, or `on JOINT`";
 
 const FORCE: [Rule; 3] = [
     Rule::name("on", BODY),
@@ -30,76 +28,95 @@ const SPRING: [Rule; 4] = [DAMPER[0], DAMPER[1], DAMPER[2], Rule::value("free")]
 impl Parser<'_> {
     /// `= expr` after `gravity`.
     pub(super) fn gravity(&mut self, start: SourceSpan) -> Parsed<GravityItem> {
-        self.equals()?;
+        self.equals("write `gravity = VECTOR;`")?;
         let value = self.sum(PlusMinus::JointIsMistake)?;
         let span = start.to(value.span);
         Ok(GravityItem { value, span })
     }
 
     /// `expr on BODY [from BODY] at expr` after `force`; no `at` after `torque`.
-    pub(super) fn load(&mut self, word: &str, start: SourceSpan) -> Parsed<LoadItem> {
+    pub(super) fn load(&mut self, word: &str, span: SourceSpan) -> Parsed<LoadItem> {
         let is_force = word == "force";
-        let value = self.clause_value(word);
-        let rules: &[Rule] = if is_force { &FORCE } else { &TORQUE };
-        let mut clauses = self.clauses(word, rules);
-        self.require(&clauses, word, start, ("on", "on BODY"));
-        if is_force {
-            self.require(&clauses, word, start, ("at", "at POINT"));
-        }
-        let at = clauses.take_value("at");
-        let Some(on) = clauses.take_name("on") else {
-            return Err(Reported);
+        let (what, form, rules, needed): (_, _, &[Rule], &[&str]) = match is_force {
+            true => (
+                "force",
+                "force VECTOR on BODY at POINT",
+                &FORCE,
+                &["on", "at"],
+            ),
+            false => ("torque", "torque VALUE on BODY", &TORQUE, &["on"]),
         };
-        if is_force && at.is_none() {
-            return Err(Reported);
+        let owner = Owner { what, form, span };
+        let value = self.load_value(word, owner)?;
+        let mut clauses = self.clauses(owner, rules);
+        self.require(&clauses, owner, needed);
+        let at = clauses.take_value("at");
+        let on = clauses.take_name("on");
+        match on.filter(|_| at.is_some() == is_force) {
+            Some(on) => Ok(LoadItem {
+                value,
+                on,
+                from: clauses.take_name("from"),
+                at,
+                span: span.to(self.stream.previous_span()),
+            }),
+            None => Err(Reported),
         }
-        Ok(LoadItem {
-            value,
-            on,
-            from: clauses.take_name("from"),
-            at,
-            span: start.to(self.stream.previous_span()),
-        })
     }
 
     /// `expr from BODY at expr to BODY at expr` or `expr on JOINT` after `spring` or `damper`.
-    pub(super) fn element(&mut self, word: &str, start: SourceSpan) -> Parsed<ElementItem> {
-        let value = self.clause_value(word);
-        let rules: &[Rule] = if word == "spring" { &SPRING } else { &DAMPER };
-        let mut clauses = self.clauses(word, rules);
-        let between = self.between(&mut clauses, word, start)?;
+    pub(super) fn element(&mut self, word: &str, span: SourceSpan) -> Parsed<ElementItem> {
+        let (what, rules): (_, &[Rule]) = match word {
+            "spring" => ("spring", &SPRING),
+            _ => ("damper", &DAMPER),
+        };
+        let form =
+            format!("{word} VALUE from BODY at POINT to BODY at POINT` or `{word} VALUE on JOINT");
+        let form = form.as_str();
+        let owner = Owner { what, form, span };
+        let value = self.load_value(word, owner)?;
+        let mut clauses = self.clauses(owner, rules);
+        let between = self.between(owner, &mut clauses)?;
         Ok(ElementItem {
             value,
             between,
             free: clauses.take_value("free"),
-            span: start.to(self.stream.previous_span()),
+            span: span.to(self.stream.previous_span()),
         })
     }
 
-    fn between(&mut self, clauses: &mut Clauses, word: &str, start: SourceSpan) -> Parsed<Between> {
-        let [on, from, to] = ["on", "from", "to"].map(|word| clauses.take(word));
-        let fact = match (&on, &from, &to) {
-            _ if clauses.broken => return Err(Reported),
-            (Some(on), Some(_), _) | (Some(on), _, Some(_)) => {
-                let fact = format!("`on` and points in one `{word}`");
-                return self.fail_at(on.span, fact, ENDS);
-            }
-            (None, None, None) => format!("the `{word}` has no ends"),
-            (None, None, Some(_)) => format!("the `{word}` lacks `from`"),
-            (None, Some(_), None) => format!("the `{word}` lacks `to`"),
-            _ => String::new(),
-        };
-        match (on, from.and_then(end), to.and_then(end)) {
-            (
-                Some(Clause {
-                    name: Some(joint), ..
-                }),
-                None,
-                None,
-            ) => Ok(Between::Joint(joint)),
-            (None, Some(from), Some(to)) => Ok(Between::Points([from, to])),
-            _ => self.fail_at(start, fact, ENDS),
+    /// The value after the item's word; an error if nothing else is left of the item.
+    fn load_value(&mut self, word: &str, owner: Owner) -> Parsed<Expr> {
+        let named = self.stream.ident(0).is_some() && self.stream.is_punct(1, '=');
+        if named || self.stream.is_punct(0, '=') {
+            self.lacks(owner, &format!("a {} has no name and no `=`", owner.what));
+            self.stream.skip(1 + usize::from(named));
         }
+        let value = self.clause_value(word);
+        match value.kind {
+            ExprKind::Error if self.at_end_of_clauses() => Err(Reported),
+            _ => Ok(value),
+        }
+    }
+
+    fn between(&mut self, owner: Owner, clauses: &mut Clauses) -> Parsed<Between> {
+        let what = owner.what;
+        let fact = match ["on", "from", "to"].map(|word| clauses.take(word)) {
+            _ if clauses.broken => return Err(Reported),
+            [Some(on), None, None] => return on.name.map(Between::Joint).ok_or(Reported),
+            [None, Some(from), Some(to)] => {
+                let ends = end(from).zip(end(to));
+                return ends
+                    .map(|(from, to)| Between::Points([from, to]))
+                    .ok_or(Reported);
+            }
+            [None, None, None] => format!("the {what} lacks its ends"),
+            [None, None, Some(_)] => format!("the {what} lacks `from`"),
+            [None, Some(_), None] => format!("the {what} lacks `to`"),
+            [Some(_), ..] => format!("a {what} has either `on`, or `from` and `to`"),
+        };
+        self.lacks(owner, &fact);
+        Err(Reported)
     }
 }
 

@@ -11,6 +11,7 @@ mod items;
 mod joints;
 mod literal;
 mod loads;
+mod operands;
 mod parser;
 mod power;
 mod recovery;

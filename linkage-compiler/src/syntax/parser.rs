@@ -23,6 +23,8 @@ pub(super) struct Parser<'a> {
     pub(super) diagnostics: &'a mut Diagnostics,
     nesting: usize,
     operators: usize,
+    /// Clauses may follow the expression that is being read, outside of its parentheses.
+    clauses_follow: bool,
 }
 
 impl<'a> Parser<'a> {
@@ -32,6 +34,7 @@ impl<'a> Parser<'a> {
             diagnostics,
             nesting: 0,
             operators: 0,
+            clauses_follow: false,
         }
     }
 
@@ -42,6 +45,7 @@ impl<'a> Parser<'a> {
             diagnostics: &mut *self.diagnostics,
             nesting: self.nesting,
             operators: self.operators,
+            clauses_follow: false,
         };
         let result = rule(&mut inner);
         self.operators = inner.operators;
@@ -57,6 +61,21 @@ impl<'a> Parser<'a> {
         self.nesting += 1;
         let result = rule(self);
         self.nesting -= 1;
+        result
+    }
+
+    pub(super) fn clauses_follow(&self) -> bool {
+        self.clauses_follow
+    }
+
+    /// Applies a rule whose expression ends before a clause.
+    pub(super) fn before_clauses<T>(
+        &mut self,
+        rule: impl FnOnce(&mut Self) -> Parsed<T>,
+    ) -> Parsed<T> {
+        self.clauses_follow = true;
+        let result = rule(self);
+        self.clauses_follow = false;
         result
     }
 

@@ -35,6 +35,11 @@ impl Parser<'_> {
         let Some(name) = self.stream.ident(1).map(ToString::to_string) else {
             return false;
         };
+        // A value that lacks its `;`.
+        let is_word = is_keyword(&name) || ITEMS.contains(&name.as_str());
+        if is_word && self.stream.ident(2).is_some() {
+            return false;
+        }
         match word.as_str() {
             "unit" | "param" | "input" | "unknown" | "argument" | "body" => {
                 // `body at p` is a value before a clause, `body at = ` a body.

@@ -3,6 +3,7 @@
 use proc_macro2::{Delimiter, TokenTree};
 
 use super::parser::{Parsed, Parser};
+use super::words::is_keyword;
 
 impl Parser<'_> {
     /// Reports the token after a complete expression, where only `wanted` may stand.
@@ -10,9 +11,7 @@ impl Parser<'_> {
         if self.stream.is_punct(0, '^') {
             return self.no_powers();
         }
-        if self.stream.is_punct(0, ',')
-            && let Some(number) = self.decimal_comma()
-        {
+        if let Some(number) = self.decimal_comma() {
             let help = format!("write `{number}`: the decimal sign is a point");
             return self.expected(wanted, &help);
         }
@@ -23,11 +22,8 @@ impl Parser<'_> {
         self.expected(wanted, &help)
     }
 
-    pub(super) fn no_powers<T>(&mut self) -> Parsed<T> {
-        self.fail(
-            "there is no operator for powers",
-            "write `a * a` for a square",
-        )
+    pub(super) fn at_decimal_comma(&self) -> bool {
+        self.decimal_comma().is_some()
     }
 
     /// `1,5mm` read as `1` so far: what was meant.
@@ -38,7 +34,7 @@ impl Parser<'_> {
         let before = before.to_string();
         let is_integer = before.chars().all(|digit| digit.is_ascii_digit());
         let after = self.stream.literal(1)?;
-        is_integer.then(|| format!("{before}.{after}"))
+        (is_integer && self.stream.is_punct(0, ',')).then(|| format!("{before}.{after}"))
     }
 
     fn missing_operator(&self) -> String {
@@ -54,6 +50,7 @@ impl Parser<'_> {
                 "write `{before} +- {after}` for a tolerance, `{before} * {after}` for a product"
             ),
             Some(TokenTree::Ident(after)) if after == "as" => "leave the conversion out".to_owned(),
+            Some(TokenTree::Ident(after)) if is_keyword(&after.to_string()) => String::new(),
             Some(TokenTree::Ident(after)) => format!("write `{before} * {after}` for a product"),
             Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
                 format!("write `{before} * (...)` for a product")

@@ -31,14 +31,8 @@ pub(crate) fn slider_crank() -> Sample {
     }
 }
 
-const LENGTH: Dimension = Dimension {
-    half_lengths: 2,
-    angle: false,
-};
-const ANGLE: Dimension = Dimension {
-    half_lengths: 0,
-    angle: true,
-};
+const LENGTH: Dimension = Dimension::LENGTH;
+const ANGLE: Dimension = Dimension::ANGLE;
 
 fn here() -> SourceSpan {
     SourceSpan {
@@ -159,6 +153,8 @@ fn def() -> MechanismDef {
                 name: format_ident!("phi"),
                 value: number("0.5"),
                 range: None,
+                speed: None,
+                acceleration: None,
             }),
             Item::Let(a),
         ],
@@ -241,11 +237,19 @@ fn mechanism() -> Mechanism {
             dimension: ANGLE,
             reference: zero(),
             range: None,
+            speed: None,
+            acceleration: None,
             origin: OriginId(0),
         }],
         unknowns: vec![unknown("theta"), unknown("wheel")],
         lets: vec![],
         loops: vec![],
+        arguments: vec![],
+        gravity: None,
+        bodies: vec![],
+        joints: vec![],
+        loads: vec![],
+        elements: vec![],
         evaluators: vec![
             evaluator("path", "Path", vec![0]),
             evaluator("modes", "Turning", vec![0]),

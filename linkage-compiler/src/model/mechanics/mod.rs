@@ -2,6 +2,7 @@
 
 mod bodies;
 mod clauses;
+mod dump;
 mod inertia;
 mod joints;
 mod loads;
@@ -12,6 +13,7 @@ use super::names::{Context, Place, Resolver};
 use super::types::{Dimension, Expr, Mechanism};
 use crate::syntax::{GravityItem, Item, MechanismDef};
 
+pub(super) use dump::write_mechanics;
 pub(super) use members::Scope;
 pub(super) use quantities::MECHANICS;
 

@@ -1,6 +1,6 @@
 //! The whole model as text.
 
-use super::{CRANK_ROCKER, SPATIAL, TWO_INPUTS, model};
+use super::{CRANK_ROCKER, PRESS, SPACE_FORCES, SPATIAL, TWO_INPUTS, model};
 use crate::model::dump;
 
 /// Compares with the file, or rewrites it if `UPDATE` is set.
@@ -35,4 +35,18 @@ fn two_inputs() {
 #[test]
 fn spatial() {
     check("spatial", SPATIAL, include_str!("spatial.model"));
+}
+
+#[test]
+fn press() {
+    check("press", PRESS, include_str!("press.model"));
+}
+
+#[test]
+fn space_forces() {
+    check(
+        "space_forces",
+        SPACE_FORCES,
+        include_str!("space_forces.model"),
+    );
 }

@@ -43,6 +43,8 @@ fn check(source: &str, expected: &[&str]) {
 const CRANK_ROCKER: &str = include_str!("crank_rocker.mech");
 const TWO_INPUTS: &str = include_str!("two_inputs.mech");
 const SPATIAL: &str = include_str!("spatial.mech");
+const PRESS: &str = include_str!("press.mech");
+const SPACE_FORCES: &str = include_str!("space_forces.mech");
 
 #[test]
 fn the_largest_expressions_fit_the_stack() {

@@ -3,7 +3,7 @@
 use super::read;
 
 /// Source of the whole, what the messages say (facts and helps, in part).
-fn check(source: &str, expected: &[&str]) {
+pub(super) fn check(source: &str, expected: &[&str]) {
     let (_, messages) = read(source);
     assert_eq!(messages.len(), expected.len(), "{source}: {messages:#?}");
     for (message, expected) in messages.iter().zip(expected) {
@@ -24,10 +24,29 @@ fn expressions() {
             "expected `;`, found `,`\nhelp: write `1.5mm`: the decimal sign is a point",
         ),
         ("f(1) + (1 + 2,5)[0](2)", "expected `;`, found `(`"),
+        ("2x", "; a product is written `2 * x`"),
+        ("2x", "unknown unit `x`\nhelp: units are m mm "),
+        ("3sec", "help: write `3s` for time, `3arcsec` for an angle"),
         (
-            "2x",
-            "unknown unit `x`\nhelp: units are m mm cm um nm inch deg rad arcmin arcsec turn; a product is written `2 * x`",
+            "3mm^2",
+            "a number with a unit has no powers\nhelp: write `3 * mm^2`",
         ),
+        ("3 mm^a", "help: write `3 * mm^2`"),
+        (
+            "3^2",
+            "there is no operator for powers\nhelp: write `a * a` for a square",
+        ),
+        (
+            "mm^a",
+            "there is no operator for powers\nhelp: write `a * a` for a square; units have whole exponents up to 9: `mm^2`",
+        ),
+        ("mm^10", "units have whole exponents"),
+        ("mm^2mm", "units have whole exponents"),
+        (
+            "mm^2^2",
+            "there is no operator for powers\nhelp: write `a * a` for a square",
+        ),
+        ("f(x)^2", "there is no operator for powers"),
         ("12in", "unknown unit `in`\nhelp: write `12inch`"),
         ("45deg30arcmin", "help: write `45deg + 30arcmin`"),
         ("0x10mm", "`0x10mm` is not a decimal number"),

@@ -2,6 +2,7 @@
 
 mod groups;
 mod mechanics;
+mod mechanics_messages;
 mod messages;
 
 use super::{dump, parse};
@@ -88,6 +89,8 @@ fn expressions() {
         ("1_000.5e-3mm", "1000.5e-3mm"),
         ("2. * 5µm", "(2. * 5µm)"),
         ("3 turn / 2", "(3turn / 2)"),
+        ("3 * mm ^ 2 / s^-1", "((3 * mm^2) / s^-1)"),
+        ("-mm^2 * a", "((-mm^2) * a)"),
     ] {
         assert_eq!(
             item(&format!("let z = {source};")),

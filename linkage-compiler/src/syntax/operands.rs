@@ -1,0 +1,123 @@
+//! What follows the word of a clause: a name, an expression, a point.
+
+use proc_macro2::{Delimiter, Ident};
+
+use super::ast::{Expr, SourceSpan};
+use super::clauses::{Point, Rule};
+use super::expression::PlusMinus;
+use super::parser::Parser;
+use super::words;
+
+impl Parser<'_> {
+    /// The name after the word of a clause; a mistake in it has been read over.
+    pub(super) fn clause_name(&mut self, word: &str, what: &str) -> Option<Ident> {
+        let wanted = format!("{what} after `{word}`");
+        let name = match self.lacks_operand() {
+            true => self.expected(&wanted, ""),
+            false => self.name(&wanted),
+        };
+        if name.is_err() {
+            self.skip_clause();
+        }
+        name.ok()
+    }
+
+    /// The expression after the word of a clause or a load; a mistake in it has been read over.
+    pub(super) fn clause_value(&mut self, word: &str) -> Expr {
+        let span = self.stream.previous_span();
+        let value = match self.lacks_operand() || self.stream.is_punct(0, ',') {
+            true => self.expected(&format!("an expression after `{word}`"), ""),
+            false => self.before_clauses(|parser| parser.sum(PlusMinus::JointIsMistake)),
+        };
+        match value {
+            Ok(value) if self.at_decimal_comma() => {
+                let _ = self.unexpected_after_expression::<()>("a clause");
+                self.stream.skip(2);
+                value
+            }
+            Ok(value) => value,
+            Err(_) => {
+                self.skip_clause();
+                Expr::error(span)
+            }
+        }
+    }
+
+    /// `at POINT` that belongs to the clause before it.
+    pub(super) fn clause_point(&mut self, rule: &Rule, start: SourceSpan) -> Option<Expr> {
+        if rule.point == Point::Never {
+            return None;
+        }
+        if self.stream.eat_word("at") {
+            return Some(self.clause_value("at"));
+        }
+        if rule.point == Point::Optional {
+            return None;
+        }
+        let span = start.to(self.stream.previous_span());
+        let fact = format!("`{}` lacks `at`", rule.word);
+        let after_comma = self.stream.is_punct(0, ',') && self.stream.is_word(1, "at");
+        if after_comma {
+            let help = "leave out the comma before `at`";
+            self.diagnostics.error_with_help(span, &fact, help);
+            self.stream.skip(2);
+            return Some(self.clause_value("at"));
+        }
+        let help = format!("write `{} ... at POINT`", rule.word);
+        self.diagnostics.error_with_help(span, &fact, &help);
+        if !self.at_operand(0) || self.at_item() {
+            return Some(Expr::error(span));
+        }
+        // The point, or `at` misspelt and the point.
+        self.stream.skip(usize::from(self.at_operand(1)));
+        Some(self.clause_value("at"))
+    }
+
+    /// A clause begins here where an operand should stand, or the item ends. A name may look like a clause's word,
+    /// but what follows a name is no operand.
+    pub(super) fn lacks_operand(&self) -> bool {
+        self.at_clause_word() && self.at_operand(1)
+            || self.stream.at_end()
+            || self.stream.is_punct(0, ';')
+    }
+
+    pub(super) fn at_clause_word(&self) -> bool {
+        let is_clause = |ident: &Ident| words::clause(&ident.to_string()).is_some();
+        self.stream.ident(0).is_some_and(is_clause)
+    }
+
+    /// Something that cannot follow a complete expression.
+    pub(super) fn at_operand(&self, ahead: usize) -> bool {
+        let is_name = |ident: &Ident| words::clause(&ident.to_string()).is_none();
+        self.stream.ident(ahead).is_some_and(is_name)
+            || self.stream.literal(ahead).is_some()
+            || self.stream.group(ahead, Delimiter::Parenthesis).is_some()
+    }
+
+    /// To the next clause or the end of the item, after a mistake.
+    pub(super) fn skip_clause(&mut self) {
+        let at_clause = |parser: &Self| parser.at_clause_word() && parser.at_operand(1);
+        while !self.at_end_of_clause() && !at_clause(self) {
+            self.stream.skip(1);
+        }
+    }
+
+    /// To the next clause that the item may have, after something that is none; `at` may belong to that.
+    pub(super) fn skip_to_clause(&mut self, rules: &[Rule]) {
+        let is_rule = |word: &Ident| word != "at" && rules.iter().any(|rule| word == rule.word);
+        while !self.at_end_of_clause() && !self.stream.ident(0).is_some_and(is_rule) {
+            self.stream.skip(1);
+        }
+    }
+
+    fn at_end_of_clause(&self) -> bool {
+        self.at_end_of_clauses() || self.stream.is_punct(0, ',')
+    }
+
+    pub(super) fn at_end_of_clauses(&self) -> bool {
+        self.stream.at_end()
+            || self.stream.is_punct(0, ';')
+            || self.stream.is_punct(0, '#')
+            || self.at_item()
+    }
+}
