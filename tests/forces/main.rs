@@ -3,26 +3,14 @@
 
 mod body;
 mod coupled;
-mod cylinder;
-mod derivatives;
-mod five_bar;
 mod four_bar;
-mod gears;
-mod guides;
 mod joint;
 mod loads;
 mod newton_euler;
 mod quick_return;
-mod rotor;
-mod rows;
-mod rssp;
-mod rssr;
 mod samples;
 mod slider_crank;
 mod solution;
-mod statics;
-mod two_dyads;
-mod units;
 
 use body::Body;
 use joint::Kind;

@@ -22,10 +22,10 @@ mechanism! {
         argument cut = 50N;
         input phi = 40deg in 0deg..360deg at omega, epsilon;
         unknown theta = 75deg;
-        unknown s = 110mm;
+        unknown x = 110mm;
         let p2 = polar(a, phi);
         let foot = base + polar(e, theta + 90deg);
-        loop p2 = base + rotate((s, e), theta);
+        loop p2 = base + rotate((x, e), theta);
         let end = base + polar(reach, theta);
         let c1 = polar(a / 4, phi + 200deg);
         let c2 = p2 + rotate((8mm, 11mm), theta);
@@ -43,7 +43,7 @@ mechanism! {
     }
     impl QuickReturn {
         pub fn motion(phi) -> QuickReturnMotion {
-            p2, v2: velocity(p2), a2: acceleration(p2), w: velocity(theta), e: acceleration(theta), theta, s, c1, c2, c3, end,
+            p2, v2: velocity(p2), a2: acceleration(p2), w: velocity(theta), e: acceleration(theta), theta, x, c1, c2, c3, end,
             margin: margin(),
         }
         pub fn forces(phi, omega, epsilon, cut) -> QuickReturnForces {
@@ -73,9 +73,9 @@ mechanism! {
         argument cut = 50N;
         input phi = 40deg in 0deg..360deg at omega, epsilon;
         unknown theta = 75deg;
-        unknown s = 110mm;
+        unknown x = 110mm;
         let p2 = polar(a, phi);
-        loop p2 = base + rotate((s, e), theta);
+        loop p2 = base + rotate((x, e), theta);
         gravity = (0.3m/s^2, -9.80665m/s^2);
         body crank = pin b1 on frame at (0mm, 0mm), turns phi, mass m1 at polar(a / 4, phi + 200deg);
         body arm = pin b4 on frame at base, turns theta, mass m3 at base + rotate((80mm, -6mm), theta), inertia i3;
@@ -108,7 +108,7 @@ fn instant(m: &QuickReturn, at: &QuickReturnMotion, rate: Rate, cut: f64) -> Ins
     all.joint(Kind::Slide(way), 2, arm, p2);
     all.joint(pin(), 1, None, base);
     all.force([arm, None], end, Vector::new(-cut, cut / 4.0, 0.0));
-    all.pair([block, arm], p2, way * (-m.rate * (at.s - 100.0)));
+    all.pair([block, arm], p2, way * (-m.rate * (at.x - 100.0)));
     all.slide_damper([block, arm], (p2, way), m.drag);
     all.turn_damper([block, crank], Vector::z(), m.grip);
     all

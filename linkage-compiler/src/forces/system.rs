@@ -319,7 +319,14 @@ impl Mechanics<'_, '_> {
             .collect();
         let right: Vec<NodeId> = block
             .iter()
-            .map(|&equation| self.right_hand_side(&system.equations[equation], &own))
+            .map(|&equation| {
+                // What does no work here may be found by this block's unknowns.
+                let row = &system.matrix[equation];
+                let open: Vec<usize> = (0..row.len())
+                    .filter(|k| own.contains(k) || self.algebra.graph.is_zero(row[*k]))
+                    .collect();
+                self.right_hand_side(&system.equations[equation], &open)
+            })
             .collect();
         let matrix: Vec<Vec<NodeId>> = block
             .iter()
