@@ -2,7 +2,7 @@
 
 use linkage_symbolic::NodeId;
 
-use crate::model::{Between, Element, ElementKind, Expr, Inertia, JointKind};
+use crate::model::{Between, Element, ElementKind, Expr, JointKind};
 
 use super::geometry::Turning;
 use super::wrench::Wrench;
@@ -108,97 +108,6 @@ impl Mechanics<'_, '_> {
         masses
             .map(|(mass, at)| (self.algebra.number_of(mass), self.algebra.vector_of(at)))
             .collect()
-    }
-
-    /// How fast the moment of momentum of a body grows beyond that of its masses as points: `I alpha`, in space `I alpha + omega x I omega`.
-    pub(super) fn inertia_couple(&mut self, body: usize) -> Option<Vec<NodeId>> {
-        if self.algebra.mechanism.bodies[body].inertias.is_empty() {
-            return None;
-        }
-        let gain = self.angular_acceleration(body);
-        let couple = self.inertia_times(body, &gain);
-        if self.forces.geometry.dimensions == 2 {
-            return Some(couple);
-        }
-        let turn = self.angular_velocity(body);
-        let momentum = self.inertia_times(body, &turn);
-        let gyroscopic = self.algebra.moment_of(&turn, &momentum);
-        Some(self.algebra.plus(&couple, &gyroscopic))
-    }
-
-    /// A body's inertia, without that of its masses as points, times a turn.
-    pub(super) fn inertia_times(&mut self, body: usize, turn: &[NodeId]) -> Vec<NodeId> {
-        let mechanism = self.algebra.mechanism;
-        let mut sum = self.algebra.zeros(turn.len());
-        for (inertia, about) in &mechanism.bodies[body].inertias {
-            let product = match inertia {
-                Inertia::Scalar(inertia) => self.scalar_inertia(body, inertia, turn),
-                Inertia::Tensor(rows) => self.tensor_inertia(body, rows, turn),
-            };
-            sum = self.algebra.plus(&sum, &product);
-            if let Some(about) = about {
-                let points = self.points_about(body, about, turn);
-                sum = self.algebra.difference(&sum, &points);
-            }
-        }
-        sum
-    }
-
-    /// What the masses as points have about a point, times a turn.
-    fn points_about(&mut self, body: usize, about: &Expr, turn: &[NodeId]) -> Vec<NodeId> {
-        let about = self.algebra.vector_of(about);
-        let mut sum = self.algebra.zeros(turn.len());
-        for (mass, point) in self.masses(body) {
-            let arm = self.algebra.difference(&point, &about);
-            let part = match turn {
-                [turn] => {
-                    let square = self.algebra.sum_of_squares(&arm);
-                    vec![self.algebra.graph.mul(square, *turn)]
-                }
-                _ => {
-                    let swept = self.algebra.swept(turn, &arm);
-                    self.algebra.moment_of(&arm, &swept)
-                }
-            };
-            let part = self.algebra.times(mass, &part);
-            sum = self.algebra.plus(&sum, &part);
-        }
-        sum
-    }
-
-    /// In space a scalar is that of a sphere, of a rod across its line, or about the axis of a body that turns about one.
-    fn scalar_inertia(&mut self, body: usize, inertia: &Expr, turn: &[NodeId]) -> Vec<NodeId> {
-        let inertia = self.algebra.number_of(inertia);
-        match self.forces.geometry.turning[body].clone() {
-            Turning::About(_, axis) => {
-                let along = self.algebra.dot(&axis, turn);
-                let along = self.algebra.graph.mul(inertia, along);
-                self.algebra.times(along, &axis)
-            }
-            _ => self.algebra.times(inertia, turn),
-        }
-    }
-
-    fn tensor_inertia(
-        &mut self,
-        body: usize,
-        rows: &[[Expr; 3]; 3],
-        turn: &[NodeId],
-    ) -> Vec<NodeId> {
-        let Turning::Frame(axes) = self.forces.geometry.turning[body].clone() else {
-            unreachable!("an inertia matrix has a frame");
-        };
-        let own: Vec<NodeId> = axes
-            .iter()
-            .map(|axis| self.algebra.dot(axis, turn))
-            .collect();
-        let zero = self.algebra.zeros(3);
-        rows.iter().zip(&axes).fold(zero, |sum, (row, axis)| {
-            let row: Vec<NodeId> = row.iter().map(|x| self.algebra.number_of(x)).collect();
-            let along = self.algebra.dot(&row, &own);
-            let part = self.algebra.times(along, axis);
-            self.algebra.plus(&sum, &part)
-        })
     }
 
     fn add_element(&mut self, loads: &mut Loads, element: &Element) {

@@ -10,6 +10,7 @@
 //! | `tree` | who hangs on whom |
 //! | `geometry` | origins, angles, axes, centres of mass as nodes |
 //! | `motion` | velocities and accelerations of points and bodies |
+//! | `inertia` | moments of inertia and what they do when a body turns |
 //! | `loads` | what acts on each body: inertia, weight, loads, springs, dampers |
 //! | `freedom` | motions of the tree's joints that nothing drives |
 //! | `system` | equations for the reactions of the cut joints |
@@ -20,6 +21,7 @@
 mod check;
 mod freedom;
 mod geometry;
+mod inertia;
 mod loads;
 mod motion;
 mod quantities;

@@ -114,13 +114,8 @@ impl Mechanics<'_, '_> {
                 let part = self.algebra.graph.mul(mass, square);
                 twice = self.algebra.graph.add(twice, part);
             }
-            if self.algebra.mechanism.bodies[body].inertias.is_empty() {
-                continue;
-            }
-            let turn = self.angular_velocity(body);
-            let momentum = self.inertia_times(body, &turn);
-            let part = self.algebra.dot(&turn, &momentum);
-            twice = self.algebra.graph.add(twice, part);
+            let turning = self.twice_turning_energy(body);
+            twice = self.algebra.graph.add(twice, turning);
         }
         self.half(twice)
     }

@@ -47,6 +47,8 @@ pub(super) struct System {
     axial: Vec<Axial>,
     matrix: Vec<Vec<NodeId>>,
     pub(super) matching: Matching,
+    /// The unknowns that each equation contains.
+    incidence: Vec<Vec<usize>>,
     /// Equations that are solved together.
     blocks: Vec<Vec<usize>>,
 }
@@ -107,6 +109,7 @@ impl Mechanics<'_, '_> {
             axial,
             matrix,
             matching,
+            incidence,
             blocks,
         }
     }
@@ -319,14 +322,7 @@ impl Mechanics<'_, '_> {
             .collect();
         let right: Vec<NodeId> = block
             .iter()
-            .map(|&equation| {
-                // What does no work here may be found by this block's unknowns.
-                let row = &system.matrix[equation];
-                let open: Vec<usize> = (0..row.len())
-                    .filter(|k| own.contains(k) || self.algebra.graph.is_zero(row[*k]))
-                    .collect();
-                self.right_hand_side(&system.equations[equation], &open)
-            })
+            .map(|&equation| self.right_hand_side(&system, equation, &own))
             .collect();
         let matrix: Vec<Vec<NodeId>> = block
             .iter()
@@ -342,10 +338,13 @@ impl Mechanics<'_, '_> {
     }
 
     /// Minus what an equation says of all that is known before its block is solved.
-    fn right_hand_side(&mut self, equation: &Equation, open: &[usize]) -> NodeId {
-        let known = match equation {
+    fn right_hand_side(&mut self, system: &System, equation: usize, block: &[usize]) -> NodeId {
+        let contained = &system.incidence[equation];
+        let is_open = |unknown: &usize| !contained.contains(unknown) || block.contains(unknown);
+        let open: Vec<usize> = (0..system.unknowns.len()).filter(is_open).collect();
+        let known = match &system.equations[equation] {
             Equation::Released(component) => {
-                let wrench = self.closing_wrench(component.joint, open);
+                let wrench = self.closing_wrench(component.joint, &open);
                 let own = if component.is_moment {
                     wrench.moment
                 } else {
@@ -356,7 +355,7 @@ impl Mechanics<'_, '_> {
             Equation::Motion(motion) => {
                 let zero = self.algebra.graph.zero();
                 motion.iter().fold(zero, |sum, (factor, way)| {
-                    let wrench = self.wrench(way.body, &[], open);
+                    let wrench = self.wrench(way.body, &[], &open);
                     let own = if way.slides {
                         wrench.force
                     } else {

@@ -11,6 +11,7 @@ use proc_macro2::TokenStream;
 use super::quantity::request;
 use crate::algebra::{Algebra, Direction, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
+use crate::forces::Forces;
 use crate::formulate::{Formulation, Reference};
 use crate::{formulate, model, structure, syntax};
 
@@ -47,6 +48,7 @@ fn expect_agreement(items: &str, function: &str) {
     let nominal = Nominal::of(&mut algebra);
     let structure = structure::decompose(&mut algebra, &nominal, &origins, &mut diagnostics);
     let formulation = formulate::formulate(&mut algebra, structure);
+    let mut forces = Forces::new(&mut algebra);
     let directions = [
         Direction::Forward,
         Direction::FromResults,

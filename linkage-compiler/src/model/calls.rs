@@ -125,7 +125,8 @@ impl Resolver<'_> {
                 let (count, left) = self.vector_of(&mut arguments[0], name, None)?;
                 let (_, right) = self.vector_of(&mut arguments[1], name, Some(count))?;
                 let spatial = function == Function::Cross && count == 3;
-                let ty = left.times(right).map(|dimension| match spatial {
+                let dimension = left.times(right).map(Dimension::of_arithmetic);
+                let ty = dimension.map(|dimension| match spatial {
                     true => Type::Vector(3, dimension),
                     false => Type::Scalar(dimension),
                 });
@@ -166,7 +167,8 @@ impl Resolver<'_> {
                 Some(Type::Scalar(Dimension::ANGLE))
             }
             Function::Sqrt => {
-                let root = self.scalar(&mut arguments[0], name)?.root();
+                let root = self.scalar(&mut arguments[0], name)?;
+                let root = root.of_arithmetic().root();
                 self.in_range(root.map(Type::Scalar), span)
             }
             Function::Frame => self.frame(arguments),

@@ -90,6 +90,16 @@ impl Dimension {
         self.combined(other, -1, self.angle && !other.angle)
     }
 
+    /// As what comes of arithmetic is printed: in kilograms only what is a mass times lengths, as a moment of inertia; else in newtons.
+    pub(super) fn of_arithmetic(self) -> Dimension {
+        let mass = self.half_kilograms;
+        let is_mass = self.half_forces == mass && self.half_times == 2 * mass;
+        Dimension {
+            half_kilograms: if is_mass { mass } else { 0 },
+            ..self
+        }
+    }
+
     /// Of a whole power.
     pub(super) fn to_the(self, power: i32) -> Option<Dimension> {
         let factor = Some(power).filter(|power| power.abs() <= LIMIT)?;

@@ -2,7 +2,7 @@
 
 use super::names::Resolver;
 use super::plane_and_space::{plane_beside_space, vector_components};
-use super::types::{BinaryOp, Expr, ExprKind, Name, Type};
+use super::types::{BinaryOp, Dimension, Expr, ExprKind, Name, Type};
 use crate::syntax::SourceSpan;
 
 impl Type {
@@ -131,6 +131,7 @@ impl Resolver<'_> {
             &right.ty
         };
         let dimension = left.ty.dimension()?.times(right.ty.dimension()?);
+        let dimension = dimension.map(Dimension::of_arithmetic);
         self.in_range(dimension.map(|dimension| shape.with(dimension)), span)
     }
 
@@ -144,6 +145,7 @@ impl Resolver<'_> {
             return None;
         }
         let dimension = left.ty.dimension()?.over(right.ty.dimension()?);
+        let dimension = dimension.map(Dimension::of_arithmetic);
         self.in_range(dimension.map(|dimension| left.ty.with(dimension)), span)
     }
 

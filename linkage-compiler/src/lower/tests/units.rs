@@ -52,17 +52,17 @@ fn results_are_in_their_units() {
         _ => f64::NAN,
     });
     let square = 120.0 * 120.0;
-    let by_length = 0.5 * (4.0 * 4.0) * 30.0;
-    let energy = 0.5 * square / 2.0;
+    let by_length = 0.5 * (4.0 * 4.0) * 30.0 / 1000.0;
+    let energy = 0.5 * square / 2.0 / 1000.0;
     let expected = [
         energy,
-        square / 2.0,
+        square / 2.0 / 1000.0,
         by_length,
         8.0,
         8.5,
         energy,
-        0.125,
-        energy / 1000.0,
+        125.0,
+        energy,
     ];
     for (result, expected) in results.iter().zip(expected) {
         assert!(
@@ -73,8 +73,15 @@ fn results_are_in_their_units() {
     assert_eq!(results.len(), expected.len());
     let fields = analysis.lowered.evaluators[0].fields.iter();
     let units: Vec<&str> = fields.map(|field| field.unit.as_str()).collect();
-    let energy = "kg*mm^2/s^2";
-    let expected = [energy, "various units", "kg", "kg", energy, "N/kg", "N*mm"];
+    let expected = [
+        "N*mm",
+        "various units",
+        "kg",
+        "kg",
+        "N*mm",
+        "mm/s^2",
+        "N*mm",
+    ];
     assert_eq!(units, expected);
 }
 
