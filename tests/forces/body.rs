@@ -14,8 +14,8 @@ pub(crate) struct Body {
     /// Angular velocity and acceleration.
     pub(crate) turn: Vector,
     pub(crate) turn_gain: Vector,
-    mass: f64,
-    centre: Vector,
+    pub(crate) mass: f64,
+    pub(crate) centre: Vector,
     /// About the centre of mass, in fixed axes.
     inertia: Matrix3<f64>,
 }

@@ -90,9 +90,8 @@ fn instant(m: &FourBar, at: &FourBarMotion, rate: Rate, [pull, load]: [f64; 2]) 
     let crank = all.body(crank.inertia_about(disc(m.i1), Vector::zeros()));
     let coupler = rate.plane([at.p2, at.v2, at.a2], [at.w2, at.e2]);
     let coupler = coupler.add_mass(m.m2, c2).add_mass(m.m4, c4);
-    // An inertia without a point is about the centre of all masses.
-    let centre = (c2 * m.m2 + c4 * m.m4) / (m.m2 + m.m4);
-    let coupler = all.body(coupler.inertia_about(disc(m.i2), centre));
+    // Without a point it adds to what the masses have as points.
+    let coupler = all.body(coupler.add_inertia(disc(m.i2)));
     let rocker = rate.pivot(m.base, [at.w3, at.e3]).add_mass(m.m3, c3);
     let rocker = all.body(rocker.add_inertia(disc(m.i3)));
     let [crank, coupler, rocker] = [crank, coupler, rocker].map(Some);

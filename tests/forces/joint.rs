@@ -26,7 +26,45 @@ pub(crate) enum Kind {
     Ball,
 }
 
+impl Kind {
+    /// The direction of its drive; `true` for a force.
+    pub(crate) fn drive(self) -> Option<(bool, Vector)> {
+        match self {
+            Kind::Pin(axis) => Some((false, axis.normalize())),
+            Kind::Slide(way) => Some((true, way.normalize())),
+            Kind::Fixed | Kind::Cylinder(_) | Kind::Ball => None,
+        }
+    }
+}
+
 impl Joint {
+    pub(crate) fn new(
+        kind: Kind,
+        (body, on): (usize, Option<usize>),
+        point: Vector,
+        plane: bool,
+    ) -> Self {
+        let (mut forces, mut couples) = match kind {
+            Kind::Fixed => (all(), all()),
+            Kind::Pin(axis) => (all(), across(axis)),
+            Kind::Slide(way) => (across(way), all()),
+            Kind::Cylinder(axis) => (across(axis), across(axis)),
+            Kind::Ball => (all(), Vec::new()),
+        };
+        if plane {
+            forces.retain(|v| v.z.abs() < 0.5);
+            couples.retain(|v| v.z.abs() > 0.5);
+        }
+        Self {
+            body,
+            on,
+            point,
+            forces,
+            couples,
+            drive: None,
+        }
+    }
+
     /// Force and moment about the origin for each unknown, in newtons: couples act on a lever of the typical length.
     pub(crate) fn wrenches(&self, length: f64) -> Vec<[Vector; 2]> {
         let force = |v: &Vector| [*v, self.point.cross(v)];

@@ -61,29 +61,7 @@ impl Instant {
         on: Option<usize>,
         point: Vector,
     ) -> usize {
-        let (forces, couples) = match kind {
-            Kind::Fixed => (all(), all()),
-            Kind::Pin(axis) => (all(), across(axis)),
-            Kind::Slide(way) => (across(way), all()),
-            Kind::Cylinder(axis) => (across(axis), across(axis)),
-            Kind::Ball => (all(), Vec::new()),
-        };
-        let is_normal = |v: &Vector| v.z.abs() > 0.5;
-        let (forces, couples) = match self.plane {
-            true => (
-                forces.into_iter().filter(|v| !is_normal(v)).collect(),
-                couples.into_iter().filter(is_normal).collect(),
-            ),
-            false => (forces, couples),
-        };
-        self.joints.push(Joint {
-            body,
-            on,
-            point,
-            forces,
-            couples,
-            drive: None,
-        });
+        self.joints.push(Joint::new(kind, (body, on), point, self.plane));
         self.joints.len() - 1
     }
 
@@ -96,11 +74,7 @@ impl Instant {
         point: Vector,
     ) -> usize {
         let joint = self.joint(kind, body, on, point);
-        self.joints[joint].drive = match kind {
-            Kind::Pin(axis) => Some((false, axis.normalize())),
-            Kind::Slide(way) => Some((true, way.normalize())),
-            Kind::Fixed | Kind::Cylinder(_) | Kind::Ball => None,
-        };
+        self.joints[joint].drive = kind.drive();
         joint
     }
 

@@ -8,7 +8,7 @@ use super::newton_euler::Instant;
 #[derive(Clone, Debug)]
 pub(crate) struct Solution {
     joints: Vec<Joint>,
-    forces: Vec<Vector>,
+    pub(crate) forces: Vec<Vector>,
     couples: Vec<Vector>,
     drives: Vec<f64>,
     largest: f64,
