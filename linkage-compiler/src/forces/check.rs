@@ -5,9 +5,7 @@ use linkage_symbolic::NodeId;
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::formulate::{Reference, Words, numbers};
-use crate::model::{
-    ExprKind, JointKind, Mechanics as Quantity, Mechanism, OriginId, Quantity as Field,
-};
+use crate::model::{EvaluatorDef, JointKind, Mechanism, OriginId};
 
 use super::freedom::Way;
 use super::geometry::{slides_along, turns_about};
@@ -50,7 +48,7 @@ pub(crate) fn check(
     if mechanism.bodies.is_empty() {
         return;
     }
-    let mut mechanics = forces.at(algebra, &[]);
+    let mut mechanics = forces.at(algebra, &[], false);
     let pairs = mechanics.pairs();
     let before = diagnostics.len();
     let mut reported: Vec<OriginId> = Vec::new();
@@ -67,7 +65,12 @@ pub(crate) fn check(
             diagnostics.error(origins.span(origin), message);
         }
     }
-    if diagnostics.len() == before && asks_for_reactions(mechanism) {
+    if diagnostics.len() == before
+        && mechanism
+            .evaluators
+            .iter()
+            .any(EvaluatorDef::asks_for_reactions)
+    {
         mechanics.check_system(origins, diagnostics);
     }
 }
@@ -85,21 +88,6 @@ fn places(nominal: &Nominal) -> Vec<Vec<f64>> {
         places.push(place.collect());
     }
     places
-}
-
-fn asks_for_reactions(mechanism: &Mechanism) -> bool {
-    fn asks(expr: &crate::model::Expr) -> bool {
-        let reaction = matches!(
-            expr.kind,
-            ExprKind::Mechanics(Quantity::Reaction(_) | Quantity::Moment(_))
-        );
-        reaction || expr.operands().into_iter().any(asks)
-    }
-    let mut fields = mechanism
-        .evaluators
-        .iter()
-        .flat_map(|function| &function.quantities);
-    fields.any(|field: &Field| asks(&field.value))
 }
 
 impl What {

@@ -11,7 +11,7 @@ use super::Mechanics;
 use super::geometry::{Turning, slides_along, turns_about};
 
 /// A way in which a body moves in its own joint.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Way {
     pub(super) body: usize,
     /// Along a guide; else a turn.
@@ -27,10 +27,11 @@ pub(super) type FreeMotion = Vec<(f64, Way)>;
 const RATIO: f64 = 1e-9;
 
 impl Mechanics<'_, '_> {
-    /// All motions that nothing drives; `held` is how many of them reactions of cut joints can hold in the plane. What is beyond
+    /// The motions that nothing drives, and those that are driven. `held` is how many of them reactions of cut joints can hold in the plane. What is beyond
     /// is tied by gears.
-    pub(super) fn free_motions(&mut self, held: usize) -> Vec<FreeMotion> {
+    pub(super) fn motions(&mut self, held: usize) -> (Vec<FreeMotion>, Vec<Way>) {
         let unknowns = self.unknown_variables();
+        let mut driven = Vec::new();
         let mut free: Vec<(Way, Option<Vec<f64>>)> = Vec::new();
         for body in self.forces.tree.order.clone() {
             for way in self.ways(body) {
@@ -39,6 +40,7 @@ impl Mechanics<'_, '_> {
                     .map(|&unknown| self.relative_rate(&way, unknown))
                     .collect();
                 if rates.iter().all(|&rate| self.algebra.vanishes(rate)) {
+                    driven.push(way);
                     continue;
                 }
                 let constants = rates
@@ -52,7 +54,7 @@ impl Mechanics<'_, '_> {
             2 => free.len().saturating_sub(held),
             _ => 0,
         };
-        self.tied(free, excess)
+        (self.tied(free, excess), driven)
     }
 
     /// Joins turns that gears tie, `excess` of them.
@@ -122,7 +124,21 @@ impl Mechanics<'_, '_> {
         ways
     }
 
-    /// How fast a body moves in its own joint if one unknown of the loops changes and the others do not.
+    /// How fast a body moves in its own joint by an input.
+    pub(super) fn driven_rate(&mut self, way: &Way, input: usize) -> NodeId {
+        let on = self.forces.tree.parent[way.body];
+        let [own, other] = [Some(way.body), on].map(|body| match way.slides {
+            true => {
+                let origin = self.forces.geometry.origins[way.body].clone();
+                self.velocity_of(body, &origin, input)
+            }
+            false => self.turn(body, input),
+        });
+        let relative = self.algebra.difference(&own, &other);
+        self.algebra.dot(&way.direction, &relative)
+    }
+
+    /// The same if one unknown of the loops changes and the others do not.
     fn relative_rate(&mut self, way: &Way, unknown: SymbolId) -> NodeId {
         let on = self.forces.tree.parent[way.body];
         let relative = if way.slides {

@@ -14,6 +14,8 @@
 //! | `loads` | what acts on each body: inertia, weight, loads, springs, dampers |
 //! | `freedom` | motions of the tree's joints that nothing drives |
 //! | `system` | equations for the reactions of the cut joints |
+//! | `links` | links that leave one number of a reaction open |
+//! | `reactions` | the equations solved, group by group |
 //! | `wrench` | what bodies beyond a joint carry together |
 //! | `quantities` | what functions ask for |
 //! | `check` | do bodies and joints fit the motion? |
@@ -22,9 +24,11 @@ mod check;
 mod freedom;
 mod geometry;
 mod inertia;
+mod links;
 mod loads;
 mod motion;
 mod quantities;
+mod reactions;
 mod system;
 mod tree;
 mod vector;
@@ -71,6 +75,8 @@ pub(crate) struct Mechanics<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
     forces: &'a mut Forces,
     speeds: Speeds,
+    /// Whether reactions are asked for.
+    with_reactions: bool,
 }
 
 impl Forces {
@@ -87,17 +93,20 @@ impl Forces {
         }
     }
 
-    /// For a function that lists these inputs and arguments: speeds that it does not list are zero.
+    /// For a function that lists these inputs and arguments: speeds that it does not list are zero. Drives are found from the joints if
+    /// reactions are asked for, too.
     pub(crate) fn at<'a, 'm>(
         &'a mut self,
         algebra: &'a mut Algebra<'m>,
         listed: &[usize],
+        with_reactions: bool,
     ) -> Mechanics<'a, 'm> {
         let speeds = Speeds::listed(algebra.mechanism, listed);
         Mechanics {
             algebra,
             forces: self,
             speeds,
+            with_reactions,
         }
     }
 }

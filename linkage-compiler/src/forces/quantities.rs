@@ -6,7 +6,6 @@ use crate::algebra::{Scalar, Value};
 use crate::model::{Between, ElementKind, Mechanics as Quantity};
 
 use super::Mechanics;
-use super::freedom::Way;
 use super::geometry::{slides_along, turns_about};
 use super::wrench::Wrench;
 
@@ -60,12 +59,42 @@ impl Mechanics<'_, '_> {
     }
 
     fn is_driven(&mut self, body: usize, slides: bool) -> bool {
-        let is_way = |way: &Way| way.body == body && way.slides == slides;
-        !self.system().has_motion(is_way)
+        let system = self.system();
+        let mut driven = system.driven.iter();
+        driven.any(|way| way.body == body && way.slides == slides)
     }
 
-    /// The torque or force of a drive: what the loads do when its input moves, with the opposite sign.
+    /// The torque or force of a drive.
     fn drive(&mut self, input: usize) -> NodeId {
+        match self.with_reactions {
+            true => self.drive_of_joints(input),
+            false => self.drive_of_loads(input),
+        }
+    }
+
+    /// What holds the driven joints against all that is beyond them. Little work where reactions are asked for.
+    fn drive_of_joints(&mut self, input: usize) -> NodeId {
+        let zero = self.algebra.graph.zero();
+        let system = self.system();
+        system.driven.iter().fold(zero, |sum, way| {
+            let rate = self.driven_rate(way, input);
+            if self.algebra.graph.is_zero(rate) {
+                return sum;
+            }
+            let carried = self.wrench(way.body, &[], &[]);
+            let carried = if way.slides {
+                carried.force
+            } else {
+                carried.moment
+            };
+            let along = self.algebra.dot(&way.direction, &carried);
+            let work = self.algebra.graph.mul(rate, along);
+            self.algebra.graph.sub(sum, work)
+        })
+    }
+
+    /// What the loads do when its input moves, with the opposite sign.
+    fn drive_of_loads(&mut self, input: usize) -> NodeId {
         let loads = self.loads();
         let zero = self.algebra.graph.zero();
         let mut work = zero;

@@ -46,6 +46,11 @@ impl Tree {
         }
     }
 
+    /// How many bodies are between a body and the frame.
+    pub(super) fn depth(&self, body: usize) -> usize {
+        std::iter::successors(self.parent[body], |&next| self.parent[next]).count()
+    }
+
     /// True if a body hangs on another, directly or by others, or is that body. The frame hangs on nothing.
     pub(super) fn hangs_on(&self, body: Option<usize>, on: usize) -> bool {
         let mut next = body;

@@ -33,6 +33,7 @@ pub(super) fn request<'m>(
         direction,
         margin: None,
         asks_margin: false,
+        with_reactions: definition.asks_for_reactions(),
         requested: Requested::default(),
     };
     let nodes = request.all();
@@ -57,6 +58,7 @@ struct Request<'a, 'm> {
     /// The smallest margin; `None` while it is not known yet.
     margin: Option<NodeId>,
     asks_margin: bool,
+    with_reactions: bool,
     requested: Requested,
 }
 
@@ -237,7 +239,7 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 // About the whole motion, whether the values depend on an input or not.
                 let listed = &self.definition.inputs;
                 self.requested.variables.extend(listed);
-                let mut mechanics = self.forces.at(self.algebra, listed);
+                let mut mechanics = self.forces.at(self.algebra, listed, self.with_reactions);
                 mechanics.quantity(quantity)
             }
             _ => {

@@ -1,6 +1,6 @@
 //! What expressions are written with.
 
-use super::types::{Expr, ExprKind, Mechanics, Mechanism, Name};
+use super::types::{EvaluatorDef, Expr, ExprKind, Mechanics, Mechanism, Name};
 
 /// Names that loops are written with, directly or through derived quantities.
 #[derive(Clone, Debug)]
@@ -42,7 +42,22 @@ impl Usage {
     }
 }
 
+impl EvaluatorDef {
+    /// Whether it asks for a reaction or moment of a joint.
+    pub(crate) fn asks_for_reactions(&self) -> bool {
+        self.quantities
+            .iter()
+            .any(|own| own.value.asks_for_reactions())
+    }
+}
+
 impl Expr {
+    fn asks_for_reactions(&self) -> bool {
+        use Mechanics::{Moment, Reaction};
+        matches!(self.kind, ExprKind::Mechanics(Reaction(_) | Moment(_)))
+            || self.operands().into_iter().any(Expr::asks_for_reactions)
+    }
+
     /// The expressions that it is made of.
     pub(crate) fn operands(&self) -> Vec<&Expr> {
         match &self.kind {

@@ -1,7 +1,7 @@
 //! Maximum matching of coordinates to equations, and the groups that follow from it.
 
 /// A maximum matching: an equation of two rows takes up to two coordinates.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Matching {
     /// The equation that determines each coordinate.
     pub(crate) equation_of: Vec<Option<usize>>,
