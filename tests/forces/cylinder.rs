@@ -18,11 +18,11 @@ mechanism! {
         param i3 = 4kg*m^2;
         param leak = 0.7N*s/mm;
         argument load = 400N;
-        input s = 350mm in 300mm..450mm at v, a;
+        input x = 350mm in 300mm..450mm at v, a;
         unknown theta = 120deg;
         unknown psi = 50deg;
         let end = polar(arm, psi);
-        let p = foot + polar(s, theta);
+        let p = foot + polar(x, theta);
         loop p = end;
         let hook = polar(reach, psi + bend);
         let c1 = foot + polar(100mm, theta);
@@ -38,14 +38,14 @@ mechanism! {
         damper leak on j2;
     }
     impl Boom {
-        pub fn motion(s) -> BoomMotion {
+        pub fn motion(x) -> BoomMotion {
             p, pv: velocity(p), pa: acceleration(p), w1: velocity(theta), e1: acceleration(theta), w3: velocity(psi), e3: acceleration(psi),
             theta, hook, c1, c2, c3,
         }
-        pub fn forces(s, v, a, load) -> BoomForces {
-            f1: reaction(j1), f2: reaction(j2), m2: moment(j2), f3: reaction(j3), f4: reaction(j4), f: force(s), p: power(),
+        pub fn forces(x, v, a, load) -> BoomForces {
+            f1: reaction(j1), f2: reaction(j2), m2: moment(j2), f3: reaction(j3), f4: reaction(j4), f: force(x), p: power(),
         }
-        pub fn energy(s, v) -> BoomEnergy {
+        pub fn energy(x, v) -> BoomEnergy {
             k: kinetic_energy(), u: potential_energy(), kv: velocity(kinetic_energy()), uv: velocity(potential_energy()),
         }
     }
@@ -55,9 +55,9 @@ mechanism! {
 fn reactions_and_powers() {
     each(0xd1, |m: Boom, random| {
         let Ok(linkage) = m.assemble() else { return false };
-        let (s, load) = (random.between(300.0, 450.0), random.load(400.0));
+        let (x, load) = (random.between(300.0, 450.0), random.load(400.0));
         let rate = Rate { omega: random.load(200.0), epsilon: random.load(2000.0) };
-        let at = linkage.motion(s);
+        let at = linkage.motion(x);
         let mut all = Instant::new(true, 500.0, NEWTON, Vector::new(0.0, -9806.65, 0.0));
         let [p, c1, c2, c3] = [at.p, at.c1, at.c2, at.c3].map(flat);
         let barrel = rate.pivot(m.foot, [at.w1, at.e1]).add_mass(m.m1, c1);
@@ -72,18 +72,18 @@ fn reactions_and_powers() {
         all.joint(pin(), 2, None, Vector::zeros());
         all.joint(pin(), 1, boom, p);
         all.force([boom, None], flat(at.hook), Vector::new(0.0, -load, 0.0));
-        all.pair([rod, barrel], p, way * (-2.0 * (s - 400.0)));
+        all.pair([rod, barrel], p, way * (-2.0 * (x - 400.0)));
         all.slide_damper([rod, barrel], (p, way), m.leak);
 
         let solution = all.solve();
-        let found = linkage.forces(s, rate.omega, rate.epsilon, load);
+        let found = linkage.forces(x, rate.omega, rate.epsilon, load);
         for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(1, found.m2);
         solution.expect_size(Vector::x() * solution.drive(1), Vector::x() * found.f);
         solution.expect_power(solution.power(&all), found.p, rate.omega);
-        let energy = linkage.energy(s, rate.omega);
+        let energy = linkage.energy(x, rate.omega);
         let stored = energy_rate(energy.k, energy.kv, rate) + energy.uv * rate.omega;
         solution.expect_power(stored + all.dissipated + all.delivered, found.p, rate.omega);
         true

@@ -2,6 +2,11 @@
 //! formula with the compiler; power balances; limits by hand; derivatives against differences; sweeps and other scalars.
 
 mod body;
+mod guides;
+mod cylinder;
+mod five_bar;
+mod gears;
+mod two_dyads;
 mod coupled;
 mod four_bar;
 mod joint;
