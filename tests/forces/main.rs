@@ -2,6 +2,9 @@
 //! formula with the compiler; power balances; limits by hand; derivatives against differences; sweeps and other scalars.
 
 mod body;
+mod rotor;
+mod rssp;
+mod rssr;
 mod guides;
 mod cylinder;
 mod five_bar;
