@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostics, Origins};
 use crate::lower::Lowered;
 use crate::model::Mechanism;
 use crate::structure::Structure;
-use crate::{Analysis, analyse, model, structure, syntax};
+use crate::{Analysis, analyse, forces, formulate, model, structure, syntax};
 
 /// The phases of one mechanism, as text.
 #[derive(Clone, Debug, Default)]
@@ -41,7 +41,7 @@ pub fn trace(body: TokenStream) -> Trace {
             trace.model = model::dump(&mechanism);
             trace.structure = structure_text(&mechanism, &origins);
             let analysis = analyse(&mechanism, &origins, &mut diagnostics);
-            trace.formulate = formulate_text(&analysis);
+            trace.formulate = formulate_text(&analysis) + &forces_text(&mechanism, &origins);
             trace.lower = lower_text(&mechanism, &analysis.lowered);
         }
     }
@@ -99,6 +99,16 @@ fn formulate_text(analysis: &Analysis) -> String {
         );
     }
     text
+}
+
+/// How reactions are found; nothing for a mechanism without bodies.
+fn forces_text(mechanism: &Mechanism, origins: &Origins) -> String {
+    let mut algebra = Algebra::new(mechanism);
+    let nominal = Nominal::of(&mut algebra);
+    let mut diagnostics = Diagnostics::default();
+    let structure = structure::decompose(&mut algebra, &nominal, origins, &mut diagnostics);
+    formulate::formulate(&mut algebra, structure);
+    forces::describe(&mut algebra)
 }
 
 fn lower_text(mechanism: &Mechanism, lowered: &Lowered) -> String {

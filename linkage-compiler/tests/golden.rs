@@ -67,6 +67,11 @@ fn eye_needle() {
 }
 
 #[test]
+fn forces() {
+    check("forces");
+}
+
+#[test]
 fn favorit() {
     check("favorit");
 }

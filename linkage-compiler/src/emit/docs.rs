@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::model::Mechanism;
 use crate::syntax::Attribute;
 
 /// `#[doc = " ..."]` for each line.
@@ -62,4 +63,25 @@ pub(super) fn decimal(x: f64) -> String {
     } else {
         format!("{x:e}")
     }
+}
+
+/// `` `phi`, in rad ``, `` `omega`, the speed of `phi`, in rad/s ``
+pub(super) fn argument(name: &str, position: usize, mechanism: &Mechanism) -> String {
+    let Some(argument) = position.checked_sub(mechanism.inputs.len()) else {
+        let unit = mechanism.inputs[position].dimension.unit(mechanism.unit);
+        return format!("`{name}`{}", in_unit(&unit));
+    };
+    let role = mechanism.inputs.iter().find_map(|input| {
+        let own = input.name.strip_prefix("r#").unwrap_or(&input.name);
+        match () {
+            () if input.speed == Some(argument) => Some(format!(", the speed of `{own}`")),
+            () if input.acceleration == Some(argument) => {
+                Some(format!(", the acceleration of `{own}`"))
+            }
+            () => None,
+        }
+    });
+    let unit = mechanism.arguments[argument].dimension.unit(mechanism.unit);
+    let role = role.unwrap_or_default();
+    format!("`{name}`{role}{}", in_unit(&unit))
 }

@@ -15,6 +15,8 @@ pub(super) struct Guess<'a> {
     names: BTreeMap<String, &'a Expr>,
     vectors: BTreeMap<String, usize>,
     scalar_parameters: usize,
+    /// Components of points in the mechanics.
+    components: usize,
 }
 
 impl<'a> Guess<'a> {
@@ -23,6 +25,7 @@ impl<'a> Guess<'a> {
             names: BTreeMap::new(),
             vectors: BTreeMap::new(),
             scalar_parameters: 0,
+            components: 2,
         };
         for item in &def.items {
             match item {
@@ -40,6 +43,13 @@ impl<'a> Guess<'a> {
                 _ => {}
             }
         }
+        let mut points = def.items.iter().filter_map(|item| match item {
+            Item::Body(body) => Some(&body.joint.at),
+            _ => None,
+        });
+        if points.any(|point| guess.shape(point, 0) == Shape::Vector(3)) {
+            guess.components = 3;
+        }
         guess.scalar_parameters = params(def)
             .map(|param| guess.parameter(param).width())
             .sum();
@@ -53,7 +63,7 @@ impl<'a> Guess<'a> {
         }
     }
 
-    /// The shape of `expr` in a function with so many inputs.
+    /// The shape of `expr` in a function of so many inputs, arguments aside.
     pub(super) fn shape(&self, expr: &Expr, inputs: usize) -> Shape {
         self.at_depth(expr, inputs, DEPTH)
     }
@@ -103,6 +113,8 @@ impl<'a> Guess<'a> {
         match function {
             "polar" | "dir" => Shape::Vector(2),
             "turn" | "point_in" | "coordinates_in" => Shape::Vector(3),
+            "reaction" | "shaking_force" => vector(self.components),
+            "moment" | "shaking_moment" if self.components == 3 => Shape::Vector(3),
             "frame" => Shape::Frame,
             "rotate" | "unit" | "d" | "jerk" => first(),
             "cross" if first() == Shape::Vector(3) => first(),

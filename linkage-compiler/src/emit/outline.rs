@@ -64,7 +64,6 @@ pub(super) struct Start {
 
 pub(super) struct Input<'a> {
     pub name: &'a Ident,
-    pub unit: String,
     pub reference: f64,
 }
 
@@ -106,11 +105,9 @@ impl<'a> Outline<'a> {
         lowered: &Lowered,
     ) -> Self {
         let inputs: Vec<Input> = inputs(def)
-            .zip(&mechanism.inputs)
             .zip(&facts.inputs)
-            .map(|((name, input), facts)| Input {
+            .map(|(name, facts)| Input {
                 name,
-                unit: input.dimension.unit(mechanism.unit),
                 reference: facts.reference,
             })
             .collect();
@@ -129,9 +126,7 @@ impl<'a> Outline<'a> {
                 .functions
                 .iter()
                 .zip(&lowered.evaluators)
-                .map(|(function, evaluator)| {
-                    complete_function(function, mechanism, evaluator, &inputs)
-                })
+                .map(|(function, evaluator)| complete_function(function, mechanism, evaluator))
                 .collect(),
             inputs,
             modes: modes.into_iter().map(|(_, plus)| plus).collect(),
@@ -309,7 +304,6 @@ fn complete_function<'a>(
     def: &'a FunctionDef,
     mechanism: &Mechanism,
     evaluator: &Evaluator,
-    inputs: &[Input],
 ) -> Function<'a> {
     let fields = def
         .quantities
@@ -317,11 +311,12 @@ fn complete_function<'a>(
         .zip(&evaluator.fields)
         .map(|(quantity, lowered)| field(quantity, lowered.shape.clone(), lowered.unit.clone()))
         .collect();
+    let positions = &mechanism.evaluators[evaluator.index].inputs;
     let arguments: Vec<String> = def
         .inputs
         .iter()
-        .filter_map(|name| inputs.iter().find(|input| input.name == name))
-        .map(|input| format!("`{}`{}", plain(input.name), docs::in_unit(&input.unit)))
+        .zip(positions)
+        .map(|(name, position)| docs::argument(&plain(name), *position, mechanism))
         .collect();
     let mut notes = String::new();
     if !arguments.is_empty() {
@@ -333,7 +328,7 @@ fn complete_function<'a>(
     notes.push_str(&format!("Operations: {count}.{direction}"));
     Function {
         notes,
-        positions: mechanism.evaluators[evaluator.index].inputs.clone(),
+        positions: positions.clone(),
         states: evaluator.states.clone(),
         beside: evaluator.beside.is_some(),
         ..function(def, fields)

@@ -63,7 +63,6 @@ fn sketch<'a>(
         .filter(|name| seen.first(name))
         .map(|name| Input {
             name,
-            unit: String::new(),
             reference: 0.0,
         })
         .collect();
@@ -78,7 +77,7 @@ fn sketch<'a>(
             let own_names = [&[name.clone()][..], &swept].concat();
             names.all(own_names) && types.all([result.clone(), format_ident!("{result}Columns")])
         })
-        .map(|function| sketch_function(function, &guess, mechanism))
+        .map(|function| sketch_function(function, def, &guess, mechanism))
         .collect();
     Outline {
         parameters,
@@ -90,10 +89,13 @@ fn sketch<'a>(
 
 fn sketch_function<'a>(
     def: &'a FunctionDef,
+    whole: &MechanismDef,
     guess: &Guess,
     mechanism: Option<&Mechanism>,
 ) -> Function<'a> {
     let known = mechanism.and_then(|m| m.evaluators.iter().find(|e| def.name == e.name));
+    let is_drive = |name: &&Ident| outline::inputs(whole).any(|input| input == *name);
+    let drives = def.inputs.iter().filter(is_drive).count();
     let mut seen = Seen::default();
     let fields: Vec<Field> = def
         .quantities
@@ -102,7 +104,7 @@ fn sketch_function<'a>(
         .map(|quantity| {
             let known = known.and_then(|e| e.quantities.iter().find(|q| quantity.field == q.field));
             let shape = known.map_or_else(
-                || guess.shape(&quantity.value, def.inputs.len()),
+                || guess.shape(&quantity.value, drives),
                 |q| of_type(&q.value.ty),
             );
             outline::field(quantity, shape, String::new())

@@ -95,11 +95,17 @@ impl Sweeps<'_> {
         let width = literal::index(self.function.width());
         let into = format_ident!("{name}_sweep_into");
         let inputs = quote!(#(#arguments: &[T]),*);
-        let panics = "the slices differ in length";
+        let (each, panics) = match arguments.len() {
+            1 => ("", "the slices differ in length"),
+            _ => (
+                " A slice with a single element has that value at all of them.",
+                "the slices differ in length, those with a single element aside",
+            ),
+        };
         let source = |title: &str| self.inputs(title);
         let sweep = self.method(
             "_sweep",
-            "at many positions, one for each element of the slices.",
+            &format!("at many positions, one for each element of the slices.{each}"),
             panics,
             quote!((&self, #inputs) -> #ty<T>),
             quote! {
@@ -111,7 +117,9 @@ impl Sweeps<'_> {
         let inputs_into = source("_sweep_into");
         let sweep_into = self.method(
             "_sweep_into",
-            "at many positions, into columns that are there already: allocates only if they are too small.",
+            &format!(
+                "at many positions, into columns that are there already: allocates only if they are too small.{each}"
+            ),
             panics,
             quote!((&self, #inputs, #columns: &mut #ty<T>)),
             self.with_kernel(|kernel| {
@@ -122,8 +130,10 @@ impl Sweeps<'_> {
         let inputs_slices = source("_sweep_slices");
         let sweep_slices = self.method(
             "_sweep_slices",
-            "at many positions, into slices: one for each number of the result, in the order of its fields. \
-             Allocates nothing.",
+            &format!(
+                "at many positions, into slices: one for each number of the result, in the order of its fields. \
+                 Allocates nothing.{each}"
+            ),
             panics,
             quote!((&self, #inputs, #slices: [&mut [T]; #width])),
             self.with_kernel(|kernel| {
@@ -133,7 +143,9 @@ impl Sweeps<'_> {
         let inputs_parallel = source("_sweep_parallel_into");
         let parallel = self.method(
             "_sweep_parallel_into",
-            "at many positions, computed by all threads of rayon's current pool, into columns that are there already.",
+            &format!(
+                "at many positions, computed by all threads of rayon's current pool, into columns that are there already.{each}"
+            ),
             panics,
             quote! {
                 (&self, #inputs, #columns: &mut #ty<T>)

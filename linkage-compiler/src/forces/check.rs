@@ -291,7 +291,7 @@ impl Mechanics<'_, '_> {
     }
 }
 
-fn joint_name(mechanism: &Mechanism, joint: usize) -> String {
+pub(super) fn joint_name(mechanism: &Mechanism, joint: usize) -> String {
     let declared = &mechanism.joints[joint];
     match &declared.name {
         Some(name) => format!("`{name}`"),

@@ -31,7 +31,7 @@ impl Mechanics<'_, '_> {
         let gyroscopic = self.algebra.moment_of(&turned.velocity, &momentum);
         let couple = self.algebra.plus(&couple, &gyroscopic);
         Some(match &turned.axes {
-            Some(axes) => self.from_axes(axes, &couple),
+            Some(axes) => self.out_of_axes(axes, &couple),
             None => couple,
         })
     }
@@ -89,7 +89,7 @@ impl Mechanics<'_, '_> {
         }
     }
 
-    fn from_axes(&mut self, axes: &[Vec<NodeId>; 3], own: &[NodeId]) -> Vec<NodeId> {
+    fn out_of_axes(&mut self, axes: &[Vec<NodeId>; 3], own: &[NodeId]) -> Vec<NodeId> {
         let zero = self.algebra.zeros(3);
         own.iter().zip(axes).fold(zero, |sum, (&along, axis)| {
             let part = self.algebra.times(along, axis);

@@ -19,6 +19,7 @@
 //! | `wrench` | what bodies beyond a joint carry together |
 //! | `quantities` | what functions ask for |
 //! | `check` | do bodies and joints fit the motion? |
+//! | `print` | how reactions are found, for golden files |
 
 mod check;
 mod freedom;
@@ -27,6 +28,7 @@ mod inertia;
 mod links;
 mod loads;
 mod motion;
+mod print;
 mod quantities;
 mod reactions;
 mod system;
@@ -49,6 +51,7 @@ use tree::Tree;
 use wrench::Wrench;
 
 pub(crate) use check::check;
+pub(crate) use print::describe;
 
 /// All that is known of the mechanics, made when it is asked for.
 #[derive(Debug)]

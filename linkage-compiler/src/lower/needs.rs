@@ -16,6 +16,10 @@ pub(super) fn check_inputs(
 ) {
     let mechanism = algebra.mechanism;
     let name = |input: usize| mechanism.input_name(input);
+    let word = |input: usize| match input < mechanism.inputs.len() {
+        true => "input",
+        false => "argument",
+    };
     let mut needed = algebra.inputs_below(&requested.underlying);
     let computed = algebra.inputs_below(&requested.nodes);
     needed.extend(&requested.variables);
@@ -24,9 +28,10 @@ pub(super) fn check_inputs(
             diagnostics.error(
                 origins.span(origin),
                 format!(
-                    "`{}` does not need the input `{}`: none of its quantities depends on it\n\
+                    "`{}` does not need the {} `{}`: none of its quantities depends on it\n\
                      help: remove the argument",
                     definition.name,
+                    word(input),
                     name(input)
                 ),
             );
@@ -43,14 +48,24 @@ pub(super) fn check_inputs(
         diagnostics.error(
             origins.span(definition.origin),
             format!(
-                "`{}` needs the input{} `{}`, on which its quantities depend\n\
+                "`{}` needs the {}{} `{}`, on which its quantities depend\n\
                  help: write `fn {}({})`",
                 definition.name,
+                words(missing.iter().map(|&input| word(input))),
                 if names.len() == 1 { "" } else { "s" },
                 names.join("`, `"),
                 definition.name,
                 complete.join(", ")
             ),
         );
+    }
+}
+
+/// One word for all: an input is an argument, too.
+fn words(mut words: impl Iterator<Item = &'static str>) -> &'static str {
+    let first = words.next().unwrap_or_default();
+    match words.all(|word| word == first) {
+        true => first,
+        false => "argument",
     }
 }

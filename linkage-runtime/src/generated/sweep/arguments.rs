@@ -16,7 +16,7 @@ pub trait Arguments<T, const I: usize> {
     fn block<const FUSED: bool, const B: usize>(&self, start: usize, block: &mut [[T; B]; I]);
 }
 
-/// One slice for each input.
+/// One slice for each input or argument. A slice with a single element has that value in all rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Inputs<'a, T, const I: usize> {
     /// The function, for the panic.
@@ -34,12 +34,17 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
             names,
             slices,
         } = self;
-        let len = slices.first().map_or(0, |first| first.len());
+        // The first slice with other than one element tells how many rows there are.
+        let lengths = slices.iter().map(|slice| slice.len());
+        let (first, len) = lengths
+            .enumerate()
+            .find(|(_, len)| *len != 1)
+            .unwrap_or((0, usize::from(I > 0)));
         for (name, slice) in names.iter().zip(slices) {
             assert!(
-                slice.len() == len,
+                slice.len() == len || slice.len() == 1,
                 "{title}: `{}` has {len} elements, `{name}` has {}",
-                names[0],
+                names[first],
                 slice.len()
             );
         }
@@ -58,9 +63,12 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
     }
 }
 
-#[cold]
 #[inline(never)]
 fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
+    if let [value] = slice {
+        column.fill(*value);
+        return;
+    }
     for (lane, place) in column.iter_mut().enumerate() {
         *place = slice[(start + lane).min(slice.len() - 1)];
     }

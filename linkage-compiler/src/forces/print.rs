@@ -1,0 +1,78 @@
+//! How reactions are found, as text.
+
+use std::fmt::Write;
+
+use crate::algebra::Algebra;
+use crate::model::Mechanism;
+
+use super::Forces;
+use super::check::joint_name;
+use super::freedom::Way;
+use super::system::{Equation, System};
+
+/// What is driven, and which motions find which reactions together; nothing for a mechanism without bodies.
+pub(crate) fn describe(algebra: &mut Algebra) -> String {
+    let mechanism = algebra.mechanism;
+    let mut text = String::new();
+    if mechanism.bodies.is_empty() {
+        return text;
+    }
+    let mut forces = Forces::new(algebra);
+    let system = forces.at(algebra, &[], true).system();
+    let driven: Vec<String> = system
+        .driven
+        .iter()
+        .map(|way| way_words(mechanism, way))
+        .collect();
+    let _ = writeln!(text, "driven: {}", driven.join(", "));
+    for link in &system.axial {
+        let (joint, link) = (
+            joint_name(mechanism, link.joint),
+            &mechanism.bodies[link.link].name,
+        );
+        let _ = writeln!(
+            text,
+            "across `{link}`, {joint} is found from its own moment"
+        );
+    }
+    for block in &system.blocks {
+        let _ = writeln!(text, "{}", block_words(mechanism, &system, block));
+    }
+    text
+}
+
+/// `force b3, force b3: coupler turns, rocker turns`
+fn block_words(mechanism: &Mechanism, system: &System, block: &[usize]) -> String {
+    let unknowns = block
+        .iter()
+        .flat_map(|&e| &system.matching.coordinates_of[e]);
+    let unknowns = unknowns.map(|&unknown| {
+        let unknown = &system.unknowns[unknown];
+        let what = if unknown.is_moment { "moment" } else { "force" };
+        format!("{what} {}", joint_name(mechanism, unknown.joint))
+    });
+    let equations = block
+        .iter()
+        .map(|&equation| match &system.equations[equation] {
+            Equation::Motion(motion) => {
+                let ways: Vec<String> = motion
+                    .iter()
+                    .map(|(factor, way)| match *factor {
+                        1.0 => way_words(mechanism, way),
+                        factor => format!("{factor} x {}", way_words(mechanism, way)),
+                    })
+                    .collect();
+                ways.join(" and ")
+            }
+            Equation::Released(component) => {
+                format!("{} transmits none", joint_name(mechanism, component.joint))
+            }
+        });
+    let (unknowns, equations): (Vec<_>, Vec<_>) = (unknowns.collect(), equations.collect());
+    format!("{}: {}", unknowns.join(", "), equations.join(", "))
+}
+
+fn way_words(mechanism: &Mechanism, way: &Way) -> String {
+    let does = if way.slides { "slides" } else { "turns" };
+    format!("`{}` {does}", mechanism.bodies[way.body].name)
+}
