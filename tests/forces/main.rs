@@ -2,6 +2,10 @@
 //! formula with the compiler; power balances; limits by hand; derivatives against differences; sweeps and other scalars.
 
 mod body;
+mod rows;
+mod derivatives;
+mod units;
+mod statics;
 mod rotor;
 mod rssp;
 mod rssr;
