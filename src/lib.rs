@@ -72,6 +72,22 @@ pub mod tolerance {
     pub use linkage_runtime::tolerance::*;
 }
 
+/// Pins of joints: their diameter under the largest reaction, and their stresses.
+#[cfg(any(feature = "std", feature = "libm"))]
+pub mod pins {
+    #![doc = include_str!("../docs/pins.md")]
+
+    pub use linkage_runtime::pins::*;
+}
+
+/// Counterweights: the least shaking force over a cycle.
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub mod balancing {
+    #![doc = include_str!("../docs/balancing.md")]
+
+    pub use linkage_runtime::balancing::*;
+}
+
 /// The code of the README is a test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -4,7 +4,7 @@
 //! Users reach everything here through the facade crate `linkage`.
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
-//! everything that computes angles), `alloc` (part of `std`: `Columns`, `Scene`), `nalgebra`
+//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, with elementary functions the module `balancing`), `nalgebra`
 //! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
 //! `tolerance` and `monte-carlo` (the module `tolerance`).
 #![no_std]
@@ -15,10 +15,14 @@ extern crate alloc;
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub mod balancing;
 #[cfg(feature = "alloc")]
 mod circuits;
 #[cfg(feature = "alloc")]
 mod columns;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod components;
 mod data;
 mod dimensions;
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -32,6 +36,8 @@ pub mod generated;
 mod math;
 mod motion;
 pub mod numeric;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub mod pins;
 mod scalar;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 mod scene;

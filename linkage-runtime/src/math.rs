@@ -23,5 +23,14 @@ macro_rules! functions {
     };
 }
 
+/// Cube root.
+#[inline(always)]
+pub(crate) fn cube_root(x: f64) -> f64 {
+    #[cfg(feature = "std")]
+    return x.cbrt();
+    #[cfg(not(feature = "std"))]
+    return libm::cbrt(x);
+}
+
 functions!(double, f64, sqrt, tan, asin, acos, atan);
 functions!(single, f32, sqrtf, tanf, asinf, acosf, atanf);

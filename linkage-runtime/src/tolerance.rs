@@ -5,7 +5,6 @@
 //! feature `monte-carlo`, `MonteCarlo` evaluates random mechanisms.
 
 mod allocation;
-mod components;
 mod cost;
 mod cycle;
 mod effects;
@@ -18,8 +17,8 @@ mod monte_carlo;
 mod requirement;
 mod sizes;
 
+pub use crate::components::Components;
 pub use allocation::{Allocation, Costs, Rule};
-pub use components::Components;
 pub use cycle::{Extreme, largest, largest_at};
 pub use effects::{Contribution, Effects};
 pub use error::ToleranceError;

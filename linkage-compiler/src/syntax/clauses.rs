@@ -98,7 +98,7 @@ pub(super) struct Clause {
 /// What messages say of the item that the clauses belong to.
 #[derive(Clone, Copy)]
 pub(super) struct Owner<'a> {
-    /// `force`, `body on a `pin` joint`: what follows an article.
+    /// Its kind, to follow an article.
     pub(super) what: &'a str,
     /// How the item is written.
     pub(super) form: &'a str,
@@ -109,7 +109,8 @@ pub(super) struct Owner<'a> {
 #[derive(Default)]
 pub(super) struct Clauses {
     found: Vec<Clause>,
-    /// Something could not be read: what seems to be missing may be meant by it.
+    /// Something could not be read or does not belong here, which has been reported: what seems to be missing,
+    /// doubled or out of place may come from that.
     pub(super) broken: bool,
 }
 
@@ -148,10 +149,13 @@ impl Parser<'_> {
             let start = self.stream.span();
             match self.clause_word(owner, rules, &clauses) {
                 Ok((rule, known)) => {
-                    let known = known && !self.is_second(owner, &rule, start, &clauses);
+                    let second = self.is_second(owner, &rule, start, &clauses);
                     let clause = self.clause(&rule, start);
-                    clauses.broken |= rule.is_named() && clause.name.is_none();
-                    clauses.found.extend(Some(clause).filter(|_| known));
+                    let lost = rule.is_named() && clause.name.is_none();
+                    clauses.broken |= lost || !known;
+                    if known && !second {
+                        clauses.found.push(clause);
+                    }
                 }
                 Err(_) => {
                     clauses.broken = true;
@@ -181,9 +185,11 @@ impl Parser<'_> {
         let words: Vec<&str> = rules.iter().map(|rule| rule.word).collect();
         let all = format!("clauses of a {} are {}", owner.what, list(&words));
         if let Some(word) = words::clause(&word) {
-            let fact = format!("`{word}` does not belong to a {}", owner.what);
-            let span = (&ident).into();
-            self.diagnostics.error_with_help(span, &fact, &all);
+            if !clauses.broken {
+                let fact = format!("`{word}` does not belong to a {}", owner.what);
+                let span = (&ident).into();
+                self.diagnostics.error_with_help(span, &fact, &all);
+            }
             self.stream.skip(1);
             return Ok((Rule::foreign(word), false));
         }
@@ -210,7 +216,7 @@ impl Parser<'_> {
         clauses: &Clauses,
     ) -> bool {
         let second = !rule.repeats && clauses.has(rule.word);
-        if second {
+        if second && !clauses.broken {
             let fact = format!("a second `{}`", rule.word);
             let help = format!("a {} has one", owner.what);
             self.diagnostics.error_with_help(start, &fact, &help);

@@ -33,7 +33,11 @@ impl Parser<'_> {
             } else if input.speed.is_none() && self.stream.eat_word("at") {
                 self.rates(input)?;
             } else if self.at_clause_word() {
-                return self.expected("`in`, `at` or `;`", RATES);
+                let wanted = match input.speed {
+                    None => "`in`, `at` or `;`",
+                    Some(_) => "`;`",
+                };
+                return self.expected(wanted, RATES);
             } else {
                 return self.end_of_item();
             }

@@ -77,7 +77,10 @@ impl Parser<'_> {
         }
         let kind = self.kind()?;
         let named = self.stream.ident(0).is_some() && !self.at_clause_word();
-        let name = named.then(|| self.joint_name(kind)).flatten();
+        let name = match named {
+            true => self.joint_name(kind),
+            false => None,
+        };
         let word = kind.word;
         let span = kind.span.to(self.stream.previous_span());
         let rules = [joint_rules(kind.kind), &BODY].concat();
@@ -122,11 +125,13 @@ impl Parser<'_> {
                 .to(name.as_ref().map_or(kind.span, SourceSpan::from)),
         };
         let clauses = self.clauses(owner, joint_rules(kind.kind));
-        let name = name.ok_or(Reported);
-        let joint = self.joint_part(kind, Some(name?), owner, clauses);
+        let (Some(name), Some(body)) = (name, body) else {
+            return Err(Reported);
+        };
+        let joint = self.joint_part(kind, Some(name), owner, clauses);
         let item = JointItem {
             attributes,
-            body: body.ok_or(Reported)?,
+            body,
             joint,
         };
         Ok((Item::Joint(item), self.end_of_item().is_ok()))
@@ -173,7 +178,7 @@ impl Parser<'_> {
         self.require(&clauses, owner, &["on", "at"]);
         let lost = lost_joint(owner.span);
         let on = clauses.take_name("on").unwrap_or(lost.on);
-        let at = clauses.take_value("at").unwrap_or(lost.at);
+        let at = clauses.take_value("at").unwrap_or_else(|| lost.at.clone());
         let along = clauses.take("along");
         let about = clauses.take("about");
         if let (Some(_), Some(about)) = (&along, &about) {
@@ -181,12 +186,17 @@ impl Parser<'_> {
             let fact = format!("`along` and `about` in one `{}` joint", kind.word);
             self.diagnostics.error_with_help(about.span, &fact, help);
         }
+        let needs_direction = matches!(kind.kind, JointKind::Slide | JointKind::Cylinder);
+        let direction = match along.or(about) {
+            None if needs_direction && clauses.broken => Some(lost.at.clone()),
+            clause => clause.map(|clause| clause.value),
+        };
         JointPart {
             kind: kind.kind,
             name,
             on,
             at,
-            direction: along.or(about).map(|clause| clause.value),
+            direction,
             span: owner.span,
         }
     }

@@ -1,6 +1,6 @@
 //! What follows the word of a clause: a name, an expression, a point.
 
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::Ident;
 
 use super::ast::{Expr, SourceSpan};
 use super::clauses::{Point, Rule};
@@ -30,10 +30,10 @@ impl Parser<'_> {
             false => self.before_clauses(|parser| parser.sum(PlusMinus::JointIsMistake)),
         };
         match value {
-            Ok(value) if self.at_decimal_comma() => {
+            Ok(_) if self.at_decimal_comma() => {
                 let _ = self.unexpected_after_expression::<()>("a clause");
                 self.stream.skip(2);
-                value
+                Expr::error(span)
             }
             Ok(value) => value,
             Err(_) => {
@@ -91,7 +91,7 @@ impl Parser<'_> {
         let is_name = |ident: &Ident| words::clause(&ident.to_string()).is_none();
         self.stream.ident(ahead).is_some_and(is_name)
             || self.stream.literal(ahead).is_some()
-            || self.stream.group(ahead, Delimiter::Parenthesis).is_some()
+            || self.stream.parenthesis(ahead).is_some()
     }
 
     /// To the next clause or the end of the item, after a mistake.

@@ -1,6 +1,6 @@
 //! Where items begin and end, judging by their words, and how reading goes on after a mistake.
 
-use proc_macro2::{Delimiter, TokenTree};
+use proc_macro2::TokenTree;
 
 use super::parser::{Parsed, Parser};
 use super::words::{self, ITEMS, is_keyword};
@@ -63,7 +63,7 @@ impl Parser<'_> {
             "force" | "torque" | "spring" | "damper" => {
                 let begins_value = self.stream.literal(1).is_some()
                     || self.stream.is_punct(1, '-')
-                    || self.stream.group(1, Delimiter::Parenthesis).is_some();
+                    || self.stream.parenthesis(1).is_some();
                 begins_value && self.clause_before_semicolon()
             }
             "unit" | "param" | "input" | "unknown" | "argument" | "body" => false,

@@ -135,7 +135,7 @@ fn closed(terms: &[Term], row: &[f64]) -> Cheapest {
 }
 
 fn norm(v: &[f64; 3]) -> f64 {
-    super::components::norm(v)
+    crate::components::norm(v)
 }
 
 /// The vector that a condition limits.

@@ -4,8 +4,8 @@ use core::array;
 use core::fmt;
 
 use super::Tolerances;
-use super::components::{in_space, norm};
 use super::modulus;
+use crate::components::{in_space, norm};
 use crate::words::rounded;
 
 /// The error of a quantity of `K` components that each of `N` tolerances allows, to first order:

@@ -3,9 +3,9 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::components::Components;
 use super::{Effects, ToleranceError};
 use crate::Parameter;
+use crate::components::Components;
 
 /// The tolerances of `N` parameters: each dimension lies within its nominal value, plus or minus its
 /// tolerance. In the units of the parameters.

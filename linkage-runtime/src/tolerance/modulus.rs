@@ -146,7 +146,7 @@ pub(super) fn signed_sum(vectors: &[[f64; 3]], signs: &[f64]) -> [f64; 3] {
 }
 
 fn unit(v: &[f64; 3]) -> [f64; 3] {
-    let length = super::components::norm(v);
+    let length = crate::components::norm(v);
     if length > 0.0 {
         v.map(|x| x / length)
     } else {

@@ -4,9 +4,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::array;
 
-use super::components::{Components, in_space, norm};
 use super::modulus::farthest;
 use super::{Effects, ToleranceError, Tolerances};
+use crate::components::{Components, in_space, norm};
 
 /// How errors add up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

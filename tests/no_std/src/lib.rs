@@ -10,6 +10,7 @@
 //! for this package alone, is the proof.
 #![no_std]
 
+use linkage::pins::{Fit, Limit, Member, Mounting, Pin, PinError, Width};
 use linkage::{AssemblyError, mechanism};
 
 mechanism! {
@@ -152,4 +153,43 @@ mod tests {
     fn a_crank_that_is_too_long_is_an_error() {
         assert!(reach(400.0, 1.0).is_err());
     }
+}
+
+/// The diameter of a clevis pin, loose in rod and fork, 10 mm and twice 5 mm wide.
+///
+/// # Errors
+///
+/// If the load is not positive.
+pub fn pin_diameter(load: f64) -> Result<f64, PinError> {
+    let member = |width| Member {
+        width: Width::Fixed(width),
+        pressure: Limit::allowable(30.0),
+    };
+    let pin = Pin {
+        load,
+        mounting: Mounting::Clevis {
+            fit: Fit::Loose,
+            rod: member(10.0),
+            fork: member(5.0),
+        },
+        bending: Limit::new(400.0, 2.5),
+        shear: Limit::new(250.0, 2.5),
+    };
+    Ok(pin.diameter()?.diameter)
+}
+
+/// The mass that leaves the least peak of forces.
+///
+/// # Errors
+///
+/// If there is nothing to balance.
+#[cfg(feature = "alloc")]
+pub fn counterweight(
+    forces: &[[f64; 2]],
+    effects: &[[[f64; 2]; 1]],
+) -> Result<f64, linkage::balancing::BalanceError> {
+    let [mass] = linkage::balancing::Balance::new(forces, effects)?
+        .peak()?
+        .values;
+    Ok(mass)
 }

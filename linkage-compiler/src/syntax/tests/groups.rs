@@ -34,6 +34,14 @@ fn invisible_groups_are_opened() {
         ("let a = 2 * [b + c];", "let a = (2 * (b + c))"),
         ("let a = [[b]].x;", "let a = b.x"),
         ("let a = [(b, c)];", "let a = (b, c)"),
+        (
+            "torque [a + b] * [mm]^[2] on [b] from [frame];",
+            "torque ((a + b) * mm^2) on b from frame",
+        ),
+        (
+            "body a = pin [j] on [b] at [p + q], mass [m * n] at [(0, 1)];",
+            "body a = pin j on b at (p + q), mass (m * n) at (0, 1)",
+        ),
     ] {
         let stream = with_invisible_groups(tokens(&format!("[pub] struct A {{ {source} }}")));
         let mut diagnostics = Diagnostics::default();

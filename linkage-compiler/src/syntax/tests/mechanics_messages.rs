@@ -312,6 +312,8 @@ fn inputs_and_the_rest() {
             "input a = 3 at w e;",
             "expected `,` or `;`, found `e`\nhelp: `at` names the arguments that are its speed and acceleration: `input phi = 30deg at omega, epsilon;`",
         ),
+        ("input a = 3 at w at e;", "expected `,` or `;`, found `at`"),
+        ("input a = 3 at w, e at e;", "expected `;`, found `at`"),
         (
             "input a = 3 in 0.. at w;",
             "the range has no upper end\nhelp: write both ends: `0deg..360deg`",
@@ -358,11 +360,11 @@ fn several_in_one_item() {
         ],
     );
     check(
-        "struct A { damper 3 onn j, free 4, on i; spring 4 from a to b at p, length 3; }",
+        "struct A { damper 3 onn j, on i, free 4; spring 4 from a to b at p, length 3; }",
         &[
             "expected a clause or `;`, found `onn`\nhelp: did you mean `on`?",
-            "`free` does not belong to a damper",
             "a second `on`\nhelp: a damper has one",
+            "`free` does not belong to a damper",
             "`from` lacks `at`\nhelp: write `from ... at POINT`",
             "expected a clause or `;`, found `length`",
         ],

@@ -4,8 +4,8 @@ use core::fmt;
 
 use super::Samples;
 use super::samples::Estimate;
+use crate::components::norm;
 use crate::tolerance::Effects;
-use crate::tolerance::components::norm;
 use crate::words::rounded;
 
 /// One number of a study beside what the linear analysis says of it.

@@ -1,6 +1,8 @@
 //! Scalars and vectors as arrays of components.
 
-/// A sensitivity: a number, or a vector of two or three components.
+use crate::math::double::sqrt;
+
+/// A sensitivity, a force or a moment: a number, or a vector of two or three components.
 ///
 /// Implemented for `f64`, `Vector2<f64>`, `Vector3<f64>` and arrays of one to three numbers.
 pub trait Components<const K: usize>: Copy {
@@ -41,7 +43,8 @@ impl Components<3> for crate::Vector3<f64> {
 }
 
 /// The vector in space, with zeros for components that it has not.
-pub(super) fn in_space<const K: usize>(components: &[f64; K]) -> [f64; 3] {
+#[cfg(feature = "alloc")]
+pub(crate) fn in_space<const K: usize>(components: &[f64; K]) -> [f64; 3] {
     let mut space = [0.0; 3];
     for (to, from) in space.iter_mut().zip(components) {
         *to = *from;
@@ -50,11 +53,14 @@ pub(super) fn in_space<const K: usize>(components: &[f64; K]) -> [f64; 3] {
 }
 
 /// The length of a vector.
-pub(super) fn norm(components: &[f64]) -> f64 {
+pub(crate) fn norm(components: &[f64]) -> f64 {
     let largest = components.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
     if largest == 0.0 || !largest.is_finite() {
         return components.iter().map(|x| x.abs()).sum();
     }
-    let squares: f64 = components.iter().map(|x| (x / largest).powi(2)).sum();
-    largest * squares.sqrt()
+    let squares: f64 = components
+        .iter()
+        .map(|x| (x / largest) * (x / largest))
+        .sum();
+    largest * sqrt(squares)
 }

@@ -1,0 +1,62 @@
+//! What comes out.
+
+use core::fmt;
+
+use crate::math::double::sqrt;
+use crate::words::rounded;
+
+/// How large a quantity is over the cycle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Figures {
+    /// The root of its mean square length.
+    pub rms: f64,
+    /// Its largest length.
+    pub peak: f64,
+}
+
+impl Figures {
+    pub(super) fn divided_by(self, length: f64) -> Self {
+        Self {
+            rms: self.rms / length,
+            peak: self.peak / length,
+        }
+    }
+
+    /// Those of two quantities together.
+    pub(super) fn and(self, other: Self) -> Self {
+        let (large, small) = (self.rms.max(other.rms), self.rms.min(other.rms));
+        let ratio = if large == 0.0 { 0.0 } else { small / large };
+        Self {
+            rms: large * sqrt(1.0 + ratio * ratio),
+            peak: self.peak.max(other.peak),
+        }
+    }
+}
+
+/// Masses that balance, and what they leave.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution<const N: usize> {
+    /// The masses, in units of those that the effects were given for.
+    pub values: [f64; N],
+    /// Without them.
+    pub before: Figures,
+    /// With them.
+    pub after: Figures,
+    /// No masses leave less than this of what was minimised: by [`peak`](super::Balance::peak) the peak, proven
+    /// independently of how the masses were found; by [`mean_square`](super::Balance::mean_square) the root mean square, which is that of `after`.
+    pub bound: f64,
+}
+
+/// One line: root mean square and peak, before and after.
+impl<const N: usize> fmt::Display for Solution<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (before, after) = (self.before, self.after);
+        let [rms, peak] = [(before.rms, after.rms), (before.peak, after.peak)]
+            .map(|(from, to)| (rounded(from), rounded(to)));
+        let ((rms_before, rms_after), (peak_before, peak_after)) = (rms, peak);
+        write!(
+            f,
+            "rms {rms_before} to {rms_after}, peak {peak_before} to {peak_after}"
+        )
+    }
+}

@@ -1,0 +1,85 @@
+//! The stresses of a pin.
+
+use super::formulas::formulas;
+use super::pin::positive;
+use super::size::largest;
+use super::{Limit, Pin, PinError, Rule};
+
+/// A stress of a pin of known diameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stress {
+    /// The stress.
+    pub value: f64,
+    /// The allowable stress.
+    pub allowable: f64,
+    /// The safety factor that there is: strength over stress.
+    pub safety: f64,
+}
+
+impl Stress {
+    fn new(value: f64, limit: Limit) -> Self {
+        Self {
+            value,
+            allowable: limit.stress(),
+            safety: limit.strength / value,
+        }
+    }
+
+    /// The stress as part of the allowable one: above 1 it is too large.
+    #[must_use]
+    pub fn utilization(&self) -> f64 {
+        self.value / self.allowable
+    }
+}
+
+/// The stresses of a pin of known diameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Check {
+    /// Bending stress of the pin.
+    pub bending: Stress,
+    /// Shear stress of the pin.
+    pub shear: Stress,
+    /// Bearing pressures: in the rod and in the fork, or in the hub and in the seat.
+    pub bearing: [Stress; 2],
+    /// What uses most of its allowable stress.
+    pub governing: Rule,
+}
+
+impl Check {
+    /// Whether no stress exceeds its allowable stress, but for rounding (1e-12 of it): true for the diameter that is
+    /// required.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        let [first, second] = self.bearing;
+        let stresses = [self.bending, self.shear, first, second];
+        stresses.iter().all(|s| s.utilization() <= 1.0 + 1e-12)
+    }
+}
+
+impl Pin {
+    /// The stresses at a diameter.
+    ///
+    /// # Errors
+    ///
+    /// `Invalid` for a number that is not positive and finite, `OutOfRange` if a stress overflows.
+    pub fn check(&self, diameter: f64) -> Result<Check, PinError> {
+        self.validate()?;
+        positive("the diameter", diameter)?;
+        let rules = self.rules();
+        let limits = self.limits();
+        let stresses = formulas(self).map(|formula| formula.stress(self.load, diameter));
+        let beyond = |stress: &f64| !(*stress > 0.0 && stress.is_finite());
+        if let Some(index) = stresses.iter().position(beyond) {
+            return Err(PinError::OutOfRange { rule: rules[index] });
+        }
+        let [bending, shear, first, second] =
+            core::array::from_fn(|i| Stress::new(stresses[i], limits[i]));
+        let used = [bending, shear, first, second].map(|stress: Stress| stress.utilization());
+        Ok(Check {
+            bending,
+            shear,
+            bearing: [first, second],
+            governing: rules[largest(&used)],
+        })
+    }
+}
