@@ -1,0 +1,50 @@
+//! Reactions, torques and energies against Newton's and Euler's equations of all bodies, which are assembled here from plain data and share no
+//! formula with the compiler; power balances; limits by hand; derivatives against differences; sweeps and other scalars.
+
+mod body;
+mod rows;
+mod derivatives;
+mod units;
+mod statics;
+mod rotor;
+mod rssp;
+mod rssr;
+mod guides;
+mod cylinder;
+mod five_bar;
+mod gears;
+mod two_dyads;
+mod coupled;
+mod four_bar;
+mod joint;
+mod loads;
+mod newton_euler;
+mod quick_return;
+mod samples;
+mod slider_crank;
+mod solution;
+
+use body::Body;
+use joint::Kind;
+use newton_euler::Instant;
+use samples::{Random, Rate, each, energy_rate};
+
+type Vector = nalgebra::Vector3<f64>;
+
+/// Newtons per kilogram and mm/s^2.
+const NEWTON: f64 = 1e-3;
+
+/// A pin of the plane.
+fn pin() -> Kind {
+    Kind::Pin(Vector::z())
+}
+
+/// A vector of the plane in space.
+fn flat(v: linkage::Vector2<f64>) -> Vector {
+    Vector::new(v.x, v.y, 0.0)
+}
+
+/// A moment of inertia of the plane.
+fn disc(inertia: f64) -> nalgebra::Matrix3<f64> {
+    nalgebra::Matrix3::from_diagonal(&Vector::new(0.0, 0.0, inertia))
+}

@@ -1,0 +1,104 @@
+//! Random mechanisms, speeds and loads; derivatives by inputs as motions in time.
+
+use linkage::{Dimensions, Vector2};
+
+use super::{Body, Vector, flat};
+
+/// Xorshift.
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        low + (high - low) * ((self.0 >> 11) as f64 * 2f64.powi(-53))
+    }
+
+    /// From a tenth of a number to ten times as much.
+    fn size(&mut self, typical: f64) -> f64 {
+        typical * 10f64.powf(self.between(-1.0, 1.0))
+    }
+
+    /// A number of either sign.
+    pub(crate) fn load(&mut self, typical: f64) -> f64 {
+        let size = self.size(typical);
+        if self.between(0.0, 1.0) < 0.5 { size } else { -size }
+    }
+
+    pub(crate) fn turn(&mut self) -> f64 {
+        self.between(0.0, std::f64::consts::TAU)
+    }
+}
+
+/// Speed and acceleration of the only input.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rate {
+    pub(crate) omega: f64,
+    pub(crate) epsilon: f64,
+}
+
+impl Rate {
+    pub(crate) fn any(random: &mut Random) -> Self {
+        Self {
+            omega: random.load(30.0),
+            epsilon: random.load(500.0),
+        }
+    }
+
+    pub(crate) const REST: Self = Self {
+        omega: 0.0,
+        epsilon: 0.0,
+    };
+
+    /// The same speed for ever.
+    pub(crate) fn steady(self) -> Self {
+        Self { epsilon: 0.0, ..self }
+    }
+
+    /// Velocity and acceleration of what has these derivatives by the input.
+    pub(crate) fn of(self, [v, a]: [Vector; 2]) -> [Vector; 2] {
+        [
+            v * self.omega,
+            a * (self.omega * self.omega) + v * self.epsilon,
+        ]
+    }
+
+    /// A point with its derivatives, and those of the body's angle.
+    pub(crate) fn plane(self, [p, v, a]: [Vector2<f64>; 3], turn: [f64; 2]) -> Body {
+        let [v, a] = self.of([flat(v), flat(a)]);
+        Body::new([flat(p), v, a], self.of(turn.map(|x| Vector::z() * x)))
+    }
+
+    /// A pivot on the frame.
+    pub(crate) fn pivot(self, at: Vector2<f64>, turn: [f64; 2]) -> Body {
+        self.plane([at, Vector2::zeros(), Vector2::zeros()], turn)
+    }
+}
+
+/// Mechanisms with dimensions near the defaults and masses and stiffnesses of any proportion. `run` says whether it compared something.
+#[track_caller]
+pub(crate) fn each<M: Dimensions<N>, const N: usize>(
+    seed: u64,
+    mut run: impl FnMut(M, &mut Random) -> bool,
+) {
+    let mut random = Random(seed);
+    let mut compared = 0;
+    for _ in 0..150 {
+        let mut values = [0.0; N];
+        for (value, parameter) in values.iter_mut().zip(M::PARAMETERS) {
+            let is_geometry = matches!(parameter.unit, "mm" | "m" | "rad" | "");
+            *value = match is_geometry {
+                true => parameter.nominal * random.between(0.94, 1.06),
+                false => random.size(parameter.nominal),
+            };
+        }
+        compared += usize::from(run(M::from_values(&values), &mut random));
+    }
+    assert!(compared >= 100, "only {compared} compared");
+}
+
+/// The rate of an energy, given by the speed: its derivative by the input is known, and it is quadratic in the speed.
+pub(crate) fn energy_rate(energy: f64, by_input: f64, rate: Rate) -> f64 {
+    by_input * rate.omega + 2.0 * energy / rate.omega * rate.epsilon
+}
