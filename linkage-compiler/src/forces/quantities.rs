@@ -6,7 +6,6 @@ use crate::algebra::{Scalar, Value};
 use crate::model::{Between, ElementKind, Mechanics as Quantity};
 
 use super::Mechanics;
-use super::freedom::Way;
 use super::geometry::{slides_along, turns_about};
 use super::system::Unknown;
 use super::wrench::Wrench;
@@ -76,20 +75,12 @@ impl Mechanics<'_, '_> {
 
     /// What holds the driven joints against all that is beyond them. Little work where reactions are asked for.
     fn drive_of_joints(&mut self, input: usize) -> NodeId {
+        let zero = self.algebra.graph.zero();
         let system = self.system();
         let of_joints = system.driven.iter().fold(zero, |sum, way| {
             let rate = self.driven_rate(way, input);
-            let work = self.work_beyond(way, rate);
-            sum = self.algebra.graph.sub(sum, work);
-        }
-        // What gears tie to motions that nothing drives may move beyond these: if a crank turns, so does what is geared to its coupler's angle.
-        for (way, motions) in system.tied() {
-            let mut rate = self.driven_rate(way, input);
-            for (factor, free) in motions {
-                let own = self.driven_rate(free, input);
-                let factor = self.algebra.graph.constant(factor);
-                let part = self.algebra.graph.mul(factor, own);
-                rate = self.algebra.graph.sub(rate, part);
+            if self.algebra.graph.is_zero(rate) {
+                return sum;
             }
             let carried = self.wrench(way.body, &[], &[]);
             let along = self.algebra.dot(&way.direction, carried.along(way));

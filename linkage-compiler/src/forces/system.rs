@@ -265,26 +265,6 @@ impl System {
         equations.any(unknown) && self.unknowns.iter().any(|own| own.joint() == Some(joint))
     }
 
-    /// Turns that gears tie to those of other joints, with these and the factors.
-    pub(super) fn tied(&self) -> Vec<(&Way, Vec<(f64, &Way)>)> {
-        let mut tied: Vec<(&Way, Vec<(f64, &Way)>)> = Vec::new();
-        for equation in &self.equations {
-            let Equation::Motion(motion) = equation else {
-                continue;
-            };
-            let [(_, free), others @ ..] = &motion[..] else {
-                continue;
-            };
-            for (factor, way) in others {
-                match tied.iter_mut().find(|(known, _)| *known == way) {
-                    Some((_, motions)) => motions.push((*factor, free)),
-                    None => tied.push((way, vec![(*factor, free)])),
-                }
-            }
-        }
-        tied
-    }
-
     /// Blocks that are too large to solve.
     pub(super) fn too_large(&self) -> impl Iterator<Item = &Vec<usize>> {
         self.blocks
