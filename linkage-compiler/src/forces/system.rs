@@ -256,6 +256,14 @@ impl System {
         self.found() < self.unknowns.len()
     }
 
+    /// True if gears act on a body.
+    pub(super) fn ties(&self, body: usize) -> bool {
+        self.unknowns.iter().any(|unknown| match unknown {
+            Unknown::Tie(tie) => tie.couples.iter().any(|(own, _)| *own == body),
+            Unknown::Reaction(_) => false,
+        })
+    }
+
     /// True if a reaction is found together with many others, by an equation of the body's own motion.
     pub(super) fn in_large_block(&self, joint: usize, body: usize) -> bool {
         let large = self.blocks.iter().filter(|block| block.len() >= LARGE);
