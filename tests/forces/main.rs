@@ -2,6 +2,9 @@
 //! formula with the compiler; power balances; limits by hand; derivatives against differences; sweeps and other scalars.
 
 mod body;
+mod cylinders;
+mod carriage;
+mod trees;
 mod rows;
 mod derivatives;
 mod units;
