@@ -54,6 +54,7 @@ mechanism! {
             f0: reaction(j0), f1: reaction(j1), f2: reaction(j2), f3: reaction(j3), f4: reaction(j4), f5: reaction(j5),
             t: torque(phi), p: power(),
         }
+        pub fn alone(phi, omega, epsilon, load) -> GearedAlone { t: torque(phi) }
         pub fn energy(phi, omega) -> GearedEnergy {
             k: kinetic_energy(), u: potential_energy(), kv: velocity(kinetic_energy()), uv: velocity(potential_energy()),
         }
@@ -106,6 +107,7 @@ mechanism! {
         pub fn forces(phi, omega, epsilon, load) -> TiedForces {
             f1: reaction(j1), f2: reaction(j2), f3: reaction(j3), f4: reaction(j4), f5: reaction(j5), t: torque(phi), p: power(),
         }
+        pub fn alone(phi, omega, epsilon, load) -> TiedAlone { t: torque(phi) }
         pub fn energy(phi, omega) -> TiedEnergy {
             k: kinetic_energy(), u: potential_energy(), kv: velocity(kinetic_energy()), uv: velocity(potential_energy()),
         }
@@ -156,7 +158,10 @@ fn half_speed_and_a_wheel() {
         for (joint, force) in forces.into_iter().enumerate() {
             solution.expect_force(joint, force);
         }
-        solution.expect_torque(solution.drive(0) + solution.drive(1) / 2.0, found.t);
+        let drive = solution.drive(0) + solution.drive(1) / 2.0;
+        solution.expect_torque(drive, found.t);
+        let alone = linkage.alone(phi, rate.omega, rate.epsilon, load);
+        solution.expect_torque(drive, alone.t);
         solution.expect_power(solution.power(&all), found.p, rate.omega);
         let energy = linkage.energy(phi, rate.omega);
         solution.expect_torque(all.kinetic_energy(), energy.k);
@@ -206,6 +211,8 @@ fn coupler_and_arm() {
             solution.expect_force(joint, force);
         }
         solution.expect_torque(solution.drive(0), found.t);
+        let alone = linkage.alone(phi, rate.omega, rate.epsilon, load);
+        solution.expect_torque(solution.drive(0), alone.t);
         let energy = linkage.energy(phi, rate.omega);
         let stored = energy_rate(energy.k, energy.kv, rate) + energy.uv * rate.omega;
         solution.expect_power(stored + all.delivered, found.p, rate.omega);

@@ -2,8 +2,10 @@
 //! formula with the compiler; power balances; limits by hand; derivatives against differences; sweeps and other scalars.
 
 mod body;
+mod carriage;
 mod coupled;
 mod cylinder;
+mod cylinders;
 mod derivatives;
 mod five_bar;
 mod four_bar;
@@ -21,6 +23,7 @@ mod samples;
 mod slider_crank;
 mod solution;
 mod statics;
+mod trees;
 mod two_dyads;
 mod units;
 
