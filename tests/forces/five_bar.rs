@@ -60,6 +60,8 @@ struct Rates {
     gains: [f64; 2],
 }
 
+type Plane = Vector2<f64>;
+
 impl Rates {
     fn of(&self, v: [Vector; 2], a: [[Vector; 2]; 2]) -> [Vector; 2] {
         let [w1, w2] = self.speeds;
@@ -70,7 +72,7 @@ impl Rates {
 
     fn body(
         &self,
-        (p, v, a): (Vector2<f64>, [Vector2<f64>; 2], [[Vector2<f64>; 2]; 2]),
+        (p, v, a): (Plane, [Plane; 2], [[Plane; 2]; 2]),
         (w, e): ([f64; 2], [[f64; 2]; 2]),
     ) -> Body {
         let [v, a] = self.of(v.map(flat), a.map(|row| row.map(flat)));
