@@ -57,16 +57,25 @@ mechanism! {
 
 /// Speeds and accelerations of both inputs, as in `five_bar`.
 fn in_time(v: [Vector; 2], a: [[Vector; 2]; 2], [w, e]: [[f64; 2]; 2]) -> [Vector; 2] {
-    let curved = a[0][0] * (w[0] * w[0]) + (a[0][1] + a[1][0]) * (w[0] * w[1]) + a[1][1] * (w[1] * w[1]);
-    [v[0] * w[0] + v[1] * w[1], curved + v[0] * e[0] + v[1] * e[1]]
+    let curved =
+        a[0][0] * (w[0] * w[0]) + (a[0][1] + a[1][0]) * (w[0] * w[1]) + a[1][1] * (w[1] * w[1]);
+    [
+        v[0] * w[0] + v[1] * w[1],
+        curved + v[0] * e[0] + v[1] * e[1],
+    ]
 }
 
 #[test]
 fn reactions_and_drives() {
     each(0x111, |m: Carriage, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (x, phi, load) = (random.between(0.0, 100.0), random.turn(), random.load(30.0));
-        let rates = [[random.load(500.0), random.load(20.0)], [random.load(5000.0), random.load(300.0)]];
+        let rates = [
+            [random.load(500.0), random.load(20.0)],
+            [random.load(5000.0), random.load(300.0)],
+        ];
         let at = linkage.motion(x, phi);
         let body = |p: Vector2<f64>, v: [Vector2<f64>; 2], a: [[Vector2<f64>; 2]; 2], turn| {
             let [v, a] = in_time(v.map(flat), a.map(|row| row.map(flat)), rates);

@@ -64,7 +64,9 @@ mechanism! {
 #[test]
 fn reactions_and_powers() {
     each(0x91, |m: Platform, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let phi = random.between(0.7, 1.39);
         let (rate, load) = (Rate::any(random), random.load(20.0));
         let at = linkage.motion(phi);
@@ -76,9 +78,13 @@ fn reactions_and_powers() {
         let [g1, ga, gb, gc, gp] = [at.g1, at.ga, at.gb, at.gc, at.gp].map(flat);
         let crank = rate.pivot(Vector2::zeros(), [1.0, 0.0]).add_mass(m.m1, g1);
         let crank = Some(all.body(crank));
-        let bar_a = rate.plane([at.o, at.ov, at.oa], [at.wa, at.ea]).add_mass(m.ma, ga);
+        let bar_a = rate
+            .plane([at.o, at.ov, at.oa], [at.wa, at.ea])
+            .add_mass(m.ma, ga);
         let bar_a = Some(all.body(bar_a.add_inertia(disc(m.ia))));
-        let plate = rate.plane([at.a, at.av, at.aa], [at.wp, at.ep]).add_mass(m.mp, gp);
+        let plate = rate
+            .plane([at.a, at.av, at.aa], [at.wp, at.ep])
+            .add_mass(m.mp, gp);
         let plate = Some(all.body(plate.add_inertia(disc(m.ip))));
         let bar_b = Some(all.body(rate.pivot(foot_b, [at.wb, at.eb]).add_mass(m.mb, gb)));
         all.body(rate.pivot(foot_c, [at.wc, at.ec]).add_mass(m.mc, gc));
@@ -93,7 +99,9 @@ fn reactions_and_powers() {
 
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
-        let forces = [found.f1, found.f2, found.f3, found.f4, found.f5, found.f6, found.f7];
+        let forces = [
+            found.f1, found.f2, found.f3, found.f4, found.f5, found.f6, found.f7,
+        ];
         for (joint, force) in forces.into_iter().enumerate() {
             solution.expect_force(joint, force);
         }

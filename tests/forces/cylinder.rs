@@ -54,17 +54,26 @@ mechanism! {
 #[test]
 fn reactions_and_powers() {
     each(0xd1, |m: Boom, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (x, load) = (random.between(300.0, 450.0), random.load(400.0));
-        let rate = Rate { omega: random.load(200.0), epsilon: random.load(2000.0) };
+        let rate = Rate {
+            omega: random.load(200.0),
+            epsilon: random.load(2000.0),
+        };
         let at = linkage.motion(x);
         let mut all = Instant::new(true, 500.0, NEWTON, Vector::new(0.0, -9806.65, 0.0));
         let [p, c1, c2, c3] = [at.p, at.c1, at.c2, at.c3].map(flat);
         let barrel = rate.pivot(m.foot, [at.w1, at.e1]).add_mass(m.m1, c1);
         let barrel = Some(all.body(barrel.add_inertia(disc(m.i1))));
-        let rod = rate.plane([at.p, at.pv, at.pa], [at.w1, at.e1]).add_mass(m.m2, c2);
+        let rod = rate
+            .plane([at.p, at.pv, at.pa], [at.w1, at.e1])
+            .add_mass(m.m2, c2);
         let rod = Some(all.body(rod));
-        let boom = rate.pivot(Vector2::zeros(), [at.w3, at.e3]).add_mass(m.m3, c3);
+        let boom = rate
+            .pivot(Vector2::zeros(), [at.w3, at.e3])
+            .add_mass(m.m3, c3);
         let boom = Some(all.body(boom.add_inertia(disc(m.i3))));
         let way = Vector::new(at.theta.cos(), at.theta.sin(), 0.0);
         all.joint(pin(), 0, None, flat(m.foot));
@@ -77,7 +86,10 @@ fn reactions_and_powers() {
 
         let solution = all.solve();
         let found = linkage.forces(x, rate.omega, rate.epsilon, load);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
+        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(1, found.m2);

@@ -73,11 +73,16 @@ mechanism! {
 #[test]
 fn reactions_and_powers() {
     each(0x121, |m: Rccc, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (phi, rate, load) = (random.turn(), Rate::any(random), random.load(20.0));
         let at = linkage.motion(phi);
         let mut all = Instant::new(false, 100.0, NEWTON, Vector::new(0.0, 3e3, -9806.65));
-        let crank = Body::new([Vector::zeros(); 3], rate.of([Vector::z(), Vector::zeros()]));
+        let crank = Body::new(
+            [Vector::zeros(); 3],
+            rate.of([Vector::z(), Vector::zeros()]),
+        );
         all.body(crank.add_mass(m.m1, at.c1));
         let axes = [at.link.x, at.link.y, at.link.z];
         let rates = [[at.wx, at.ex], [at.wy, at.ey], [at.wz, at.ez]].map(|own| rate.of(own));
@@ -95,11 +100,20 @@ fn reactions_and_powers() {
         all.joint(Kind::Cylinder(at.z2), 1, Some(0), at.p2);
         all.joint(Kind::Cylinder(at.z3), 1, Some(2), at.p3);
         all.joint(Kind::Cylinder(at.z4), 2, None, at.foot);
-        all.force([Some(coupler), None], at.c2, Vector::new(load, -load, 2.0 * load));
+        all.force(
+            [Some(coupler), None],
+            at.c2,
+            Vector::new(load, -load, 2.0 * load),
+        );
 
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
-        let pairs = [(found.f1, found.m1), (found.f2, found.m2), (found.f3, found.m3), (found.f4, found.m4)];
+        let pairs = [
+            (found.f1, found.m1),
+            (found.f2, found.m2),
+            (found.f3, found.m3),
+            (found.f4, found.m4),
+        ];
         for (joint, (force, moment)) in pairs.into_iter().enumerate() {
             solution.expect_force(joint, force);
             solution.expect_moment(joint, moment);

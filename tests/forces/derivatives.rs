@@ -116,7 +116,10 @@ fn in_the_plane() {
     for k in 0..12 {
         let (phi, omega, epsilon, pull) = (0.2 + 0.5 * f64::from(k), 40.0, -300.0, 15.0);
         let numbers = |m: &Rocking, phi: f64| {
-            let at = m.assemble().expect("it assembles").forces(phi, omega, epsilon, pull);
+            let at = m
+                .assemble()
+                .expect("it assembles")
+                .forces(phi, omega, epsilon, pull);
             [at.f.x, at.f.y, at.t, at.s.x, at.s.y, at.k]
         };
         let expected = by_parameters(&mechanism, |m| numbers(m, phi));
@@ -136,7 +139,12 @@ fn in_the_plane() {
 
         let parts = linkage.parts(phi, omega, epsilon, pull);
         let of = |parameter: usize| rest(sizes[1], values[parameter]);
-        let [a, m2, m3, i2] = [Rocking::INDEX_A, Rocking::INDEX_M2, Rocking::INDEX_M3, Rocking::INDEX_I2];
+        let [a, m2, m3, i2] = [
+            Rocking::INDEX_A,
+            Rocking::INDEX_M2,
+            Rocking::INDEX_M3,
+            Rocking::INDEX_I2,
+        ];
         close(parts.a, expected[a][2], of(a));
         close(parts.m.x, expected[m2][0], of(m2));
         close(parts.m.y, expected[m2][1], of(m2));

@@ -75,7 +75,10 @@ impl Rates {
     ) -> Body {
         let [v, a] = self.of(v.map(flat), a.map(|row| row.map(flat)));
         let about = |x| Vector::z() * x;
-        Body::new([flat(p), v, a], self.of(w.map(about), e.map(|row| row.map(about))))
+        Body::new(
+            [flat(p), v, a],
+            self.of(w.map(about), e.map(|row| row.map(about))),
+        )
     }
 }
 
@@ -84,14 +87,27 @@ fn instant(m: &FiveBar, at: &FiveBarMotion, rates: Rates, load: f64) -> Instant 
     let still = ([zero; 2], [[zero; 2]; 2]);
     let mut all = Instant::new(true, 80.0, NEWTON, Vector::new(0.0, -9806.65, 0.0));
     let [p1, p2, p, c1, c2] = [at.p1, at.p2, at.p, at.c1, at.c2].map(flat);
-    let own = |input: usize| ([0, 1].map(|k| f64::from(u8::from(k == input))), [[0.0; 2]; 2]);
-    let crank = rates.body((zero, still.0, still.1), own(0)).add_mass(m.m1, p1 / 3.0);
+    let own = |input: usize| {
+        (
+            [0, 1].map(|k| f64::from(u8::from(k == input))),
+            [[0.0; 2]; 2],
+        )
+    };
+    let crank = rates
+        .body((zero, still.0, still.1), own(0))
+        .add_mass(m.m1, p1 / 3.0);
     let crank = Some(all.body(crank));
-    let arm = rates.body((m.base, still.0, still.1), own(1)).add_mass(m.m2, flat(at.m2));
+    let arm = rates
+        .body((m.base, still.0, still.1), own(1))
+        .add_mass(m.m2, flat(at.m2));
     let arm = Some(all.body(arm));
-    let left = rates.body((at.p1, at.v1, at.a1), (at.wa, at.ea)).add_mass(m.m3, c1);
+    let left = rates
+        .body((at.p1, at.v1, at.a1), (at.wa, at.ea))
+        .add_mass(m.m3, c1);
     let left = Some(all.body(left.add_inertia(disc(m.i2))));
-    let right = rates.body((at.p2, at.v2, at.a2), (at.wb, at.eb)).add_mass(m.m4, c2);
+    let right = rates
+        .body((at.p2, at.v2, at.a2), (at.wb, at.eb))
+        .add_mass(m.m4, c2);
     let right = Some(all.body(right.add_inertia(disc(m.i3))));
     all.driven(pin(), 0, None, Vector::zeros());
     all.driven(pin(), 1, None, flat(m.base));
@@ -106,7 +122,9 @@ fn instant(m: &FiveBar, at: &FiveBarMotion, rates: Rates, load: f64) -> Instant 
 #[test]
 fn reactions_and_powers() {
     each(0xc1, |m: FiveBar, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let [phi, psi] = [0, 1].map(|_| random.between(1.1, 2.0));
         let rates = Rates {
             speeds: [0, 1].map(|_| random.load(30.0)),
@@ -138,7 +156,10 @@ fn reactions_and_powers() {
         solution.expect_power(stored + all.dissipated + all.delivered, found.p, speed);
 
         // One input at rest.
-        let rates = Rates { speeds: [0.0, w2], gains: [0.0; 2] };
+        let rates = Rates {
+            speeds: [0.0, w2],
+            gains: [0.0; 2],
+        };
         let all = instant(&m, &at, rates, load);
         let solution = all.solve();
         let found = linkage.half(phi, psi, w2, load);

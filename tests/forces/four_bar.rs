@@ -108,7 +108,10 @@ fn instant(m: &FourBar, at: &FourBarMotion, rate: Rate, [pull, load]: [f64; 2]) 
     all.spring([(None, anchor), (rocker, p3)], m.rate, m.free);
     all.spring([(crank, c1), (rocker, c3)], m.rate / 3.0, 0.0);
     all.couple([rocker, None], Vector::z() * (-m.twist * (at.psi - m.rest)));
-    all.couple([coupler, rocker], Vector::z() * (-m.coil * (at.theta - at.psi)));
+    all.couple(
+        [coupler, rocker],
+        Vector::z() * (-m.coil * (at.theta - at.psi)),
+    );
     all.damper([(None, anchor), (coupler, c4)], m.drag);
     all.turn_damper([rocker, None], Vector::z(), m.brake);
     all.turn_damper([coupler, crank], Vector::z(), m.slow);
@@ -118,14 +121,19 @@ fn instant(m: &FourBar, at: &FourBarMotion, rate: Rate, [pull, load]: [f64; 2]) 
 #[test]
 fn reactions_and_powers() {
     each(0x51, |m: FourBar, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (phi, rate) = (random.turn(), Rate::any(random));
         let loads = [random.load(20.0), random.load(300.0)];
         let at = linkage.motion(phi);
         let all = instant(&m, &at, rate, loads);
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, loads[0], loads[1]);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
+        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_torque(solution.drive(0), found.t);
@@ -147,14 +155,19 @@ fn reactions_and_powers() {
 #[test]
 fn speeds_that_are_not_listed_are_zero() {
     each(0x52, |m: FourBar, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (phi, rate) = (random.turn(), Rate::any(random));
         let loads = [random.load(20.0), random.load(300.0)];
         let at = linkage.motion(phi);
 
         let still = instant(&m, &at, Rate::REST, loads).solve();
         let found = linkage.statics(phi, loads[0], loads[1]);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
+        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
+            .into_iter()
+            .enumerate()
+        {
             still.expect_force(joint, force);
         }
         still.expect_torque(still.drive(0), found.t);

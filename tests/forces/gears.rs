@@ -117,7 +117,9 @@ mechanism! {
 #[test]
 fn half_speed_and_a_wheel() {
     each(0xb1, |m: Geared, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (phi, rate, load) = (2.0 * random.turn(), Rate::any(random), random.load(300.0));
         let at = linkage.motion(phi);
         let mut all = Instant::new(true, 100.0, NEWTON, Vector::new(0.0, -9806.65, 0.0));
@@ -126,9 +128,13 @@ fn half_speed_and_a_wheel() {
         let side = Vector2::new(-50.0, 0.0);
         let shaft = rate.pivot(side, [1.0, 0.0]).add_inertia(disc(m.i0));
         let shaft = Some(all.body(shaft));
-        let crank = rate.pivot(Vector2::zeros(), [0.5, 0.0]).add_mass(m.m1, p2 / 2.0);
+        let crank = rate
+            .pivot(Vector2::zeros(), [0.5, 0.0])
+            .add_mass(m.m1, p2 / 2.0);
         let crank = Some(all.body(crank));
-        let coupler = rate.plane([at.p2, at.v2, at.a2], [at.wt, at.et]).add_mass(m.m2, c2);
+        let coupler = rate
+            .plane([at.p2, at.v2, at.a2], [at.wt, at.et])
+            .add_mass(m.m2, c2);
         all.body(coupler.add_inertia(disc(m.i2)));
         let rocker = rate.pivot(m.base, [at.wp, at.ep]).add_mass(m.m3, c3);
         let rocker = Some(all.body(rocker.add_inertia(disc(m.i3))));
@@ -168,18 +174,26 @@ fn half_speed_and_a_wheel() {
 #[test]
 fn coupler_and_arm() {
     each(0xb2, |m: Tied, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (phi, rate, load) = (random.turn(), Rate::any(random), random.load(30.0));
         let at = linkage.motion(phi);
         let mut all = Instant::new(true, 80.0, NEWTON, Vector::new(0.0, -9806.65, 0.0));
         let [p2, p3, p4, c2, c3, c4] = [at.p2, at.p3, at.p4, at.c2, at.c3, at.c4].map(flat);
-        let crank = rate.pivot(Vector2::zeros(), [1.0, 0.0]).add_mass(m.m1, p2 / 2.0);
+        let crank = rate
+            .pivot(Vector2::zeros(), [1.0, 0.0])
+            .add_mass(m.m1, p2 / 2.0);
         let crank = Some(all.body(crank));
-        let coupler = rate.plane([at.p2, at.v2, at.a2], [at.wt, at.et]).add_mass(m.m2, c2);
+        let coupler = rate
+            .plane([at.p2, at.v2, at.a2], [at.wt, at.et])
+            .add_mass(m.m2, c2);
         all.body(coupler.add_inertia(disc(m.i2)));
         let arm = rate.pivot(m.base, [at.wp, at.ep]).add_mass(m.m4, c4);
         let arm = Some(all.body(arm));
-        let link = rate.plane([at.p4, at.v4, at.a4], [at.wc, at.ec]).add_mass(m.m3, c3);
+        let link = rate
+            .plane([at.p4, at.v4, at.a4], [at.wc, at.ec])
+            .add_mass(m.m3, c3);
         let link = Some(all.body(link.add_inertia(disc(m.i3))));
         all.driven(pin(), 0, None, Vector::zeros());
         all.joint(pin(), 1, crank, p2);

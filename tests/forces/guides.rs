@@ -85,16 +85,24 @@ mechanism! {
 #[test]
 fn yoke() {
     each(0x81, |m: Yoke, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (phi, rate, push) = (random.turn(), Rate::any(random), random.load(50.0));
         let at = linkage.motion(phi);
         let mut all = Instant::new(true, 40.0, NEWTON, Vector::zeros());
         let [p2, o3, c2, c3] = [at.p2, at.o3, at.c2, at.c3].map(flat);
-        let crank = rate.pivot(Vector2::zeros(), [1.0, 0.0]).add_mass(m.m1, p2 / 3.0);
+        let crank = rate
+            .pivot(Vector2::zeros(), [1.0, 0.0])
+            .add_mass(m.m1, p2 / 3.0);
         let crank = Some(all.body(crank));
-        let yoke = rate.plane([at.o3, at.v3, at.a3], [0.0, 0.0]).add_mass(m.m3, c3);
+        let yoke = rate
+            .plane([at.o3, at.v3, at.a3], [0.0, 0.0])
+            .add_mass(m.m3, c3);
         let yoke = Some(all.body(yoke));
-        let block = rate.plane([at.p2, at.v2, at.a2], [0.0, 0.0]).add_mass(m.m2, c2);
+        let block = rate
+            .plane([at.p2, at.v2, at.a2], [0.0, 0.0])
+            .add_mass(m.m2, c2);
         let block = Some(all.body(block));
         let [lean, slot] = [m.lean, m.slot].map(|angle| Vector::new(angle.cos(), angle.sin(), 0.0));
         all.driven(pin(), 0, None, Vector::zeros());
@@ -107,7 +115,10 @@ fn yoke() {
 
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, push);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
+        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(2, found.m3);
@@ -123,16 +134,26 @@ fn yoke() {
 #[test]
 fn cross() {
     each(0x82, |m: Cross, random| {
-        let Ok(linkage) = m.assemble() else { return false };
-        let (phi, rate, push) = (random.between(-0.6, 0.6), Rate::any(random), random.load(50.0));
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
+        let (phi, rate, push) = (
+            random.between(-0.6, 0.6),
+            Rate::any(random),
+            random.load(50.0),
+        );
         let at = linkage.motion(phi);
         let mut all = Instant::new(true, 60.0, NEWTON, Vector::new(0.0, -9806.65, 0.0));
         let [q, c1, c2, c3] = [at.q, at.c1, at.c2, at.c3].map(flat);
         let crank = rate.pivot(Vector2::zeros(), [1.0, 0.0]).add_mass(m.m1, c1);
         let crank = Some(all.body(crank.add_inertia(disc(m.i1))));
-        let block = rate.plane([at.q, at.v, at.a], [1.0, 0.0]).add_mass(m.m2, c2);
+        let block = rate
+            .plane([at.q, at.v, at.a], [1.0, 0.0])
+            .add_mass(m.m2, c2);
         all.body(block.add_inertia(disc(m.i2)));
-        let slider = rate.plane([at.q, at.v, at.a], [0.0, 0.0]).add_mass(m.m3, c3);
+        let slider = rate
+            .plane([at.q, at.v, at.a], [0.0, 0.0])
+            .add_mass(m.m3, c3);
         let slider = Some(all.body(slider));
         let slot = Vector::new((phi + m.skew).cos(), (phi + m.skew).sin(), 0.0);
         all.driven(pin(), 0, None, Vector::zeros());
@@ -143,7 +164,10 @@ fn cross() {
 
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, push);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
+        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(1, found.m2);

@@ -2,30 +2,30 @@
 //! formula with the compiler; power balances; limits by hand; derivatives against differences; sweeps and other scalars.
 
 mod body;
-mod cylinders;
 mod carriage;
-mod trees;
-mod rows;
-mod derivatives;
-mod units;
-mod statics;
-mod rotor;
-mod rssp;
-mod rssr;
-mod guides;
-mod cylinder;
-mod five_bar;
-mod gears;
-mod two_dyads;
 mod coupled;
+mod cylinder;
+mod cylinders;
+mod derivatives;
+mod five_bar;
 mod four_bar;
+mod gears;
+mod guides;
 mod joint;
 mod loads;
 mod newton_euler;
 mod quick_return;
+mod rotor;
+mod rows;
+mod rssp;
+mod rssr;
 mod samples;
 mod slider_crank;
 mod solution;
+mod statics;
+mod trees;
+mod two_dyads;
+mod units;
 
 use body::Body;
 use joint::Kind;

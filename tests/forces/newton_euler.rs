@@ -61,7 +61,8 @@ impl Instant {
         on: Option<usize>,
         point: Vector,
     ) -> usize {
-        self.joints.push(Joint::new(kind, (body, on), point, self.plane));
+        self.joints
+            .push(Joint::new(kind, (body, on), point, self.plane));
         self.joints.len() - 1
     }
 
@@ -79,7 +80,9 @@ impl Instant {
     }
 
     pub(crate) fn tie(&mut self, couples: &[(usize, f64)]) {
-        let couples = couples.iter().map(|&(body, part)| (body, Vector::z() * part));
+        let couples = couples
+            .iter()
+            .map(|&(body, part)| (body, Vector::z() * part));
         self.ties.push(couples.collect());
     }
 
@@ -119,21 +122,32 @@ impl Instant {
                 false => vec![force.x, force.y, force.z, own.x, own.y, own.z],
             };
             let start = rows * body;
-            parts.into_iter().enumerate().for_each(|(k, x)| column[start + k] += x);
+            parts
+                .into_iter()
+                .enumerate()
+                .for_each(|(k, x)| column[start + k] += x);
         };
         let mut unknown = |ends: &[(usize, [Vector; 2])]| {
             let mut column = DVector::zeros(size);
-            ends.iter().for_each(|&(body, wrench)| put(&mut column, body, wrench));
+            ends.iter()
+                .for_each(|&(body, wrench)| put(&mut column, body, wrench));
             columns.push(column);
         };
         for joint in &self.joints {
             for wrench in joint.wrenches(self.length) {
                 let on = joint.on.map(|on| (on, wrench.map(|v| -v)));
-                unknown(&[Some((joint.body, wrench)), on].into_iter().flatten().collect::<Vec<_>>());
+                unknown(
+                    &[Some((joint.body, wrench)), on]
+                        .into_iter()
+                        .flatten()
+                        .collect::<Vec<_>>(),
+                );
             }
         }
         for tie in &self.ties {
-            let couples = tie.iter().map(|&(body, v)| (body, [Vector::zeros(), v * self.length]));
+            let couples = tie
+                .iter()
+                .map(|&(body, v)| (body, [Vector::zeros(), v * self.length]));
             unknown(&couples.collect::<Vec<_>>());
         }
         let mut right = DVector::zeros(size);
@@ -150,16 +164,25 @@ impl Instant {
 /// Of a system with at least as many equations as unknowns.
 fn solution(matrix: DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
     let (equations, unknowns) = matrix.shape();
-    assert!(equations >= unknowns, "{equations} equations, {unknowns} unknowns");
+    assert!(
+        equations >= unknowns,
+        "{equations} equations, {unknowns} unknowns"
+    );
     if equations == unknowns {
         let solved = matrix.lu().solve(right);
         return solved.expect("equilibrium tells all forces");
     }
     let parts = matrix.clone().svd(true, true);
     let smallest = parts.singular_values.min();
-    assert!(smallest > 1e-9, "equilibrium leaves forces open: {smallest}");
+    assert!(
+        smallest > 1e-9,
+        "equilibrium leaves forces open: {smallest}"
+    );
     let found = parts.solve(right, 0.0).expect("both bases were asked for");
     let rest = (matrix * &found - right).norm();
-    assert!(rest <= 1e-10 * found.norm(), "no forces hold this motion: {rest}");
+    assert!(
+        rest <= 1e-10 * found.norm(),
+        "no forces hold this motion: {rest}"
+    );
     found
 }

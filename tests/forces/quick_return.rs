@@ -118,12 +118,17 @@ fn instant(m: &QuickReturn, at: &QuickReturnMotion, rate: Rate, cut: f64) -> Ins
 fn reactions_and_powers() {
     each(0x71, |m: QuickReturn, random| {
         let hung: HungBlock = linkage::Dimensions::from_values(&linkage::Dimensions::values(&m));
-        let (Ok(linkage), Ok(hung)) = (m.assemble(), hung.assemble()) else { return false };
+        let (Ok(linkage), Ok(hung)) = (m.assemble(), hung.assemble()) else {
+            return false;
+        };
         let (phi, rate, cut) = (random.turn(), Rate::any(random), random.load(50.0));
         let all = instant(&m, &linkage.motion(phi), rate, cut);
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, cut);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
+        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(2, found.m3);
@@ -131,7 +136,10 @@ fn reactions_and_powers() {
         solution.expect_power(solution.power(&all), found.p, rate.omega);
 
         let other = hung.forces(phi, rate.omega, rate.epsilon, cut);
-        for (joint, force) in [other.f1, -other.f2, other.f3, other.f4].into_iter().enumerate() {
+        for (joint, force) in [other.f1, -other.f2, other.f3, other.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(2, other.m3);

@@ -46,7 +46,10 @@ fn turns(phi: f64, w: [f64; 2], e: [f64; 2]) -> [[Vector; 2]; 2] {
     let moved = up.cross(&out) * w[0];
     [
         [up * w[0], up * e[0]],
-        [up * w[0] + out * w[1], up * e[0] + out * e[1] + moved * w[1]],
+        [
+            up * w[0] + out * w[1],
+            up * e[0] + out * e[1] + moved * w[1],
+        ],
     ]
 }
 
@@ -86,9 +89,13 @@ fn gyroscopic_moments() {
 
         let solution = all.solve();
         let found = linkage.forces(phi, psi, w[0], e[0], w[1], e[1]);
-        for (joint, (force, moment)) in [(found.f1, found.m1), (found.f2, found.m2), (found.f3, found.m3)]
-            .into_iter()
-            .enumerate()
+        for (joint, (force, moment)) in [
+            (found.f1, found.m1),
+            (found.f2, found.m2),
+            (found.f3, found.m3),
+        ]
+        .into_iter()
+        .enumerate()
         {
             solution.expect_force(joint, force);
             solution.expect_moment(joint, moment);

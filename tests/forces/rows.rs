@@ -45,9 +45,19 @@ fn numbers<T: Scalar>(forces: &PressForces<T>) -> [T; WIDTH] {
 
 /// Of forces of this size.
 fn sizes(forces: &[f64; WIDTH], omega: f64) -> [f64; WIDTH] {
-    let force = forces[..4].iter().fold(1.0_f64, |size, x| size.max(x.abs()));
+    let force = forces[..4]
+        .iter()
+        .fold(1.0_f64, |size, x| size.max(x.abs()));
     let moment = 100.0 * force;
-    [force, force, force, force, moment, moment, moment * omega.abs()]
+    [
+        force,
+        force,
+        force,
+        force,
+        moment,
+        moment,
+        moment * omega.abs(),
+    ]
 }
 
 fn columns<T: Scalar>(rows: usize, random: &mut Random) -> [Vec<T>; 4] {
@@ -99,7 +109,10 @@ fn places() {
     let linkage = Press::default().assemble().expect("it assembles");
     let [phi, omega, epsilon, load] = columns::<f64>(150, &mut Random(0x9a));
     let bits = |columns: &PressForcesColumns| -> Vec<[u64; WIDTH]> {
-        columns.iter().map(|row| numbers(&row).map(f64::to_bits)).collect()
+        columns
+            .iter()
+            .map(|row| numbers(&row).map(f64::to_bits))
+            .collect()
     };
     let all = bits(&linkage.forces_sweep(&phi, &omega, &epsilon, &load));
     for (start, end) in [(0, 1), (3, 70), (31, 33), (100, 150)] {
@@ -116,7 +129,10 @@ fn places() {
 #[test]
 fn single_precision() {
     let double = Press::default().assemble().expect("it assembles");
-    let single = Press::default().cast::<f32>().assemble().expect("it assembles");
+    let single = Press::default()
+        .cast::<f32>()
+        .assemble()
+        .expect("it assembles");
     let mut random = Random(0x9b);
     for _ in 0..200 {
         let (phi, omega) = (random.turn(), random.between(5.0, 60.0));
@@ -125,7 +141,10 @@ fn single_precision() {
         let found = single.forces(phi as f32, omega as f32, epsilon as f32, load as f32);
         let sizes = sizes(&exact, omega);
         for ((found, exact), size) in numbers(&found).into_iter().zip(exact).zip(sizes) {
-            assert!((f64::from(found) - exact).abs() < 3e-6 * size, "{found}, not {exact}");
+            assert!(
+                (f64::from(found) - exact).abs() < 3e-6 * size,
+                "{found}, not {exact}"
+            );
         }
     }
 }
@@ -139,7 +158,10 @@ fn dual_numbers() {
     let plain = Press::default().assemble().expect("it assembles");
     let constant = |x: f64| Dual(Dual64::from(x));
     let variable = |x: f64| Dual(Dual64::new(x, 1.0));
-    let by_angle = Press::default().cast::<Dual<Dual64>>().assemble().expect("it assembles");
+    let by_angle = Press::default()
+        .cast::<Dual<Dual64>>()
+        .assemble()
+        .expect("it assembles");
     let mut heavy = Press::default().cast::<Dual<Dual64>>();
     heavy.m3 = variable(0.5);
     let by_mass = heavy.assemble().expect("it assembles");
@@ -153,6 +175,8 @@ fn dual_numbers() {
         assert!((heavier.0.eps - slopes.m).abs() < 1e-10 * (1e4 + slopes.m.abs()));
         // Power is torque times speed.
         let spun = by_angle.forces(constant(phi), variable(omega), rest[1], rest[2]);
-        assert!((spun.p.0.eps - spun.t.0.re - spun.t.0.eps * omega).abs() < 1e-10 * spun.p.0.eps.abs());
+        assert!(
+            (spun.p.0.eps - spun.t.0.re - spun.t.0.eps * omega).abs() < 1e-10 * spun.p.0.eps.abs()
+        );
     }
 }

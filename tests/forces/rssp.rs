@@ -58,7 +58,9 @@ mechanism! {
 #[test]
 fn reactions_and_powers() {
     each(0xf1, |m: Rssp, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (phi, rate, load) = (random.turn(), Rate::any(random), random.load(20.0));
         let at = linkage.motion(phi);
         let mut all = Instant::new(false, 100.0, NEWTON, Vector::new(0.0, 0.0, -9806.65));
@@ -74,7 +76,9 @@ fn reactions_and_powers() {
         let ram = Body::new([at.end, ve, ae], [Vector::zeros(); 2]).add_mass(m.m3, at.c3);
         let ram = Some(all.body(ram));
         let rod = Body::new([at.end, ve, ae], swing(at.end - at.pin, ve - vp, ae - ap));
-        let rod = rod.add_mass(m.m2, at.c2).add_inertia(Matrix3::identity() * m.i2);
+        let rod = rod
+            .add_mass(m.m2, at.c2)
+            .add_inertia(Matrix3::identity() * m.i2);
         let rod = all.body(rod);
         let way = Vector::new(2.0, 1.0, -1.0).normalize();
         all.driven(Kind::Pin(Vector::x()), crank, None, Vector::zeros());
@@ -82,12 +86,19 @@ fn reactions_and_powers() {
         all.joint(Kind::Ball, rod, ram, at.end);
         all.joint(Kind::Slide(way), 1, None, at.end);
         all.force([ram, None], at.c3, Vector::new(-load, load, 0.0));
-        all.pair([ram, None], at.end, way * (-0.4 * (at.end.dot(&way) - 100.0)));
+        all.pair(
+            [ram, None],
+            at.end,
+            way * (-0.4 * (at.end.dot(&way) - 100.0)),
+        );
         all.slide_damper([ram, None], (at.end, way), 0.03);
 
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
+        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(0, found.m1);

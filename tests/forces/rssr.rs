@@ -96,7 +96,9 @@ fn instant(m: &Rssr, at: &RssrMotion, (phi, rate): (f64, Rate), load: f64) -> In
     let [ve, ae] = rate.of([at.ve, at.ae]);
     let rod = Body::new([at.pin, vp, ap], swing(at.end - at.pin, ve - vp, ae - ap));
     // Nothing that is seen depends on the inertia about the rod's line.
-    let rod = rod.add_mass(m.m2, at.c2).add_inertia(Matrix3::identity() * m.i2);
+    let rod = rod
+        .add_mass(m.m2, at.c2)
+        .add_inertia(Matrix3::identity() * m.i2);
     let rod = Some(all.body(rod));
     let axes = [at.wing.x, at.wing.y, at.wing.z];
     let rates = [[at.wx, at.ex], [at.wy, at.ey], [at.wz, at.ez]].map(|own| rate.of(own));
@@ -117,8 +119,15 @@ fn instant(m: &Rssr, at: &RssrMotion, (phi, rate): (f64, Rate), load: f64) -> In
     all.force([rod, None], at.c2, Vector::new(load, -load, load / 2.0));
     all.force([rocker, crank], at.end, Vector::new(load, 2.0 * load, 0.0));
     all.torque([rocker, None], Vector::new(300.0, -200.0, 1000.0));
-    all.spring([(None, Vector::new(0.0, 100.0, 50.0)), (rod, at.c2)], 0.2, 30.0);
-    all.couple([crank, None], Vector::x() * (-200.0 * (phi - 20f64.to_radians())));
+    all.spring(
+        [(None, Vector::new(0.0, 100.0, 50.0)), (rod, at.c2)],
+        0.2,
+        30.0,
+    );
+    all.couple(
+        [crank, None],
+        Vector::x() * (-200.0 * (phi - 20f64.to_radians())),
+    );
     all.turn_damper([rocker, None], at.axis, 20.0);
     all.damper([(crank, at.c1), (rocker, at.end)], 0.02);
     all
@@ -127,13 +136,18 @@ fn instant(m: &Rssr, at: &RssrMotion, (phi, rate): (f64, Rate), load: f64) -> In
 #[test]
 fn reactions_and_powers() {
     each(0xe1, |m: Rssr, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (phi, rate, load) = (random.turn(), Rate::any(random), random.load(20.0));
         let at = linkage.motion(phi);
         let all = instant(&m, &at, (phi, rate), load);
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
+        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(0, found.m1);

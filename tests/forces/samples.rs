@@ -23,7 +23,11 @@ impl Random {
     /// A number of either sign.
     pub(crate) fn load(&mut self, typical: f64) -> f64 {
         let size = self.size(typical);
-        if self.between(0.0, 1.0) < 0.5 { size } else { -size }
+        if self.between(0.0, 1.0) < 0.5 {
+            size
+        } else {
+            -size
+        }
     }
 
     pub(crate) fn turn(&mut self) -> f64 {
@@ -53,7 +57,10 @@ impl Rate {
 
     /// The same speed for ever.
     pub(crate) fn steady(self) -> Self {
-        Self { epsilon: 0.0, ..self }
+        Self {
+            epsilon: 0.0,
+            ..self
+        }
     }
 
     /// Velocity and acceleration of what has these derivatives by the input.

@@ -113,12 +113,17 @@ fn instant(m: &SliderCrank, at: &SliderCrankMotion, rate: Rate, press: f64) -> I
 fn reactions_and_powers() {
     each(0x61, |m: SliderCrank, random| {
         let hung: HungSlider = linkage::Dimensions::from_values(&linkage::Dimensions::values(&m));
-        let (Ok(linkage), Ok(hung)) = (m.assemble(), hung.assemble()) else { return false };
+        let (Ok(linkage), Ok(hung)) = (m.assemble(), hung.assemble()) else {
+            return false;
+        };
         let (phi, rate, press) = (random.turn(), Rate::any(random), random.load(50.0));
         let all = instant(&m, &linkage.motion(phi), rate, press);
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, press);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4].into_iter().enumerate() {
+        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(3, found.m4);
@@ -127,7 +132,10 @@ fn reactions_and_powers() {
 
         // The pin's force acts on the slider there.
         let other = hung.forces(phi, rate.omega, rate.epsilon, press);
-        for (joint, force) in [other.f1, other.f2, -other.f3, other.f4].into_iter().enumerate() {
+        for (joint, force) in [other.f1, other.f2, -other.f3, other.f4]
+            .into_iter()
+            .enumerate()
+        {
             solution.expect_force(joint, force);
         }
         solution.expect_moment(3, other.m4);

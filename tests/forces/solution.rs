@@ -17,7 +17,9 @@ pub(crate) struct Solution {
 
 impl Solution {
     pub(crate) fn new(instant: &Instant, mut found: &[f64]) -> Self {
-        let largest = found.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+        let largest = found
+            .iter()
+            .fold(0.0_f64, |largest, x| largest.max(x.abs()));
         let mut take = |ways: &[Vector]| {
             let (own, rest) = found.split_at(ways.len());
             found = rest;
@@ -72,7 +74,11 @@ impl Solution {
 
     #[track_caller]
     pub(crate) fn expect_moment(&self, joint: usize, found: impl Into<Spatial>) {
-        self.expect(self.couples[joint], found.into().0, self.largest * self.length);
+        self.expect(
+            self.couples[joint],
+            found.into().0,
+            self.largest * self.length,
+        );
     }
 
     /// A torque, or anything of that dimension.

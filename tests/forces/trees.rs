@@ -80,7 +80,9 @@ macro_rules! numbers {
             forces.f3 * signs[2],
             forces.f4 * signs[3],
         ];
-        [f1.x, f1.y, f2.x, f2.y, f3.x, f3.y, f4.x, f4.y, forces.t, forces.p]
+        [
+            f1.x, f1.y, f2.x, f2.y, f3.x, f3.y, f4.x, f4.y, forces.t, forces.p,
+        ]
     }};
 }
 
@@ -95,12 +97,20 @@ fn forces_do_not_depend_on_the_tree() {
         let (phi, rate, pull) = (random.turn(), Rate::any(&mut random), random.load(20.0));
         let (omega, epsilon) = (rate.omega, rate.epsilon);
         let expected = numbers!(usual.forces(phi, omega, epsilon, pull), [1.0; 4]);
-        let force = expected[..8].iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let force = expected[..8]
+            .iter()
+            .fold(0.0_f64, |size, x| size.max(x.abs()));
         // The spring in j3 turns back what stands first: it is zero where both are parallel, whoever stands first.
         let others = [
             numbers!(on_rocker.forces(phi, omega, epsilon, pull), [1.0; 4]),
-            numbers!(open_pivot.forces(phi, omega, epsilon, pull), [1.0, 1.0, -1.0, 1.0]),
-            numbers!(turned.forces(phi, omega, epsilon, pull), [1.0, 1.0, -1.0, 1.0]),
+            numbers!(
+                open_pivot.forces(phi, omega, epsilon, pull),
+                [1.0, 1.0, -1.0, 1.0]
+            ),
+            numbers!(
+                turned.forces(phi, omega, epsilon, pull),
+                [1.0, 1.0, -1.0, 1.0]
+            ),
         ];
         for (tree, other) in others.into_iter().enumerate() {
             for (k, (found, expected)) in other.into_iter().zip(expected).enumerate() {

@@ -74,19 +74,28 @@ mechanism! {
 #[test]
 fn reactions_and_powers() {
     each(0xa1, |m: NeedleDrive, random| {
-        let Ok(linkage) = m.assemble() else { return false };
+        let Ok(linkage) = m.assemble() else {
+            return false;
+        };
         let (phi, rate, press) = (random.turn(), Rate::any(random), random.load(5.0));
         let at = linkage.motion(phi);
         let mut all = Instant::new(true, 50.0, NEWTON, Vector::new(0.0, -9806.65, 0.0));
         let [c1, c2, c3, c5, c6] = [at.c1, at.c2, at.c3, at.c5, at.c6].map(flat);
         let crank = rate.pivot(Vector2::zeros(), [1.0, 0.0]).add_mass(m.m1, c1);
         let crank = Some(all.body(crank.add_inertia(disc(m.i1))));
-        all.body(rate.plane([at.p2, at.v2, at.a2], [at.wt, at.et]).add_mass(m.m2, c2));
+        all.body(
+            rate.plane([at.p2, at.v2, at.a2], [at.wt, at.et])
+                .add_mass(m.m2, c2),
+        );
         let rocker = rate.pivot(m.base, [at.wp, at.ep]).add_mass(m.m3, c3);
         let rocker = Some(all.body(rocker.add_inertia(disc(m.i3))));
-        let rod = rate.plane([at.p8, at.v8, at.a8], [at.wr, at.er]).add_mass(m.m5, c5);
+        let rod = rate
+            .plane([at.p8, at.v8, at.a8], [at.wr, at.er])
+            .add_mass(m.m5, c5);
         all.body(rod.add_inertia(disc(m.i5)));
-        let needle = rate.plane([at.p9, at.v9, at.a9], [at.wp, at.ep]).add_mass(m.m6, c6);
+        let needle = rate
+            .plane([at.p9, at.v9, at.a9], [at.wp, at.ep])
+            .add_mass(m.m6, c6);
         let needle = Some(all.body(needle.add_inertia(disc(m.i6))));
         let guide = at.psi + 20f64.to_radians();
         let guide = Kind::Slide(Vector::new(guide.cos(), guide.sin(), 0.0));
@@ -97,11 +106,17 @@ fn reactions_and_powers() {
         all.joint(pin(), 3, crank, flat(at.p8));
         all.joint(pin(), 3, needle, flat(at.p9));
         all.joint(guide, 4, rocker, flat(at.p9));
-        all.force([needle, None], flat(at.tip), Vector::new(press, -2.0 * press, 0.0));
+        all.force(
+            [needle, None],
+            flat(at.tip),
+            Vector::new(press, -2.0 * press, 0.0),
+        );
 
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, press);
-        let forces = [found.f1, found.f2, found.f3, found.f4, found.f8, found.f9, found.f11];
+        let forces = [
+            found.f1, found.f2, found.f3, found.f4, found.f8, found.f9, found.f11,
+        ];
         for (joint, force) in forces.into_iter().enumerate() {
             solution.expect_force(joint, force);
         }

@@ -57,7 +57,10 @@ fn units_agree() {
         let a = small.forces(phi, omega, epsilon, press);
         let b = large.forces(phi, omega, epsilon, press);
         let c = inch.forces(phi, omega, epsilon, press);
-        let largest = [a.f1, a.f3, a.f4].map(|f| f.norm()).into_iter().fold(0.0, f64::max);
+        let largest = [a.f1, a.f3, a.f4]
+            .map(|f| f.norm())
+            .into_iter()
+            .fold(0.0, f64::max);
         for (one, other, another) in [(a.f1, b.f1, c.f1), (a.f3, b.f3, c.f3), (a.f4, b.f4, c.f4)] {
             assert!((one - other).norm() < 1e-12 * largest);
             assert!((one - another).norm() < 1e-12 * largest);
@@ -74,11 +77,23 @@ fn units_agree() {
         close(a.by_m, b.by_m, c.by_m, 1, 100.0 * largest);
         close(a.by_i, b.by_i, c.by_i, -1, largest);
         close(a.by_a, b.by_a, c.by_a, 0, 10.0 * largest);
-        let [a, b, c] = [small.energy(phi, omega).k, large.energy(phi, omega).k, inch.energy(phi, omega).k];
+        let [a, b, c] = [
+            small.energy(phi, omega).k,
+            large.energy(phi, omega).k,
+            inch.energy(phi, omega).k,
+        ];
         close(a, b, c, 1, a);
-        let [a, b, c] = [small.energy(phi, omega).u, large.energy(phi, omega).u, inch.energy(phi, omega).u];
+        let [a, b, c] = [
+            small.energy(phi, omega).u,
+            large.energy(phi, omega).u,
+            inch.energy(phi, omega).u,
+        ];
         close(a, b, c, 1, a.abs() + 1.0);
-        let [a, b, c] = [small.energy(phi, omega).s, large.energy(phi, omega).s, inch.energy(phi, omega).s];
+        let [a, b, c] = [
+            small.energy(phi, omega).s,
+            large.energy(phi, omega).s,
+            inch.energy(phi, omega).s,
+        ];
         assert!((a - b).norm() < 1e-12 * a.norm() && (a - c).norm() < 1e-12 * a.norm());
     }
 }
@@ -86,8 +101,13 @@ fn units_agree() {
 /// Fields are in kilograms, newtons and the length unit, whatever is computed inside.
 #[test]
 fn fields() {
-    let [small, large, inch] = [in_mm::Slider::PARAMETERS, in_m::Slider::PARAMETERS, in_inch::Slider::PARAMETERS];
-    let unit = |parameters: &[linkage::Parameter]| parameters.iter().map(|p| p.unit).collect::<Vec<_>>();
+    let [small, large, inch] = [
+        in_mm::Slider::PARAMETERS,
+        in_m::Slider::PARAMETERS,
+        in_inch::Slider::PARAMETERS,
+    ];
+    let unit =
+        |parameters: &[linkage::Parameter]| parameters.iter().map(|p| p.unit).collect::<Vec<_>>();
     assert_eq!(unit(small), ["mm", "mm", "kg", "kg", "kg*mm^2", "N/mm"]);
     assert_eq!(unit(large), ["m", "m", "kg", "kg", "kg*m^2", "N/m"]);
     assert_eq!(small[2].nominal, 0.13);
@@ -99,15 +119,29 @@ fn fields() {
 /// Forces of inertia and weight are proportional to the masses, however large or small.
 #[test]
 fn scales() {
-    let nominal = in_mm::Slider { k: 0.0, ..Default::default() };
-    let reference = nominal.assemble().expect("it assembles").forces(1.0, 20.0, 100.0, 0.0);
+    let nominal = in_mm::Slider {
+        k: 0.0,
+        ..Default::default()
+    };
+    let reference = nominal
+        .assemble()
+        .expect("it assembles")
+        .forces(1.0, 20.0, 100.0, 0.0);
     for exponent in -6..=6 {
         let scale = 10f64.powi(exponent);
         let [m1, m3, i2] = [nominal.m1, nominal.m3, nominal.i2].map(|x| x * scale);
         // The masses that the text gives as numbers stay: only differences of two scales are proportional.
         let at = |m1, m3, i2| {
-            let scaled = in_mm::Slider { m1, m3, i2, ..nominal };
-            scaled.assemble().expect("it assembles").forces(1.0, 20.0, 100.0, 0.0)
+            let scaled = in_mm::Slider {
+                m1,
+                m3,
+                i2,
+                ..nominal
+            };
+            scaled
+                .assemble()
+                .expect("it assembles")
+                .forces(1.0, 20.0, 100.0, 0.0)
         };
         let (heavy, none) = (at(m1, m3, i2), at(0.0, 0.0, 0.0));
         let expected = (reference.t - none.t) * scale;
