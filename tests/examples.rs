@@ -32,6 +32,7 @@ example!(drag_link, "../examples/drag_link.rs");
 example!(eye_needle_accuracy, "../examples/eye_needle_accuracy.rs");
 example!(eye_needle, "../examples/eye_needle.rs");
 example!(favorit, "../examples/favorit.rs");
+example!(favorit_forces, "../examples/favorit_forces.rs");
 example!(geared_five_bar, "../examples/geared_five_bar.rs");
 example!(gears, "../examples/gears.rs");
 example!(hydraulic_cylinder, "../examples/hydraulic_cylinder.rs");

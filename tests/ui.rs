@@ -13,6 +13,7 @@ fn messages() {
         "model",
         "structure",
         "formulate",
+        "forces",
         "functions",
         "skeleton",
     ] {

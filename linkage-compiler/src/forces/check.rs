@@ -222,10 +222,9 @@ impl Mechanics<'_, '_> {
         let mechanism = self.algebra.mechanism;
         let system = self.system();
         for (equation, found) in system.matching.coordinates_of.iter().enumerate() {
-            let Equation::Motion(motion) = &system.equations[equation] else {
+            let Equation::Motion(way) = &system.equations[equation] else {
                 continue;
             };
-            let (_, way) = &motion[0];
             if found.is_empty() && !self.spins(way) {
                 let body = &mechanism.bodies[way.body];
                 let how = if way.slides {
@@ -246,8 +245,9 @@ impl Mechanics<'_, '_> {
         }
         let mut joints: Vec<usize> = Vec::new();
         for (unknown, equation) in system.matching.equation_of.iter().enumerate() {
-            let joint = system.unknowns[unknown].joint;
-            if equation.is_none() && !joints.contains(&joint) {
+            let joint = system.unknowns[unknown].joint();
+            let joint = joint.filter(|joint| equation.is_none() && !joints.contains(joint));
+            if let Some(joint) = joint {
                 joints.push(joint);
                 let name = joint_name(mechanism, joint);
                 diagnostics.error(
@@ -266,7 +266,8 @@ impl Mechanics<'_, '_> {
             let joints = block
                 .iter()
                 .flat_map(|&e| &system.matching.coordinates_of[e]);
-            let mut joints: Vec<usize> = joints.map(|&u| system.unknowns[u].joint).collect();
+            let mut joints: Vec<usize> =
+                joints.filter_map(|&u| system.unknowns[u].joint()).collect();
             joints.dedup();
             diagnostics.error(
                 origins.span(mechanism.joints[joints[0]].origin),

@@ -1,11 +1,11 @@
 //! The motions of the tree's joints that nothing drives: in each, no work may be done.
 //!
 //! A joint is driven if its motion depends on inputs alone: the drive holds it, with a couple (or a force along the guide) that is no
-//! unknown here. Gears tie the turns of several joints; a tie is one motion of them all.
+//! unknown here. Gears tie the turns of several bodies, by couples that are unknowns of their own.
 
 use linkage_symbolic::{NodeId, SymbolId};
 
-use crate::model::JointKind;
+use crate::model::{JointKind, Variable};
 
 use super::Mechanics;
 use super::geometry::{Turning, slides_along, turns_about};
@@ -20,72 +20,91 @@ pub(super) struct Way {
     pub(super) direction: Vec<NodeId>,
 }
 
-/// One motion: ways with factors.
-pub(super) type FreeMotion = Vec<(f64, Way)>;
+/// Turns that gears tie: their couples on bodies, in proportion, which the frame takes up.
+#[derive(Clone, Debug)]
+pub(super) struct Tie {
+    pub(super) couples: Vec<(usize, f64)>,
+}
+
+/// All motions of the tree's joints.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Motions {
+    pub(super) free: Vec<Way>,
+    pub(super) driven: Vec<Way>,
+    pub(super) ties: Vec<Tie>,
+}
 
 /// Constants that differ by less are equal: they are ratios of gears.
 const RATIO: f64 = 1e-9;
 
 impl Mechanics<'_, '_> {
-    /// The motions that nothing drives, and those that are driven. `held` is how many of them reactions of cut joints can hold in the plane. What is beyond
-    /// is tied by gears.
-    pub(super) fn motions(&mut self, held: usize) -> (Vec<FreeMotion>, Vec<Way>) {
+    /// All motions. `held` is how many of them reactions of cut joints can hold in the plane: what is beyond is tied by gears.
+    pub(super) fn motions(&mut self, held: usize) -> Motions {
         let unknowns = self.unknown_variables();
-        let mut driven = Vec::new();
-        let mut free: Vec<(Way, Option<Vec<f64>>)> = Vec::new();
+        let mut motions = Motions::default();
         for body in self.forces.tree.order.clone() {
             for way in self.ways(body) {
-                let rates: Vec<NodeId> = unknowns
-                    .iter()
-                    .map(|&unknown| self.relative_rate(&way, unknown))
-                    .collect();
-                if rates.iter().all(|&rate| self.algebra.vanishes(rate)) {
-                    driven.push(way);
-                    continue;
+                let is_held = unknowns.iter().all(|&unknown| {
+                    let rate = self.relative_rate(&way, unknown);
+                    self.algebra.vanishes(rate)
+                });
+                match is_held {
+                    true => motions.driven.push(way),
+                    false => motions.free.push(way),
                 }
-                let constants = rates
-                    .iter()
-                    .map(|&rate| self.algebra.graph.constant_value(rate));
-                let constants = constants.collect::<Option<Vec<f64>>>();
-                free.push((way.clone(), constants.filter(|_| !way.slides)));
             }
         }
-        let excess = match self.forces.geometry.dimensions {
-            2 => free.len().saturating_sub(held),
-            _ => 0,
-        };
-        (self.tied(free, excess), driven)
-    }
-
-    /// Joins turns that gears tie, `excess` of them.
-    fn tied(&self, free: Vec<(Way, Option<Vec<f64>>)>, excess: usize) -> Vec<FreeMotion> {
-        let mut motions: Vec<FreeMotion> = Vec::new();
-        // The rates of each motion that may be tied to others.
-        let mut basis: Vec<(usize, Vec<f64>)> = Vec::new();
-        let mut ties = 0;
-        for (way, rates) in free {
-            let share = rates
-                .as_ref()
-                .filter(|_| ties < excess && !self.in_slide(way.body));
-            let share = share.and_then(|rates| combination(&basis, rates));
-            match share {
-                Some(share) => {
-                    ties += 1;
-                    for (factor, (motion, _)) in share.into_iter().zip(&basis) {
-                        if factor != 0.0 {
-                            motions[*motion].push((factor, way.clone()));
-                        }
-                    }
-                }
-                None => {
-                    if let Some(rates) = rates {
-                        basis.push((motions.len(), rates));
-                    }
-                    motions.push(vec![(1.0, way)]);
-                }
-            }
+        if self.forces.geometry.dimensions == 2 && motions.free.len() > held {
+            motions.ties = self.ties(&motions.free, motions.free.len() - held, &unknowns);
         }
         motions
+    }
+
+    /// Up to `count` turns that are determined by others, all of them against the frame.
+    fn ties(&mut self, free: &[Way], count: usize, unknowns: &[SymbolId]) -> Vec<Tie> {
+        let mut basis: Vec<(usize, Vec<f64>)> = Vec::new();
+        let mut ties = Vec::new();
+        for way in free.iter().filter(|way| !way.slides) {
+            let Some(rates) = self.constant_rates(way.body, unknowns) else {
+                continue;
+            };
+            let found = match ties.len() < count && !self.in_slide(way.body) {
+                true => combination(&basis, &rates),
+                false => None,
+            };
+            let Some(shares) = found else {
+                basis.push((way.body, rates));
+                continue;
+            };
+            let others = basis.iter().zip(shares).filter(|(_, share)| *share != 0.0);
+            let others = others.map(|((body, _), share)| (*body, -share));
+            ties.push(Tie {
+                couples: std::iter::once((way.body, 1.0)).chain(others).collect(),
+            });
+        }
+        ties
+    }
+
+    /// How fast a body of the plane turns by each unknown, if these are constants.
+    fn constant_rates(&mut self, body: usize, unknowns: &[SymbolId]) -> Option<Vec<f64>> {
+        let mut rates = Vec::new();
+        for &unknown in unknowns {
+            let rate = self.partial_turn(Some(body), unknown)[0];
+            rates.push(self.algebra.graph.constant_value(rate)?);
+        }
+        Some(rates)
+    }
+
+    /// How fast what is tied would come apart by an input if it were not for the unknowns.
+    pub(super) fn tie_rate(&mut self, tie: &Tie, input: usize) -> NodeId {
+        let variable = self.algebra.variable(Variable::Input(input));
+        let zero = self.algebra.graph.zero();
+        tie.couples.iter().fold(zero, |sum, &(body, share)| {
+            let turn = self.partial_turn(Some(body), variable)[0];
+            let share = self.algebra.graph.constant(share);
+            let part = self.algebra.graph.mul(share, turn);
+            self.algebra.graph.add(sum, part)
+        })
     }
 
     /// True if a cut slide joins a body: it turns as another because of the slide, not because of gears.

@@ -31,7 +31,8 @@ impl Mechanics<'_, '_> {
                 continue;
             }
             let ends = [Some(declared.body), declared.on].into_iter().flatten();
-            let mut links_here = ends.filter(|&body| self.is_link(body, joint, kind));
+            let mut links_here =
+                ends.filter(|&body| self.is_link(body, joint, kind) && !system.ties(body));
             let wanted = match plane {
                 true => links_here.find(|&body| system.in_large_block(joint, body)),
                 false => links_here.find(|&body| self.is_rod(body)),

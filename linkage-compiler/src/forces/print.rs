@@ -8,7 +8,7 @@ use crate::model::Mechanism;
 use super::Forces;
 use super::check::joint_name;
 use super::freedom::Way;
-use super::system::{Equation, System};
+use super::system::{Equation, System, Unknown};
 
 /// What is driven, and which motions find which reactions together; nothing for a mechanism without bodies.
 pub(crate) fn describe(algebra: &mut Algebra) -> String {
@@ -46,24 +46,22 @@ fn block_words(mechanism: &Mechanism, system: &System, block: &[usize]) -> Strin
     let unknowns = block
         .iter()
         .flat_map(|&e| &system.matching.coordinates_of[e]);
-    let unknowns = unknowns.map(|&unknown| {
-        let unknown = &system.unknowns[unknown];
-        let what = if unknown.is_moment { "moment" } else { "force" };
-        format!("{what} {}", joint_name(mechanism, unknown.joint))
+    let unknowns = unknowns.map(|&unknown| match &system.unknowns[unknown] {
+        Unknown::Reaction(own) => {
+            let what = if own.is_moment { "moment" } else { "force" };
+            format!("{what} {}", joint_name(mechanism, own.joint))
+        }
+        Unknown::Tie(tie) => {
+            let couples = tie.couples.iter();
+            let couples = couples
+                .map(|&(body, share)| format!("{share} on `{}`", mechanism.bodies[body].name));
+            format!("couple ({})", couples.collect::<Vec<_>>().join(", "))
+        }
     });
     let equations = block
         .iter()
         .map(|&equation| match &system.equations[equation] {
-            Equation::Motion(motion) => {
-                let ways: Vec<String> = motion
-                    .iter()
-                    .map(|(factor, way)| match *factor {
-                        1.0 => way_words(mechanism, way),
-                        factor => format!("{factor} x {}", way_words(mechanism, way)),
-                    })
-                    .collect();
-                ways.join(" and ")
-            }
+            Equation::Motion(way) => way_words(mechanism, way),
             Equation::Released(component) => {
                 format!("{} transmits none", joint_name(mechanism, component.joint))
             }

@@ -6,8 +6,8 @@ use crate::algebra::{Scalar, Value};
 use crate::model::{Between, ElementKind, Mechanics as Quantity};
 
 use super::Mechanics;
-use super::freedom::Way;
 use super::geometry::{slides_along, turns_about};
+use super::system::Unknown;
 use super::wrench::Wrench;
 
 impl Mechanics<'_, '_> {
@@ -75,42 +75,32 @@ impl Mechanics<'_, '_> {
 
     /// What holds the driven joints against all that is beyond them. Little work where reactions are asked for.
     fn drive_of_joints(&mut self, input: usize) -> NodeId {
+        let zero = self.algebra.graph.zero();
         let system = self.system();
-        let mut sum = self.algebra.graph.zero();
-        for way in &system.driven {
+        let of_joints = system.driven.iter().fold(zero, |sum, way| {
             let rate = self.driven_rate(way, input);
-            let work = self.work_beyond(way, rate);
-            sum = self.algebra.graph.sub(sum, work);
-        }
-        // What gears tie to motions that nothing drives may move beyond these: if a crank turns, so does what is geared to its coupler's angle.
-        for (way, motions) in system.tied() {
-            let mut rate = self.driven_rate(way, input);
-            for (factor, free) in motions {
-                let own = self.driven_rate(free, input);
-                let factor = self.algebra.graph.constant(factor);
-                let part = self.algebra.graph.mul(factor, own);
-                rate = self.algebra.graph.sub(rate, part);
+            if self.algebra.graph.is_zero(rate) {
+                return sum;
             }
-            if !self.algebra.vanishes(rate) {
-                let work = self.work_beyond(way, rate);
-                sum = self.algebra.graph.sub(sum, work);
+            let carried = self.wrench(way.body, &[], &[]);
+            let along = self.algebra.dot(&way.direction, carried.along(way));
+            let work = self.algebra.graph.mul(rate, along);
+            self.algebra.graph.sub(sum, work)
+        });
+        // Gears that run on a driven shaft load it.
+        let unknowns = system.unknowns.iter().enumerate();
+        unknowns.fold(of_joints, |sum, (index, unknown)| {
+            let Unknown::Tie(tie) = unknown else {
+                return sum;
+            };
+            let rate = self.tie_rate(tie, input);
+            if self.algebra.graph.is_zero(rate) {
+                return sum;
             }
-        }
-        sum
-    }
-
-    /// The work of all that is beyond a joint in a motion of that joint.
-    fn work_beyond(&mut self, way: &Way, rate: NodeId) -> NodeId {
-        if self.algebra.graph.is_zero(rate) {
-            return rate;
-        }
-        let carried = self.wrench(way.body, &[], &[]);
-        let carried = match way.slides {
-            true => carried.force,
-            false => carried.moment,
-        };
-        let along = self.algebra.dot(&way.direction, &carried);
-        self.algebra.graph.mul(rate, along)
+            let couple = self.solved(index);
+            let work = self.algebra.graph.mul(rate, couple);
+            self.algebra.graph.add(sum, work)
+        })
     }
 
     /// What the loads do when its input moves, with the opposite sign.

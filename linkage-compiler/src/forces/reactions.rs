@@ -3,7 +3,7 @@
 use linkage_symbolic::NodeId;
 
 use super::Mechanics;
-use super::system::{Equation, LARGEST_BLOCK, System};
+use super::system::{Equation, LARGEST_BLOCK, System, Unknown};
 use super::wrench::Wrench;
 
 impl Mechanics<'_, '_> {
@@ -22,12 +22,15 @@ impl Mechanics<'_, '_> {
             }
         };
         for (index, unknown) in system.unknowns.iter().enumerate() {
-            if unknown.joint != joint || open.contains(&index) {
+            let Unknown::Reaction(own) = unknown else {
+                continue;
+            };
+            if own.joint != joint || open.contains(&index) {
                 continue;
             }
             let size = self.solved(index);
-            let part = self.algebra.times(size, &unknown.direction);
-            match unknown.is_moment {
+            let part = self.algebra.times(size, &own.direction);
+            match own.is_moment {
                 true => sum.moment = self.algebra.plus(&sum.moment, &part),
                 false => sum.force = self.algebra.plus(&sum.force, &part),
             }
@@ -36,7 +39,7 @@ impl Mechanics<'_, '_> {
     }
 
     /// The value of an unknown.
-    fn solved(&mut self, unknown: usize) -> NodeId {
+    pub(super) fn solved(&mut self, unknown: usize) -> NodeId {
         self.loads();
         if let Some(&known) = self.case().solved.get(&unknown) {
             return known;
@@ -90,20 +93,9 @@ impl Mechanics<'_, '_> {
                 };
                 self.algebra.dot(&component.direction, &own)
             }
-            Equation::Motion(motion) => {
-                let zero = self.algebra.graph.zero();
-                motion.iter().fold(zero, |sum, (factor, way)| {
-                    let wrench = self.wrench(way.body, &[], &open);
-                    let own = if way.slides {
-                        wrench.force
-                    } else {
-                        wrench.moment
-                    };
-                    let work = self.algebra.dot(&way.direction, &own);
-                    let factor = self.algebra.graph.constant(*factor);
-                    let work = self.algebra.graph.mul(factor, work);
-                    self.algebra.graph.add(sum, work)
-                })
+            Equation::Motion(way) => {
+                let wrench = self.wrench(way.body, &[], &open);
+                self.algebra.dot(&way.direction, wrench.along(way))
             }
         };
         self.algebra.graph.neg(known)

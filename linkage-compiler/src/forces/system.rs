@@ -13,13 +13,21 @@ use crate::model::JointKind;
 use crate::structure::matching::{self, Matching};
 
 use super::Mechanics;
-use super::freedom::{FreeMotion, Way};
+use super::freedom::{Motions, Tie, Way};
 use super::geometry::{slides_along, turns_about};
 use super::links::Axial;
 
+/// A number to be found.
+#[derive(Clone, Debug)]
+pub(super) enum Unknown {
+    Reaction(Component),
+    /// The couple of a tie.
+    Tie(Tie),
+}
+
 /// A component of a cut joint's reaction on the joint's body.
 #[derive(Clone, Debug)]
-pub(super) struct Unknown {
+pub(super) struct Component {
     pub(super) joint: usize,
     pub(super) is_moment: bool,
     pub(super) direction: Vec<NodeId>,
@@ -28,9 +36,9 @@ pub(super) struct Unknown {
 #[derive(Clone, Debug)]
 pub(super) enum Equation {
     /// No work in a free motion.
-    Motion(FreeMotion),
+    Motion(Way),
     /// What a cut joint does not transmit.
-    Released(Unknown),
+    Released(Component),
 }
 
 #[derive(Clone, Debug, Default)]
@@ -72,25 +80,24 @@ impl Mechanics<'_, '_> {
 
     /// The system in which some links leave one number open.
     fn assembled(&mut self, axial: Vec<Axial>) -> System {
-        let (unknowns, released) = self.reactions(&axial);
-        let held = unknowns.len() - released.len() + axial.len();
-        let (motions, driven) = self.motions(held);
+        let (components, released) = self.reactions(&axial);
+        let held = components.len() - released.len() + axial.len();
+        let Motions { free, driven, ties } = self.motions(held);
+        let reactions = components.into_iter().map(Unknown::Reaction);
         let mut system = System {
-            unknowns,
+            unknowns: reactions
+                .chain(ties.into_iter().map(Unknown::Tie))
+                .collect(),
             driven,
             axial,
             ..System::default()
         };
-        let is_link = |way: &Way, system: &System| {
-            let mut links = system.axial.iter();
-            links.any(|own| own.link == way.body)
-        };
-        for equation in released {
-            self.add(&mut system, equation);
+        for component in released {
+            self.add(&mut system, Equation::Released(component));
         }
-        for motion in motions {
-            if !motion.iter().all(|(_, way)| is_link(way, &system)) {
-                self.add(&mut system, Equation::Motion(motion));
+        for way in free {
+            if system.axial.iter().all(|own| own.link != way.body) {
+                self.add(&mut system, Equation::Motion(way));
             }
         }
         system.order();
@@ -117,7 +124,7 @@ impl Mechanics<'_, '_> {
         while system.lacks_equations() && system.driven.len() > self.drives() {
             let Some(way) = candidates.pop() else { return };
             let before = system.clone();
-            self.add(system, Equation::Motion(vec![(1.0, way.clone())]));
+            self.add(system, Equation::Motion(way.clone()));
             system.order();
             match system.found() > before.found() {
                 true => system.driven.retain(|own| *own != way),
@@ -127,12 +134,12 @@ impl Mechanics<'_, '_> {
     }
 
     /// The components of the cut joints' reactions, and equations for those that are none.
-    fn reactions(&mut self, axial: &[Axial]) -> (Vec<Unknown>, Vec<Equation>) {
+    fn reactions(&mut self, axial: &[Axial]) -> (Vec<Component>, Vec<Component>) {
         let (mut unknowns, mut equations) = (Vec::new(), Vec::new());
         for joint in self.forces.tree.closing.clone() {
             let kind = self.algebra.mechanism.joints[joint].kind;
             let direction = self.forces.geometry.directions[joint].clone();
-            let unknown = |is_moment, direction| Unknown {
+            let unknown = |is_moment, direction| Component {
                 joint,
                 is_moment,
                 direction,
@@ -161,10 +168,10 @@ impl Mechanics<'_, '_> {
                 continue;
             };
             if slides_along(kind) {
-                equations.push(Equation::Released(unknown(false, direction.clone())));
+                equations.push(unknown(false, direction.clone()));
             }
             if turns_about(kind) {
-                equations.push(Equation::Released(unknown(true, direction)));
+                equations.push(unknown(true, direction));
             }
         }
         (unknowns, equations)
@@ -182,31 +189,34 @@ impl Mechanics<'_, '_> {
     }
 
     fn coefficient(&mut self, equation: &Equation, unknown: &Unknown) -> NodeId {
-        match equation {
-            Equation::Released(component) => {
-                match component.joint == unknown.joint && component.is_moment == unknown.is_moment {
-                    true => self.algebra.dot(&component.direction, &unknown.direction),
-                    false => self.algebra.graph.zero(),
+        match (equation, unknown) {
+            (Equation::Released(released), Unknown::Reaction(own))
+                if (released.joint, released.is_moment) == (own.joint, own.is_moment) =>
+            {
+                self.algebra.dot(&released.direction, &own.direction)
+            }
+            (Equation::Released(_), _) => self.algebra.graph.zero(),
+            (Equation::Motion(way), Unknown::Reaction(own)) => {
+                let work = self.work(way, own);
+                match self.joins(own.joint, way.body) {
+                    1 => work,
+                    -1 => self.algebra.graph.neg(work),
+                    _ => self.algebra.graph.zero(),
                 }
             }
-            Equation::Motion(motion) => {
-                let zero = self.algebra.graph.zero();
-                motion.iter().fold(zero, |sum, (factor, way)| {
-                    let sign = f64::from(self.joins(unknown.joint, way.body));
-                    if sign == 0.0 {
-                        return sum;
-                    }
-                    let work = self.work(way, unknown);
-                    let factor = self.algebra.graph.constant(sign * factor);
-                    let work = self.algebra.graph.mul(factor, work);
-                    self.algebra.graph.add(sum, work)
-                })
+            (Equation::Motion(way), Unknown::Tie(_)) if way.slides => self.algebra.graph.zero(),
+            (Equation::Motion(way), Unknown::Tie(tie)) => {
+                let tree = &self.forces.tree;
+                let beyond = tie.couples.iter();
+                let beyond = beyond.filter(|(body, _)| tree.hangs_on(Some(*body), way.body));
+                let share = beyond.map(|(_, share)| share).sum();
+                self.algebra.graph.constant(share)
             }
         }
     }
 
     /// The work of a reaction's component in a motion.
-    fn work(&mut self, way: &Way, unknown: &Unknown) -> NodeId {
+    fn work(&mut self, way: &Way, unknown: &Component) -> NodeId {
         match (way.slides, unknown.is_moment) {
             (true, true) => self.algebra.graph.zero(),
             (true, false) | (false, true) => self.algebra.dot(&way.direction, &unknown.direction),
@@ -216,6 +226,15 @@ impl Mechanics<'_, '_> {
                 let moment = self.algebra.moment_of(&arm, &unknown.direction);
                 self.algebra.dot(&way.direction, &moment)
             }
+        }
+    }
+}
+
+impl Unknown {
+    pub(super) fn joint(&self) -> Option<usize> {
+        match self {
+            Unknown::Reaction(own) => Some(own.joint),
+            Unknown::Tie(_) => None,
         }
     }
 }
@@ -237,35 +256,21 @@ impl System {
         self.found() < self.unknowns.len()
     }
 
+    /// True if gears act on a body.
+    pub(super) fn ties(&self, body: usize) -> bool {
+        self.unknowns.iter().any(|unknown| match unknown {
+            Unknown::Tie(tie) => tie.couples.iter().any(|(own, _)| *own == body),
+            Unknown::Reaction(_) => false,
+        })
+    }
+
     /// True if a reaction is found together with many others, by an equation of the body's own motion.
     pub(super) fn in_large_block(&self, joint: usize, body: usize) -> bool {
         let large = self.blocks.iter().filter(|block| block.len() >= LARGE);
         let mut equations = large.flatten().map(|&equation| &self.equations[equation]);
-        let unknown = |equation: &Equation| match equation {
-            Equation::Motion(motion) => matches!(&motion[..], [(_, way)] if way.body == body),
-            Equation::Released(_) => false,
-        };
-        equations.any(unknown) && self.unknowns.iter().any(|own| own.joint == joint)
-    }
-
-    /// Turns that gears tie to those of other joints, with these and the factors.
-    pub(super) fn tied(&self) -> Vec<(&Way, Vec<(f64, &Way)>)> {
-        let mut tied: Vec<(&Way, Vec<(f64, &Way)>)> = Vec::new();
-        for equation in &self.equations {
-            let Equation::Motion(motion) = equation else {
-                continue;
-            };
-            let [(_, free), others @ ..] = &motion[..] else {
-                continue;
-            };
-            for (factor, way) in others {
-                match tied.iter_mut().find(|(known, _)| *known == way) {
-                    Some((_, motions)) => motions.push((*factor, free)),
-                    None => tied.push((way, vec![(*factor, free)])),
-                }
-            }
-        }
-        tied
+        let unknown =
+            |equation: &Equation| matches!(equation, Equation::Motion(way) if way.body == body);
+        equations.any(unknown) && self.unknowns.iter().any(|own| own.joint() == Some(joint))
     }
 
     /// Blocks that are too large to solve.

@@ -5,11 +5,24 @@
 use linkage_symbolic::NodeId;
 
 use super::Mechanics;
+use super::freedom::Way;
+use super::system::Unknown;
 
 #[derive(Clone, Debug)]
 pub(super) struct Wrench {
     pub(super) force: Vec<NodeId>,
     pub(super) moment: Vec<NodeId>,
+}
+
+impl Wrench {
+    /// What does work in a motion.
+    pub(super) fn along(&self, way: &Way) -> &[NodeId] {
+        if way.slides {
+            &self.force
+        } else {
+            &self.moment
+        }
+    }
 }
 
 impl Mechanics<'_, '_> {
@@ -21,7 +34,13 @@ impl Mechanics<'_, '_> {
             .filter(|&joint| self.is_inside(joint, body) || self.joins(joint, body) != 0)
             .partition(|&joint| self.is_inside(joint, body) || inside.contains(&joint));
         let system = self.system();
-        let touches = |unknown: &&usize| others.contains(&system.unknowns[**unknown].joint);
+        let touches = |unknown: &&usize| match &system.unknowns[**unknown] {
+            Unknown::Reaction(own) => others.contains(&own.joint),
+            Unknown::Tie(tie) => {
+                let mut bodies = tie.couples.iter();
+                bodies.any(|(own, _)| self.forces.tree.hangs_on(Some(*own), body))
+            }
+        };
         let open: Vec<usize> = open.iter().filter(touches).copied().collect();
         self.loads();
         let key = (body, within.clone(), open.clone());
@@ -40,6 +59,17 @@ impl Mechanics<'_, '_> {
             }
             let point = self.forces.geometry.points[joint].clone();
             sum = self.add_at(body, sum, &point, &reaction);
+        }
+        for (index, unknown) in system.unknowns.iter().enumerate() {
+            let Unknown::Tie(tie) = unknown else { continue };
+            let own = tie.couples.iter().find(|(own, _)| *own == body);
+            let Some((_, share)) = own.filter(|_| !open.contains(&index)) else {
+                continue;
+            };
+            let size = self.solved(index);
+            let share = self.algebra.graph.constant(*share);
+            let couple = self.algebra.graph.mul(share, size);
+            sum.moment = self.algebra.plus(&sum.moment, &[couple]);
         }
         for child in self.forces.tree.children[body].clone() {
             let carried = self.wrench(child, &within, &open);

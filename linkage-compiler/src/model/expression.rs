@@ -1,10 +1,10 @@
 //! Expressions: everything but calls.
 
+use super::conversion::{Literal, convert};
 use super::frame::PARTS_HELP;
 use super::names::{Context, Resolver};
 use super::parameter::COMPONENTS;
 use super::types::{BinaryOp, Expr, ExprKind, Type};
-use super::units::{self, Literal};
 use crate::syntax::{self, SourceSpan};
 
 impl Resolver<'_> {
@@ -75,7 +75,7 @@ impl Resolver<'_> {
     }
 
     fn number(&mut self, text: &str, suffix: &str, span: SourceSpan) -> Expr {
-        let converted = units::convert(text, suffix, self.unit);
+        let converted = convert(text, suffix, self.unit);
         self.literal(converted, &format!("`{text}{suffix}`"), span)
     }
 

@@ -1,8 +1,9 @@
 //! Units as factors: `2.5N/mm`, `9.80665m/s^2`, `press / (3 * mm^2)`.
 
+use super::conversion::convert_product;
 use super::names::{Context, Resolver, kind};
-use super::types::{BinaryOp, Expr};
-use super::units::{convert_product, is_unit};
+use super::types::{self, BinaryOp, Dimension, Expr, Type};
+use super::units::is_unit;
 use crate::syntax::{self, ExprKind, SourceSpan};
 
 /// A number with units, or units alone.
@@ -72,10 +73,10 @@ impl Resolver<'_> {
         let (fact, help) = match self.find(&text) {
             Some(symbol) => (
                 format!(
-                    "`^` makes powers of units, `{text}` is {}",
+                    "there is no operator for powers, but of units: `{text}` is {}",
                     kind(symbol.name)
                 ),
-                format!("write a product: `{text} * {text}`"),
+                format!("write `{text} * {text}` for a square"),
             ),
             None if is_unit(&text) => (
                 format!("the unit `{text}^{power}` without a number"),
@@ -88,6 +89,22 @@ impl Resolver<'_> {
         };
         self.diagnostics.error_with_help(span, fact, help);
         self.failed(span)
+    }
+
+    /// What to say where a name has been taken for the unit that it hides: `0.2N*s/mm` beside `unknown s`.
+    pub(super) fn hidden_unit(&self, value: &Expr) -> Option<String> {
+        if let types::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div, left, right) = &value.kind
+            && let types::ExprKind::Name(name) = right.kind
+            && matches!(left.ty, Type::Scalar(dimension) if dimension != Dimension::NUMBER)
+            && matches!(left.kind, types::ExprKind::Number(_))
+        {
+            let symbol = self.symbols.iter().find(|symbol| symbol.name == name)?;
+            let (text, kind) = (&symbol.text, kind(name));
+            let help = format!("`{text}` is {kind} here, not the unit: give it another name");
+            return is_unit(text).then_some(help);
+        }
+        let mut operands = value.operands().into_iter();
+        operands.find_map(|operand| self.hidden_unit(operand))
     }
 
     /// Products and quotients of units with at most one number above the line.

@@ -2,6 +2,7 @@
 
 mod argument;
 mod calls;
+mod conversion;
 mod decimal;
 mod derivative;
 mod dimension;
@@ -18,6 +19,7 @@ mod operators;
 mod parameter;
 mod plane_and_space;
 mod presentation;
+mod refused;
 #[cfg(test)]
 mod tests;
 mod types;

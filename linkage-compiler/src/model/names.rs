@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use super::mechanics::Scope;
 use super::types::{Dimension, LengthUnit, Name, ScalarParameter, Type};
-use crate::diagnostic::text::nearest;
+use super::units::is_unit;
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::syntax::{InputItem, Item, MechanismDef, SourceSpan};
 
@@ -148,49 +148,6 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Reports both places.
-    pub(super) fn duplicate(
-        &mut self,
-        fact: &str,
-        text: &str,
-        span: SourceSpan,
-        first: SourceSpan,
-    ) {
-        self.diagnostics
-            .error_with_help(span, fact, "choose another name");
-        self.diagnostics
-            .error(first, format!("`{text}` is first defined here"));
-    }
-
-    pub(super) fn check_reserved(&mut self, ident: &Ident) {
-        let text = ident.to_string();
-        if text.starts_with("__") {
-            let fact = format!("the name `{text}` starts with `__`, which generated code uses");
-            let help = match text.trim_start_matches('_') {
-                "" => "choose another name".to_owned(),
-                plain => format!("write `{plain}`"),
-            };
-            self.diagnostics.error_with_help(ident.into(), fact, help);
-        }
-    }
-
-    /// A result type is new: the name of a well-known type there is a misunderstanding, and would hide that type.
-    pub(super) fn check_new_type(&mut self, ident: &Ident) {
-        const KNOWN: [&str; 15] = [
-            "f64", "f32", "bool", "usize", "i32", "u32", "Vector2", "Vector3", "Frame", "Self",
-            "Option", "Result", "Vec", "String", "T",
-        ];
-        let text = ident.to_string();
-        if KNOWN.contains(&text.as_str()) {
-            let fact = format!(
-                "`{text}` cannot be the result type: the macro makes a new struct of that name, with one field for \
-                 each quantity"
-            );
-            let help = "choose a name of your own, such as `Path` or `Motion`";
-            self.diagnostics.error_with_help(ident.into(), fact, help);
-        }
-    }
-
     pub(super) fn find(&self, text: &str) -> Option<&Symbol> {
         self.by_name.get(text).map(|index| &self.symbols[*index])
     }
@@ -215,24 +172,6 @@ impl<'a> Resolver<'a> {
             return None;
         }
         Some((symbol.name, symbol.ty.clone()))
-    }
-
-    pub(super) fn unknown_name(&mut self, ident: &Ident) {
-        let text = ident.to_string();
-        let names = self
-            .symbols
-            .iter()
-            .map(|symbol| symbol.text.as_str())
-            .chain(["PI"]);
-        let fact = format!("unknown name `{text}`");
-        let help = match nearest(&text, names) {
-            Some(name) => format!("did you mean `{name}`?"),
-            None if super::functions::is_function(&text) => {
-                format!("`{text}` is a function: write `{text}(...)`")
-            }
-            None => "declare it in the struct block, for example with `let`".to_owned(),
-        };
-        self.diagnostics.error_with_help(ident.into(), fact, help);
     }
 
     /// Names of one sort, for help texts.
@@ -287,7 +226,10 @@ fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
                 "`{text}` is {}, which cannot be used here",
                 kind(symbol.name)
             ),
-            rule.to_owned(),
+            match is_unit(text) {
+                true => format!("{rule}; the name hides the unit `{text}`"),
+                false => rule.to_owned(),
+            },
         ));
     }
     let ordered = match context.place {

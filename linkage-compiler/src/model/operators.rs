@@ -193,6 +193,10 @@ impl Resolver<'_> {
                 return format!("declare `{}` with a unit: `0{unit}` or `0deg`", symbol.text);
             }
         }
+        let hidden = [left, right].map(|value| self.hidden_unit(value));
+        if let Some(help) = hidden.into_iter().flatten().next() {
+            return help;
+        }
         if let Some(plane) = plane_beside_space(left, right) {
             return self.lifted(plane);
         }

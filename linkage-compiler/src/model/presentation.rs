@@ -1,7 +1,7 @@
 //! The units in which numbers are given and printed.
 
+use super::conversion::{Literal, convert_product};
 use super::types::{Dimension, LengthUnit};
-use super::units::{Literal, convert_product};
 use super::words::raised;
 
 impl Dimension {

@@ -1,9 +1,8 @@
 //! Values of clauses: scalars, points, vectors.
 
-use super::super::names::{Resolver, kind};
+use super::super::names::Resolver;
 use super::super::plane_and_space::vector_components;
-use super::super::types::{Dimension, Expr, ExprKind, Type};
-use super::super::units::is_unit;
+use super::super::types::{Dimension, Expr, Type};
 use super::CONTEXT;
 use crate::syntax;
 
@@ -122,23 +121,10 @@ impl Resolver<'_> {
             return value;
         }
         let fact = format!("`{word}` takes {wanted}, found {}", value.ty);
-        let help = match self.hidden_unit(&value) {
-            Some((text, kind)) => {
-                format!("`{text}` is {kind} here, not the unit: give it another name")
-            }
-            None => format!("write it like `{example}`"),
-        };
+        let help = self
+            .hidden_unit(&value)
+            .unwrap_or_else(|| format!("write it like `{example}`"));
         self.diagnostics.error_with_help(span, fact, help);
         self.failed(span)
-    }
-
-    /// A name in an expression that hides a unit.
-    fn hidden_unit(&self, value: &Expr) -> Option<(&str, &'static str)> {
-        if let ExprKind::Name(name) = value.kind {
-            let symbol = self.symbols.iter().find(|symbol| symbol.name == name)?;
-            return is_unit(&symbol.text).then_some((symbol.text.as_str(), kind(name)));
-        }
-        let mut operands = value.operands().into_iter();
-        operands.find_map(|operand| self.hidden_unit(operand))
     }
 }

@@ -28,10 +28,7 @@ impl Resolver<'_> {
     pub(super) fn joint(&mut self, part: &JointPart, body: usize) -> Joint {
         let on = self.body_named(&part.on).flatten();
         let at = self.point_clause(&part.at);
-        let word = match part.kind {
-            JointKind::Slide => "along",
-            _ => "about",
-        };
+        let word = part.kind.direction_word();
         let direction = part
             .direction
             .as_ref()

@@ -28,6 +28,13 @@ pub(in crate::model) struct Scope {
     pub(super) components: Option<usize>,
 }
 
+impl Scope {
+    /// Whether a body or joint has this name.
+    pub(in crate::model) fn has(&self, name: &str) -> bool {
+        self.members.contains_key(name)
+    }
+}
+
 impl Resolver<'_> {
     /// Declares all bodies and joints.
     pub(super) fn declare_members(&mut self, definition: &MechanismDef) {
@@ -139,6 +146,14 @@ impl JointKind {
             JointKind::Ball => "ball",
             JointKind::Cylinder => "cylinder",
             JointKind::Fixed => "fixed",
+        }
+    }
+
+    /// What its direction is called.
+    pub(super) fn direction_word(self) -> &'static str {
+        match self {
+            JointKind::Slide => "along",
+            _ => "about",
         }
     }
 }

@@ -5,8 +5,10 @@ mod dimensions;
 mod frames;
 mod golden;
 mod item_messages;
+mod mechanics;
 mod messages;
 mod mutations;
+mod units;
 
 use super::{Mechanism, resolve};
 use crate::diagnostic::{Diagnostics, Origins};

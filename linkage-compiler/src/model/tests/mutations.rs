@@ -2,7 +2,7 @@
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 
-use super::{CRANK_ROCKER, SPATIAL, TWO_INPUTS};
+use super::{CRANK_ROCKER, PRESS, SPACE_FORCES, SPATIAL, TWO_INPUTS};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::model::resolve;
 use crate::syntax::{dump, parse};
@@ -56,7 +56,7 @@ fn mutate(tokens: TokenStream, pool: &[TokenTree], random: &mut Random) -> Token
 #[test]
 fn mutated_mechanisms_do_not_panic() {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    let samples: Vec<TokenStream> = [CRANK_ROCKER, TWO_INPUTS, SPATIAL]
+    let samples: Vec<TokenStream> = [CRANK_ROCKER, TWO_INPUTS, SPATIAL, PRESS, SPACE_FORCES]
         .iter()
         .map(|source| source.parse().expect("the source has tokens"))
         .collect();
@@ -64,7 +64,7 @@ fn mutated_mechanisms_do_not_panic() {
     samples
         .iter()
         .for_each(|sample| collect(sample.clone(), &mut pool));
-    for round in 0..6000 {
+    for round in 0..10_000 {
         let mut tokens = samples[round % samples.len()].clone();
         for _ in 0..1 + random.below(4) {
             tokens = mutate(tokens, &pool, &mut random);

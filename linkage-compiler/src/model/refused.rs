@@ -1,0 +1,78 @@
+//! Names that cannot be: unknown, defined twice, reserved.
+
+use proc_macro2::Ident;
+
+use super::functions::is_function;
+use super::names::Resolver;
+use super::units::is_unit;
+use crate::diagnostic::text::nearest;
+use crate::syntax::SourceSpan;
+
+impl Resolver<'_> {
+    pub(super) fn unknown_name(&mut self, ident: &Ident) {
+        let text = ident.to_string();
+        let names = self
+            .symbols
+            .iter()
+            .map(|symbol| symbol.text.as_str())
+            .chain(["PI"]);
+        let fact = format!("unknown name `{text}`");
+        let help = match nearest(&text, names) {
+            _ if self.mechanics.has(&text) => format!(
+                "`{text}` is the name of a body or joint: ask for forces like `reaction(joint)`"
+            ),
+            Some(name) => format!("did you mean `{name}`?"),
+            None if is_unit(&text) => {
+                format!("write the unit as a factor: `1 * {text}`")
+            }
+            None if is_function(&text) => {
+                format!("`{text}` is a function: write `{text}(...)`")
+            }
+            None => "declare it in the struct block, for example with `let`".to_owned(),
+        };
+        self.diagnostics.error_with_help(ident.into(), fact, help);
+    }
+
+    /// Reports both places.
+    pub(super) fn duplicate(
+        &mut self,
+        fact: &str,
+        text: &str,
+        span: SourceSpan,
+        first: SourceSpan,
+    ) {
+        self.diagnostics
+            .error_with_help(span, fact, "choose another name");
+        self.diagnostics
+            .error(first, format!("`{text}` is first defined here"));
+    }
+
+    pub(super) fn check_reserved(&mut self, ident: &Ident) {
+        let text = ident.to_string();
+        if text.starts_with("__") {
+            let fact = format!("the name `{text}` starts with `__`, which generated code uses");
+            let help = match text.trim_start_matches('_') {
+                "" => "choose another name".to_owned(),
+                plain => format!("write `{plain}`"),
+            };
+            self.diagnostics.error_with_help(ident.into(), fact, help);
+        }
+    }
+
+    /// A result type is new: the name of a well-known type there is a misunderstanding, and would hide that type.
+    pub(super) fn check_new_type(&mut self, ident: &Ident) {
+        const KNOWN: [&str; 15] = [
+            "f64", "f32", "bool", "usize", "i32", "u32", "Vector2", "Vector3", "Frame", "Self",
+            "Option", "Result", "Vec", "String", "T",
+        ];
+        let text = ident.to_string();
+        if KNOWN.contains(&text.as_str()) {
+            let fact = format!(
+                "`{text}` cannot be the result type: the macro makes a new struct of that name, with one field for \
+                 each quantity"
+            );
+            let help = "choose a name of your own, such as `Path` or `Motion`";
+            self.diagnostics.error_with_help(ident.into(), fact, help);
+        }
+    }
+}
