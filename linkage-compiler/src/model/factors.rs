@@ -76,7 +76,10 @@ impl Resolver<'_> {
                     "there is no operator for powers, but of units: `{text}` is {}",
                     kind(symbol.name)
                 ),
-                format!("write `{text} * {text}` for a square"),
+                match is_unit(&text) {
+                    true => format!("the name hides the unit `{text}`: give it another one"),
+                    false => format!("write `{text} * {text}` for a square"),
+                },
             ),
             None if is_unit(&text) => (
                 format!("the unit `{text}^{power}` without a number"),
@@ -96,7 +99,7 @@ impl Resolver<'_> {
         if let types::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div, left, right) = &value.kind
             && let types::ExprKind::Name(name) = right.kind
             && matches!(left.ty, Type::Scalar(dimension) if dimension != Dimension::NUMBER)
-            && matches!(left.kind, types::ExprKind::Number(_))
+            && is_literal(left)
         {
             let symbol = self.symbols.iter().find(|symbol| symbol.name == name)?;
             let (text, kind) = (&symbol.text, kind(name));
@@ -164,5 +167,13 @@ impl Measure {
             loose: self.loose || other.loose,
             ..self
         })
+    }
+}
+
+fn is_literal(value: &Expr) -> bool {
+    match &value.kind {
+        types::ExprKind::Number(_) => true,
+        types::ExprKind::Negate(inner) => is_literal(inner),
+        _ => false,
     }
 }

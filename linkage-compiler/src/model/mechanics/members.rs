@@ -114,11 +114,8 @@ impl Resolver<'_> {
         };
         let names = self.members(|member| matches!(member, Member::Joint(_)));
         let help = match (nearest(&text, names.iter().copied()), found) {
+            (_, Some(Member::Body(body))) => self.hanging_help(body),
             (Some(name), _) => format!("did you mean `{name}`?"),
-            (None, Some(Member::Body(body))) => {
-                let kind = self.mechanics.joints[body].word();
-                format!("give the joint that it hangs on a name: `{kind} NAME on ...`")
-            }
             (None, _) if names.is_empty() => {
                 "give the joint a name: `pin NAME on frame at ...`".to_owned()
             }
@@ -126,6 +123,18 @@ impl Resolver<'_> {
         };
         self.diagnostics.error_with_help(ident.into(), fact, help);
         None
+    }
+
+    /// What to write for the joint that a body hangs on.
+    fn hanging_help(&self, body: usize) -> String {
+        let mut members = self.mechanics.members.iter();
+        match members.find(|(_, (member, _))| *member == Member::Joint(body)) {
+            Some((name, _)) => format!("it hangs on the joint `{name}`"),
+            None => {
+                let kind = self.mechanics.joints[body].word();
+                format!("give the joint that it hangs on a name: `{kind} NAME on ...`")
+            }
+        }
     }
 
     fn members(&self, wanted: fn(Member) -> bool) -> Vec<&str> {

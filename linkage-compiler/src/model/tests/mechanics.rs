@@ -74,9 +74,7 @@ fn names_of_bodies_and_joints() {
         ),
         (
             "spring 1N*mm on crank;",
-            &[
-                "`crank` is a body, not a joint\nhelp: give the joint that it hangs on a name: `pin NAME on ...`",
-            ],
+            &["`crank` is a body, not a joint\nhelp: it hangs on the joint `b1`"],
         ),
         (
             "spring 1N*mm on b2;",
