@@ -7,6 +7,7 @@ mod coupled;
 mod cylinder;
 mod cylinders;
 mod derivatives;
+mod driven;
 mod five_bar;
 mod four_bar;
 mod gears;

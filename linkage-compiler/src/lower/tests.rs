@@ -1,5 +1,6 @@
 //! Sensitivities are the same in every direction, for every kind of group.
 
+mod forces;
 mod space;
 mod units;
 
@@ -17,7 +18,7 @@ use crate::{formulate, model, structure, syntax};
 
 const ITEMS: &str =
     "unit mm; param a = 40mm; param b = 120mm; param c = 80mm; param d = 100mm; param e = 7mm;
-    param lift = 25deg; input phi = 40deg in 0deg..80deg;";
+    param lift = 25deg; input phi = 40deg in 0deg..80deg at omega, epsilon;";
 
 struct Random(u64);
 
@@ -91,6 +92,8 @@ fn expect_agreement(items: &str, function: &str) {
 struct Position {
     parameters: Vec<f64>,
     inputs: Vec<f64>,
+    /// Speeds and loads.
+    arguments: Vec<f64>,
     modes: Vec<f64>,
 }
 
@@ -103,6 +106,7 @@ impl Position {
         Self {
             parameters: vary(&nominal.parameters, random),
             inputs: vary(&nominal.inputs, random),
+            arguments: (0..4).map(|_| 5.0 * random.next()).collect(),
             modes: (0..8).map(|_| random.next().signum()).collect(),
         }
     }
@@ -111,7 +115,10 @@ impl Position {
     fn load(&self, source: Source, states: &[Vec<f64>], noise: &[f64]) -> f64 {
         match source {
             Source::Parameter(k) => self.parameters[k] * noise[k],
-            Source::Input(k) => self.inputs[k] * noise[39 - k],
+            Source::Input(k) => {
+                let all = self.inputs.iter().chain(&self.arguments);
+                all.copied().nth(k).unwrap_or(f64::NAN) * noise[39 - k]
+            }
             Source::Mode(k) => self.modes[k],
             Source::Centre(_) => 0.3,
             Source::Winding(..) => 0.0,
