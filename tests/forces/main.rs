@@ -25,6 +25,7 @@ mod slider_crank;
 mod solution;
 mod statics;
 mod trees;
+mod tripod;
 mod two_dyads;
 mod units;
 

@@ -5,9 +5,8 @@ use linkage_symbolic::NodeId;
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::formulate::{Reference, Words, numbers};
-use crate::model::{EvaluatorDef, JointKind, Mechanism, OriginId};
+use crate::model::{Dimension, EvaluatorDef, JointKind, Mechanism, OriginId};
 
-use super::freedom::Way;
 use super::geometry::{slides_along, turns_about};
 use super::system::Equation;
 use super::{Forces, Mechanics};
@@ -52,19 +51,21 @@ pub(crate) fn check(
     let pairs = mechanics.pairs();
     let before = diagnostics.len();
     let mut reported: Vec<OriginId> = Vec::new();
-    for inputs in places(nominal) {
+    let places = places(nominal, mechanism, reference.longest);
+    for inputs in &places {
         for pair in &pairs {
             let origin = pair.what.origin(mechanism);
             if reported.contains(&origin) {
                 continue;
             }
-            let Some(message) = mechanics.difference(pair, reference, &inputs) else {
+            let Some(message) = mechanics.difference(pair, reference, inputs) else {
                 continue;
             };
             reported.push(origin);
             diagnostics.error(origins.span(origin), message);
         }
     }
+    mechanics.look_at_motion(reference, &places);
     if diagnostics.len() == before
         && mechanism
             .evaluators
@@ -76,12 +77,19 @@ pub(crate) fn check(
 }
 
 /// The reference and other positions.
-fn places(nominal: &Nominal) -> Vec<Vec<f64>> {
+fn places(nominal: &Nominal, mechanism: &Mechanism, longest: f64) -> Vec<Vec<f64>> {
     let mut places = vec![nominal.inputs.clone()];
     for share in PLACES {
         let inputs = nominal.inputs.iter().zip(&nominal.ranges).enumerate();
         let place = inputs.map(|(k, (&at, range))| match range {
-            None => at,
+            // Near the reference, where it surely closes.
+            None => {
+                let unit = match mechanism.inputs[k].dimension.fits(Dimension::LENGTH) {
+                    true => longest,
+                    false => 1.0,
+                };
+                at + 0.02 * unit * (share * (k + 1) as f64).fract()
+            }
             // Several inputs do not move in step.
             Some((low, high)) => low + (share * (k + 1) as f64).fract() * (high - low),
         });
@@ -225,7 +233,7 @@ impl Mechanics<'_, '_> {
             let Equation::Motion(way) = &system.equations[equation] else {
                 continue;
             };
-            if found.is_empty() && !self.spins(way) {
+            if found.is_empty() {
                 let body = &mechanism.bodies[way.body];
                 let how = if way.slides {
                     "sliding along"
@@ -284,11 +292,6 @@ impl Mechanics<'_, '_> {
                 ),
             );
         }
-    }
-
-    /// A turn of a rod about itself, which carries nothing.
-    fn spins(&self, way: &Way) -> bool {
-        !way.slides && self.is_rod(way.body)
     }
 }
 

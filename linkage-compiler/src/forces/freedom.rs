@@ -8,7 +8,7 @@ use linkage_symbolic::{NodeId, SymbolId};
 use crate::model::{JointKind, Variable};
 
 use super::Mechanics;
-use super::geometry::{Turning, slides_along, turns_about};
+use super::geometry::{slides_along, turns_about};
 
 /// A way in which a body moves in its own joint.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,7 +117,7 @@ impl Mechanics<'_, '_> {
         })
     }
 
-    fn ways(&mut self, body: usize) -> Vec<Way> {
+    pub(super) fn ways(&mut self, body: usize) -> Vec<Way> {
         let joint = self.algebra.mechanism.bodies[body].joint;
         let kind = self.algebra.mechanism.joints[joint].kind;
         let direction = self.forces.geometry.directions[joint].clone();
@@ -217,9 +217,8 @@ impl Mechanics<'_, '_> {
         all
     }
 
-    /// True for a rod that may turn about itself between two ball joints.
     pub(super) fn is_rod(&self, body: usize) -> bool {
-        matches!(self.forces.geometry.turning[body], Turning::Rod(_))
+        self.forces.geometry.rod(body).is_some()
     }
 }
 

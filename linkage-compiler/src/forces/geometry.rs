@@ -78,6 +78,14 @@ impl Geometry {
         }
     }
 
+    /// The vector along a slender rod.
+    pub(super) fn rod(&self, body: usize) -> Option<Vec<NodeId>> {
+        match &self.turning[body] {
+            Turning::Rod(along) => Some(along.clone()),
+            _ => None,
+        }
+    }
+
     /// How many components a turn has.
     pub(super) fn turns(&self) -> usize {
         match self.dimensions {

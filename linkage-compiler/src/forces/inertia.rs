@@ -70,14 +70,23 @@ impl Mechanics<'_, '_> {
                 }
             }
             Turning::Rod(along) => {
-                // The rod's length does not change: (V x V") / V^2.
+                // (V x V" - 2 (V . V') w) / V^2
+                let velocity = self.angular_velocity(body);
                 let gained = self.point_acceleration(&along);
-                let across = self.algebra.moment_of(&along, &gained);
+                let mut across = self.algebra.moment_of(&along, &gained);
+                if !self.forces.rigid_rods.contains(&body) {
+                    let moved = self.point_velocity(&along);
+                    let product = self.algebra.dot(&along, &moved);
+                    let two = self.algebra.graph.constant(2.0);
+                    let factor = self.algebra.graph.mul(two, product);
+                    let part = self.algebra.times(factor, &velocity);
+                    across = self.algebra.difference(&across, &part);
+                }
                 let square = self.algebra.sum_of_squares(&along);
                 let graph = &mut self.algebra.graph;
                 Turned {
                     gain: across.into_iter().map(|x| graph.div(x, square)).collect(),
-                    velocity: self.angular_velocity(body),
+                    velocity,
                     axes: None,
                 }
             }

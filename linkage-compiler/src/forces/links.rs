@@ -5,7 +5,7 @@ use linkage_symbolic::NodeId;
 use crate::model::JointKind;
 
 use super::Mechanics;
-use super::system::System;
+use super::system::{Equation, System};
 use super::wrench::Wrench;
 
 /// A cut joint whose reaction is open only along a link.
@@ -30,26 +30,38 @@ impl Mechanics<'_, '_> {
             if declared.kind != kind {
                 continue;
             }
-            let ends = [Some(declared.body), declared.on].into_iter().flatten();
-            let mut links_here =
-                ends.filter(|&body| self.is_link(body, joint, kind) && !system.ties(body));
-            let wanted = match plane {
-                true => links_here.find(|&body| system.in_large_block(joint, body)),
-                false => links_here.find(|&body| self.is_rod(body)),
-            };
+            let mut links_here = Vec::new();
+            for end in [Some(declared.body), declared.on] {
+                let tree = &self.forces.tree;
+                let up = std::iter::successors(end, |&body| tree.parent[body]);
+                links_here.extend(up.filter(|&body| self.is_link(system, body, joint, kind)));
+            }
+            let wanted = links_here.into_iter().find(|&body| match plane {
+                true => system.in_large_block(joint, body),
+                false => self.is_rod(body),
+            });
             links.extend(wanted.map(|link| Axial { joint, link }));
         }
         links
     }
 
-    /// True if a body hangs by a pin (in space a ball joint), nothing hangs on it, and one cut joint holds it.
-    fn is_link(&self, body: usize, joint: usize, kind: JointKind) -> bool {
+    /// True if a body hangs by a pin (in space a ball joint), and one cut joint holds it and what hangs on it as if it were one body.
+    fn is_link(&self, system: &System, body: usize, joint: usize, kind: JointKind) -> bool {
         let mechanism = self.algebra.mechanism;
         let own = &mechanism.joints[mechanism.bodies[body].joint];
-        let mut closing = self.forces.tree.closing.iter();
+        let tree = &self.forces.tree;
+        let hangs = |other: usize| tree.hangs_on(Some(other), body);
+        let cuts = |other: &usize| {
+            let declared = &mechanism.joints[*other];
+            hangs(declared.body) || declared.on.is_some_and(hangs)
+        };
+        let mut cut = tree.closing.iter().filter(|other| cuts(other));
+        let mut moves = system.equations.iter().filter_map(Equation::way);
         own.kind == kind
-            && self.forces.tree.children[body].is_empty()
-            && closing.all(|&other| other == joint || self.joins(other, body) == 0)
+            && cut.all(|&other| other == joint)
+            && self.joins(joint, body) != 0
+            && !moves.any(|way| way.body != body && hangs(way.body))
+            && !(0..mechanism.bodies.len()).any(|other| hangs(other) && system.ties(other))
     }
 
     /// From a link's origin to the cut joint at its other end.
@@ -60,7 +72,8 @@ impl Mechanics<'_, '_> {
 
     /// The part of a reaction that holds a link against its own loads: `-M perp(V) / V^2`, in space `(V x M) / V^2`.
     pub(super) fn across_link(&mut self, axial: &Axial) -> Wrench {
-        let loads = self.own_wrench(axial.link);
+        // Without the reaction itself.
+        let loads = self.wrench(axial.link, &[axial.joint], &[]);
         let along = self.link_vector(axial);
         let square = self.algebra.sum_of_squares(&along);
         let across = match loads.moment[..] {
@@ -72,7 +85,7 @@ impl Mechanics<'_, '_> {
         };
         let graph = &mut self.algebra.graph;
         let mut force: Vec<NodeId> = across.into_iter().map(|x| graph.div(x, square)).collect();
-        if self.algebra.mechanism.joints[axial.joint].body != axial.link {
+        if self.joins(axial.joint, axial.link) < 0 {
             force = self.algebra.opposite(&force);
         }
         let turns = self.forces.geometry.turns();

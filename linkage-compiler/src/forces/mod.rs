@@ -13,15 +13,18 @@
 //! | `inertia` | moments of inertia and what they do when a body turns |
 //! | `loads` | what acts on each body: inertia, weight, loads, springs, dampers |
 //! | `freedom` | motions of the tree's joints that nothing drives |
+//! | `drives` | what is driven where the unknowns do not tell |
 //! | `system` | equations for the reactions of the cut joints |
 //! | `links` | links that leave one number of a reaction open |
 //! | `reactions` | the equations solved, group by group |
 //! | `wrench` | what bodies beyond a joint carry together |
 //! | `quantities` | what functions ask for |
 //! | `check` | do bodies and joints fit the motion? |
+//! | `steady` | what only numbers tell of the motion |
 //! | `print` | how reactions are found, for golden files |
 
 mod check;
+mod drives;
 mod freedom;
 mod geometry;
 mod inertia;
@@ -31,6 +34,7 @@ mod motion;
 mod print;
 mod quantities;
 mod reactions;
+mod steady;
 mod system;
 mod tree;
 mod vector;
@@ -59,6 +63,10 @@ pub(crate) struct Forces {
     tree: Tree,
     geometry: Geometry,
     motion: Motion,
+    /// Ways of bodies (which, and whether they slide) whose rates by the inputs are the same at all positions.
+    steady: Vec<(usize, bool)>,
+    /// Bodies that turn with a vector whose length does not change.
+    rigid_rods: Vec<usize>,
     system: Option<Rc<System>>,
     /// By the speeds and accelerations that functions list.
     cases: HashMap<Speeds, Case>,
@@ -91,6 +99,8 @@ impl Forces {
             tree,
             geometry,
             motion: Motion::default(),
+            steady: Vec::new(),
+            rigid_rods: Vec::new(),
             system: None,
             cases: HashMap::new(),
         }

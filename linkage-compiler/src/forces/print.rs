@@ -51,6 +51,7 @@ fn block_words(mechanism: &Mechanism, system: &System, block: &[usize]) -> Strin
             let what = if own.is_moment { "moment" } else { "force" };
             format!("{what} {}", joint_name(mechanism, own.joint))
         }
+        Unknown::Spin { rod, .. } => format!("spin of `{}`", mechanism.bodies[*rod].name),
         Unknown::Tie(tie) => {
             let couples = tie.couples.iter();
             let couples = couples

@@ -23,6 +23,11 @@ pub(super) enum Unknown {
     Reaction(Component),
     /// The couple of a tie.
     Tie(Tie),
+    /// A couple along a rod between ball joints. It is zero, and makes one equation too many three for three.
+    Spin {
+        rod: usize,
+        along: Vec<NodeId>,
+    },
 }
 
 /// A component of a cut joint's reaction on the joint's body.
@@ -83,11 +88,11 @@ impl Mechanics<'_, '_> {
         let (components, released) = self.reactions(&axial);
         let held = components.len() - released.len() + axial.len();
         let Motions { free, driven, ties } = self.motions(held);
-        let reactions = components.into_iter().map(Unknown::Reaction);
+        let mut unknowns: Vec<Unknown> = components.into_iter().map(Unknown::Reaction).collect();
+        unknowns.extend(ties.into_iter().map(Unknown::Tie));
+        unknowns.extend(self.spins(&axial));
         let mut system = System {
-            unknowns: reactions
-                .chain(ties.into_iter().map(Unknown::Tie))
-                .collect(),
+            unknowns,
             driven,
             axial,
             ..System::default()
@@ -101,11 +106,26 @@ impl Mechanics<'_, '_> {
             }
         }
         system.order();
+        self.drive_steady(&mut system);
         self.release_held(&mut system);
         system
     }
 
-    fn add(&mut self, system: &mut System, equation: Equation) {
+    /// Rods that may turn about themselves.
+    fn spins(&mut self, axial: &[Axial]) -> Vec<Unknown> {
+        let mechanism = self.algebra.mechanism;
+        let rods = (0..mechanism.bodies.len()).filter(|&body| {
+            let kind = mechanism.joints[mechanism.bodies[body].joint].kind;
+            kind == JointKind::Ball && axial.iter().all(|own| own.link != body)
+        });
+        let rods = rods.filter_map(|rod| {
+            let along = self.forces.geometry.rod(rod)?;
+            Some(Unknown::Spin { rod, along })
+        });
+        rods.collect()
+    }
+
+    pub(super) fn add(&mut self, system: &mut System, equation: Equation) {
         let unknowns = system.unknowns.iter();
         let row: Vec<NodeId> = unknowns
             .map(|unknown| self.coefficient(&equation, unknown))
@@ -114,23 +134,6 @@ impl Mechanics<'_, '_> {
         system.incidence.push(entries.collect());
         system.equations.push(equation);
         system.matrix.push(row);
-    }
-
-    /// A motion that depends on inputs alone need not be driven: the block of a Scotch yoke turns against the crank by minus its angle, and the
-    /// yoke's slot holds it. As long as a reaction lacks an equation, such motions are taken for held, those farthest from the frame first.
-    fn release_held(&mut self, system: &mut System) {
-        let mut candidates = system.driven.clone();
-        candidates.sort_by_key(|way| (self.forces.tree.depth(way.body), way.body));
-        while system.lacks_equations() && system.driven.len() > self.drives() {
-            let Some(way) = candidates.pop() else { return };
-            let before = system.clone();
-            self.add(system, Equation::Motion(way.clone()));
-            system.order();
-            match system.found() > before.found() {
-                true => system.driven.retain(|own| *own != way),
-                false => *system = before,
-            }
-        }
     }
 
     /// The components of the cut joints' reactions, and equations for those that are none.
@@ -204,6 +207,10 @@ impl Mechanics<'_, '_> {
                     _ => self.algebra.graph.zero(),
                 }
             }
+            (Equation::Motion(way), Unknown::Spin { rod, along }) if way.body == *rod => {
+                self.algebra.dot(&way.direction, along)
+            }
+            (Equation::Motion(_), Unknown::Spin { .. }) => self.algebra.graph.zero(),
             (Equation::Motion(way), Unknown::Tie(_)) if way.slides => self.algebra.graph.zero(),
             (Equation::Motion(way), Unknown::Tie(tie)) => {
                 let tree = &self.forces.tree;
@@ -230,29 +237,38 @@ impl Mechanics<'_, '_> {
     }
 }
 
+impl Equation {
+    pub(super) fn way(&self) -> Option<&Way> {
+        match self {
+            Equation::Motion(way) => Some(way),
+            Equation::Released(_) => None,
+        }
+    }
+}
+
 impl Unknown {
     pub(super) fn joint(&self) -> Option<usize> {
         match self {
             Unknown::Reaction(own) => Some(own.joint),
-            Unknown::Tie(_) => None,
+            Unknown::Tie(_) | Unknown::Spin { .. } => None,
         }
     }
 }
 
 impl System {
     /// Which equation finds which unknown, and in which order.
-    fn order(&mut self) {
+    pub(super) fn order(&mut self) {
         let rows = vec![1; self.equations.len()];
         self.matching = matching::maximum(&rows, &self.incidence, self.unknowns.len());
         self.blocks = matching::components(&self.incidence, &self.matching);
     }
 
     /// How many unknowns have an equation.
-    fn found(&self) -> usize {
+    pub(super) fn found(&self) -> usize {
         self.matching.equation_of.iter().flatten().count()
     }
 
-    fn lacks_equations(&self) -> bool {
+    pub(super) fn lacks_equations(&self) -> bool {
         self.found() < self.unknowns.len()
     }
 
@@ -260,7 +276,7 @@ impl System {
     pub(super) fn ties(&self, body: usize) -> bool {
         self.unknowns.iter().any(|unknown| match unknown {
             Unknown::Tie(tie) => tie.couples.iter().any(|(own, _)| *own == body),
-            Unknown::Reaction(_) => false,
+            Unknown::Reaction(_) | Unknown::Spin { .. } => false,
         })
     }
 

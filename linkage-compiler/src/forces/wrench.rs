@@ -36,6 +36,7 @@ impl Mechanics<'_, '_> {
         let system = self.system();
         let touches = |unknown: &&usize| match &system.unknowns[**unknown] {
             Unknown::Reaction(own) => others.contains(&own.joint),
+            Unknown::Spin { .. } => false,
             Unknown::Tie(tie) => {
                 let mut bodies = tie.couples.iter();
                 bodies.any(|(own, _)| self.forces.tree.hangs_on(Some(*own), body))
@@ -81,7 +82,7 @@ impl Mechanics<'_, '_> {
     }
 
     /// The loads on a body alone.
-    pub(super) fn own_wrench(&mut self, body: usize) -> Wrench {
+    fn own_wrench(&mut self, body: usize) -> Wrench {
         let loads = self.loads().bodies[body].clone();
         let geometry = &self.forces.geometry;
         let (dimensions, turns) = (geometry.dimensions, geometry.turns());
