@@ -19,9 +19,11 @@
 //! | `wrench` | what bodies beyond a joint carry together |
 //! | `quantities` | what functions ask for |
 //! | `check` | do bodies and joints fit the motion? |
+//! | `ends` | do springs and dampers? |
 //! | `print` | how reactions are found, for golden files |
 
 mod check;
+mod ends;
 mod freedom;
 mod geometry;
 mod inertia;
