@@ -7,6 +7,8 @@ use crate::diagnostic::{Diagnostics, Origins};
 use crate::formulate::{Reference, Words, numbers};
 use crate::model::{Dimension, EvaluatorDef, JointKind, Mechanism, OriginId};
 
+use super::ends::{end_body, end_name, end_origin};
+use super::freedom::Way;
 use super::geometry::{slides_along, turns_about};
 use super::system::Equation;
 use super::{Forces, Mechanics};
@@ -18,7 +20,7 @@ const EQUAL: f64 = 1e-7;
 const PLACES: [f64; 4] = [0.137, 0.391, 0.642, 0.871];
 
 /// Two velocities that must be equal.
-struct Pair {
+pub(super) struct Pair {
     input: usize,
     first: Vec<NodeId>,
     second: Vec<NodeId>,
@@ -29,12 +31,14 @@ struct Pair {
 }
 
 #[derive(Clone, Copy)]
-enum What {
+pub(super) enum What {
     Joint(usize),
     Mass(usize, usize),
+    /// Where a spring or damper begins (0) or ends (1).
+    End(usize, usize),
 }
 
-/// Reports joints whose bodies move apart, centres of mass that leave their bodies, motions that nothing holds and reactions
+/// Reports joints whose bodies move apart, centres of mass and ends of springs that leave their bodies, motions that nothing holds and reactions
 /// that nothing tells.
 pub(crate) fn check(
     algebra: &mut Algebra,
@@ -65,6 +69,8 @@ pub(crate) fn check(
             diagnostics.error(origins.span(origin), message);
         }
     }
+    let mut each = places.iter();
+    each.find(|inputs| mechanics.check_lengths((reference, inputs), origins, diagnostics));
     mechanics.look_at_motion(reference, &places);
     if diagnostics.len() == before
         && mechanism
@@ -103,6 +109,7 @@ impl What {
         match self {
             What::Joint(joint) => mechanism.joints[joint].origin,
             What::Mass(body, mass) => mechanism.bodies[body].masses[mass].1.origin,
+            What::End(element, end) => end_origin(mechanism, element, end),
         }
     }
 }
@@ -142,19 +149,31 @@ impl Mechanics<'_, '_> {
             }
             for body in 0..mechanism.bodies.len() {
                 for (mass, (_, point)) in self.masses(body).into_iter().enumerate() {
-                    let moved = point.iter().map(|&x| self.algebra.by_input(x, input));
-                    pairs.push(Pair {
-                        input,
-                        first: moved.collect(),
-                        second: self.velocity_of(Some(body), &point, input),
-                        except: None,
-                        is_turn: false,
-                        what: What::Mass(body, mass),
-                    });
+                    pairs.push(self.stays(Some(body), &point, input, What::Mass(body, mass)));
                 }
             }
+            pairs.extend(self.ends_of_elements(input));
         }
         pairs
+    }
+
+    /// A point that stays on its body.
+    pub(super) fn stays(
+        &mut self,
+        body: Option<usize>,
+        point: &[NodeId],
+        input: usize,
+        what: What,
+    ) -> Pair {
+        let moved = point.iter().map(|&x| self.algebra.by_input(x, input));
+        Pair {
+            input,
+            first: moved.collect(),
+            second: self.velocity_of(body, point, input),
+            except: None,
+            is_turn: false,
+            what,
+        }
     }
 
     /// What is wrong with a pair at a position.
@@ -180,12 +199,7 @@ impl Mechanics<'_, '_> {
 
     fn apart(&self, pair: &Pair, first: &[f64], second: &[f64], inputs: &[f64]) -> String {
         let mechanism = self.algebra.mechanism;
-        let words = Words::new(mechanism);
-        let all: Vec<usize> = (0..inputs.len()).collect();
-        let at = match inputs.len() {
-            0 => String::new(),
-            _ => format!("at {} ", words.inputs(inputs, &all)),
-        };
+        let at = place(mechanism, inputs);
         let by = &mechanism.inputs[pair.input].name;
         let vector = |v: &[f64]| match v {
             [x] => numbers(&[*x])[0].clone(),
@@ -222,6 +236,12 @@ impl Mechanics<'_, '_> {
                  help: write the point from the body's origin and with what the body turns with",
                 body_name(mechanism, Some(body)),
             ),
+            What::End(element, end) => format!(
+                "{} leaves {}: {at}its point moves by {a} per unit of `{by}`, as a point of the body by {b}\n\
+                 help: check the point and its body",
+                end_name(mechanism, element),
+                body_name(mechanism, end_body(mechanism, element, end)),
+            ),
         }
     }
 
@@ -235,21 +255,29 @@ impl Mechanics<'_, '_> {
             };
             if found.is_empty() {
                 let body = &mechanism.bodies[way.body];
-                let how = if way.slides {
-                    "sliding along"
-                } else {
-                    "turning in"
-                };
-                let joint = joint_name(mechanism, body.joint);
                 diagnostics.error(
                     origins.span(body.origin),
                     format!(
-                        "nothing holds `{0}` against {how} {joint}: reactions cannot be found\n\
-                         help: declare the joint that closes its loop, like `pin NAME = {0} on BODY at POINT;`",
+                        "nothing holds {}: reactions cannot be found\n\
+                         help: declare the joint that closes its loop, like `pin NAME = {} on BODY at POINT;`",
+                        against(mechanism, way),
                         body.name
                     ),
                 );
             }
+        }
+        for way in &system.driven {
+            if self.is_moved(way) || self.is_rod(way.body) {
+                continue;
+            }
+            diagnostics.error(
+                origins.span(mechanism.bodies[way.body].origin),
+                format!(
+                    "nothing holds {}, where nothing moves it: reactions cannot be found\n\
+                     help: choose a kind of joint that holds it",
+                    against(mechanism, way)
+                ),
+            );
         }
         let mut joints: Vec<usize> = Vec::new();
         for (unknown, equation) in system.matching.equation_of.iter().enumerate() {
@@ -277,8 +305,10 @@ impl Mechanics<'_, '_> {
             let mut joints: Vec<usize> =
                 joints.filter_map(|&u| system.unknowns[u].joint()).collect();
             joints.dedup();
+            let first = joints.first();
+            let origin = first.map_or(mechanism.origin, |&joint| mechanism.joints[joint].origin);
             diagnostics.error(
-                origins.span(mechanism.joints[joints[0]].origin),
+                origins.span(origin),
                 format!(
                     "the reactions of {} can only be found together: {} equations, more than {}\n\
                      help: ask for the torque and the energies only",
@@ -293,6 +323,35 @@ impl Mechanics<'_, '_> {
             );
         }
     }
+
+    /// Whether an input moves a body in this way.
+    fn is_moved(&mut self, way: &Way) -> bool {
+        (0..self.drives()).any(|input| {
+            let rate = self.driven_rate(way, input);
+            !self.algebra.vanishes(rate)
+        })
+    }
+}
+
+/// `at phi = 30deg `; nothing without inputs.
+pub(super) fn place(mechanism: &Mechanism, inputs: &[f64]) -> String {
+    let all: Vec<usize> = (0..inputs.len()).collect();
+    match inputs.len() {
+        0 => String::new(),
+        _ => format!("at {} ", Words::new(mechanism).inputs(inputs, &all)),
+    }
+}
+
+/// The motion that something should hold.
+fn against(mechanism: &Mechanism, way: &Way) -> String {
+    let body = &mechanism.bodies[way.body];
+    let how = if way.slides {
+        "sliding along"
+    } else {
+        "turning in"
+    };
+    let joint = joint_name(mechanism, body.joint);
+    format!("`{}` against {how} {joint}", body.name)
 }
 
 pub(super) fn joint_name(mechanism: &Mechanism, joint: usize) -> String {

@@ -20,11 +20,13 @@
 //! | `wrench` | what bodies beyond a joint carry together |
 //! | `quantities` | what functions ask for |
 //! | `check` | do bodies and joints fit the motion? |
+//! | `ends` | do springs and dampers? |
 //! | `steady` | what only numbers tell of the motion |
 //! | `print` | how reactions are found, for golden files |
 
 mod check;
 mod drives;
+mod ends;
 mod freedom;
 mod geometry;
 mod inertia;
