@@ -1,31 +1,15 @@
-//! Do the ends of springs and dampers stay on their bodies, and apart?
+//! Do the ends of springs and dampers stay apart?
 
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::formulate::Reference;
-use crate::model::{Between, ElementKind, Mechanism, OriginId};
+use crate::formulate::{Reference, Words};
+use crate::model::{Between, ElementKind, Mechanism};
 
 use super::Mechanics;
-use super::check::{Pair, What, place};
 
 /// A length below this share of the mechanism's has no direction.
 const NOTHING: f64 = 1e-9;
 
 impl Mechanics<'_, '_> {
-    /// The ends of all springs and dampers between points, which stay on their bodies.
-    pub(super) fn ends_of_elements(&mut self, input: usize) -> Vec<Pair> {
-        let mut pairs = Vec::new();
-        for (number, element) in self.algebra.mechanism.elements.iter().enumerate() {
-            let Between::Points(ends) = &element.between else {
-                continue;
-            };
-            for (end, (body, at)) in ends.iter().enumerate() {
-                let point = self.algebra.vector_of(at);
-                pairs.push(self.stays(*body, &point, input, What::End(number, end)));
-            }
-        }
-        pairs
-    }
-
     /// Reports a spring or damper whose ends meet: in which direction it acts cannot be told. A spring that has no length
     /// without force does not need one.
     pub(super) fn check_lengths(
@@ -65,27 +49,18 @@ impl Mechanics<'_, '_> {
     }
 }
 
-pub(super) fn end_name(mechanism: &Mechanism, element: usize) -> String {
-    format!("an end of the {}", word(mechanism, element))
-}
-
-pub(super) fn end_body(mechanism: &Mechanism, element: usize, end: usize) -> Option<usize> {
-    match &mechanism.elements[element].between {
-        Between::Points(ends) => ends[end].0,
-        Between::Joint(_) => None,
-    }
-}
-
-pub(super) fn end_origin(mechanism: &Mechanism, element: usize, end: usize) -> OriginId {
-    match &mechanism.elements[element].between {
-        Between::Points(ends) => ends[end].1.origin,
-        Between::Joint(_) => mechanism.elements[element].origin,
-    }
-}
-
 fn word(mechanism: &Mechanism, element: usize) -> &'static str {
     match mechanism.elements[element].kind {
         ElementKind::Spring => "spring",
         ElementKind::Damper => "damper",
+    }
+}
+
+/// `at phi = 30deg `; nothing without inputs.
+pub(super) fn place(mechanism: &Mechanism, inputs: &[f64]) -> String {
+    let all: Vec<usize> = (0..inputs.len()).collect();
+    match inputs.len() {
+        0 => String::new(),
+        _ => format!("at {} ", Words::new(mechanism).inputs(inputs, &all)),
     }
 }

@@ -60,19 +60,22 @@ impl Mechanics<'_, '_> {
         motions
     }
 
-    /// Up to `count` turns that are determined by others, all of them against the frame.
+    /// Up to `count` turns that are determined by others, all of them against the frame. Bodies that turn as another because of their
+    /// joints are no case for gears.
     fn ties(&mut self, free: &[Way], count: usize, unknowns: &[SymbolId]) -> Vec<Tie> {
+        let alike = self.alike();
+        let mut seen = vec![alike[self.forces.tree.parent.len()]];
         let mut basis: Vec<(usize, Vec<f64>)> = Vec::new();
         let mut ties = Vec::new();
         for way in free.iter().filter(|way| !way.slides) {
+            if ties.len() == count || seen.contains(&alike[way.body]) {
+                continue;
+            }
+            seen.push(alike[way.body]);
             let Some(rates) = self.constant_rates(way.body, unknowns) else {
                 continue;
             };
-            let found = match ties.len() < count && !self.in_slide(way.body) {
-                true => combination(&basis, &rates),
-                false => None,
-            };
-            let Some(shares) = found else {
+            let Some(shares) = combination(&basis, &rates) else {
                 basis.push((way.body, rates));
                 continue;
             };
@@ -83,6 +86,21 @@ impl Mechanics<'_, '_> {
             });
         }
         ties
+    }
+
+    /// By body and, last, for the frame: a number that those share which slides and `fixed` joints let turn alike only.
+    fn alike(&self) -> Vec<usize> {
+        let frame = self.forces.tree.parent.len();
+        let mut alike: Vec<usize> = (0..=frame).collect();
+        for joint in &self.algebra.mechanism.joints {
+            if matches!(joint.kind, JointKind::Slide | JointKind::Fixed) {
+                let [own, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
+                for number in alike.iter_mut().filter(|number| **number == other) {
+                    *number = own;
+                }
+            }
+        }
+        alike
     }
 
     /// How fast a body of the plane turns by each unknown, if these are constants.
@@ -104,16 +122,6 @@ impl Mechanics<'_, '_> {
             let share = self.algebra.graph.constant(share);
             let part = self.algebra.graph.mul(share, turn);
             self.algebra.graph.add(sum, part)
-        })
-    }
-
-    /// True if a cut slide joins a body: it turns as another because of the slide, not because of gears.
-    fn in_slide(&self, body: usize) -> bool {
-        let joints = &self.algebra.mechanism.joints;
-        self.forces.tree.closing.iter().any(|&joint| {
-            let joint = &joints[joint];
-            let ends = joint.body == body || joint.on == Some(body);
-            ends && joint.kind == JointKind::Slide
         })
     }
 

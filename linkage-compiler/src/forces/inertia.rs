@@ -124,7 +124,15 @@ impl Mechanics<'_, '_> {
             };
             sum = self.algebra.plus(&sum, &product);
             if let Some(about) = about {
-                let points = self.points_about(body, about, turned, turn);
+                let points = match (inertia, self.forces.geometry.turning[body].clone()) {
+                    // The number says nothing of the masses' products of inertia.
+                    (Inertia::Scalar(_), Turning::About(_, axis)) => {
+                        let turn = self.algebra.along(&axis, turn);
+                        let points = self.points_about(body, about, turned, &turn);
+                        self.algebra.along(&axis, &points)
+                    }
+                    _ => self.points_about(body, about, turned, turn),
+                };
                 sum = self.algebra.difference(&sum, &points);
             }
         }
@@ -170,9 +178,8 @@ impl Mechanics<'_, '_> {
         let inertia = self.algebra.number_of(inertia);
         match self.forces.geometry.turning[body].clone() {
             Turning::About(_, axis) => {
-                let along = self.algebra.dot(&axis, turn);
-                let along = self.algebra.graph.mul(inertia, along);
-                self.algebra.times(along, &axis)
+                let along = self.algebra.along(&axis, turn);
+                self.algebra.times(inertia, &along)
             }
             _ => self.algebra.times(inertia, turn),
         }

@@ -15,18 +15,21 @@
 //! | `freedom` | motions of the tree's joints that nothing drives |
 //! | `drives` | what is driven where the unknowns do not tell |
 //! | `system` | equations for the reactions of the cut joints |
+//! | `rank` | do equations that are solved together tell their unknowns? |
 //! | `links` | links that leave one number of a reaction open |
 //! | `reactions` | the equations solved, group by group |
 //! | `wrench` | what bodies beyond a joint carry together |
 //! | `quantities` | what functions ask for |
-//! | `check` | do bodies and joints fit the motion? |
-//! | `ends` | do springs and dampers? |
+//! | `check` | can forces be found with what is declared? |
+//! | `fit` | do bodies and joints fit the motion? |
+//! | `ends` | do springs and dampers have a direction? |
 //! | `steady` | what only numbers tell of the motion |
 //! | `print` | how reactions are found, for golden files |
 
 mod check;
 mod drives;
 mod ends;
+mod fit;
 mod freedom;
 mod geometry;
 mod inertia;
@@ -35,6 +38,7 @@ mod loads;
 mod motion;
 mod print;
 mod quantities;
+mod rank;
 mod reactions;
 mod steady;
 mod system;
@@ -67,6 +71,8 @@ pub(crate) struct Forces {
     motion: Motion,
     /// Ways of bodies (which, and whether they slide) whose rates by the inputs are the same at all positions.
     steady: Vec<(usize, bool)>,
+    /// Ways of pins, slides and cylinders in which nothing moves.
+    still: Vec<(usize, bool)>,
     /// Bodies that turn with a vector whose length does not change.
     rigid_rods: Vec<usize>,
     system: Option<Rc<System>>,
@@ -102,6 +108,7 @@ impl Forces {
             geometry,
             motion: Motion::default(),
             steady: Vec::new(),
+            still: Vec::new(),
             rigid_rods: Vec::new(),
             system: None,
             cases: HashMap::new(),

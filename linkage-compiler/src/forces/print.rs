@@ -6,7 +6,6 @@ use crate::algebra::Algebra;
 use crate::model::Mechanism;
 
 use super::Forces;
-use super::check::joint_name;
 use super::freedom::Way;
 use super::system::{Equation, System, Unknown};
 
@@ -74,4 +73,19 @@ fn block_words(mechanism: &Mechanism, system: &System, block: &[usize]) -> Strin
 fn way_words(mechanism: &Mechanism, way: &Way) -> String {
     let does = if way.slides { "slides" } else { "turns" };
     format!("`{}` {does}", mechanism.bodies[way.body].name)
+}
+
+pub(super) fn joint_name(mechanism: &Mechanism, joint: usize) -> String {
+    let declared = &mechanism.joints[joint];
+    match &declared.name {
+        Some(name) => format!("`{name}`"),
+        None => format!("the joint of `{}`", mechanism.bodies[declared.body].name),
+    }
+}
+
+pub(super) fn body_name(mechanism: &Mechanism, body: Option<usize>) -> String {
+    match body {
+        Some(body) => format!("`{}`", mechanism.bodies[body].name),
+        None => "the frame".to_owned(),
+    }
 }

@@ -3,6 +3,7 @@
 use linkage_symbolic::NodeId;
 
 use crate::formulate::Reference;
+use crate::model::JointKind;
 
 use super::Mechanics;
 
@@ -13,6 +14,8 @@ impl Mechanics<'_, '_> {
     /// Looks at some positions; those that do not close count for nothing.
     pub(super) fn look_at_motion(&mut self, reference: &Reference, places: &[Vec<f64>]) {
         for body in 0..self.algebra.mechanism.bodies.len() {
+            let joint = self.algebra.mechanism.bodies[body].joint;
+            let is_ball = self.algebra.mechanism.joints[joint].kind == JointKind::Ball;
             for way in self.ways(body) {
                 let rates: Vec<NodeId> = (0..self.drives())
                     .map(|input| self.driven_rate(&way, input))
@@ -21,6 +24,9 @@ impl Mechanics<'_, '_> {
                 let moves = values.iter().flatten().any(|rate| rate.abs() > EQUAL);
                 if moves && all_alike(&values) {
                     self.forces.steady.push((body, way.slides));
+                }
+                if !moves && !values.is_empty() && !is_ball {
+                    self.forces.still.push((body, way.slides));
                 }
             }
             if let Some(along) = self.forces.geometry.rod(body) {
@@ -38,7 +44,8 @@ impl Mechanics<'_, '_> {
         }
     }
 
-    fn values(
+    /// Values at the places where the mechanism closes.
+    pub(super) fn values(
         &self,
         nodes: &[NodeId],
         reference: &Reference,

@@ -288,11 +288,4 @@ impl System {
             |equation: &Equation| matches!(equation, Equation::Motion(way) if way.body == body);
         equations.any(unknown) && self.unknowns.iter().any(|own| own.joint() == Some(joint))
     }
-
-    /// Blocks that are too large to solve.
-    pub(super) fn too_large(&self) -> impl Iterator<Item = &Vec<usize>> {
-        self.blocks
-            .iter()
-            .filter(|block| block.len() > LARGEST_BLOCK)
-    }
 }

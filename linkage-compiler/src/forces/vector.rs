@@ -41,10 +41,15 @@ impl Algebra<'_> {
         }
     }
 
+    /// The part of a vector along a unit vector.
+    pub(super) fn along(&mut self, unit: &[NodeId], v: &[NodeId]) -> Vec<NodeId> {
+        let along = self.dot(unit, v);
+        self.times(along, unit)
+    }
+
     /// The part of a vector across a unit vector.
     pub(super) fn across(&mut self, unit: &[NodeId], v: &[NodeId]) -> Vec<NodeId> {
-        let along = self.dot(unit, v);
-        let along = self.times(along, unit);
+        let along = self.along(unit, v);
         self.difference(v, &along)
     }
 }

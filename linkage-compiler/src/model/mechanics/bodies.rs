@@ -24,6 +24,7 @@ impl Resolver<'_> {
                 (mass, self.point_clause(&part.at))
             })
             .collect();
+        self.refuse_second_point(item);
         let inertias = item
             .inertias
             .iter()
@@ -38,6 +39,19 @@ impl Resolver<'_> {
             origin: self.origins.add((&item.name).into()),
         };
         (body, joint)
+    }
+
+    /// About a point an inertia is that of the whole body, its masses included: two such ones contradict each other.
+    fn refuse_second_point(&mut self, item: &BodyItem) {
+        let mut points = item.inertias.iter().filter_map(|part| part.at.as_ref());
+        if let (Some(_), Some(second)) = (points.next(), points.next()) {
+            let fact = format!(
+                "a second `inertia` of `{}` about a point: each is that of the whole body",
+                item.name
+            );
+            let help = "write the sum about one point; what a part has about its own centre of mass needs no `at`";
+            self.diagnostics.error_with_help(second.span, fact, help);
+        }
     }
 
     /// In the plane an angle. In space a frame; the direction of a rod between balls; the angle about the joint's axis.

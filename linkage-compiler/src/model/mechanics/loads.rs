@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use super::super::names::Resolver;
-use super::super::types::{Between, Dimension, Element, ElementKind, Expr, Load};
+use super::super::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use super::CONTEXT;
 use crate::syntax::{self, ElementItem, JointKind, LoadItem, SourceSpan};
 
@@ -87,8 +87,12 @@ impl Resolver<'_> {
     }
 
     /// `spring stiffness BETWEEN [, free length];`
-    pub(super) fn spring(&mut self, item: &ElementItem) -> Element {
+    pub(super) fn spring(&mut self, item: &ElementItem, bodies: &[Body]) -> Element {
+        let before = self.diagnostics.len();
         let (between, turning) = self.between(item);
+        if turning == Some(true) && self.diagnostics.len() == before {
+            self.refuse_without_angle(&between, bodies, item.span);
+        }
         let (stiffness, free_of) = match turning.unwrap_or_default() {
             true => ((Dimension::MOMENT, "300N*mm"), (Dimension::ANGLE, "20deg")),
             false => (
@@ -107,6 +111,21 @@ impl Resolver<'_> {
             free,
             origin: self.origins.add(item.span),
         }
+    }
+
+    /// In space the angle of a pin is known if a body hangs by it that turns with an angle; in the plane all angles are.
+    fn refuse_without_angle(&mut self, between: &Between, bodies: &[Body], span: SourceSpan) {
+        let (Between::Joint(joint), Some(3)) = (between, self.mechanics.components) else {
+            return;
+        };
+        // Joints that bodies hang by have the numbers of the bodies.
+        let help = match bodies.get(*joint).map(|body| &body.turns) {
+            Some(Some(turns)) if matches!(turns.ty, Type::Scalar(_) | Type::Error) => return,
+            Some(_) => "let the body turn with that angle: `turns phi`",
+            None => "let one of its bodies hang by this pin and turn with that angle: `turns phi`",
+        };
+        let fact = "a spring in a pin of space needs the angle about its axis";
+        self.diagnostics.error_with_help(span, fact, help);
     }
 
     /// `damper damping BETWEEN;`

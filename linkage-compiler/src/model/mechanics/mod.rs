@@ -50,7 +50,10 @@ impl Resolver<'_> {
                 }
                 Item::Force(item) => mechanism.loads.push(self.force(item)),
                 Item::Torque(item) => mechanism.loads.push(self.torque(item)),
-                Item::Spring(item) => mechanism.elements.push(self.spring(item)),
+                Item::Spring(item) => {
+                    let spring = self.spring(item, &mechanism.bodies);
+                    mechanism.elements.push(spring);
+                }
                 Item::Damper(item) => mechanism.elements.push(self.damper(item)),
                 _ => {}
             }
