@@ -55,8 +55,8 @@ mechanism! {
         param lower = 400mm;
         param base = 200mm;
         argument payload = 1kg;
-        input left = 130deg in 110deg..150deg at left_speed, left_acceleration;
-        input right = 50deg in 30deg..70deg at right_speed, right_acceleration;
+        input left = 130deg in 110deg..150deg at left_speed;
+        input right = 50deg in 30deg..70deg at right_speed;
         unknown alpha = 55deg;
         unknown beta = 125deg;
         let a = polar(upper, left);
@@ -72,7 +72,7 @@ mechanism! {
         pin hand = lower_left on lower_right at tip;
     }
     impl FiveBar {
-        pub fn drives(left, right, left_speed, left_acceleration, right_speed, right_acceleration, payload) -> FiveBarDrives {
+        pub fn drives(left, right, left_speed, right_speed, payload) -> FiveBarDrives {
             left: torque(left), right: torque(right), p: power(), hand: reaction(hand),
         }
         pub fn hold(left, right, payload) -> FiveBarHold { left: torque(left), right: torque(right) }
@@ -117,7 +117,7 @@ check!(rssr: Rssr, RssrAssembly:
     energy [energy_sweep energy_sweep_sets] (phi, omega));
 check!(five_bar: FiveBar, FiveBarAssembly:
     drives [drives_sweep drives_sweep_sets]
-        (left, right, left_speed, left_acceleration, right_speed, right_acceleration, payload),
+        (left, right, left_speed, right_speed, payload),
     hold [hold_sweep hold_sweep_sets] (left, right, payload));
 check!(platform: Platform, PlatformAssembly:
     forces [forces_sweep forces_sweep_sets] (phi, omega));
