@@ -8,7 +8,14 @@ use linkage_compiler::compile;
 use proc_macro2::{Group, Literal, TokenStream, TokenTree};
 use quote::quote;
 
-const SAMPLES: [&str; 5] = ["crank_rocker", "favorit", "shaper", "loader", "wrist"];
+const SAMPLES: [&str; 6] = [
+    "crank_rocker",
+    "favorit",
+    "shaper",
+    "loader",
+    "wrist",
+    "forces",
+];
 
 /// Mutations of all samples together; `ROBUST_COUNT=100000` in the environment takes more.
 const COUNT: usize = 2000;

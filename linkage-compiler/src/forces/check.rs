@@ -29,6 +29,8 @@ pub(crate) fn check(
     let before = diagnostics.len();
     let places = places(nominal, mechanism, reference.longest);
     mechanics.check_fit(reference, &places, origins, diagnostics);
+    let mut each = places.iter();
+    each.find(|inputs| mechanics.check_lengths((reference, inputs), origins, diagnostics));
     mechanics.look_at_motion(reference, &places);
     if diagnostics.len() == before
         && mechanism

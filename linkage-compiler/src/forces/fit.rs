@@ -3,10 +3,11 @@
 use linkage_symbolic::NodeId;
 
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::formulate::{Reference, Words, numbers};
+use crate::formulate::{Reference, numbers};
 use crate::model::{Between, ElementKind, Expr, JointKind, Mechanism, OriginId};
 
 use super::Mechanics;
+use super::ends::place;
 use super::geometry::{slides_along, turns_about};
 use super::print::{body_name, joint_name};
 
@@ -138,12 +139,7 @@ impl Mechanics<'_, '_> {
 
     fn apart(&self, pair: &Pair, first: &[f64], second: &[f64], inputs: &[f64]) -> String {
         let mechanism = self.algebra.mechanism;
-        let words = Words::new(mechanism);
-        let all: Vec<usize> = (0..inputs.len()).collect();
-        let at = match inputs.len() {
-            0 => String::new(),
-            _ => format!("at {} ", words.inputs(inputs, &all)),
-        };
+        let at = place(mechanism, inputs);
         let by = &mechanism.inputs[pair.input].name;
         let vector = |v: &[f64]| match v {
             [x] => numbers(&[*x])[0].clone(),

@@ -22,11 +22,13 @@
 //! | `quantities` | what functions ask for |
 //! | `check` | can forces be found with what is declared? |
 //! | `fit` | do bodies and joints fit the motion? |
+//! | `ends` | do springs and dampers have a direction? |
 //! | `steady` | what only numbers tell of the motion |
 //! | `print` | how reactions are found, for golden files |
 
 mod check;
 mod drives;
+mod ends;
 mod fit;
 mod freedom;
 mod geometry;

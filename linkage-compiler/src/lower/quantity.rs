@@ -236,9 +236,11 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 Value::Array(entries.collect())
             }
             ExprKind::Mechanics(quantity) => {
-                // About the whole motion, whether the values depend on an input or not.
+                // About the whole motion, whether the values depend on an input or a speed or not. A load must matter.
                 let listed = &self.definition.inputs;
-                self.requested.variables.extend(listed);
+                let mechanism = self.algebra.mechanism;
+                let motion = listed.iter().filter(|&&input| !mechanism.is_load(input));
+                self.requested.variables.extend(motion);
                 let mut mechanics = self.forces.at(self.algebra, listed, self.with_reactions);
                 mechanics.quantity(quantity)
             }

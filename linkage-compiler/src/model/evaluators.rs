@@ -154,7 +154,8 @@ impl Resolver<'_> {
             },
             None => format!("unknown input `{text}`"),
         };
-        let help = match nearest(&text, inputs.iter().copied()) {
+        let others = inputs.iter().copied().filter(|input| *input != text);
+        let help = match nearest(&text, others) {
             Some(input) => format!("did you mean `{input}`?"),
             None if inputs.is_empty() => "the mechanism has no input: write `()`".to_owned(),
             None => format!("inputs are {}", list(&inputs)),

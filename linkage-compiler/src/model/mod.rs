@@ -20,6 +20,7 @@ mod parameter;
 mod plane_and_space;
 mod presentation;
 mod refused;
+pub(crate) mod spelling;
 #[cfg(test)]
 mod tests;
 mod types;

@@ -4,6 +4,7 @@ use proc_macro2::Ident;
 
 use super::functions::is_function;
 use super::names::Resolver;
+use super::spelling::units_within;
 use super::units::is_unit;
 use crate::diagnostic::text::nearest;
 use crate::syntax::SourceSpan;
@@ -28,7 +29,13 @@ impl Resolver<'_> {
             None if is_function(&text) => {
                 format!("`{text}` is a function: write `{text}(...)`")
             }
-            None => "declare it in the struct block, for example with `let`".to_owned(),
+            None => {
+                let help = "declare it in the struct block, for example with `let`";
+                match units_within(&text) {
+                    Some(units) => format!("{help}; units are written `{units}`"),
+                    None => help.to_owned(),
+                }
+            }
         };
         self.diagnostics.error_with_help(ident.into(), fact, help);
     }

@@ -366,6 +366,12 @@ impl Mechanism {
         }
     }
 
+    /// Whether this one of the inputs and, behind them, arguments is a load: neither an input nor a speed or acceleration.
+    pub fn is_load(&self, index: usize) -> bool {
+        let argument = index.checked_sub(self.inputs.len());
+        argument.is_some_and(|argument| self.arguments[argument].reference.is_some())
+    }
+
     /// The name of an input or, behind the inputs, an argument.
     pub fn input_name(&self, index: usize) -> &str {
         match index.checked_sub(self.inputs.len()) {

@@ -202,7 +202,13 @@ impl Parser<'_> {
         // `param a = ` while it is being typed: the next item is not its value, nor is a clause after `mass 2 * `.
         let clause_here = self.clauses_follow() && self.lacks_operand();
         if is_keyword(&ident.to_string()) || self.at_declaration() || clause_here {
-            return self.expected("an expression", "");
+            let help = match ident.to_string().as_str() {
+                "if" | "match" => {
+                    "there are no cases here: decide outside, and hand the value over as an `argument`"
+                }
+                _ => "",
+            };
+            return self.expected("an expression", help);
         }
         self.stream.skip(1);
         let Some(group) = self.stream.group(0, Delimiter::Parenthesis).cloned() else {

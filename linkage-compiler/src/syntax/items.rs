@@ -6,7 +6,7 @@ use super::ast::{
     Attribute, Expr, Item, LoopItem, NamedItem, ParamItem, SourceSpan, Toleranced, UnitItem,
 };
 use super::expression::PlusMinus;
-use super::joints::Kind;
+use super::joints::{Kind, other_word};
 use super::parser::{Parsed, Parser};
 use super::words::{self, ITEMS};
 use crate::diagnostic::text::nearest;
@@ -66,7 +66,7 @@ impl Parser<'_> {
             }
             "param" => {
                 let name = self.name(&format!("a name after `{word}`"))?;
-                let (value, complete) = self.value(Self::toleranced);
+                let (value, complete) = self.value("", Self::toleranced);
                 let lost = |span| Toleranced::Single {
                     nominal: Expr::error(span),
                     tolerance: None,
@@ -105,11 +105,15 @@ impl Parser<'_> {
             }
             _ => {
                 let name = self.name(&format!("a name after `{word}`"))?;
+                let help = match word {
+                    "argument" => "the value says its dimension: `argument load = 100N;`",
+                    _ => "",
+                };
                 let plus_minus = match word {
                     "let" => PlusMinus::IsSum,
                     _ => PlusMinus::JointIsMistake,
                 };
-                let (value, complete) = self.value(|parser| parser.sum(plus_minus));
+                let (value, complete) = self.value(help, |parser| parser.sum(plus_minus));
                 let value = value.unwrap_or_else(Expr::error);
                 let item = NamedItem {
                     attributes,
@@ -140,7 +144,7 @@ impl Parser<'_> {
                 "a clause belongs before the `;` of its body, joint or load".to_owned()
             }
             "pub" => "leave `pub` out: every `param` is a public field".to_owned(),
-            _ => match nearest(&word, ITEMS) {
+            _ => match other_word(&word).or_else(|| nearest(&word, ITEMS)) {
                 Some(item) => format!("did you mean `{item}`?"),
                 None => format!("items are {}", ITEMS.join(" ")),
             },
@@ -148,13 +152,14 @@ impl Parser<'_> {
         self.expected("an item", &help)
     }
 
-    /// `= RULE ;`. A mistake in it leaves the span of the item so far; the flag says whether the end was reached.
+    /// `= RULE ;`; `help` says what to write if `=` is missing. A mistake in it leaves the span of the item so far; the flag says whether the end was reached.
     pub(super) fn value<T>(
         &mut self,
+        help: &str,
         rule: impl FnOnce(&mut Self) -> Parsed<T>,
     ) -> (Result<T, SourceSpan>, bool) {
         let span = self.stream.previous_span();
-        let value = match self.equals("") {
+        let value = match self.equals(help) {
             Ok(()) => rule(self),
             Err(reported) => Err(reported),
         };

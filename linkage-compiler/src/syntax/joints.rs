@@ -203,7 +203,7 @@ impl Parser<'_> {
 }
 
 /// The word here for what others call so.
-fn other_word(word: &str) -> Option<&'static str> {
+pub(super) fn other_word(word: &str) -> Option<&'static str> {
     Some(match word {
         "hinge" | "revolute" | "pivot" => "pin",
         "slider" | "prismatic" | "guide" => "slide",

@@ -2,6 +2,7 @@
 
 use super::ast::{Expr, ExprKind, SourceSpan};
 use super::parser::{Parsed, Parser};
+use crate::model::spelling::units_within;
 use crate::model::units::{UNIT_NAMES, is_unit};
 
 /// The type suffixes of Rust's own numbers.
@@ -118,9 +119,23 @@ fn other_spelling(text: &str, suffix: &str) -> Option<String> {
         "radian" | "radians" => "rad",
         "arcminute" => "arcmin",
         "arcsecond" => "arcsec",
+        "Kg" | "KG" | "kgs" => "kg",
+        "KN" | "kn" => "kN",
+        "Mpa" | "mpa" => "MPa",
+        "rpm" => "turn/min",
+        "Hz" => "/s",
+        "bar" => " * 0.1MPa",
+        "kgf" => " * 9.80665N",
         "sec" => return Some(format!("`{text}s` for time, `{text}arcsec` for an angle")),
         "rev" | "turns" => "turn",
-        _ => return compound(text, suffix),
+        _ => {
+            let factors = units_within(suffix).map(|units| match units.split_once('^') {
+                // A power does not stand behind a number.
+                Some((before, _)) if !before.contains('*') => format!("`{text} * {units}`"),
+                _ => format!("`{text}{units}`"),
+            });
+            return factors.or_else(|| compound(text, suffix));
+        }
     };
     Some(format!("`{text}{instead}`"))
 }

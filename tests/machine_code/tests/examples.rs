@@ -27,6 +27,7 @@ example! {
     dyads "../../../examples/stability/dyads.rs",
     eye_needle "../../../examples/eye_needle.rs",
     favorit "../../../examples/favorit.rs",
+    favorit_forces "../../../examples/favorit_forces.rs",
     geared_five_bar "../../../examples/geared_five_bar.rs",
     gears "../../../examples/gears.rs",
     hydraulic_cylinder "../../../examples/hydraulic_cylinder.rs",
@@ -72,6 +73,11 @@ check!(eye_needle_: eye_needle::EyeNeedle, eye_needle::EyeNeedleAssembly:
 check!(favorit_: favorit::Favorit, favorit::FavoritAssembly:
     needle [needle_sweep needle_sweep_sets] (phi12),
     motion [motion_sweep motion_sweep_sets] (phi12));
+check!(favorit_forces_: favorit_forces::Favorit, favorit_forces::FavoritAssembly:
+    forces [forces_sweep forces_sweep_sets] (phi12, omega),
+    accelerations [accelerations_sweep accelerations_sweep_sets] (phi12),
+    energy [energy_sweep energy_sweep_sets] (phi12, omega),
+    shaking [shaking_sweep shaking_sweep_sets] (phi12, omega));
 check!(geared_five_bar_: geared_five_bar::GearedFiveBar, geared_five_bar::GearedFiveBarAssembly:
     points [points_sweep points_sweep_sets] (phi, phase),
     motion [motion_sweep motion_sweep_sets] (phi, phase),

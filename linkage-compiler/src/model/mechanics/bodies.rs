@@ -88,9 +88,14 @@ impl Resolver<'_> {
         if matches!(item.joint.kind, JointKind::Slide | JointKind::Fixed) {
             return;
         }
-        let help = match self.mechanics.components {
-            Some(2) | None => "name its angle: `turns phi`",
-            Some(_) => "name the frame that it turns with: `turns frame(p, x, z)`",
+        let help = match (self.mechanics.components, item.joint.kind) {
+            (Some(2) | None, _) => "name its angle: `turns phi`",
+            (_, JointKind::Ball) => {
+                "name the vector along it if it is a slender rod, `turns q - p`, or its frame: `turns frame(p, x, z)`"
+            }
+            _ => {
+                "name its angle about the joint's axis, `turns phi`, or its frame: `turns frame(p, x, z)`"
+            }
         };
         let fact = format!("how does `{}` turn? A `turns` is missing", item.name);
         self.diagnostics

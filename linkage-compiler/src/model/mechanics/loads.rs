@@ -4,6 +4,7 @@ use proc_macro2::Ident;
 
 use super::super::names::Resolver;
 use super::super::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
+use super::CONTEXT;
 use crate::syntax::{self, ElementItem, JointKind, LoadItem, SourceSpan};
 
 impl Resolver<'_> {
@@ -89,21 +90,20 @@ impl Resolver<'_> {
     pub(super) fn spring(&mut self, item: &ElementItem, bodies: &[Body]) -> Element {
         let before = self.diagnostics.len();
         let (between, turning) = self.between(item);
-        if turning && self.diagnostics.len() == before {
+        if turning == Some(true) && self.diagnostics.len() == before {
             self.refuse_without_angle(&between, bodies, item.span);
         }
-        let (stiffness, free) = match turning {
+        let (stiffness, free_of) = match turning.unwrap_or_default() {
             true => ((Dimension::MOMENT, "300N*mm"), (Dimension::ANGLE, "20deg")),
             false => (
                 (Dimension::of(-1, 1, 0), "2.5N/mm"),
                 (Dimension::LENGTH, "40mm"),
             ),
         };
-        let value = self.scalar_clause(&item.value, stiffness.0, "spring", stiffness.1);
-        let free = item
-            .free
-            .as_ref()
-            .map(|length| self.scalar_clause(length, free.0, "free", free.1));
+        let known = turning.is_some();
+        let value = self.element_clause(&item.value, known, stiffness, "spring");
+        let free = item.free.as_ref();
+        let free = free.map(|length| self.element_clause(length, known, free_of, "free"));
         Element {
             kind: ElementKind::Spring,
             value,
@@ -131,11 +131,11 @@ impl Resolver<'_> {
     /// `damper damping BETWEEN;`
     pub(super) fn damper(&mut self, item: &ElementItem) -> Element {
         let (between, turning) = self.between(item);
-        let (damping, example) = match turning {
+        let damping = match turning.unwrap_or_default() {
             true => (Dimension::of(1, 1, 1), "5N*mm*s"),
             false => (Dimension::of(-1, 1, 1), "0.2N*s/mm"),
         };
-        let value = self.scalar_clause(&item.value, damping, "damper", example);
+        let value = self.element_clause(&item.value, turning.is_some(), damping, "damper");
         if let Some(free) = &item.free {
             let fact = "a `damper` has no length without force";
             self.diagnostics
@@ -150,8 +150,22 @@ impl Resolver<'_> {
         }
     }
 
-    /// Where a spring or damper is, and whether it acts on an angle.
-    fn between(&mut self, item: &ElementItem) -> (Between, bool) {
+    /// A value of a spring or damper. Where its joint is not known, nothing is said of the dimension.
+    fn element_clause(
+        &mut self,
+        value: &syntax::Expr,
+        joint_is_known: bool,
+        (wanted, example): (Dimension, &str),
+        word: &str,
+    ) -> Expr {
+        match joint_is_known {
+            true => self.scalar_clause(value, wanted, word, example),
+            false => self.expression(value, CONTEXT),
+        }
+    }
+
+    /// Where a spring or damper is, and whether it acts on an angle, if that is known.
+    fn between(&mut self, item: &ElementItem) -> (Between, Option<bool>) {
         match &item.between {
             syntax::Between::Points([(from, start), (to, end)]) => {
                 let (first, second) = (self.body_named(from), self.body_named(to));
@@ -160,7 +174,7 @@ impl Resolver<'_> {
                     (first.flatten(), self.point_clause(start)),
                     (second.flatten(), self.point_clause(end)),
                 ];
-                (Between::Points(ends), false)
+                (Between::Points(ends), Some(false))
             }
             syntax::Between::Joint(ident) => {
                 let joint = self.joint_named(ident);
@@ -175,7 +189,7 @@ impl Resolver<'_> {
                 }
                 (
                     Between::Joint(joint.unwrap_or_default()),
-                    kind != Some(JointKind::Slide),
+                    kind.map(|kind| kind != JointKind::Slide),
                 )
             }
         }

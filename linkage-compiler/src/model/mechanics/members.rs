@@ -117,7 +117,9 @@ impl Resolver<'_> {
             (_, Some(Member::Body(body))) => self.hanging_help(body),
             (Some(name), _) => format!("did you mean `{name}`?"),
             (None, _) if names.is_empty() => {
-                "give the joint a name: `pin NAME on frame at ...`".to_owned()
+                format!(
+                    "no joint has a name: write `body ... = pin {text} on ...` or `pin {text} = BODY on BODY at POINT`"
+                )
             }
             (None, _) => format!("joints are `{}`", names.join("`, `")),
         };

@@ -228,7 +228,9 @@ fn how_bodies_turn() {
         ),
         (
             "body x = ball on crank at p;",
-            &["how does `x` turn? A `turns` is missing\nhelp: name the frame that it turns with"],
+            &[
+                "how does `x` turn? A `turns` is missing\nhelp: name the vector along it if it is a slender rod, `turns q - p`, or its frame",
+            ],
         ),
         (
             "body x = ball on crank at p, turns phi;",

@@ -13,6 +13,7 @@ fn expressions() {
         ("pi * l", "unknown name `pi`\nhelp: did you mean `PI`?"),
         ("norm * l", "`norm` is a function: write `norm(...)`"),
         ("elsewhere", "help: declare it in the struct block"),
+        ("m2", "with `let`; units are written `m^2`"),
         (
             "l + a",
             "cannot add a length and an angle\nhelp: both must have the same dimension",

@@ -26,6 +26,14 @@ fn expressions() {
         ("f(1) + (1 + 2,5)[0](2)", "expected `;`, found `(`"),
         ("2x", "; a product is written `2 * x`"),
         ("2x", "unknown unit `x`\nhelp: units are m mm "),
+        ("3Nmm", "unknown unit `Nmm`\nhelp: write `3N*mm`"),
+        ("3mm2", "unknown unit `mm2`\nhelp: write `3 * mm^2`"),
+        ("3rpm", "unknown unit `rpm`\nhelp: write `3turn/min`"),
+        ("3bar", "unknown unit `bar`\nhelp: write `3 * 0.1MPa`"),
+        (
+            "if x { 1 }",
+            "found keyword `if`\nhelp: there are no cases here: decide outside",
+        ),
         ("3sec", "help: write `3s` for time, `3arcsec` for an angle"),
         (
             "3mm^2",
@@ -129,6 +137,14 @@ fn items() {
             "expected an item, found `42`\nhelp: items are unit const param",
         ),
         ("gear a = 1;", "help: items are"),
+        (
+            "hinge a = b on c at d;",
+            "expected an item, found `hinge`\nhelp: did you mean `pin`?",
+        ),
+        (
+            "argument load;",
+            "expected `=`, found `;`\nhelp: the value says its dimension: `argument load = 100N;`",
+        ),
         ("fn f() {}", "help: functions belong in the `impl` block"),
         ("pub param a = 1;", "help: leave `pub` out"),
         (

@@ -146,6 +146,10 @@ fn springs_and_dampers() {
             &["`damper` takes a damping of rotation, found a stiffness"],
         ),
         (
+            "spring 1N/mm on crank, free 3mm;",
+            &["`crank` is a body, not a joint\nhelp: it hangs on the joint `b1`"],
+        ),
+        (
             "spring 1N/mm from crank at p to crank at q;",
             &["this acts between `crank` and itself"],
         ),

@@ -1,0 +1,28 @@
+//! A spring between two bodies where they are joined.
+
+use linkage::mechanism;
+
+mechanism! {
+    struct Press {
+        unit mm;
+        param crank = 30mm;
+        param rod = 120mm;
+        input phi = 30deg in 0deg..360deg at omega;
+        unknown theta = -10deg;
+        unknown x = 140mm;
+        let p = polar(crank, phi);
+        let q = p + polar(rod, theta);
+        loop q = (x, 0mm);
+
+        body wheel = pin a on frame at (0mm, 0mm), turns phi, mass 0.1kg at p / 2;
+        body link = pin b on wheel at p, turns theta, mass 0.2kg at (p + q) / 2;
+        body piston = slide c on frame at q along (1, 0), mass 1kg at q;
+        pin d = link on piston at q;
+        spring 2N/mm from wheel at p to link at p, free 40mm;
+    }
+    impl Press {
+        fn forces(phi, omega) -> Forces { t: torque(phi) }
+    }
+}
+
+fn main() {}
