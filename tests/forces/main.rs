@@ -10,6 +10,7 @@ mod derivatives;
 mod driven;
 mod five_bar;
 mod four_bar;
+mod geared_lever;
 mod gears;
 mod guides;
 mod joint;
@@ -27,6 +28,7 @@ mod statics;
 mod trees;
 mod tripod;
 mod two_dyads;
+mod unbalance;
 mod units;
 
 use body::Body;

@@ -26,6 +26,18 @@ fn masses_and_inertias() {
             &["in the plane there is one moment of inertia"],
         ),
     ]);
+    in_plane(&[
+        (
+            "body x = fixed on crank at p, inertia 1kg*m^2 at (0, 0), inertia 1kg*m^2;",
+            &[],
+        ),
+        (
+            "body x = fixed on crank at p, inertia 1kg*m^2 at p, inertia 1kg*m^2 at p;",
+            &[
+                "a second `inertia` of `x` about a point: each is that of the whole body\nhelp: write the sum about one point",
+            ],
+        ),
+    ]);
     let body = "body x = ball on crank at p, turns arm, inertia";
     let loose = "body x = ball on crank at p, turns p, inertia";
     in_space(&[
@@ -153,5 +165,28 @@ fn springs_and_dampers() {
                 "found a force*length^2\nhelp: `s` is a derived quantity here, not the unit: give it another name",
             ],
         ),
+    ]);
+}
+
+#[test]
+fn springs_in_pins_of_space() {
+    let fact = "a spring in a pin of space needs the angle about its axis";
+    let body = "body x = pin b2 on crank at p about (0, 0, 1), turns";
+    in_space(&[
+        ("spring 1N*mm on b1, free 3deg; damper 1N*mm*s on b1;", &[]),
+        (&format!("{body} arm; damper 1N*mm*s on b2;"), &[]),
+        (
+            &format!("{body} arm; spring 1N*mm on b2;"),
+            &[&format!(
+                "{fact}\nhelp: let the body turn with that angle: `turns phi`"
+            )],
+        ),
+        (
+            &format!("{body} 0deg; pin b3 = x on frame at p about (0, 0, 1); spring 1N*mm on b3;"),
+            &[&format!(
+                "{fact}\nhelp: let one of its bodies hang by this pin"
+            )],
+        ),
+        ("spring 1N*mm on b9;", &["unknown joint `b9`"]),
     ]);
 }
