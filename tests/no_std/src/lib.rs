@@ -135,26 +135,6 @@ pub fn camera_turn(pan: f64) -> Result<f64, AssemblyError> {
     Ok(pose.body.isometry().rotation.angle())
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_two_precisions_agree() -> Result<(), AssemblyError> {
-        let linkage = CrankRocker::default().assemble()?;
-        let tracer = linkage.motion(1.0).tracer;
-        let single = reach_in_single_precision(1.0)?;
-        assert!((f64::from(single) - tracer.x.abs() - tracer.y.abs()).abs() < 1e-3);
-        assert_eq!(reach(40.0, 1.0)?, tracer.norm());
-        Ok(())
-    }
-
-    #[test]
-    fn a_crank_that_is_too_long_is_an_error() {
-        assert!(reach(400.0, 1.0).is_err());
-    }
-}
-
 /// The diameter of a clevis pin, loose in rod and fork, 10 mm and twice 5 mm wide.
 ///
 /// # Errors
@@ -192,4 +172,24 @@ pub fn counterweight(
         .peak()?
         .values;
     Ok(mass)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_two_precisions_agree() -> Result<(), AssemblyError> {
+        let linkage = CrankRocker::default().assemble()?;
+        let tracer = linkage.motion(1.0).tracer;
+        let single = reach_in_single_precision(1.0)?;
+        assert!((f64::from(single) - tracer.x.abs() - tracer.y.abs()).abs() < 1e-3);
+        assert_eq!(reach(40.0, 1.0)?, tracer.norm());
+        Ok(())
+    }
+
+    #[test]
+    fn a_crank_that_is_too_long_is_an_error() {
+        assert!(reach(400.0, 1.0).is_err());
+    }
 }
