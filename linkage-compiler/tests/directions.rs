@@ -179,3 +179,45 @@ fn parallel_axes_are_reported() {
         assert!(!reported, "{x} {z}: {found:#?}");
     }
 }
+
+#[test]
+fn guides_and_axes_of_joints() {
+    let messages = |joint: &str, load: &str| {
+        let text = format!(
+            "pub struct M {{
+                unit mm;
+                const zero = (0, 0, 0);
+                input phi = 30deg;
+                let p = (20mm * cos(phi), 20mm * sin(phi), 0mm);
+                body wheel = pin j on frame at (0mm, 0mm, 0mm) about (0, 0, 1), turns phi;
+                body part = {joint};
+                force {load} on part at p;
+            }}
+            impl M {{ fn f(phi) -> R {{ r: unit(reaction(j)), t: torque(phi) }} }}"
+        );
+        trace(text.parse().expect("tokens")).messages
+    };
+    let (fixed, load) = ("fixed on wheel at p", "(1N, 0N, 0N)");
+    let none = messages(fixed, load);
+    assert!(none.is_empty(), "{none:#?}");
+    for (joint, load, expected) in [
+        (
+            "slide on wheel at p along zero",
+            load,
+            "the guide of a `slide` has no direction: `zero` is (0, 0, 0)\nhelp: write a direction",
+        ),
+        (
+            "pin on wheel at p about (0, 0, 0), turns 0deg",
+            load,
+            "the axis of a joint has no direction: it is (0, 0, 0)",
+        ),
+        (
+            fixed,
+            "3N * unit(zero)",
+            "the vector of `unit` has no direction: `zero` is (0, 0, 0)",
+        ),
+    ] {
+        let found = messages(joint, load);
+        assert!(found.iter().any(|m| m.contains(expected)), "{found:#?}");
+    }
+}

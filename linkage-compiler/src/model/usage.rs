@@ -1,6 +1,6 @@
 //! What expressions are written with.
 
-use super::types::{EvaluatorDef, Expr, ExprKind, Mechanics, Mechanism, Name};
+use super::types::{Between, EvaluatorDef, Expr, ExprKind, Inertia, Mechanics, Mechanism, Name};
 
 /// Names that loops are written with, directly or through derived quantities.
 #[derive(Clone, Debug)]
@@ -26,6 +26,40 @@ impl Mechanism {
             }
         }
         usage
+    }
+}
+
+impl Mechanism {
+    /// All that bodies, joints and loads are written with.
+    pub(crate) fn expressions_of_mechanics(&self) -> Vec<&Expr> {
+        let mut all: Vec<&Expr> = self.gravity.iter().collect();
+        for joint in &self.joints {
+            all.push(&joint.at);
+            all.extend(&joint.direction);
+        }
+        for body in &self.bodies {
+            all.extend(&body.turns);
+            all.extend(body.masses.iter().flat_map(|(mass, at)| [mass, at]));
+            for (inertia, about) in &body.inertias {
+                match inertia {
+                    Inertia::Scalar(own) => all.push(own),
+                    Inertia::Tensor(rows) => all.extend(rows.iter().flatten()),
+                }
+                all.extend(about);
+            }
+        }
+        for load in &self.loads {
+            all.push(&load.value);
+            all.extend(&load.at);
+        }
+        for element in &self.elements {
+            all.push(&element.value);
+            all.extend(&element.free);
+            if let Between::Points(ends) = &element.between {
+                all.extend(ends.iter().map(|(_, at)| at));
+            }
+        }
+        all
     }
 }
 

@@ -38,9 +38,11 @@ impl Parser<'_> {
             ExprKind::Number { text, suffix }
                 if self.stream.is_punct(0, '^') && !suffix.is_empty() =>
             {
-                let exponent = self.stream.literal(1).map(ToString::to_string);
+                let sign = usize::from(self.stream.is_punct(1, '-'));
+                let exponent = self.stream.literal(1 + sign).map(ToString::to_string);
                 let exponent = exponent.unwrap_or_else(|| "2".to_owned());
-                let help = format!("write `{text} * {suffix}^{exponent}`");
+                let minus = &"-"[..sign];
+                let help = format!("write `{text} * {suffix}^{minus}{exponent}`");
                 self.fail("a number with a unit has no powers", &help)
             }
             _ => Ok(number),

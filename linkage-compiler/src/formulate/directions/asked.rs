@@ -1,6 +1,6 @@
-//! Where a mechanism needs a direction: axes of `turn` and of `frame`, arguments of `unit`.
+//! Where a mechanism needs a direction: axes of `turn` and of `frame`, arguments of `unit`, guides and axes of joints.
 
-use crate::model::{Expr, ExprKind, Function, Mechanism};
+use crate::model::{Expr, ExprKind, Function, Joint, JointKind, Mechanism};
 
 /// A vector that must not be zero.
 pub(super) struct Asked<'m> {
@@ -46,9 +46,28 @@ pub(super) fn asked_for(mechanism: &Mechanism) -> Vec<Asked<'_>> {
         collect(&item.left, true);
         collect(&item.right, true);
     }
+    mechanism
+        .expressions_of_mechanics()
+        .into_iter()
+        .for_each(|expr| collect(expr, false));
     let quantities = mechanism.evaluators.iter().flat_map(|e| &e.quantities);
     quantities.for_each(|quantity| collect(&quantity.value, false));
+    asked.extend(mechanism.joints.iter().filter_map(of_joint));
     asked
+}
+
+/// The guide or axis of a joint.
+fn of_joint(joint: &Joint) -> Option<Asked<'_>> {
+    let subject = match joint.kind {
+        JointKind::Slide => "the guide of a `slide`",
+        _ => "the axis of a joint",
+    };
+    Some(Asked {
+        subject,
+        vector: joint.direction.as_ref()?,
+        beside: None,
+        in_loop: false,
+    })
 }
 
 fn collect<'m>(expr: &'m Expr, in_loop: bool, asked: &mut Vec<Asked<'m>>) {
@@ -70,7 +89,7 @@ fn collect<'m>(expr: &'m Expr, in_loop: bool, asked: &mut Vec<Asked<'m>>) {
         };
         asked.extend(all.into_iter().filter(|own| {
             let vectors = std::iter::once(own.vector).chain(own.beside);
-            !vectors.into_iter().any(has_derivative)
+            !vectors.into_iter().any(is_of_functions)
         }));
     }
     expr.operands()
@@ -79,13 +98,14 @@ fn collect<'m>(expr: &'m Expr, in_loop: bool, asked: &mut Vec<Asked<'m>>) {
 }
 
 /// Quantities of functions are known at run time only.
-fn has_derivative(expr: &Expr) -> bool {
+fn is_of_functions(expr: &Expr) -> bool {
     let own = matches!(
         expr.kind,
         ExprKind::Derivative(..)
             | ExprKind::InputDerivative(..)
             | ExprKind::Sensitivity(..)
+            | ExprKind::Mechanics(_)
             | ExprKind::Margin
     );
-    own || expr.operands().into_iter().any(has_derivative)
+    own || expr.operands().into_iter().any(is_of_functions)
 }

@@ -39,6 +39,10 @@ fn expressions() {
             "3mm^2",
             "a number with a unit has no powers\nhelp: write `3 * mm^2`",
         ),
+        (
+            "3mm^-2",
+            "a number with a unit has no powers\nhelp: write `3 * mm^-2`",
+        ),
         ("3 mm^a", "help: write `3 * mm^2`"),
         (
             "3^2",
