@@ -28,6 +28,51 @@ impl fmt::Display for Parameter {
     }
 }
 
+/// A driving coordinate of a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Input {
+    /// Its name.
+    pub name: &'static str,
+    /// The mechanism's length unit, or `rad`.
+    pub unit: &'static str,
+    /// The reference position.
+    pub reference: f64,
+    /// The range in which the mechanism must work.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Input {
+    /// The ends of its range. Without one: a whole turn from the reference for an angle, otherwise the reference twice.
+    #[must_use]
+    pub fn ends(&self) -> (f64, f64) {
+        let turn = match self.unit {
+            "rad" => core::f64::consts::TAU,
+            _ => 0.0,
+        };
+        self.range
+            .unwrap_or((self.reference, self.reference + turn))
+    }
+
+    /// `count` evenly spaced values over [`ends`](Self::ends), both of them included.
+    ///
+    /// ```
+    /// let input = linkage_runtime::Input { name: "s", unit: "mm", reference: 0.0, range: Some((1.0, 3.0)) };
+    /// assert_eq!(input.positions(5), [1.0, 1.5, 2.0, 2.5, 3.0]);
+    /// ```
+    #[cfg(feature = "alloc")]
+    #[must_use]
+    pub fn positions(&self, count: usize) -> alloc::vec::Vec<f64> {
+        let (low, high) = self.ends();
+        let last = count.saturating_sub(1);
+        let place = |i: usize| match i {
+            0 => low,
+            _ if i == last => high,
+            _ => low + (high - low) * (i as f64 / last as f64),
+        };
+        (0..count).map(place).collect()
+    }
+}
+
 /// Which of the two solutions of a group its assembly uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AssemblyMode {

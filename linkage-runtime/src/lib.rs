@@ -36,12 +36,14 @@ pub mod generated;
 mod math;
 mod motion;
 pub mod numeric;
+mod picture;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod pins;
 mod scalar;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 mod scene;
 mod structure;
+mod table;
 #[cfg(feature = "tolerance")]
 pub mod tolerance;
 mod words;
@@ -50,7 +52,7 @@ mod words;
 pub use circuits::{Branch, BranchEnd, Circuits, Cycle, circuits};
 #[cfg(feature = "alloc")]
 pub use columns::Columns;
-pub use data::{AssemblyMode, Operations, Parameter};
+pub use data::{AssemblyMode, Input, Operations, Parameter};
 pub use dimensions::Dimensions;
 pub use error::AssemblyError;
 #[cfg(feature = "alloc")]
@@ -60,6 +62,7 @@ pub use frame::Frame;
 pub use motion::{true_acceleration, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{self, Vector2, Vector3};
+pub use picture::{Axis, Guide, GuideOn, Picture, PictureLink, PicturePoint, PointKind};
 #[cfg(feature = "num-dual")]
 pub use scalar::Dual;
 #[doc(hidden)]
@@ -72,3 +75,4 @@ pub use scalar::Scalar;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use scene::{Handle, Scene};
 pub use structure::{FunctionInfo, Group, Structure};
+pub use table::{Column, Heading, Meaning, PictureColumns, Table};

@@ -1,0 +1,87 @@
+//! What a mechanism looks like: which points its links join.
+
+/// The skeleton of a mechanism, as the quantity `picture()` shows it: the constant `PICTURE` of a
+/// mechanism one of whose functions asks for it.
+///
+/// The quantity is an array of vectors: first the points, in the order of [`points`](Self::points), in the mechanism's
+/// length unit, then unit vectors, in the order of [`directions`](Self::directions). All indices here are indices into
+/// these two lists.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Picture {
+    /// 2 in the plane, 3 in space: the number of components.
+    pub dimension: usize,
+    /// The points.
+    pub points: &'static [PicturePoint],
+    /// Names of the unit vectors.
+    pub directions: &'static [&'static str],
+    /// The moving links, each with at least two points.
+    pub links: &'static [PictureLink],
+    /// Where something slides.
+    pub guides: &'static [Guide],
+    /// In space: the axes about which something turns.
+    pub axes: &'static [Axis],
+}
+
+/// A point of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PicturePoint {
+    /// The name in the program; a point without a name is called after the links that it joins.
+    pub name: &'static str,
+    /// What becomes of it.
+    pub kind: PointKind,
+}
+
+/// The kind of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PointKind {
+    /// It does not move, and something turns or slides on it.
+    Ground,
+    /// It joins links.
+    Joint,
+    /// It belongs to one link, as the tip of a needle does.
+    Tip,
+}
+
+/// A rigid link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PictureLink {
+    /// Name of the length, the body or the angle that it was recognised by.
+    pub name: &'static str,
+    /// The points that it joins: two for a bar, more for a plate.
+    pub points: &'static [usize],
+}
+
+/// A straight guide and what slides along it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Guide {
+    /// A name: that of the sliding length, the body or the joint.
+    pub name: &'static str,
+    /// A point that the guide's line goes through.
+    pub origin: usize,
+    /// The direction of the line.
+    pub direction: usize,
+    /// The point that slides: always on the line.
+    pub slider: usize,
+    /// What the guide is part of.
+    pub on: GuideOn,
+}
+
+/// What carries a guide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum GuideOn {
+    /// The frame: it does not move.
+    Frame,
+    /// A link of the picture.
+    Link(usize),
+    /// A link of its own that turns about the origin, as in an oscillating cylinder.
+    Itself,
+}
+
+/// An axis in space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Axis {
+    /// A point on it.
+    pub point: usize,
+    /// Its direction.
+    pub direction: usize,
+}

@@ -1,0 +1,77 @@
+//! What the columns of a sweep mean: for everything that prints, plots or writes them.
+
+use crate::Picture;
+
+/// The results of a sweep with the names and units of their numbers: every generated type of columns
+/// implements it (in `f64`, for functions with arguments).
+pub trait Table {
+    /// What the columns are.
+    fn heading(&self) -> &'static Heading;
+
+    /// How many positions.
+    fn rows(&self) -> usize;
+
+    /// The values of one column, one for each position; NaN where the mechanism cannot be assembled.
+    ///
+    /// # Panics
+    /// If there is no such column.
+    fn column(&self, index: usize) -> &[f64];
+}
+
+/// The columns of a function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heading {
+    /// The function's name.
+    pub function: &'static str,
+    /// Its arguments: inputs, speeds, loads.
+    pub arguments: &'static [&'static str],
+    /// Its numbers in the order of its fields, components innermost.
+    pub columns: &'static [Column],
+    /// What the columns of its `picture()` show.
+    pub picture: Option<PictureColumns>,
+}
+
+/// One number of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// The field's name with indices and component, such as `p.x` or `e[crank].y`.
+    pub name: &'static str,
+    /// Such as `mm`, `rad`, `mm/rad`; empty for a number.
+    pub unit: &'static str,
+    /// What it is.
+    pub meaning: Meaning,
+}
+
+/// What a number is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Meaning {
+    /// A quantity as it is.
+    Value,
+    /// A derivative by the function's only input.
+    Rate {
+        /// 1 for a velocity, 2 for an acceleration.
+        order: u32,
+        /// The column of the quantity that is differentiated, if the function has it.
+        of: Option<usize>,
+    },
+    /// A derivative by a parameter.
+    Sensitivity {
+        /// Its index in `PARAMETERS`.
+        parameter: usize,
+        /// The column of the quantity that is differentiated, if the function has it.
+        of: Option<usize>,
+    },
+    /// A distance from the dead point: `margin()`.
+    Margin,
+    /// A component of a point or direction of the picture.
+    Picture,
+}
+
+/// Where the columns of a picture stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PictureColumns {
+    /// The first column. The components of each point follow, then those of each direction.
+    pub first: usize,
+    /// What they show.
+    pub picture: &'static Picture,
+}
