@@ -6,7 +6,7 @@
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
 //! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, with elementary functions the module `balancing`), `nalgebra`
 //! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
-//! `tolerance` and `monte-carlo` (the module `tolerance`).
+//! `tolerance` and `monte-carlo` (the module `tolerance`), `report` (the module `report`).
 #![no_std]
 #![warn(missing_docs)]
 
@@ -39,6 +39,8 @@ pub mod numeric;
 mod picture;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod pins;
+#[cfg(feature = "report")]
+pub mod report;
 mod scalar;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 mod scene;

@@ -1,0 +1,22 @@
+//! What a mechanism does, for people: plots, drawings, data, an interactive page.
+//!
+//! A [`Report`] collects what there is about a mechanism over its range: sweeps as [`Table`](crate::Table)s, structure,
+//! dimensions with their tolerances, a summary. It writes all of it as a folder, or one thing at a time:
+//! [`html`](Report::html), [`json`](Report::json), [`csv`](Report::csv).
+
+mod accuracy;
+mod builder;
+mod check;
+mod course;
+mod csv;
+mod error;
+mod json;
+mod page;
+mod rates;
+mod tables;
+mod units;
+mod write;
+
+pub use accuracy::BandKind;
+pub use builder::{Report, SummaryRow};
+pub use error::{Mistake, ReportError};

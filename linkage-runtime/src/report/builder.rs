@@ -1,0 +1,194 @@
+//! What a report is made of.
+
+use std::string::String;
+use std::vec::Vec;
+
+use super::tables::Saved;
+use crate::{AssemblyMode, Dimensions, Input, Parameter, Structure, Table};
+
+/// What there is to tell about a mechanism over its range.
+///
+/// Methods that add something never fail. Whatever does not fit together is found, all of it, by [`check`](Self::check),
+/// which everything that writes calls first.
+///
+/// Angles are in radians here and in data files, as in results; plots and pages show degrees. A number that is not
+/// finite, because the mechanism cannot be assembled or stands at a dead point, is a gap: an empty cell, `null`, a break of the curve.
+#[derive(Clone, Debug)]
+pub struct Report {
+    pub(super) title: String,
+    pub(super) about: String,
+    pub(super) notes: Vec<String>,
+    pub(super) input: Input,
+    pub(super) positions: Vec<f64>,
+    pub(super) tables: Vec<Saved>,
+    pub(super) structure: Option<Structure>,
+    pub(super) modes: Vec<AssemblyMode>,
+    pub(super) dimensions: Vec<Dimension>,
+    pub(super) speed: Option<Speed>,
+    pub(super) traces: Vec<String>,
+    pub(super) summary: Vec<SummaryRow>,
+    pub(super) facts: Vec<Fact>,
+}
+
+/// A parameter and its value in this mechanism.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dimension {
+    pub(super) parameter: Parameter,
+    pub(super) value: f64,
+}
+
+/// Speed and acceleration of the input.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Speed {
+    pub(super) omega: f64,
+    pub(super) epsilon: f64,
+}
+
+/// A word about the mechanism.
+#[derive(Clone, Debug)]
+pub(super) struct Fact {
+    pub(super) name: String,
+    pub(super) text: String,
+}
+
+/// A figure of the cycle, such as a limit or a stroke.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SummaryRow {
+    /// The quantity that it is about, such as `p10.x`.
+    pub quantity: String,
+    /// What it is: `stroke`, `upper limit`, `smallest transmission angle`.
+    pub what: String,
+    /// Its value.
+    pub value: f64,
+    /// The unit of the value: `mm`, `rad`; empty for a number.
+    pub unit: String,
+    /// The input at which it occurs, in the unit of the input.
+    pub at: Option<f64>,
+}
+
+impl SummaryRow {
+    /// A figure; [`at`](Self::at) is left open.
+    pub fn new(
+        quantity: impl Into<String>,
+        what: impl Into<String>,
+        value: f64,
+        unit: impl Into<String>,
+    ) -> Self {
+        Self {
+            quantity: quantity.into(),
+            what: what.into(),
+            value,
+            unit: unit.into(),
+            at: None,
+        }
+    }
+
+    /// The same, with the input at which it occurs.
+    #[must_use]
+    pub fn at(mut self, input: f64) -> Self {
+        self.at = Some(input);
+        self
+    }
+}
+
+impl Report {
+    /// A report with this title, about positions of this input, in its unit.
+    #[must_use]
+    pub fn new(title: impl Into<String>, input: &Input, positions: &[f64]) -> Self {
+        Self {
+            title: title.into(),
+            about: String::new(),
+            notes: Vec::new(),
+            input: *input,
+            positions: positions.to_vec(),
+            tables: Vec::new(),
+            structure: None,
+            modes: Vec::new(),
+            dimensions: Vec::new(),
+            speed: None,
+            traces: Vec::new(),
+            summary: Vec::new(),
+            facts: Vec::new(),
+        }
+    }
+
+    /// One or two sentences below the title.
+    #[must_use]
+    pub fn about(mut self, text: impl Into<String>) -> Self {
+        self.about = text.into();
+        self
+    }
+
+    /// A remark, such as where the dimensions come from. There may be several.
+    #[must_use]
+    pub fn note(mut self, text: impl Into<String>) -> Self {
+        self.notes.push(text.into());
+        self
+    }
+
+    /// A sweep over the positions of the report. There may be several, of different functions; one of them may have the
+    /// columns of a picture, which the drawing and the page show.
+    #[must_use]
+    pub fn table(mut self, table: &impl Table) -> Self {
+        self.tables.push(Saved::new(table));
+        self
+    }
+
+    /// The structure that the compiler found: the constant `STRUCTURE`.
+    #[must_use]
+    pub fn structure(mut self, structure: &Structure) -> Self {
+        self.structure = Some(*structure);
+        self
+    }
+
+    /// The assembly's modes, as its method `modes` gives them, which are shown with the structure.
+    #[must_use]
+    pub fn modes(mut self, modes: &[AssemblyMode]) -> Self {
+        self.modes = modes.to_vec();
+        self
+    }
+
+    /// The mechanism's dimensions with nominal values and tolerances. With them, sensitivities become bands about their
+    /// quantities and a table of accuracy.
+    #[must_use]
+    pub fn dimensions<M: Dimensions<N>, const N: usize>(mut self, mechanism: &M) -> Self {
+        let values = mechanism.values();
+        let pairs = M::PARAMETERS.iter().zip(values);
+        self.dimensions = pairs
+            .map(|(&parameter, value)| Dimension { parameter, value })
+            .collect();
+        self
+    }
+
+    /// The input's speed (rad/s for an angle) and acceleration (rad/s^2). With them, first and second derivatives by the
+    /// input are also shown as true velocities and accelerations.
+    #[must_use]
+    pub fn speed(mut self, omega: f64, epsilon: f64) -> Self {
+        self.speed = Some(Speed { omega, epsilon });
+        self
+    }
+
+    /// A point of the picture whose path is drawn. Without any, the tips of links are traced.
+    #[must_use]
+    pub fn trace(mut self, point: impl Into<String>) -> Self {
+        self.traces.push(point.into());
+        self
+    }
+
+    /// Figures of the cycle.
+    #[must_use]
+    pub fn summary(mut self, rows: impl IntoIterator<Item = SummaryRow>) -> Self {
+        self.summary.extend(rows);
+        self
+    }
+
+    /// A word about the mechanism: `fact("Grashof", "crank-rocker")`.
+    #[must_use]
+    pub fn fact(mut self, name: impl Into<String>, text: impl Into<String>) -> Self {
+        self.facts.push(Fact {
+            name: name.into(),
+            text: text.into(),
+        });
+        self
+    }
+}

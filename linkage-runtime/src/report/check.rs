@@ -1,0 +1,115 @@
+//! Whether the parts of a report fit together.
+
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::tables::{Saved, point_named};
+use super::{Mistake, Report, ReportError};
+use crate::Meaning;
+
+impl Report {
+    /// Whether everything fits together; everything that writes asks first.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Mistakes`] with all that was found.
+    pub fn check(&self) -> Result<(), ReportError> {
+        let mut mistakes = Vec::new();
+        self.check_tables(&mut mistakes);
+        self.check_picture(&mut mistakes);
+        self.check_parameters(&mut mistakes);
+        self.check_speed(&mut mistakes);
+        if mistakes.is_empty() {
+            Ok(())
+        } else {
+            Err(ReportError::Mistakes(mistakes))
+        }
+    }
+
+    fn check_tables(&self, mistakes: &mut Vec<Mistake>) {
+        let positions = self.positions.len();
+        if positions < 2 {
+            mistakes.push(Mistake::Positions { count: positions });
+        }
+        for (index, table) in self.tables.iter().enumerate() {
+            let function = table.heading.function;
+            if table.rows != positions {
+                mistakes.push(Mistake::Rows {
+                    function: function.to_string(),
+                    rows: table.rows,
+                    positions,
+                });
+            }
+            let same = |other: &&Saved| other.heading.function == function;
+            if self.tables[..index].iter().filter(same).count() == 1 {
+                mistakes.push(Mistake::Twice {
+                    function: function.to_string(),
+                });
+            }
+        }
+    }
+
+    fn check_picture(&self, mistakes: &mut Vec<Mistake>) {
+        let pictures = self.tables.iter().filter(|t| t.heading.picture.is_some());
+        let functions: Vec<String> = pictures.map(|t| t.heading.function.to_string()).collect();
+        if functions.len() > 1 {
+            mistakes.push(Mistake::Pictures { functions });
+        }
+        let Some(shown) = self.shown() else {
+            if let Some(name) = self.traces.first() {
+                mistakes.push(Mistake::NoPicture {
+                    wanted: std::format!("the path of `{name}`"),
+                    functions: self.functions(),
+                });
+            }
+            return;
+        };
+        let points = shown.picture.points;
+        for name in &self.traces {
+            if point_named(shown.picture, name).is_none() {
+                mistakes.push(Mistake::Unknown {
+                    kind: "point",
+                    name: name.clone(),
+                    known: points.iter().map(|point| point.name.to_string()).collect(),
+                });
+            }
+        }
+    }
+
+    fn check_parameters(&self, mistakes: &mut Vec<Mistake>) {
+        let dimensions = self.dimensions.len();
+        if dimensions == 0 {
+            return;
+        }
+        for column in self.tables.iter().flat_map(|table| table.heading.columns) {
+            if let Meaning::Sensitivity { parameter, .. } = column.meaning
+                && parameter >= dimensions
+            {
+                mistakes.push(Mistake::Parameter {
+                    column: column.name.to_string(),
+                    parameter,
+                    dimensions,
+                });
+            }
+        }
+    }
+
+    fn check_speed(&self, mistakes: &mut Vec<Mistake>) {
+        let accelerates = self.speed.is_some_and(|speed| speed.epsilon != 0.0);
+        if !accelerates {
+            return;
+        }
+        for table in &self.tables {
+            for column in table.heading.columns {
+                if let Meaning::Rate { order: 2, .. } = column.meaning
+                    && self.velocity(table, column).is_none()
+                {
+                    mistakes.push(Mistake::Velocity {
+                        column: column.name.to_string(),
+                        of: table.of(column).map(|name| std::format!("`{name}`")),
+                    });
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! Where the range has gaps, and whether it closes.
+
+use core::f64::consts::TAU;
+use std::vec::Vec;
+
+use super::Report;
+use crate::{Column, Meaning};
+
+/// Input values between which some number is not finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Gap {
+    pub(super) from: f64,
+    pub(super) to: f64,
+}
+
+impl Report {
+    /// Ranges of positions in which some column is not finite, both ends included.
+    pub(super) fn gaps(&self) -> Vec<Gap> {
+        let mut gaps: Vec<Gap> = Vec::new();
+        let mut open = false;
+        for (row, &at) in self.positions.iter().enumerate() {
+            let columns = self.tables.iter().flat_map(|table| &table.values);
+            let missing = columns.map(|values| values[row]).any(|x| !x.is_finite());
+            match gaps.last_mut() {
+                Some(gap) if missing && open => gap.to = at,
+                _ if missing => gaps.push(Gap { from: at, to: at }),
+                _ => {}
+            }
+            open = missing;
+        }
+        gaps
+    }
+
+    /// Whether the positions are whole turns after which all quantities are as they were, angles apart from whole turns.
+    pub(super) fn is_periodic(&self) -> bool {
+        let (Some(first), Some(last)) = (self.positions.first(), self.positions.last()) else {
+            return false;
+        };
+        let turns = (last - first) / TAU;
+        let whole = turns.round() != 0.0 && (turns - turns.round()).abs() < 1e-9;
+        let mut columns = self.tables.iter().flat_map(|table| table.columns());
+        self.input.unit == "rad" && whole && columns.all(|(column, values)| closes(column, values))
+    }
+}
+
+fn closes(column: &Column, values: &[f64]) -> bool {
+    if !matches!(column.meaning, Meaning::Value | Meaning::Picture) {
+        return true;
+    }
+    let (Some(first), Some(last)) = (values.first(), values.last()) else {
+        return true;
+    };
+    let step = match column.unit {
+        "rad" => (last - first) - TAU * ((last - first) / TAU).round(),
+        _ => last - first,
+    };
+    let size = values.iter().map(|x| x.abs()).filter(|x| x.is_finite());
+    step.abs() <= 1e-9 * size.fold(1.0, f64::max)
+}

@@ -1,0 +1,224 @@
+//! The report as JSON: what the page reads.
+
+use serde_json::{Value, json};
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::accuracy::BandKind;
+use super::rates::True;
+use super::tables::{Saved, Shown};
+use super::{Report, ReportError};
+use crate::{Column, GuideOn, Meaning, Operations, PointKind, Structure};
+
+impl Report {
+    /// Everything as JSON: numbers with the digits that they have, in the units beside them, angles in radians. A number
+    /// that is not finite is `null`.
+    ///
+    /// # Errors
+    ///
+    /// As [`check`](Self::check).
+    pub fn json(&self) -> Result<String, ReportError> {
+        self.check()?;
+        Ok(self.value().to_string())
+    }
+
+    fn value(&self) -> Value {
+        let (bands, accuracy) = self.tolerances();
+        json!({
+            "title": self.title,
+            "about": self.about,
+            "notes": self.notes,
+            "input": {
+                "name": self.input.name,
+                "unit": self.input.unit,
+                "values": self.positions,
+                "periodic": self.is_periodic(),
+            },
+            "tables": list(&self.tables, |table| self.table_value(table)),
+            "bands": bands,
+            "accuracy": accuracy,
+            "speed": self.speed.map(|s| json!({ "omega": s.omega, "epsilon": s.epsilon })),
+            "true": list(self.true_rates(), true_value),
+            "picture": self.shown().map(|shown| self.picture_value(&shown)),
+            "structure": self.structure.map(|structure| self.structure_value(&structure)),
+            "dimensions": list(&self.dimensions, |d| json!({
+                "name": d.parameter.name,
+                "unit": d.parameter.unit,
+                "nominal": d.parameter.nominal,
+                "tolerance": d.parameter.tolerance,
+                "value": d.value,
+            })),
+            "summary": list(&self.summary, |row| json!({
+                "quantity": row.quantity,
+                "what": row.what,
+                "value": row.value,
+                "unit": row.unit,
+                "at": row.at,
+            })),
+            "facts": list(&self.facts, |f| json!({ "name": f.name, "text": f.text })),
+            "gaps": list(self.gaps(), |gap| json!({ "from": gap.from, "to": gap.to })),
+        })
+    }
+
+    fn table_value(&self, table: &Saved) -> Value {
+        json!({
+            "function": table.heading.function,
+            "columns": list(table.columns(), |(column, values)| self.column_value(table, column, values)),
+        })
+    }
+
+    fn column_value(&self, table: &Saved, column: &Column, values: &[f64]) -> Value {
+        let mut value = json!({
+            "name": column.name,
+            "unit": column.unit,
+            "meaning": meaning(column.meaning),
+            "values": values,
+        });
+        if let Some(of) = table.of(column) {
+            value["of"] = json!(of);
+        }
+        match column.meaning {
+            Meaning::Rate { order, .. } => value["order"] = json!(order),
+            Meaning::Sensitivity { parameter, .. } => {
+                if let Some(dimension) = self.dimensions.get(parameter) {
+                    value["parameter"] = json!(dimension.parameter.name);
+                }
+            }
+            Meaning::Value | Meaning::Margin | Meaning::Picture => {}
+        }
+        value
+    }
+
+    /// Bands, and the table of accuracy.
+    fn tolerances(&self) -> (Vec<Value>, Vec<Value>) {
+        let mut bands = Vec::new();
+        let mut accuracy = Vec::new();
+        for sensitive in self.sensitive() {
+            if sensitive.column.is_some() {
+                bands.extend([BandKind::WorstCase, BandKind::Statistical].map(|kind| {
+                    json!({
+                        "table": sensitive.table.heading.function,
+                        "column": sensitive.name,
+                        "kind": kind.name(),
+                        "half": sensitive.half(kind),
+                    })
+                }));
+            }
+            if let Some(worst) = sensitive.worst(&self.positions) {
+                accuracy.push(json!({
+                    "quantity": sensitive.name,
+                    "unit": sensitive.unit,
+                    "at": worst.at,
+                    "worst": worst.worst,
+                    "statistical": worst.statistical,
+                    "contributions": list(worst.contributions, |(parameter, amount)| {
+                        json!({ "parameter": parameter, "amount": amount })
+                    }),
+                }));
+            }
+        }
+        (bands, accuracy)
+    }
+
+    fn picture_value(&self, shown: &Shown<'_>) -> Value {
+        let picture = shown.picture;
+        let points = picture.points.iter().enumerate();
+        let directions = picture.directions.iter().enumerate();
+        json!({
+            "dimension": picture.dimension,
+            "unit": shown.unit,
+            "points": list(points, |(index, point)| json!({
+                "name": point.name,
+                "kind": match point.kind {
+                    PointKind::Ground => "ground",
+                    PointKind::Joint => "joint",
+                    PointKind::Tip => "tip",
+                },
+                "at": shown.point(index),
+            })),
+            "directions": list(directions, |(index, name)| json!({
+                "name": name,
+                "at": shown.direction(index),
+            })),
+            "links": list(picture.links, |link| json!({ "name": link.name, "points": link.points })),
+            "guides": list(picture.guides, |guide| json!({
+                "name": guide.name,
+                "origin": guide.origin,
+                "direction": guide.direction,
+                "slider": guide.slider,
+                "on": match guide.on {
+                    GuideOn::Frame => json!("frame"),
+                    GuideOn::Link(link) => json!(link),
+                    GuideOn::Itself => json!("itself"),
+                },
+            })),
+            "axes": list(picture.axes, |axis| {
+                json!({ "point": axis.point, "direction": axis.direction })
+            }),
+            "traces": self.traced(picture),
+        })
+    }
+
+    fn structure_value(&self, structure: &Structure) -> Value {
+        let sign = |mode| self.modes.get(mode).map(|mode| std::format!("{mode}"));
+        json!({
+            "mobility": structure.mobility,
+            "groups": list(structure.groups, |group| json!({
+                "kind": group.kind,
+                "class": group.class,
+                "order": group.order,
+                "mode": group.mode.and_then(sign),
+                "loops": group.loops,
+                "unknowns": group.unknowns,
+                "method": group.method,
+            })),
+            "functions": list(structure.functions, |function| json!({
+                "name": function.name,
+                "operations": operations(&function.operations),
+                "total": function.operations.total(),
+            })),
+            "prepare": operations(&structure.prepare),
+        })
+    }
+}
+
+fn true_value(rate: True) -> Value {
+    let mut value = json!({
+        "table": rate.table,
+        "name": rate.column.name,
+        "unit": rate.unit,
+        "meaning": "rate",
+        "order": rate.order,
+        "values": rate.values,
+    });
+    if let Some(of) = rate.of {
+        value["of"] = json!(of);
+    }
+    value
+}
+
+fn list<T>(items: impl IntoIterator<Item = T>, value: impl FnMut(T) -> Value) -> Vec<Value> {
+    items.into_iter().map(value).collect()
+}
+
+const fn meaning(meaning: Meaning) -> &'static str {
+    match meaning {
+        Meaning::Value => "value",
+        Meaning::Rate { .. } => "rate",
+        Meaning::Sensitivity { .. } => "sensitivity",
+        Meaning::Margin => "margin",
+        Meaning::Picture => "picture",
+    }
+}
+
+fn operations(operations: &Operations) -> Value {
+    json!({
+        "add": operations.add,
+        "mul": operations.mul,
+        "div": operations.div,
+        "sqrt": operations.sqrt,
+        "sin_cos": operations.sin_cos,
+        "atan2": operations.atan2,
+        "other": operations.other,
+    })
+}
