@@ -1,12 +1,10 @@
 //! What each number of a result is: its name, its unit, what it was derived from.
 
-use linkage_runtime::Meaning as RuntimeMeaning;
-
 use crate::algebra::AXES;
 use crate::model::{EvaluatorDef, Expr, ExprKind, LengthUnit, Mechanism, Quantity, Type, Variable};
 use crate::picture::Picture;
 
-pub type Meaning = RuntimeMeaning;
+pub use linkage_runtime::Meaning;
 
 /// One number of a result.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,25 +68,89 @@ impl Namer<'_> {
     }
 
     fn quantity(&self, quantity: &Quantity, firsts: &[usize], all: &mut Vec<Column>) {
-        let first = all.len();
-        let labels = self.labels(&quantity.value);
-        let mut flat = Vec::new();
-        flatten(
+        let names = names(
             &quantity.value.ty,
-            &labels,
+            &self.labels(&quantity.value),
             quantity.field.clone(),
-            self.mechanism.unit,
-            &mut flat,
         );
-        for (offset, (name, unit)) in flat.into_iter().enumerate() {
-            let meaning = self.meaning(&quantity.value, offset, firsts);
-            debug_assert_eq!(all.len(), first + offset);
+        for (offset, name) in names.into_iter().enumerate() {
             all.push(Column {
                 name,
-                unit,
-                meaning,
+                unit: self.unit(&quantity.value, offset),
+                meaning: self.meaning(&quantity.value, offset, firsts),
             });
         }
+    }
+
+    /// The unit of the number at a place in a quantity: of a derivative `mm/rad`, `rad/mm^2`, `mm/(rad*mm)`.
+    fn unit(&self, expr: &Expr, offset: usize) -> String {
+        let mut divisors = Vec::new();
+        let own = self.numerator(expr, offset, &mut divisors);
+        let mut powers: Vec<(String, usize)> = Vec::new();
+        for divisor in divisors.into_iter().filter(|divisor| !divisor.is_empty()) {
+            match powers.iter_mut().find(|(unit, _)| *unit == divisor) {
+                Some((_, power)) => *power += 1,
+                None => powers.push((divisor, 1)),
+            }
+        }
+        let factors: Vec<String> = powers
+            .into_iter()
+            .map(|(unit, power)| match power {
+                1 => unit,
+                _ => format!("{unit}^{power}"),
+            })
+            .collect();
+        let own = match own.as_str() {
+            "" if !factors.is_empty() => "1".to_owned(),
+            quotient if quotient.contains('/') && !factors.is_empty() => format!("({quotient})"),
+            _ => own,
+        };
+        match factors.len() {
+            0 => own,
+            1 => format!("{own}/{}", factors[0]),
+            _ => format!("{own}/({})", factors.join("*")),
+        }
+    }
+
+    /// The unit of what is differentiated, and those of the variables.
+    fn numerator(&self, expr: &Expr, offset: usize, divisors: &mut Vec<String>) -> String {
+        let width = |inner: &Expr| leaves(&inner.ty);
+        match &expr.kind {
+            ExprKind::InputDerivative(inner, order) => {
+                let drives = self.drives();
+                let mut entry = offset / width(inner);
+                let own = self.numerator(inner, offset % width(inner), divisors);
+                for _ in 0..*order {
+                    let input = drives[entry % drives.len()];
+                    divisors.push(self.unit_of(Variable::Input(input)));
+                    entry /= drives.len();
+                }
+                own
+            }
+            ExprKind::Sensitivity(inner, parameters) => {
+                let own = self.numerator(inner, offset % width(inner), divisors);
+                let parameter = parameters[offset / width(inner)];
+                divisors.push(self.unit_of(Variable::Parameter(parameter)));
+                own
+            }
+            ExprKind::Derivative(inner, variables) => {
+                let own = self.numerator(inner, offset, divisors);
+                divisors.extend(variables.iter().map(|&variable| self.unit_of(variable)));
+                own
+            }
+            _ => {
+                let units = units(&expr.ty, self.mechanism.unit);
+                units.into_iter().nth(offset).unwrap_or_default()
+            }
+        }
+    }
+
+    fn unit_of(&self, variable: Variable) -> String {
+        let dimension = match variable {
+            Variable::Input(input) => self.mechanism.inputs[input].dimension,
+            Variable::Parameter(id) => self.mechanism.scalar_parameters[id.0].dimension,
+        };
+        dimension.unit(self.mechanism.unit)
     }
 
     /// Names of the entries of an array, outermost first.
@@ -187,52 +249,45 @@ fn leaves(ty: &Type) -> usize {
     }
 }
 
-/// Names and units of all numbers of a value.
-fn flatten(
-    ty: &Type,
-    labels: &[Vec<String>],
-    name: String,
-    length: LengthUnit,
-    all: &mut Vec<(String, String)>,
-) {
+/// Names of all numbers of a value.
+fn names(ty: &Type, labels: &[Vec<String>], name: String) -> Vec<String> {
+    let components = |count: usize| AXES[..count].iter().map(|axis| format!("{name}.{axis}"));
     match ty {
         Type::Array(entries) => {
             let (own, inner) = labels.split_first().unzip();
-            for (index, entry) in entries.iter().enumerate() {
+            let entry = |(index, entry): (usize, &Type)| {
                 let label = own.and_then(|own: &Vec<String>| own.get(index)).cloned();
                 let label = label.unwrap_or_else(|| index.to_string());
-                flatten(
-                    entry,
-                    inner.unwrap_or_default(),
-                    format!("{name}[{label}]"),
-                    length,
-                    all,
-                );
-            }
-        }
-        Type::Vector(count, dimension) => {
-            let unit = dimension.unit(length);
-            all.extend(
-                AXES[..*count]
-                    .iter()
-                    .map(|axis| (format!("{name}.{axis}"), unit.clone())),
-            );
+                names(entry, inner.unwrap_or_default(), format!("{name}[{label}]"))
+            };
+            entries.iter().enumerate().flat_map(entry).collect()
         }
         Type::Frame => {
-            for part in ["origin", "x", "y", "z"] {
-                let unit = if part == "origin" { length.name() } else { "" };
-                let components = AXES.iter().map(|axis| format!("{name}.{part}.{axis}"));
-                all.extend(components.map(|name| (name, unit.to_owned())));
-            }
+            let parts = ["origin", "x", "y", "z"].into_iter();
+            parts
+                .flat_map(|part| AXES.map(|axis| format!("{name}.{part}.{axis}")))
+                .collect()
         }
-        Type::Zero(count) if *count > 1 => {
-            all.extend(
-                AXES[..*count]
-                    .iter()
-                    .map(|axis| (format!("{name}.{axis}"), String::new())),
-            );
+        Type::Vector(count, _) => components(*count).collect(),
+        Type::Zero(count) if *count > 1 => components(*count).collect(),
+        Type::Scalar(_) | Type::Zero(_) | Type::Error => vec![name],
+    }
+}
+
+/// Units of all numbers of a value that is no derivative.
+fn units(ty: &Type, length: LengthUnit) -> Vec<String> {
+    match ty {
+        Type::Array(entries) => entries
+            .iter()
+            .flat_map(|entry| units(entry, length))
+            .collect(),
+        Type::Vector(count, dimension) => vec![dimension.unit(length); *count],
+        Type::Scalar(dimension) => vec![dimension.unit(length)],
+        Type::Frame => {
+            let origin = vec![length.name().to_owned(); 3];
+            origin.into_iter().chain(vec![String::new(); 9]).collect()
         }
-        Type::Scalar(dimension) => all.push((name, dimension.unit(length))),
-        Type::Zero(_) | Type::Error => all.push((name, String::new())),
+        Type::Zero(count) => vec![String::new(); *count],
+        Type::Error => vec![String::new()],
     }
 }

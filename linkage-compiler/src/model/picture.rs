@@ -1,7 +1,6 @@
 //! `picture()`: a quantity that stands alone.
 
 use super::names::{Context, Resolver};
-use super::operators::settle_alone;
 use super::types::{Dimension, EvaluatorDef, Expr, ExprKind, Type};
 use crate::syntax::{self, SourceSpan};
 
@@ -46,8 +45,7 @@ impl Resolver<'_> {
     }
 
     fn drawn_point(&mut self, point: &syntax::Expr, context: Context) -> Option<Expr> {
-        let mut value = self.expression(point, context);
-        settle_alone(&mut value);
+        let value = self.expression(point, context);
         match &value.ty {
             Type::Error => None,
             Type::Vector(_, dimension) if dimension.fits(Dimension::LENGTH) => Some(value),

@@ -25,6 +25,8 @@ mod names;
 mod print;
 mod roles;
 mod seen;
+#[cfg(test)]
+mod tests;
 
 use linkage_symbolic::NodeId;
 
