@@ -62,6 +62,9 @@ mechanism! {
             p8, v: velocity(p8), a: acceleration(p8), e: sensitivity(p8),
         }
 
+        /// All links, for drawings.
+        pub fn picture(phi) -> Picture { shape: picture() }
+
         /// How the rocker of the needle stands, and how far the drive is from a singular position.
         pub fn posture(phi) -> Posture { phi75, margin: margin() }
     }
