@@ -9,7 +9,7 @@ use crate::report::svg::{Element, Svg};
 use crate::{Guide, GuideOn, PointKind};
 
 /// Height and half the width of a pivot's foot.
-const FOOT: [f64; 2] = [4.2, 2.8];
+pub(super) const FOOT: [f64; 2] = [4.2, 2.8];
 /// Distance and length of hatching.
 const HATCH: [f64; 2] = [1.5, 2.0];
 /// Half the length of an axis.

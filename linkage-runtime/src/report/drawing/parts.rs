@@ -62,13 +62,13 @@ impl Drawing<'_> {
             svg.add(
                 shape
                     .fill(body.colour)
-                    .number("fill-opacity", 0.35)
-                    .stroke(Colour::Frame, 0.4),
+                    .number("fill-opacity", 0.25)
+                    .stroke(Colour::Frame, 0.25),
             );
         }
         for (index, _) in self.shown.picture.points.iter().enumerate() {
             if let Some(at) = sheet.point(index, row) {
-                svg.add(Element::circle(at, 0.45).fill(Colour::Frame));
+                svg.add(Element::circle(at, 0.4).fill(Colour::Frame));
             }
         }
     }
@@ -83,9 +83,7 @@ impl Drawing<'_> {
                 let corner = |(along, left): (f64, f64)| moved(at, direction, along, left);
                 let corners = [(half, high), (half, -high), (-half, -high), (-half, high)];
                 let block = Element::polygon(corners.map(corner)).class("slider");
-                let block = block
-                    .set("data-name", guide.name)
-                    .set("stroke-linejoin", "round");
+                let block = block.set("data-name", guide.name);
                 svg.add(block.fill(Colour::Paper).stroke(Colour::Ink, 0.45));
             }
         }
@@ -100,6 +98,10 @@ impl Drawing<'_> {
             let traced = self.traces.iter().position(|trace| *trace == index);
             let colour = traced.map_or(Colour::Ink, Colour::Curve);
             let mark = match point.kind {
+                // The origin of a guide only: nothing turns there.
+                PointKind::Ground if !is_joined(self.shown.picture, index) => {
+                    Element::circle(at, 0.5).fill(Colour::Frame)
+                }
                 PointKind::Ground | PointKind::Joint => Element::circle(at, JOINT)
                     .fill(Colour::Paper)
                     .stroke(colour, 0.45),
