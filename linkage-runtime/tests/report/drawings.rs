@@ -195,8 +195,12 @@ fn sliders_lie_on_their_guides() {
         length > farthest && length < farthest + 9.0,
         "{length} {farthest}"
     );
-    // The frame's guide has no foot, though it has a point of the frame.
+    // The point that only says where the frame's guide is does not show.
     assert_eq!(classed(&svg, "pivot").len(), 3);
+    assert_eq!(
+        words(&svg, "name"),
+        ["pivot", "foot", "rest", "pin", "end", "ram"]
+    );
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::Drawing;
 use super::geometry::moved;
-use super::parts::{BLOCK, is_joined};
+use super::parts::BLOCK;
 use super::sheet::{BEYOND, Sheet};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
@@ -61,7 +61,7 @@ impl Drawing<'_> {
     pub(super) fn pivots(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
         let picture = self.shown.picture;
         for (index, point) in picture.points.iter().enumerate() {
-            let is_pivot = point.kind == PointKind::Ground && is_joined(picture, index);
+            let is_pivot = point.kind == PointKind::Ground;
             let Some(at) = sheet.point(index, row).filter(|_| is_pivot) else {
                 continue;
             };

@@ -5,7 +5,7 @@ use std::vec::Vec;
 use super::Drawing;
 use super::fixed::FOOT;
 use super::geometry::{distance, moved};
-use super::parts::{BLOCK, is_joined};
+use super::parts::BLOCK;
 use super::sheet::Sheet;
 use crate::PointKind;
 use crate::report::colour::Colour;
@@ -48,7 +48,8 @@ impl Drawing<'_> {
     pub(super) fn point_names(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
         let mut taken = self.stretches(sheet, row);
         for (index, point) in self.shown.picture.points.iter().enumerate() {
-            let Some(at) = sheet.point(index, row) else {
+            let is_drawn = point.kind != PointKind::Construction;
+            let Some(at) = sheet.point(index, row).filter(|_| is_drawn) else {
                 continue;
             };
             let half = [
@@ -101,7 +102,7 @@ impl Drawing<'_> {
         for (index, point) in picture.points.iter().enumerate() {
             if let Some([x, y]) = sheet.point(index, row) {
                 stretches.push([[x, y]; 2]);
-                if point.kind == PointKind::Ground && is_joined(picture, index) {
+                if point.kind == PointKind::Ground {
                     let [height, half] = FOOT;
                     let below = y + height + 0.5;
                     stretches.push([[x - 1.6 * half, below], [x + 1.6 * half, below]]);

@@ -7,7 +7,7 @@ use super::geometry::{hull, moved};
 use super::sheet::{BEYOND, Sheet};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::{GuideOn, Picture, PointKind};
+use crate::{GuideOn, PointKind};
 
 /// Width of a bar, and of a link's rail.
 const BAR: f64 = 2.4;
@@ -66,8 +66,9 @@ impl Drawing<'_> {
                     .stroke(Colour::Frame, 0.25),
             );
         }
-        for (index, _) in self.shown.picture.points.iter().enumerate() {
-            if let Some(at) = sheet.point(index, row) {
+        for (index, point) in self.shown.picture.points.iter().enumerate() {
+            let is_drawn = point.kind != PointKind::Construction;
+            if let Some(at) = sheet.point(index, row).filter(|_| is_drawn) {
                 svg.add(Element::circle(at, 0.4).fill(Colour::Frame));
             }
         }
@@ -98,14 +99,11 @@ impl Drawing<'_> {
             let traced = self.traces.iter().position(|trace| *trace == index);
             let colour = traced.map_or(Colour::Ink, Colour::Curve);
             let mark = match point.kind {
-                // The origin of a guide only: nothing turns there.
-                PointKind::Ground if !is_joined(self.shown.picture, index) => {
-                    Element::circle(at, 0.5).fill(Colour::Frame)
-                }
                 PointKind::Ground | PointKind::Joint => Element::circle(at, JOINT)
                     .fill(Colour::Paper)
                     .stroke(colour, 0.45),
                 PointKind::Tip => Element::circle(at, 0.8).fill(colour),
+                PointKind::Construction => continue,
             };
             svg.add(mark.class("point").set("data-point", point.name));
         }
@@ -153,14 +151,4 @@ impl Drawing<'_> {
         }
         bodies
     }
-}
-
-/// Whether a link, or a guide that turns about it, is joined at a point.
-pub(super) fn is_joined(picture: &Picture, point: usize) -> bool {
-    let link = picture
-        .links
-        .iter()
-        .any(|link| link.points.contains(&point));
-    let turning = |guide: &crate::Guide| guide.on == GuideOn::Itself && guide.origin == point;
-    link || picture.guides.iter().any(turning)
 }

@@ -2,6 +2,7 @@
 
 use super::Drawing;
 use super::geometry::along;
+use crate::PointKind;
 use crate::report::shown::Shown;
 
 /// Around the mechanism, in millimetres: place for symbols; to the left and right also for names up to a length.
@@ -152,8 +153,10 @@ fn limits(shown: &Shown<'_>, view: &View) -> [[f64; 2]; 2] {
         }
     };
     for row in 0..shown.rows() {
-        for point in 0..shown.picture.points.len() {
-            take(shown.place(point, row));
+        for (index, point) in shown.picture.points.iter().enumerate() {
+            if point.kind != PointKind::Construction {
+                take(shown.place(index, row));
+            }
         }
         for guide in shown.picture.guides {
             let (origin, way) = (
