@@ -1,0 +1,258 @@
+//! Dwells: the longest intervals of the input in which a quantity stays in a band.
+
+use super::course::Course;
+use super::extremes::Kind;
+use super::interval::Interval;
+use super::root::root;
+use super::source::Node;
+use super::stations::{Station, passing, stations};
+use alloc::vec::Vec;
+
+/// An interval of the input in which the quantity stays in a band.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dwell {
+    /// Where it is; in a cycle perhaps across the seam.
+    pub interval: Interval,
+    /// The lowest value in it.
+    pub lowest: f64,
+    /// The highest value in it.
+    pub highest: f64,
+    /// The highest less the lowest of the limits in it: how much the quantity moves to and fro. 0 with one limit or none.
+    pub ripple: f64,
+}
+
+impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
+    /// The intervals in which the quantity changes by no more than `band`, each as long as it can be made by moving it to and fro;
+    /// in order of the input. Of those that overlap, only the longest is there.
+    ///
+    /// Such an interval has a limit of the quantity, or an end of the course, as the highest or the lowest of its values. Or it
+    /// lies between limits, with the same speed at both its ends, as around an inflection or a short way back (a pilgrim step): for these the second derivative is needed (`N`
+    /// of 3 or more). Its ends are roots of the quantity less the band's bounds.
+    ///
+    /// So [`longest_dwell`](Self::longest_dwell) is the longest interval of the input in which the quantity stays within `band`. Without a
+    /// positive band there are no dwells.
+    #[must_use]
+    pub fn dwells(&self, band: f64) -> Vec<Dwell> {
+        if band.is_nan() || band <= 0.0 {
+            return Vec::new();
+        }
+        if self.is_cycle() && self.solved[0].stretch.whole && self.position().stroke() <= band {
+            let interval = Interval::whole(&self.source);
+            return alloc::vec![self.dwell(
+                &self.stations(0),
+                interval,
+                [interval.from, interval.to]
+            )];
+        }
+        let mut found: Vec<(usize, [f64; 2])> = Vec::new();
+        let chains: Vec<_> = (0..self.solved.len()).map(|i| self.stations(i)).collect();
+        for (i, chain) in chains.iter().enumerate() {
+            let whole = self.solved[i].stretch.whole;
+            let limits = (0..chain.len()).filter_map(|at| self.around(chain, at, band));
+            found.extend(
+                limits
+                    .chain(self.between(chain, band))
+                    .filter(|ends| ends[1] > ends[0] && (!whole || self.begins_in_range(ends[0])))
+                    .map(|ends| (i, ends)),
+            );
+        }
+        let length = |ends: [f64; 2]| ends[1] - ends[0];
+        found.sort_by(|(_, a), (_, b)| length(*b).total_cmp(&length(*a)));
+        let mut kept: Vec<(usize, [f64; 2])> = Vec::new();
+        for dwell in found {
+            if !kept.iter().any(|other| self.overlap(other.1, dwell.1)) {
+                kept.push(dwell);
+            }
+        }
+        let dwell = |(i, ends): (usize, [f64; 2])| {
+            let interval = Interval::of(&self.source, ends[0], ends[1]);
+            self.dwell(&chains[i], interval, ends)
+        };
+        let mut dwells: Vec<Dwell> = kept.into_iter().map(dwell).collect();
+        dwells.sort_by(|a, b| a.interval.from.total_cmp(&b.interval.from));
+        dwells
+    }
+
+    /// The longest interval of the input in which the quantity changes by no more than `band`. See [`dwells`](Self::dwells).
+    #[must_use]
+    pub fn longest_dwell(&self, band: f64) -> Option<Dwell> {
+        let longer = |a: Dwell, b: Dwell| {
+            if b.interval.range > a.interval.range {
+                b
+            } else {
+                a
+            }
+        };
+        self.dwells(band).into_iter().reduce(longer)
+    }
+
+    /// The stations of a stretch; those of a cycle thrice, one after the other.
+    fn stations(&self, stretch: usize) -> Vec<Station<N>> {
+        let part = &self.solved[stretch];
+        let chain = stations(part);
+        if !part.stretch.whole {
+            return chain;
+        }
+        let once = &chain[..chain.len() - 1];
+        let again = |cycle: f64| {
+            once.iter().map(move |station| Station {
+                node: self.source.shifted(station.node, cycle),
+                ..*station
+            })
+        };
+        [-1.0, 0.0, 1.0].into_iter().flat_map(again).collect()
+    }
+
+    /// Around the limit `at` of a chain: as far as the quantity stays in the band that it closes.
+    fn around(&self, chain: &[Station<N>], at: usize, band: f64) -> Option<[f64; 2]> {
+        let value = chain[at].value();
+        let bounds = match chain[at].limit? {
+            Kind::High => [value - band, value],
+            _ => [value, value + band],
+        };
+        Some([
+            self.leaves(chain[..=at].iter().rev(), bounds)?,
+            self.leaves(chain[at..].iter(), bounds)?,
+        ])
+    }
+
+    /// Where the quantity leaves the bounds on the way through these stations.
+    fn leaves<'a>(
+        &self,
+        mut way: impl Iterator<Item = &'a Station<N>>,
+        [low, high]: [f64; 2],
+    ) -> Option<f64> {
+        let mut inside = way.next()?;
+        for next in way {
+            let bound = if next.value() > high { high } else { low };
+            if next.value() > high || next.value() < low {
+                return Some(passing(&self.source, &inside.node, &next.node, bound));
+            }
+            inside = next;
+        }
+        Some(inside.u())
+    }
+
+    /// The intervals that begin on a piece where the quantity slows down, and end on one where it speeds up in the same sense,
+    /// with the same speed.
+    fn between(&self, chain: &[Station<N>], band: f64) -> Vec<[f64; 2]> {
+        let mut found = Vec::new();
+        if N < 3 {
+            return found;
+        }
+        let pieces: Vec<_> = chain
+            .windows(2)
+            .map(|pair| [pair[0].node, pair[1].node])
+            .collect();
+        let sense = |[a, b]: &[Node<N>; 2]| (b.jet[0] > a.jet[0], b.jet[1].abs() > a.jet[1].abs());
+        for (i, first) in pieces.iter().enumerate() {
+            let (rises, faster) = sense(first);
+            let (mut low, mut high) = (first[1].jet[0], first[1].jet[0]);
+            for last in pieces
+                .iter()
+                .skip(if faster { pieces.len() } else { i + 1 })
+            {
+                if high - low > band {
+                    break;
+                }
+                if sense(last) == (rises, true) {
+                    found.extend(self.equal_speeds([first, last], [low, high], band));
+                }
+                low = low.min(last[1].jet[0]);
+                high = high.max(last[1].jet[0]);
+            }
+        }
+        found
+    }
+
+    /// The interval from the first to the last piece over which the quantity changes by `band`, with the same speed at both ends; `between`
+    /// are the lowest and highest value between the pieces.
+    fn equal_speeds(
+        &self,
+        [first, last]: [&[Node<N>; 2]; 2],
+        between: [f64; 2],
+        band: f64,
+    ) -> Option<[f64; 2]> {
+        // Turned over if it falls: the interval goes from the band's lower bound to the upper one.
+        let sign = if first[1].jet[0] > first[0].jet[0] {
+            1.0
+        } else {
+            -1.0
+        };
+        let value = |node: &Node<N>| sign * node.jet[0];
+        let inner = between.map(|value| sign * value);
+        let lower = value(&first[0])
+            .max(value(&last[0]) - band)
+            .max(inner[0].max(inner[1]) - band);
+        let upper = value(&first[1])
+            .min(value(&last[1]) - band)
+            .min(inner[0].min(inner[1]));
+        if lower >= upper {
+            return None;
+        }
+        let begin = |bound: f64| {
+            if bound <= value(&first[0]) {
+                first[0].u
+            } else if bound >= value(&first[1]) {
+                first[1].u
+            } else {
+                passing(&self.source, &first[1], &first[0], sign * bound)
+            }
+        };
+        let end = |start: &Node<N>| {
+            let bound = value(start) + band;
+            if bound <= value(&last[0]) {
+                last[0].u
+            } else if bound >= value(&last[1]) {
+                last[1].u
+            } else {
+                passing(&self.source, &last[0], &last[1], sign * bound)
+            }
+        };
+        let excess = |u: f64| {
+            let start = self.source.at(u);
+            self.source.at(end(&start)).jet[1].abs() - start.jet[1].abs()
+        };
+        let (a, b) = (begin(lower), begin(upper));
+        let (before, after) = (excess(a), excess(b));
+        if !(before < 0.0 && after > 0.0) {
+            return None;
+        }
+        let start = root((a, before), (b, after), &mut |u| [excess(u), f64::NAN]);
+        Some([start, end(&self.source.at(start))])
+    }
+
+    /// Of the dwells of a chain of three cycles: whether this one belongs to the range.
+    fn begins_in_range(&self, from: f64) -> bool {
+        let (low, high) = self.range();
+        (low..high).contains(&from)
+    }
+
+    fn overlap(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        let width = self.source.width();
+        let shifts = match self.source.advance {
+            Some(_) => &[-width, 0.0, width][..],
+            None => &[0.0],
+        };
+        let meet = |shift: &f64| a[0] < b[1] + shift && b[0] + shift < a[1];
+        shifts.iter().any(meet)
+    }
+
+    fn dwell(&self, chain: &[Station<N>], interval: Interval, ends: [f64; 2]) -> Dwell {
+        let within = |station: &&Station<N>| station.u() >= ends[0] && station.u() <= ends[1];
+        let limits = chain
+            .iter()
+            .filter(within)
+            .filter(|station| station.limit.is_some() && !station.end);
+        let limits: Vec<f64> = limits.map(Station::value).collect();
+        let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let at_ends = ends.map(|u| self.source.at(u).jet[0]);
+        Dwell {
+            interval,
+            lowest: least(&limits).min(least(&at_ends)),
+            highest: most(&limits).max(most(&at_ends)),
+            ripple: (most(&limits) - least(&limits)).max(0.0),
+        }
+    }
+}
