@@ -5,6 +5,7 @@
 //! exact derivative above it, and so are found to the last digits. [`least`] searches for the smallest value of a
 //! figure without derivatives, such as the margin; [`grashof`] compares lengths.
 
+mod between;
 mod cascade;
 mod course;
 mod dwell;

@@ -3,8 +3,6 @@
 use super::course::Course;
 use super::extremes::Kind;
 use super::interval::Interval;
-use super::root::root;
-use super::source::Node;
 use super::stations::{Station, passing, stations};
 use alloc::vec::Vec;
 
@@ -131,95 +129,6 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
             inside = next;
         }
         Some(inside.u())
-    }
-
-    /// The intervals that begin on a piece where the quantity slows down, and end on one where it speeds up in the same sense,
-    /// with the same speed.
-    fn between(&self, chain: &[Station<N>], band: f64) -> Vec<[f64; 2]> {
-        let mut found = Vec::new();
-        if N < 3 {
-            return found;
-        }
-        let pieces: Vec<_> = chain
-            .windows(2)
-            .map(|pair| [pair[0].node, pair[1].node])
-            .collect();
-        let sense = |[a, b]: &[Node<N>; 2]| (b.jet[0] > a.jet[0], b.jet[1].abs() > a.jet[1].abs());
-        for (i, first) in pieces.iter().enumerate() {
-            let (rises, faster) = sense(first);
-            let (mut low, mut high) = (first[1].jet[0], first[1].jet[0]);
-            for last in pieces
-                .iter()
-                .skip(if faster { pieces.len() } else { i + 1 })
-            {
-                if high - low > band {
-                    break;
-                }
-                if sense(last) == (rises, true) {
-                    found.extend(self.equal_speeds([first, last], [low, high], band));
-                }
-                low = low.min(last[1].jet[0]);
-                high = high.max(last[1].jet[0]);
-            }
-        }
-        found
-    }
-
-    /// The interval from the first to the last piece over which the quantity changes by `band`, with the same speed at both ends; `between`
-    /// are the lowest and highest value between the pieces.
-    fn equal_speeds(
-        &self,
-        [first, last]: [&[Node<N>; 2]; 2],
-        between: [f64; 2],
-        band: f64,
-    ) -> Option<[f64; 2]> {
-        // Turned over if it falls: the interval goes from the band's lower bound to the upper one.
-        let sign = if first[1].jet[0] > first[0].jet[0] {
-            1.0
-        } else {
-            -1.0
-        };
-        let value = |node: &Node<N>| sign * node.jet[0];
-        let inner = between.map(|value| sign * value);
-        let lower = value(&first[0])
-            .max(value(&last[0]) - band)
-            .max(inner[0].max(inner[1]) - band);
-        let upper = value(&first[1])
-            .min(value(&last[1]) - band)
-            .min(inner[0].min(inner[1]));
-        if lower >= upper {
-            return None;
-        }
-        let begin = |bound: f64| {
-            if bound <= value(&first[0]) {
-                first[0].u
-            } else if bound >= value(&first[1]) {
-                first[1].u
-            } else {
-                passing(&self.source, &first[1], &first[0], sign * bound)
-            }
-        };
-        let end = |start: &Node<N>| {
-            let bound = value(start) + band;
-            if bound <= value(&last[0]) {
-                last[0].u
-            } else if bound >= value(&last[1]) {
-                last[1].u
-            } else {
-                passing(&self.source, &last[0], &last[1], sign * bound)
-            }
-        };
-        let excess = |u: f64| {
-            let start = self.source.at(u);
-            self.source.at(end(&start)).jet[1].abs() - start.jet[1].abs()
-        };
-        let (a, b) = (begin(lower), begin(upper));
-        let (before, after) = (excess(a), excess(b));
-        if !(before < 0.0 && after > 0.0) {
-            return None;
-        }
-        let start = root((a, before), (b, after), &mut |u| [excess(u), f64::NAN]);
-        Some([start, end(&self.source.at(start))])
     }
 
     /// Of the dwells of a chain of three cycles: whether this one belongs to the range.

@@ -17,7 +17,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
                 part.stretch.nodes[0],
                 part.stretch.nodes[part.stretch.nodes.len() - 1],
             ];
-            let joins = part.stretch.whole && self.is_cycle() && inside.len() > 1;
+            let joins = part.stretch.whole && inside.len() > 1;
             if joins && inside[0][0] == ends[0].u && inside[inside.len() - 1][1] == ends[1].u {
                 // The cycle was cut open in the middle of it.
                 let [_, end] = inside.remove(0);
