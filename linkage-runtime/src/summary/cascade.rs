@@ -179,6 +179,8 @@ fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
     let u = root((a.u, a.jet[k]), (b.u, b.jet[k]), &mut value);
     match gap {
         Some(u) => Err(Gap(u)),
+        None if u == a.u => Ok(*a),
+        None if u == b.u => Ok(*b),
         None => finite(source.at(u)),
     }
 }

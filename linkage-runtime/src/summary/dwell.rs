@@ -20,15 +20,27 @@ pub struct Dwell {
 }
 
 impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
-    /// The intervals in which the quantity changes by no more than `band`, each as long as it can be made by moving it to and fro;
-    /// in order of the input. Of those that overlap, only the longest is there.
+    /// The intervals in which the quantity changes by no more than `band`, each as long as it can be made by moving it to and
+    /// fro; in order of the input. Of those that overlap, only the longest is there.
     ///
-    /// Such an interval has a limit of the quantity, or an end of the course, as the highest or the lowest of its values. Or it
-    /// lies between limits, with the same speed at both its ends, as around an inflection or a short way back (a pilgrim step): for these the second derivative is needed (`N`
-    /// of 3 or more). Its ends are roots of the quantity less the band's bounds.
+    /// Such an interval has a limit of the quantity, or an end of the course, as the highest or the lowest of its values. Or
+    /// it passes through the whole band with the same speed at both its ends, as around an inflection or a short way
+    /// back (a pilgrim step): for these the second derivative is needed (`N` of 3 or more). The ends are roots of the
+    /// quantity less the band's bounds.
     ///
-    /// So [`longest_dwell`](Self::longest_dwell) is the longest interval of the input in which the quantity stays within `band`. Without a
-    /// positive band there are no dwells.
+    /// So [`longest_dwell`](Self::longest_dwell) is the longest interval of the input in which the quantity stays within
+    /// `band`. Without a positive band there are no dwells.
+    ///
+    /// ```
+    /// use linkage_runtime::summary::Course;
+    ///
+    /// // 1 - cos 10 deg beside each limit of a cosine.
+    /// let course = Course::of((0.0, std::f64::consts::TAU), 360, |x: f64| [x.cos(), -x.sin(), -x.cos()])?;
+    /// let dwells = course.dwells(1.0 - 10f64.to_radians().cos());
+    /// let places = dwells.iter().map(|dwell| [dwell.interval.from, dwell.interval.to].map(|x| x.to_degrees().round()));
+    /// assert_eq!(places.collect::<Vec<_>>(), [[170.0, 190.0], [350.0, 10.0]]);
+    /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
+    /// ```
     #[must_use]
     pub fn dwells(&self, band: f64) -> Vec<Dwell> {
         if band.is_nan() || band <= 0.0 {

@@ -41,7 +41,8 @@ impl Extreme {
 /// The extreme values of a quantity, or of one of its derivatives, over its course.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Extremes {
-    /// Where it stands still, and where its course ends, in order of the input. Empty for a constant.
+    /// Where it stands still, and where its course ends, in order of the input. Of a rest in which the derivative is 0 exactly,
+    /// it is the first of the positions looked at. Empty for a constant.
     pub points: Vec<Extreme>,
     /// The first of the lowest values.
     pub lowest: Extreme,

@@ -50,7 +50,10 @@ impl<const N: usize> Noise<N> {
         let levels = self.0.iter().zip(&node.jet).skip(1);
         levels
             .filter(|(noise, _)| noise.is_finite())
-            .map(|(noise, value)| value.abs() / noise)
+            .map(|(noise, value)| match value.abs() {
+                0.0 => 0.0,
+                size => size / noise,
+            })
             .fold(f64::INFINITY, f64::min)
     }
 }

@@ -18,7 +18,7 @@ fn limits_at_the_seam_are_there_once() {
 
 #[test]
 fn limits_in_any_cycle() {
-    for start in [-7.0, -0.3, 1e-9, 0.1, 2.0, 3.14159, 100.0] {
+    for start in [-7.0, -0.3, 1e-9, 0.1, 2.0, 3.1, 100.0] {
         for positions in [7, 90, 361, 1000] {
             let course = Course::of((start, start + TAU), positions, |x: f64| {
                 [
@@ -121,6 +121,28 @@ fn constants() {
     assert_eq!(course.velocity().points, []);
     assert_eq!(course.velocity().highest.value, 2.0);
     assert_eq!(course.position().stroke(), 4.0);
+}
+
+#[test]
+fn a_cam_that_rests_for_most_of_the_turn() {
+    // A rise and a return of 10 within a fifth of the turn; elsewhere all derivatives are 0.
+    let course = turn(|x: f64| {
+        let (sin, cos) = (5.0 * x).sin_cos();
+        if (x - 0.5 * TAU).abs() > 0.1 * TAU {
+            [0.0; 3]
+        } else {
+            [5.0 - 5.0 * cos, 25.0 * sin, 125.0 * cos]
+        }
+    });
+    let limits: Vec<Kind> = course.position().limits().map(|limit| limit.kind).collect();
+    // The rest begins after the return.
+    assert_eq!(limits, [Kind::High, Kind::Low]);
+    near(course.position().highest.at, 0.5 * TAU, 1e-14);
+    let dwell = course.longest_dwell(5.0).expect("a dwell");
+    near(dwell.interval.from, 0.55 * TAU, 1e-14);
+    near(dwell.interval.to, 0.45 * TAU, 1e-14);
+    near(dwell.interval.range, 0.9 * TAU, 1e-14);
+    assert_eq!(dwell.ripple, 0.0);
 }
 
 #[test]
