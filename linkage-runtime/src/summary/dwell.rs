@@ -3,6 +3,7 @@
 use super::course::Course;
 use super::extremes::Kind;
 use super::interval::Interval;
+use super::source::Node;
 use super::stations::{Station, passing, stations};
 use alloc::vec::Vec;
 
@@ -11,7 +12,8 @@ use alloc::vec::Vec;
 pub struct Dwell {
     /// Where it is; in a cycle perhaps across the seam.
     pub interval: Interval,
-    /// The lowest value in it.
+    /// The lowest value in it. If the quantity advances over a cycle, and the interval goes across the seam, values beyond it are
+    /// those of the next cycle; so also for the highest one.
     pub lowest: f64,
     /// The highest value in it.
     pub highest: f64,
@@ -161,18 +163,24 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
 
     fn dwell(&self, chain: &[Station<N>], interval: Interval, ends: [f64; 2]) -> Dwell {
         let within = |station: &&Station<N>| station.u() >= ends[0] && station.u() <= ends[1];
-        let limits = chain
+        let inside: Vec<&Station<N>> = chain.iter().filter(within).collect();
+        let turns = inside
             .iter()
-            .filter(within)
             .filter(|station| station.limit.is_some() && !station.end);
-        let limits: Vec<f64> = limits.map(Station::value).collect();
+        let limits: Vec<f64> = turns.map(|station| station.value()).collect();
+        // An end at the border of a gap may be no number, but it is a station.
+        let at_ends = ends.map(|u| self.source.at(u).jet[0]);
+        let values = inside.iter().map(|station| station.value());
+        let values: Vec<f64> = values.chain(at_ends).collect();
         let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
         let most = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let at_ends = ends.map(|u| self.source.at(u).jet[0]);
+        // As it is where the interval begins, in a cycle over which the quantity advances.
+        let jet = [0.0; N];
+        let shift = self.source.in_range(Node { u: ends[0], jet }).jet[0];
         Dwell {
             interval,
-            lowest: least(&limits).min(least(&at_ends)),
-            highest: most(&limits).max(most(&at_ends)),
+            lowest: least(&values) + shift,
+            highest: most(&values) + shift,
             ripple: (most(&limits) - least(&limits)).max(0.0),
         }
     }

@@ -89,7 +89,7 @@ impl Extremes {
                 let node = source.in_range(root.node);
                 extreme(node, k, [root.before, root.after])
             }));
-            points.extend(ends(source, noise, part, k).into_iter().flatten());
+            points.extend(ends(source, noise, part, k));
             all.push(extreme(source.in_range(part.stretch.nodes[0]), k, [0; 2]));
         }
         points.sort_by(|a, b| a.at.total_cmp(&b.at));
@@ -108,33 +108,34 @@ impl Extremes {
     }
 }
 
-/// The ends of a stretch, and of a cycle over which the quantity advances.
+/// The ends of a stretch. Over the seam of a cycle over which the quantity advances, also the ends of the range.
 fn ends<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     noise: &Noise<N>,
     part: &Solved<N>,
     k: usize,
-) -> Option<[Extreme; 2]> {
+) -> Vec<Extreme> {
+    let mut ends = Vec::new();
     let nodes = &part.stretch.nodes;
-    let mut signs = nodes.iter().map(|node| noise.sign(node, k + 1));
-    let mut clear = signs.by_ref().filter(|&sign| sign != 0);
-    let first = clear.next()?;
-    let last = clear.next_back().unwrap_or(first);
     let [start, end] = [nodes[0], nodes[nodes.len() - 1]];
     if !part.stretch.whole {
-        return Some([
-            ending(source.in_range(start), k, [0, first]),
-            ending(source.in_range(end), k, [last, 0]),
-        ]);
+        let sign = |node: &Node<N>| noise.sign(node, k + 1);
+        let first = nodes.iter().map(sign).find(|&sign| sign != 0);
+        let last = nodes.iter().rev().map(sign).find(|&sign| sign != 0);
+        ends.extend(first.map(|sign| ending(source.in_range(start), k, [0, sign])));
+        ends.extend(last.map(|sign| ending(source.in_range(end), k, [sign, 0])));
     }
-    let advance = source.advance.filter(|&advance| k == 0 && advance != 0.0)?;
-    let [start, end] = [source.low, source.high].map(|x| source.at(x));
-    let sense = match noise.sign(&start, 1) {
-        0 if advance > 0.0 => 1,
-        0 => -1,
-        sign => sign,
-    };
-    Some([ending(start, k, [0, sense]), ending(end, k, [sense, 0])])
+    let advance = source.advance.filter(|&advance| k == 0 && advance != 0.0);
+    if let Some(advance) = advance.filter(|_| start.u < source.high && end.u >= source.high) {
+        let [low, high] = [source.low, source.high].map(|x| source.at(x));
+        let sense = match noise.sign(&low, 1) {
+            0 if advance > 0.0 => 1,
+            0 => -1,
+            sign => sign,
+        };
+        ends.extend([ending(low, k, [0, sense]), ending(high, k, [sense, 0])]);
+    }
+    ends
 }
 
 fn ending<const N: usize>(node: Node<N>, k: usize, signs: [i8; 2]) -> Extreme {

@@ -43,8 +43,11 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     fn inside(&self, chain: &[Station<N>], bounds: [f64; 2]) -> Vec<[f64; 2]> {
         let mut cuts: Vec<f64> = chain.iter().map(Station::u).collect();
         let seam = self.source.advance.filter(|&advance| advance != 0.0);
-        if seam.is_some() {
-            cuts.push(self.source.high);
+        let high = self.source.high;
+        let over_seam =
+            cuts.first().is_some_and(|&u| u < high) && cuts.last().is_some_and(|&u| u > high);
+        if seam.is_some() && over_seam {
+            cuts.push(high);
         }
         // Beyond the seam of a cycle over which it advances, the quantity is higher by that.
         let shift = |u: f64| seam.filter(|_| u > self.source.high).unwrap_or(0.0);

@@ -2,11 +2,11 @@
 
 use crate::{TAU, turn};
 
-struct Harmonics([[f64; 2]; 3]);
+pub(crate) struct Harmonics(pub(crate) [[f64; 2]; 3]);
 
 impl Harmonics {
     /// The `k`th derivative.
-    fn at(&self, x: f64, k: i32) -> f64 {
+    pub(crate) fn at(&self, x: f64, k: i32) -> f64 {
         let term = |(i, [a, b]): (usize, &[f64; 2])| {
             let n = (i + 1) as f64;
             let (sin, cos) = (n * x).sin_cos();
@@ -48,11 +48,11 @@ impl Harmonics {
     }
 }
 
-struct Random(u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     /// -1 to 1, by xorshift.
-    fn next(&mut self) -> f64 {
+    pub(crate) fn next(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;

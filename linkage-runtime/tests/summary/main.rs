@@ -1,4 +1,5 @@
 //! Courses against closed forms, against a dense search, with gaps and at extreme scales.
+#![cfg(feature = "alloc")]
 
 mod closed_forms;
 mod dwells;
@@ -7,6 +8,7 @@ mod harmonics;
 mod lengths;
 mod printed;
 mod ranges;
+mod samples;
 
 use linkage_runtime::summary::Course;
 
