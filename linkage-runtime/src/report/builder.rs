@@ -3,6 +3,7 @@
 use std::string::String;
 use std::vec::Vec;
 
+use super::figures::Figures;
 use super::tables::Saved;
 use crate::{AssemblyMode, Dimensions, Input, Parameter, Structure, Table};
 
@@ -27,6 +28,7 @@ pub struct Report {
     pub(super) speed: Option<Speed>,
     pub(super) traces: Vec<String>,
     pub(super) summary: Vec<SummaryRow>,
+    pub(super) figures: Vec<Figures>,
     pub(super) facts: Vec<Fact>,
 }
 
@@ -108,6 +110,7 @@ impl Report {
             speed: None,
             traces: Vec::new(),
             summary: Vec::new(),
+            figures: Vec::new(),
             facts: Vec::new(),
         }
     }
