@@ -98,6 +98,14 @@ pub mod balancing {
     pub use linkage_runtime::balancing::*;
 }
 
+/// What a cycle comes to: limits, extreme velocities, dwells, time ratio, transmission angle, margin.
+#[cfg(feature = "alloc")]
+pub mod summary {
+    #![doc = include_str!("../docs/summary.md")]
+
+    pub use linkage_runtime::summary::*;
+}
+
 /// The code of the README is a test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
