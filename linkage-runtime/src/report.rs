@@ -9,12 +9,14 @@ mod accuracy;
 mod builder;
 mod check;
 mod colour;
-mod course;
 mod csv;
 mod drawing;
 mod error;
+mod figures;
+mod gaps;
 mod json;
 mod page;
+mod panels;
 mod plot;
 mod plots;
 #[cfg(feature = "png")]
@@ -27,7 +29,8 @@ mod units;
 mod write;
 
 pub use accuracy::BandKind;
-pub use builder::{Report, SummaryRow};
+pub use builder::Report;
 pub use drawing::Drawing;
 pub use error::{Mistake, ReportError};
+pub use figures::SummaryRow;
 pub use plot::Plot;
