@@ -1,21 +1,23 @@
 //! What a mechanism does, for people: plots, drawings, data, an interactive page.
 //!
 //! A [`Report`] collects what there is about a mechanism over its range: sweeps as [`Table`](crate::Table)s, structure,
-//! dimensions with their tolerances, a summary. It writes all of it as a folder, or one thing at a time:
-//! [`html`](Report::html), [`json`](Report::json), [`csv`](Report::csv).
+//! dimensions with their tolerances, a summary. It [writes](Report::write) all of it as a folder, or one thing at a time:
+//! [`html`](Report::html), [`json`](Report::json), [`csv`](Report::csv), a [`Plot`] of some columns, a [`Drawing`] to
+//! scale.
 
 mod accuracy;
 mod builder;
 mod check;
 mod colour;
-mod course;
 mod csv;
 mod drawing;
 mod error;
 mod figures;
+mod gaps;
 mod index;
 mod json;
 mod page;
+mod panels;
 mod plot;
 mod plots;
 #[cfg(feature = "png")]
@@ -28,8 +30,9 @@ mod units;
 mod write;
 
 pub use accuracy::BandKind;
-pub use builder::{Report, SummaryRow};
+pub use builder::Report;
 pub use drawing::Drawing;
 pub use error::{Mistake, ReportError};
+pub use figures::SummaryRow;
 pub use index::Index;
 pub use plot::Plot;

@@ -5,9 +5,49 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
+use super::Report;
 use super::units::per_second;
-use super::{Report, SummaryRow};
 use crate::summary::{Course, Dwell, Extremes, Least, TimeRatio};
+
+/// A figure of the cycle, such as a limit or a stroke.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SummaryRow {
+    /// The quantity that it is about, such as `p10.x`.
+    pub quantity: String,
+    /// What it is: `stroke`, `highest`, `smallest transmission angle`.
+    pub what: String,
+    /// Its value.
+    pub value: f64,
+    /// The unit of the value: `mm`, `rad`; empty for a number.
+    pub unit: String,
+    /// The input at which it occurs, in the unit of the input.
+    pub at: Option<f64>,
+}
+
+impl SummaryRow {
+    /// A figure; [`at`](Self::at) is left open.
+    pub fn new(
+        quantity: impl Into<String>,
+        what: impl Into<String>,
+        value: f64,
+        unit: impl Into<String>,
+    ) -> Self {
+        Self {
+            quantity: quantity.into(),
+            what: what.into(),
+            value,
+            unit: unit.into(),
+            at: None,
+        }
+    }
+
+    /// The same, with the input at which it occurs.
+    #[must_use]
+    pub fn at(mut self, input: f64) -> Self {
+        self.at = Some(input);
+        self
+    }
+}
 
 /// What is shown of the course of a quantity.
 #[derive(Clone, Debug)]
@@ -20,12 +60,19 @@ pub(super) struct Figures {
 }
 
 const NAMES: [[&str; 2]; 3] = [
-    ["lower limit", "upper limit"],
+    ["lowest", "highest"],
     ["least velocity", "greatest velocity"],
     ["least acceleration", "greatest acceleration"],
 ];
 
 impl Report {
+    /// Figures of the cycle.
+    #[must_use]
+    pub fn summary(mut self, rows: impl IntoIterator<Item = SummaryRow>) -> Self {
+        self.summary.extend(rows);
+        self
+    }
+
     /// Limits, stroke, extreme velocities and accelerations and the time ratio of a quantity, from its [`Course`] over the
     /// range. `unit` is the unit of the quantity. With a [`speed`](Self::speed), also the true velocities and, for a
     /// constant speed, accelerations.
@@ -146,9 +193,9 @@ impl Report {
             let row = |what: &str, value: f64, unit: &str| {
                 SummaryRow::new(figures.quantity.as_str(), what, value, unit)
             };
-            rows.push(row("time ratio", time.ratio(), ""));
             rows.push(row("rises in", time.rise, self.input.unit));
             rows.push(row("falls in", time.fall, self.input.unit));
+            rows.push(row("time ratio", time.ratio(), ""));
         }
         rows
     }
@@ -199,7 +246,7 @@ mod tests {
             .summary_rows();
         let quarter = core::f64::consts::FRAC_PI_2;
         assert_eq!(value(&rows, "stroke"), (80.0, "mm".to_owned(), None));
-        let (upper, _, at) = value(&rows, "upper limit");
+        let (upper, _, at) = value(&rows, "highest");
         assert!(upper == 40.0 && (at.expect("a place") - quarter).abs() < 1e-14);
         assert_eq!(value(&rows, "greatest velocity").1, "mm/rad");
         // The other way round it is fastest where the derivative is least.
