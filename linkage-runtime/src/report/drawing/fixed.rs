@@ -128,7 +128,7 @@ fn hatched(svg: &mut Svg, from: [f64; 2], to: [f64; 2], direction: [f64; 2]) {
 }
 
 /// A line's direction, turned so that what is to its right is below it on paper.
-fn rightwards(direction: Option<[f64; 2]>) -> Option<[f64; 2]> {
+pub(super) fn rightwards(direction: Option<[f64; 2]>) -> Option<[f64; 2]> {
     let [x, y] = direction?;
     let turned = x < -1e-9 || (x.abs() <= 1e-9 && y > 0.0);
     Some(if turned { [-x, -y] } else { [x, y] })

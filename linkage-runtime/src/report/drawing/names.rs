@@ -3,13 +3,13 @@
 use std::vec::Vec;
 
 use super::Drawing;
-use super::fixed::FOOT;
+use super::fixed::{FOOT, rightwards};
 use super::geometry::{distance, moved};
 use super::parts::BLOCK;
-use super::sheet::Sheet;
-use crate::PointKind;
+use super::sheet::{BEYOND, Sheet};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
+use crate::{GuideOn, PointKind};
 
 /// Size of the letters and average width of one.
 const SIZE: f64 = 3.2;
@@ -18,6 +18,9 @@ const LETTER: f64 = 1.9;
 const APART: f64 = 2.7;
 /// A name this far from everything is as good as one farther away.
 const ENOUGH: f64 = 3.6;
+
+/// From the middle of a frame's guide to that of its hatching.
+const HATCHED: f64 = BLOCK[1] + 0.7;
 
 /// Where the middle of a name may be, as directions from its point; the first ones are preferred.
 const SIDES: [[f64; 2]; 12] = [
@@ -97,6 +100,15 @@ impl Drawing<'_> {
             let ends = ends.map(|way| sheet.along(guide.origin, guide.direction, way, row));
             if let [Some(a), Some(b)] = ends {
                 stretches.push([a, b]);
+                if guide.on == GuideOn::Frame {
+                    let way = rightwards(sheet.direction(guide.direction, row));
+                    let beside = |at, along| moved(at, way.unwrap_or_default(), along, -HATCHED);
+                    // The hatched line goes on beyond both ends.
+                    stretches.extend(
+                        [a, b].map(|end| [-BEYOND, BEYOND].map(|along| beside(end, along))),
+                    );
+                    stretches.push([beside(a, 0.0), beside(b, 0.0)]);
+                }
             }
             let block = sheet
                 .point(guide.slider, row)
