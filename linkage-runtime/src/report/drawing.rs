@@ -182,9 +182,6 @@ impl Drawing<'_> {
         let sheet = Sheet::new(self);
         let [width, height] = sheet.size;
         let mut svg = Svg::new(width, height, "mm", &self.report.title);
-        for guide in self.shown.picture.guides {
-            self.frame_guide(&mut svg, &sheet, guide, row);
-        }
         if self.ghosts > 0 {
             svg.group(
                 Element::new("g").class("ghosts").number("opacity", 0.45),
@@ -197,7 +194,11 @@ impl Drawing<'_> {
         }
         self.axes(&mut svg, &sheet, row);
         self.links(&mut svg, &sheet, row);
+        // In front of plates, which would hide them.
         self.pivots(&mut svg, &sheet, row);
+        for guide in self.shown.picture.guides {
+            self.frame_guide(&mut svg, &sheet, guide, row);
+        }
         self.sliders(&mut svg, &sheet, row);
         for (order, &point) in self.traces.iter().enumerate() {
             self.path(&mut svg, &sheet, point, order);
