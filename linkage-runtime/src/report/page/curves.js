@@ -1,0 +1,72 @@
+// What a panel shows: curves of one unit with their colours, bands and limits.
+
+const CURVE_COLOURS = 8;
+const DASHES = [null, "7 4", "2 3", "9 3 2 3"];
+
+// Tolerances are small beside motions: bands may be drawn wider than they are.
+const WIDENINGS = [1, 10, 100, 1000, 10000];
+const widening = { factor: 1 };
+
+// Panels by unit, in the order of the columns; colours by the order within the panel.
+function chosenPanels() {
+  const panels = new Map();
+  for (const column of columns.filter((column) => chosen.has(column.key))) {
+    const unit = plotUnit(column.unit);
+    if (!panels.has(unit)) panels.set(unit, { unit, curves: [] });
+    const { curves } = panels.get(unit);
+    const index = curves.length;
+    curves.push({
+      column,
+      colour: `var(--curve-${index % CURVE_COLOURS})`,
+      dash: DASHES[Math.floor(index / CURVE_COLOURS) % DASHES.length],
+      ys: column.values.map((value) => plotValue(value, column.unit)),
+    });
+  }
+  return [...panels.values()];
+}
+
+// Half the width of a band as it is drawn.
+function halfWidth(band, row, unit) {
+  const half = band.half[row];
+  return half === null ? 0 : widening.factor * plotValue(half, unit);
+}
+
+function limitsOf(curves) {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const { column, ys } of curves) {
+    ys.forEach((y, row) => {
+      if (y === null) return;
+      const half = Math.max(0, ...column.bands.map((band) => halfWidth(band, row, column.unit)));
+      low = Math.min(low, y - half);
+      high = Math.max(high, y + half);
+    });
+  }
+  if (!(high >= low)) return [0, 1];
+  const margin = high > low ? 0.04 * (high - low) : 0.05 * Math.abs(high) || 1;
+  return [low - margin, high + margin];
+}
+
+// `d` of the area between both sides of a band, a piece for every stretch without gap.
+function bandOutline(curve, band, toScreen) {
+  let d = "";
+  let stretch = [];
+  const close = () => {
+    const side = (sign) => stretch.map((row) => toScreen(row, curve.ys[row] + sign * halfWidth(band, row, curve.column.unit)));
+    if (stretch.length > 1) d += lineThrough([...side(1), ...side(-1).reverse()]) + "Z";
+    stretch = [];
+  };
+  curve.ys.forEach((y, row) => {
+    if (y === null || band.half[row] === null) close();
+    else stretch.push(row);
+  });
+  close();
+  return d;
+}
+
+// `d` of the curve; a single value between gaps is a dot.
+function curveOutline({ ys }, toScreen) {
+  const places = ys.map((y, row) => (y === null ? null : toScreen(row, y)));
+  const lonely = places.filter((place, row) => place && !places[row - 1] && !places[row + 1]);
+  return lineThrough(places) + lonely.map(([x, y]) => `M${pixel(x)} ${pixel(y)}h0.01`).join("");
+}

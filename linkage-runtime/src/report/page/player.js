@@ -1,0 +1,101 @@
+// Play, pause, speed, direction, and the slider.
+
+// Seconds that the range takes.
+const PERIODS = [1, 2, 4, 8, 16, 32, 64];
+
+const player = { playing: false, backward: false, period: 8, value: 0, last: null };
+
+function span() {
+  return input.values[rowCount - 1] - input.values[0];
+}
+
+// Seconds that the range takes in the machine, or null if its speed is not known.
+function truePeriod() {
+  const omega = report.speed ? report.speed.omega : null;
+  return omega ? Math.abs(span() / omega) : null;
+}
+
+function setPlaying(playing) {
+  if (playing === player.playing) return;
+  player.playing = playing;
+  player.last = null;
+  player.value = input.values[position.row];
+  set(byId("play"), { "aria-label": playing ? "Pause" : "Play", "data-playing": playing });
+  if (playing) requestAnimationFrame(playFrame);
+}
+
+// Time goes on smoothly and the nearest row is shown: between rows nothing is known.
+function playFrame(now) {
+  if (!player.playing) return;
+  if (player.last !== null) {
+    const seconds = Math.min(0.25, (now - player.last) / 1000);
+    const sign = player.backward ? -1 : 1;
+    player.value = playedValue(player.value + (sign * seconds * span()) / player.period);
+    moveTo(nearestRow(player.value));
+  }
+  player.last = now;
+  requestAnimationFrame(playFrame);
+}
+
+// A whole turn begins again, any other range is run through to and fro.
+function playedValue(value) {
+  const start = input.values[0];
+  const part = (value - start) / span();
+  if (part >= 0 && part <= 1) return value;
+  if (input.periodic) return start + (part - Math.floor(part)) * span();
+  setBackward(part > 1);
+  return part > 1 ? input.values[rowCount - 1] : start;
+}
+
+function setBackward(backward) {
+  player.backward = backward;
+  const button = byId("direction");
+  button.textContent = backward ? "Backward" : "Forward";
+  button.setAttribute("aria-pressed", backward);
+}
+
+// What a listed speed is in the machine's time.
+function speedText(period) {
+  const real = truePeriod();
+  const whole = input.periodic && input.unit === "rad" ? "turn" : "range";
+  const seconds = `${digits(rounded(period, 3))} s for the ${whole}`;
+  if (real === null) return seconds;
+  const factor = period / real;
+  if (Math.abs(factor - 1) < 1e-9) return `true time (${seconds})`;
+  const times = digits(rounded(factor > 1 ? factor : 1 / factor, 3));
+  return `${seconds}, ${times} times ${factor > 1 ? "slower" : "faster"}`;
+}
+
+function startPlayer() {
+  const speed = byId("speed");
+  const real = truePeriod();
+  const periods = real === null ? PERIODS : [real, ...PERIODS.filter((period) => period !== real)];
+  for (const period of periods) speed.append(element("option", { value: period }, speedText(period)));
+  speed.value = player.period;
+  speed.addEventListener("change", () => { player.period = Number(speed.value); });
+
+  const slider = byId("position");
+  slider.max = rowCount - 1;
+  slider.addEventListener("input", () => {
+    setPlaying(false);
+    moveTo(Number(slider.value));
+  });
+  byId("play").addEventListener("click", () => setPlaying(!player.playing));
+  byId("direction").addEventListener("click", () => setBackward(!player.backward));
+  set(byId("direction"), { title: "Direction of play" });
+  setBackward(false);
+  onMove(showPosition);
+}
+
+function showPosition(row) {
+  const value = input.values[row];
+  const slider = byId("position");
+  slider.value = row;
+  slider.setAttribute("aria-valuetext", `${input.name} ${inputShort(value)}`);
+  const omega = report.speed ? report.speed.omega : null;
+  const time = omega ? `, t = ${digits(rounded((value - input.values[0]) / omega, 6))} s` : "";
+  byId("readout").replaceChildren(
+    element("b", {}, `${input.name} = ${withUnit(value, input.unit).replace(/ \(.*/, "")}`),
+    element("small", {}, `${input.unit === "rad" ? digits(value) + " rad, " : ""}row ${row + 1} of ${rowCount}${time}`),
+  );
+}
