@@ -38,12 +38,18 @@ const FLAGS: [&str; 14] = [
 pub fn find() -> Option<PathBuf> {
     if let Some(named) = env::var_os("CHROMIUM") {
         let path = PathBuf::from(named);
-        assert!(path.is_file(), "CHROMIUM is {}: there is no such file", path.display());
+        assert!(
+            path.is_file(),
+            "CHROMIUM is {}: there is no such file",
+            path.display()
+        );
         return Some(path);
     }
     let path = env::var_os("PATH")?;
     let folders: Vec<PathBuf> = env::split_paths(&path).collect();
-    let places = NAMES.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name)));
+    let places = NAMES
+        .iter()
+        .flat_map(|name| folders.iter().map(move |folder| folder.join(name)));
     places.into_iter().find(|place| place.is_file())
 }
 
@@ -76,7 +82,11 @@ impl Chromium {
             .spawn()
             .unwrap_or_else(|error| panic!("{} does not start: {error}", program.display()));
         let address = listening(&mut child);
-        Self { child, profile, address }
+        Self {
+            child,
+            profile,
+            address,
+        }
     }
 }
 

@@ -23,9 +23,17 @@ impl DevTools {
         let place = address.trim_start_matches("ws://");
         let host = place.split('/').next().unwrap_or(place);
         let stream = TcpStream::connect(host).unwrap_or_else(|error| panic!("{host}: {error}"));
-        stream.set_read_timeout(Some(PATIENCE)).expect("a timeout above zero");
-        let (socket, _) = client(address, stream).unwrap_or_else(|error| panic!("{address}: {error}"));
-        let mut tools = Self { socket, last: 0, session: None, events: Vec::new() };
+        stream
+            .set_read_timeout(Some(PATIENCE))
+            .expect("a timeout above zero");
+        let (socket, _) =
+            client(address, stream).unwrap_or_else(|error| panic!("{address}: {error}"));
+        let mut tools = Self {
+            socket,
+            last: 0,
+            session: None,
+            events: Vec::new(),
+        };
         let target = tools.call("Target.createTarget", json!({ "url": "about:blank" }));
         let attached = tools.call(
             "Target.attachToTarget",
@@ -60,9 +68,13 @@ impl DevTools {
 
     fn receive(&mut self, method: &str) -> Value {
         loop {
-            let message = self.socket.read().unwrap_or_else(|error| panic!("no answer to {method}: {error}"));
+            let message = self
+                .socket
+                .read()
+                .unwrap_or_else(|error| panic!("no answer to {method}: {error}"));
             if let Message::Text(text) = message {
-                return serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error} in {text}"));
+                return serde_json::from_str(&text)
+                    .unwrap_or_else(|error| panic!("{error} in {text}"));
             }
         }
     }

@@ -109,7 +109,10 @@ impl Page {
         self.mouse("mousePressed", from, Button::Left);
         for step in 1..=8 {
             let part = f64::from(step) / 8.0;
-            let place = (from.0 + part * (to.0 - from.0), from.1 + part * (to.1 - from.1));
+            let place = (
+                from.0 + part * (to.0 - from.0),
+                from.1 + part * (to.1 - from.1),
+            );
             self.mouse("mouseMoved", place, Button::Left);
         }
         self.mouse("mouseReleased", to, Button::Left);
@@ -124,9 +127,26 @@ impl Page {
     }
 
     /// Touches and lifts a finger.
-    pub fn tap(&mut self, (x, y): (f64, f64)) {
-        let touch = |kind: &str, points| json!({ "type": kind, "touchPoints": points });
-        self.tools.call("Input.dispatchTouchEvent", touch("touchStart", json!([{ "x": x, "y": y }])));
-        self.tools.call("Input.dispatchTouchEvent", touch("touchEnd", json!([])));
+    pub fn tap(&mut self, place: (f64, f64)) {
+        self.touch("touchStart", &[place]);
+        self.touch("touchEnd", &[]);
+    }
+
+    /// Draws two fingers apart, or together, sideways about a place; distances in pixels.
+    pub fn pinch(&mut self, (x, y): (f64, f64), from: f64, to: f64) {
+        let fingers = |apart: f64| [(x - apart / 2.0, y), (x + apart / 2.0, y)];
+        self.touch("touchStart", &fingers(from));
+        for step in 1..=8 {
+            let apart = from + (to - from) * f64::from(step) / 8.0;
+            self.touch("touchMove", &fingers(apart));
+        }
+        self.touch("touchEnd", &[]);
+    }
+
+    fn touch(&mut self, kind: &str, fingers: &[(f64, f64)]) {
+        let finger = |(id, &(x, y)): (usize, &(f64, f64))| json!({ "x": x, "y": y, "id": id });
+        let points: Vec<_> = fingers.iter().enumerate().map(finger).collect();
+        let touch = json!({ "type": kind, "touchPoints": points });
+        self.tools.call("Input.dispatchTouchEvent", touch);
     }
 }

@@ -45,7 +45,10 @@ impl Page {
             return None;
         };
         let browser = Chromium::start(&program);
-        let mut page = Self { tools: DevTools::connect(&browser.address), _browser: browser };
+        let mut page = Self {
+            tools: DevTools::connect(&browser.address),
+            _browser: browser,
+        };
         for domain in ["Page", "Runtime", "Log", "Network"] {
             page.tools.call(&format!("{domain}.enable"), json!({}));
         }
@@ -55,10 +58,16 @@ impl Page {
 
     /// Goes to a file.
     pub fn load(&mut self, file: &Path) {
-        let file = file.canonicalize().unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        let file = file
+            .canonicalize()
+            .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         let address = format!("file://{}", file.display());
         let answer = self.tools.call("Page.navigate", json!({ "url": address }));
-        assert!(answer["errorText"].is_null(), "{address}: {}", answer["errorText"]);
+        assert!(
+            answer["errorText"].is_null(),
+            "{address}: {}",
+            answer["errorText"]
+        );
     }
 
     /// The value of an expression of the page.
@@ -78,13 +87,18 @@ impl Page {
     /// The number that an expression of the page is, as the page has it.
     pub fn number(&mut self, expression: &str) -> f64 {
         let value = self.value(expression);
-        value.as_f64().unwrap_or_else(|| panic!("{expression} is {value} and no number"))
+        value
+            .as_f64()
+            .unwrap_or_else(|| panic!("{expression} is {value} and no number"))
     }
 
     /// The words that an expression of the page is.
     pub fn words(&mut self, expression: &str) -> String {
         let value = self.value(expression);
-        value.as_str().unwrap_or_else(|| panic!("{expression} is {value} and no text")).to_string()
+        value
+            .as_str()
+            .unwrap_or_else(|| panic!("{expression} is {value} and no text"))
+            .to_string()
     }
 
     /// Whether an expression of the page holds.
@@ -98,10 +112,15 @@ impl Page {
     /// If it does not within ten seconds; with what the page complains about.
     pub fn wait(&mut self, expression: &str) {
         let begin = Instant::now();
-        let tried = format!("(() => {{ try {{ return Boolean({expression}); }} catch {{ return false; }} }})()");
+        let tried = format!(
+            "(() => {{ try {{ return Boolean({expression}); }} catch {{ return false; }} }})()"
+        );
         while !self.holds(&tried) {
             let complaints = self.complaints().join("\n");
-            assert!(begin.elapsed() < Duration::from_secs(10), "never: {expression}\n{complaints}");
+            assert!(
+                begin.elapsed() < Duration::from_secs(10),
+                "never: {expression}\n{complaints}"
+            );
             thread::sleep(Duration::from_millis(30));
         }
     }
@@ -123,8 +142,15 @@ impl Page {
         let events = self.tools.events.iter();
         let requests = events.filter(|event| event["method"] == "Network.requestWillBeSent");
         let addresses = requests.filter_map(|event| event["params"]["request"]["url"].as_str());
-        let own = |address: &str| ["file:", "data:", "blob:"].iter().any(|scheme| address.starts_with(scheme));
-        addresses.filter(|address| !own(address)).map(String::from).collect()
+        let own = |address: &str| {
+            ["file:", "data:", "blob:"]
+                .iter()
+                .any(|scheme| address.starts_with(scheme))
+        };
+        addresses
+            .filter(|address| !own(address))
+            .map(String::from)
+            .collect()
     }
 
     /// Asserts that nothing went wrong so far and nothing was asked of the network.

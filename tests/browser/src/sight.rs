@@ -22,10 +22,22 @@ pub struct Screen {
 }
 
 /// A desktop.
-pub const DESKTOP: Screen = Screen { name: "desktop", width: 1280, height: 900, density: 1, touch: false };
+pub const DESKTOP: Screen = Screen {
+    name: "desktop",
+    width: 1280,
+    height: 900,
+    density: 1,
+    touch: false,
+};
 
 /// A phone.
-pub const PHONE: Screen = Screen { name: "phone", width: 390, height: 844, density: 2, touch: true };
+pub const PHONE: Screen = Screen {
+    name: "phone",
+    width: 390,
+    height: 844,
+    density: 2,
+    touch: true,
+};
 
 impl Page {
     /// Changes the window.
@@ -37,7 +49,10 @@ impl Page {
                 "deviceScaleFactor": screen.density, "mobile": screen.touch,
             }),
         );
-        self.tools.call("Emulation.setTouchEmulationEnabled", json!({ "enabled": screen.touch }));
+        self.tools.call(
+            "Emulation.setTouchEmulationEnabled",
+            json!({ "enabled": screen.touch }),
+        );
         // Until what depends on the size has been drawn anew.
         self.settle();
     }
@@ -55,13 +70,19 @@ impl Page {
             { "name": "prefers-reduced-motion", "value": "reduce" },
             { "name": "prefers-color-scheme", "value": scheme },
         ]);
-        self.tools.call("Emulation.setEmulatedMedia", json!({ "features": features }));
+        self.tools.call(
+            "Emulation.setEmulatedMedia",
+            json!({ "features": features }),
+        );
         self.settle();
     }
 
     fn feature(&mut self, name: &str, value: &str) {
         let features = json!([{ "name": name, "value": value }]);
-        self.tools.call("Emulation.setEmulatedMedia", json!({ "features": features }));
+        self.tools.call(
+            "Emulation.setEmulatedMedia",
+            json!({ "features": features }),
+        );
     }
 
     /// Waits for two frames: one to notice what has changed, one to show it.
@@ -91,12 +112,15 @@ impl Page {
 
     /// Writes what is seen as a picture into `target/browser` of the workspace.
     pub fn shoot(&mut self, name: &str) -> PathBuf {
-        let answer = self.tools.call("Page.captureScreenshot", json!({ "format": "png" }));
+        let answer = self
+            .tools
+            .call("Page.captureScreenshot", json!({ "format": "png" }));
         let data = answer["data"].as_str().expect("the picture as text");
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/browser");
         fs::create_dir_all(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
         let file = folder.join(format!("{name}.png"));
-        fs::write(&file, decoded(data)).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        fs::write(&file, decoded(data))
+            .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         file
     }
 

@@ -36,10 +36,13 @@ function cameraAxes() {
 const BORDER = 44;
 
 function fitScale() {
-  const half = camera.box.half;
+  const { half, radius } = camera.box;
   const room = [Math.max(40, camera.width / 2 - BORDER), Math.max(40, camera.height / 2 - BORDER)];
-  if (isSpatial()) return Math.min(...room) / (Math.hypot(...half) || 1);
-  return Math.min(room[0] / (half[0] || 1e-9), room[1] / (half[1] || 1e-9), Math.max(...room) / (Math.hypot(...half) || 1));
+  // In space the size must not change while it turns.
+  if (isSpatial()) return Math.min(...room) / radius;
+  // Dividing by zero is right: a mechanism without height is as large as its width allows.
+  const scale = Math.min(room[0] / half[0], room[1] / half[1]);
+  return Number.isFinite(scale) ? scale : 1;
 }
 
 function cameraScale() {
@@ -66,8 +69,7 @@ function projectDirection(direction) {
 
 // 0 for the nearest place that a point of the mechanism may have, 1 for the farthest.
 function farness(nearness) {
-  const reach = Math.hypot(...camera.box.half) || 1;
-  return Math.min(1, Math.max(0, 0.5 - nearness / (2 * reach)));
+  return Math.min(1, Math.max(0, 0.5 - nearness / (2 * camera.box.radius)));
 }
 
 function zoomBy(factor, [x, y] = [camera.width / 2, camera.height / 2]) {

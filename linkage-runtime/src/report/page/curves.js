@@ -31,17 +31,50 @@ function halfWidth(band, row, unit) {
   return half === null ? 0 : widening.factor * plotValue(half, unit);
 }
 
-function limitsOf(curves) {
+// Beside positions that cannot be assembled, derivatives grow beyond all bounds: the axis ends where the rest of the
+// curves does, and the panel says so. No other peak is ever cut.
+const FAR_BEYOND = 3;
+
+function setLimits(panel) {
+  const all = spread(panel.curves, () => true);
+  const beside = rowsBesideGaps();
+  const rest = spread(panel.curves, (row) => !beside[row]);
+  const cut = rest[1] > rest[0] && all[1] - all[0] > FAR_BEYOND * (rest[1] - rest[0]);
+  panel.cut = cut ? all : null;
+  panel.limits = withMargin(cut ? rest : all);
+}
+
+// Rows so near to a gap that a dead point rules there.
+function rowsBesideGaps() {
+  const near = Math.max(2, Math.round(rowCount / 40));
+  const beside = Array(rowCount).fill(false);
+  for (const { from, to } of report.gaps ?? []) {
+    beside.fill(true, Math.max(0, nearestRow(from) - near), nearestRow(to) + near + 1);
+  }
+  return beside;
+}
+
+function cutText({ cut, unit }) {
+  const ends = cut.map((value) => digits(rounded(value, 6))).join(" to ");
+  return `Beside the gaps the curves go on beyond the axis: ${ends}${unit ? " " + unit : ""}.`;
+}
+
+// Lowest and highest value with its band, over the rows that count.
+function spread(curves, counts) {
   let low = Infinity;
   let high = -Infinity;
   for (const { column, ys } of curves) {
     ys.forEach((y, row) => {
-      if (y === null) return;
+      if (y === null || !counts(row)) return;
       const half = Math.max(0, ...column.bands.map((band) => halfWidth(band, row, column.unit)));
       low = Math.min(low, y - half);
       high = Math.max(high, y + half);
     });
   }
+  return [low, high];
+}
+
+function withMargin([low, high]) {
   if (!(high >= low)) return [0, 1];
   const margin = high > low ? 0.04 * (high - low) : 0.05 * Math.abs(high) || 1;
   return [low - margin, high + margin];

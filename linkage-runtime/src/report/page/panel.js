@@ -11,7 +11,7 @@ function measureLabels(panels) {
 }
 
 function panelTicks(panel) {
-  panel.limits = limitsOf(panel.curves);
+  setLimits(panel);
   return ticks(...panel.limits, 5, panel.unit);
 }
 
@@ -44,12 +44,19 @@ function drawPanel(panel, width) {
     class: "plot", width, height: PANEL.height, viewBox: `0 0 ${width} ${PANEL.height}`, role: "img",
     "aria-label": `${panel.curves.map((curve) => curve.column.name).join(", ")} against ${input.name}`,
   });
-  view.append(gapAreas(scales), axes(panel, scales), bandAreas(panel, toScreen), curveLines(panel, toScreen));
+  const clip = `frame-${plots.panels.indexOf(panel)}`;
+  const inside = shape("g", { "clip-path": `url(#${clip})` }, bandAreas(panel, toScreen), curveLines(panel, toScreen));
+  view.append(clipping(clip, scales), gapAreas(scales), axes(panel, scales), inside);
   panel.cursor = shape("g", { class: "cursor" });
   panel.pointer = shape("g", { class: "cursor pointer" });
   view.append(panel.pointer, panel.cursor);
   panel.view = view;
   return view;
+}
+
+// The frame and half a stroke around it.
+function clipping(id, { left, wide, tall }) {
+  return shape("clipPath", { id }, shape("rect", { x: left - 1, y: PANEL.top - 1, width: wide + 2, height: tall + 2 }));
 }
 
 function axes(panel, scales) {
@@ -122,6 +129,7 @@ function drawCursor(group, panel, row) {
   const x = pixel(scales.x(scales.xs[row]));
   group.replaceChildren(shape("path", { d: `M${x} ${PANEL.top}v${scales.tall}` }));
   for (const { ys, colour } of panel.curves) {
-    if (ys[row] !== null) group.append(shape("circle", { cx: x, cy: pixel(scales.y(ys[row])), r: 3.5, fill: colour }));
+    const within = ys[row] !== null && ys[row] >= scales.low && ys[row] <= scales.high;
+    if (within) group.append(shape("circle", { cx: x, cy: pixel(scales.y(ys[row])), r: 3.5, fill: colour }));
   }
 }

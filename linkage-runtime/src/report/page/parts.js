@@ -103,7 +103,7 @@ function blockPart(guide) {
       if (slider === null || direction === null) return null;
       const seen = project(slider);
       set(body, { d: block(seen, projectDirection(direction)) });
-      return seen[2] + 1e-3 * camera.box.half[0];
+      return seen[2] + 1e-3 * camera.box.radius;
     },
   };
 }
@@ -116,7 +116,7 @@ function axisPart(axis) {
     update(row) {
       const [point, direction] = [pointAt(axis.point, row), directionAt(axis.direction, row)];
       if (point === null || direction === null) return null;
-      const half = 0.22 * Math.hypot(...camera.box.half);
+      const half = 0.25 * camera.box.radius;
       const ends = [-half, half].map((distance) => project(along(point, direction, distance)));
       set(node, { d: lineThrough(ends) });
       return meanNearness(ends);

@@ -50,7 +50,7 @@ function guidePlaces(guide, row) {
   return [pointAt(guide.origin, row), directionAt(guide.direction, row), pointAt(guide.slider, row)];
 }
 
-// The box around all places of all points, as its middle and half its sides.
+// The box around all places of all points, as its middle and half its sides, and how far points get from the middle.
 function extent() {
   const low = Array(picture.dimension).fill(Infinity);
   const high = Array(picture.dimension).fill(-Infinity);
@@ -65,8 +65,18 @@ function extent() {
     });
   }
   const known = low.every(Number.isFinite);
-  return {
-    middle: low.map((component, i) => (known ? (component + high[i]) / 2 : 0)),
-    half: low.map((component, i) => (known ? (high[i] - component) / 2 : 1)),
-  };
+  const middle = low.map((component, i) => (known ? (component + high[i]) / 2 : 0));
+  const half = low.map((component, i) => (known ? (high[i] - component) / 2 : 1));
+  return { middle, half, radius: reachFrom(middle) || 1 };
+}
+
+function reachFrom(middle) {
+  let reach = 0;
+  for (const point of picture.points) {
+    eachRow((row) => {
+      const place = placeOf(point, row);
+      if (place !== null) reach = Math.max(reach, Math.hypot(...minus(place, middle)));
+    });
+  }
+  return reach;
 }

@@ -58,12 +58,12 @@ function setBackward(backward) {
 function speedText(period) {
   const real = truePeriod();
   const whole = input.periodic && input.unit === "rad" ? "turn" : "range";
-  const seconds = `${digits(rounded(period, 3))} s for the ${whole}`;
+  const seconds = `${digits(rounded(period, 3))} s per ${whole}`;
   if (real === null) return seconds;
   const factor = period / real;
   if (Math.abs(factor - 1) < 1e-9) return `true time (${seconds})`;
   const times = digits(rounded(factor > 1 ? factor : 1 / factor, 3));
-  return `${seconds}, ${times} times ${factor > 1 ? "slower" : "faster"}`;
+  return `${seconds}, ${factor > 1 ? "slowed" : "sped up"} ${times} times`;
 }
 
 function startPlayer() {
@@ -94,8 +94,10 @@ function showPosition(row) {
   slider.setAttribute("aria-valuetext", `${input.name} ${inputShort(value)}`);
   const omega = report.speed ? report.speed.omega : null;
   const time = omega ? `, t = ${digits(rounded((value - input.values[0]) / omega, 6))} s` : "";
+  const radians = input.unit === "rad" ? [element("small", {}, `${digits(value)} rad`)] : [];
   byId("readout").replaceChildren(
     element("b", {}, `${input.name} = ${withUnit(value, input.unit).replace(/ \(.*/, "")}`),
-    element("small", {}, `${input.unit === "rad" ? digits(value) + " rad, " : ""}row ${row + 1} of ${rowCount}${time}`),
+    ...radians,
+    element("small", {}, `row ${row + 1} of ${rowCount}${time}`),
   );
 }

@@ -55,7 +55,9 @@ function legend(panel) {
       curve.cell));
   }
   panel.where = element("caption");
-  return element("div", { class: "scroll" }, element("table", { class: "legend" }, panel.where, body));
+  const box = element("div", { class: "scroll" }, element("table", { class: "legend" }, panel.where, body));
+  if (panel.cut) box.append(element("p", { class: "cut" }, cutText(panel)));
+  return box;
 }
 
 function legendTitle(column) {
@@ -107,7 +109,7 @@ function showCursors(row) {
 function showValues(panel, row, what) {
   panel.where.textContent = `${what}: ${inputText(input.values[row])}`;
   for (const { column, cell } of panel.curves) {
-    const bands = column.bands.map((band) => `, ${band.kind} +- ${withUnit(band.half[row], column.unit)}`);
-    cell.textContent = withUnit(column.values[row], column.unit) + bands.join("");
+    const bands = column.bands.map((band) => element("small", {}, `${band.kind} \u00b1 ${withUnit(band.half[row], column.unit)}`));
+    cell.replaceChildren(element("span", {}, withUnit(column.values[row], column.unit)), ...bands);
   }
 }

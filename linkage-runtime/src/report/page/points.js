@@ -15,7 +15,7 @@ function pointPart(point, index) {
     "aria-label": `Trace ${point.name}`,
     "aria-pressed": "false",
   });
-  const ground = point.kind === "ground" && !isSpatial() ? groundSign() : null;
+  const ground = point.kind === "ground" ? groundSign() : null;
   if (ground) node.append(ground);
   node.append(target, mark, label);
   listenToPoint(node, index);
@@ -32,7 +32,7 @@ function movePoint(node, { mark, target, label, ground }, index, row) {
   const left = cx > camera.width - 60;
   set(label, { x: pixel(cx + (left ? -10 : 10)), y: pixel(cy - 9), "text-anchor": left ? "end" : "start" });
   if (ground) set(ground, { transform: `translate(${pixel(cx)} ${pixel(cy)})` });
-  return nearness + 2e-3 * camera.box.half[0];
+  return nearness + 2e-3 * camera.box.radius;
 }
 
 function listenToPoint(node, index) {

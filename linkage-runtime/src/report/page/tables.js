@@ -6,10 +6,11 @@ function grid(id, heads, rows) {
     const number = typeof value === "number" || value === null;
     return element("td", { class: number ? "number" : null }, number ? digits(value) : value);
   };
-  const head = element("tr", {}, ...heads.map((name) => element("th", { scope: "col" }, name)));
+  const names = heads.map((name) => element("th", { scope: "col" }, name));
+  const head = heads.length > 0 ? [element("thead", {}, element("tr", {}, ...names))] : [];
   const body = rows.map((row) => element("tr", {}, ...row.map(cell)));
   return element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": id },
-    element("table", { "data-table": id }, element("thead", {}, head), element("tbody", {}, ...body)));
+    element("table", { "data-table": id }, ...head, element("tbody", {}, ...body)));
 }
 
 // An angle gets its degrees in a cell beside the radians.
@@ -34,7 +35,7 @@ function addSheet(title, open, ...children) {
 
 function startTables() {
   if (report.summary?.length) addSheet("Cycle summary", true, summaryTable());
-  if (report.facts?.length) addSheet("Facts", true, grid("facts", ["fact", ""], report.facts.map(({ name, text }) => [name, text])));
+  if (report.facts?.length) addSheet("Facts", true, grid("facts", [], report.facts.map(({ name, text }) => [name, text])));
   if (report.dimensions?.length) addSheet("Dimensions and tolerances", true, dimensionTable());
   if (report.accuracy?.length) addSheet("Accuracy", true, ...accuracyTables());
   if (report.structure) addSheet("Structure", true, ...structureTables(report.structure));
@@ -53,21 +54,21 @@ function dimensionTable() {
   const changed = report.dimensions.some(({ value, nominal }) => value !== nominal);
   const rows = report.dimensions.map(({ name, unit, nominal, tolerance, value }) => {
     const actual = changed ? [value === nominal ? "" : value] : [];
-    return [name, nominal, tolerance === 0 ? "" : `+- ${digits(tolerance)}`, ...actual, unit, degreesOfDimension(value, tolerance, unit)];
+    return [name, nominal, tolerance === 0 ? "" : `\u00b1 ${digits(tolerance)}`, ...actual, unit, degreesOfDimension(value, tolerance, unit)];
   });
   return grid("dimensions", ["dimension", "nominal", "tolerance", ...(changed ? ["actual"] : []), "unit", ""], rows);
 }
 
 function degreesOfDimension(value, tolerance, unit) {
   const degrees = inDegrees(value, unit);
-  return degrees && tolerance ? `${degrees} +- ${inDegrees(tolerance, unit)}` : degrees;
+  return degrees && tolerance ? `${degrees} \u00b1 ${inDegrees(tolerance, unit)}` : degrees;
 }
 
 function accuracyTables() {
   const rows = report.accuracy.map(({ quantity, worst, statistical, unit, at }) =>
     [quantity, worst, statistical, unit, placeButton(at)]);
   return [
-    grid("accuracy", ["quantity", "worst case +-", "statistical +-", "unit", `at ${input.name}`], rows),
+    grid("accuracy", ["quantity", "worst case \u00b1", "statistical \u00b1", "unit", `at ${input.name}`], rows),
     ...report.accuracy.map(contributions),
   ];
 }
@@ -98,8 +99,11 @@ function structureTables({ mobility, groups, functions, prepare }) {
   ];
 }
 
+// As the structure prints them.
+const OPERATIONS = ["add", "mul", "div", "sqrt", "sin_cos", "atan2", "other"];
+
 function costOf(operations) {
-  const kinds = Object.entries(operations).filter(([kind, count]) => kind !== "total" && count > 0);
+  const kinds = OPERATIONS.map((kind) => [kind, operations[kind] ?? 0]).filter(([, count]) => count > 0);
   const total = kinds.reduce((sum, [, count]) => sum + count, 0);
   return [total, kinds.map(([kind, count]) => `${count} ${kind}`).join(", ")];
 }

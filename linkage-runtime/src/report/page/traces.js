@@ -3,6 +3,10 @@
 const TRACE_COLOURS = 4;
 const traces = { paths: new Map(), layer: null };
 
+function traceColour(index) {
+  return `var(--trace-${index % TRACE_COLOURS})`;
+}
+
 function toggleTrace(index) {
   const path = traces.paths.get(index);
   if (path) {
@@ -11,14 +15,16 @@ function toggleTrace(index) {
   } else {
     traces.paths.set(index, addTrace(index));
   }
-  drawing.points[index].setAttribute("aria-pressed", traces.paths.has(index));
+  const node = drawing.points[index];
+  node.setAttribute("aria-pressed", traces.paths.has(index));
+  node.style.setProperty("--colour", traceColour(index));
 }
 
 function addTrace(index) {
   const path = shape("path", {
     class: "trace",
     "data-trace": picture.points[index].name,
-    style: `--colour: var(--trace-${index % TRACE_COLOURS})`,
+    style: `--colour: ${traceColour(index)}`,
   });
   traces.layer.append(path);
   drawTrace(path, index);

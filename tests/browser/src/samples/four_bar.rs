@@ -2,8 +2,8 @@
 
 use linkage_runtime::report::{Report, SummaryRow};
 use linkage_runtime::{
-    AssemblyMode, Column, Dimensions, FunctionInfo, Group, Heading, Input, Meaning, Operations, Parameter,
-    Picture, PictureColumns, PictureLink, PicturePoint, PointKind, Structure,
+    AssemblyMode, Column, Dimensions, FunctionInfo, Group, Heading, Input, Meaning, Operations,
+    Parameter, Picture, PictureColumns, PictureLink, PicturePoint, PointKind, Structure,
 };
 use std::f64::consts::{FRAC_PI_6, TAU};
 
@@ -26,10 +26,22 @@ pub struct FourBar {
 
 impl FourBar {
     /// A crank-rocker.
-    pub const TURNING: Self = Self { crank: 50.0, coupler: 120.0, rocker: 100.01, frame: 140.0, arm: 70.0 };
+    pub const TURNING: Self = Self {
+        crank: 50.0,
+        coupler: 120.0,
+        rocker: 100.01,
+        frame: 140.0,
+        arm: 70.0,
+    };
 
     /// It comes apart over a part of the turn.
-    pub const SWINGING: Self = Self { crank: 110.0, coupler: 60.0, rocker: 75.0, frame: 140.0, arm: 70.0 };
+    pub const SWINGING: Self = Self {
+        crank: 110.0,
+        coupler: 60.0,
+        rocker: 75.0,
+        frame: 140.0,
+        arm: 70.0,
+    };
 
     /// End of the crank, end of the rocker, tracer; NaN where the links do not meet.
     #[must_use]
@@ -37,9 +49,11 @@ impl FourBar {
         let a = [self.crank * phi.cos(), self.crank * phi.sin()];
         let d = [self.frame - a[0], -a[1]];
         let length = d[0].hypot(d[1]);
-        let cosine = (self.coupler.powi(2) + length.powi(2) - self.rocker.powi(2)) / (2.0 * self.coupler * length);
+        let cosine = (self.coupler.powi(2) + length.powi(2) - self.rocker.powi(2))
+            / (2.0 * self.coupler * length);
         let theta = d[1].atan2(d[0]) + cosine.acos();
-        let at = |length: f64, angle: f64| [a[0] + length * angle.cos(), a[1] + length * angle.sin()];
+        let at =
+            |length: f64, angle: f64| [a[0] + length * angle.cos(), a[1] + length * angle.sin()];
         // Where the tracer is, is not known unless the links meet: theta is NaN there.
         [a, at(self.coupler, theta), at(self.arm, theta + FRAC_PI_6)]
     }
@@ -65,7 +79,12 @@ impl FourBar {
 }
 
 const fn parameter(name: &'static str, nominal: f64, tolerance: f64) -> Parameter {
-    Parameter { name, unit: "mm", nominal, tolerance }
+    Parameter {
+        name,
+        unit: "mm",
+        nominal,
+        tolerance,
+    }
 }
 
 impl Dimensions<5> for FourBar {
@@ -78,7 +97,13 @@ impl Dimensions<5> for FourBar {
     ];
 
     fn from_values(&[crank, coupler, rocker, frame, arm]: &[f64; 5]) -> Self {
-        Self { crank, coupler, rocker, frame, arm }
+        Self {
+            crank,
+            coupler,
+            rocker,
+            frame,
+            arm,
+        }
     }
 
     fn values(&self) -> [f64; 5] {
@@ -86,14 +111,33 @@ impl Dimensions<5> for FourBar {
     }
 }
 
-const INPUT: Input = Input { name: "phi", unit: "rad", reference: 0.0, range: None };
+const INPUT: Input = Input {
+    name: "phi",
+    unit: "rad",
+    reference: 0.0,
+    range: None,
+};
 
 const fn rate(name: &'static str, unit: &'static str, order: u32, of: usize) -> Column {
-    column(name, unit, Meaning::Rate { order, of: Some(of) })
+    column(
+        name,
+        unit,
+        Meaning::Rate {
+            order,
+            of: Some(of),
+        },
+    )
 }
 
 const fn by(name: &'static str, parameter: usize, of: usize) -> Column {
-    column(name, "mm/mm", Meaning::Sensitivity { parameter, of: Some(of) })
+    column(
+        name,
+        "mm/mm",
+        Meaning::Sensitivity {
+            parameter,
+            of: Some(of),
+        },
+    )
 }
 
 const MOTION: Heading = Heading {
@@ -135,9 +179,18 @@ static PICTURE: Picture = Picture {
     ],
     directions: &[],
     links: &[
-        PictureLink { name: "crank", points: &[0, 2] },
-        PictureLink { name: "coupler", points: &[2, 3, 4] },
-        PictureLink { name: "rocker", points: &[1, 3] },
+        PictureLink {
+            name: "crank",
+            points: &[0, 2],
+        },
+        PictureLink {
+            name: "coupler",
+            points: &[2, 3, 4],
+        },
+        PictureLink {
+            name: "rocker",
+            points: &[1, 3],
+        },
     ],
     guides: &[],
     axes: &[],
@@ -158,10 +211,21 @@ static VIEW: Heading = Heading {
         shown("picture[tracer].x", "mm"),
         shown("picture[tracer].y", "mm"),
     ],
-    picture: Some(PictureColumns { first: 0, picture: &PICTURE }),
+    picture: Some(PictureColumns {
+        first: 0,
+        picture: &PICTURE,
+    }),
 };
 
-const OPERATIONS: Operations = Operations { add: 21, mul: 34, div: 3, sqrt: 1, sin_cos: 1, atan2: 1, other: 0 };
+const OPERATIONS: Operations = Operations {
+    add: 21,
+    mul: 34,
+    div: 3,
+    sqrt: 1,
+    sin_cos: 1,
+    atan2: 1,
+    other: 0,
+};
 
 const STRUCTURE: Structure = Structure {
     mobility: 1,
@@ -174,7 +238,10 @@ const STRUCTURE: Structure = Structure {
         mode: Some(0),
         method: "intersection of two circles, root taken for the smaller one",
     }],
-    functions: &[FunctionInfo { name: "motion", operations: OPERATIONS }],
+    functions: &[FunctionInfo {
+        name: "motion",
+        operations: OPERATIONS,
+    }],
     prepare: OPERATIONS,
 };
 
@@ -185,7 +252,18 @@ pub fn four_bar(title: &str, mechanism: FourBar) -> Report {
     let motion = Sheet::new(&MOTION, &positions, |phi| row(&mechanism, phi));
     let view = Sheet::new(&VIEW, &positions, |phi| {
         let [a, b, tracer] = mechanism.points(phi);
-        [0.0, 0.0, mechanism.frame, 0.0, a[0], a[1], b[0], b[1], tracer[0], tracer[1]]
+        [
+            0.0,
+            0.0,
+            mechanism.frame,
+            0.0,
+            a[0],
+            a[1],
+            b[0],
+            b[1],
+            tracer[0],
+            tracer[1],
+        ]
     });
     Report::new(title, &INPUT, &positions)
         .about("A crank, a rocker, and a coupler with a tracer: computed by hand.")

@@ -18,7 +18,10 @@ impl Sheet {
     ) -> Self {
         let rows: Vec<[f64; N]> = positions.iter().map(|&position| row(position)).collect();
         let columns = (0..N).map(|i| rows.iter().map(|row| row[i]).collect());
-        Self { heading, columns: columns.collect() }
+        Self {
+            heading,
+            columns: columns.collect(),
+        }
     }
 }
 
@@ -37,7 +40,11 @@ impl Table for Sheet {
 }
 
 pub(super) const fn column(name: &'static str, unit: &'static str, meaning: Meaning) -> Column {
-    Column { name, unit, meaning }
+    Column {
+        name,
+        unit,
+        meaning,
+    }
 }
 
 pub(super) const fn shown(name: &'static str, unit: &'static str) -> Column {

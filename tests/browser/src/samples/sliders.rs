@@ -2,12 +2,18 @@
 
 use linkage_runtime::report::Report;
 use linkage_runtime::{
-    Guide, GuideOn, Heading, Input, Meaning, Picture, PictureColumns, PictureLink, PicturePoint, PointKind,
+    Guide, GuideOn, Heading, Input, Meaning, Picture, PictureColumns, PictureLink, PicturePoint,
+    PointKind,
 };
 
 use super::sheet::{Sheet, column, shown};
 
-const INPUT: Input = Input { name: "phi", unit: "rad", reference: 0.0, range: None };
+const INPUT: Input = Input {
+    name: "phi",
+    unit: "rad",
+    reference: 0.0,
+    range: None,
+};
 
 const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
     PicturePoint { name, kind }
@@ -25,14 +31,41 @@ static PICTURE: Picture = Picture {
     ],
     directions: &["stroke", "cylinder", "rod"],
     links: &[
-        PictureLink { name: "crank", points: &[0, 1] },
-        PictureLink { name: "conrod", points: &[1, 2] },
-        PictureLink { name: "follower", points: &[4, 5] },
+        PictureLink {
+            name: "crank",
+            points: &[0, 1],
+        },
+        PictureLink {
+            name: "conrod",
+            points: &[1, 2],
+        },
+        PictureLink {
+            name: "follower",
+            points: &[4, 5],
+        },
     ],
     guides: &[
-        Guide { name: "x", origin: 0, direction: 0, slider: 2, on: GuideOn::Frame },
-        Guide { name: "s", origin: 3, direction: 1, slider: 1, on: GuideOn::Itself },
-        Guide { name: "t", origin: 1, direction: 2, slider: 4, on: GuideOn::Link(1) },
+        Guide {
+            name: "x",
+            origin: 0,
+            direction: 0,
+            slider: 2,
+            on: GuideOn::Frame,
+        },
+        Guide {
+            name: "s",
+            origin: 3,
+            direction: 1,
+            slider: 1,
+            on: GuideOn::Itself,
+        },
+        Guide {
+            name: "t",
+            origin: 1,
+            direction: 2,
+            slider: 4,
+            on: GuideOn::Link(1),
+        },
     ],
     axes: &[],
 };
@@ -61,12 +94,15 @@ static VIEW: Heading = Heading {
         shown("picture[rod].y", ""),
         column("x", "m", Meaning::Value),
     ],
-    picture: Some(PictureColumns { first: 0, picture: &PICTURE }),
+    picture: Some(PictureColumns {
+        first: 0,
+        picture: &PICTURE,
+    }),
 };
 
 const CRANK: f64 = 0.035;
 const ROD: f64 = 0.13;
-const FOLLOWER: f64 = 0.09;
+const FOLLOWER: f64 = 0.11;
 const BASE: [f64; 2] = [-0.06, 0.08];
 const HANG: [f64; 2] = [0.09, 0.08];
 
@@ -87,7 +123,17 @@ fn row(phi: f64) -> [f64; 19] {
     let cylinder = unit(BASE, big);
     let rod = unit(big, small);
     let block = on_rod(big, rod);
-    let joined = [[0.0, 0.0], big, small, BASE, block, HANG, [1.0, 0.0], cylinder, rod];
+    let joined = [
+        [0.0, 0.0],
+        big,
+        small,
+        BASE,
+        block,
+        HANG,
+        [1.0, 0.0],
+        cylinder,
+        rod,
+    ];
     let mut all = [x; 19];
     for (place, value) in all.iter_mut().zip(joined.into_iter().flatten()) {
         *place = value;

@@ -7,7 +7,12 @@ use linkage_runtime::{
 
 use super::sheet::{Sheet, column, shown};
 
-const INPUT: Input = Input { name: "phi", unit: "rad", reference: 0.0, range: None };
+const INPUT: Input = Input {
+    name: "phi",
+    unit: "rad",
+    reference: 0.0,
+    range: None,
+};
 
 const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
     PicturePoint { name, kind }
@@ -24,12 +29,30 @@ static PICTURE: Picture = Picture {
     ],
     directions: &["crank_axis", "rocker_axis"],
     links: &[
-        PictureLink { name: "crank", points: &[0, 2] },
-        PictureLink { name: "link", points: &[2, 3] },
-        PictureLink { name: "rocker", points: &[1, 3, 4] },
+        PictureLink {
+            name: "crank",
+            points: &[0, 2],
+        },
+        PictureLink {
+            name: "link",
+            points: &[2, 3],
+        },
+        PictureLink {
+            name: "rocker",
+            points: &[1, 3, 4],
+        },
     ],
     guides: &[],
-    axes: &[Axis { point: 0, direction: 0 }, Axis { point: 1, direction: 1 }],
+    axes: &[
+        Axis {
+            point: 0,
+            direction: 0,
+        },
+        Axis {
+            point: 1,
+            direction: 1,
+        },
+    ],
 };
 
 static VIEW: Heading = Heading {
@@ -59,7 +82,10 @@ static VIEW: Heading = Heading {
         shown("picture[rocker_axis].z", ""),
         column("psi", "rad", Meaning::Value),
     ],
-    picture: Some(PictureColumns { first: 0, picture: &PICTURE }),
+    picture: Some(PictureColumns {
+        first: 0,
+        picture: &PICTURE,
+    }),
 };
 
 const CRANK: f64 = 40.0;
@@ -82,7 +108,13 @@ fn row(phi: f64) -> [f64; 22] {
     let psi = rocking(p);
     let (s, c) = psi.sin_cos();
     // The rocker turns about the axis through the pivot along x.
-    let out = |x: f64, y: f64, z: f64| [PIVOT[0] + x, PIVOT[1] + y * c - z * s, PIVOT[2] + y * s + z * c];
+    let out = |x: f64, y: f64, z: f64| {
+        [
+            PIVOT[0] + x,
+            PIVOT[1] + y * c - z * s,
+            PIVOT[2] + y * s + z * c,
+        ]
+    };
     let q = out(0.0, 0.0, ROCKER);
     let tip = out(25.0, 20.0, ROCKER + 15.0);
     let joined = [[0.0; 3], PIVOT, p, q, tip, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
