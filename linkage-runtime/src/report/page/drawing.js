@@ -85,7 +85,7 @@ function placePart(part, row) {
 
 // The scale, and in space the directions of the axes.
 function drawMarks() {
-  const length = roundBelow(110 / cameraScale());
+  const length = roundBelow(130 / cameraScale());
   const pixels = length * cameraScale();
   const [x, y] = [16, camera.height - 14];
   const text = `${digits(rounded(length, 6))} ${picture.unit}`;

@@ -50,8 +50,9 @@ function playedValue(value) {
 function setBackward(backward) {
   player.backward = backward;
   const button = byId("direction");
-  button.textContent = backward ? "Backward" : "Forward";
-  button.setAttribute("aria-pressed", backward);
+  const word = backward ? "Backward" : "Forward";
+  button.replaceChildren(backward ? "\u2190" : "\u2192", element("span", { class: "word" }, ` ${word}`));
+  set(button, { "aria-label": `Direction: ${word.toLowerCase()}`, title: "Direction of play" });
 }
 
 // What a listed speed is in the machine's time.
@@ -82,7 +83,6 @@ function startPlayer() {
   });
   byId("play").addEventListener("click", () => setPlaying(!player.playing));
   byId("direction").addEventListener("click", () => setBackward(!player.backward));
-  set(byId("direction"), { title: "Direction of play" });
   setBackward(false);
   onMove(showPosition);
 }

@@ -6,7 +6,7 @@ function sayGaps() {
   const ranges = gaps.map(({ from, to }) => (from === to ? inputShort(from) : `${inputShort(from)} to ${inputShort(to)}`));
   byId("gaps").hidden = false;
   byId("gaps").textContent =
-    `Some values do not exist at ${input.name} = ${ranges.join(", ")}: the mechanism cannot be assembled there. Plots have gaps, tables say none.`;
+    `Some values do not exist at ${input.name} = ${ranges.join(", ")}: the mechanism cannot be assembled there, or stands at a dead point. Plots have gaps, tables say none.`;
 }
 
 function start() {

@@ -62,8 +62,8 @@ fn backwards_and_past_the_end_of_a_turn() {
     page.key(Key::Home);
     page.click("#direction");
     assert_eq!(
-        page.words("document.querySelector('#direction').textContent"),
-        "Backward"
+        page.words("document.querySelector('#direction').getAttribute('aria-label')"),
+        "Direction: backward"
     );
     page.click("#play");
     moves(&mut page);

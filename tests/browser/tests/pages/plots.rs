@@ -145,3 +145,47 @@ fn axes_are_true() {
     let titles = page.words("[...document.querySelectorAll('.panel:nth-child(2) .axes .title')].map((t) => t.textContent).join(' ')");
     assert_eq!(titles, "phi [deg] psi [deg]");
 }
+
+/// Bands that are drawn wider are so by the factor that is chosen, and the numbers stay what they are.
+#[test]
+fn bands_can_be_widened() {
+    let Some(mut page) = page("plot-bands") else {
+        return;
+    };
+    let band = "document.querySelector('.band.worst')";
+    let said = page.words("document.querySelector('.legend .value').innerText");
+    let widths = page.value(&format!(
+        "(() => {{ const r = {band}.getBBox(); return [r.width, r.height]; }})()"
+    ));
+    assert!(widths[0].as_f64().expect("a width") > 400.0, "{widths}");
+    let half = |page: &mut Page| {
+        page.number(&format!(
+            "(() => {{ const n = {band}.getAttribute('d').match(/-?[\\d.]+/g).map(Number); \
+             return (n[n.length - 1] - n[1]) / 2; }})()"
+        ))
+    };
+    assert!(half(&mut page) < 0.1);
+    page.value(
+        "(() => { const s = document.querySelector('#widening'); s.value = '100'; s.dispatchEvent(new Event('change')); })()",
+    );
+    let report = checks::report(&mut page);
+    let value = report["bands"][0]["half"][0]
+        .as_f64()
+        .expect("half a width");
+    let ticks = page.value(
+        "[...document.querySelectorAll('.plot:first-child .axes text[text-anchor=end]')].map((t) => [Number(t.textContent), Number(t.getAttribute('y'))])",
+    );
+    let tick = |i: usize, j: usize| ticks[i][j].as_f64().expect("a tick");
+    let scale = (tick(0, 1) - tick(1, 1)) / (tick(1, 0) - tick(0, 0));
+    let drawn = half(&mut page) / scale;
+    assert!(
+        (drawn - 100.0 * value).abs() < 0.02 * drawn,
+        "{drawn} instead of {value} times 100"
+    );
+    assert_eq!(
+        page.words("document.querySelector('.legend .value').innerText"),
+        said
+    );
+    page.shoot("plot-bands");
+    page.assert_quiet();
+}

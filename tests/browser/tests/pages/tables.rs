@@ -49,6 +49,10 @@ fn what_is_known_is_told() {
         accuracy.contains("tracer.x|0.") && accuracy.contains("tracer.y|0."),
         "{accuracy}"
     );
+    page.click(".scroll:has([data-table=accuracy]) + details summary");
+    let parts = table(&mut page, "contributions tracer.x");
+    assert!(parts.contains("arm|0.0"), "{parts}");
+    page.shoot("tables");
     page.assert_quiet();
 }
 
