@@ -7,16 +7,26 @@
 mod accuracy;
 mod builder;
 mod check;
+mod colour;
 mod course;
 mod csv;
+mod drawing;
 mod error;
 mod json;
 mod page;
+mod plot;
+mod plots;
+#[cfg(feature = "png")]
+mod png;
 mod rates;
+mod shown;
+mod svg;
 mod tables;
 mod units;
 mod write;
 
 pub use accuracy::BandKind;
 pub use builder::{Report, SummaryRow};
+pub use drawing::Drawing;
 pub use error::{Mistake, ReportError};
+pub use plot::Plot;

@@ -3,7 +3,8 @@
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::tables::{Saved, point_named};
+use super::shown::point_named;
+use super::tables::Saved;
 use super::{Mistake, Report, ReportError};
 use crate::Meaning;
 

@@ -13,6 +13,20 @@ use std::vec::Vec;
 pub enum ReportError {
     /// What does not fit together in the report: all that was found.
     Mistakes(Vec<Mistake>),
+    /// Pictures are written as SVG, with feature `png` as PNG, by the ending of the file's name; this one is different.
+    Ending {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The system has no font, and a PNG without words would not be readable.
+    #[cfg(feature = "png")]
+    NoFont,
+    /// A picture cannot be turned into pixels.
+    #[cfg(feature = "png")]
+    Pixels {
+        /// Why.
+        message: String,
+    },
     /// A file cannot be written.
     File {
         /// The file or folder.
@@ -32,6 +46,22 @@ impl fmt::Display for ReportError {
                 }
                 Ok(())
             }
+            Self::Ending { path } if cfg!(feature = "png") => write!(
+                f,
+                "cannot write {}: pictures are written as .svg or .png",
+                path.display()
+            ),
+            Self::Ending { path } => write!(
+                f,
+                "cannot write {}: pictures are written as .svg, with feature `png` also as .png",
+                path.display()
+            ),
+            #[cfg(feature = "png")]
+            Self::NoFont => f.write_str(
+                "the system has no font to write a PNG's words with; install one, such as DejaVu Sans, or write .svg",
+            ),
+            #[cfg(feature = "png")]
+            Self::Pixels { message } => write!(f, "no PNG can be made of the picture: {message}; write .svg"),
             Self::File { path, error } => write!(f, "cannot write {}: {error}", path.display()),
         }
     }
@@ -40,8 +70,8 @@ impl fmt::Display for ReportError {
 impl Error for ReportError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
-            Self::Mistakes(_) => None,
             Self::File { error, .. } => Some(error),
+            _ => None,
         }
     }
 }
@@ -107,6 +137,31 @@ pub enum Mistake {
         /// The quantity that was differentiated, if the table has it.
         of: Option<String>,
     },
+    /// A curve or band has not as many values as the abscissa of its plot.
+    Length {
+        /// The curve, or the curve that the band is about.
+        name: String,
+        /// Its values.
+        values: usize,
+        /// The values of the abscissa.
+        positions: usize,
+    },
+    /// A plot without any curve.
+    NoCurve,
+    /// A drawing's scale is not positive and finite.
+    Scale {
+        /// The scale.
+        scale: f64,
+    },
+    /// The mechanism cannot be assembled where it is to be drawn.
+    NotAssembled {
+        /// The input.
+        input: String,
+        /// Its unit.
+        unit: &'static str,
+        /// The position that is wanted; `None` if it cannot be assembled at any position.
+        at: Option<f64>,
+    },
     /// There are fewer than two positions.
     Positions {
         /// How many there are.
@@ -157,6 +212,30 @@ impl fmt::Display for Mistake {
                     "the true acceleration of `{column}` needs the first derivative of {of}, since the input accelerates; add it to the function, or give `speed` the acceleration 0"
                 )
             }
+            Self::Length {
+                name,
+                values,
+                positions,
+            } => write!(
+                f,
+                "`{name}` has {values} values, the abscissa {positions}; give one for each"
+            ),
+            Self::NoCurve => f.write_str("the plot has no curve; add one with `curve`"),
+            Self::Scale { scale } => write!(
+                f,
+                "{scale} is no scale; give a positive number, 1 for the true size"
+            ),
+            Self::NotAssembled {
+                input,
+                unit,
+                at: Some(at),
+            } => write!(
+                f,
+                "the mechanism cannot be drawn at {input} = {at} {unit}, since it cannot be assembled there; draw another position"
+            ),
+            Self::NotAssembled { .. } => f.write_str(
+                "the mechanism cannot be drawn, since it cannot be assembled at any position; check its dimensions",
+            ),
             Self::Positions { count } => write!(
                 f,
                 "{count} positions make no range; give at least two, as `Input::positions` does"

@@ -6,7 +6,8 @@ use std::vec::Vec;
 
 use super::accuracy::BandKind;
 use super::rates::True;
-use super::tables::{Saved, Shown};
+use super::shown::Shown;
+use super::tables::Saved;
 use super::{Report, ReportError};
 use crate::{Column, GuideOn, Meaning, Operations, PointKind, Structure};
 

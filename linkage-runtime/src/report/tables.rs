@@ -4,7 +4,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::Report;
-use crate::{Column, Heading, Meaning, Picture, PointKind, Table};
+use crate::{Column, Heading, Meaning, Table};
 
 /// A table as the report keeps it.
 #[derive(Clone, Debug)]
@@ -41,61 +41,10 @@ impl Saved {
     }
 }
 
-/// The picture of a report, with the places of its points.
-#[derive(Clone, Copy)]
-pub(super) struct Shown<'a> {
-    pub(super) picture: &'static Picture,
-    columns: &'a [Vec<f64>],
-    pub(super) unit: &'static str,
-}
-
-impl<'a> Shown<'a> {
-    /// The components of a point, each over all positions.
-    pub(super) fn point(&self, index: usize) -> &'a [Vec<f64>] {
-        let size = self.picture.dimension;
-        &self.columns[size * index..size * (index + 1)]
-    }
-
-    /// The components of a direction, each over all positions.
-    pub(super) fn direction(&self, index: usize) -> &'a [Vec<f64>] {
-        self.point(self.picture.points.len() + index)
-    }
-}
-
 impl Report {
-    pub(super) fn shown(&self) -> Option<Shown<'_>> {
-        self.tables.iter().find_map(|table| {
-            let columns = table.heading.picture?;
-            Some(Shown {
-                picture: columns.picture,
-                columns: &table.values[columns.first..],
-                unit: table.heading.columns.get(columns.first)?.unit,
-            })
-        })
-    }
-
-    /// Indices of the points whose paths are drawn: those that were asked for, otherwise tips.
-    pub(super) fn traced(&self, picture: &Picture) -> Vec<usize> {
-        let tips = || {
-            let points = picture.points.iter().enumerate();
-            points.filter(|(_, point)| point.kind == PointKind::Tip)
-        };
-        match self.traces.as_slice() {
-            [] => tips().map(|(index, _)| index).collect(),
-            names => names
-                .iter()
-                .filter_map(|name| point_named(picture, name))
-                .collect(),
-        }
-    }
-
     /// Names of the tables.
     pub(super) fn functions(&self) -> Vec<String> {
         let names = self.tables.iter().map(|table| table.heading.function);
         names.map(String::from).collect()
     }
-}
-
-pub(super) fn point_named(picture: &Picture, name: &str) -> Option<usize> {
-    picture.points.iter().position(|point| point.name == name)
 }

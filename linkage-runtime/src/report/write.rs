@@ -1,42 +1,76 @@
 //! The report as a folder.
 
+use std::format;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::string::String;
 use std::vec::Vec;
 
 use super::{Report, ReportError};
 
+/// Further positions in the drawing.
+const GHOSTS: usize = 8;
+
 impl Report {
-    /// Writes everything into a folder, which is made if it is not there: `index.html`, `data.json`, and a CSV file for
-    /// each table, named after its function. Returns the files.
+    /// Writes everything into a folder, which is made if it is not there, and returns the files:
+    ///
+    /// | file | what |
+    /// |---|---|
+    /// | `index.html` | the interactive page |
+    /// | `data.json` | all data |
+    /// | `FUNCTION.csv` | each table |
+    /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
+    /// | `plots/FUNCTION.svg`, `plots/FUNCTION_true.svg` | each function's values and derivatives; true velocities and accelerations |
+    /// | `plots/errors_by_tolerances.svg` | errors over the range, if there are sensitivities and tolerances |
     ///
     /// # Errors
     ///
     /// As [`check`](Self::check), and if a file cannot be written.
     pub fn write(&self, folder: impl AsRef<Path>) -> Result<Vec<PathBuf>, ReportError> {
-        self.check()?;
         let folder = folder.as_ref();
-        let mut files: Vec<(PathBuf, String)> = Vec::new();
-        let mut add = |name: &str, text: String| files.push((folder.join(name), text));
-        add("index.html", self.html()?);
-        add("data.json", self.json()?);
+        let mut files = Vec::from([
+            (folder.join("index.html"), self.html()?),
+            (folder.join("data.json"), self.json()?),
+        ]);
         for function in self.functions() {
-            add(&std::format!("{function}.csv"), self.csv(&function)?);
+            files.push((folder.join(format!("{function}.csv")), self.csv(&function)?));
         }
-        write_all(folder, files)
+        if self.is_drawable() {
+            let drawing = self.drawing()?.ghosts(GHOSTS);
+            files.push((folder.join("drawing.svg"), drawing.svg()?));
+        }
+        for (name, plot) in self.all_plots()? {
+            files.push((folder.join(format!("plots/{name}.svg")), plot.svg()?));
+        }
+        for (path, text) in &files {
+            let folder = path.parent().unwrap_or(folder);
+            fs::create_dir_all(folder).map_err(failed(folder))?;
+            fs::write(path, text).map_err(failed(path))?;
+        }
+        Ok(files.into_iter().map(|(path, _)| path).collect())
     }
 }
 
-fn write_all(folder: &Path, files: Vec<(PathBuf, String)>) -> Result<Vec<PathBuf>, ReportError> {
-    let at = |path: &Path| {
-        let path = path.to_path_buf();
-        move |error: io::Error| ReportError::File { path, error }
+/// Writes a picture by the ending of its name.
+pub(super) fn picture(path: &Path, svg: &str) -> Result<PathBuf, ReportError> {
+    let content = match path.extension().and_then(|ending| ending.to_str()) {
+        Some("svg") => Vec::from(svg),
+        #[cfg(feature = "png")]
+        Some("png") => super::png::rendered(svg)?,
+        _ => {
+            return Err(ReportError::Ending {
+                path: path.to_path_buf(),
+            });
+        }
     };
-    fs::create_dir_all(folder).map_err(at(folder))?;
-    for (path, text) in &files {
-        fs::write(path, text).map_err(at(path))?;
+    fs::write(path, content).map_err(failed(path))?;
+    Ok(path.to_path_buf())
+}
+
+fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
+    let path = path.to_path_buf();
+    move |error| ReportError::File {
+        path: path.clone(),
+        error,
     }
-    Ok(files.into_iter().map(|(path, _)| path).collect())
 }

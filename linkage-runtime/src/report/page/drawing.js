@@ -93,7 +93,7 @@ function drawMarks() {
     shape("path", { class: "scale", d: `M${x} ${y - 5}V${y}H${pixel(x + pixels)}V${y - 5}` }),
     shape("text", { x: pixel(x + pixels / 2), y: y - 5, "text-anchor": "middle" }, text),
   );
-  if (isSpatial()) drawTriad([camera.width - 44, camera.height - 44]);
+  if (isSpatial()) drawTriad([camera.width - 50, camera.height - 46]);
 }
 
 function drawTriad([x, y]) {

@@ -174,6 +174,12 @@ fn fits(page: &mut Page, name: &str) {
             "{name} is {wide} pixels wide on a {}",
             screen.name
         );
+        assert_eq!(
+            covered(page),
+            "",
+            "buttons of {name} that something else covers on a {}",
+            screen.name
+        );
         for control in ["#play", "#position", "#speed"] {
             let [left, top, width, height] = page.place(control);
             let inside = left >= 0.0
@@ -189,4 +195,14 @@ fn fits(page: &mut Page, name: &str) {
         }
     }
     page.screen(DESKTOP);
+}
+
+/// Buttons above the plots that cannot be hit in their middle.
+fn covered(page: &mut Page) -> String {
+    page.words(
+        "[...document.querySelectorAll('header button, #stage button, #stage select')].filter((button) => { \
+           const box = button.getBoundingClientRect(); \
+           return box.width > 0 && !button.contains(document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2)) \
+         }).map((button) => button.id || button.textContent).join(' ')",
+    )
 }

@@ -1,0 +1,103 @@
+//! Colours on light and on dark ground.
+
+use std::format;
+use std::string::String;
+
+/// What a colour is for. Its value follows from the scheme of the reader.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Colour {
+    /// The ground.
+    Paper,
+    /// Outlines and words.
+    Ink,
+    /// Less important words.
+    Muted,
+    /// Lines of axes, hatching.
+    Frame,
+    /// Grid lines.
+    Grid,
+    /// Where there are no values.
+    Gap,
+    /// Curves, told apart by readers of any colour vision.
+    Curve(usize),
+    /// Bodies of links.
+    Link(usize),
+}
+
+/// Light and dark: the palette of Okabe and Ito without its yellow, lighter on dark ground.
+const CURVES: [(&str, &str); 7] = [
+    ("#0072b2", "#4fb3f6"),
+    ("#d55e00", "#ff8b3d"),
+    ("#00845f", "#2fc99c"),
+    ("#b0558a", "#e596c3"),
+    ("#b07c00", "#f2b632"),
+    ("#2f93cf", "#8fd0f7"),
+    ("#3a3f47", "#d5d9df"),
+];
+
+const LINKS: [(&str, &str); 6] = [
+    ("#c5dcee", "#2d4f6b"),
+    ("#f4d3bd", "#6b4630"),
+    ("#c4e3d8", "#2b5a4b"),
+    ("#e9d0e0", "#5d4154"),
+    ("#f0e2bd", "#5f5330"),
+    ("#d7dae0", "#464c57"),
+];
+
+impl Colour {
+    const NAMED: [Self; 6] = [
+        Self::Paper,
+        Self::Ink,
+        Self::Muted,
+        Self::Frame,
+        Self::Grid,
+        Self::Gap,
+    ];
+
+    /// On light ground.
+    pub(super) fn light(self) -> &'static str {
+        self.pair().0
+    }
+
+    fn pair(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Paper => ("#ffffff", "#15181d"),
+            Self::Ink => ("#1c2128", "#e8eaed"),
+            Self::Muted => ("#59616d", "#a7afbb"),
+            Self::Frame => ("#7b8491", "#7d8693"),
+            Self::Grid => ("#e4e7eb", "#2c323b"),
+            Self::Gap => ("#eef0f2", "#22272f"),
+            Self::Curve(index) => CURVES[index % CURVES.len()],
+            Self::Link(index) => LINKS[index % LINKS.len()],
+        }
+    }
+
+    /// The word for it in classes.
+    pub(super) fn word(self) -> String {
+        match self {
+            Self::Paper => String::from("paper"),
+            Self::Ink => String::from("ink"),
+            Self::Muted => String::from("muted"),
+            Self::Frame => String::from("frame"),
+            Self::Grid => String::from("grid"),
+            Self::Gap => String::from("gap"),
+            Self::Curve(index) => format!("curve{}", index % CURVES.len()),
+            Self::Link(index) => format!("link{}", index % LINKS.len()),
+        }
+    }
+}
+
+/// Rules that change the colours for readers who prefer a dark ground. Attributes have the light ones, so that programs
+/// that know no rules show these.
+pub(super) fn dark_rules() -> String {
+    let curves = (0..CURVES.len()).map(Colour::Curve);
+    let links = (0..LINKS.len()).map(Colour::Link);
+    let colours = Colour::NAMED.into_iter().chain(curves).chain(links);
+    let rules: String = colours
+        .map(|colour| {
+            let (word, (_, dark)) = (colour.word(), colour.pair());
+            format!(".f-{word}{{fill:{dark}}}.s-{word}{{stroke:{dark}}}")
+        })
+        .collect();
+    format!("@media (prefers-color-scheme: dark){{{rules}}}")
+}

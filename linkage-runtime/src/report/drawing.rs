@@ -1,0 +1,212 @@
+//! The mechanism to scale.
+
+mod caption;
+mod fixed;
+mod geometry;
+mod names;
+mod parts;
+mod sheet;
+
+use std::path::{Path, PathBuf};
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::shown::{Shown, point_named};
+use super::svg::{Element, Svg};
+use super::{Mistake, Report, ReportError};
+use sheet::{Sheet, View};
+
+/// A drawing of a mechanism at one position, to scale, as a picture: links as bars, links of three and more points as
+/// plates, pivots and guides of the frame hatched, sliders, the paths of points over the whole range, further positions
+/// as ghosts, a scale bar.
+///
+/// A mechanism in space is seen along a given direction, from far away; lengths across it are to scale.
+#[derive(Clone, Debug)]
+pub struct Drawing<'a> {
+    report: &'a Report,
+    shown: Shown<'a>,
+    traces: Vec<usize>,
+    position: Option<f64>,
+    ghosts: usize,
+    scale: Option<f64>,
+    names: bool,
+    view: View,
+    mistakes: Vec<Mistake>,
+}
+
+impl Report {
+    /// A drawing of the mechanism.
+    ///
+    /// # Errors
+    ///
+    /// As [`check`](Self::check), and if no table has the columns of a picture.
+    pub fn drawing(&self) -> Result<Drawing<'_>, ReportError> {
+        self.check()?;
+        let shown = self.shown().ok_or_else(|| Mistake::NoPicture {
+            wanted: String::from("a drawing"),
+            functions: self.functions(),
+        })?;
+        Ok(Drawing {
+            report: self,
+            shown,
+            traces: self.traced(shown.picture),
+            position: None,
+            ghosts: 0,
+            scale: None,
+            names: true,
+            view: View::new(shown.picture.dimension),
+            mistakes: Vec::new(),
+        })
+    }
+}
+
+impl Drawing<'_> {
+    /// Shows the position of the report that is nearest to this input, in its unit. Without it: nearest to the input's
+    /// reference, among those that can be assembled.
+    #[must_use]
+    pub fn position(mut self, input: f64) -> Self {
+        self.position = Some(input);
+        self
+    }
+
+    /// Shows this many further positions faintly, evenly spread over the range.
+    #[must_use]
+    pub fn ghosts(mut self, count: usize) -> Self {
+        self.ghosts = count;
+        self
+    }
+
+    /// Draws the path of a point, beside those that the report traces.
+    #[must_use]
+    pub fn trace(mut self, point: &str) -> Self {
+        let picture = self.shown.picture;
+        match point_named(picture, point) {
+            Some(index) if self.traces.contains(&index) => {}
+            Some(index) => self.traces.push(index),
+            None => self.mistakes.push(Mistake::Unknown {
+                kind: "point",
+                name: point.to_string(),
+                known: picture.points.iter().map(|p| p.name.to_string()).collect(),
+            }),
+        }
+        self
+    }
+
+    /// The scale: 1 is the true size when the picture is printed, 0.5 half of it. Without it, the largest round scale at
+    /// which the drawing fits onto a sheet.
+    #[must_use]
+    pub fn scale(mut self, scale: f64) -> Self {
+        if scale > 0.0 && scale.is_finite() {
+            self.scale = Some(scale);
+        } else {
+            self.mistakes.push(Mistake::Scale { scale });
+        }
+        self
+    }
+
+    /// Whether points have their names beside them; they do unless it is turned off.
+    #[must_use]
+    pub fn names(mut self, shown: bool) -> Self {
+        self.names = shown;
+        self
+    }
+
+    /// The direction from which a mechanism in space is seen: the angle about z, from x, and that above the plane of x and
+    /// y, both in radians. It changes nothing in the plane.
+    #[must_use]
+    pub fn view(mut self, azimuth: f64, elevation: f64) -> Self {
+        self.view = self.view.from(azimuth, elevation);
+        self
+    }
+
+    /// The drawing as SVG; its unit is a millimetre on paper.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Mistakes`] for a point that is not there, a scale that is none, and if the mechanism cannot be
+    /// assembled at the position that is wanted, or at all.
+    pub fn svg(&self) -> Result<String, ReportError> {
+        let mut mistakes = self.mistakes.clone();
+        match self.row() {
+            Ok(row) if mistakes.is_empty() => return Ok(self.drawn(row)),
+            Ok(_) => {}
+            Err(mistake) => mistakes.push(mistake),
+        }
+        Err(ReportError::Mistakes(mistakes))
+    }
+
+    /// Writes the drawing, by the ending of the file's name, as SVG or (with feature `png`) as PNG.
+    ///
+    /// # Errors
+    ///
+    /// As [`svg`](Self::svg), if the file cannot be written, and for any other ending.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<PathBuf, ReportError> {
+        super::write::picture(path.as_ref(), &self.svg()?)
+    }
+
+    /// The row of the position that is shown.
+    fn row(&self) -> Result<usize, Mistake> {
+        let input = &self.report.input;
+        let wanted = self.position.unwrap_or(input.reference);
+        let positions = self.report.positions.iter().enumerate();
+        let mut rows: Vec<(usize, f64)> = positions
+            .map(|(row, x)| (row, (x - wanted).abs()))
+            .collect();
+        rows.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let candidates = if self.position.is_some() {
+            1
+        } else {
+            rows.len()
+        };
+        let mut rows = rows.into_iter().take(candidates).map(|(row, _)| row);
+        rows.find(|row| self.shown.is_assembled(*row))
+            .ok_or_else(|| Mistake::NotAssembled {
+                input: input.name.to_string(),
+                unit: input.unit,
+                at: self.position,
+            })
+    }
+
+    /// Rows of the ghosts: all ends of equal parts of the range; the last one repeats the first where the range closes.
+    fn ghost_rows(&self) -> Vec<usize> {
+        let last = self.report.positions.len() - 1;
+        let parts = match self.report.is_periodic() {
+            true => self.ghosts,
+            false => self.ghosts.saturating_sub(1).max(1),
+        };
+        let row = |i: usize| (last * i + parts / 2) / parts;
+        (0..self.ghosts).map(row).collect()
+    }
+
+    fn drawn(&self, row: usize) -> String {
+        let sheet = Sheet::new(self);
+        let [width, height] = sheet.size;
+        let mut svg = Svg::new(width, height, "mm", &self.report.title);
+        for guide in self.shown.picture.guides {
+            self.frame_guide(&mut svg, &sheet, guide, row);
+        }
+        if self.ghosts > 0 {
+            svg.group(
+                Element::new("g").class("ghosts").number("opacity", 0.45),
+                |svg| {
+                    for ghost in self.ghost_rows() {
+                        self.ghost(svg, &sheet, ghost);
+                    }
+                },
+            );
+        }
+        for (order, &point) in self.traces.iter().enumerate() {
+            self.path(&mut svg, &sheet, point, order);
+        }
+        self.axes(&mut svg, &sheet, row);
+        self.pivots(&mut svg, &sheet, row);
+        self.links(&mut svg, &sheet, row);
+        self.sliders(&mut svg, &sheet, row);
+        self.points(&mut svg, &sheet, row);
+        if self.names {
+            self.point_names(&mut svg, &sheet, row);
+        }
+        self.caption(&mut svg, &sheet, row);
+        svg.finish()
+    }
+}

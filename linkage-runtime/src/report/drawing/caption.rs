@@ -1,0 +1,73 @@
+//! Title, scale bar, and which position it is.
+
+use std::format;
+use std::string::String;
+use std::vec::Vec;
+
+use super::Drawing;
+use super::sheet::Sheet;
+use crate::report::colour::Colour;
+use crate::report::svg::{Element, Svg};
+use crate::words::rounded;
+
+/// The scale bar is about this long on paper.
+const LENGTH: f64 = 30.0;
+
+impl Drawing<'_> {
+    pub(super) fn caption(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        let [width, height] = sheet.size;
+        let title = Element::text([6.0, 9.0], 4.4).set("font-weight", 600);
+        svg.words(title.fill(Colour::Ink), &self.report.title);
+        self.scale_bar(svg, sheet, [6.0, height - 6.0]);
+        let at = [width - 6.0, height - 6.0];
+        let words = Element::text(at, 3.2).anchor("end").class("caption");
+        svg.words(words.fill(Colour::Muted), &self.described(sheet, row));
+    }
+
+    fn described(&self, sheet: &Sheet<'_>, row: usize) -> String {
+        let input = &self.report.input;
+        let at = self.report.positions[row];
+        let (at, unit) = match input.unit {
+            "rad" => (at.to_degrees(), "deg"),
+            unit => (at, unit),
+        };
+        let scale = match sheet.scale {
+            scale if scale < 1.0 => format!("1:{}", rounded(1.0 / scale)),
+            scale => format!("{}:1", rounded(scale)),
+        };
+        let mut words = Vec::from([
+            format!("{} = {} {unit}", input.name, rounded(at)),
+            format!("scale {scale}"),
+        ]);
+        let rows = 0..self.report.positions.len();
+        let missing = rows.filter(|row| !self.shown.is_assembled(*row)).count();
+        if missing > 0 {
+            words.push(String::from("gaps: cannot be assembled"));
+        }
+        words.join(", ")
+    }
+
+    /// A round length of the mechanism with its number.
+    fn scale_bar(&self, svg: &mut Svg, sheet: &Sheet<'_>, [left, bottom]: [f64; 2]) {
+        let wanted = LENGTH / sheet.factor;
+        let power = 10f64.powf(wanted.log10().floor());
+        let round = [5.0, 2.0, 1.0].map(|digit| digit * power);
+        let length = round
+            .into_iter()
+            .find(|length| *length <= wanted)
+            .unwrap_or(power);
+        let right = left + length * sheet.factor;
+        svg.group(Element::new("g").class("scale"), |svg| {
+            svg.add(Element::line([left, bottom], [right, bottom]).stroke(Colour::Ink, 0.4));
+            for end in [left, right] {
+                let tick = Element::line([end, bottom - 1.2], [end, bottom + 1.2]);
+                svg.add(tick.stroke(Colour::Ink, 0.4));
+            }
+            let words = Element::text([0.5 * (left + right), bottom - 1.6], 3.2).anchor("middle");
+            svg.words(
+                words.fill(Colour::Ink),
+                &format!("{} {}", rounded(length), self.shown.unit),
+            );
+        });
+    }
+}

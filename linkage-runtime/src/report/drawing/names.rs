@@ -1,0 +1,116 @@
+//! Names beside points.
+
+use std::vec::Vec;
+
+use super::Drawing;
+use super::geometry::distance;
+use super::sheet::Sheet;
+use crate::report::colour::Colour;
+use crate::report::svg::{Element, Svg};
+use crate::{GuideOn, PointKind};
+
+/// Size of the letters and average width of one.
+const SIZE: f64 = 3.2;
+const LETTER: f64 = 1.9;
+/// Distance of a name from its point.
+const APART: f64 = 2.4;
+/// A name this far from everything is as good as one farther away.
+const ENOUGH: f64 = 2.5;
+
+/// Where the middle of a name may be, as directions from its point; the first ones are preferred.
+const SIDES: [[f64; 2]; 8] = [
+    [1.0, -0.8],
+    [-1.0, -0.8],
+    [1.0, 0.8],
+    [-1.0, 0.8],
+    [1.0, 0.0],
+    [-1.0, 0.0],
+    [0.0, -1.0],
+    [0.0, 1.0],
+];
+
+type Stretch = [[f64; 2]; 2];
+
+impl Drawing<'_> {
+    pub(super) fn point_names(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        let mut taken = self.stretches(sheet, row);
+        for (index, point) in self.shown.picture.points.iter().enumerate() {
+            let Some(at) = sheet.point(index, row) else {
+                continue;
+            };
+            let half = [
+                0.5 * LETTER * point.name.chars().count() as f64,
+                0.35 * SIZE,
+            ];
+            let candidates = SIDES.map(|side| {
+                let [x, y] = [0, 1].map(|k| at[k] + side[k] * (APART + half[k]));
+                [[x - half[0], y], [x + half[0], y]]
+            });
+            let Some(place) = freest(&candidates, &taken, sheet.size) else {
+                continue;
+            };
+            taken.push(place);
+            let [left, right] = place;
+            let middle = [0.5 * (left[0] + right[0]), left[1] + half[1]];
+            let words = Element::text(middle, SIZE).anchor("middle").class("name");
+            svg.words(words.fill(Colour::Ink), point.name);
+        }
+    }
+
+    /// What names should keep away from.
+    fn stretches(&self, sheet: &Sheet<'_>, row: usize) -> Vec<Stretch> {
+        let picture = self.shown.picture;
+        let mut stretches = Vec::new();
+        for link in picture.links {
+            let points: Vec<_> = link
+                .points
+                .iter()
+                .filter_map(|p| sheet.point(*p, row))
+                .collect();
+            for (i, a) in points.iter().enumerate() {
+                stretches.extend(points[i + 1..].iter().map(|b| [*a, *b]));
+            }
+        }
+        for guide in picture.guides {
+            let ends = self.shown.rail(guide);
+            let ends = ends.map(|way| sheet.along(guide.origin, guide.direction, way, row));
+            if let [Some(a), Some(b)] = ends {
+                stretches.push([a, b]);
+            }
+            if guide.on == GuideOn::Frame {
+                stretches.extend(sheet.point(guide.slider, row).map(|at| [at, at]));
+            }
+        }
+        // Points themselves, and the feet of pivots.
+        for (index, point) in picture.points.iter().enumerate() {
+            if let Some(at) = sheet.point(index, row) {
+                let foot = if point.kind == PointKind::Ground {
+                    6.0
+                } else {
+                    0.0
+                };
+                stretches.push([at, [at[0], at[1] + foot]]);
+            }
+        }
+        stretches
+    }
+}
+
+/// The first of the places with the most room around it.
+fn freest(candidates: &[Stretch], taken: &[Stretch], size: [f64; 2]) -> Option<Stretch> {
+    let room = |[left, right]: &Stretch| {
+        let outside = left[0] < 1.0 || right[0] > size[0] - 1.0;
+        let samples =
+            [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| [left[0] + t * (right[0] - left[0]), left[1]]);
+        let distances = taken
+            .iter()
+            .flat_map(|stretch| samples.map(|sample| distance(sample, *stretch)));
+        let nearest = distances.fold(ENOUGH, f64::min);
+        if outside { nearest - ENOUGH } else { nearest }
+    };
+    let rooms = candidates
+        .iter()
+        .map(|candidate| (room(candidate), candidate));
+    let best = rooms.reduce(|best, next| if next.0 > best.0 + 1e-6 { next } else { best });
+    best.map(|(_, place)| *place)
+}

@@ -1,0 +1,164 @@
+//! What moves: links, sliders, joints, ghosts.
+
+use std::vec::Vec;
+
+use super::Drawing;
+use super::geometry::{hull, moved};
+use super::sheet::{BEYOND, Sheet};
+use crate::report::colour::Colour;
+use crate::report::svg::{Element, Svg};
+use crate::{GuideOn, Picture, PointKind};
+
+/// Width of a bar, and of a link's rail.
+const BAR: f64 = 2.4;
+const RAIL: f64 = 1.3;
+/// Half the length and half the height of a slider.
+pub(super) const BLOCK: [f64; 2] = [4.0, 2.3];
+/// Width of outlines.
+const OUTLINE: f64 = 0.35;
+/// Radius of a joint.
+pub(super) const JOINT: f64 = 1.05;
+
+/// A body on paper: a link with all its points, or the rail of a guide.
+struct Body<'a> {
+    name: &'a str,
+    corners: Vec<[f64; 2]>,
+    width: f64,
+    colour: Colour,
+    nearness: f64,
+}
+
+impl Drawing<'_> {
+    /// Bars, plates and rails, the farthest first.
+    pub(super) fn links(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        let mut bodies = self.bodies(sheet, row);
+        bodies.sort_by(|a, b| a.nearness.total_cmp(&b.nearness));
+        for body in bodies {
+            let group = Element::new("g").class("link").set("data-name", body.name);
+            let plate = body.corners.len() > 2;
+            let group = if plate {
+                group.number("opacity", 0.9)
+            } else {
+                group
+            };
+            svg.group(group, |svg| {
+                let shape = || {
+                    Element::polygon(body.corners.iter().copied()).set("stroke-linecap", "round")
+                };
+                svg.add(
+                    shape()
+                        .fill(Colour::Ink)
+                        .stroke(Colour::Ink, body.width + 2.0 * OUTLINE),
+                );
+                svg.add(shape().fill(body.colour).stroke(body.colour, body.width));
+            });
+        }
+    }
+
+    /// Lines and outlines without width.
+    pub(super) fn ghost(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        for body in self.bodies(sheet, row) {
+            let shape = Element::polygon(body.corners).set("stroke-linecap", "round");
+            svg.add(
+                shape
+                    .fill(body.colour)
+                    .number("fill-opacity", 0.35)
+                    .stroke(Colour::Frame, 0.4),
+            );
+        }
+        for (index, _) in self.shown.picture.points.iter().enumerate() {
+            if let Some(at) = sheet.point(index, row) {
+                svg.add(Element::circle(at, 0.45).fill(Colour::Frame));
+            }
+        }
+    }
+
+    /// Blocks along their guides.
+    pub(super) fn sliders(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        for guide in self.shown.picture.guides {
+            let at = sheet.point(guide.slider, row);
+            let direction = sheet.direction(guide.direction, row);
+            if let (Some(at), Some(direction)) = (at, direction) {
+                let [half, high] = BLOCK;
+                let corner = |(along, left): (f64, f64)| moved(at, direction, along, left);
+                let corners = [(half, high), (half, -high), (-half, -high), (-half, high)];
+                let block = Element::polygon(corners.map(corner)).class("slider");
+                let block = block
+                    .set("data-name", guide.name)
+                    .set("stroke-linejoin", "round");
+                svg.add(block.fill(Colour::Paper).stroke(Colour::Ink, 0.45));
+            }
+        }
+    }
+
+    /// Joints as circles, tips as dots.
+    pub(super) fn points(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        for (index, point) in self.shown.picture.points.iter().enumerate() {
+            let Some(at) = sheet.point(index, row) else {
+                continue;
+            };
+            let traced = self.traces.iter().position(|trace| *trace == index);
+            let colour = traced.map_or(Colour::Ink, Colour::Curve);
+            let mark = match point.kind {
+                PointKind::Ground | PointKind::Joint => Element::circle(at, JOINT)
+                    .fill(Colour::Paper)
+                    .stroke(colour, 0.45),
+                PointKind::Tip => Element::circle(at, 0.8).fill(colour),
+            };
+            svg.add(mark.class("point").set("data-point", point.name));
+        }
+    }
+
+    fn bodies(&self, sheet: &Sheet<'_>, row: usize) -> Vec<Body<'static>> {
+        let picture = self.shown.picture;
+        let mut bodies = Vec::new();
+        for (index, link) in picture.links.iter().enumerate() {
+            let points: Option<Vec<_>> = link.points.iter().map(|p| sheet.point(*p, row)).collect();
+            if let Some(points) = points {
+                let near: f64 = link.points.iter().map(|p| sheet.nearness(*p, row)).sum();
+                bodies.push(Body {
+                    name: link.name,
+                    corners: hull(&points),
+                    width: BAR,
+                    colour: Colour::Link(index),
+                    nearness: near / link.points.len() as f64,
+                });
+            }
+        }
+        for (index, guide) in picture.guides.iter().enumerate() {
+            let colour = match guide.on {
+                GuideOn::Frame => continue,
+                GuideOn::Link(link) => Colour::Link(link),
+                GuideOn::Itself => Colour::Link(picture.links.len() + index),
+            };
+            let beyond = BEYOND / sheet.factor;
+            let [low, high] = self.shown.rail(guide);
+            // Beyond the slider, but not behind the origin.
+            let ends = [
+                if low < 0.0 { low - beyond } else { low },
+                if high > 0.0 { high + beyond } else { high },
+            ];
+            let ends = ends.map(|way| sheet.along(guide.origin, guide.direction, way, row));
+            if let [Some(a), Some(b)] = ends {
+                bodies.push(Body {
+                    name: guide.name,
+                    corners: Vec::from([a, b]),
+                    width: RAIL,
+                    colour,
+                    nearness: sheet.nearness(guide.origin, row),
+                });
+            }
+        }
+        bodies
+    }
+}
+
+/// Whether a link, or a guide that turns about it, is joined at a point.
+pub(super) fn is_joined(picture: &Picture, point: usize) -> bool {
+    let link = picture
+        .links
+        .iter()
+        .any(|link| link.points.contains(&point));
+    let turning = |guide: &crate::Guide| guide.on == GuideOn::Itself && guide.origin == point;
+    link || picture.guides.iter().any(turning)
+}

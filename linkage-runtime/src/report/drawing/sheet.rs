@@ -1,0 +1,198 @@
+//! From the mechanism to the paper.
+
+use super::Drawing;
+use super::geometry::along;
+use crate::report::shown::Shown;
+
+/// Around the mechanism, in millimetres: place for symbols and names.
+const MARGIN: f64 = 15.0;
+/// Above and below: title and caption.
+const HEAD: f64 = 9.0;
+const FOOT: f64 = 12.0;
+/// The least width, for the caption.
+const NARROWEST: f64 = 90.0;
+/// The mechanism is not drawn larger than this without being asked for.
+const LARGEST: [f64; 2] = [160.0, 180.0];
+/// How far guides go on beyond the slider, on paper.
+pub(super) const BEYOND: f64 = 8.0;
+
+/// Two directions of space that are the paper's right and up.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct View {
+    right: [f64; 3],
+    up: [f64; 3],
+    in_space: bool,
+}
+
+impl View {
+    pub(super) fn new(dimension: usize) -> Self {
+        let plane = Self {
+            right: [1.0, 0.0, 0.0],
+            up: [0.0, 1.0, 0.0],
+            in_space: dimension == 3,
+        };
+        plane.from((-60f64).to_radians(), 25f64.to_radians())
+    }
+
+    pub(super) fn from(self, azimuth: f64, elevation: f64) -> Self {
+        if !self.in_space {
+            return self;
+        }
+        let ((sa, ca), (se, ce)) = (azimuth.sin_cos(), elevation.sin_cos());
+        Self {
+            right: [-sa, ca, 0.0],
+            up: [-se * ca, -se * sa, ce],
+            ..self
+        }
+    }
+
+    fn project(&self, v: [f64; 3]) -> [f64; 2] {
+        let product = |a: [f64; 3]| a[0] * v[0] + a[1] * v[1] + a[2] * v[2];
+        [product(self.right), product(self.up)]
+    }
+
+    /// How near to the reader something is.
+    fn nearness(&self, v: [f64; 3]) -> f64 {
+        let ([a, b, c], [d, e, f]) = (self.right, self.up);
+        (b * f - c * e) * v[0] + (c * d - a * f) * v[1] + (a * e - b * d) * v[2]
+    }
+}
+
+/// The paper, in millimetres, and where the mechanism is on it.
+pub(super) struct Sheet<'a> {
+    shown: Shown<'a>,
+    view: View,
+    /// Millimetres on paper for a unit of the mechanism.
+    pub(super) factor: f64,
+    /// The scale that the caption tells.
+    pub(super) scale: f64,
+    pub(super) size: [f64; 2],
+    corner: [f64; 2],
+    /// What is left free at the left, to centre a narrow drawing.
+    shift: f64,
+}
+
+impl<'a> Sheet<'a> {
+    pub(super) fn new(drawing: &Drawing<'a>) -> Self {
+        let (shown, view) = (drawing.shown, drawing.view);
+        let unit = millimetres(shown.unit);
+        let limits = limits(&shown, &view);
+        let [wide, high] = limits.map(|[low, high]| (high - low).max(0.0));
+        let scale = drawing.scale.unwrap_or_else(|| {
+            let room = (LARGEST[0] / (wide * unit)).min(LARGEST[1] / (high * unit));
+            round_scale(room)
+        });
+        let factor = scale * unit;
+        let width = (wide * factor + 2.0 * MARGIN).max(NARROWEST);
+        Self {
+            shown,
+            view,
+            factor,
+            scale,
+            size: [width, high * factor + 2.0 * MARGIN + HEAD + FOOT],
+            corner: [limits[0][0], limits[1][1]],
+            shift: 0.5 * (width - wide * factor),
+        }
+    }
+
+    /// A point on paper; `None` where it is not finite.
+    pub(super) fn point(&self, index: usize, row: usize) -> Option<[f64; 2]> {
+        self.place(self.shown.place(index, row))
+    }
+
+    /// A point and the point that lies by `distance` along a direction from it.
+    pub(super) fn along(
+        &self,
+        origin: usize,
+        direction: usize,
+        distance: f64,
+        row: usize,
+    ) -> Option<[f64; 2]> {
+        let (origin, direction) = (
+            self.shown.place(origin, row),
+            self.shown.way(direction, row),
+        );
+        self.place(along(origin, direction, distance))
+    }
+
+    /// A direction on paper, of length one; `None` if it points at the reader.
+    pub(super) fn direction(&self, index: usize, row: usize) -> Option<[f64; 2]> {
+        let [x, y] = self.view.project(self.shown.way(index, row));
+        let length = x.hypot(y);
+        (length > 1e-6).then_some([x / length, -y / length])
+    }
+
+    pub(super) fn nearness(&self, index: usize, row: usize) -> f64 {
+        self.view.nearness(self.shown.place(index, row))
+    }
+
+    fn place(&self, v: [f64; 3]) -> Option<[f64; 2]> {
+        let [x, y] = self.view.project(v);
+        let (x, y) = (
+            (x - self.corner[0]) * self.factor,
+            (self.corner[1] - y) * self.factor,
+        );
+        (x.is_finite() && y.is_finite()).then_some([x + self.shift, y + MARGIN + HEAD])
+    }
+}
+
+/// The ends of everything that moves or stands, to the right and up, over the whole range: the drawing of any position
+/// has the same frame.
+fn limits(shown: &Shown<'_>, view: &View) -> [[f64; 2]; 2] {
+    let mut limits = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    let mut take = |v: [f64; 3]| {
+        for (limit, x) in limits.iter_mut().zip(view.project(v)) {
+            if x.is_finite() {
+                *limit = [limit[0].min(x), limit[1].max(x)];
+            }
+        }
+    };
+    for row in 0..shown.rows() {
+        for point in 0..shown.picture.points.len() {
+            take(shown.place(point, row));
+        }
+        for guide in shown.picture.guides {
+            let (origin, way) = (
+                shown.place(guide.origin, row),
+                shown.way(guide.direction, row),
+            );
+            for end in shown.rail(guide) {
+                take(along(origin, way, end));
+            }
+        }
+    }
+    limits.map(|[low, high]| if low > high { [0.0; 2] } else { [low, high] })
+}
+
+/// Millimetres in a length unit of mechanisms.
+fn millimetres(unit: &str) -> f64 {
+    match unit {
+        "um" => 1e-3,
+        "cm" => 10.0,
+        "m" => 1e3,
+        "inch" => 25.4,
+        _ => 1.0,
+    }
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above a limit.
+fn round_scale(limit: f64) -> f64 {
+    if !limit.is_finite() {
+        return 1.0;
+    }
+    let power = limit.log10().floor() as i32;
+    let of = |factor: f64| {
+        // Division for scales below one: 1/5 and not 2 * 0.1.
+        if power < 0 {
+            factor / 10f64.powi(-power)
+        } else {
+            factor * 10f64.powi(power)
+        }
+    };
+    let factors = [5.0, 2.0, 1.0];
+    factors
+        .map(of)
+        .into_iter()
+        .find(|s| *s <= limit)
+        .unwrap_or_else(|| of(1.0))
+}

@@ -1,0 +1,126 @@
+//! The picture of a report, with the places of its points.
+
+use std::vec::Vec;
+
+use super::Report;
+use crate::{Guide, GuideOn, Picture, PointKind};
+
+/// The picture of a report, with the places of its points.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shown<'a> {
+    pub(super) picture: &'static Picture,
+    columns: &'a [Vec<f64>],
+    pub(super) unit: &'static str,
+}
+
+impl<'a> Shown<'a> {
+    pub(super) fn rows(&self) -> usize {
+        self.columns.first().map_or(0, Vec::len)
+    }
+
+    /// The components of a point, each over all positions.
+    pub(super) fn point(&self, index: usize) -> &'a [Vec<f64>] {
+        let size = self.picture.dimension;
+        &self.columns[size * index..size * (index + 1)]
+    }
+
+    /// The components of a direction, each over all positions.
+    pub(super) fn direction(&self, index: usize) -> &'a [Vec<f64>] {
+        self.point(self.picture.points.len() + index)
+    }
+
+    pub(super) fn place(&self, point: usize, row: usize) -> [f64; 3] {
+        components(self.point(point), row)
+    }
+
+    pub(super) fn way(&self, direction: usize, row: usize) -> [f64; 3] {
+        components(self.direction(direction), row)
+    }
+
+    pub(super) fn is_assembled(&self, row: usize) -> bool {
+        let points = 0..self.picture.points.len();
+        points
+            .flat_map(|point| self.place(point, row))
+            .all(f64::is_finite)
+    }
+
+    /// The shortest and the longest way of a guide's slider from its origin over the range; 0 where nothing is finite.
+    fn travel(&self, guide: &Guide) -> [f64; 2] {
+        let rows = 0..self.rows();
+        let ways = rows.map(|row| {
+            let (from, to) = (self.place(guide.origin, row), self.place(guide.slider, row));
+            let direction = self.way(guide.direction, row);
+            (0..3)
+                .map(|k| (to[k] - from[k]) * direction[k])
+                .sum::<f64>()
+        });
+        let ways = ways.filter(|way| way.is_finite());
+        let [low, high] = ways.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], way| {
+            [low.min(way), high.max(way)]
+        });
+        if low > high { [0.0; 2] } else { [low, high] }
+    }
+
+    /// Where a guide's line begins and ends, as ways from its origin: as far as the slider goes, and on to the origin where
+    /// the line is a link's that has it.
+    pub(super) fn rail(&self, guide: &Guide) -> [f64; 2] {
+        let [low, high] = self.travel(guide);
+        let links = self.picture.links;
+        let from_origin = match guide.on {
+            GuideOn::Frame => false,
+            GuideOn::Link(link) => links[link].points.contains(&guide.origin),
+            GuideOn::Itself => true,
+        };
+        if from_origin {
+            [low.min(0.0), high.max(0.0)]
+        } else {
+            [low, high]
+        }
+    }
+}
+
+impl Report {
+    pub(super) fn shown(&self) -> Option<Shown<'_>> {
+        self.tables.iter().find_map(|table| {
+            let columns = table.heading.picture?;
+            Some(Shown {
+                picture: columns.picture,
+                columns: &table.values[columns.first..],
+                unit: table.heading.columns.get(columns.first)?.unit,
+            })
+        })
+    }
+
+    /// Whether there is a picture, and a position at which all of it can be drawn.
+    pub(super) fn is_drawable(&self) -> bool {
+        self.shown()
+            .is_some_and(|shown| (0..shown.rows()).any(|row| shown.is_assembled(row)))
+    }
+
+    /// Indices of the points whose paths are drawn: those that were asked for, otherwise tips.
+    pub(super) fn traced(&self, picture: &Picture) -> Vec<usize> {
+        let tips = || {
+            let points = picture.points.iter().enumerate();
+            points.filter(|(_, point)| point.kind == PointKind::Tip)
+        };
+        match self.traces.as_slice() {
+            [] => tips().map(|(index, _)| index).collect(),
+            names => names
+                .iter()
+                .filter_map(|name| point_named(picture, name))
+                .collect(),
+        }
+    }
+}
+
+pub(super) fn point_named(picture: &Picture, name: &str) -> Option<usize> {
+    picture.points.iter().position(|point| point.name == name)
+}
+
+fn components(columns: &[Vec<f64>], row: usize) -> [f64; 3] {
+    let mut v = [0.0; 3];
+    for (to, column) in v.iter_mut().zip(columns) {
+        *to = column[row];
+    }
+    v
+}

@@ -1,0 +1,174 @@
+//! Writing SVG.
+
+use core::fmt::{self, Write};
+use std::format;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::colour::{Colour, dark_rules};
+use super::page::escaped;
+
+/// What text is set in: what the reader's system has.
+const FONTS: &str = "system-ui, 'Segoe UI', Roboto, Helvetica, Arial, 'DejaVu Sans', sans-serif";
+
+/// A drawing that is being written.
+pub(super) struct Svg {
+    text: String,
+}
+
+/// A shape with its attributes.
+pub(super) struct Element {
+    tag: &'static str,
+    attributes: String,
+    classes: Vec<String>,
+}
+
+impl Svg {
+    /// A drawing of this size; a unit is a pixel or, in `mm`, a millimetre on paper. The title is read to those who do not
+    /// see it.
+    pub(super) fn new(width: f64, height: f64, unit: &str, title: &str) -> Self {
+        let (w, h) = (short(width), short(height));
+        let text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}{unit}\" height=\"{h}{unit}\" viewBox=\"0 0 {w} {h}\" role=\"img\" font-family=\"{FONTS}\">\n\
+             <title>{}</title>\n<style>{}</style>\n",
+            escaped(title),
+            dark_rules(),
+        );
+        let mut svg = Self { text };
+        svg.add(
+            Element::new("rect")
+                .number("width", width)
+                .number("height", height)
+                .fill(Colour::Paper),
+        );
+        svg
+    }
+
+    pub(super) fn add(&mut self, element: Element) {
+        let start = element.start();
+        self.put(format_args!("{start}/>\n"));
+    }
+
+    /// An element with others in it.
+    pub(super) fn group(&mut self, element: Element, content: impl FnOnce(&mut Self)) {
+        let (tag, start) = (element.tag, element.start());
+        self.put(format_args!("{start}>\n"));
+        content(self);
+        self.put(format_args!("</{tag}>\n"));
+    }
+
+    /// A line of words.
+    pub(super) fn words(&mut self, element: Element, words: &str) {
+        let (tag, start, words) = (element.tag, element.start(), escaped(words));
+        self.put(format_args!("{start}>{words}</{tag}>\n"));
+    }
+
+    pub(super) fn finish(mut self) -> String {
+        self.text.push_str("</svg>\n");
+        self.text
+    }
+
+    fn put(&mut self, text: fmt::Arguments<'_>) {
+        // Writing to a string never fails.
+        let _ = self.text.write_fmt(text);
+    }
+}
+
+impl Element {
+    pub(super) fn new(tag: &'static str) -> Self {
+        Self {
+            tag,
+            attributes: String::new(),
+            classes: Vec::new(),
+        }
+    }
+
+    pub(super) fn line(from: [f64; 2], to: [f64; 2]) -> Self {
+        Self::new("line")
+            .number("x1", from[0])
+            .number("y1", from[1])
+            .number("x2", to[0])
+            .number("y2", to[1])
+    }
+
+    pub(super) fn circle(centre: [f64; 2], radius: f64) -> Self {
+        Self::new("circle")
+            .number("cx", centre[0])
+            .number("cy", centre[1])
+            .number("r", radius)
+    }
+
+    pub(super) fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        Self::new("polyline")
+            .set("points", listed(points))
+            .set("fill", "none")
+            .set("stroke-linejoin", "round")
+    }
+
+    pub(super) fn polygon(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        Self::new("polygon")
+            .set("points", listed(points))
+            .set("stroke-linejoin", "round")
+    }
+
+    /// Words that begin at a point, or are about it with `anchor`.
+    pub(super) fn text(at: [f64; 2], size: f64) -> Self {
+        Self::new("text")
+            .number("x", at[0])
+            .number("y", at[1])
+            .number("font-size", size)
+    }
+
+    /// `middle` or `end`: which part of the words is at their point.
+    pub(super) fn anchor(self, anchor: &str) -> Self {
+        self.set("text-anchor", anchor)
+    }
+
+    pub(super) fn fill(self, colour: Colour) -> Self {
+        self.class(&format!("f-{}", colour.word()))
+            .set("fill", colour.light())
+    }
+
+    pub(super) fn stroke(self, colour: Colour, width: f64) -> Self {
+        self.class(&format!("s-{}", colour.word()))
+            .set("stroke", colour.light())
+            .number("stroke-width", width)
+    }
+
+    pub(super) fn class(mut self, class: &str) -> Self {
+        self.classes.push(class.to_string());
+        self
+    }
+
+    pub(super) fn number(self, name: &str, x: f64) -> Self {
+        self.set(name, short(x))
+    }
+
+    pub(super) fn set(mut self, name: &str, value: impl fmt::Display) -> Self {
+        let value = escaped(&value.to_string());
+        self.attributes.push_str(&format!(" {name}=\"{value}\""));
+        self
+    }
+
+    fn start(self) -> String {
+        let (tag, attributes) = (self.tag, self.attributes);
+        match self.classes.join(" ").as_str() {
+            "" => format!("<{tag}{attributes}"),
+            classes => format!("<{tag} class=\"{classes}\"{attributes}"),
+        }
+    }
+}
+
+fn listed(points: impl IntoIterator<Item = [f64; 2]>) -> String {
+    let points = points.into_iter();
+    let points: Vec<String> = points
+        .map(|[x, y]| format!("{},{}", short(x), short(y)))
+        .collect();
+    points.join(" ")
+}
+
+/// A coordinate to a ten-thousandth, finer than anything that shows it.
+pub(super) fn short(x: f64) -> f64 {
+    // The sum makes a zero positive.
+    (x * 1e4).round() / 1e4 + 0.0
+}

@@ -1,0 +1,112 @@
+//! What is written into a folder.
+
+use crate::fixture::{FourBar, PHI, quick_return, spatial};
+use crate::four_bar;
+use linkage_runtime::report::{Report, ReportError};
+use std::path::{Path, PathBuf};
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("report")
+        .join(name)
+}
+
+fn names(files: &[PathBuf], folder: &Path) -> Vec<String> {
+    let names = files.iter().map(|file| file.strip_prefix(folder).unwrap());
+    names
+        .map(|name| name.to_str().unwrap().replace('\\', "/"))
+        .collect()
+}
+
+#[test]
+fn everything_is_written() {
+    let folder = folder("four_bar");
+    let files = four_bar(FourBar::NOMINAL)
+        .speed(20.0, 0.0)
+        .write(&folder)
+        .unwrap();
+    assert_eq!(
+        names(&files, &folder),
+        [
+            "index.html",
+            "data.json",
+            "motion.csv",
+            "accuracy.csv",
+            "pictured.csv",
+            "drawing.svg",
+            "plots/motion.svg",
+            "plots/motion_true.svg",
+            "plots/accuracy.svg",
+            "plots/errors_by_tolerances.svg",
+        ]
+    );
+    for file in &files {
+        assert!(
+            std::fs::metadata(file).unwrap().len() > 100,
+            "{}",
+            file.display()
+        );
+    }
+}
+
+#[test]
+fn guides_space_and_gaps_are_drawn() {
+    let phi = PHI.positions(361);
+    let shaper = Report::new("Shaper", &PHI, &phi)
+        .table(&quick_return(&phi))
+        .trace("end");
+    assert_eq!(shaper.write(folder("shaper")).unwrap().len(), 4);
+    let spatial = Report::new("RSSR", &PHI, &phi)
+        .table(&spatial(&phi))
+        .trace("q")
+        .trace("p");
+    assert_eq!(spatial.write(folder("spatial")).unwrap().len(), 4);
+    four_bar(FourBar::GAPPED).write(folder("gapped")).unwrap();
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_named() {
+    let file = folder("occupied");
+    std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+    std::fs::write(&file, "a file, no folder").unwrap();
+    let error = four_bar(FourBar::NOMINAL).write(&file).unwrap_err();
+    assert!(
+        matches!(&error, ReportError::File { path, .. } if *path == file),
+        "{error:?}"
+    );
+    assert!(
+        error
+            .to_string()
+            .starts_with(&format!("cannot write {}: ", file.display())),
+        "{error}"
+    );
+}
+
+/// Beside the SVG files, to look at.
+#[cfg(feature = "png")]
+#[test]
+fn pictures_become_pixels() {
+    for (name, mechanism) in [("four_bar", FourBar::NOMINAL), ("gapped", FourBar::GAPPED)] {
+        let report = four_bar(mechanism).speed(20.0, 5.0);
+        let folder = folder(&format!("{name}_pixels"));
+        std::fs::create_dir_all(&folder).unwrap();
+        let plot = report
+            .plot(["tracer.x", "tracer.y", "psi", "v.x [mm/s]"])
+            .unwrap();
+        let drawing = report.drawing().unwrap().ghosts(8);
+        for file in [
+            plot.write(folder.join("plot.png")),
+            drawing.write(folder.join("drawing.png")),
+        ] {
+            let pixels = std::fs::read(file.unwrap()).unwrap();
+            assert_eq!(&pixels[..8], b"\x89PNG\r\n\x1a\n");
+            let number = |at: usize| u32::from_be_bytes(pixels[at..at + 4].try_into().unwrap());
+            assert!(
+                number(16) > 600 && number(20) > 600,
+                "{} by {}",
+                number(16),
+                number(20)
+            );
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! Reports of mechanisms whose sweeps are written by hand: data, plots, drawings, mistakes.
+#![cfg(feature = "report")]
+
+mod data;
+mod drawings;
+mod fixture;
+mod folder;
+mod mistakes;
+mod picture;
+mod plots;
+mod tolerances;
+
+use fixture::{FourBar, PHI};
+use linkage_runtime::report::Report;
+
+/// The four-bar with everything.
+fn four_bar(mechanism: FourBar) -> Report {
+    let phi = PHI.positions(361);
+    Report::new("Crank-rocker", &PHI, &phi)
+        .about("A four-bar with a coupler point.")
+        .dimensions(&mechanism)
+        .table(&mechanism.motion(&phi))
+        .table(&mechanism.accuracy(&phi))
+        .table(&mechanism.picture(&phi))
+}
