@@ -96,6 +96,11 @@ fn names_appear_on_demand() {
     page.click("#names");
     assert_eq!(page.words(shown), "pivot_a pivot_d a b tracer");
     page.shoot("names");
+    // Space is for the button that has the focus, and does not play.
+    page.key(Key::Space);
+    assert!(page.holds("!document.querySelector('#figure').classList.contains('named')"));
+    assert!(page.holds("document.querySelector('#play').getAttribute('aria-label') === 'Play'"));
+    page.assert_quiet();
 }
 
 /// Blocks are on their guides' lines, wherever those are.

@@ -28,12 +28,11 @@ fn dragging_turns_it() {
     let from = (middle.0 - 120.0, middle.1 + 90.0);
     page.drag(from, (from.0 + 80.0, from.1 - 30.0));
     let after = seen(&mut page);
-    let moved = before
-        .iter()
-        .zip(&after)
-        .map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]))
-        .fold(0.0, f64::max);
-    assert!(moved > 10.0, "points moved by {moved} pixels");
+    // Turned and not only moved: on the screen, points change their places relative to the first.
+    let changed = |i: usize, c: usize| (after[i][c] - after[0][c]) - (before[i][c] - before[0][c]);
+    let turned = (1..before.len()).map(|i| changed(i, 0).hypot(changed(i, 1)));
+    let turned = turned.fold(0.0, f64::max);
+    assert!(turned > 10.0, "points moved by {turned} pixels");
     page.shoot("space-turned");
     page.assert_quiet();
 }
