@@ -11,8 +11,10 @@ pub use linkage_runtime::Lanes;
 /// The library whose vectors and poses results are: what else it offers for them, in the version that fits.
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
-    AssemblyError, AssemblyMode, Dimensions, Frame, FunctionInfo, Group, Operations, Parameter,
-    Scalar, Structure, Vector2, Vector3, true_acceleration, true_velocity,
+    AssemblyError, AssemblyMode, Axis, Column, Dimensions, Frame, FunctionInfo, Group, Guide,
+    GuideOn, Heading, Input, Meaning, Operations, Parameter, Picture, PictureColumns, PictureLink,
+    PicturePoint, PointKind, Scalar, Structure, Table, Vector2, Vector3, true_acceleration,
+    true_velocity,
 };
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{
@@ -114,8 +116,10 @@ pub mod __private {
         put_state, starts, stepped,
     };
     pub use linkage_runtime::{
-        AssemblyError, AssemblyMode, Dimensions, FUSED, Frame, FunctionInfo, Group, Operations,
-        Parameter, Scalar, Structure, Vector2, Vector3, if_alloc, if_rayon,
+        AssemblyError, AssemblyMode, Axis, Column, Dimensions, FUSED, Frame, FunctionInfo, Group,
+        Guide, GuideOn, Heading, Input, Meaning, Operations, Parameter, Picture, PictureColumns,
+        PictureLink, PicturePoint, PointKind, Scalar, Structure, Table, Vector2, Vector3, if_alloc,
+        if_rayon, if_report,
     };
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::{Circuits, Columns, Cycle, circuits};

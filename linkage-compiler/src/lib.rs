@@ -13,6 +13,7 @@ mod formulate;
 pub mod lower;
 pub mod model;
 pub mod oracle;
+pub mod picture;
 mod structure;
 pub mod syntax;
 pub mod trace;
@@ -95,7 +96,7 @@ pub fn analyse(
         forces::check(&mut algebra, &mut forces, numbers, origins, diagnostics);
     }
     let whole = (&mut algebra, &mut forces, &formulation);
-    let lowered = lower::lower(whole, &nominal, origins, diagnostics);
+    let lowered = lower::lower(whole, (&reference, &nominal), origins, diagnostics);
     if reference.closed {
         let asked = &lowered.continuous_angles;
         let checked = (&mut algebra, &formulation, &nominal);

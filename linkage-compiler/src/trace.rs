@@ -147,5 +147,8 @@ fn lower_text(mechanism: &Mechanism, lowered: &Lowered) -> String {
             let _ = write!(text, "\n{name}, for what the table does not know\n{beside}");
         }
     }
+    if let Some(picture) = &lowered.picture {
+        let _ = write!(text, "\npicture\n{picture}");
+    }
     text
 }

@@ -48,6 +48,22 @@ macro_rules! if_alloc {
     ($($item:tt)*) => {};
 }
 
+/// Its content if feature `report` is on, else nothing: what nobody reads need not be compiled.
+#[cfg(feature = "report")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_report {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Its content if feature `report` is on, else nothing: what nobody reads need not be compiled.
+#[cfg(not(feature = "report"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_report {
+    ($($item:tt)*) => {};
+}
+
 /// Its content if feature `rayon` is on, else nothing.
 #[cfg(feature = "rayon")]
 #[doc(hidden)]

@@ -34,12 +34,14 @@ pub struct PicturePoint {
 /// The kind of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PointKind {
-    /// It does not move, and something turns or slides on it.
+    /// It does not move, and a link turns on it.
     Ground,
     /// It joins links.
     Joint,
     /// It belongs to one link, as the tip of a needle does.
     Tip,
+    /// It only says where a guide is, and is not drawn.
+    Construction,
 }
 
 /// A rigid link.

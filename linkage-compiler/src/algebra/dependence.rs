@@ -37,6 +37,13 @@ impl Algebra<'_> {
         inputs
     }
 
+    /// Whether something is computed from what the loops tell.
+    pub(crate) fn depends_on_unknowns(&self, nodes: &[NodeId]) -> bool {
+        let symbols = self.graph.symbols_of(nodes).into_iter();
+        let mut sources = symbols.map(|symbol| self.graph.symbol(symbol).source);
+        sources.any(|source| source.is_none())
+    }
+
     fn inputs_of_symbol(&mut self, symbol: SymbolId) -> Vec<usize> {
         if let Some(known) = self.inputs_of.get(&symbol) {
             return known.clone();

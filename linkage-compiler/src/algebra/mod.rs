@@ -78,6 +78,8 @@ pub(crate) struct Algebra<'m> {
     constants: Vec<Option<Value>>,
     /// Factors with which input angles turn vectors.
     turning: Vec<(Atom, f64)>,
+    /// What `picture()` shows, once it has been found: points, then unit vectors.
+    pub(crate) pictured: Vec<Vec<NodeId>>,
     /// Inputs that symbols depend on.
     inputs_of: HashMap<SymbolId, Vec<usize>>,
 }
@@ -102,6 +104,7 @@ impl<'m> Algebra<'m> {
             lets: vec![None; mechanism.lets.len()],
             constants: vec![None; mechanism.constants.len()],
             turning: Vec::new(),
+            pictured: Vec::new(),
             inputs_of: HashMap::new(),
         };
         for (index, unknown) in mechanism.unknowns.iter().enumerate() {

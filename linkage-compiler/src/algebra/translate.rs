@@ -59,6 +59,7 @@ pub(crate) trait Translate<'m> {
             | ExprKind::InputDerivative(..)
             | ExprKind::Sensitivity(..)
             | ExprKind::Mechanics(_)
+            | ExprKind::Picture(_)
             | ExprKind::Margin => self.quantity(expr),
             ExprKind::Error => {
                 let node = self.algebra().graph.constant(f64::NAN);

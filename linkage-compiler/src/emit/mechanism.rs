@@ -175,7 +175,7 @@ pub(super) fn from_scalars(
     quote!(#name { #(#fields)* #marker })
 }
 
-/// `PARAMETERS`, `STRUCTURE` and the named indices.
+/// `INPUTS`, `PARAMETERS`, `STRUCTURE` and the named indices.
 pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let components = outline.parameters.iter().flat_map(|p| &p.components);
@@ -196,10 +196,24 @@ pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStre
             let index = literal::index(index);
             quote!(#doc pub const #constant: ::core::primitive::usize = #index;)
         });
+    let inputs = outline.inputs.iter().map(|input| {
+        let (name, unit) = (plain(input.name), &input.unit);
+        let reference = literal::float(input.reference);
+        let range = match input.range {
+            Some((low, high)) => {
+                let (low, high) = (literal::float(low), literal::float(high));
+                quote!(::core::option::Option::Some((#low, #high)))
+            }
+            None => quote!(::core::option::Option::None),
+        };
+        quote!(#runtime::Input { name: #name, unit: #unit, reference: #reference, range: #range })
+    });
     let allow = attribute::allow();
     quote! {
         #allow
         impl #name<::core::primitive::f64> {
+            /// The inputs in declaration order, with their reference positions and ranges.
+            pub const INPUTS: &'static [#runtime::Input] = &[#(#inputs),*];
             /// The scalar parameters in declaration order, with the defaults and tolerances of the declaration, in
             /// the units of the fields.
             pub const PARAMETERS: &'static [#runtime::Parameter] = &[#(#rows),*];

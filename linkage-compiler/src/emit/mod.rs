@@ -21,10 +21,12 @@ mod literal;
 mod load;
 mod mechanism;
 mod outline;
+mod picture;
 mod shape;
 mod skeleton;
 mod structure;
 mod sweeps;
+mod table;
 #[cfg(test)]
 mod tests;
 mod winding;
@@ -57,6 +59,9 @@ pub fn emit(
         &outline,
         &structure::literal(&outline, facts, lowered),
     ));
+    if let Some(picture) = &lowered.picture {
+        items.extend(picture::items(&outline, picture));
+    }
     items.extend(dimensions::items(&outline));
     let mut assembled = assembly::items(&outline);
     assembled.extend(assembly::plumbing(&outline, facts, lowered));
@@ -98,6 +103,7 @@ fn function(outline: &Outline, function: &Function, evaluator: &Evaluator) -> To
     }
     items.extend(evaluator::from_row(outline, function));
     items.extend(columns::items(outline, function));
+    items.extend(table::items(outline, function, &evaluator.columns));
     items.extend(kernels::items(
         outline,
         function,

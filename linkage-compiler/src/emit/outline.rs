@@ -9,7 +9,7 @@ use super::facts::Facts;
 use super::load::Places;
 use super::shape::of_type;
 use crate::lower::{Evaluator, Lowered, Shape};
-use crate::model::{self, Mechanism};
+use crate::model::{self, Dimension, Mechanism};
 use crate::syntax::{Attribute, FunctionDef, Item, MechanismDef, ParamItem, QuantityDef};
 
 /// The surface of one mechanism.
@@ -64,7 +64,9 @@ pub(super) struct Start {
 
 pub(super) struct Input<'a> {
     pub name: &'a Ident,
+    pub unit: String,
     pub reference: f64,
+    pub range: Option<(f64, f64)>,
 }
 
 pub(super) struct Function<'a> {
@@ -106,9 +108,15 @@ impl<'a> Outline<'a> {
     ) -> Self {
         let inputs: Vec<Input> = inputs(def)
             .zip(&facts.inputs)
-            .map(|(name, facts)| Input {
+            .zip(&mechanism.inputs)
+            .map(|((name, facts), input)| Input {
                 name,
+                unit: match input.dimension.fits(Dimension::LENGTH) {
+                    true => mechanism.unit.name().to_owned(),
+                    false => "rad".to_owned(),
+                },
                 reference: facts.reference,
+                range: facts.range,
             })
             .collect();
         let mut modes: Vec<(usize, bool)> = facts

@@ -9,11 +9,13 @@ use quote::format_ident;
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::shape::of_type;
 use super::{
-    assembly, circuits, columns, dimensions, evaluator, guess::Guess, mechanism, structure,
+    assembly, circuits, columns, dimensions, evaluator, guess::Guess, mechanism, picture,
+    structure, table,
 };
 use crate::lower::Shape;
 use crate::model::{FUNCTION_SUFFIXES, Mechanism};
-use crate::syntax::{FunctionDef, Item, MechanismDef};
+use crate::picture::Picture;
+use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef};
 
 /// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
 pub fn skeleton(
@@ -24,6 +26,9 @@ pub fn skeleton(
     let outline = sketch(krate, def, mechanism);
     let mut items = mechanism::items(&outline);
     items.extend(mechanism::constants(&outline, &structure::empty(&outline)));
+    if asks_for_picture(def) {
+        items.extend(picture::items(&outline, &Picture::default()));
+    }
     items.extend(dimensions::items(&outline));
     items.extend(assembly::items(&outline));
     let has_loop = def.items.iter().any(|item| matches!(item, Item::Loop(_)));
@@ -33,8 +38,19 @@ pub fn skeleton(
     for function in &outline.functions {
         items.extend(evaluator::items(&outline, function));
         items.extend(columns::items(&outline, function));
+        items.extend(table::items(&outline, function, &[]));
     }
     items
+}
+
+fn asks_for_picture(def: &MechanismDef) -> bool {
+    let mut quantities = def
+        .functions
+        .iter()
+        .flat_map(|function| &function.quantities);
+    quantities.any(
+        |quantity| matches!(&quantity.value.kind, ExprKind::Call(name, _) if name == "picture"),
+    )
 }
 
 fn sketch<'a>(
@@ -63,7 +79,9 @@ fn sketch<'a>(
         .filter(|name| seen.first(name))
         .map(|name| Input {
             name,
+            unit: String::new(),
             reference: 0.0,
+            range: None,
         })
         .collect();
     let (mut names, mut types) = (Seen::default(), Seen::default());

@@ -2,15 +2,12 @@
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::formulate::Reference;
-use crate::model::{Dimension, EvaluatorDef, Mechanism};
+use crate::formulate::{Reference, places};
+use crate::model::{EvaluatorDef, Mechanism};
 
 use super::print::joint_name;
 use super::system::{Equation, LARGEST_BLOCK, System};
 use super::{Forces, Mechanics};
-
-/// Places in the declared ranges beside the reference, as shares.
-const PLACES: [f64; 4] = [0.137, 0.391, 0.642, 0.871];
 
 /// Reports joints whose bodies move apart, points that leave their bodies, motions that nothing holds and reactions
 /// that nothing tells.
@@ -40,28 +37,6 @@ pub(crate) fn check(
     {
         mechanics.check_system((reference, &places), origins, diagnostics);
     }
-}
-
-/// The reference and other positions.
-fn places(nominal: &Nominal, mechanism: &Mechanism, longest: f64) -> Vec<Vec<f64>> {
-    let mut places = vec![nominal.inputs.clone()];
-    for share in PLACES {
-        let inputs = nominal.inputs.iter().zip(&nominal.ranges).enumerate();
-        let place = inputs.map(|(k, (&at, range))| match range {
-            // Near the reference, where it surely closes.
-            None => {
-                let unit = match mechanism.inputs[k].dimension.fits(Dimension::LENGTH) {
-                    true => longest,
-                    false => 1.0,
-                };
-                at + 0.02 * unit * (share * (k + 1) as f64).fract()
-            }
-            // Several inputs do not move in step.
-            Some((low, high)) => low + (share * (k + 1) as f64).fract() * (high - low),
-        });
-        places.push(place.collect());
-    }
-    places
 }
 
 impl Mechanics<'_, '_> {

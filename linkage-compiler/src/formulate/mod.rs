@@ -12,6 +12,7 @@ mod follow;
 mod link_to_rotor;
 mod link_to_slide;
 mod machine;
+mod places;
 mod point;
 mod quadratic;
 mod ranges;
@@ -45,6 +46,7 @@ pub(crate) use coupled::{Definition, Prepared};
 pub(crate) use directions::check_directions;
 pub(crate) use follow::{candidate_rates, followed_range};
 pub(crate) use machine::{unknown_nodes, valued_angles};
+pub(crate) use places::places;
 pub(crate) use reference::{Reference, assemble_reference};
 pub(crate) use words::{Words, numbers};
 

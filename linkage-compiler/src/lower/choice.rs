@@ -13,7 +13,7 @@ use super::cost::cost;
 use super::quantity::{Requested, request};
 
 /// The results of a function in the plain graph, and how derivatives by parameters among them are found.
-#[derive(Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Choice {
     /// As requested.
     nodes: Vec<NodeId>,

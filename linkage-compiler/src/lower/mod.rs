@@ -1,6 +1,7 @@
 //! From requested quantities to programs: differentiate, simplify, slice, share, split by binding time, schedule.
 
 mod choice;
+mod columns;
 mod cost;
 mod coupled;
 mod needs;
@@ -17,31 +18,40 @@ use linkage_symbolic::schedule::{Slots, schedule};
 use crate::algebra::{Algebra, Direction, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::forces::Forces;
-use crate::formulate::{Formulation, Prepared, unknown_nodes, valued_angles};
-use crate::model::{EvaluatorDef, LengthUnit, Type};
+use crate::formulate::{Formulation, Prepared, Reference, unknown_nodes, valued_angles};
+use crate::model::{EvaluatorDef, LengthUnit, Mechanism, Quantity, Type};
+use crate::picture::{self, Picture};
 
 use choice::Choice;
 use coupled::{Version, redefine};
 
+pub use columns::{Column, Meaning};
 pub use coupled::{Coupled, Placed};
 pub(crate) use coupled::{Nodes, groups as coupled_groups, nodes as coupled_nodes};
 pub use types::{ContinuousAngle, Evaluator, Field, Lowered, Shape};
 
-/// Lowers all functions of the mechanism. An argument list that does not fit its quantities is reported.
+/// Lowers all functions of the mechanism. An argument list that does not fit its quantities is reported, and a picture that
+/// cannot be drawn.
 pub(crate) fn lower(
     (algebra, forces, formulation): (&mut Algebra, &mut Forces, &Formulation),
-    nominal: &Nominal,
+    (reference, nominal): (&Reference, &Nominal),
     origins: &Origins,
     diagnostics: &mut Diagnostics,
 ) -> Lowered {
     let mechanism = algebra.mechanism;
     let mut inliner = Inliner::default();
-    let mut choices = Vec::new();
-    for definition in &mechanism.evaluators {
+    let drawn = mechanism
+        .evaluators
+        .iter()
+        .position(|own| own.asked_picture().is_some());
+    let mut choices = vec![Choice::default(); mechanism.evaluators.len()];
+    let others = (0..choices.len()).filter(|index| Some(*index) != drawn);
+    for index in others.clone() {
+        let definition = &mechanism.evaluators[index];
         let whole = (&mut *algebra, &mut *forces, formulation);
         let request = quantity::request(whole, definition, Direction::Forward);
         needs::check_inputs(algebra, definition, &request, origins, diagnostics);
-        choices.push(Choice::forward(algebra, &mut inliner, &request));
+        choices[index] = Choice::forward(algebra, &mut inliner, &request);
     }
     let gaps: Vec<NodeId> = formulation
         .groups
@@ -51,13 +61,34 @@ pub(crate) fn lower(
     let gaps = copy(&mut inliner, algebra, &gaps);
     let survey = survey(algebra, formulation);
     let survey = copy(&mut inliner, algebra, &survey);
-    // Last, so that one function's other directions change nothing for the others.
-    for (choice, definition) in choices.iter_mut().zip(&mechanism.evaluators) {
-        choice.improve(
+    // Late, so that one function's other directions change nothing for the others.
+    for index in others {
+        choices[index].improve(
             (&mut *algebra, &mut *forces, formulation),
             &mut inliner,
-            definition,
+            &mechanism.evaluators[index],
         );
+    }
+    // Last, so that a picture changes nothing for the functions beside it.
+    let mut picture = None;
+    if let Some(index) = drawn {
+        let definition = &mechanism.evaluators[index];
+        picture = draw(
+            algebra,
+            (reference, nominal),
+            definition,
+            origins,
+            diagnostics,
+        );
+        let whole = (&mut *algebra, &mut *forces, formulation);
+        let request = quantity::request(whole, definition, Direction::Forward);
+        // What a picture needs that could not be found is not known.
+        if !algebra.pictured.is_empty() {
+            needs::check_inputs(algebra, definition, &request, origins, diagnostics);
+        }
+        choices[index] = Choice::forward(algebra, &mut inliner, &request);
+        let whole = (&mut *algebra, &mut *forces, formulation);
+        choices[index].improve(whole, &mut inliner, definition);
     }
 
     let nodes = coupled_nodes(algebra, formulation, &mut inliner);
@@ -92,7 +123,8 @@ pub(crate) fn lower(
             states: states(&program),
             program,
             beside,
-            fields: fields(algebra, definition),
+            fields: fields(mechanism, definition, picture.as_ref()),
+            columns: columns::columns(mechanism, definition, picture.as_ref()),
             sensitivities: choice.direction.map(Direction::words),
         }
     });
@@ -113,13 +145,29 @@ pub(crate) fn lower(
         angles: schedule(graph, &units, &mut slots),
         prepare: slots.prepare(graph),
         continuous_angles: Vec::new(),
+        picture: None,
     };
     lowered.continuous_angles = angles
         .iter()
         .map(|&k| continuous(algebra, nominal, k))
         .collect();
     renumber(&mut lowered, &angles);
+    lowered.picture = picture;
     lowered
+}
+
+/// What a function's picture shows; a mechanism that does not close has none.
+fn draw<'m>(
+    algebra: &mut Algebra<'m>,
+    (reference, nominal): (&Reference, &Nominal),
+    definition: &'m EvaluatorDef,
+    origins: &Origins,
+    diagnostics: &mut Diagnostics,
+) -> Option<Picture> {
+    let asked = definition.asked_picture().filter(|_| reference.closed)?;
+    let picture = picture::find(algebra, (reference, nominal), asked, origins, diagnostics);
+    algebra.pictured = picture.vectors().map(<[NodeId]>::to_vec).collect();
+    Some(picture)
 }
 
 /// The results of functions that use a table, for dimensions, derivatives or digits that the table does not know.
@@ -231,12 +279,29 @@ fn renumber_program(program: &mut Program, number: impl Fn(usize) -> usize) {
     }
 }
 
-fn fields(algebra: &Algebra, definition: &EvaluatorDef) -> Vec<Field> {
-    let unit = algebra.mechanism.unit;
-    let field = |quantity: &crate::model::Quantity| Field {
-        name: quantity.field.clone(),
-        shape: shape(&quantity.value.ty),
-        unit: unit_words(&quantity.value.ty, unit),
+fn fields(
+    mechanism: &Mechanism,
+    definition: &EvaluatorDef,
+    picture: Option<&Picture>,
+) -> Vec<Field> {
+    let unit = mechanism.unit;
+    let field = |quantity: &Quantity| match picture.filter(|_| quantity.is_picture()) {
+        Some(picture) => Field {
+            name: quantity.field.clone(),
+            shape: Shape::Array(
+                picture.vectors().count(),
+                Box::new(Shape::Vector(picture.dimension)),
+            ),
+            unit: format!(
+                "points of `PICTURE` in {}, then its unit vectors",
+                unit.name()
+            ),
+        },
+        None => Field {
+            name: quantity.field.clone(),
+            shape: shape(&quantity.value.ty),
+            unit: unit_words(&quantity.value.ty, unit),
+        },
     };
     definition.quantities.iter().map(field).collect()
 }

@@ -66,8 +66,10 @@ impl Request<'_, '_> {
     fn all(&mut self) -> Vec<NodeId> {
         let mut nodes = Vec::new();
         for quantity in &self.definition.quantities {
-            let value = self.translate(&quantity.value);
-            let value = self.in_unit(value, &quantity.value.ty);
+            let mut value = self.translate(&quantity.value);
+            if !quantity.is_picture() {
+                value = self.in_unit(value, &quantity.value.ty);
+            }
             self.flatten(&value, &mut nodes);
         }
         self.requested.underlying.extend(&nodes);
@@ -243,6 +245,10 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 self.requested.variables.extend(motion);
                 let mut mechanics = self.forces.at(self.algebra, listed, self.with_reactions);
                 mechanics.quantity(quantity)
+            }
+            ExprKind::Picture(_) => {
+                let vectors = self.algebra.pictured.iter().cloned();
+                Value::Array(vectors.map(Value::Vector).collect())
             }
             _ => {
                 self.asks_margin = true;

@@ -2,7 +2,8 @@
 
 use linkage_symbolic::program::Program;
 
-use super::Coupled;
+use super::{Column, Coupled};
+use crate::picture::Picture;
 
 /// Everything that becomes code.
 #[derive(Clone, Debug, Default)]
@@ -24,6 +25,8 @@ pub struct Lowered {
     pub coupled: Vec<Coupled>,
     /// One for each function of the `impl` block, in order.
     pub evaluators: Vec<Evaluator>,
+    /// What the function shows that asks for a picture.
+    pub picture: Option<Picture>,
 }
 
 /// An unknown angle whose value (not only its direction) is used by some function.
@@ -50,6 +53,8 @@ pub struct Evaluator {
     /// The coupled groups whose prepared states it loads.
     pub states: Vec<usize>,
     pub fields: Vec<Field>,
+    /// What each output is.
+    pub columns: Vec<Column>,
     /// In which direction derivatives by parameters were found, if there are any.
     pub sensitivities: Option<&'static str>,
 }

@@ -1,4 +1,4 @@
-//! `d`, `velocity`, `acceleration`, `jerk`, `sensitivity`, `margin`: only in the functions of the `impl` block.
+//! `d`, `velocity`, `acceleration`, `jerk`, `sensitivity`, `margin`, `picture`: only in the functions of the `impl` block.
 
 use proc_macro2::Ident;
 
@@ -8,13 +8,14 @@ use super::types::{Dimension, Expr, ExprKind, Name, Type, Variable};
 use crate::diagnostic::text::count;
 use crate::syntax::{self, SourceSpan};
 
-pub(super) const QUANTITIES: [&str; 6] = [
+pub(super) const QUANTITIES: [&str; 7] = [
     "d",
     "velocity",
     "acceleration",
     "jerk",
     "sensitivity",
     "margin",
+    "picture",
 ];
 
 /// Most entries of an array, those of inner arrays counted.
@@ -40,6 +41,7 @@ impl Resolver<'_> {
         }
         match name {
             "margin" => self.margin(arguments, span),
+            "picture" => self.picture_in_expression(span),
             "d" => self.derivative(arguments, context, span),
             "sensitivity" => self.sensitivity(arguments, context, span),
             "velocity" => self.input_derivative(1, inputs, name, arguments, context, span),

@@ -208,6 +208,14 @@ impl Display for Show<'_> {
             }
             ExprKind::Mechanics(quantity) => self.quantity(f, quantity),
             ExprKind::Margin => f.write_str("margin()"),
+            ExprKind::Picture(links) => {
+                let link = |link: &Vec<Expr>| {
+                    let points: Vec<String> =
+                        link.iter().map(|p| self.inner(p).to_string()).collect();
+                    format!("[{}]", points.join(", "))
+                };
+                separated(f, "picture(", links.iter().map(link), ")")
+            }
             ExprKind::Error => f.write_str("<error>"),
         }
     }

@@ -28,11 +28,10 @@ impl Resolver<'_> {
     pub(super) fn functions(&mut self, definition: &MechanismDef) -> Vec<EvaluatorDef> {
         self.check_function_names(definition);
         self.check_type_names(definition);
-        definition
-            .functions
-            .iter()
-            .map(|function| self.function(function))
-            .collect()
+        let functions = definition.functions.iter();
+        let functions: Vec<_> = functions.map(|function| self.function(function)).collect();
+        self.check_one_picture(&functions);
+        functions
     }
 
     /// Two functions of one name, or one with the name of a generated one.
@@ -195,7 +194,10 @@ impl Resolver<'_> {
                 fields.insert(field.clone(), span);
             }
         }
-        let mut value = self.expression(&quantity.value, context);
+        let mut value = match self.picture_call(&quantity.value, context) {
+            Some(picture) => picture,
+            None => self.expression(&quantity.value, context),
+        };
         settle_alone(&mut value);
         Quantity {
             field,

@@ -17,6 +17,7 @@ mod mechanics;
 mod names;
 mod operators;
 mod parameter;
+mod picture;
 mod plane_and_space;
 mod presentation;
 mod refused;

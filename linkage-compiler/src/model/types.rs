@@ -42,7 +42,14 @@ pub struct Expr {
     pub origin: OriginId,
 }
 
-#[derive(Clone, Debug)]
+/// Equal if they say the same, wherever they stand.
+impl PartialEq for Expr {
+    fn eq(&self, other: &Self) -> bool {
+        self.kind == other.kind
+    }
+}
+
+#[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// In the unit of its dimension: the mechanism's length unit, radians, newtons, seconds, kilograms.
     Number(f64),
@@ -61,13 +68,15 @@ pub enum ExprKind {
     /// By these scalar parameters, in this order.
     Sensitivity(Box<Expr>, Vec<ScalarParameterId>),
     Margin,
+    /// `picture([p, q], ...)`: what the mechanism looks like, with these links beside those of the loops.
+    Picture(Vec<Vec<Expr>>),
     /// A quantity of the mechanics, for the speeds that the function lists.
     Mechanics(Mechanics),
     Error,
 }
 
 /// What bodies, joints and loads give.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Mechanics {
     /// `reaction(joint)`: the force on the joint's body from the one that it hangs on.
     Reaction(usize),

@@ -1,6 +1,8 @@
 //! What expressions are written with.
 
-use super::types::{Between, EvaluatorDef, Expr, ExprKind, Inertia, Mechanics, Mechanism, Name};
+use super::types::{
+    Between, EvaluatorDef, Expr, ExprKind, Inertia, Mechanics, Mechanism, Name, Quantity,
+};
 
 /// Names that loops are written with, directly or through derived quantities.
 #[derive(Clone, Debug)]
@@ -77,11 +79,27 @@ impl Usage {
 }
 
 impl EvaluatorDef {
+    /// The links that its picture lists, and the quantity; `None` if it asks for no picture.
+    pub(crate) fn asked_picture(&self) -> Option<(&[Vec<Expr>], &Expr)> {
+        self.quantities
+            .iter()
+            .find_map(|own| match &own.value.kind {
+                ExprKind::Picture(links) => Some((&links[..], &own.value)),
+                _ => None,
+            })
+    }
+
     /// Whether it asks for a reaction or moment of a joint.
     pub(crate) fn asks_for_reactions(&self) -> bool {
         self.quantities
             .iter()
             .any(|own| own.value.asks_for_reactions())
+    }
+}
+
+impl Quantity {
+    pub(crate) fn is_picture(&self) -> bool {
+        matches!(self.value.kind, ExprKind::Picture(_))
     }
 }
 
@@ -102,6 +120,7 @@ impl Expr {
             | ExprKind::InputDerivative(a, _)
             | ExprKind::Sensitivity(a, _) => vec![a],
             ExprKind::Mechanics(Mechanics::ShakingMoment(Some(point))) => vec![point],
+            ExprKind::Picture(links) => links.iter().flatten().collect(),
             ExprKind::Number(_)
             | ExprKind::Name(_)
             | ExprKind::Mechanics(_)

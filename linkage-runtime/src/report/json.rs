@@ -134,6 +134,7 @@ impl Report {
                     PointKind::Ground => "ground",
                     PointKind::Joint => "joint",
                     PointKind::Tip => "tip",
+                    PointKind::Construction => "construction",
                 },
                 "at": shown.point(index),
             })),

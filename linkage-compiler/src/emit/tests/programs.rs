@@ -134,6 +134,7 @@ pub(crate) fn lowered() -> Lowered {
     let mut fixed = Builder::default();
     let rod2 = fixed.load(Source::Prepared(0));
     Lowered {
+        picture: None,
         prepare: prepare(),
         gaps: gaps(),
         angles: angles(),
@@ -159,6 +160,7 @@ pub(crate) fn lowered() -> Lowered {
                     field("a", Shape::Vector(2), "mm"),
                     field("s", Shape::Scalar, "mm"),
                 ],
+                columns: Vec::new(),
                 sensitivities: None,
                 beside: None,
                 states: Vec::new(),
@@ -171,6 +173,7 @@ pub(crate) fn lowered() -> Lowered {
                     field("wheel", Shape::Scalar, "rad"),
                     field("v", Shape::Array(2, Box::new(Shape::Vector(2))), "1"),
                 ],
+                columns: Vec::new(),
                 sensitivities: None,
                 beside: None,
                 states: Vec::new(),
@@ -179,6 +182,7 @@ pub(crate) fn lowered() -> Lowered {
                 index: 2,
                 program: fixed.finish(vec![rod2]),
                 fields: vec![field("rod2", Shape::Scalar, "mm^2")],
+                columns: Vec::new(),
                 sensitivities: None,
                 beside: None,
                 states: Vec::new(),

@@ -1,0 +1,75 @@
+//! The `PICTURE` constant.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::outline::Outline;
+use super::{attribute, literal};
+use crate::picture::{GuideOn, Picture, PointKind};
+
+/// The constant of a mechanism that has a picture.
+pub(super) fn items(outline: &Outline, picture: &Picture) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let picture = self::literal(outline, picture);
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        impl #name<::core::primitive::f64> {
+            /// What the vectors of the quantity `picture()` are: points, links, guides.
+            pub const PICTURE: &'static #runtime::Picture = &#picture;
+        }
+    }
+}
+
+fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
+    let runtime = &outline.runtime;
+    let dimension = literal::index(picture.dimension);
+    let points = picture.points.iter().map(|point| {
+        let name = &point.name;
+        let kind = match point.kind {
+            PointKind::Ground => quote!(Ground),
+            PointKind::Joint => quote!(Joint),
+            PointKind::Tip => quote!(Tip),
+            PointKind::Construction => quote!(Construction),
+        };
+        quote!(#runtime::PicturePoint { name: #name, kind: #runtime::PointKind::#kind })
+    });
+    let directions = picture.directions.iter().map(|(name, _)| name);
+    let links = picture.links.iter().map(|link| {
+        let name = &link.name;
+        let points = link.points.iter().map(|&point| literal::index(point));
+        quote!(#runtime::PictureLink { name: #name, points: &[#(#points),*] })
+    });
+    let guides = picture.guides.iter().map(|guide| {
+        let name = &guide.name;
+        let [origin, direction, slider] =
+            [guide.origin, guide.direction, guide.slider].map(literal::index);
+        let on = match guide.on {
+            GuideOn::Frame => quote!(Frame),
+            GuideOn::Itself => quote!(Itself),
+            GuideOn::Link(link) => {
+                let link = literal::index(link);
+                quote!(Link(#link))
+            }
+        };
+        quote! {
+            #runtime::Guide {
+                name: #name, origin: #origin, direction: #direction, slider: #slider, on: #runtime::GuideOn::#on,
+            }
+        }
+    });
+    let axes = picture.axes.iter().map(|&(point, direction)| {
+        let (point, direction) = (literal::index(point), literal::index(direction));
+        quote!(#runtime::Axis { point: #point, direction: #direction })
+    });
+    quote! {
+        #runtime::Picture {
+            dimension: #dimension,
+            points: &[#(#points),*],
+            directions: &[#(#directions),*],
+            links: &[#(#links),*],
+            guides: &[#(#guides),*],
+            axes: &[#(#axes),*],
+        }
+    }
+}

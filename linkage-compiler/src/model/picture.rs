@@ -1,0 +1,83 @@
+//! `picture()`: a quantity that stands alone.
+
+use super::names::{Context, Resolver};
+use super::types::{Dimension, EvaluatorDef, Expr, ExprKind, Type};
+use crate::syntax::{self, SourceSpan};
+
+const LINKS_HELP: &str = "write each link as a list of points: `picture([a, b], [c, d, e])`";
+
+impl Resolver<'_> {
+    /// A quantity that is a picture as a whole; `None` for any other.
+    pub(super) fn picture_call(&mut self, expr: &syntax::Expr, context: Context) -> Option<Expr> {
+        let syntax::ExprKind::Call(name, links) = &expr.kind else {
+            return None;
+        };
+        if name != "picture" {
+            return None;
+        }
+        let links = links.iter().map(|link| self.drawn_link(link, context));
+        let links: Vec<Option<Vec<Expr>>> = links.collect();
+        // How many points there are is found out later.
+        let ty = Type::Array(Vec::new());
+        Some(match links.into_iter().collect() {
+            Some(links) => self.make(ExprKind::Picture(links), ty, expr.span),
+            None => self.failed(expr.span),
+        })
+    }
+
+    /// A list of at least two points.
+    fn drawn_link(&mut self, link: &syntax::Expr, context: Context) -> Option<Vec<Expr>> {
+        let syntax::ExprKind::List(points) = &link.kind else {
+            let fact = "expected a link, found no list";
+            self.diagnostics
+                .error_with_help(link.span, fact, LINKS_HELP);
+            return None;
+        };
+        if points.len() < 2 {
+            let fact = "a link joins at least two points";
+            self.diagnostics
+                .error_with_help(link.span, fact, LINKS_HELP);
+            return None;
+        }
+        let points = points.iter().map(|point| self.drawn_point(point, context));
+        let points: Vec<Option<Expr>> = points.collect();
+        points.into_iter().collect()
+    }
+
+    fn drawn_point(&mut self, point: &syntax::Expr, context: Context) -> Option<Expr> {
+        let value = self.expression(point, context);
+        match &value.ty {
+            Type::Error => None,
+            Type::Vector(_, dimension) if dimension.fits(Dimension::LENGTH) => Some(value),
+            Type::Zero(2 | 3) => Some(value),
+            other => {
+                let fact = format!("a link joins points, found {other}");
+                self.diagnostics
+                    .error_with_help(point.span, fact, LINKS_HELP);
+                None
+            }
+        }
+    }
+
+    /// Reports a picture within an expression.
+    pub(super) fn picture_in_expression(&mut self, span: SourceSpan) -> Expr {
+        let fact = "`picture` within an expression";
+        let help = "it is a quantity as a whole: write `shape: picture()`";
+        self.diagnostics.error_with_help(span, fact, help);
+        self.failed(span)
+    }
+
+    /// A mechanism has one picture.
+    pub(super) fn check_one_picture(&mut self, functions: &[EvaluatorDef]) {
+        let quantities = functions.iter().flat_map(|function| &function.quantities);
+        let mut pictures = quantities.filter(|quantity| quantity.is_picture());
+        let first = pictures.next().map(|quantity| quantity.field.clone());
+        let Some(first) = first else { return };
+        for again in pictures {
+            let fact = "a mechanism has one picture";
+            let help = format!("leave this one out: `{first}` shows all links");
+            let span = self.origins.span(again.origin);
+            self.diagnostics.error_with_help(span, fact, &help);
+        }
+    }
+}

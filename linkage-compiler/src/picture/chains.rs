@@ -1,0 +1,396 @@
+//! Sums of vectors as chains: from a point, each term is a step to the next.
+
+use linkage_symbolic::NodeId;
+
+use crate::algebra::{Algebra, Translate};
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Name, OriginId, Type};
+
+use super::roles::Roles;
+
+/// Points and what lies between them, as they are found; several may be one and the same.
+pub(super) struct Sketch<'a, 'm> {
+    pub(super) algebra: &'a mut Algebra<'m>,
+    pub(super) roles: Roles,
+    pub(super) dimension: usize,
+    pub(super) points: Vec<Spot>,
+    pub(super) segments: Vec<Segment<'m>>,
+    /// Guides that are no terms of a chain.
+    pub(super) lines: Vec<Line>,
+    /// In space: points and directions of axes.
+    pub(super) axes: Vec<(usize, Vec<NodeId>)>,
+    /// Links that the user named, each by its points.
+    pub(super) asked: Vec<Asked>,
+    /// Added to the ranks of names: those in loops are better.
+    pub(super) remoteness: u8,
+}
+
+/// A point of a chain.
+#[derive(Clone, Debug)]
+pub(super) struct Spot {
+    pub(super) nodes: Vec<NodeId>,
+    pub(super) name: Option<Title>,
+    /// Whether a `let` or an unknown point has this name: it is drawn even if no link ends there.
+    pub(super) wanted: bool,
+}
+
+/// A name, and how good it is: the lowest rank wins, the first of equal ones.
+#[derive(Clone, Debug)]
+pub(super) struct Title {
+    pub(super) rank: u8,
+    pub(super) text: String,
+}
+
+/// From one point to another.
+#[derive(Clone, Debug)]
+pub(super) struct Segment<'m> {
+    pub(super) from: usize,
+    pub(super) to: usize,
+    pub(super) title: Option<Title>,
+    pub(super) shape: Shape<'m>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Shape<'m> {
+    /// A term of a sum with its sign: if it is no link, it may be a slide.
+    Term(f64, &'m Expr),
+    /// A distance: if it is no link, its ends slide along each other.
+    Distance,
+    /// Two points of a body.
+    Body,
+}
+
+/// A point that stays on a line.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    pub(super) slider: usize,
+    /// A point of what carries the line; `None` is the frame.
+    pub(super) carrier: Option<usize>,
+    pub(super) along: Vec<NodeId>,
+    pub(super) name: String,
+}
+
+/// A list in `picture([p, q])`.
+#[derive(Clone, Debug)]
+pub(super) struct Asked {
+    pub(super) points: Vec<usize>,
+    pub(super) origin: OriginId,
+}
+
+/// A term of a sum.
+struct Term<'m> {
+    sign: f64,
+    expr: &'m Expr,
+    /// The name that it goes by.
+    name: Option<String>,
+}
+
+impl<'a, 'm> Sketch<'a, 'm> {
+    pub(super) fn new(algebra: &'a mut Algebra<'m>, dimension: usize) -> Self {
+        let roles = Roles::of(algebra.mechanism);
+        Self {
+            algebra,
+            roles,
+            dimension,
+            points: Vec::new(),
+            segments: Vec::new(),
+            lines: Vec::new(),
+            axes: Vec::new(),
+            asked: Vec::new(),
+            remoteness: 0,
+        }
+    }
+
+    /// The point that an expression stands for, its chain recorded; `None` if it is no point.
+    pub(super) fn point_of(&mut self, expr: &'m Expr) -> Option<usize> {
+        if !self.is_vector(expr) {
+            return None;
+        }
+        let mut terms = Vec::new();
+        self.terms(expr, 1.0, None, &mut terms);
+        let weight = |term: &Term| term.sign * self.weight(term.expr).unwrap_or(0.0);
+        let total: f64 = terms.iter().map(weight).sum();
+        let weighted: Vec<usize> = (0..terms.len())
+            .filter(|&k| weight(&terms[k]) != 0.0)
+            .collect();
+        let start = match weighted[..] {
+            [] => self.fixed_start(&mut terms),
+            [one] if total == 1.0 => {
+                let term = terms.remove(one);
+                self.start(term.expr)
+            }
+            // A mean of points is a point without a chain.
+            _ if total == 1.0 => {
+                let nodes = self.vector(expr);
+                return Some(self.point(nodes));
+            }
+            _ => return None,
+        };
+        Some(
+            terms
+                .into_iter()
+                .fold(start, |from, term| self.step(from, term)),
+        )
+    }
+
+    /// Where a chain begins that names no point: a fixed vector, or the origin.
+    fn fixed_start(&mut self, terms: &mut Vec<Term<'m>>) -> usize {
+        let is_fixed = |name| matches!(name, Name::Parameter(_) | Name::Const(_));
+        let named = terms.first().and_then(|term| match term.expr.kind {
+            ExprKind::Name(name) if term.sign > 0.0 && is_fixed(name) => Some(term.expr),
+            _ => None,
+        });
+        match named {
+            Some(expr) => {
+                terms.remove(0);
+                let point = self.start(expr);
+                self.name(point, 2, expr);
+                point
+            }
+            None => {
+                let zero = self.algebra.graph.zero();
+                self.point(vec![zero; self.dimension])
+            }
+        }
+    }
+
+    /// A term that is a point.
+    fn start(&mut self, expr: &'m Expr) -> usize {
+        let nodes = self.vector(expr);
+        let point = self.point(nodes);
+        if let ExprKind::Call(Function::PointIn, arguments) = &expr.kind
+            && let Some(origin) = self.origin_of(&arguments[0])
+        {
+            self.segment(origin, point, None, Shape::Body);
+        }
+        point
+    }
+
+    /// The point that a frame has its origin in.
+    fn origin_of(&mut self, frame: &'m Expr) -> Option<usize> {
+        let mechanism = self.algebra.mechanism;
+        match &frame.kind {
+            ExprKind::Name(Name::Let(index)) => self.origin_of(&mechanism.lets[*index].value),
+            ExprKind::Name(Name::Const(index)) => {
+                self.origin_of(&mechanism.constants[*index].value)
+            }
+            ExprKind::Call(Function::Frame, arguments) => self.point_of(&arguments[0]),
+            _ => None,
+        }
+    }
+
+    fn step(&mut self, from: usize, term: Term<'m>) -> usize {
+        let step = self.vector(term.expr);
+        let start = self.points[from].nodes.clone();
+        let graph = &mut self.algebra.graph;
+        let pairs = start.into_iter().zip(step);
+        let nodes = pairs.map(|(a, b)| match term.sign > 0.0 {
+            true => graph.add(a, b),
+            false => graph.sub(a, b),
+        });
+        let nodes = nodes.collect();
+        let to = self.point(nodes);
+        if let ExprKind::Call(Function::Turn, arguments) = &term.expr.kind
+            && self.varies(&arguments[2])
+        {
+            let axis = self.vector(&arguments[1]);
+            self.axis(from, &axis);
+        }
+        let title = match term.name {
+            Some(text) => Some(Title {
+                rank: 1 + self.remoteness,
+                text,
+            }),
+            None => self.title(term.expr),
+        };
+        self.segment(from, to, title, Shape::Term(term.sign, term.expr));
+        to
+    }
+
+    /// A link is called after its length, or else its angle.
+    fn title(&self, expr: &Expr) -> Option<Title> {
+        let rank = |rank: u8| {
+            let rank = rank + self.remoteness;
+            move |text| Title { rank, text }
+        };
+        match &expr.kind {
+            ExprKind::Name(_) => self.spoken(expr).map(rank(1)),
+            ExprKind::Call(Function::Polar, arguments) => {
+                let length = self.dimension_in(&arguments[0]).map(rank(2));
+                length.or_else(|| self.spoken(&arguments[1]).map(rank(3)))
+            }
+            ExprKind::Call(Function::Rotate | Function::Turn, arguments) => {
+                let length = self.dimension_in(&arguments[0]).map(rank(2));
+                length.or_else(|| self.spoken(&arguments[arguments.len() - 1]).map(rank(3)))
+            }
+            ExprKind::Binary(BinaryOp::Mul, ..) | ExprKind::Vector(_) => {
+                self.dimension_in(expr).map(rank(2))
+            }
+            _ => None,
+        }
+    }
+
+    pub(super) fn spoken(&self, expr: &Expr) -> Option<String> {
+        match expr.kind {
+            ExprKind::Name(name) => Some(self.algebra.mechanism.name(name).to_owned()),
+            _ => None,
+        }
+    }
+
+    /// Whether an expression is written with what moves.
+    fn varies(&self, expr: &Expr) -> bool {
+        match expr.kind {
+            ExprKind::Name(Name::Input(_) | Name::Unknown(_)) => true,
+            ExprKind::Name(Name::Let(index)) => {
+                self.varies(&self.algebra.mechanism.lets[index].value)
+            }
+            _ => expr.operands().into_iter().any(|own| self.varies(own)),
+        }
+    }
+
+    /// The first length that is named in an expression.
+    fn dimension_in(&self, expr: &Expr) -> Option<String> {
+        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
+        match &expr.kind {
+            ExprKind::Name(Name::Pi) => None,
+            ExprKind::Name(_) => self.spoken(expr).filter(|_| is_length),
+            _ => expr
+                .operands()
+                .into_iter()
+                .find_map(|own| self.dimension_in(own)),
+        }
+    }
+
+    /// Terms, named steps taken apart. A step of one term keeps its name.
+    fn terms(&self, expr: &'m Expr, sign: f64, name: Option<&str>, terms: &mut Vec<Term<'m>>) {
+        match &expr.kind {
+            ExprKind::Binary(BinaryOp::Add, a, b) => {
+                self.terms(a, sign, None, terms);
+                self.terms(b, sign, None, terms);
+            }
+            ExprKind::Binary(BinaryOp::Sub, a, b) => {
+                self.terms(a, sign, None, terms);
+                self.terms(b, -sign, None, terms);
+            }
+            ExprKind::Negate(a) => self.terms(a, -sign, name, terms),
+            ExprKind::Name(Name::Let(index)) if self.roles.is_step(Name::Let(*index)) => {
+                let own = &self.algebra.mechanism.lets[*index];
+                self.terms(&own.value, sign, Some(&own.name), terms);
+            }
+            _ => terms.push(Term {
+                sign,
+                expr,
+                name: name.map(str::to_owned),
+            }),
+        }
+    }
+
+    /// How often a vector counts as a point: 1 for a point, 0 for a difference; `None` if it may be either.
+    fn weight(&self, expr: &Expr) -> Option<f64> {
+        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
+        match &expr.kind {
+            // A direction.
+            _ if !is_length => None,
+            ExprKind::Name(name @ (Name::Let(_) | Name::Unknown(_))) => {
+                Some(if self.roles.is_step(*name) { 0.0 } else { 1.0 })
+            }
+            ExprKind::Index(..) | ExprKind::Call(Function::PointIn, _) => Some(1.0),
+            ExprKind::Negate(a) => self.weight(a).map(|weight| -weight),
+            ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), a, b) => {
+                let (a, b) = (self.weight(a), self.weight(b));
+                let sign = if *op == BinaryOp::Add { 1.0 } else { -1.0 };
+                match (a, b) {
+                    (None, None) => None,
+                    _ => Some(a.unwrap_or(0.0) + sign * b.unwrap_or(0.0)),
+                }
+            }
+            ExprKind::Binary(BinaryOp::Div, a, b) => self.scaled(a, |n| 1.0 / n, b),
+            ExprKind::Binary(BinaryOp::Mul, a, b) => match a.ty {
+                Type::Vector(..) => self.scaled(a, |n| n, b),
+                _ => self.scaled(b, |n| n, a),
+            },
+            _ => None,
+        }
+    }
+
+    /// The weight of a multiple of a vector.
+    fn scaled(&self, vector: &Expr, by: impl Fn(f64) -> f64, factor: &Expr) -> Option<f64> {
+        match (self.weight(vector)?, &factor.kind) {
+            (0.0, _) => Some(0.0),
+            (weight, ExprKind::Number(number)) => Some(weight * by(*number)),
+            // No point that chains could begin with.
+            _ => Some(f64::NAN),
+        }
+    }
+
+    /// Whether it is a vector of the picture's dimension, or a zero.
+    fn is_vector(&self, expr: &Expr) -> bool {
+        match &expr.ty {
+            Type::Vector(count, dimension) => {
+                *count == self.dimension && dimension.half_lengths == 2
+            }
+            Type::Zero(_) => true,
+            _ => false,
+        }
+    }
+
+    pub(super) fn vector(&mut self, expr: &Expr) -> Vec<NodeId> {
+        let value = self.algebra.translate(expr);
+        let mut nodes = self.algebra.components(&value);
+        let zero = self.algebra.graph.zero();
+        nodes.resize(self.dimension, zero);
+        nodes
+    }
+
+    /// The point with these coordinates.
+    pub(super) fn point(&mut self, nodes: Vec<NodeId>) -> usize {
+        let known = self.points.iter().position(|point| point.nodes == nodes);
+        known.unwrap_or_else(|| {
+            self.points.push(Spot {
+                nodes,
+                name: None,
+                wanted: false,
+            });
+            self.points.len() - 1
+        })
+    }
+
+    pub(super) fn name(&mut self, point: usize, rank: u8, expr: &Expr) {
+        if let Some(text) = self.spoken(expr) {
+            self.call(point, Title { rank, text });
+        }
+    }
+
+    pub(super) fn call(&mut self, point: usize, title: Title) {
+        let name = &mut self.points[point].name;
+        if name.as_ref().is_none_or(|known| title.rank < known.rank) {
+            *name = Some(title);
+        }
+    }
+
+    pub(super) fn segment(
+        &mut self,
+        from: usize,
+        to: usize,
+        title: Option<Title>,
+        shape: Shape<'m>,
+    ) {
+        if from != to {
+            self.segments.push(Segment {
+                from,
+                to,
+                title,
+                shape,
+            });
+        }
+    }
+
+    /// Remembers an axis through a point of space.
+    pub(super) fn axis(&mut self, point: usize, along: &[NodeId]) {
+        if let [x, y, z] = along[..] {
+            let along = self.algebra.unit_vector([x, y, z]).to_vec();
+            if !self.axes.contains(&(point, along.clone())) {
+                self.axes.push((point, along));
+            }
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Links that the user lists must be rigid, and move.
+
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::formulate::numbers;
+
+use super::chains::{Asked, Sketch};
+use super::seen::Seen;
+
+pub(super) fn check_lists(
+    sketch: &Sketch,
+    seen: &Seen,
+    origins: &Origins,
+    diagnostics: &mut Diagnostics,
+) {
+    for asked in &sketch.asked {
+        let span = origins.span(asked.origin);
+        if let Some(fact) = stretched(sketch, seen, asked) {
+            let help = "a link is rigid: list points that keep their distances";
+            diagnostics.error_with_help(span, fact, help);
+        } else if asked.points.iter().all(|&point| seen.is_fixed(point)) {
+            let fact = "none of these points moves: this is no link, but the frame";
+            diagnostics.error_with_help(span, fact, "leave the list out");
+        }
+    }
+}
+
+/// Two points of a list whose distance changes, with the numbers.
+fn stretched(sketch: &Sketch, seen: &Seen, asked: &Asked) -> Option<String> {
+    let name = |place: usize| {
+        let title = sketch.points[asked.points[place]].name.as_ref();
+        title.map_or_else(
+            || format!("point {}", place + 1),
+            |title| format!("`{}`", title.text),
+        )
+    };
+    let count = asked.points.len();
+    let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
+    for (a, b) in pairs {
+        let distances = seen.distances(asked.points[a], asked.points[b]);
+        if seen.keep_distance(asked.points[a], asked.points[b]) {
+            continue;
+        }
+        let other = distances.iter().copied().fold(distances[0], |far, length| {
+            if (length - distances[0]).abs() > (far - distances[0]).abs() {
+                length
+            } else {
+                far
+            }
+        });
+        let unit = sketch.algebra.mechanism.unit.name();
+        let lengths = numbers(&[distances[0], other]);
+        return Some(format!(
+            "a link that stretches: from {} to {} it is {} {unit} at the reference input, {} {unit} elsewhere",
+            name(a),
+            name(b),
+            lengths[0],
+            lengths[1],
+        ));
+    }
+    None
+}

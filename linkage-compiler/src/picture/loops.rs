@@ -1,0 +1,262 @@
+//! What loops, derived names, bodies and joints are made of.
+
+use crate::algebra::Translate;
+use crate::formulate::unknown_nodes;
+use crate::model::{
+    BinaryOp, Expr, ExprKind, Function, Joint, JointKind, Loop, Mechanism, Name, Type,
+};
+
+use super::chains::{Asked, Line, Shape, Sketch, Title};
+
+/// Names in derived quantities that no loop uses stand behind all others.
+const LET: u8 = 3;
+
+impl<'m> Sketch<'_, 'm> {
+    /// All that the program says of points and links.
+    pub(super) fn collect(&mut self) {
+        self.look_at_lets();
+        self.look_at_unknowns();
+        for own in &self.algebra.mechanism.loops {
+            self.look_at_loop(own);
+        }
+        self.look_at_bodies();
+    }
+
+    /// Named points, those aside that are centres of mass only.
+    fn look_at_lets(&mut self) {
+        let mechanism = self.algebra.mechanism;
+        let loops: Vec<usize> = (0..mechanism.loops.len()).collect();
+        let usage = mechanism.usage(&loops);
+        for (index, own) in mechanism.lets.iter().enumerate() {
+            let is_centre = !usage.lets[index] && is_mass_centre(mechanism, index);
+            if self.roles.is_step(Name::Let(index)) || is_centre {
+                continue;
+            }
+            self.remoteness = if usage.lets[index] { 0 } else { LET };
+            if let Some(point) = self.point_of(&own.value) {
+                let nodes = self.vector(&own.value);
+                let named = self.point(nodes);
+                for point in [point, named] {
+                    let text = own.name.clone();
+                    self.call(point, Title { rank: 0, text });
+                }
+                self.points[named].wanted = true;
+            }
+        }
+        self.remoteness = 0;
+    }
+
+    /// Unknown points.
+    fn look_at_unknowns(&mut self) {
+        let mechanism = self.algebra.mechanism;
+        for (index, own) in mechanism.unknowns.iter().enumerate() {
+            let Type::Vector(count, dimension) = own.ty else {
+                continue;
+            };
+            let is_point = count == self.dimension && dimension.half_lengths == 2;
+            if is_point && !self.roles.is_step(Name::Unknown(index)) {
+                let nodes = unknown_nodes(self.algebra, index);
+                let point = self.point(nodes);
+                let text = own.name.clone();
+                self.call(point, Title { rank: 1, text });
+                self.points[point].wanted = true;
+            }
+        }
+    }
+
+    /// The links that `picture` lists.
+    pub(super) fn add_lists(&mut self, lists: &'m [Vec<Expr>]) {
+        for list in lists {
+            let points: Vec<usize> = list
+                .iter()
+                .map(|expr| {
+                    let nodes = self.vector(expr);
+                    let found = self.point_of(expr);
+                    let point = self.point(nodes);
+                    self.name(point, 0, expr);
+                    found.unwrap_or(point)
+                })
+                .collect();
+            let origin = list[0].origin;
+            self.asked.push(Asked { points, origin });
+        }
+    }
+
+    fn look_at_loop(&mut self, own: &'m Loop) {
+        match own.left.ty {
+            Type::Vector(..) => {
+                for side in [&own.left, &own.right] {
+                    self.point_of(side);
+                }
+            }
+            _ => {
+                for (side, other) in [(&own.left, &own.right), (&own.right, &own.left)] {
+                    let title = self.spoken(other).map(|text| Title { rank: 2, text });
+                    self.look_for_rods(side, title);
+                    self.look_for_line(side, other);
+                }
+            }
+        }
+    }
+
+    /// Distances between points.
+    fn look_for_rods(&mut self, expr: &'m Expr, title: Option<Title>) {
+        match &expr.kind {
+            ExprKind::Call(Function::Distance, ends) => {
+                if let (Some(from), Some(to)) = (self.point_of(&ends[0]), self.point_of(&ends[1])) {
+                    self.segment(from, to, title, Shape::Distance);
+                }
+            }
+            ExprKind::Call(Function::Norm, vector) => self.look_for_rod(&vector[0], title),
+            ExprKind::Call(Function::Dot, vectors) => {
+                let both = (self.vector(&vectors[0]), self.vector(&vectors[1]));
+                if both.0 == both.1 {
+                    self.look_for_rod(&vectors[0], title);
+                }
+            }
+            ExprKind::Name(Name::Let(index)) => {
+                let mechanism = self.algebra.mechanism;
+                self.look_for_rods(&mechanism.lets[*index].value, title);
+            }
+            _ => {
+                for operand in expr.operands() {
+                    self.look_for_rods(operand, title.clone());
+                }
+            }
+        }
+    }
+
+    /// `q - p`, a rod between two points.
+    fn look_for_rod(&mut self, vector: &'m Expr, title: Option<Title>) {
+        if let Some((q, p)) = self.difference(vector)
+            && let (Some(from), Some(to)) = (self.point_of(p), self.point_of(q))
+        {
+            self.segment(from, to, title, Shape::Distance);
+        }
+    }
+
+    fn difference(&self, vector: &'m Expr) -> Option<(&'m Expr, &'m Expr)> {
+        match &vector.kind {
+            ExprKind::Binary(BinaryOp::Sub, a, b) => Some((a, b)),
+            ExprKind::Name(Name::Let(index)) => {
+                self.difference(&self.algebra.mechanism.lets[*index].value)
+            }
+            _ => None,
+        }
+    }
+
+    /// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line.
+    fn look_for_line(&mut self, side: &'m Expr, other: &Expr) {
+        let ExprKind::Call(function @ (Function::Dot | Function::Cross), arguments) = &side.kind
+        else {
+            return;
+        };
+        let zero = matches!(other.kind, ExprKind::Number(0.0));
+        if self.dimension != 2 || !zero {
+            return;
+        }
+        for (vector, direction) in [(0, 1), (1, 0)] {
+            let Some((p, q)) = self.difference(&arguments[vector]) else {
+                continue;
+            };
+            let (Some(slider), Some(carrier)) = (self.point_of(p), self.point_of(q)) else {
+                continue;
+            };
+            let value = self.algebra.translate(&arguments[direction]);
+            let components = self.algebra.components(&value);
+            let [x, y] = self
+                .algebra
+                .length_and_unit([components[0], components[1]])
+                .1;
+            let along = match function {
+                Function::Dot => vec![self.algebra.graph.neg(y), x],
+                _ => vec![x, y],
+            };
+            let name = self.points[slider].name.as_ref();
+            let name = name.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
+            let carrier = Some(carrier);
+            self.lines.push(Line {
+                slider,
+                carrier,
+                along,
+                name,
+            });
+            return;
+        }
+    }
+
+    /// The joints of each body are points of it.
+    fn look_at_bodies(&mut self) {
+        let mechanism = self.algebra.mechanism;
+        let points: Vec<Option<usize>> = mechanism
+            .joints
+            .iter()
+            .map(|joint| self.point_of(&joint.at))
+            .collect();
+        for (joint, point) in mechanism.joints.iter().zip(&points) {
+            if let (Some(text), Some(point)) = (&joint.name, point) {
+                let text = text.clone();
+                self.call(*point, Title { rank: 3, text });
+            }
+        }
+        for (index, body) in mechanism.bodies.iter().enumerate() {
+            let Some(own) = points[body.joint] else {
+                continue;
+            };
+            for (joint, point) in mechanism.joints.iter().zip(&points) {
+                // What slides along a guide is no point of it.
+                let carries = joint.on == Some(index) && !slides(joint);
+                if let (true, Some(point)) = (carries || joint.body == index, point) {
+                    let text = body.name.clone();
+                    self.segment(own, *point, Some(Title { rank: 0, text }), Shape::Body);
+                }
+            }
+        }
+        for (joint, point) in mechanism.joints.iter().zip(&points) {
+            if let Some(point) = point {
+                self.look_at_direction(joint, *point, &points);
+            }
+        }
+    }
+
+    fn look_at_direction(&mut self, joint: &'m Joint, point: usize, points: &[Option<usize>]) {
+        let Some(direction) = &joint.direction else {
+            return;
+        };
+        let mechanism = self.algebra.mechanism;
+        let along = self.vector(direction);
+        if !slides(joint) {
+            return self.axis(point, &along);
+        }
+        let along = match along[..] {
+            [x, y, z] => self.algebra.unit_vector([x, y, z]).to_vec(),
+            _ => self
+                .algebra
+                .length_and_unit([along[0], along[1]])
+                .1
+                .to_vec(),
+        };
+        let carrier = joint
+            .on
+            .and_then(|body| points[mechanism.bodies[body].joint]);
+        let body = &mechanism.bodies[joint.body].name;
+        let name = joint.name.as_ref().unwrap_or(body).clone();
+        self.lines.push(Line {
+            slider: point,
+            carrier,
+            along,
+            name,
+        });
+    }
+}
+
+/// Whether a mass stands at a derived point.
+fn is_mass_centre(mechanism: &Mechanism, index: usize) -> bool {
+    let masses = mechanism.bodies.iter().flat_map(|body| &body.masses);
+    let mut centres = masses.map(|(_, at)| at);
+    centres.any(|at| matches!(at.kind, ExprKind::Name(Name::Let(own)) if own == index))
+}
+
+fn slides(joint: &Joint) -> bool {
+    matches!(joint.kind, JointKind::Slide | JointKind::Cylinder)
+}

@@ -1,0 +1,154 @@
+//! What a mechanism looks like: which points its links join, and where something slides.
+//!
+//! The loops tell most of it. Sums of vectors are chains of points, a distance is a rod; whether two points belong to one
+//! link is then a matter of numbers: at several positions of the input their distance must be the same. So it does not
+//! matter how a loop is written, and a link that is drawn never stretches.
+//!
+//! | file | what |
+//! |---|---|
+//! | `roles` | is a named vector a point, or a step from one to another? |
+//! | `chains` | sums of vectors as chains of points |
+//! | `loops` | what loops, bodies and joints are made of |
+//! | `seen` | the points at several positions |
+//! | `links` | points that keep their distances |
+//! | `guides` | lines along which points slide, and what carries them |
+//! | `names` | names for points and links that the program does not name |
+//! | `check` | links that the user added must be rigid |
+//! | `print` | the picture in words, for golden files |
+
+mod chains;
+mod check;
+mod guides;
+mod links;
+mod loops;
+mod names;
+mod print;
+mod roles;
+mod seen;
+#[cfg(test)]
+mod tests;
+
+use linkage_symbolic::NodeId;
+
+use crate::algebra::{Algebra, Nominal};
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::formulate::Reference;
+use crate::model::{Expr, Type};
+
+use chains::Sketch;
+use guides::Guides;
+use links::Links;
+use seen::Seen;
+
+pub use linkage_runtime::{GuideOn, PointKind};
+
+/// What is drawn, and the nodes that say where it is.
+#[derive(Clone, Debug, Default)]
+pub struct Picture {
+    /// 2 in the plane, 3 in space.
+    pub dimension: usize,
+    pub points: Vec<Point>,
+    /// Unit vectors with their names.
+    pub directions: Vec<(String, Vec<NodeId>)>,
+    pub links: Vec<Link>,
+    pub guides: Vec<Guide>,
+    /// In space: points and directions of axes.
+    pub axes: Vec<(usize, usize)>,
+}
+
+#[derive(Clone, Debug)]
+pub struct Point {
+    pub name: String,
+    pub kind: PointKind,
+    pub nodes: Vec<NodeId>,
+}
+
+#[derive(Clone, Debug)]
+pub struct Link {
+    pub name: String,
+    pub points: Vec<usize>,
+}
+
+#[derive(Clone, Debug)]
+pub struct Guide {
+    pub name: String,
+    pub origin: usize,
+    pub direction: usize,
+    pub slider: usize,
+    pub on: GuideOn,
+}
+
+impl Picture {
+    /// The vectors that the quantity consists of.
+    pub fn vectors(&self) -> impl Iterator<Item = &[NodeId]> {
+        let points = self.points.iter().map(|point| &point.nodes[..]);
+        points.chain(self.directions.iter().map(|(_, nodes)| &nodes[..]))
+    }
+
+    /// Their names, in the same order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let points = self.points.iter().map(|point| &point.name[..]);
+        points.chain(self.directions.iter().map(|(name, _)| &name[..]))
+    }
+}
+
+/// The picture of a mechanism that closes, with `lists` of points that the user says to be links.
+pub(crate) fn find<'m>(
+    algebra: &mut Algebra<'m>,
+    (reference, nominal): (&Reference, &Nominal),
+    (lists, asked): (&'m [Vec<Expr>], &'m Expr),
+    origins: &Origins,
+    diagnostics: &mut Diagnostics,
+) -> Picture {
+    let dimension = dimension(algebra, lists);
+    let mut sketch = Sketch::new(algebra, dimension);
+    sketch.collect();
+    sketch.add_lists(lists);
+    let mut seen = Seen::new(sketch.algebra, &sketch.points, reference, nominal);
+    check::check_lists(&sketch, &seen, origins, diagnostics);
+    let links = Links::find(&sketch, &seen);
+    let guides = Guides::find(&mut sketch, &mut seen, &links);
+    if links.all.is_empty() && guides.all.is_empty() {
+        diagnostics.error_with_help(
+            origins.span(asked.origin),
+            "there is nothing to draw: the loops tell of no link",
+            "name the points that links join: `picture([a, b], [b, c, d])`",
+        );
+    }
+    names::named(&sketch, &seen, &links, &guides)
+}
+
+/// 3 if anything lies in space.
+fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
+    let mechanism = algebra.mechanism;
+    let lets = mechanism.lets.iter().map(|own| &own.value.ty);
+    let loops = mechanism.loops.iter().map(|own| &own.left.ty);
+    let unknowns = mechanism.unknowns.iter().map(|own| &own.ty);
+    let joints = mechanism.joints.iter().map(|own| &own.at.ty);
+    let listed = lists.iter().flatten().map(|own| &own.ty);
+    let mut types = lets
+        .chain(loops)
+        .chain(unknowns)
+        .chain(joints)
+        .chain(listed);
+    let in_space = types.any(|ty| matches!(ty, Type::Vector(3, _) | Type::Zero(3) | Type::Frame));
+    if in_space || uses_space(algebra) {
+        3
+    } else {
+        2
+    }
+}
+
+/// Distances in space leave no type of space behind.
+fn uses_space(algebra: &Algebra) -> bool {
+    fn within(expr: &Expr) -> bool {
+        matches!(expr.ty, Type::Vector(3, _)) || expr.operands().into_iter().any(within)
+    }
+    let mechanism = algebra.mechanism;
+    let sides = mechanism
+        .loops
+        .iter()
+        .flat_map(|own| [&own.left, &own.right]);
+    let lets = mechanism.lets.iter().map(|own| &own.value);
+    sides.chain(lets).any(within)
+}

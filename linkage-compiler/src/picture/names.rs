@@ -1,0 +1,166 @@
+//! The picture with names for everything, without what is not needed.
+
+use super::chains::Sketch;
+use super::guides::Guides;
+use super::links::Links;
+use super::seen::Seen;
+use super::{Guide, GuideOn, Link, Picture, Point, PointKind};
+
+pub(super) fn named(sketch: &Sketch, seen: &Seen, links: &Links, guides: &Guides) -> Picture {
+    let namer = Namer {
+        sketch,
+        seen,
+        links,
+        guides,
+        link_names: link_names(links),
+    };
+    let kept: Vec<(usize, PointKind)> = (0..sketch.points.len())
+        .filter(|&point| seen.same[point] == point)
+        .filter_map(|point| Some((point, namer.kind(point)?)))
+        .collect();
+    let place = |point: usize| {
+        let found = kept.iter().position(|(own, _)| *own == seen.same[point]);
+        found.expect("points of links, guides and axes are kept")
+    };
+    let mut names = Vec::new();
+    let points = kept.iter().map(|&(point, kind)| {
+        let name = unique(namer.name(point), &mut names);
+        Point {
+            name,
+            kind,
+            nodes: sketch.points[point].nodes.clone(),
+        }
+    });
+    let mut picture = Picture {
+        dimension: sketch.dimension,
+        points: points.collect(),
+        ..Picture::default()
+    };
+    picture.links = links
+        .all
+        .iter()
+        .zip(&namer.link_names)
+        .map(|(link, name)| Link {
+            name: name.clone(),
+            points: link.points.iter().map(|&point| place(point)).collect(),
+        })
+        .collect();
+    for guide in &guides.all {
+        let name = unique(format!("along {}", guide.name), &mut names);
+        picture.directions.push((name, guide.along.clone()));
+        picture.guides.push(Guide {
+            name: guide.name.clone(),
+            origin: place(guide.origin),
+            direction: picture.directions.len() - 1,
+            slider: place(guide.slider),
+            on: guide.on,
+        });
+    }
+    for (point, along) in &sketch.axes {
+        let point = place(*point);
+        let known = picture.directions.iter().position(|(_, own)| own == along);
+        let direction = known.unwrap_or_else(|| {
+            let name = format!("axis at {}", picture.points[point].name);
+            let name = unique(name, &mut names);
+            picture.directions.push((name, along.clone()));
+            picture.directions.len() - 1
+        });
+        if !picture.axes.contains(&(point, direction)) {
+            picture.axes.push((point, direction));
+        }
+    }
+    picture
+}
+
+struct Namer<'a, 'b, 'm> {
+    sketch: &'a Sketch<'b, 'm>,
+    seen: &'a Seen<'a>,
+    links: &'a Links,
+    guides: &'a Guides,
+    link_names: Vec<String>,
+}
+
+impl Namer<'_, '_, '_> {
+    /// What becomes of a point; `None` if nothing needs it.
+    fn kind(&self, point: usize) -> Option<PointKind> {
+        let links = self.links.at(point).count();
+        let slides = self.guides.all.iter().any(|guide| guide.slider == point);
+        let turns = |guide: &&super::guides::RawGuide| guide.on == GuideOn::Itself;
+        let mut guides = self.guides.all.iter().filter(|guide| guide.origin == point);
+        let has_guide = guides.clone().next().is_some();
+        let pivots = guides.any(|guide| turns(&guide));
+        let has_axis = self
+            .sketch
+            .axes
+            .iter()
+            .any(|(at, _)| self.seen.same[*at] == point);
+        let wanted = (0..self.seen.same.len())
+            .any(|other| self.seen.same[other] == point && self.sketch.points[other].wanted);
+        match (self.seen.is_fixed(point), links) {
+            (true, _) if links > 0 || pivots => Some(PointKind::Ground),
+            (true, _) if has_guide || has_axis || slides => Some(PointKind::Construction),
+            (true, _) => None,
+            (false, _) if links + usize::from(slides) + usize::from(pivots) > 1 => {
+                Some(PointKind::Joint)
+            }
+            (false, _) if slides => Some(PointKind::Joint),
+            (false, 1) => Some(PointKind::Tip),
+            (false, _) if has_guide || has_axis => Some(PointKind::Construction),
+            (false, _) => wanted.then_some(PointKind::Tip),
+        }
+    }
+
+    /// The best name among those of points that coincide; otherwise what meets there.
+    fn name(&self, point: usize) -> String {
+        let all = (0..self.seen.same.len()).filter(|&other| self.seen.same[other] == point);
+        let titles = all.filter_map(|other| self.sketch.points[other].name.as_ref());
+        if let Some(title) = titles.min_by_key(|title| title.rank) {
+            return title.text.clone();
+        }
+        let links = self.links.all.iter().zip(&self.link_names);
+        let here = links.filter(|(link, _)| link.points.contains(&point));
+        let mut parts: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
+        let (fixed, kind) = (self.seen.is_fixed(point), self.kind(point));
+        let mut guides = self.guides.all.iter();
+        let guide = guides.find(|guide| [guide.origin, guide.slider].contains(&point));
+        if let Some(guide) = guide {
+            match kind {
+                Some(PointKind::Construction) => return format!("guide of {}", guide.name),
+                _ if parts.len() < 2 => parts.push(&guide.name),
+                _ => {}
+            }
+        }
+        if fixed {
+            parts.push("frame");
+        }
+        match parts[..] {
+            [] => "point".to_owned(),
+            [link] if !fixed => format!("end of {link}"),
+            _ => parts.join("/"),
+        }
+    }
+}
+
+/// A link without a name is called by its number.
+fn link_names(links: &Links) -> Vec<String> {
+    let mut names = Vec::new();
+    let each = links.all.iter().enumerate();
+    each.map(|(index, link)| {
+        let title = link.title.as_ref().map(|title| title.text.clone());
+        unique(
+            title.unwrap_or_else(|| format!("link {}", index + 1)),
+            &mut names,
+        )
+    })
+    .collect()
+}
+
+/// The name, with a number behind it if it is taken.
+fn unique(name: String, taken: &mut Vec<String>) -> String {
+    let numbered = (2..).map(|number| format!("{name} {number}"));
+    let mut candidates = std::iter::once(name.clone()).chain(numbered);
+    let free = candidates.find(|candidate| !taken.contains(candidate));
+    let free = free.unwrap_or(name);
+    taken.push(free.clone());
+    free
+}

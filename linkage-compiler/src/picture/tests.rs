@@ -1,0 +1,346 @@
+//! What is recognised, however a mechanism is written.
+
+use proc_macro2::TokenStream;
+
+use crate::diagnostic::{Diagnostics, Origins};
+use crate::lower::Lowered;
+use crate::{analyse, model, syntax};
+
+fn compile(items: &str, functions: &str) -> (Lowered, Vec<String>) {
+    let text = format!("struct M {{ unit mm; {items} }} impl M {{ {functions} }}");
+    let tokens: TokenStream = text.parse().expect("tokens");
+    let (mut diagnostics, mut origins) = (Diagnostics::default(), Origins::default());
+    let definition = syntax::parse(tokens, &mut diagnostics).expect("a mechanism");
+    let mechanism = model::resolve(&definition, &mut origins, &mut diagnostics);
+    let lowered = mechanism.map(|own| analyse(&own, &origins, &mut diagnostics).lowered);
+    let messages = diagnostics.iter().map(|own| own.message.clone()).collect();
+    (lowered.unwrap_or_default(), messages)
+}
+
+#[track_caller]
+fn expect(items: &str, call: &str, expected: &str) {
+    let (lowered, messages) = compile(items, &format!("fn look(phi) -> Look {{ shape: {call} }}"));
+    assert!(messages.is_empty(), "{messages:?}");
+    let picture = lowered.picture.expect("a picture").to_string();
+    let lines =
+        |text: &str| -> Vec<String> { text.lines().map(|line| line.trim().to_owned()).collect() };
+    let expected: Vec<String> = lines(expected)
+        .into_iter()
+        .filter(|line| !line.is_empty())
+        .collect();
+    assert_eq!(lines(&picture), expected, "\n{picture}");
+}
+
+#[track_caller]
+fn expect_message(items: &str, functions: &str, part: &str) {
+    let (_, messages) = compile(items, functions);
+    assert!(
+        messages.len() == 1 && messages[0].contains(part),
+        "{messages:?}"
+    );
+}
+
+const FOUR_BAR: &str =
+    "param crank = 50mm; param coupler = 120mm; param rocker = 100mm; param base = 140mm;
+    input phi = 30deg in 0deg..360deg; unknown theta = 40deg; unknown psi = 80deg;";
+
+const FOUR_BAR_PICTURE: &str = "
+    point crank/frame: Ground
+    point crank/coupler: Joint
+    point coupler/rocker: Joint
+    point rocker/frame: Ground
+    link crank: crank/frame, crank/coupler
+    link coupler: crank/coupler, coupler/rocker
+    link rocker: rocker/frame, coupler/rocker";
+
+#[test]
+fn a_vector_loop_tells_all_links() {
+    let closed = "loop polar(crank, phi) + polar(coupler, theta) = (base, 0) + polar(rocker, psi);";
+    expect(
+        &format!("{FOUR_BAR} {closed}"),
+        "picture()",
+        FOUR_BAR_PICTURE,
+    );
+    // The same the other way round, and as multiples of directions.
+    let closed = "loop coupler * dir(theta) + polar(crank, phi) - polar(rocker, psi) = (base, 0);";
+    let (lowered, messages) = compile(
+        &format!("{FOUR_BAR} {closed}"),
+        "fn look(phi) -> Look { shape: picture() }",
+    );
+    assert!(messages.is_empty(), "{messages:?}");
+    assert_eq!(lowered.picture.expect("a picture").links.len(), 3);
+}
+
+#[test]
+fn a_named_step_is_no_point() {
+    let items = "let arm = polar(crank, phi); let rod = polar(coupler, theta);
+        loop arm + rod = (base, 0) + polar(rocker, psi);";
+    let expected = FOUR_BAR_PICTURE.replace("coupler", "rod");
+    let expected = expected.replace("crank/rod", "arm");
+    expect(&format!("{FOUR_BAR} {items}"), "picture()", &expected);
+}
+
+#[test]
+fn an_unknown_point_hangs_on_two_rods() {
+    expect(
+        "param crank = 50mm; param coupler = 120mm; param rocker = 100mm; param base = (140mm, 0mm);
+         input phi = 30deg in 0deg..360deg; unknown pin = (120mm, 98mm);
+         loop distance(pin, polar(crank, phi)) = coupler; loop norm(pin - base) = rocker;",
+        "picture()",
+        "point pin: Joint
+         point crank/frame: Ground
+         point crank/coupler: Joint
+         point base: Ground
+         link crank: crank/frame, crank/coupler
+         link coupler: pin, crank/coupler
+         link rocker: base, pin",
+    );
+}
+
+#[test]
+fn points_that_turn_together_make_plates() {
+    let items = "let pin = polar(crank, phi);
+        let tip = pin + rotate((70mm, 30mm), theta); let tool = tip + polar(5mm, theta + 10deg);
+        loop pin + polar(coupler, theta) = (base, 0) + polar(rocker, psi);
+        let other = (base, 0) + polar(30mm, psi - 40deg);";
+    expect(
+        &format!("{FOUR_BAR} {items}"),
+        "picture()",
+        "point crank/frame: Ground
+         point pin: Joint
+         point tip: Tip
+         point tool: Tip
+         point rocker/frame: Ground
+         point other: Tip
+         point coupler/rocker: Joint
+         link crank: crank/frame, pin
+         link coupler: pin, tip, tool, coupler/rocker
+         link rocker: rocker/frame, other, coupler/rocker",
+    );
+}
+
+#[test]
+fn a_slide_has_a_guide_on_the_frame() {
+    let items = "param crank = 40mm; param rod = 120mm; param offset = 5mm;
+        input phi = 30deg in 0deg..360deg; unknown theta = -10deg; unknown slide = 150mm;";
+    let expected = "
+        point crank/frame: Ground
+        point crank/rod: Joint
+        point rod/slide: Joint
+        point guide of slide: Construction
+        link crank: crank/frame, crank/rod
+        link rod: crank/rod, rod/slide
+        guide slide: rod/slide from guide of slide, on frame";
+    let written = "loop polar(crank, phi) + polar(rod, theta) = (slide, offset);";
+    expect(&format!("{items} {written}"), "picture()", expected);
+    let turned = "loop polar(crank, phi) + polar(rod, theta) = rotate((slide, offset), 20deg);";
+    expect(&format!("{items} {turned}"), "picture()", expected);
+}
+
+#[test]
+fn guides_belong_to_links_or_turn_by_themselves() {
+    let crank = "param crank = 40mm; param base = (0mm, -80mm); input phi = 30deg in 0deg..360deg;
+        unknown theta = 70deg; unknown s = 100mm; let pin = polar(crank, phi);";
+    expect(
+        &format!("{crank} loop base + polar(s, theta) = pin;"),
+        "picture()",
+        "point crank/frame: Ground
+         point pin: Joint
+         point base: Ground
+         link crank: crank/frame, pin
+         guide s: pin from base, on itself",
+    );
+    expect(
+        &format!(
+            "{crank} loop base + rotate((s, 5mm), theta) = pin; let tip = base + polar(150mm, theta);"
+        ),
+        "picture()",
+        "point crank/frame: Ground
+         point pin: Joint
+         point base: Ground
+         point tip: Tip
+         point guide of s: Construction
+         link crank: crank/frame, pin
+         link theta: base, tip
+         guide s: pin from guide of s, on theta",
+    );
+}
+
+#[test]
+fn a_line_may_be_an_equation() {
+    expect(
+        "param crank = 40mm; param rod = 120mm; param foot = (0mm, 5mm); input phi = 30deg in 0deg..360deg;
+         unknown q = (150mm, 20mm);
+         loop distance(q, polar(crank, phi)) = rod; loop dot(q - foot, dir(95deg)) = 0;",
+        "picture()",
+        "point q: Joint
+         point crank/frame: Ground
+         point crank/rod: Joint
+         point foot: Construction
+         link crank: crank/frame, crank/rod
+         link rod: q, crank/rod
+         guide q: q from foot, on frame",
+    );
+}
+
+#[test]
+fn a_cylinder_hangs_on_its_fixed_end() {
+    expect(
+        "param arm = 500mm; param foot = (100mm, -300mm); input phi = 450mm in 430mm..600mm;
+         unknown psi = 0deg; loop distance(polar(arm, psi), foot) = phi;",
+        "picture()",
+        "point arm/frame: Ground
+         point arm/phi: Joint
+         point foot: Ground
+         link arm: arm/frame, arm/phi
+         guide phi: arm/phi from foot, on itself",
+    );
+}
+
+#[test]
+fn bodies_and_joints_are_links_and_points() {
+    expect(
+        "param crank = 30mm; param rod = 120mm; input phi = 30deg in 0deg..360deg;
+         unknown theta = -10deg; unknown x = 140mm;
+         let p = polar(crank, phi); let q = p + polar(rod, theta); loop q = (x, 0);
+         let centre = p + polar(rod / 2, theta) + polar(4mm, theta + 90deg);
+         body wheel = pin a on frame at (0, 0), turns phi;
+         body link = pin b on wheel at p, turns theta, mass 200g at centre;
+         body piston = slide c on frame at q along (1, 0), mass 1kg at q;
+         pin d = link on piston at q;",
+        "picture()",
+        "point a: Ground
+         point p: Joint
+         point q: Joint
+         link wheel: a, p
+         link link: p, q
+         guide x: q from a, on frame",
+    );
+}
+
+#[test]
+fn space_has_axes() {
+    expect(
+        "param crank = 30mm; param rod = 150mm; param foot = (60mm, 40mm, -30mm);
+         input phi = 0deg in 0deg..360deg; unknown s = 115mm;
+         let pin = turn((crank, 0, 0), (0, 0, 1), phi);
+         let along = (cos(25deg), 0, sin(25deg)); let slide = foot + s * along;
+         loop distance(pin, slide) = rod;",
+        "picture()",
+        "point crank/frame: Ground
+         point pin: Joint
+         point foot: Construction
+         point slide: Joint
+         link crank: crank/frame, pin
+         link rod: pin, slide
+         guide s: slide from foot, on frame
+         axis in crank/frame: axis at crank/frame",
+    );
+}
+
+#[test]
+fn a_tool_in_a_frame_belongs_to_the_coupler() {
+    let (lowered, messages) = compile(
+        "param crank = 40mm; input phi = 20deg in 0deg..360deg;
+         let pin = (crank * cos(phi), crank * sin(phi), 0);
+         let body = frame(pin, (1, 0, 0) * 1mm, (0, 0, 1)); let tip = point_in(body, (60mm, 0mm, 15mm));",
+        "fn look(phi) -> Look { shape: picture() }",
+    );
+    assert!(messages.is_empty(), "{messages:?}");
+    let picture = lowered.picture.expect("a picture");
+    assert_eq!(picture.links.len(), 2, "{picture}");
+}
+
+#[test]
+fn the_user_adds_what_loops_do_not_tell() {
+    let items = format!(
+        "{FOUR_BAR} let p = polar(crank, phi); loop p + polar(coupler, theta) = (base, 0) + polar(rocker, psi);"
+    );
+    let with_tool = FOUR_BAR_PICTURE.replace("crank/coupler", "p").replace(
+        "link coupler: p, coupler/rocker",
+        "link coupler: p, end of coupler, coupler/rocker",
+    );
+    let (lowered, messages) = compile(
+        &items,
+        "fn look(phi) -> Look { shape: picture([p, p + polar(9mm, theta + 90deg)]) }",
+    );
+    assert!(messages.is_empty(), "{messages:?}");
+    let picture = lowered.picture.expect("a picture").to_string();
+    let links = |text: &str| -> Vec<String> {
+        let own = text
+            .lines()
+            .map(str::trim)
+            .filter(|line| line.starts_with("link"));
+        own.map(str::to_owned).collect()
+    };
+    let (mut found, mut expected) = (links(&picture), links(&with_tool));
+    found.sort();
+    expected.sort();
+    assert_eq!(found, expected, "{picture}");
+}
+
+#[test]
+fn a_link_that_stretches_is_refused() {
+    let items = format!(
+        "{FOUR_BAR} let p = polar(crank, phi); let q = (base, 0) + polar(rocker, psi); loop p + polar(coupler, theta) = q;"
+    );
+    let stretched = "fn look(phi) -> Look { shape: picture([(base, 0), p]) }";
+    expect_message(&items, stretched, "a link that stretches: from");
+    let fixed = "fn look(phi) -> Look { shape: picture([(base, 0), (0, 0)]) }";
+    expect_message(&items, fixed, "this is no link, but the frame");
+}
+
+#[test]
+fn a_picture_stands_alone() {
+    let items = format!(
+        "{FOUR_BAR} loop polar(crank, phi) + polar(coupler, theta) = (base, 0) + polar(rocker, psi);"
+    );
+    let within = "fn look(phi) -> Look { shape: 2 * picture() }";
+    expect_message(&items, within, "`picture` within an expression");
+    let derived = "fn look(phi) -> Look { shape: velocity(picture()) }";
+    expect_message(&items, derived, "`picture` within an expression");
+    let list = "fn look(phi) -> Look { shape: picture(crank) }";
+    expect_message(&items, list, "expected a link, found no list");
+    let short = "fn look(phi) -> Look { shape: picture([polar(crank, phi)]) }";
+    expect_message(&items, short, "a link joins at least two points");
+    let angle = "fn look(phi) -> Look { shape: picture([polar(crank, phi), theta]) }";
+    expect_message(&items, angle, "a link joins points, found an angle");
+    let twice =
+        "fn look(phi) -> Look { shape: picture() } fn again(phi) -> Again { shape: picture() }";
+    expect_message(&items, twice, "a mechanism has one picture");
+}
+
+#[test]
+fn without_links_there_is_nothing_to_draw() {
+    expect_message(
+        "input phi = 0deg in 0deg..360deg; let psi = 2 * phi;",
+        "fn look(phi) -> Look { psi, shape: picture() }",
+        "there is nothing to draw",
+    );
+}
+
+#[test]
+fn other_functions_stay_as_they_are() {
+    let items = format!(
+        "{FOUR_BAR} let p = polar(crank, phi); loop p + polar(coupler, theta) = (base, 0) + polar(rocker, psi);
+         let tip = p + polar(70mm, theta + 25deg);"
+    );
+    let motion = "fn motion(phi) -> Motion { tip, v: velocity(tip), a: acceleration(tip), e: sensitivity(tip), m: margin() }";
+    let look = "fn look(phi) -> Look { shape: picture() }";
+    let (alone, _) = compile(&items, motion);
+    for functions in [format!("{motion} {look}"), format!("{look} {motion}")] {
+        let (beside, messages) = compile(&items, &functions);
+        assert!(messages.is_empty(), "{messages:?}");
+        let find = |lowered: &Lowered| {
+            let own = lowered.evaluators.iter().find(|own| own.fields.len() == 5);
+            let program = &own.expect("the function").program;
+            let operations = program
+                .instructions
+                .iter()
+                .map(|one| format!("{one:?}").split('(').next().map(str::to_owned));
+            (program.outputs.clone(), operations.collect::<Vec<_>>())
+        };
+        assert_eq!(find(&beside), find(&alone));
+    }
+    assert!(alone.picture.is_none());
+}
