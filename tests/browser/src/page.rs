@@ -165,7 +165,10 @@ impl Page {
 fn complaint(event: &Value) -> Option<String> {
     let parameters = &event["params"];
     let (level, what) = match event["method"].as_str()? {
-        "Runtime.exceptionThrown" => ("error", &parameters["exceptionDetails"]),
+        "Runtime.exceptionThrown" => (
+            "error",
+            &parameters["exceptionDetails"]["exception"]["description"],
+        ),
         "Log.entryAdded" => (parameters["entry"]["level"].as_str()?, &parameters["entry"]),
         "Runtime.consoleAPICalled" => (parameters["type"].as_str()?, &parameters["args"]),
         _ => return None,

@@ -104,6 +104,7 @@ impl Drawing<'_> {
                     .fill(Colour::Paper)
                     .stroke(colour, 0.45),
                 PointKind::Tip => Element::circle(at, 0.8).fill(colour),
+                PointKind::Construction => continue,
             };
             svg.add(mark.class("point").set("data-point", point.name));
         }

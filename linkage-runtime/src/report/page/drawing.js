@@ -1,10 +1,11 @@
 // The drawing of the mechanism: its layers, and what changes with position and view.
 
 const drawing = {
-  // Parts that are drawn the farthest first, and parts that are always on top.
+  // Parts that are drawn the farthest first, and points, which are always on top.
   bodies: [],
-  points: [],
   tops: [],
+  // Nodes by the points' indices.
+  points: new Map(),
   layers: {},
 };
 
@@ -19,7 +20,7 @@ function startDrawing() {
   camera.listeners.push(redraw);
   new ResizeObserver(measureDrawing).observe(byId("figure"));
   measureDrawing();
-  for (const index of picture.traces ?? []) toggleTrace(index);
+  for (const index of picture.traces) toggleTrace(index);
   onMove(placeParts);
 }
 
@@ -38,10 +39,14 @@ function makeParts() {
   const ranks = [".axis", ".guide", ".slot", ".plate", ".bar", "[data-slider]"];
   const rank = (part) => ranks.findIndex((selector) => part.node.matches(selector));
   drawing.bodies = [...(picture.axes ?? []).map(axisPart), ...guides, ...links].sort((a, b) => rank(a) - rank(b));
-  drawing.tops = picture.points.map(pointPart);
-  drawing.points = drawing.tops.map((part) => part.node);
+  picture.points.forEach((point, index) => {
+    if (!isDrawn(point)) return;
+    const part = pointPart(point, index);
+    drawing.tops.push(part);
+    drawing.points.set(index, part.node);
+  });
   drawing.layers.bodies.append(...drawing.bodies.map((part) => part.node));
-  drawing.layers.points.append(...drawing.points);
+  drawing.layers.points.append(...drawing.points.values());
 }
 
 function measureDrawing() {

@@ -16,6 +16,11 @@ function directionAt(index, row) {
   return placeOf(picture.directions[index], row);
 }
 
+// Points that only say where a guide is are no part of the mechanism.
+function isDrawn(point) {
+  return point.kind !== "construction";
+}
+
 function along(place, direction, length) {
   return place.map((component, i) => component + length * direction[i]);
 }
@@ -50,11 +55,11 @@ function guidePlaces(guide, row) {
   return [pointAt(guide.origin, row), directionAt(guide.direction, row), pointAt(guide.slider, row)];
 }
 
-// The box around all places of all points, as its middle and half its sides, and how far points get from the middle.
+// The box around all places of what is drawn, as its middle and half its sides, and how far points get from the middle.
 function extent() {
   const low = Array(picture.dimension).fill(Infinity);
   const high = Array(picture.dimension).fill(-Infinity);
-  for (const point of picture.points) {
+  for (const point of picture.points.filter(isDrawn)) {
     eachRow((row) => {
       const place = placeOf(point, row);
       if (place === null) return;
@@ -72,7 +77,7 @@ function extent() {
 
 function reachFrom(middle) {
   let reach = 0;
-  for (const point of picture.points) {
+  for (const point of picture.points.filter(isDrawn)) {
     eachRow((row) => {
       const place = placeOf(point, row);
       if (place !== null) reach = Math.max(reach, Math.hypot(...minus(place, middle)));

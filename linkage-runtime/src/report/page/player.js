@@ -9,10 +9,25 @@ function span() {
   return input.values[rowCount - 1] - input.values[0];
 }
 
-// Seconds that the range takes in the machine, or null if its speed is not known.
+// The input's speed in the machine, or null if it is not known.
+function trueSpeed() {
+  return report.speed && report.speed.omega ? report.speed.omega : null;
+}
+
+// Seconds that the range takes in the machine, or null.
 function truePeriod() {
-  const omega = report.speed ? report.speed.omega : null;
-  return omega ? Math.abs(span() / omega) : null;
+  return trueSpeed() === null ? null : Math.abs(span() / trueSpeed());
+}
+
+// Whether the machine runs through the rows from the last to the first.
+function runsBackward() {
+  return trueSpeed() !== null && trueSpeed() * span() < 0;
+}
+
+// Seconds from where the machine enters the range.
+function trueTime(value) {
+  const begin = input.values[runsBackward() ? rowCount - 1 : 0];
+  return Math.abs((value - begin) / trueSpeed());
 }
 
 function setPlaying(playing) {
@@ -58,7 +73,7 @@ function setBackward(backward) {
 // What a listed speed is in the machine's time.
 function speedText(period) {
   const real = truePeriod();
-  const whole = input.periodic && input.unit === "rad" ? "turn" : "range";
+  const whole = input.periodic ? "cycle" : "range";
   const seconds = `${digits(rounded(period, 3))} s per ${whole}`;
   if (real === null) return seconds;
   const factor = period / real;
@@ -83,7 +98,7 @@ function startPlayer() {
   });
   byId("play").addEventListener("click", () => setPlaying(!player.playing));
   byId("direction").addEventListener("click", () => setBackward(!player.backward));
-  setBackward(false);
+  setBackward(runsBackward());
   onMove(showPosition);
 }
 
@@ -92,8 +107,7 @@ function showPosition(row) {
   const slider = byId("position");
   slider.value = row;
   slider.setAttribute("aria-valuetext", `${input.name} ${inputShort(value)}`);
-  const omega = report.speed ? report.speed.omega : null;
-  const time = omega ? `, t = ${digits(rounded((value - input.values[0]) / omega, 6))} s` : "";
+  const time = trueSpeed() === null ? "" : `, t = ${digits(rounded(trueTime(value), 6))} s`;
   const radians = input.unit === "rad" ? [element("small", {}, `${digits(value)} rad`)] : [];
   byId("readout").replaceChildren(
     element("b", {}, `${input.name} = ${withUnit(value, input.unit).replace(/ \(.*/, "")}`),

@@ -15,7 +15,7 @@ function toggleTrace(index) {
   } else {
     traces.paths.set(index, addTrace(index));
   }
-  const node = drawing.points[index];
+  const node = drawing.points.get(index);
   node.setAttribute("aria-pressed", traces.paths.has(index));
   node.style.setProperty("--colour", traceColour(index));
 }

@@ -28,6 +28,7 @@ static PICTURE: Picture = Picture {
         point("base", PointKind::Ground),
         point("block", PointKind::Joint),
         point("hang", PointKind::Ground),
+        point("far", PointKind::Construction),
     ],
     directions: &["stroke", "cylinder", "rod"],
     links: &[
@@ -47,7 +48,7 @@ static PICTURE: Picture = Picture {
     guides: &[
         Guide {
             name: "x",
-            origin: 0,
+            origin: 6,
             direction: 0,
             slider: 2,
             on: GuideOn::Frame,
@@ -86,6 +87,8 @@ static VIEW: Heading = Heading {
         shown("picture[block].y", "m"),
         shown("picture[hang].x", "m"),
         shown("picture[hang].y", "m"),
+        shown("picture[far].x", "m"),
+        shown("picture[far].y", "m"),
         shown("picture[stroke].x", ""),
         shown("picture[stroke].y", ""),
         shown("picture[cylinder].x", ""),
@@ -106,6 +109,9 @@ const FOLLOWER: f64 = 0.11;
 const BASE: [f64; 2] = [-0.06, 0.08];
 const HANG: [f64; 2] = [0.09, 0.08];
 
+/// On the line of the frame's guide, far from everything that is drawn.
+const FAR: [f64; 2] = [-3.0, 0.0];
+
 /// The report about them, in metres, every three degrees.
 #[must_use]
 pub fn sliders() -> Report {
@@ -116,7 +122,7 @@ pub fn sliders() -> Report {
         .trace("block")
 }
 
-fn row(phi: f64) -> [f64; 19] {
+fn row(phi: f64) -> [f64; 21] {
     let big = [CRANK * phi.cos(), CRANK * phi.sin()];
     let x = big[0] + (ROD * ROD - big[1] * big[1]).sqrt();
     let small = [x, 0.0];
@@ -130,11 +136,12 @@ fn row(phi: f64) -> [f64; 19] {
         BASE,
         block,
         HANG,
+        FAR,
         [1.0, 0.0],
         cylinder,
         rod,
     ];
-    let mut all = [x; 19];
+    let mut all = [x; 21];
     for (place, value) in all.iter_mut().zip(joined.into_iter().flatten()) {
         *place = value;
     }

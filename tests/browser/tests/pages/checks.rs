@@ -106,7 +106,7 @@ pub(crate) fn points_stand_where_the_data_say(page: &mut Page, report: &Value, r
                at: [p.dataset.x, p.dataset.y, p.dataset.z].map((c) => c === undefined ? null : Number(c)), \
                seen: [r.left + r.width / 2, r.top + r.height / 2] }; }) }; })()",
     );
-    let points = picture["points"].as_array().expect("points");
+    let points = drawn_points(picture);
     assert_eq!(drawn["points"].as_array().map(Vec::len), Some(points.len()));
     for (point, seen) in points
         .iter()
@@ -135,6 +135,15 @@ pub(crate) fn points_stand_where_the_data_say(page: &mut Page, report: &Value, r
             on_screen(&place, seen, &drawn);
         }
     }
+}
+
+/// The points of a picture without those that only say where a guide is.
+pub(crate) fn drawn_points(picture: &Value) -> Vec<&Value> {
+    let points = picture["points"].as_array().expect("points");
+    points
+        .iter()
+        .filter(|point| point["kind"] != "construction")
+        .collect()
 }
 
 fn on_screen(place: &[f64], seen: &Value, drawn: &Value) {

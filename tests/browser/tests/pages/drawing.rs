@@ -131,4 +131,7 @@ fn slides() {
         page.number("document.querySelectorAll('#drawing .rail').length"),
         1.0
     );
+    // A point that only says where a guide is does not make the rest small: 0.165 m and more fill the drawing.
+    let scale = page.number("Number(document.querySelector('#drawing').dataset.scale)");
+    assert!(0.165 * scale > 250.0, "{scale} pixels for a metre");
 }

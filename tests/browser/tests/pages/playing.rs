@@ -84,8 +84,8 @@ fn speeds_tell_their_slow_motion() {
     };
     let words = page.words("document.querySelector('#speed').innerText");
     // 10 turns in a second.
-    assert!(words.contains("true time (0.1 s per turn)"), "{words}");
-    assert!(words.contains("8 s per turn, slowed 80 times"), "{words}");
+    assert!(words.contains("true time (0.1 s per cycle)"), "{words}");
+    assert!(words.contains("8 s per cycle, slowed 80 times"), "{words}");
 
     let travelled = |page: &mut Page, option: usize| {
         page.value(&format!(
