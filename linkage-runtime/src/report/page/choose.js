@@ -45,7 +45,7 @@ function startChooser(changed) {
   box.firstChild.append(count);
   byId("chooser").append(box);
   const tell = () => { count.textContent = `${chosen.size} of ${columns.length}`; };
-  byId("chooser").addEventListener("change", tell);
+  box.addEventListener("change", tell);
   tell();
 }
 

@@ -7,22 +7,38 @@ const DASHES = [null, "7 4", "2 3", "9 3 2 3"];
 const WIDENINGS = [1, 10, 100, 1000, 10000];
 const widening = { factor: 1 };
 
-// Panels by unit, in the order of the columns; colours by the order within the panel.
-function chosenPanels() {
+// Panels by unit in the order of the columns, or one for each column.
+function chosenPanels(apart) {
   const panels = new Map();
   for (const column of columns.filter((column) => chosen.has(column.key))) {
     const unit = plotUnit(column.unit);
-    if (!panels.has(unit)) panels.set(unit, { unit, curves: [] });
-    const { curves } = panels.get(unit);
-    const index = curves.length;
-    curves.push({
-      column,
-      colour: `var(--curve-${index % CURVE_COLOURS})`,
-      dash: DASHES[Math.floor(index / CURVE_COLOURS) % DASHES.length],
-      ys: column.values.map((value) => plotValue(value, column.unit)),
-    });
+    const name = apart ? column.key : unit;
+    if (!panels.has(name)) panels.set(name, { unit, curves: [] });
+    const { curves } = panels.get(name);
+    curves.push(curveOf(column, curves.length));
   }
   return [...panels.values()];
+}
+
+function curveOf(column, index) {
+  return {
+    column,
+    colour: `var(--curve-${index % CURVE_COLOURS})`,
+    dash: DASHES[Math.floor(index / CURVE_COLOURS) % DASHES.length],
+    ys: column.values.map((value) => plotValue(value, column.unit)),
+  };
+}
+
+// Whether curves of one unit lie so far from each other that on one axis each would look like a straight line.
+function areFarApart() {
+  const height = (curves) => {
+    const [low, high] = spread(curves, () => true);
+    return Math.max(0, high - low);
+  };
+  return chosenPanels(false).some(({ curves }) => {
+    const largest = Math.max(...curves.map((curve) => height([curve])));
+    return curves.length > 1 && largest > 0 && height(curves) > 4 * largest;
+  });
 }
 
 // Half the width of a band as it is drawn.

@@ -1,13 +1,24 @@
 // The panels below each other, their legends with values, and what pointers do in them.
 
-const plots = { panels: [], width: 0 };
+const plots = { panels: [], width: 0, apart: false };
 
 function startPlots() {
   startChooser(makePanels);
+  byId("chooser").append(apartChoice());
   if (columns.some((column) => column.bands.length > 0)) byId("chooser").append(wideningChoice());
   new ResizeObserver(measurePanels).observe(byId("panels"));
   onMove(showCursors);
   measurePanels();
+}
+
+function apartChoice() {
+  plots.apart = areFarApart();
+  const box = element("input", { id: "apart", type: "checkbox", checked: plots.apart });
+  box.addEventListener("change", () => {
+    plots.apart = box.checked;
+    makePanels();
+  });
+  return element("label", { class: "aside" }, box, " Each on its own axis");
 }
 
 function wideningChoice() {
@@ -30,7 +41,7 @@ function measurePanels() {
 }
 
 function makePanels() {
-  plots.panels = chosenPanels();
+  plots.panels = chosenPanels(plots.apart);
   measureLabels(plots.panels);
   byId("panels").replaceChildren(...plots.panels.map(makePanel));
   if (plots.panels.length === 0) byId("panels").append(element("p", { class: "empty" }, "Choose quantities above."));

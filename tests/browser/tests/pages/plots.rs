@@ -86,6 +86,13 @@ fn quantities_are_chosen() {
     assert_eq!(page.words(panels), "mm deg mm/mm mm/s rad/s");
     page.click("input[data-column='motion||e[crank].x|mm/mm']");
     assert_eq!(page.number(curves), first);
+    page.click("#apart");
+    assert_eq!(
+        page.number("document.querySelectorAll('.panel').length"),
+        first
+    );
+    page.click("#apart");
+    assert_eq!(page.words(panels), "mm deg mm/s rad/s");
     // True velocities are the analogues times the speed.
     let report = checks::report(&mut page);
     let speed = report["speed"]["omega"].as_f64().expect("a speed");
