@@ -195,13 +195,13 @@ impl Drawing<'_> {
                 },
             );
         }
-        for (order, &point) in self.traces.iter().enumerate() {
-            self.path(&mut svg, &sheet, point, order);
-        }
         self.axes(&mut svg, &sheet, row);
         self.pivots(&mut svg, &sheet, row);
         self.links(&mut svg, &sheet, row);
         self.sliders(&mut svg, &sheet, row);
+        for (order, &point) in self.traces.iter().enumerate() {
+            self.path(&mut svg, &sheet, point, order);
+        }
         self.points(&mut svg, &sheet, row);
         if self.names {
             self.point_names(&mut svg, &sheet, row);

@@ -203,7 +203,7 @@ impl fmt::Display for Mistake {
                 dimensions,
             } => write!(
                 f,
-                "column `{column}` is a sensitivity to parameter {parameter}, but there are {dimensions} dimensions; give `dimensions` the mechanism that was swept"
+                "column `{column}` is a sensitivity to parameter {parameter}, beyond the {dimensions} of the dimensions; give `dimensions` the mechanism that was swept"
             ),
             Self::Velocity { column, of } => {
                 let of = of.as_deref().unwrap_or("the same quantity");
@@ -238,7 +238,7 @@ impl fmt::Display for Mistake {
             ),
             Self::Positions { count } => write!(
                 f,
-                "{count} positions make no range; give at least two, as `Input::positions` does"
+                "a report needs two positions or more, and has {count}; `Input::positions` gives evenly spaced ones"
             ),
         }
     }

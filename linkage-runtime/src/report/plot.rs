@@ -200,7 +200,7 @@ impl Plot {
 
         let top = if self.title.is_empty() { 14.0 } else { 44.0 };
         let below = top + panels.len() as f64 * (self.height + panel::SPACE) - panel::SPACE;
-        let height = below + 52.0 + 18.0 * notes.len() as f64;
+        let height = below + 54.0 + 18.0 * notes.len() as f64;
         let mut svg = Svg::new(self.width, height, "", &self.described());
         if !self.title.is_empty() {
             let title = Element::text([panel::LEFT, 26.0], 16.0).set("font-weight", 600);
@@ -219,7 +219,7 @@ impl Plot {
             legend::draw(&mut svg, [frame.right + 14.0, above + 12.0], legend);
         }
         for (line, note) in notes.iter().enumerate() {
-            let at = [panel::LEFT, below + 58.0 + 18.0 * line as f64];
+            let at = [panel::LEFT, below + 64.0 + 18.0 * line as f64];
             let words = Element::text(at, 12.0).class("note").fill(Colour::Muted);
             svg.words(words, note);
         }

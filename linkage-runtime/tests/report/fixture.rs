@@ -4,7 +4,7 @@ mod four_bar;
 mod quick_return;
 mod spatial;
 
-pub(crate) use four_bar::FourBar;
+pub(crate) use four_bar::{FourBar, MOTION};
 pub(crate) use quick_return::quick_return;
 pub(crate) use spatial::spatial;
 

@@ -2,7 +2,6 @@
 
 use std::format;
 use std::string::String;
-use std::vec::Vec;
 
 use super::Drawing;
 use super::sheet::Sheet;
@@ -18,6 +17,16 @@ impl Drawing<'_> {
         let [width, height] = sheet.size;
         let title = Element::text([6.0, 9.0], 4.4).set("font-weight", 600);
         svg.words(title.fill(Colour::Ink), &self.report.title);
+        let rows = 0..self.report.positions.len();
+        let missing = rows.filter(|row| !self.shown.is_assembled(*row)).count();
+        if missing > 0 {
+            let words = format!(
+                "It cannot be assembled at {missing} of {} positions.",
+                self.report.positions.len()
+            );
+            let note = Element::text([6.0, 14.0], 3.2).class("note");
+            svg.words(note.fill(Colour::Muted), &words);
+        }
         self.scale_bar(svg, sheet, [6.0, height - 6.0]);
         let at = [width - 6.0, height - 6.0];
         let words = Element::text(at, 3.2).anchor("end").class("caption");
@@ -35,16 +44,7 @@ impl Drawing<'_> {
             scale if scale < 1.0 => format!("1:{}", rounded(1.0 / scale)),
             scale => format!("{}:1", rounded(scale)),
         };
-        let mut words = Vec::from([
-            format!("{} = {} {unit}", input.name, rounded(at)),
-            format!("scale {scale}"),
-        ]);
-        let rows = 0..self.report.positions.len();
-        let missing = rows.filter(|row| !self.shown.is_assembled(*row)).count();
-        if missing > 0 {
-            words.push(String::from("gaps: cannot be assembled"));
-        }
-        words.join(", ")
+        format!("{} = {} {unit}, scale {scale}", input.name, rounded(at))
     }
 
     /// A round length of the mechanism with its number.

@@ -2,14 +2,14 @@
 
 use super::Drawing;
 use super::geometry::moved;
-use super::parts::{BLOCK, is_joined};
+use super::parts::BLOCK;
 use super::sheet::{BEYOND, Sheet};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
 use crate::{Guide, GuideOn, PointKind};
 
 /// Height and half the width of a pivot's foot.
-const FOOT: [f64; 2] = [4.2, 2.8];
+pub(super) const FOOT: [f64; 2] = [4.2, 2.8];
 /// Distance and length of hatching.
 const HATCH: [f64; 2] = [1.5, 2.0];
 /// Half the length of an axis.
@@ -61,7 +61,7 @@ impl Drawing<'_> {
     pub(super) fn pivots(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
         let picture = self.shown.picture;
         for (index, point) in picture.points.iter().enumerate() {
-            let is_pivot = point.kind == PointKind::Ground && is_joined(picture, index);
+            let is_pivot = point.kind == PointKind::Ground;
             let Some(at) = sheet.point(index, row).filter(|_| is_pivot) else {
                 continue;
             };

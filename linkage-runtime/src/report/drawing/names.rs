@@ -3,22 +3,24 @@
 use std::vec::Vec;
 
 use super::Drawing;
-use super::geometry::distance;
+use super::fixed::FOOT;
+use super::geometry::{distance, moved};
+use super::parts::BLOCK;
 use super::sheet::Sheet;
+use crate::PointKind;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::{GuideOn, PointKind};
 
 /// Size of the letters and average width of one.
 const SIZE: f64 = 3.2;
 const LETTER: f64 = 1.9;
 /// Distance of a name from its point.
-const APART: f64 = 2.4;
+const APART: f64 = 2.7;
 /// A name this far from everything is as good as one farther away.
-const ENOUGH: f64 = 2.5;
+const ENOUGH: f64 = 3.6;
 
 /// Where the middle of a name may be, as directions from its point; the first ones are preferred.
-const SIDES: [[f64; 2]; 8] = [
+const SIDES: [[f64; 2]; 12] = [
     [1.0, -0.8],
     [-1.0, -0.8],
     [1.0, 0.8],
@@ -27,15 +29,27 @@ const SIDES: [[f64; 2]; 8] = [
     [-1.0, 0.0],
     [0.0, -1.0],
     [0.0, 1.0],
+    [1.0, -1.6],
+    [-1.0, -1.6],
+    [1.0, 1.6],
+    [-1.0, 1.6],
 ];
 
 type Stretch = [[f64; 2]; 2];
 
 impl Drawing<'_> {
+    /// Width of the longest name on paper.
+    pub(super) fn names_width(&self) -> f64 {
+        let points = self.shown.picture.points.iter().filter(|_| self.names);
+        let letters = points.map(|point| point.name.chars().count());
+        LETTER * letters.max().unwrap_or(0) as f64
+    }
+
     pub(super) fn point_names(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
         let mut taken = self.stretches(sheet, row);
         for (index, point) in self.shown.picture.points.iter().enumerate() {
-            let Some(at) = sheet.point(index, row) else {
+            let is_drawn = point.kind != PointKind::Construction;
+            let Some(at) = sheet.point(index, row).filter(|_| is_drawn) else {
                 continue;
             };
             let half = [
@@ -77,19 +91,22 @@ impl Drawing<'_> {
             if let [Some(a), Some(b)] = ends {
                 stretches.push([a, b]);
             }
-            if guide.on == GuideOn::Frame {
-                stretches.extend(sheet.point(guide.slider, row).map(|at| [at, at]));
-            }
+            let block = sheet
+                .point(guide.slider, row)
+                .zip(sheet.direction(guide.direction, row));
+            stretches.extend(block.map(|(at, way)| {
+                let [half, _] = BLOCK;
+                [moved(at, way, -half, 0.0), moved(at, way, half, 0.0)]
+            }));
         }
-        // Points themselves, and the feet of pivots.
         for (index, point) in picture.points.iter().enumerate() {
-            if let Some(at) = sheet.point(index, row) {
-                let foot = if point.kind == PointKind::Ground {
-                    6.0
-                } else {
-                    0.0
-                };
-                stretches.push([at, [at[0], at[1] + foot]]);
+            if let Some([x, y]) = sheet.point(index, row) {
+                stretches.push([[x, y]; 2]);
+                if point.kind == PointKind::Ground {
+                    let [height, half] = FOOT;
+                    let below = y + height + 0.5;
+                    stretches.push([[x - 1.6 * half, below], [x + 1.6 * half, below]]);
+                }
             }
         }
         stretches

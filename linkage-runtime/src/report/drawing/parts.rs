@@ -7,7 +7,7 @@ use super::geometry::{hull, moved};
 use super::sheet::{BEYOND, Sheet};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::{GuideOn, Picture, PointKind};
+use crate::{GuideOn, PointKind};
 
 /// Width of a bar, and of a link's rail.
 const BAR: f64 = 2.4;
@@ -62,13 +62,14 @@ impl Drawing<'_> {
             svg.add(
                 shape
                     .fill(body.colour)
-                    .number("fill-opacity", 0.35)
-                    .stroke(Colour::Frame, 0.4),
+                    .number("fill-opacity", 0.25)
+                    .stroke(Colour::Frame, 0.25),
             );
         }
-        for (index, _) in self.shown.picture.points.iter().enumerate() {
-            if let Some(at) = sheet.point(index, row) {
-                svg.add(Element::circle(at, 0.45).fill(Colour::Frame));
+        for (index, point) in self.shown.picture.points.iter().enumerate() {
+            let is_drawn = point.kind != PointKind::Construction;
+            if let Some(at) = sheet.point(index, row).filter(|_| is_drawn) {
+                svg.add(Element::circle(at, 0.4).fill(Colour::Frame));
             }
         }
     }
@@ -83,9 +84,7 @@ impl Drawing<'_> {
                 let corner = |(along, left): (f64, f64)| moved(at, direction, along, left);
                 let corners = [(half, high), (half, -high), (-half, -high), (-half, high)];
                 let block = Element::polygon(corners.map(corner)).class("slider");
-                let block = block
-                    .set("data-name", guide.name)
-                    .set("stroke-linejoin", "round");
+                let block = block.set("data-name", guide.name);
                 svg.add(block.fill(Colour::Paper).stroke(Colour::Ink, 0.45));
             }
         }
@@ -152,14 +151,4 @@ impl Drawing<'_> {
         }
         bodies
     }
-}
-
-/// Whether a link, or a guide that turns about it, is joined at a point.
-pub(super) fn is_joined(picture: &Picture, point: usize) -> bool {
-    let link = picture
-        .links
-        .iter()
-        .any(|link| link.points.contains(&point));
-    let turning = |guide: &crate::Guide| guide.on == GuideOn::Itself && guide.origin == point;
-    link || picture.guides.iter().any(turning)
 }

@@ -2,15 +2,18 @@
 
 use super::Drawing;
 use super::geometry::along;
+use crate::PointKind;
 use crate::report::shown::Shown;
 
-/// Around the mechanism, in millimetres: place for symbols and names.
-const MARGIN: f64 = 15.0;
+/// Around the mechanism, in millimetres: place for symbols; to the left and right also for names up to a length.
+const MARGIN: f64 = 13.0;
+const LONGEST: f64 = 34.0;
 /// Above and below: title and caption.
-const HEAD: f64 = 9.0;
+const HEAD: f64 = 11.0;
 const FOOT: f64 = 12.0;
-/// The least width, for the caption.
-const NARROWEST: f64 = 90.0;
+/// The least width, for the caption, and what a letter of the title adds.
+const NARROWEST: f64 = 110.0;
+const LETTER: f64 = 2.8;
 /// The mechanism is not drawn larger than this without being asked for.
 const LARGEST: [f64; 2] = [160.0, 180.0];
 /// How far guides go on beyond the slider, on paper.
@@ -83,7 +86,9 @@ impl<'a> Sheet<'a> {
             round_scale(room)
         });
         let factor = scale * unit;
-        let width = (wide * factor + 2.0 * MARGIN).max(NARROWEST);
+        let title = 12.0 + LETTER * drawing.report.title.chars().count() as f64;
+        let beside = 2.0 * (MARGIN + drawing.names_width().min(LONGEST));
+        let width = (wide * factor + beside).max(NARROWEST).max(title);
         Self {
             shown,
             view,
@@ -148,8 +153,10 @@ fn limits(shown: &Shown<'_>, view: &View) -> [[f64; 2]; 2] {
         }
     };
     for row in 0..shown.rows() {
-        for point in 0..shown.picture.points.len() {
-            take(shown.place(point, row));
+        for (index, point) in shown.picture.points.iter().enumerate() {
+            if point.kind != PointKind::Construction {
+                take(shown.place(index, row));
+            }
         }
         for guide in shown.picture.guides {
             let (origin, way) = (

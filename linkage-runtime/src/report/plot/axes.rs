@@ -35,7 +35,12 @@ impl Axis {
         height: f64,
     ) -> Self {
         let (low, high) = limits(values);
-        let scale = Scale::about(low, high, (height / 34.0) as usize + 1);
+        let about = if unit == "deg" {
+            Scale::about_degrees
+        } else {
+            Scale::about
+        };
+        let scale = about(low, high, (height / 34.0) as usize + 1);
         let joined = names.join(", ");
         // What does not fit stands in the legend.
         let fits = joined.chars().count() as f64 * 7.0 < height - 60.0;

@@ -36,14 +36,17 @@ impl Scale {
 
     /// Limits with some air about these numbers, which may be equal.
     pub(super) fn about(low: f64, high: f64, count: usize) -> Self {
-        let size = low.abs().max(high.abs());
-        // Differences that are roundoff would show as noise.
-        let air = match high - low {
-            width if width > 1e-12 * size => 0.06 * width,
-            _ if size > 1e-280 => 0.1 * size,
-            _ => 1.0,
-        };
-        Self::within(low - air, high + air, count)
+        let (low, high) = with_air(low, high);
+        Self::within(low, high, count)
+    }
+
+    /// As [`about`](Self::about), with steps that divide a turn if it is much of one.
+    pub(super) fn about_degrees(low: f64, high: f64, count: usize) -> Self {
+        let (low, high) = with_air(low, high);
+        match high - low > 120.0 {
+            true => Self::degrees(low, high, count),
+            false => Self::within(low, high, count),
+        }
     }
 
     fn stepped(low: f64, high: f64, step: f64) -> Self {
@@ -81,6 +84,18 @@ impl Scale {
     pub(super) fn part(&self, x: f64) -> f64 {
         (x - self.low) / (self.high - self.low)
     }
+}
+
+fn with_air(low: f64, high: f64) -> (f64, f64) {
+    let size = low.abs().max(high.abs());
+    let air = match high - low {
+        // Nothing, as far as steps can be computed.
+        _ if size < 1e-280 => 1.0,
+        // Differences that are roundoff would show as noise.
+        width if width > 1e-12 * size => 0.06 * width,
+        _ => 0.1 * size,
+    };
+    (low - air, high + air)
 }
 
 fn whole(x: f64) -> bool {

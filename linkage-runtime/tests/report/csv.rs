@@ -1,0 +1,72 @@
+//! Tables as CSV.
+
+use crate::data::same;
+use crate::fixture::{FourBar, PHI, Sweep, value};
+use crate::four_bar;
+use linkage_runtime::report::Report;
+use linkage_runtime::{Heading, Table};
+
+#[test]
+fn csv_has_units_and_every_number_to_the_last_bit() {
+    let phi = PHI.positions(361);
+    let sweep = FourBar::GAPPED.motion(&phi);
+    let text = four_bar(FourBar::GAPPED)
+        .speed(3.0, 0.5)
+        .csv("motion")
+        .unwrap();
+    let mut lines = text.split_terminator("\r\n");
+    assert_eq!(
+        lines.next().unwrap(),
+        "phi [rad],tracer.x [mm],tracer.y [mm],v.x [mm/rad],v.y [mm/rad],a.x [mm/rad^2],a.y [mm/rad^2],psi [rad],\
+         v.x [mm/s],v.y [mm/s],a.x [mm/s^2],a.y [mm/s^2]"
+    );
+    let rows: Vec<Vec<f64>> = lines
+        .map(|line| {
+            line.split(',')
+                .map(|cell| cell.parse().unwrap_or(f64::NAN))
+                .collect()
+        })
+        .collect();
+    assert_eq!(rows.len(), phi.len());
+    for (row, cells) in rows.iter().enumerate() {
+        assert_eq!(cells.len(), 12);
+        let mut expected = vec![phi[row]];
+        expected.extend((0..7).map(|i| sweep.column(i)[row]));
+        let (v, a) = (sweep.column(2)[row], sweep.column(4)[row]);
+        assert!(same(&cells[..8], &expected), "row {row}");
+        assert!(
+            same(&[cells[8], cells[10]], &[v * 3.0, a * 9.0 + v * 0.5]),
+            "row {row}"
+        );
+    }
+    let gap = text.split_terminator("\r\n").nth(181).unwrap();
+    assert!(gap.ends_with(",,,,,,,,,,,"), "{gap}");
+}
+
+#[test]
+fn numbers_have_their_shortest_digits() {
+    const ODD: Heading = Heading {
+        function: "odd",
+        arguments: &["phi"],
+        columns: &[value("at \"a\", b", "mm")],
+        picture: None,
+    };
+    let numbers = [0.1, 1e300, -5e-324, -0.0, 100.0, f64::INFINITY];
+    let sweep = Sweep::new(&ODD, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], |x| {
+        vec![numbers[x as usize]]
+    });
+    let text = Report::new("odd", &PHI, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0])
+        .table(&sweep)
+        .csv("odd")
+        .unwrap();
+    let expected = [
+        "phi [rad],\"at \"\"a\"\", b [mm]\"",
+        "0,0.1",
+        "1,1e300",
+        "2,-5e-324",
+        "3,-0",
+        "4,100",
+        "5,",
+    ];
+    assert_eq!(text, expected.map(|line| format!("{line}\r\n")).concat());
+}
