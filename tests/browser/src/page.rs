@@ -109,7 +109,7 @@ impl Page {
     /// Waits until an expression holds.
     ///
     /// # Panics
-    /// If it does not within ten seconds; with what the page complains about.
+    /// If it does not within half a minute; with what the page complains about.
     pub fn wait(&mut self, expression: &str) {
         let begin = Instant::now();
         let tried = format!(
@@ -118,7 +118,7 @@ impl Page {
         while !self.holds(&tried) {
             let complaints = self.complaints().join("\n");
             assert!(
-                begin.elapsed() < Duration::from_secs(10),
+                begin.elapsed() < Duration::from_secs(30),
                 "never: {expression}\n{complaints}"
             );
             thread::sleep(Duration::from_millis(30));

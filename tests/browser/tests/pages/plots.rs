@@ -1,8 +1,8 @@
 //! Plots: what they show, and what pointers do in them.
 
 use crate::checks;
-use linkage_browser::Page;
 use linkage_browser::samples::{FourBar, four_bar, written};
+use linkage_browser::{PHONE, Page};
 
 fn page(name: &str) -> Option<Page> {
     Page::open(&written(&four_bar("Plots", FourBar::TURNING), name))
@@ -104,6 +104,11 @@ fn quantities_are_chosen() {
         .expect("a velocity");
     assert!((velocity - speed * analogue).abs() <= 1e-12 * velocity.abs());
     page.shoot("plot-choice");
+    page.screen(PHONE);
+    page.middle("#quantities summary");
+    page.shoot("plot-choice-phone");
+    let wide = page.number("document.documentElement.scrollWidth");
+    assert!(wide <= f64::from(PHONE.width), "{wide} pixels");
     page.assert_quiet();
 }
 
