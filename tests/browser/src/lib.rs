@@ -14,4 +14,4 @@ pub use chromium::{find, required};
 pub use gallery::{Entry, entries, folder};
 pub use input::{Button, Key};
 pub use page::Page;
-pub use sight::{DESKTOP, PHONE, Screen};
+pub use sight::{DESKTOP, PHONE, SMALL_PHONE, Screen};

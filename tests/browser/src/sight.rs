@@ -30,6 +30,15 @@ pub const DESKTOP: Screen = Screen {
     touch: false,
 };
 
+/// The smallest phone that is in use.
+pub const SMALL_PHONE: Screen = Screen {
+    name: "small phone",
+    width: 360,
+    height: 640,
+    density: 2,
+    touch: true,
+};
+
 /// A phone.
 pub const PHONE: Screen = Screen {
     name: "phone",
@@ -73,6 +82,16 @@ impl Page {
         self.tools.call(
             "Emulation.setEmulatedMedia",
             json!({ "features": features }),
+        );
+        self.settle();
+    }
+
+    /// As it is printed, on a system with dark colours.
+    pub fn printed(&mut self) {
+        let features = json!([{ "name": "prefers-color-scheme", "value": "dark" }]);
+        self.tools.call(
+            "Emulation.setEmulatedMedia",
+            json!({ "media": "print", "features": features }),
         );
         self.settle();
     }

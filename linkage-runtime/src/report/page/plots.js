@@ -120,7 +120,8 @@ function showCursors(row) {
 function showValues(panel, row, what) {
   panel.where.textContent = `${what}: ${inputText(input.values[row])}`;
   for (const { column, cell } of panel.curves) {
-    const bands = column.bands.map((band) => element("small", {}, `${band.kind} \u00b1 ${withUnit(band.half[row], column.unit)}`));
+    const known = column.bands.filter((band) => band.half[row] !== null);
+    const bands = known.map((band) => element("small", {}, `${band.kind} \u00b1 ${withUnit(band.half[row], column.unit)}`));
     cell.replaceChildren(element("span", {}, withUnit(column.values[row], column.unit)), ...bands);
   }
 }

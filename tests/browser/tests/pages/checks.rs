@@ -1,6 +1,6 @@
 //! What holds for every page.
 
-use linkage_browser::{DESKTOP, Key, PHONE, Page};
+use linkage_browser::{DESKTOP, Key, PHONE, Page, SMALL_PHONE};
 use serde_json::Value;
 
 /// Everything that does not depend on what the page shows.
@@ -163,18 +163,14 @@ fn on_screen(place: &[f64], seen: &Value, drawn: &Value) {
     }
 }
 
-/// Nothing is wider than the window, controls are in it, on desktop and phone; with pictures of both, light and dark.
+/// Nothing is wider than the window, controls are in it, on desktop and phones; with pictures of both, light and dark.
 fn fits(page: &mut Page, name: &str) {
-    for screen in [DESKTOP, PHONE] {
+    for screen in [DESKTOP, PHONE, SMALL_PHONE] {
         page.screen(screen);
         page.value("window.scrollTo(0, 0)");
-        for dark in [false, true] {
+        for (dark, colours) in [(false, "light"), (true, "dark")] {
             page.dark(dark);
-            page.shoot(&format!(
-                "{name}-{}-{}",
-                screen.name,
-                if dark { "dark" } else { "light" }
-            ));
+            page.shoot(&format!("{name}-{}-{colours}", screen.name));
         }
         page.dark(false);
         let wide = page.number("document.documentElement.scrollWidth");

@@ -63,6 +63,24 @@ fn words_are_legible_on_light_and_dark_paper() {
 }
 
 #[test]
+fn paper_is_white_and_has_nothing_to_press() {
+    let file = written(&four_bar("On paper", FourBar::TURNING), "printed");
+    let Some(mut page) = Page::open(&file) else {
+        return;
+    };
+    page.printed();
+    assert!(paper(&mut page) > 0.9);
+    for words in ["h1", ".legend th", ".plot text", "#drawing text"] {
+        let found = contrast(&mut page, words);
+        assert!(found >= 4.5, "{words}: contrast {found}");
+    }
+    let shown = "[...document.querySelectorAll('header button, #stage button, #stage select, #position, #chooser')].filter((item) => item.getBoundingClientRect().width > 0).map((item) => item.id).join(' ')";
+    assert_eq!(page.words(shown), "");
+    page.shoot("printed");
+    page.assert_quiet();
+}
+
+#[test]
 fn the_reader_chooses() {
     let file = written(&four_bar("Choice of colours", FourBar::TURNING), "choice");
     let Some(mut page) = Page::open(&file) else {
