@@ -13,6 +13,7 @@ mod check;
 
 use check::Check;
 use linkage::mechanism;
+use linkage::summary::{Course, least};
 use std::error::Error;
 use std::f64::consts::TAU;
 
@@ -62,7 +63,13 @@ mechanism! {
             p8, v: velocity(p8), a: acceleration(p8), e: sensitivity(p8),
         }
 
-        /// How the rocker of the needle stands, and how far the drive is from a singular position.
+        /// All links, for drawings.
+        pub fn picture(phi) -> Picture { shape: picture() }
+
+        /// How the rocker of the needle moves.
+        pub fn rocker(phi) -> Rocker { phi75, v: velocity(phi75), a: acceleration(phi75) }
+
+        /// How far the drive is from a singular position.
         pub fn posture(phi) -> Posture { phi75, margin: margin() }
     }
 }
@@ -79,7 +86,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     println!("\nAgainst the solution in 60 digits:");
     compare(&linkage, &references(), &mut check);
     println!("\nThe dwell:");
-    compare_dwell(&linkage, &mut check);
+    compare_dwell(&linkage, &mut check)?;
     println!("\nAll assemblies:");
     compare_assemblies(&linkage, &mut check)?;
     check.finish()
@@ -160,30 +167,22 @@ fn compare(linkage: &EyeNeedleAssembly, references: &[Reference], check: &mut Ch
 }
 
 /// The longest part of the cycle in which the needle stays within 0.2 mm of its arc.
-fn compare_dwell(linkage: &EyeNeedleAssembly, check: &mut Check) {
-    const STEPS: usize = 1440;
-    let angles: Vec<f64> = (0..2 * STEPS)
-        .map(|i| TAU * i as f64 / STEPS as f64)
-        .collect();
-    let posture = linkage.posture_sweep(&angles);
+fn compare_dwell(linkage: &EyeNeedleAssembly, check: &mut Check) -> Result<(), Box<dyn Error>> {
     let radius = linkage.mechanism().l78;
-    let arc: Vec<f64> = posture.phi75().iter().map(|phi75| radius * phi75).collect();
-    let within = |start: usize| {
-        let (mut low, mut high) = (arc[start], arc[start]);
-        let stays = arc[start..].iter().take(STEPS).take_while(|&&s| {
-            (low, high) = (low.min(s), high.max(s));
-            high - low <= 0.2
-        });
-        stays.count() - 1
-    };
-    let longest = (0..STEPS).map(within).max().unwrap_or(0);
-    let degrees = longest as f64 * 360.0 / STEPS as f64;
+    let arc = Course::of((0.0, TAU), 360, |phi| {
+        let Rocker { phi75, v, a } = linkage.rocker(phi);
+        [phi75, v, a].map(|angle| radius * angle)
+    })?;
+    print!("{}", arc.describe("mm", "rad"));
+    let dwell = arc.longest_dwell(0.2).ok_or("no dwell")?;
+    let degrees = dwell.interval.range.to_degrees();
     check.near("degrees of the crank for 0.2 mm", degrees, 116.0, 1.0);
 
-    let margins = &posture.margin()[..STEPS];
-    let smallest = margins.iter().copied().fold(f64::INFINITY, f64::min);
-    println!("  smallest margin of the cycle: {smallest:.3}");
-    check.holds("no position of the cycle is near singular", smallest > 0.1);
+    let smallest = least((0.0, TAU), 360, |phi| linkage.posture(phi).margin)?;
+    println!("  smallest margin of the cycle: {:.3}", smallest.value);
+    let clear = smallest.value > 0.1 && smallest.missing == 0;
+    check.holds("no position of the cycle is near singular", clear);
+    Ok(())
 }
 
 /// How many ways there are to put the links together, and how far each of them reaches.

@@ -64,6 +64,9 @@ mechanism! {
         /// The needle's point: position and both kinematic coefficients.
         pub fn needle(phi12) -> Needle { p10, v: velocity(p10), a: acceleration(p10) }
 
+        /// All links, for drawings.
+        pub fn picture(phi12) -> Picture { shape: picture() }
+
         /// Everything that the publication tabulates.
         pub fn motion(phi12) -> Motion {
             p2, v2: velocity(p2), a2: acceleration(p2),

@@ -56,6 +56,8 @@ mechanism! {
             psi, dpsi: velocity(psi), ddpsi: acceleration(psi),
             tip, v: velocity(tip), a: acceleration(tip),
         }
+        /// All links, for drawings.
+        pub fn picture(phi) -> Picture { shape: picture() }
         /// What all dimensions do to the tool point.
         pub fn accuracy(phi) -> Accuracy { tip, e: sensitivity(tip) }
         /// Joints, and the frame of the coupler.

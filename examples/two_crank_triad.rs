@@ -57,6 +57,9 @@ mechanism! {
         /// The working point.
         pub fn working_point(phi) -> WorkingPoint { p8 }
 
+        /// All links, for drawings.
+        pub fn picture(phi) -> Picture { shape: picture() }
+
         /// The whole position, with both derivatives.
         pub fn motion(phi) -> Motion {
             p3, p4, p8,

@@ -74,6 +74,14 @@ pub mod tolerance {
     pub use linkage_runtime::tolerance::*;
 }
 
+/// Reports: plots, drawings to scale, data and interactive pages of a mechanism over its range.
+#[cfg(feature = "report")]
+pub mod report {
+    #![doc = include_str!("../docs/report.md")]
+
+    pub use linkage_runtime::report::*;
+}
+
 /// Pins of joints: their diameter under the largest reaction, and their stresses.
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod pins {
@@ -88,6 +96,14 @@ pub mod balancing {
     #![doc = include_str!("../docs/balancing.md")]
 
     pub use linkage_runtime::balancing::*;
+}
+
+/// What a cycle comes to: limits, extreme velocities, dwells, time ratio, transmission angle, margin.
+#[cfg(feature = "alloc")]
+pub mod summary {
+    #![doc = include_str!("../docs/summary.md")]
+
+    pub use linkage_runtime::summary::*;
 }
 
 /// The code of the README is a test.

@@ -4,7 +4,7 @@
 //! Users reach everything here through the facade crate `linkage`.
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
-//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, with elementary functions the module `balancing`), `nalgebra`
+//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the module `summary`, with elementary functions the module `balancing`), `nalgebra`
 //! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
 //! `tolerance` and `monte-carlo` (the module `tolerance`), `report` (the module `report`).
 #![no_std]
@@ -45,6 +45,8 @@ mod scalar;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 mod scene;
 mod structure;
+#[cfg(feature = "alloc")]
+pub mod summary;
 mod table;
 #[cfg(feature = "tolerance")]
 pub mod tolerance;

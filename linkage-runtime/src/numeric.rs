@@ -6,5 +6,7 @@ pub(crate) mod minimum;
 pub mod range;
 #[cfg(feature = "alloc")]
 pub mod roots;
+#[cfg(feature = "alloc")]
+pub(crate) mod summit;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod winding;

@@ -7,6 +7,9 @@ use super::outline::{params, plain};
 use crate::lower::Shape;
 use crate::syntax::{BinaryOp, Expr, ExprKind, Item, MechanismDef, ParamItem, Toleranced};
 
+/// More vectors than most pictures have.
+const MANY_POINTS: usize = 64;
+
 /// Names may stand for expressions with names in them; deeper than this, something is wrong with the source.
 const DEPTH: usize = 24;
 
@@ -116,6 +119,8 @@ impl<'a> Guess<'a> {
             "reaction" | "shaking_force" => vector(self.components),
             "moment" | "shaking_moment" if self.components == 3 => Shape::Vector(3),
             "frame" => Shape::Frame,
+            // So many that no index is beyond its end.
+            "picture" => array(MANY_POINTS, vector(self.components)),
             "rotate" | "unit" | "d" | "jerk" => first(),
             "cross" if first() == Shape::Vector(3) => first(),
             "velocity" if inputs > 1 => array(inputs, first()),

@@ -121,6 +121,7 @@ fn sketch_function<'a>(
         .filter(|quantity| seen.first(&quantity.field))
         .map(|quantity| {
             let known = known.and_then(|e| e.quantities.iter().find(|q| quantity.field == q.field));
+            let known = known.filter(|q| !q.is_picture());
             let shape = known.map_or_else(
                 || guess.shape(&quantity.value, drives),
                 |q| of_type(&q.value.ty),

@@ -29,7 +29,7 @@ pub(super) struct Sketch<'a, 'm> {
 pub(super) struct Spot {
     pub(super) nodes: Vec<NodeId>,
     pub(super) name: Option<Title>,
-    /// Whether a `let` or an unknown point has this name: it is drawn even if no link ends there.
+    /// Whether it is more than a corner on the way along a link: it has a name, a loop closes there, or the user lists it.
     pub(super) wanted: bool,
 }
 

@@ -53,6 +53,12 @@ impl Guides {
         guides
     }
 
+    /// Whether a point slides or lies on a guide.
+    pub(super) fn have(&self, point: usize) -> bool {
+        let mut guides = self.all.iter();
+        guides.any(|guide| guide.slider == point || guide.origin == point)
+    }
+
     /// Adds a guide unless it is known.
     fn add(&mut self, candidate: Candidate, sketch: &Sketch, seen: &Seen, links: &Links) {
         let (origin, slider) = (seen.same[candidate.origin], seen.same[candidate.slider]);

@@ -71,7 +71,7 @@ impl Links {
         for (index, spot) in sketch.points.iter().enumerate() {
             let point = seen.same[index];
             let free = !self.all.iter().any(|link| link.points.contains(&point));
-            if !spot.wanted || !free || seen.is_fixed(point) {
+            if !spot.wanted || spot.name.is_none() || !free || seen.is_fixed(point) {
                 continue;
             }
             let rigid = |link: &&mut RawLink| {
@@ -84,7 +84,23 @@ impl Links {
         }
     }
 
-    /// How many links have a point.
+    /// Leaves out corners on the way along a link.
+    pub(super) fn drop_corners(&mut self, is_needed: impl Fn(usize) -> bool) {
+        for index in 0..self.all.len() {
+            let points = self.all[index].points.clone();
+            let alone = |point: usize| self.at(point).count() == 1;
+            let kept = points
+                .iter()
+                .copied()
+                .filter(|&point| !alone(point) || is_needed(point));
+            let kept: Vec<usize> = kept.collect();
+            if kept.len() > 1 {
+                self.all[index].points = kept;
+            }
+        }
+    }
+
+    /// The links that have a point.
     pub(super) fn at(&self, point: usize) -> impl Iterator<Item = &RawLink> {
         self.all
             .iter()

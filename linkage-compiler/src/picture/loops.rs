@@ -8,8 +8,8 @@ use crate::model::{
 
 use super::chains::{Asked, Line, Shape, Sketch, Title};
 
-/// Names in derived quantities that no loop uses stand behind all others.
-const LET: u8 = 3;
+/// Names in derived quantities stand behind those in loops, and where no loop uses the quantity behind all others.
+const LET: [u8; 2] = [3, 6];
 
 impl<'m> Sketch<'_, 'm> {
     /// All that the program says of points and links.
@@ -32,7 +32,7 @@ impl<'m> Sketch<'_, 'm> {
             if self.roles.is_step(Name::Let(index)) || is_centre {
                 continue;
             }
-            self.remoteness = if usage.lets[index] { 0 } else { LET };
+            self.remoteness = LET[usize::from(!usage.lets[index])];
             if let Some(point) = self.point_of(&own.value) {
                 let nodes = self.vector(&own.value);
                 let named = self.point(nodes);
@@ -74,6 +74,7 @@ impl<'m> Sketch<'_, 'm> {
                     let found = self.point_of(expr);
                     let point = self.point(nodes);
                     self.name(point, 0, expr);
+                    self.points[point].wanted = true;
                     found.unwrap_or(point)
                 })
                 .collect();
@@ -86,7 +87,9 @@ impl<'m> Sketch<'_, 'm> {
         match own.left.ty {
             Type::Vector(..) => {
                 for side in [&own.left, &own.right] {
-                    self.point_of(side);
+                    if let Some(end) = self.point_of(side) {
+                        self.points[end].wanted = true;
+                    }
                 }
             }
             _ => {

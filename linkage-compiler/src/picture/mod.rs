@@ -106,8 +106,20 @@ pub(crate) fn find<'m>(
     sketch.add_lists(lists);
     let mut seen = Seen::new(sketch.algebra, &sketch.points, reference, nominal);
     check::check_lists(&sketch, &seen, origins, diagnostics);
-    let links = Links::find(&sketch, &seen);
+    let mut links = Links::find(&sketch, &seen);
     let guides = Guides::find(&mut sketch, &mut seen, &links);
+    links.drop_corners(|point| {
+        let mut own = sketch
+            .points
+            .iter()
+            .zip(&seen.same)
+            .filter(|(_, first)| **first == point);
+        let mut axes = sketch.axes.iter().map(|(at, _)| seen.same[*at]);
+        own.any(|(spot, _)| spot.wanted)
+            || seen.is_fixed(point)
+            || guides.have(point)
+            || axes.any(|at| at == point)
+    });
     if links.all.is_empty() && guides.all.is_empty() {
         diagnostics.error_with_help(
             origins.span(asked.origin),

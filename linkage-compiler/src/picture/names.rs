@@ -106,8 +106,13 @@ impl Namer<'_, '_, '_> {
             (false, _) if slides => Some(PointKind::Joint),
             (false, 1) => Some(PointKind::Tip),
             (false, _) if has_guide || has_axis => Some(PointKind::Construction),
-            (false, _) => wanted.then_some(PointKind::Tip),
+            (false, _) => (wanted && self.has_name(point)).then_some(PointKind::Tip),
         }
+    }
+
+    fn has_name(&self, point: usize) -> bool {
+        let mut own = self.sketch.points.iter().zip(&self.seen.same);
+        own.any(|(spot, &first)| first == point && spot.name.is_some())
     }
 
     /// The best name among those of points that coincide; otherwise what meets there.

@@ -32,7 +32,7 @@ pub const DESKTOP: Screen = Screen {
 
 /// The smallest phone that is in use.
 pub const SMALL_PHONE: Screen = Screen {
-    name: "small phone",
+    name: "small-phone",
     width: 360,
     height: 640,
     density: 2,

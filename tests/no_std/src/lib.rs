@@ -174,6 +174,18 @@ pub fn counterweight(
     Ok(mass)
 }
 
+/// How far the rocker swings, in radians.
+///
+/// # Errors
+///
+/// If it cannot be followed over the turn.
+#[cfg(feature = "alloc")]
+pub fn swing(rocker: impl Fn(f64) -> [f64; 2]) -> Result<f64, linkage::summary::SummaryError> {
+    let turn = (0.0, core::f64::consts::TAU);
+    let course = linkage::summary::Course::of(turn, 360, rocker)?;
+    Ok(course.position().stroke())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -67,7 +67,9 @@ impl Drawing<'_> {
             let [left, right] = place;
             let middle = [0.5 * (left[0] + right[0]), left[1] + half[1]];
             let words = Element::text(middle, SIZE).anchor("middle").class("name");
-            svg.words(words.fill(Colour::Ink), point.name);
+            // Legible over paths and ghosts.
+            let words = words.stroke(Colour::Paper, 0.9).set("paint-order", "stroke");
+            svg.words(words.fill(Colour::Ink).set("stroke-linejoin", "round"), point.name);
         }
     }
 
@@ -94,9 +96,10 @@ impl Drawing<'_> {
             let block = sheet
                 .point(guide.slider, row)
                 .zip(sheet.direction(guide.direction, row));
-            stretches.extend(block.map(|(at, way)| {
-                let [half, _] = BLOCK;
-                [moved(at, way, -half, 0.0), moved(at, way, half, 0.0)]
+            stretches.extend(block.into_iter().flat_map(|(at, way)| {
+                let [half, high] = BLOCK;
+                let edge = |left| [moved(at, way, -half, left), moved(at, way, half, left)];
+                [edge(high), edge(-high)]
             }));
         }
         for (index, point) in picture.points.iter().enumerate() {

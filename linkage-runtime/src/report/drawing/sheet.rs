@@ -1,5 +1,7 @@
 //! From the mechanism to the paper.
 
+use std::vec::Vec;
+
 use super::Drawing;
 use super::geometry::along;
 use crate::PointKind;
@@ -152,18 +154,18 @@ fn limits(shown: &Shown<'_>, view: &View) -> [[f64; 2]; 2] {
             }
         }
     };
+    let guides = shown.picture.guides.iter();
+    let rails: Vec<_> = guides.map(|guide| (guide, shown.rail(guide))).collect();
     for row in 0..shown.rows() {
         for (index, point) in shown.picture.points.iter().enumerate() {
             if point.kind != PointKind::Construction {
                 take(shown.place(index, row));
             }
         }
-        for guide in shown.picture.guides {
-            let (origin, way) = (
-                shown.place(guide.origin, row),
-                shown.way(guide.direction, row),
-            );
-            for end in shown.rail(guide) {
+        for (guide, rail) in &rails {
+            let origin = shown.place(guide.origin, row);
+            let way = shown.way(guide.direction, row);
+            for end in *rail {
                 take(along(origin, way, end));
             }
         }

@@ -1,0 +1,161 @@
+//! The course of a quantity over the range of its input.
+
+use super::SummaryError;
+use super::cascade::{Solved, solve};
+use super::extremes::Extremes;
+use super::interval::Interval;
+use super::noise::Noise;
+use super::source::{Node, Source};
+use super::stretch::{advance, sample, stretches};
+use alloc::vec::Vec;
+
+/// The course of a quantity over the range of its input, with all places where it or one of its derivatives stands still.
+///
+/// `N` is how many numbers the function gives: the quantity and its first derivative, or also the second, or also the third
+/// (`velocity`, `acceleration` and `jerk` of the language). What is found to the last digits depends on them:
+///
+/// | `N` | found |
+/// |---|---|
+/// | 2 | limits, dwells around them |
+/// | 3 | also the extreme velocities, dwells between limits |
+/// | 4 | also the extreme accelerations |
+///
+/// ```
+/// use linkage_runtime::summary::Course;
+/// use std::f64::consts::{FRAC_PI_2, TAU};
+///
+/// // A Scotch yoke of 40 mm.
+/// let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
+/// let course = Course::of((0.0, TAU), 360, yoke)?;
+/// let position = course.position();
+/// assert_eq!(position.stroke(), 80.0);
+/// assert!((position.highest.at - FRAC_PI_2).abs() < 1e-15);
+/// assert_eq!(course.velocity().largest().value, 40.0);
+/// # Ok::<(), linkage_runtime::summary::SummaryError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Course<const N: usize, F> {
+    pub(super) source: Source<N, F>,
+    pub(super) solved: Vec<Solved<N>>,
+    extremes: Vec<Extremes>,
+}
+
+impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
+    /// Follows a quantity over a range of the input, from this many evenly spaced positions, both ends among them:
+    /// `function` gives the quantity and its first `N - 1` derivatives by the input.
+    ///
+    /// All derivatives have to be exact: roots are located by the derivative above, and to the last digits. 360 positions for
+    /// a turn are plenty for a mechanism; the highest derivative may have features that are narrower than the spacing, and these may be missed
+    /// if neither its values nor the differences of the derivative below show them.
+    ///
+    /// A range of whole turns (2 pi) at whose ends all derivatives agree is a cycle: it has no ends, and what lies across the seam is one.
+    /// Where a number is NaN or infinite, the course has a [gap](Self::parts). A derivative below 32 units in the last place of
+    /// its median counts as zero.
+    ///
+    /// # Errors
+    ///
+    /// `Range` for an empty or infinite range, `Positions` for less than two, `NotAssembled` if there is no position with finite
+    /// numbers.
+    pub fn of(range: (f64, f64), positions: usize, function: F) -> Result<Self, SummaryError> {
+        const { assert!(N >= 2, "a course needs the quantity and its derivative") };
+        let (low, high) = range;
+        if !((high - low).is_finite() && high > low) {
+            return Err(SummaryError::Range {
+                from: low,
+                to: high,
+            });
+        }
+        if positions < 2 {
+            return Err(SummaryError::Positions { positions });
+        }
+        let mut source = Source {
+            function,
+            low,
+            high,
+            advance: None,
+        };
+        let nodes = sample(&source, positions);
+        if !nodes.iter().any(Node::is_finite) {
+            return Err(SummaryError::NotAssembled { positions });
+        }
+        source.advance = advance(&nodes);
+        let noise = Noise::of(&nodes, source.width());
+        let stretches = stretches(&source, &nodes, &noise);
+        let solved = solve(&source, &noise, stretches);
+        let extremes = (0..N - 1)
+            .map(|k| Extremes::of(&source, &noise, &solved, k))
+            .collect();
+        Ok(Self {
+            source,
+            solved,
+            extremes,
+        })
+    }
+
+    /// Limits and stroke of the quantity itself.
+    #[must_use]
+    pub fn position(&self) -> &Extremes {
+        &self.extremes[0]
+    }
+
+    /// Extremes of the first derivative. Times the speed of the input they are those of the true velocity.
+    ///
+    /// It needs the second derivative: with `N = 2` it does not compile.
+    #[must_use]
+    pub fn velocity(&self) -> &Extremes {
+        const { assert!(N >= 3, "extreme velocities need the second derivative") };
+        &self.extremes[1]
+    }
+
+    /// Extremes of the second derivative. Times the square of the speed they are those of the true acceleration, at
+    /// constant speed.
+    ///
+    /// It needs the third derivative: with `N < 4` it does not compile.
+    #[must_use]
+    pub fn acceleration(&self) -> &Extremes {
+        const { assert!(N >= 4, "extreme accelerations need the third derivative") };
+        &self.extremes[2]
+    }
+
+    /// Extremes of the `k`th derivative, as far as the one above it was given.
+    pub(super) fn extremes_of(&self, k: usize) -> Option<&Extremes> {
+        self.extremes.get(k)
+    }
+
+    /// The range, its lower end first.
+    #[must_use]
+    pub fn range(&self) -> (f64, f64) {
+        (self.source.low, self.source.high)
+    }
+
+    /// Whether the range is a cycle: whole turns, after which the quantity and its derivatives are what they were before.
+    #[must_use]
+    pub fn is_cycle(&self) -> bool {
+        self.source.advance == Some(0.0)
+    }
+
+    /// Where the quantity and all its derivatives are finite, in order of the input: the whole range if there is no gap.
+    /// The borders of gaps are found by bisection. A gap that is narrower than the spacing of the positions is found if the search for roots meets it.
+    #[must_use]
+    pub fn parts(&self) -> Vec<Interval> {
+        let part = |part: &Solved<N>| {
+            let nodes = &part.stretch.nodes;
+            let (from, to) = (nodes[0].u, nodes[nodes.len() - 1].u);
+            if part.stretch.whole {
+                Interval::whole(&self.source)
+            } else {
+                Interval::of(&self.source, from, to)
+            }
+        };
+        let mut parts: Vec<Interval> = self.solved.iter().map(part).collect();
+        parts.sort_by(|a, b| a.from.total_cmp(&b.from));
+        parts
+    }
+
+    /// Whether there is a position in the range that is not finite.
+    #[must_use]
+    pub fn has_gaps(&self) -> bool {
+        let found: f64 = self.parts().iter().map(|part| part.range).sum();
+        self.solved.len() > 1 || found < self.source.width()
+    }
+}

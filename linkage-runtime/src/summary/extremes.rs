@@ -1,0 +1,160 @@
+//! The highest and lowest values of a quantity or of one of its derivatives.
+
+use super::cascade::Solved;
+use super::noise::Noise;
+use super::source::{Node, Source};
+use alloc::vec::Vec;
+
+/// What a quantity does where it stands still.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// It is higher than beside.
+    High,
+    /// It is lower than beside.
+    Low,
+    /// It moves on in the same sense.
+    Pass,
+}
+
+/// A place where a quantity stands still, or an end of its course.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// The input.
+    pub at: f64,
+    /// The value there.
+    pub value: f64,
+    /// Whether it is a limit, and which one.
+    pub kind: Kind,
+    /// Whether the course ends there: at an end of a range that is no cycle, or where the mechanism can no longer be assembled.
+    /// The quantity need not stand still there.
+    pub end: bool,
+}
+
+impl Extreme {
+    /// Whether the quantity turns back there.
+    #[must_use]
+    pub fn is_limit(&self) -> bool {
+        self.kind != Kind::Pass
+    }
+}
+
+/// The extreme values of a quantity, or of one of its derivatives, over its course.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Extremes {
+    /// Where it stands still, and where its course ends, in order of the input. Of a rest in which the derivative is 0 exactly,
+    /// it is the first of the positions looked at. Empty for a constant.
+    pub points: Vec<Extreme>,
+    /// The first of the lowest values.
+    pub lowest: Extreme,
+    /// The first of the highest values.
+    pub highest: Extreme,
+}
+
+impl Extremes {
+    /// The highest value less the lowest one: the stroke.
+    #[must_use]
+    pub fn stroke(&self) -> f64 {
+        self.highest.value - self.lowest.value
+    }
+
+    /// The one of `lowest` and `highest` that is farther from zero.
+    #[must_use]
+    pub fn largest(&self) -> Extreme {
+        if self.lowest.value.abs() > self.highest.value.abs() {
+            self.lowest
+        } else {
+            self.highest
+        }
+    }
+
+    /// The places where it turns back, the ends of its course left out.
+    pub fn limits(&self) -> impl Iterator<Item = &Extreme> {
+        self.points
+            .iter()
+            .filter(|point| point.is_limit() && !point.end)
+    }
+
+    /// Of the `k`th derivative.
+    pub(super) fn of<const N: usize, F: Fn(f64) -> [f64; N]>(
+        source: &Source<N, F>,
+        noise: &Noise<N>,
+        solved: &[Solved<N>],
+        k: usize,
+    ) -> Self {
+        let mut points = Vec::new();
+        let mut all = Vec::new();
+        for part in solved {
+            let turns = part.roots[k + 1].iter();
+            points.extend(turns.map(|root| {
+                let node = source.in_range(root.node);
+                extreme(node, k, [root.before, root.after])
+            }));
+            points.extend(ends(source, noise, part, k));
+            all.push(extreme(source.in_range(part.stretch.nodes[0]), k, [0; 2]));
+        }
+        points.sort_by(|a, b| a.at.total_cmp(&b.at));
+        if !points.is_empty() {
+            all.clone_from(&points);
+        }
+        // A constant has no point; its value is the one of any node.
+        let lower = |a: Extreme, b: Extreme| if b.value < a.value { b } else { a };
+        let higher = |a: Extreme, b: Extreme| if b.value > a.value { b } else { a };
+        let first = all[0];
+        Self {
+            lowest: all.iter().copied().fold(first, lower),
+            highest: all.iter().copied().fold(first, higher),
+            points,
+        }
+    }
+}
+
+/// The ends of a stretch. Over the seam of a cycle over which the quantity advances, also the ends of the range.
+fn ends<const N: usize, F: Fn(f64) -> [f64; N]>(
+    source: &Source<N, F>,
+    noise: &Noise<N>,
+    part: &Solved<N>,
+    k: usize,
+) -> Vec<Extreme> {
+    let mut ends = Vec::new();
+    let nodes = &part.stretch.nodes;
+    let [start, end] = [nodes[0], nodes[nodes.len() - 1]];
+    if !part.stretch.whole {
+        let sign = |node: &Node<N>| noise.sign(node, k + 1);
+        let first = nodes.iter().map(sign).find(|&sign| sign != 0);
+        let last = nodes.iter().rev().map(sign).find(|&sign| sign != 0);
+        ends.extend(first.map(|sign| ending(source.in_range(start), k, [0, sign])));
+        ends.extend(last.map(|sign| ending(source.in_range(end), k, [sign, 0])));
+    }
+    let advance = source.advance.filter(|&advance| k == 0 && advance != 0.0);
+    if let Some(advance) = advance.filter(|_| start.u < source.high && end.u >= source.high) {
+        let [low, high] = [source.low, source.high].map(|x| source.at(x));
+        let sense = match noise.sign(&low, 1) {
+            0 if advance > 0.0 => 1,
+            0 => -1,
+            sign => sign,
+        };
+        ends.extend([ending(low, k, [0, sense]), ending(high, k, [sense, 0])]);
+    }
+    ends
+}
+
+fn ending<const N: usize>(node: Node<N>, k: usize, signs: [i8; 2]) -> Extreme {
+    Extreme {
+        end: true,
+        ..extreme(node, k, signs)
+    }
+}
+
+/// With the signs of the slope before and after it; 0 where there is nothing.
+fn extreme<const N: usize>(node: Node<N>, k: usize, signs: [i8; 2]) -> Extreme {
+    Extreme {
+        at: node.u,
+        value: node.jet[k],
+        kind: match signs {
+            [0 | 1, -1] | [1, 0] => Kind::High,
+            [0 | -1, 1] | [-1, 0] => Kind::Low,
+            _ => Kind::Pass,
+        },
+        end: false,
+    }
+}

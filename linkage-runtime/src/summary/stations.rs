@@ -1,0 +1,88 @@
+//! The course as a chain of pieces, on each of which the quantity rises or falls.
+
+use super::cascade::{Root, Solved};
+use super::extremes::Kind;
+use super::root::root;
+use super::source::{Node, Source};
+use alloc::vec::Vec;
+
+/// An end of a piece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Station<const N: usize> {
+    pub(super) node: Node<N>,
+    /// Which limit it is; `None` for an extreme velocity, and where a cycle was cut open.
+    pub(super) limit: Option<Kind>,
+    /// Whether it is an end of the course.
+    pub(super) end: bool,
+}
+
+impl<const N: usize> Station<N> {
+    pub(super) fn u(&self) -> f64 {
+        self.node.u
+    }
+
+    pub(super) fn value(&self) -> f64 {
+        self.node.jet[0]
+    }
+}
+
+/// The ends of a stretch, its limits and its extreme velocities, in order of the input: between neighbours the quantity
+/// is monotone, and with a second derivative its speed is, too.
+pub(super) fn stations<const N: usize>(part: &Solved<N>) -> Vec<Station<N>> {
+    let turns = |root: &&Root<N>| root.before != root.after;
+    let mut stations: Vec<Station<N>> = Vec::new();
+    for (k, roots) in part.roots.iter().enumerate().take(3).skip(1) {
+        stations.extend(roots.iter().filter(turns).map(|root| Station {
+            node: root.node,
+            limit: match root.before {
+                1 if k == 1 => Some(Kind::High),
+                -1 if k == 1 => Some(Kind::Low),
+                _ => None,
+            },
+            end: false,
+        }));
+    }
+    stations.sort_by(|a, b| a.u().total_cmp(&b.u()));
+    let nodes = &part.stretch.nodes;
+    let whole = part.stretch.whole;
+    let end = |node: Node<N>, beside: Option<&Station<N>>| Station {
+        node,
+        limit: match beside {
+            _ if whole => None,
+            Some(beside) if beside.value() < node.jet[0] => Some(Kind::High),
+            Some(_) => Some(Kind::Low),
+            None => None,
+        },
+        end: !whole,
+    };
+    let last = end(nodes[nodes.len() - 1], None);
+    let first = end(nodes[0], stations.first().or(Some(&last)));
+    let last = end(last.node, stations.last().or(Some(&first)));
+    stations.insert(0, first);
+    stations.push(last);
+    stations
+}
+
+/// Where, on the piece from `inside` to `outside` (in either direction), the quantity passes `bound`. Where it is not a number,
+/// it counts as outside.
+pub(super) fn passing<const N: usize, F: Fn(f64) -> [f64; N]>(
+    source: &Source<N, F>,
+    inside: &Node<N>,
+    outside: &Node<N>,
+    bound: f64,
+) -> f64 {
+    let beyond = outside.jet[0] - bound;
+    let mut value = |u: f64| {
+        let node = source.at(u);
+        if node.is_finite() {
+            [node.jet[0] - bound, node.jet[1]]
+        } else {
+            [beyond, f64::NAN]
+        }
+    };
+    root(
+        (inside.u, inside.jet[0] - bound),
+        (outside.u, beyond),
+        &mut value,
+    )
+}
