@@ -10,27 +10,37 @@ const MEANINGS = {
 };
 
 // Curves at the start: enough to see what there is, few enough to tell them apart.
-const FIRST_CURVES = 3;
+const FIRST_VALUES = 3;
+const FIRST_RATES = 4;
 
 const chosen = new Set();
 
-// Values, then what is derived from them; a table that is a picture alone shows the traced points.
+// Values, those of traced points before others, then their derivatives by time, or by the input.
 function firstChoice() {
-  const few = (meaning) => columns.filter((column) => column.meaning === meaning && finite(column)).slice(0, FIRST_CURVES);
-  const rates = few("true").length > 0 ? few("true") : few("rate");
-  const some = [...few("value"), ...rates];
-  return some.length > 0 ? some : tracedColumns();
+  const values = firstOf("value", () => true, FIRST_VALUES);
+  const names = values.map((column) => column.name);
+  const ofThem = (column) => names.includes(column.of);
+  const rates = firstOf("true", ofThem, FIRST_RATES);
+  const some = [...values, ...(rates.length > 0 ? rates : firstOf("rate", ofThem, FIRST_RATES))];
+  return some.length > 0 ? some : firstOf("picture", isTraced, FIRST_VALUES);
+}
+
+// The first columns of a meaning with numbers in them. What several tables have is shown once, with its bands if it has some.
+function firstOf(meaning, fits, most) {
+  const some = columns.filter((column) => column.meaning === meaning && finite(column) && fits(column));
+  const named = Map.groupBy(some, (column) => column.name);
+  const once = [...named.values()].map((same) => same.find((column) => column.bands.length > 0) ?? same[0]);
+  return once.sort((a, b) => isTraced(b) - isTraced(a)).slice(0, most);
 }
 
 function finite(column) {
   return column.values.some((value) => value !== null);
 }
 
-function tracedColumns() {
+// Whether a column belongs to a traced point, as `p.x` and `shape[p].x` belong to `p`.
+function isTraced(column) {
   const traced = (picture?.traces ?? []).map((index) => picture.points[index].name);
-  const shown = columns.filter((column) => column.meaning === "picture" && finite(column));
-  const named = shown.filter((column) => traced.some((name) => column.name.includes(name)));
-  return (named.length > 0 ? named : shown).slice(0, FIRST_CURVES);
+  return traced.some((name) => column.name.startsWith(`${name}.`) || column.name.includes(`[${name}]`));
 }
 
 function startChooser(changed) {
@@ -50,13 +60,7 @@ function startChooser(changed) {
 }
 
 function grouped() {
-  const groups = new Map();
-  for (const column of columns) {
-    const title = `${column.table}: ${MEANINGS[column.meaning] ?? column.meaning}`;
-    if (!groups.has(title)) groups.set(title, []);
-    groups.get(title).push(column);
-  }
-  return groups;
+  return Map.groupBy(columns, ({ table, meaning }) => `${table}: ${MEANINGS[meaning] ?? meaning}`);
 }
 
 function chooserGroup(title, members, changed) {

@@ -25,7 +25,8 @@ function startDrawing() {
 }
 
 function makeLayers() {
-  for (const name of ["traces", "bodies", "points", "marks"]) {
+  // Paths are above the links, which may cover all of a short one.
+  for (const name of ["bodies", "traces", "points", "marks"]) {
     drawing.layers[name] = shape("g", { class: name });
     byId("drawing").append(drawing.layers[name]);
   }
