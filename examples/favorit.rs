@@ -64,6 +64,16 @@ mechanism! {
         /// The needle's point: position and both kinematic coefficients.
         pub fn needle(phi12) -> Needle { p10, v: velocity(p10), a: acceleration(p10) }
 
+        /// The needle's height over the input, with three derivatives.
+        pub fn height(phi12) -> Height {
+            y: p10.y, v: velocity(p10.y), a: acceleration(p10.y), j: jerk(p10.y),
+        }
+
+        /// The angle between coupler and rocker, and how far the drive is from a singular position.
+        pub fn transmission(phi12) -> Transmission {
+            mu: phi43 - phi23, v: velocity(phi43 - phi23), a: acceleration(phi43 - phi23), margin: margin(),
+        }
+
         /// All links, for drawings.
         pub fn picture(phi12) -> Picture { shape: picture() }
 

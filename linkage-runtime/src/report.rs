@@ -9,12 +9,15 @@ mod accuracy;
 mod builder;
 mod check;
 mod colour;
-mod course;
 mod csv;
 mod drawing;
 mod error;
+mod figures;
+mod gaps;
+mod index;
 mod json;
 mod page;
+mod panels;
 mod plot;
 mod plots;
 #[cfg(feature = "png")]
@@ -27,7 +30,9 @@ mod units;
 mod write;
 
 pub use accuracy::BandKind;
-pub use builder::{Report, SummaryRow};
+pub use builder::Report;
 pub use drawing::Drawing;
 pub use error::{Mistake, ReportError};
+pub use figures::SummaryRow;
+pub use index::Index;
 pub use plot::Plot;

@@ -3,6 +3,7 @@
 use std::string::String;
 use std::vec::Vec;
 
+use super::figures::{Figures, SummaryRow};
 use super::tables::Saved;
 use crate::{AssemblyMode, Dimensions, Input, Parameter, Structure, Table};
 
@@ -27,6 +28,7 @@ pub struct Report {
     pub(super) speed: Option<Speed>,
     pub(super) traces: Vec<String>,
     pub(super) summary: Vec<SummaryRow>,
+    pub(super) figures: Vec<Figures>,
     pub(super) facts: Vec<Fact>,
 }
 
@@ -51,46 +53,6 @@ pub(super) struct Fact {
     pub(super) text: String,
 }
 
-/// A figure of the cycle, such as a limit or a stroke.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SummaryRow {
-    /// The quantity that it is about, such as `p10.x`.
-    pub quantity: String,
-    /// What it is: `stroke`, `upper limit`, `smallest transmission angle`.
-    pub what: String,
-    /// Its value.
-    pub value: f64,
-    /// The unit of the value: `mm`, `rad`; empty for a number.
-    pub unit: String,
-    /// The input at which it occurs, in the unit of the input.
-    pub at: Option<f64>,
-}
-
-impl SummaryRow {
-    /// A figure; [`at`](Self::at) is left open.
-    pub fn new(
-        quantity: impl Into<String>,
-        what: impl Into<String>,
-        value: f64,
-        unit: impl Into<String>,
-    ) -> Self {
-        Self {
-            quantity: quantity.into(),
-            what: what.into(),
-            value,
-            unit: unit.into(),
-            at: None,
-        }
-    }
-
-    /// The same, with the input at which it occurs.
-    #[must_use]
-    pub fn at(mut self, input: f64) -> Self {
-        self.at = Some(input);
-        self
-    }
-}
-
 impl Report {
     /// A report with this title, about positions of this input, in its unit.
     #[must_use]
@@ -108,6 +70,7 @@ impl Report {
             speed: None,
             traces: Vec::new(),
             summary: Vec::new(),
+            figures: Vec::new(),
             facts: Vec::new(),
         }
     }
@@ -172,13 +135,6 @@ impl Report {
     #[must_use]
     pub fn trace(mut self, point: impl Into<String>) -> Self {
         self.traces.push(point.into());
-        self
-    }
-
-    /// Figures of the cycle.
-    #[must_use]
-    pub fn summary(mut self, rows: impl IntoIterator<Item = SummaryRow>) -> Self {
-        self.summary.extend(rows);
         self
     }
 

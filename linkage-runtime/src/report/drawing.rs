@@ -196,8 +196,8 @@ impl Drawing<'_> {
             );
         }
         self.axes(&mut svg, &sheet, row);
-        self.pivots(&mut svg, &sheet, row);
         self.links(&mut svg, &sheet, row);
+        self.pivots(&mut svg, &sheet, row);
         self.sliders(&mut svg, &sheet, row);
         for (order, &point) in self.traces.iter().enumerate() {
             self.path(&mut svg, &sheet, point, order);

@@ -49,7 +49,7 @@ impl Report {
                 "tolerance": d.parameter.tolerance,
                 "value": d.value,
             })),
-            "summary": list(&self.summary, |row| json!({
+            "summary": list(&self.summary_rows(), |row| json!({
                 "quantity": row.quantity,
                 "what": row.what,
                 "value": row.value,

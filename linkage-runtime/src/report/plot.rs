@@ -181,6 +181,13 @@ impl Plot {
         super::write::picture(path.as_ref(), &self.svg()?)
     }
 
+    /// Whether there is a curve of this name and unit.
+    pub(super) fn has_curve(&self, name: &str, unit: &str) -> bool {
+        let sought = Quantity::new(name, unit, &[]);
+        let mut curves = self.curves.iter().map(|curve| &curve.quantity);
+        curves.any(|there| there.name == sought.name && there.unit == sought.unit)
+    }
+
     fn check(&mut self, name: &str, values: &[f64]) {
         let positions = self.abscissa.values.len();
         if values.len() != positions {

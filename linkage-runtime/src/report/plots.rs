@@ -5,14 +5,12 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::panels::{TOGETHER, panels};
 use super::rates::True;
 use super::tables::Saved;
 use super::units::titled;
 use super::{BandKind, Mistake, Plot, Report, ReportError};
 use crate::{Column, Meaning};
-
-/// Curves in one panel of the plots that are made unasked.
-const TOGETHER: usize = 6;
 
 /// A column as it is asked for.
 struct Found<'a> {
@@ -117,7 +115,13 @@ impl Report {
     }
 
     fn with(&self, plot: Plot, found: &Found<'_>) -> Plot {
-        let mut plot = plot.curve(found.name, &found.unit, &found.values);
+        let name = match found.column {
+            Some((table, _)) if plot.has_curve(found.name, &found.unit) => {
+                Cow::Owned(format!("{}.{}", table.heading.function, found.name))
+            }
+            _ => Cow::Borrowed(found.name),
+        };
+        let mut plot = plot.curve(&name, &found.unit, &found.values);
         let sensitive = self.sensitive();
         let about = sensitive.iter().filter(|sensitive| {
             let of = sensitive.column.map(|index| (sensitive.table, index));
@@ -128,7 +132,7 @@ impl Report {
         });
         for sensitive in about {
             for kind in [BandKind::WorstCase, BandKind::Statistical] {
-                plot = plot.band(found.name, kind, &sensitive.half(kind));
+                plot = plot.band(&name, kind, &sensitive.half(kind));
             }
         }
         plot
@@ -189,28 +193,4 @@ fn is_plotted(column: &Column) -> bool {
         Meaning::Value | Meaning::Rate { .. } | Meaning::Margin => true,
         Meaning::Sensitivity { .. } | Meaning::Picture => false,
     }
-}
-
-/// Columns by unit, a few in each panel; `None` if there are none.
-fn panels<'a>(
-    mut plot: Plot,
-    columns: impl Iterator<Item = (&'a str, &'a str, &'a [f64])>,
-) -> Option<Plot> {
-    let columns: Vec<_> = columns.collect();
-    let mut units: Vec<&str> = Vec::new();
-    for (_, unit, _) in &columns {
-        if !units.contains(unit) {
-            units.push(unit);
-        }
-    }
-    for unit in &units {
-        let same: Vec<_> = columns.iter().filter(|column| column.1 == *unit).collect();
-        for together in same.chunks(TOGETHER) {
-            for (name, unit, values) in together {
-                plot = plot.curve(name, unit, values);
-            }
-            plot = plot.panel();
-        }
-    }
-    (!units.is_empty()).then_some(plot)
 }

@@ -67,7 +67,7 @@ pub(super) fn picture(path: &Path, svg: &str) -> Result<PathBuf, ReportError> {
     Ok(path.to_path_buf())
 }
 
-fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
+pub(super) fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
     let path = path.to_path_buf();
     move |error| ReportError::File {
         path: path.clone(),

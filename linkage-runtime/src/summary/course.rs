@@ -118,7 +118,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     }
 
     /// Extremes of the `k`th derivative, as far as the one above it was given.
-    pub(super) fn extremes_of(&self, k: usize) -> Option<&Extremes> {
+    pub(crate) fn extremes_of(&self, k: usize) -> Option<&Extremes> {
         self.extremes.get(k)
     }
 

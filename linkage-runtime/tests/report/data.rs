@@ -3,6 +3,7 @@
 use crate::fixture::{FourBar, MOTION, PHI, Sweep};
 use crate::four_bar;
 use linkage_runtime::report::{Report, SummaryRow};
+use linkage_runtime::summary::Course;
 use linkage_runtime::{AssemblyMode, Group, Operations, Structure, Table};
 use serde_json::Value;
 
@@ -186,6 +187,39 @@ fn gaps_are_ranges_of_the_input() {
     assert_eq!(gaps.as_array().unwrap().len(), 1);
     let ends = ["from", "to"].map(|end| gaps[0][end].as_f64().unwrap().to_degrees().round());
     assert_eq!(ends, [133.0, 227.0]);
+}
+
+#[test]
+fn the_figures_of_a_course_are_listed() {
+    let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
+    let course = Course::of((0.0, std::f64::consts::TAU), 360, yoke).unwrap();
+    let report = four_bar(FourBar::NOMINAL).course("yoke", "mm", &course);
+    let json = json(&report);
+    let rows = json["summary"].as_array().unwrap();
+    let heads: Vec<_> = rows
+        .iter()
+        .map(|row| ["what", "unit"].map(|key| row[key].as_str().unwrap()))
+        .collect();
+    assert_eq!(
+        heads,
+        [
+            ["lowest", "mm"],
+            ["highest", "mm"],
+            ["stroke", "mm"],
+            ["least velocity", "mm/rad"],
+            ["greatest velocity", "mm/rad"],
+            ["rises in", "rad"],
+            ["falls in", "rad"],
+            ["time ratio", ""],
+        ]
+    );
+    assert!(rows.iter().all(|row| row["quantity"] == "yoke"));
+    assert_eq!(
+        (&rows[2]["value"], &rows[2]["at"]),
+        (&Value::from(80.0), &Value::Null)
+    );
+    let at = rows[1]["at"].as_f64().unwrap();
+    assert!((at - std::f64::consts::FRAC_PI_2).abs() < 1e-15, "{at}");
 }
 
 #[test]

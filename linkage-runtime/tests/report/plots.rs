@@ -93,6 +93,22 @@ fn a_single_point_between_gaps_is_a_dot() {
 }
 
 #[test]
+fn curves_of_one_name_are_told_apart_by_their_function() {
+    let svg = plotted(&["tracer.x", "accuracy.tracer.x", "v.x", "v.x [mm/s]"]);
+    let svg = Document::parse(&svg).unwrap();
+    assert_eq!(
+        words(&svg, "legend"),
+        [
+            "tracer.x",
+            "accuracy.tracer.x",
+            "accuracy.tracer.x \u{b1} worst case",
+            "accuracy.tracer.x \u{b1} statistical"
+        ]
+    );
+    assert_eq!(words(&svg, "axis")[1..3], ["v.x [mm/rad]", "v.x [mm/s]"]);
+}
+
+#[test]
 fn bands_are_filled_about_their_curve() {
     let svg = plotted(&["accuracy.tracer.x"]);
     let svg = Document::parse(&svg).unwrap();

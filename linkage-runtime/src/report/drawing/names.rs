@@ -68,8 +68,13 @@ impl Drawing<'_> {
             let middle = [0.5 * (left[0] + right[0]), left[1] + half[1]];
             let words = Element::text(middle, SIZE).anchor("middle").class("name");
             // Legible over paths and ghosts.
-            let words = words.stroke(Colour::Paper, 0.9).set("paint-order", "stroke");
-            svg.words(words.fill(Colour::Ink).set("stroke-linejoin", "round"), point.name);
+            let words = words
+                .stroke(Colour::Paper, 0.9)
+                .set("paint-order", "stroke");
+            svg.words(
+                words.fill(Colour::Ink).set("stroke-linejoin", "round"),
+                point.name,
+            );
         }
     }
 

@@ -1,0 +1,191 @@
+//! What the report of each mechanism shows.
+
+use crate::eye_needle::EyeNeedle;
+use crate::favorit::Favorit;
+use crate::spatial_crank_rocker::SpatialCrankRocker;
+use crate::two_crank_triad::TwoCranks;
+use linkage::mechanism;
+use linkage::report::Report;
+use linkage::summary::{Course, grashof, least};
+use std::error::Error;
+use std::f64::consts::TAU;
+
+type Made = Result<Report, Box<dyn Error>>;
+
+/// Positions of a cycle that pages show.
+const POSITIONS: usize = 721;
+/// Positions from which roots are located.
+const SCAN: usize = 720;
+
+/// The hook-needle drive, with the forces of its masses at the speed of the machine.
+pub(crate) fn favorit() -> Made {
+    /// 1000 revolutions per minute, clockwise.
+    const SPEED: f64 = -1000.0 * TAU / 60.0;
+    let mechanism = Favorit::default();
+    let linkage = mechanism.assemble()?;
+    let forces = crate::favorit_forces::Favorit::default().assemble()?;
+    let input = Favorit::INPUTS[0];
+    let phi = input.positions(POSITIONS);
+    let height = Course::of(input.ends(), SCAN, |x| {
+        let h = linkage.height(x);
+        [h.y, h.v, h.a, h.j]
+    })?;
+    let angle = Course::of(input.ends(), SCAN, |x| {
+        let t = linkage.transmission(x);
+        [t.mu, t.v, t.a]
+    })?;
+    let margin = least(input.ends(), SCAN, |x| linkage.transmission(x).margin)?;
+    Ok(Report::new("Hook-needle drive", &input, &phi)
+        .about(
+            "Two cranks drive the hook needle of the Favorit warp-knitting machine. The second one turns backwards at half the \
+             speed, so that a cycle takes two turns of the main crank.",
+        )
+        .note("Dimensions and masses as published; forces with the corrected mechanics.")
+        .structure(Favorit::STRUCTURE)
+        .modes(linkage.modes())
+        .dimensions(&mechanism)
+        .speed(SPEED, 0.0)
+        .table(&linkage.picture_sweep(&phi))
+        .table(&linkage.needle_sweep(&phi))
+        .table(&linkage.transmission_sweep(&phi))
+        .table(&forces.forces_sweep(&phi, &[SPEED]))
+        .trace("p10")
+        .course("p10.y", "mm", &height)
+        .transmission("mu", &angle)
+        .margin(&margin))
+}
+
+/// The eye-needle drive, with what the tolerances of its drawing do.
+pub(crate) fn eye_needle() -> Made {
+    let mechanism = EyeNeedle::default();
+    let linkage = mechanism.assemble()?;
+    let input = EyeNeedle::INPUTS[0];
+    let phi = input.positions(POSITIONS);
+    let rocker = Course::of(input.ends(), SCAN, |x| {
+        let r = linkage.rocker(x);
+        [r.phi75, r.v, r.a]
+    })?;
+    let margin = least(input.ends(), SCAN, |x| linkage.posture(x).margin)?;
+    let report = Report::new("Eye-needle drive", &input, &phi)
+        .about(
+            "A six-bar of a warp-knitting machine. Its ternary link hangs on three legs, a group of class III; the needle dwells \
+             for a third of the cycle.",
+        )
+        .structure(EyeNeedle::STRUCTURE)
+        .modes(linkage.modes())
+        .dimensions(&mechanism)
+        .table(&linkage.picture_sweep(&phi))
+        .table(&linkage.accuracy_sweep(&phi))
+        .table(&linkage.rocker_sweep(&phi))
+        .trace("p8")
+        .course("phi75", "rad", &rocker)
+        .margin(&margin);
+    // Half a degree of the rocker.
+    let dwell = rocker.longest_dwell(0.5_f64.to_radians());
+    Ok(match dwell {
+        Some(dwell) => report.dwell("phi75", "rad", &dwell),
+        None => report,
+    })
+}
+
+/// The straight-line drive with a triad whose third leg slides.
+pub(crate) fn two_crank_triad() -> Made {
+    let mechanism = TwoCranks::default();
+    let linkage = mechanism.assemble()?;
+    let input = TwoCranks::INPUTS[0];
+    let phi = input.positions(POSITIONS);
+    let slide = Course::of(input.ends(), SCAN, |x| {
+        let m = linkage.motion(x);
+        [m.s, m.ds, m.dds]
+    })?;
+    Ok(Report::new("Straight-line drive with two cranks", &input, &phi)
+        .about("Two cranks turn against each other and hold a ternary link, whose third joint slides on a straight guide.")
+        .structure(TwoCranks::STRUCTURE)
+        .modes(linkage.modes())
+        .dimensions(&mechanism)
+        .table(&linkage.picture_sweep(&phi))
+        .table(&linkage.motion_sweep(&phi))
+        .trace("p8")
+        .trace("p4")
+        .course("s", "mm", &slide))
+}
+
+/// A crank and a rocker whose axes cross in space.
+pub(crate) fn spatial_crank_rocker() -> Made {
+    let mechanism = SpatialCrankRocker::default();
+    let linkage = mechanism.assemble()?;
+    let input = SpatialCrankRocker::INPUTS[0];
+    let phi = input.positions(POSITIONS);
+    let rocker = Course::of(input.ends(), SCAN, |x| {
+        let m = linkage.motion(x);
+        [m.psi, m.dpsi, m.ddpsi]
+    })?;
+    Ok(Report::new("Spatial crank-rocker", &input, &phi)
+        .about("A coupler with ball joints between a crank and a rocker about a tilted axis (RSSR), with a tool on the coupler.")
+        .structure(SpatialCrankRocker::STRUCTURE)
+        .modes(linkage.modes())
+        .dimensions(&mechanism)
+        .table(&linkage.picture_sweep(&phi))
+        .table(&linkage.motion_sweep(&phi))
+        .trace("tip")
+        .course("psi", "rad", &rocker))
+}
+
+mechanism! {
+    /// A four-bar whose crank cannot turn fully: it is shown over more than it can do.
+    pub struct Rocking {
+        unit mm;
+        param pivot_d = (80mm +- 0.02mm, 0mm +- 0.02mm);
+        param crank   = 60mm +- 12um;
+        param coupler = 90mm +- 20um;
+        param rocker  = 55mm +- 20um;
+        param arm     = 60mm;
+        param lift    = 35deg +- 30arcsec;
+        input phi = 40deg;
+        unknown theta = 10deg;
+        unknown psi   = 70deg;
+        let a = polar(crank, phi);
+        loop a + polar(coupler, theta) = pivot_d + polar(rocker, psi);
+        let tracer = a + polar(arm, theta + lift);
+    }
+    impl Rocking {
+        pub fn motion(phi) -> Motion { tracer, v: velocity(tracer), a: acceleration(tracer), psi, margin: margin() }
+        pub fn accuracy(phi) -> Accuracy { tracer, e: sensitivity(tracer) }
+        pub fn picture(phi) -> Picture { shape: picture() }
+        pub fn height(phi) -> Height { y: tracer.y, v: velocity(tracer.y), a: acceleration(tracer.y) }
+    }
+}
+
+/// A four-bar over a whole turn, of which it can do a part.
+pub(crate) fn crank_rocker() -> Made {
+    let mechanism = Rocking::default();
+    let linkage = mechanism.assemble()?;
+    let input = Rocking::INPUTS[0];
+    let (low, high) = (-TAU / 2.0, TAU / 2.0);
+    let phi: Vec<f64> = (0..POSITIONS)
+        .map(|i| low + (high - low) * i as f64 / (POSITIONS - 1) as f64)
+        .collect();
+    let height = Course::of((low, high), SCAN, |x| {
+        let h = linkage.height(x);
+        [h.y, h.v, h.a]
+    })?;
+    let Rocking {
+        crank,
+        coupler,
+        rocker,
+        ..
+    } = mechanism;
+    let kind = grashof(mechanism.pivot_d.norm(), crank, coupler, rocker)?;
+    Ok(Report::new("Four-bar beyond its reach", &input, &phi)
+        .about("The input is taken through a whole turn; where the links do not reach each other, there are gaps.")
+        .structure(Rocking::STRUCTURE)
+        .modes(linkage.modes())
+        .dimensions(&mechanism)
+        .table(&linkage.picture_sweep(&phi))
+        .table(&linkage.motion_sweep(&phi))
+        .table(&linkage.accuracy_sweep(&phi))
+        .speed(10.0, 0.0)
+        .trace("tracer")
+        .course("tracer.y", "mm", &height)
+        .fact("Grashof", kind.to_string()))
+}

@@ -1,0 +1,98 @@
+//! A page that leads to several reports.
+
+use std::borrow::ToOwned;
+use std::format;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::string::String;
+use std::vec::Vec;
+
+use super::page::escaped;
+use super::write::failed;
+use super::{Report, ReportError};
+
+const FRAME: &str = include_str!("page/index.html");
+
+/// A page with a picture of each report and a link to it.
+///
+/// ```no_run
+/// # fn two() -> Result<(), linkage_runtime::report::ReportError> {
+/// # let input = linkage_runtime::Input { name: "phi", unit: "rad", reference: 0.0, range: None };
+/// # let report = linkage_runtime::report::Report::new("Press", &input, &[]);
+/// use linkage_runtime::report::Index;
+///
+/// report.write("machine/press")?;
+/// Index::new("Machine").report("press", &report).write("machine")?;
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Index {
+    title: String,
+    entries: Vec<Entry>,
+}
+
+#[derive(Clone, Debug)]
+struct Entry {
+    folder: String,
+    title: String,
+    about: String,
+    drawn: bool,
+}
+
+impl Index {
+    /// A page with this title.
+    #[must_use]
+    pub fn new(title: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            entries: Vec::new(),
+        }
+    }
+
+    /// A report that is written to a folder beside the page.
+    #[must_use]
+    pub fn report(mut self, folder: impl Into<String>, report: &Report) -> Self {
+        self.entries.push(Entry {
+            folder: folder.into(),
+            title: report.title.clone(),
+            about: report.about.clone(),
+            drawn: report.is_drawable(),
+        });
+        self
+    }
+
+    /// Writes `index.html` into a folder, which is made if it is not there, and returns its path.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
+    pub fn write(&self, folder: impl AsRef<Path>) -> Result<PathBuf, ReportError> {
+        let folder = folder.as_ref();
+        fs::create_dir_all(folder).map_err(failed(folder))?;
+        let path = folder.join("index.html");
+        fs::write(&path, self.html()).map_err(failed(&path))?;
+        Ok(path)
+    }
+
+    /// The page.
+    #[must_use]
+    pub fn html(&self) -> String {
+        let entries: Vec<String> = self.entries.iter().map(Entry::html).collect();
+        FRAME
+            .replace("<!-- title -->", &escaped(&self.title))
+            .replacen("<!-- entries -->", &entries.join("\n"), 1)
+    }
+}
+
+impl Entry {
+    fn html(&self) -> String {
+        let [folder, title, about] =
+            [&self.folder, &self.title, &self.about].map(|text| escaped(text));
+        let picture = match self.drawn {
+            true => format!("<img src=\"{folder}/drawing.svg\" alt=\"\">"),
+            false => "<div class=\"none\"></div>".to_owned(),
+        };
+        format!("<a href=\"{folder}/index.html\">{picture}<h2>{title}</h2><p>{about}</p></a>")
+    }
+}
