@@ -11,13 +11,14 @@ const MEANINGS = {
 
 // Curves at the start: enough to see what there is, few enough to tell them apart.
 const FIRST_VALUES = 3;
-const FIRST_RATES = 4;
+const FIRST_RATES = 6;
 
 const chosen = new Set();
 
-// Values, those of traced points before others, then their derivatives by time, or by the input.
+// The places of traced points, or other values, with their derivatives by time, or by the input.
 function firstChoice() {
-  const values = firstOf("value", () => true, FIRST_VALUES);
+  const traced = firstOf("value", isTraced, FIRST_VALUES);
+  const values = traced.length > 0 ? traced : firstOf("value", () => true, FIRST_VALUES);
   const names = values.map((column) => column.name);
   const ofThem = (column) => names.includes(column.of);
   const rates = firstOf("true", ofThem, FIRST_RATES);
@@ -30,7 +31,7 @@ function firstOf(meaning, fits, most) {
   const some = columns.filter((column) => column.meaning === meaning && finite(column) && fits(column));
   const named = Map.groupBy(some, (column) => column.name);
   const once = [...named.values()].map((same) => same.find((column) => column.bands.length > 0) ?? same[0]);
-  return once.sort((a, b) => isTraced(b) - isTraced(a)).slice(0, most);
+  return once.slice(0, most);
 }
 
 function finite(column) {

@@ -1,7 +1,7 @@
 //! The reports about the real mechanisms, as the example `gallery` writes them.
 
 use crate::checks;
-use linkage_browser::{Page, entries, folder};
+use linkage_browser::{DESKTOP, Page, SMALL_PHONE, entries, folder};
 
 #[test]
 fn reports_of_the_gallery() {
@@ -33,6 +33,17 @@ fn index_of_the_gallery() {
             links.contains(&format!("{}/index.html", entry.name)),
             "no link to {} in {links}",
             entry.name
+        );
+    }
+    page.wait("[...document.images].every((image) => image.complete && image.naturalWidth > 0)");
+    for screen in [DESKTOP, SMALL_PHONE] {
+        page.screen(screen);
+        page.shoot(&format!("index-{}", screen.name));
+        let wide = page.number("document.documentElement.scrollWidth");
+        assert!(
+            wide <= f64::from(screen.width),
+            "{wide} pixels on a {}",
+            screen.name
         );
     }
     page.assert_quiet();
