@@ -5,9 +5,37 @@ use std::string::String;
 use super::{Report, ReportError};
 
 const FRAME: &str = include_str!("page/page.html");
-const STYLE: &str = include_str!("page/style.css");
-/// Joined in this order.
-const SCRIPTS: [&str; 1] = [include_str!("page/start.js")];
+const STYLES: [&str; 3] = [
+    include_str!("page/style.css"),
+    include_str!("page/drawing.css"),
+    include_str!("page/sheets.css"),
+];
+/// Joined in this order; the last one starts the page.
+const SCRIPTS: [&str; 23] = [
+    include_str!("page/dom.js"),
+    include_str!("page/numbers.js"),
+    include_str!("page/data.js"),
+    include_str!("page/position.js"),
+    include_str!("page/picture.js"),
+    include_str!("page/camera.js"),
+    include_str!("page/symbols.js"),
+    include_str!("page/parts.js"),
+    include_str!("page/points.js"),
+    include_str!("page/traces.js"),
+    include_str!("page/drawing.js"),
+    include_str!("page/gestures.js"),
+    include_str!("page/player.js"),
+    include_str!("page/keys.js"),
+    include_str!("page/curves.js"),
+    include_str!("page/panel.js"),
+    include_str!("page/choose.js"),
+    include_str!("page/plots.js"),
+    include_str!("page/tables.js"),
+    include_str!("page/values.js"),
+    include_str!("page/downloads.js"),
+    include_str!("page/theme.js"),
+    include_str!("page/start.js"),
+];
 
 impl Report {
     /// An interactive page as one file that needs no network: the moving mechanism, plots, tables.
@@ -17,11 +45,12 @@ impl Report {
     /// As [`check`](Self::check).
     pub fn html(&self) -> Result<String, ReportError> {
         let data = embedded(&self.json()?);
-        let script = SCRIPTS.join("\n");
+        // In a function, so that the names in it do not meet those of the browser.
+        let script = std::format!("(() => {{\n\"use strict\";\n{}}})();", SCRIPTS.join("\n"));
         // The data come last: they may contain anything, even the words that are replaced.
         Ok(FRAME
             .replace("<!-- title -->", &escaped(&self.title))
-            .replace("<!-- style -->", &enclosed("style", "", STYLE))
+            .replace("<!-- style -->", &enclosed("style", "", &STYLES.join("\n")))
             .replace("<!-- script -->", &enclosed("script", "", &script))
             .replacen(
                 "<!-- report -->",

@@ -1,0 +1,89 @@
+// Which columns are plotted.
+
+const MEANINGS = {
+  value: "values",
+  rate: "analogues",
+  true: "true velocities and accelerations",
+  sensitivity: "sensitivities",
+  margin: "margin",
+  picture: "points of the picture",
+};
+
+// Curves at the start: enough to see what there is, few enough to tell them apart.
+const FIRST_VALUES = 3;
+const FIRST_RATES = 6;
+
+const chosen = new Set();
+
+// The places of traced points, or other values, with their derivatives by time, or by the input.
+function firstChoice() {
+  const traced = firstOf("value", isTraced, FIRST_VALUES);
+  const values = traced.length > 0 ? traced : firstOf("value", () => true, FIRST_VALUES);
+  const names = values.map((column) => column.name);
+  const ofThem = (column) => names.includes(column.of);
+  const rates = firstOf("true", ofThem, FIRST_RATES);
+  const some = [...values, ...(rates.length > 0 ? rates : firstOf("rate", ofThem, FIRST_RATES))];
+  return some.length > 0 ? some : firstOf("picture", isTraced, FIRST_VALUES);
+}
+
+// The first columns of a meaning with numbers in them. What several tables have is shown once, with its bands if it has some.
+function firstOf(meaning, fits, most) {
+  const some = columns.filter((column) => column.meaning === meaning && finite(column) && fits(column));
+  const named = Map.groupBy(some, (column) => column.name);
+  const once = [...named.values()].map((same) => same.find((column) => column.bands.length > 0) ?? same[0]);
+  return once.slice(0, most);
+}
+
+function finite(column) {
+  return column.values.some((value) => value !== null);
+}
+
+// Whether a column belongs to a traced point, as `p.x` and `shape[p].x` belong to `p`.
+function isTraced(column) {
+  const traced = (picture?.traces ?? []).map((index) => picture.points[index].name);
+  return traced.some((name) => column.name.startsWith(`${name}.`) || column.name.includes(`[${name}]`));
+}
+
+function startChooser(changed) {
+  for (const column of firstChoice()) chosen.add(column.key);
+  const groups = [];
+  for (const [title, members] of grouped()) groups.push(chooserGroup(title, members, changed));
+  const count = element("span", { class: "count" });
+  const search = element("input", { type: "search", placeholder: "Find by name", "aria-label": "Find quantities by name" });
+  search.addEventListener("input", () => filterChoices(search.value));
+  const box = fold("Quantities ", false, search, element("div", { class: "groups" }, ...groups));
+  box.id = "quantities";
+  box.firstChild.append(count);
+  byId("chooser").append(box);
+  const tell = () => { count.textContent = `${chosen.size} of ${columns.length}`; };
+  box.addEventListener("change", tell);
+  tell();
+}
+
+function grouped() {
+  return Map.groupBy(columns, ({ table, meaning }) => `${table}: ${MEANINGS[meaning] ?? meaning}`);
+}
+
+function chooserGroup(title, members, changed) {
+  const boxes = members.map((column) => choiceBox(column, changed));
+  return element("fieldset", {}, element("legend", {}, title), ...boxes);
+}
+
+function choiceBox(column, changed) {
+  const box = element("input", { type: "checkbox", "data-column": column.key, checked: chosen.has(column.key) });
+  box.addEventListener("change", () => {
+    if (box.checked) chosen.add(column.key);
+    else chosen.delete(column.key);
+    changed();
+  });
+  return element("label", { class: "choice" }, box, ` ${column.name}`, element("small", {}, column.unit ? ` ${column.unit}` : ""));
+}
+
+function filterChoices(words) {
+  for (const label of document.querySelectorAll("#chooser .choice")) {
+    label.hidden = !label.textContent.toLowerCase().includes(words.toLowerCase());
+  }
+  for (const group of document.querySelectorAll("#chooser fieldset")) {
+    group.hidden = group.querySelector(".choice:not([hidden])") === null;
+  }
+}

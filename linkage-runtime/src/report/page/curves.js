@@ -1,0 +1,121 @@
+// What a panel shows: curves of one unit with their colours, bands and limits.
+
+const CURVE_COLOURS = 8;
+const DASHES = [null, "7 4", "2 3", "9 3 2 3"];
+
+// Tolerances are small beside motions: bands may be drawn wider than they are.
+const WIDENINGS = [1, 10, 100, 1000, 10000];
+const widening = { factor: 1 };
+
+// Panels by unit in the order of the columns, or one for each column.
+function chosenPanels(apart) {
+  const panels = new Map();
+  for (const column of columns.filter((column) => chosen.has(column.key))) {
+    const unit = plotUnit(column.unit);
+    const name = apart ? column.key : unit;
+    if (!panels.has(name)) panels.set(name, { unit, curves: [] });
+    const { curves } = panels.get(name);
+    curves.push(curveOf(column, curves.length));
+  }
+  return [...panels.values()];
+}
+
+function curveOf(column, index) {
+  return {
+    column,
+    colour: `var(--curve-${index % CURVE_COLOURS})`,
+    dash: DASHES[Math.floor(index / CURVE_COLOURS) % DASHES.length],
+    ys: column.values.map((value) => plotValue(value, column.unit)),
+  };
+}
+
+// Whether curves of one unit lie so far from each other that on one axis each would look like a straight line.
+function areFarApart() {
+  const height = (curves) => {
+    const [low, high] = spread(curves, () => true);
+    return Math.max(0, high - low);
+  };
+  return chosenPanels(false).some(({ curves }) => {
+    const largest = Math.max(...curves.map((curve) => height([curve])));
+    return curves.length > 1 && largest > 0 && height(curves) > 4 * largest;
+  });
+}
+
+// Half the width of a band as it is drawn.
+function halfWidth(band, row, unit) {
+  const half = band.half[row];
+  return half === null ? 0 : widening.factor * plotValue(half, unit);
+}
+
+// Beside positions that cannot be assembled, derivatives grow beyond all bounds: the axis ends where the rest of the
+// curves does, and the panel says so. No other peak is ever cut.
+const FAR_BEYOND = 3;
+
+function setLimits(panel) {
+  const all = spread(panel.curves, () => true);
+  const beside = rowsBesideGaps();
+  const rest = spread(panel.curves, (row) => !beside[row]);
+  const cut = rest[1] > rest[0] && all[1] - all[0] > FAR_BEYOND * (rest[1] - rest[0]);
+  panel.cut = cut ? all : null;
+  panel.limits = withMargin(cut ? rest : all);
+}
+
+// Rows so near to a gap that a dead point rules there.
+function rowsBesideGaps() {
+  const near = Math.max(2, Math.round(rowCount / 40));
+  const beside = Array(rowCount).fill(false);
+  for (const { from, to } of report.gaps ?? []) {
+    beside.fill(true, Math.max(0, nearestRow(from) - near), nearestRow(to) + near + 1);
+  }
+  return beside;
+}
+
+function cutText({ cut, unit }) {
+  const ends = cut.map((value) => digits(rounded(value, 6))).join(" to ");
+  return `Beside the gaps the curves go on beyond the axis: ${ends}${unit ? " " + unit : ""}.`;
+}
+
+// Lowest and highest value with its band, over the rows that count.
+function spread(curves, counts) {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const { column, ys } of curves) {
+    ys.forEach((y, row) => {
+      if (y === null || !counts(row)) return;
+      const half = Math.max(0, ...column.bands.map((band) => halfWidth(band, row, column.unit)));
+      low = Math.min(low, y - half);
+      high = Math.max(high, y + half);
+    });
+  }
+  return [low, high];
+}
+
+function withMargin([low, high]) {
+  if (!(high >= low)) return [0, 1];
+  const margin = high > low ? 0.04 * (high - low) : 0.05 * Math.abs(high) || 1;
+  return [low - margin, high + margin];
+}
+
+// `d` of the area between both sides of a band, a piece for every stretch without gap.
+function bandOutline(curve, band, toScreen) {
+  let d = "";
+  let stretch = [];
+  const close = () => {
+    const side = (sign) => stretch.map((row) => toScreen(row, curve.ys[row] + sign * halfWidth(band, row, curve.column.unit)));
+    if (stretch.length > 1) d += lineThrough([...side(1), ...side(-1).reverse()]) + "Z";
+    stretch = [];
+  };
+  curve.ys.forEach((y, row) => {
+    if (y === null || band.half[row] === null) close();
+    else stretch.push(row);
+  });
+  close();
+  return d;
+}
+
+// `d` of the curve; a single value between gaps is a dot.
+function curveOutline({ ys }, toScreen) {
+  const places = ys.map((y, row) => (y === null ? null : toScreen(row, y)));
+  const lonely = places.filter((place, row) => place && !places[row - 1] && !places[row + 1]);
+  return lineThrough(places) + lonely.map(([x, y]) => `M${pixel(x)} ${pixel(y)}h0.01`).join("");
+}

@@ -1,0 +1,115 @@
+// The drawing of the mechanism: its layers, and what changes with position and view.
+
+const drawing = {
+  // Parts that are drawn the farthest first, and points, which are always on top.
+  bodies: [],
+  tops: [],
+  // Nodes by the points' indices.
+  points: new Map(),
+  layers: {},
+};
+
+function startDrawing() {
+  if (!picture) return;
+  byId("figure").hidden = false;
+  camera.box = extent();
+  makeLayers();
+  makeParts();
+  startGestures();
+  startViews();
+  camera.listeners.push(redraw);
+  new ResizeObserver(measureDrawing).observe(byId("figure"));
+  measureDrawing();
+  for (const index of picture.traces) toggleTrace(index);
+  onMove(placeParts);
+}
+
+function makeLayers() {
+  // Paths are above the links, which may cover all of a short one.
+  for (const name of ["bodies", "traces", "points", "marks"]) {
+    drawing.layers[name] = shape("g", { class: name });
+    byId("drawing").append(drawing.layers[name]);
+  }
+  traces.layer = drawing.layers.traces;
+}
+
+function makeParts() {
+  const guides = picture.guides.flatMap(guideParts);
+  // In the plane nothing is nearer: guides, plates, bars, blocks lie on each other in this order.
+  const links = picture.links.map(linkPart);
+  const ranks = [".axis", ".guide", ".slot", ".plate", ".bar", "[data-slider]"];
+  const rank = (part) => ranks.findIndex((selector) => part.node.matches(selector));
+  drawing.bodies = [...(picture.axes ?? []).map(axisPart), ...guides, ...links].sort((a, b) => rank(a) - rank(b));
+  picture.points.forEach((point, index) => {
+    if (!isDrawn(point)) return;
+    const part = pointPart(point, index);
+    drawing.tops.push(part);
+    drawing.points.set(index, part.node);
+  });
+  drawing.layers.bodies.append(...drawing.bodies.map((part) => part.node));
+  drawing.layers.points.append(...drawing.points.values());
+}
+
+function measureDrawing() {
+  const { width, height } = byId("figure").getBoundingClientRect();
+  if (!(width > 0 && height > 0)) return;
+  camera.width = width;
+  camera.height = height;
+  set(byId("drawing"), { viewBox: `0 0 ${width} ${height}`, width, height });
+  redraw();
+}
+
+function redraw() {
+  drawTraces();
+  placeParts(position.row);
+  drawMarks();
+  const origin = project(Array(picture.dimension).fill(0));
+  Object.assign(byId("drawing").dataset, { scale: cameraScale(), originX: origin[0], originY: origin[1] });
+  // When all is in sight, a finger on the drawing scrolls the page.
+  byId("drawing").style.touchAction = isSpatial() || camera.zoom !== 1 ? "none" : "pan-y";
+}
+
+function placeParts(row) {
+  const seen = drawing.bodies.filter((part) => placePart(part, row));
+  const tops = drawing.tops.filter((part) => placePart(part, row));
+  if (isSpatial()) {
+    seen.sort((a, b) => a.nearness - b.nearness);
+    drawing.layers.bodies.append(...seen.map((part) => part.node));
+  }
+  const whole = seen.length === drawing.bodies.length && tops.length === drawing.tops.length;
+  byId("impossible").hidden = whole;
+  byId("impossible").textContent = whole ? "" : `Cannot be assembled at ${inputShort(input.values[row])}`;
+}
+
+function placePart(part, row) {
+  part.nearness = part.update(row);
+  const there = part.nearness !== null;
+  part.node.style.display = there ? "" : "none";
+  if (there && isSpatial()) part.node.style.setProperty("--far", `${Math.round(60 * farness(part.nearness))}%`);
+  return there;
+}
+
+// The scale, and in space the directions of the axes.
+function drawMarks() {
+  const length = roundBelow(130 / cameraScale());
+  const pixels = length * cameraScale();
+  const [x, y] = [16, camera.height - 14];
+  const text = `${digits(rounded(length, 6))} ${picture.unit}`;
+  drawing.layers.marks.replaceChildren(
+    shape("path", { class: "scale", d: `M${x} ${y - 5}V${y}H${pixel(x + pixels)}V${y - 5}` }),
+    shape("text", { x: pixel(x + pixels / 2), y: y - 5, "text-anchor": "middle" }, text),
+  );
+  if (isSpatial()) drawTriad([camera.width - 50, camera.height - 46]);
+}
+
+function drawTriad([x, y]) {
+  ["x", "y", "z"].forEach((name, i) => {
+    const direction = [0, 0, 0];
+    direction[i] = 1;
+    const [u, v] = projectDirection(direction);
+    drawing.layers.marks.append(
+      shape("path", { class: "scale", d: `M${x} ${y}l${pixel(26 * u)} ${pixel(26 * v)}` }),
+      shape("text", { x: pixel(x + 36 * u), y: pixel(y + 36 * v + 4), "text-anchor": "middle" }, name),
+    );
+  });
+}

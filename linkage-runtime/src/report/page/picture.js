@@ -1,0 +1,87 @@
+// Places of the mechanism's points and directions, row by row, as the report has them.
+
+const picture = report.picture;
+
+// Components at one row, or null if one of them is missing there.
+function placeOf(item, row) {
+  const place = item.at.map((component) => component[row]);
+  return place.includes(null) ? null : place;
+}
+
+function pointAt(index, row) {
+  return placeOf(picture.points[index], row);
+}
+
+function directionAt(index, row) {
+  return placeOf(picture.directions[index], row);
+}
+
+// Points that only say where a guide is are no part of the mechanism.
+function isDrawn(point) {
+  return point.kind !== "construction";
+}
+
+function along(place, direction, length) {
+  return place.map((component, i) => component + length * direction[i]);
+}
+
+function dot(a, b) {
+  return a.reduce((sum, component, i) => sum + component * b[i], 0);
+}
+
+function minus(a, b) {
+  return a.map((component, i) => component - b[i]);
+}
+
+function eachRow(visit) {
+  for (let row = 0; row < rowCount; row += 1) visit(row);
+}
+
+// How far the slider gets along its guide: lowest and highest distance from the origin.
+function reachOf(guide) {
+  let low = Infinity;
+  let high = -Infinity;
+  eachRow((row) => {
+    const [origin, direction, slider] = guidePlaces(guide, row);
+    if (slider === null || origin === null || direction === null) return;
+    const distance = dot(minus(slider, origin), direction);
+    low = Math.min(low, distance);
+    high = Math.max(high, distance);
+  });
+  return [low, high];
+}
+
+function guidePlaces(guide, row) {
+  return [pointAt(guide.origin, row), directionAt(guide.direction, row), pointAt(guide.slider, row)];
+}
+
+// The box around all places of what is drawn, as its middle and half its sides, and how far points get from the middle.
+function extent() {
+  const low = Array(picture.dimension).fill(Infinity);
+  const high = Array(picture.dimension).fill(-Infinity);
+  for (const point of picture.points.filter(isDrawn)) {
+    eachRow((row) => {
+      const place = placeOf(point, row);
+      if (place === null) return;
+      place.forEach((component, i) => {
+        low[i] = Math.min(low[i], component);
+        high[i] = Math.max(high[i], component);
+      });
+    });
+  }
+  const known = low.every(Number.isFinite);
+  const middle = low.map((component, i) => (known ? (component + high[i]) / 2 : 0));
+  const half = low.map((component, i) => (known ? (high[i] - component) / 2 : 1));
+  return { middle, half, radius: reachFrom(middle) || 1 };
+}
+
+function reachFrom(middle) {
+  let reach = 0;
+  for (const point of picture.points.filter(isDrawn)) {
+    eachRow((row) => {
+      const place = placeOf(point, row);
+      if (place !== null) reach = Math.max(reach, Math.hypot(...minus(place, middle)));
+    });
+  }
+  return reach;
+}

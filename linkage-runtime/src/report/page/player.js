@@ -1,0 +1,117 @@
+// Play, pause, speed, direction, and the slider.
+
+// Seconds that the range takes.
+const PERIODS = [1, 2, 4, 8, 16, 32, 64];
+
+const player = { playing: false, backward: false, period: 8, value: 0, last: null };
+
+function span() {
+  return input.values[rowCount - 1] - input.values[0];
+}
+
+// The input's speed in the machine, or null if it is not known.
+function trueSpeed() {
+  return report.speed && report.speed.omega ? report.speed.omega : null;
+}
+
+// Seconds that the range takes in the machine, or null.
+function truePeriod() {
+  return trueSpeed() === null ? null : Math.abs(span() / trueSpeed());
+}
+
+// Whether the machine runs through the rows from the last to the first.
+function runsBackward() {
+  return trueSpeed() !== null && trueSpeed() * span() < 0;
+}
+
+// Seconds from where the machine enters the range.
+function trueTime(value) {
+  const begin = input.values[runsBackward() ? rowCount - 1 : 0];
+  return Math.abs((value - begin) / trueSpeed());
+}
+
+function setPlaying(playing) {
+  if (playing === player.playing) return;
+  player.playing = playing;
+  player.last = null;
+  player.value = input.values[position.row];
+  set(byId("play"), { "aria-label": playing ? "Pause" : "Play", "data-playing": playing });
+  if (playing) requestAnimationFrame(playFrame);
+}
+
+// Time goes on smoothly and the nearest row is shown: between rows nothing is known.
+function playFrame(now) {
+  if (!player.playing) return;
+  if (player.last !== null) {
+    const seconds = Math.min(0.25, (now - player.last) / 1000);
+    const sign = player.backward ? -1 : 1;
+    player.value = playedValue(player.value + (sign * seconds * span()) / player.period);
+    moveTo(nearestRow(player.value));
+  }
+  player.last = now;
+  requestAnimationFrame(playFrame);
+}
+
+// A whole turn begins again, any other range is run through to and fro.
+function playedValue(value) {
+  const start = input.values[0];
+  const part = (value - start) / span();
+  if (part >= 0 && part <= 1) return value;
+  if (input.periodic) return start + (part - Math.floor(part)) * span();
+  setBackward(part > 1);
+  return part > 1 ? input.values[rowCount - 1] : start;
+}
+
+function setBackward(backward) {
+  player.backward = backward;
+  const button = byId("direction");
+  const word = backward ? "Backward" : "Forward";
+  button.replaceChildren(backward ? "\u2190" : "\u2192", element("span", { class: "word" }, ` ${word}`));
+  set(button, { "aria-label": `Direction: ${word.toLowerCase()}`, title: "Direction of play" });
+}
+
+// What a listed speed is in the machine's time.
+function speedText(period) {
+  const real = truePeriod();
+  const whole = input.periodic ? "cycle" : "range";
+  const seconds = `${digits(rounded(period, 3))} s per ${whole}`;
+  if (real === null) return seconds;
+  const factor = period / real;
+  if (Math.abs(factor - 1) < 1e-9) return `true time (${seconds})`;
+  const times = digits(rounded(factor > 1 ? factor : 1 / factor, 3));
+  return `${seconds}, ${factor > 1 ? "slowed" : "sped up"} ${times} times`;
+}
+
+function startPlayer() {
+  const speed = byId("speed");
+  const real = truePeriod();
+  const periods = real === null ? PERIODS : [real, ...PERIODS.filter((period) => period !== real)];
+  for (const period of periods) speed.append(element("option", { value: period }, speedText(period)));
+  speed.value = player.period;
+  speed.addEventListener("change", () => { player.period = Number(speed.value); });
+
+  const slider = byId("position");
+  slider.max = rowCount - 1;
+  slider.addEventListener("input", () => {
+    setPlaying(false);
+    moveTo(Number(slider.value));
+  });
+  byId("play").addEventListener("click", () => setPlaying(!player.playing));
+  byId("direction").addEventListener("click", () => setBackward(!player.backward));
+  setBackward(runsBackward());
+  onMove(showPosition);
+}
+
+function showPosition(row) {
+  const value = input.values[row];
+  const slider = byId("position");
+  slider.value = row;
+  slider.setAttribute("aria-valuetext", `${input.name} ${inputShort(value)}`);
+  const time = trueSpeed() === null ? "" : `, t = ${digits(rounded(trueTime(value), 6))} s`;
+  const radians = input.unit === "rad" ? [element("small", {}, `${digits(value)} rad`)] : [];
+  byId("readout").replaceChildren(
+    element("b", {}, `${input.name} = ${withUnit(value, input.unit).replace(/ \(.*/, "")}`),
+    ...radians,
+    element("small", {}, `row ${row + 1} of ${rowCount}${time}`),
+  );
+}

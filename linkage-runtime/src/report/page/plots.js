@@ -1,0 +1,127 @@
+// The panels below each other, their legends with values, and what pointers do in them.
+
+const plots = { panels: [], width: 0, apart: false };
+
+function startPlots() {
+  startChooser(makePanels);
+  byId("chooser").append(apartChoice());
+  if (columns.some((column) => column.bands.length > 0)) byId("chooser").append(wideningChoice());
+  new ResizeObserver(measurePanels).observe(byId("panels"));
+  onMove(showCursors);
+  measurePanels();
+}
+
+function apartChoice() {
+  plots.apart = areFarApart();
+  const box = element("input", { id: "apart", type: "checkbox", checked: plots.apart });
+  box.addEventListener("change", () => {
+    plots.apart = box.checked;
+    makePanels();
+  });
+  return element("label", { class: "aside" }, box, " Each on its own axis");
+}
+
+function wideningChoice() {
+  const select = element("select", { id: "widening" });
+  for (const factor of WIDENINGS) {
+    select.append(element("option", { value: factor }, factor === 1 ? "as they are" : `${factor} times as wide`));
+  }
+  select.addEventListener("change", () => {
+    widening.factor = Number(select.value);
+    makePanels();
+  });
+  return element("label", { class: "aside" }, "Tolerance bands ", select);
+}
+
+function measurePanels() {
+  const width = Math.floor(byId("panels").clientWidth);
+  if (width === plots.width || !(width > 0)) return;
+  plots.width = width;
+  makePanels();
+}
+
+function makePanels() {
+  plots.panels = chosenPanels(plots.apart);
+  measureLabels(plots.panels);
+  byId("panels").replaceChildren(...plots.panels.map(makePanel));
+  if (plots.panels.length === 0) byId("panels").append(element("p", { class: "empty" }, "Choose quantities above."));
+  showCursors(position.row);
+}
+
+function makePanel(panel) {
+  const view = drawPanel(panel, plots.width);
+  listenToPanel(view, panel);
+  return element("figure", { class: "panel", "data-unit": panel.unit }, view, legend(panel));
+}
+
+// The legend is the readout, too: it stays where it is, on phones as well.
+function legend(panel) {
+  const body = element("tbody");
+  for (const curve of panel.curves) {
+    const line = shape("path", { d: "M1 6H25", stroke: curve.colour, "stroke-dasharray": curve.dash });
+    curve.cell = element("td", { class: "value" });
+    body.append(element("tr", { "data-column": curve.column.key },
+      element("td", {}, shape("svg", { class: "swatch", width: 26, height: 12 }, line)),
+      element("th", { scope: "row", title: legendTitle(curve.column) }, curve.column.name),
+      curve.cell));
+  }
+  panel.where = element("caption");
+  const box = element("div", { class: "scroll" }, element("table", { class: "legend" }, panel.where, body));
+  if (panel.cut) box.append(element("p", { class: "cut" }, cutText(panel)));
+  return box;
+}
+
+function legendTitle(column) {
+  const of = column.of ? ` of ${column.of}` : "";
+  const by = column.parameter ? ` by ${column.parameter}` : "";
+  return `${column.table}: ${MEANINGS[column.meaning] ?? column.meaning}${of}${by}`;
+}
+
+function listenToPanel(view, panel) {
+  const rowAt = (event) => {
+    const value = panel.scales.value(event.clientX - view.getBoundingClientRect().left);
+    return nearestRow(input.unit === "rad" ? (value * Math.PI) / 180 : value);
+  };
+  const go = (event) => {
+    setPlaying(false);
+    moveTo(rowAt(event));
+  };
+  view.addEventListener("pointerdown", (event) => event.button === 0 && event.pointerType === "mouse" && go(event));
+  view.addEventListener("click", go);
+  view.addEventListener("pointermove", (event) => {
+    if (event.pointerType !== "mouse") return;
+    if (event.buttons & 1) go(event);
+    showPointer(rowAt(event));
+  });
+  view.addEventListener("pointerleave", hidePointer);
+}
+
+function showPointer(row) {
+  for (const panel of plots.panels) {
+    drawCursor(panel.pointer, panel, row);
+    showValues(panel, row, "Pointer");
+  }
+}
+
+function hidePointer() {
+  for (const panel of plots.panels) {
+    panel.pointer.replaceChildren();
+    showValues(panel, position.row, "Position");
+  }
+}
+
+function showCursors(row) {
+  for (const panel of plots.panels) {
+    drawCursor(panel.cursor, panel, row);
+    if (!panel.pointer.hasChildNodes()) showValues(panel, row, "Position");
+  }
+}
+
+function showValues(panel, row, what) {
+  panel.where.textContent = `${what}: ${inputText(input.values[row])}`;
+  for (const { column, cell } of panel.curves) {
+    const known = column.bands.filter((band) => band.half[row] !== null);
+    const bands = known.map((band) => element("small", {}, `${band.kind} \u00b1 ${withUnit(band.half[row], column.unit)}`));
+    cell.replaceChildren(element("span", {}, withUnit(column.values[row], column.unit)), ...bands);
+  }
+}

@@ -1,0 +1,18 @@
+// Where the mechanism stands: one row, and everyone who wants to know when it changes.
+
+const position = { row: 0, listeners: [] };
+
+function onMove(listener) {
+  position.listeners.push(listener);
+}
+
+function moveTo(row) {
+  const within = Math.min(rowCount - 1, Math.max(0, Math.round(row)));
+  if (within === position.row) return;
+  position.row = within;
+  announcePosition();
+}
+
+function announcePosition() {
+  for (const listener of position.listeners) listener(position.row);
+}

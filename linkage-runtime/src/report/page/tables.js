@@ -1,0 +1,109 @@
+// The tables below the plots.
+
+// Cells are words, nodes, or numbers; numbers are set to the right and keep their digits.
+function grid(id, heads, rows) {
+  const cell = (value) => {
+    const number = typeof value === "number" || value === null;
+    return element("td", { class: number ? "number" : null }, number ? digits(value) : value);
+  };
+  const names = heads.map((name) => element("th", { scope: "col" }, name));
+  const head = heads.length > 0 ? [element("thead", {}, element("tr", {}, ...names))] : [];
+  const body = rows.map((row) => element("tr", {}, ...row.map(cell)));
+  return element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": id },
+    element("table", { "data-table": id }, ...head, element("tbody", {}, ...body)));
+}
+
+// An angle gets its degrees in a cell beside the radians.
+function inDegrees(value, unit) {
+  return unit === "rad" && value !== null ? `${digits(rounded(toDegrees(value), 12))} deg` : "";
+}
+
+// A button that moves the mechanism to where something is.
+function placeButton(value) {
+  if (value === null || value === undefined) return "";
+  const button = element("button", { type: "button", class: "place", title: inputText(value) }, inputShort(value));
+  button.addEventListener("click", () => {
+    setPlaying(false);
+    moveTo(nearestRow(value));
+  });
+  return button;
+}
+
+function addSheet(title, open, ...children) {
+  byId("tables").append(fold(title, open, ...children));
+}
+
+function startTables() {
+  if (report.summary?.length) addSheet("Cycle summary", true, summaryTable());
+  if (report.facts?.length) addSheet("Facts", true, grid("facts", [], report.facts.map(({ name, text }) => [name, text])));
+  if (report.dimensions?.length) addSheet("Dimensions and tolerances", true, dimensionTable());
+  if (report.accuracy?.length) addSheet("Accuracy", true, ...accuracyTables());
+  if (report.structure) addSheet("Structure", true, ...structureTables(report.structure));
+  startValues();
+  startDownloads();
+  if (report.notes?.length) addSheet("Notes", true, element("ul", {}, ...report.notes.map((note) => element("li", {}, note))));
+}
+
+function summaryTable() {
+  const rows = report.summary.map(({ quantity, what, value, unit, at }) =>
+    [quantity, what, value, unit, inDegrees(value, unit), placeButton(at)]);
+  return grid("summary", ["quantity", "what", "value", "unit", "", `at ${input.name}`], rows);
+}
+
+function dimensionTable() {
+  const changed = report.dimensions.some(({ value, nominal }) => value !== nominal);
+  const rows = report.dimensions.map(({ name, unit, nominal, tolerance, value }) => {
+    const actual = changed ? [value === nominal ? "" : value] : [];
+    return [name, nominal, tolerance === 0 ? "" : `\u00b1 ${digits(tolerance)}`, ...actual, unit, degreesOfDimension(value, tolerance, unit)];
+  });
+  return grid("dimensions", ["dimension", "nominal", "tolerance", ...(changed ? ["actual"] : []), "unit", ""], rows);
+}
+
+function degreesOfDimension(value, tolerance, unit) {
+  const degrees = inDegrees(value, unit);
+  return degrees && tolerance ? `${degrees} \u00b1 ${inDegrees(tolerance, unit)}` : degrees;
+}
+
+function accuracyTables() {
+  const rows = report.accuracy.map(({ quantity, worst, statistical, unit, at }) =>
+    [quantity, worst, statistical, unit, placeButton(at)]);
+  return [
+    grid("accuracy", ["quantity", "worst case \u00b1", "statistical \u00b1", "unit", `at ${input.name}`], rows),
+    ...report.accuracy.map(contributions),
+  ];
+}
+
+// Who contributes to the worst case, the largest first, with bars.
+function contributions({ quantity, unit, worst, contributions: parts }) {
+  const sorted = [...parts].sort((a, b) => Math.abs(b.amount) - Math.abs(a.amount));
+  const rows = sorted.map(({ parameter, amount }) => {
+    const share = worst ? (100 * Math.abs(amount)) / worst : 0;
+    const bar = element("span", { class: "bar", style: `width: ${share.toFixed(1)}%` });
+    return [parameter, amount, unit, element("span", { class: "bars", title: `${share.toFixed(1)} %` }, bar)];
+  });
+  return fold(`Contributions to ${quantity}`, false, grid(`contributions ${quantity}`, ["dimension", "amount", "unit", "share of the worst case"], rows));
+}
+
+function structureTables({ mobility, groups, functions, prepare }) {
+  const rows = groups.map((group, index) => [
+    index + 1, group.kind, group.class || "", group.order || "", group.mode ?? "",
+    group.loops.join(", "), group.unknowns.join(", "), group.method,
+  ]);
+  const heads = ["group", "kind", "class", "order", "mode", "loops", "unknowns", "method"];
+  const counts = [["assemble", prepare], ...(functions ?? []).map((item) => [item.name, item.operations ?? item])];
+  const costs = counts.filter(([, operations]) => operations).map(([name, operations]) => [name, ...costOf(operations)]);
+  return [
+    element("p", {}, `Mobility ${mobility}.`),
+    groups.length > 0 ? grid("groups", heads, rows) : "",
+    grid("operations", ["function", "operations", "of which"], costs),
+  ];
+}
+
+// As the structure prints them.
+const OPERATIONS = ["add", "mul", "div", "sqrt", "sin_cos", "atan2", "other"];
+
+function costOf(operations) {
+  const kinds = OPERATIONS.map((kind) => [kind, operations[kind] ?? 0]).filter(([, count]) => count > 0);
+  const total = kinds.reduce((sum, [, count]) => sum + count, 0);
+  return [total, kinds.map(([kind, count]) => `${count} ${kind}`).join(", ")];
+}

@@ -1,0 +1,115 @@
+//! Finding and starting Chromium.
+
+use std::env;
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{self, Child, Command, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread;
+
+const NAMES: [&str; 4] = [
+    "chromium",
+    "chromium-browser",
+    "google-chrome",
+    "google-chrome-stable",
+];
+
+/// Nothing but the page: no first-run pages, no services that ask the network.
+const FLAGS: [&str; 14] = [
+    "--headless=new",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--disable-dev-shm-usage",
+    "--no-first-run",
+    "--no-default-browser-check",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-default-apps",
+    "--disable-extensions",
+    "--disable-sync",
+    "--hide-scrollbars",
+    "--remote-debugging-port=0",
+];
+
+/// The browser: what `CHROMIUM` names, otherwise the first that the search path has.
+#[must_use]
+pub fn find() -> Option<PathBuf> {
+    if let Some(named) = env::var_os("CHROMIUM") {
+        let path = PathBuf::from(named);
+        assert!(
+            path.is_file(),
+            "CHROMIUM is {}: there is no such file",
+            path.display()
+        );
+        return Some(path);
+    }
+    let path = env::var_os("PATH")?;
+    let folders: Vec<PathBuf> = env::split_paths(&path).collect();
+    let places = NAMES
+        .iter()
+        .flat_map(|name| folders.iter().map(move |folder| folder.join(name)));
+    places.into_iter().find(|place| place.is_file())
+}
+
+/// Whether a missing browser is a failure: `LINKAGE_BROWSER=required`.
+#[must_use]
+pub fn required() -> bool {
+    env::var_os("LINKAGE_BROWSER").is_some_and(|value| value == "required")
+}
+
+/// A running browser; it ends when this is dropped.
+pub(crate) struct Chromium {
+    child: Child,
+    profile: PathBuf,
+    /// Where it listens.
+    pub(crate) address: String,
+}
+
+impl Chromium {
+    pub(crate) fn start(program: &Path) -> Self {
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let number = COUNT.fetch_add(1, Ordering::Relaxed);
+        let profile = env::temp_dir().join(format!("linkage-browser-{}-{number}", process::id()));
+        let mut child = Command::new(program)
+            .args(FLAGS)
+            .arg(format!("--user-data-dir={}", profile.display()))
+            .arg("about:blank")
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap_or_else(|error| panic!("{} does not start: {error}", program.display()));
+        let address = listening(&mut child);
+        Self {
+            child,
+            profile,
+            address,
+        }
+    }
+}
+
+/// Reads what the browser says until it tells its address, and goes on reading, so that it is never held up.
+fn listening(child: &mut Child) -> String {
+    let mut lines = BufReader::new(child.stderr.take().expect("stderr is piped")).lines();
+    let mut said = Vec::new();
+    while let Some(Ok(line)) = lines.next() {
+        if let Some(address) = line.strip_prefix("DevTools listening on ") {
+            let address = address.trim().to_string();
+            thread::spawn(move || lines.for_each(drop));
+            return address;
+        }
+        said.push(line);
+    }
+    panic!("the browser ended before it listened:\n{}", said.join("\n"));
+}
+
+impl Drop for Chromium {
+    fn drop(&mut self) {
+        // It may have ended by itself, and a profile that stays does no harm: nothing to do about either.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+        let _ = fs::remove_dir_all(&self.profile);
+    }
+}

@@ -1,0 +1,81 @@
+//! A client of the browser's DevTools protocol: commands, their answers, and events in between.
+
+use serde_json::{Value, json};
+use std::net::TcpStream;
+use std::time::Duration;
+use tungstenite::{Message, WebSocket, client::client};
+
+/// After this time without an answer the browser hangs.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// A connection to one page.
+pub(crate) struct DevTools {
+    socket: WebSocket<TcpStream>,
+    last: u64,
+    session: Option<String>,
+    /// What the page has reported, in order.
+    pub(crate) events: Vec<Value>,
+}
+
+impl DevTools {
+    /// Connects to the browser and opens an empty page.
+    pub(crate) fn connect(address: &str) -> Self {
+        let place = address.trim_start_matches("ws://");
+        let host = place.split('/').next().unwrap_or(place);
+        let stream = TcpStream::connect(host).unwrap_or_else(|error| panic!("{host}: {error}"));
+        stream
+            .set_read_timeout(Some(PATIENCE))
+            .expect("a timeout above zero");
+        let (socket, _) =
+            client(address, stream).unwrap_or_else(|error| panic!("{address}: {error}"));
+        let mut tools = Self {
+            socket,
+            last: 0,
+            session: None,
+            events: Vec::new(),
+        };
+        let target = tools.call("Target.createTarget", json!({ "url": "about:blank" }));
+        let attached = tools.call(
+            "Target.attachToTarget",
+            json!({ "targetId": target["targetId"], "flatten": true }),
+        );
+        tools.session = attached["sessionId"].as_str().map(String::from);
+        tools
+    }
+
+    /// Sends a command and waits for its answer.
+    ///
+    /// # Panics
+    /// If the browser refuses it or does not answer.
+    pub(crate) fn call(&mut self, method: &str, parameters: Value) -> Value {
+        self.last += 1;
+        let mut command = json!({ "id": self.last, "method": method, "params": parameters });
+        if let Some(session) = &self.session {
+            command["sessionId"] = json!(session);
+        }
+        let sent = self.socket.send(Message::text(command.to_string()));
+        sent.unwrap_or_else(|error| panic!("{method}: {error}"));
+        loop {
+            let answer = self.receive(method);
+            if answer["id"] != self.last {
+                self.events.push(answer);
+                continue;
+            }
+            assert!(answer["error"].is_null(), "{method}: {}", answer["error"]);
+            return answer["result"].clone();
+        }
+    }
+
+    fn receive(&mut self, method: &str) -> Value {
+        loop {
+            let message = self
+                .socket
+                .read()
+                .unwrap_or_else(|error| panic!("no answer to {method}: {error}"));
+            if let Message::Text(text) = message {
+                return serde_json::from_str(&text)
+                    .unwrap_or_else(|error| panic!("{error} in {text}"));
+            }
+        }
+    }
+}

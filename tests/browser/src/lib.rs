@@ -1,0 +1,17 @@
+//! Pages of reports in a real browser.
+//!
+//! [`Page::open`] starts Chromium, or says why there is none; the samples are mechanisms computed by hand.
+
+mod chromium;
+mod devtools;
+mod gallery;
+mod input;
+mod page;
+pub mod samples;
+mod sight;
+
+pub use chromium::{find, required};
+pub use gallery::{Entry, entries, folder};
+pub use input::{Button, Key};
+pub use page::Page;
+pub use sight::{DESKTOP, PHONE, SMALL_PHONE, Screen};

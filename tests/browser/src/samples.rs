@@ -1,0 +1,29 @@
+//! Mechanisms computed by hand, for pages that a test makes.
+
+mod four_bar;
+mod sheet;
+mod sliders;
+mod spatial;
+
+pub use four_bar::{FourBar, four_bar};
+pub use sheet::Sheet;
+pub use sliders::sliders;
+pub use spatial::spatial;
+
+use linkage_runtime::report::Report;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Writes the page of a report into `target/browser` of the workspace; the page's file.
+///
+/// # Panics
+/// If the report has mistakes or the file cannot be written.
+#[must_use]
+pub fn written(report: &Report, name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/browser");
+    fs::create_dir_all(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let file = folder.join(format!("{name}.html"));
+    let page = report.html().unwrap_or_else(|error| panic!("{error}"));
+    fs::write(&file, page).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    file
+}

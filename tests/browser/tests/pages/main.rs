@@ -1,0 +1,12 @@
+//! What pages of reports show and do, in a real browser.
+
+mod checks;
+mod colours;
+mod drawing;
+mod gallery;
+mod gaps;
+mod phone;
+mod playing;
+mod plots;
+mod space;
+mod tables;

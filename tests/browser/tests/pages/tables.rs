@@ -1,0 +1,134 @@
+//! Tables and files: nothing is lost.
+
+use crate::checks;
+use linkage_browser::Page;
+use linkage_browser::samples::{FourBar, four_bar, written};
+use serde_json::Value;
+
+fn page(name: &str) -> Option<Page> {
+    Page::open(&written(&four_bar("Tables", FourBar::TURNING), name))
+}
+
+fn table(page: &mut Page, name: &str) -> String {
+    page.words(&format!(
+        "document.querySelector('[data-table={name:?}]').innerText.replace(/\\t/g, '|')"
+    ))
+}
+
+#[test]
+fn what_is_known_is_told() {
+    let Some(mut page) = page("tables") else {
+        return;
+    };
+    let dimensions = table(&mut page, "dimensions");
+    assert!(
+        dimensions.contains("crank|50|\u{b1} 0.012||mm"),
+        "{dimensions}"
+    );
+    assert!(
+        dimensions.contains("rocker|100|\u{b1} 0.02|100.01|mm"),
+        "{dimensions}"
+    );
+    let groups = table(&mut page, "groups");
+    assert!(
+        groups.contains("1|RRR|2|2|+|1|theta, psi|intersection of two circles"),
+        "{groups}"
+    );
+    let operations = table(&mut page, "operations");
+    assert!(
+        operations.contains("motion|61|21 add, 34 mul, 3 div, 1 sqrt, 1 sin_cos, 1 atan2"),
+        "{operations}"
+    );
+    let facts = table(&mut page, "facts");
+    assert!(
+        facts.contains("a test with <b>letters</b> & signs </script>"),
+        "{facts}"
+    );
+    let accuracy = table(&mut page, "accuracy");
+    assert!(
+        accuracy.contains("tracer.x|0.") && accuracy.contains("tracer.y|0."),
+        "{accuracy}"
+    );
+    page.click(".scroll:has([data-table=accuracy]) + details summary");
+    let parts = table(&mut page, "contributions tracer.x");
+    assert!(parts.contains("arm|0.0"), "{parts}");
+    page.shoot("tables");
+    page.assert_quiet();
+}
+
+#[test]
+fn places_in_tables_lead_there() {
+    let Some(mut page) = page("places") else {
+        return;
+    };
+    page.click("[data-table=summary] .place");
+    assert_eq!(page.row(), 57, "1 rad is nearest to 57 deg");
+}
+
+#[test]
+fn all_values_of_a_position() {
+    let Some(mut page) = page("values") else {
+        return;
+    };
+    checks::go_to(&mut page, 123);
+    page.click("#values summary");
+    page.wait("document.querySelector('[data-value]').textContent !== ''");
+    let report = checks::report(&mut page);
+    for table in report["tables"].as_array().expect("tables") {
+        for column in table["columns"].as_array().expect("columns") {
+            let key = [
+                &table["function"],
+                &Value::from(""),
+                &column["name"],
+                &column["unit"],
+            ]
+            .map(|part| part.as_str().expect("words"))
+            .join("|");
+            let shown = page.words(&format!(
+                "document.querySelector('[data-value={key:?}]').textContent"
+            ));
+            assert_eq!(
+                shown.parse::<f64>().ok(),
+                column["values"][123].as_f64(),
+                "{key}: {shown}"
+            );
+        }
+    }
+    page.shoot("values");
+    page.assert_quiet();
+}
+
+/// The files that the buttons give have every number to the last bit.
+#[test]
+fn files_hold_the_data() {
+    let report = four_bar("Files", FourBar::TURNING);
+    let file = written(&report, "files");
+    let Some(mut page) = Page::open(&file) else {
+        return;
+    };
+    let catch = |page: &mut Page, name: &str| {
+        page.value("window.caught = null; URL.createObjectURL = (blob) => { blob.text().then((text) => { window.caught = text; }); return 'data:,'; };");
+        page.click(&format!("[data-file={name:?}]"));
+        page.wait("window.caught !== null");
+        page.words("window.caught")
+    };
+    let json: Value = serde_json::from_str(&catch(&mut page, "data.json")).expect("JSON");
+    let original: Value = serde_json::from_str(&report.json().expect("no mistakes")).expect("JSON");
+    assert_eq!(json, original);
+
+    let csv = catch(&mut page, "motion.csv");
+    let original = report.csv("motion").expect("no mistakes");
+    let cells = |text: &str| {
+        text.split("\r\n")
+            .skip(1)
+            .flat_map(|line| {
+                line.split(',')
+                    .map(|cell| cell.parse::<f64>().ok())
+                    .collect::<Vec<_>>()
+            })
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(csv.lines().next(), original.lines().next());
+    assert_eq!(cells(&csv), cells(&original));
+    assert!(cells(&csv).len() > 361 * 17);
+}
