@@ -47,6 +47,7 @@ mod two_crank_triad;
 
 use linkage::report::{Index, Report};
 use std::error::Error;
+use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -68,6 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (number, (name, make)) in (1..).zip(JOBS) {
         let start = Instant::now();
         print!("[{number}/{}] {name}: ", JOBS.len());
+        std::io::stdout().flush()?;
         let report = make()?;
         let files = report.write(folder.join(name))?;
         let size: u64 = files
