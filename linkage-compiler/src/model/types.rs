@@ -2,6 +2,10 @@
 //!
 //! No spans here: an [`OriginId`] leads back to the source text.
 
+mod mechanics;
+
+pub use mechanics::*;
+
 /// Index into [`Origins`](crate::diagnostic::Origins): where in the source something was written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct OriginId(pub u32);
@@ -73,26 +77,6 @@ pub enum ExprKind {
     /// A quantity of the mechanics, for the speeds that the function lists.
     Mechanics(Mechanics),
     Error,
-}
-
-/// What bodies, joints and loads give.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Mechanics {
-    /// `reaction(joint)`: the force on the joint's body from the one that it hangs on.
-    Reaction(usize),
-    /// `moment(joint)`: the moment on the body about the joint's point.
-    Moment(usize),
-    /// `torque(input)`, `force(input)`: what drives that input.
-    Drive(usize),
-    /// `power()`: of all drives.
-    Power,
-    KineticEnergy,
-    /// Of gravity and springs.
-    PotentialEnergy,
-    /// `shaking_force()`: the sum of the inertia forces.
-    ShakingForce,
-    /// `shaking_moment()`, `shaking_moment(point)`: their moment about a fixed point, the origin if it is not named.
-    ShakingMoment(Option<Box<Expr>>),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -234,79 +218,6 @@ pub struct Loop {
     pub left: Expr,
     pub right: Expr,
     pub origin: OriginId,
-}
-
-/// A rigid member that moves, in declaration order; the frame has no number.
-#[derive(Clone, Debug)]
-pub struct Body {
-    pub name: String,
-    /// What it hangs on; the joint's point is the body's origin.
-    pub joint: usize,
-    /// An angle; in space a frame, the vector along a slender rod, or the angle about the joint's axis. `None`: it turns as
-    /// the body that it hangs on.
-    pub turns: Option<Expr>,
-    /// Masses and where they are.
-    pub masses: Vec<(Expr, Expr)>,
-    /// Moments of inertia about the centre of mass, or about a point.
-    pub inertias: Vec<(Inertia, Option<Expr>)>,
-    pub origin: OriginId,
-}
-
-#[derive(Clone, Debug)]
-pub enum Inertia {
-    Scalar(Expr),
-    /// In the axes of the body's frame: rows of a symmetric matrix.
-    Tensor(Box<[[Expr; 3]; 3]>),
-}
-
-#[derive(Clone, Debug)]
-pub struct Joint {
-    /// `None` for a joint that nobody can ask for.
-    pub name: Option<String>,
-    pub kind: JointKind,
-    pub body: usize,
-    /// `None`: the frame.
-    pub on: Option<usize>,
-    pub at: Expr,
-    /// The guide of a slide, the axis of a pin or a cylinder in space.
-    pub direction: Option<Expr>,
-    pub origin: OriginId,
-}
-
-pub use crate::syntax::JointKind;
-
-/// A force at a point or a torque on a body, the opposite on another; `None` is the frame.
-#[derive(Clone, Debug)]
-pub struct Load {
-    pub value: Expr,
-    pub on: Option<usize>,
-    pub from: Option<usize>,
-    /// `None` for a torque.
-    pub at: Option<Expr>,
-    pub origin: OriginId,
-}
-
-/// A spring or a damper.
-#[derive(Clone, Debug)]
-pub struct Element {
-    pub kind: ElementKind,
-    pub value: Expr,
-    pub between: Between,
-    pub free: Option<Expr>,
-    pub origin: OriginId,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ElementKind {
-    Spring,
-    Damper,
-}
-
-#[derive(Clone, Debug)]
-pub enum Between {
-    /// Bodies (`None` is the frame) and points on them.
-    Points([(Option<usize>, Expr); 2]),
-    Joint(usize),
 }
 
 #[derive(Clone, Debug)]
