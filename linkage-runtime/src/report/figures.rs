@@ -57,6 +57,8 @@ pub(super) struct Figures {
     /// Of the quantity and of its first and second derivative, as far as they are known.
     extremes: Vec<Extremes>,
     time: Option<TimeRatio>,
+    /// Whether there are positions that cannot be assembled.
+    gaps: bool,
 }
 
 const NAMES: [[&str; 2]; 3] = [
@@ -75,7 +77,7 @@ impl Report {
 
     /// Limits, stroke, extreme velocities and accelerations and the time ratio of a quantity, from its [`Course`] over the
     /// range. `unit` is the unit of the quantity. With a [`speed`](Self::speed), also the true velocities and, for a
-    /// constant speed, accelerations.
+    /// constant speed, accelerations. Extreme derivatives at the border of a gap are left out.
     #[must_use]
     pub fn course<const N: usize, F: Fn(f64) -> [f64; N]>(
         mut self,
@@ -90,6 +92,7 @@ impl Report {
                 .filter_map(|k| course.extremes_of(k).cloned())
                 .collect(),
             time: course.time_ratio(),
+            gaps: course.has_gaps(),
         });
         self
     }
@@ -159,6 +162,10 @@ impl Report {
                     false => (extremes.lowest, extremes.highest),
                 };
                 for (name, extreme) in [(least, low), (greatest, high)] {
+                    // Beside a dead point derivatives grow without bounds.
+                    if order > 0 && figures.gaps && extreme.end {
+                        continue;
+                    }
                     let what = format!("{what}{name}");
                     let value = factor * extreme.value;
                     rows.push(
@@ -257,6 +264,22 @@ mod tests {
         assert_eq!((hardest, unit.as_str()), (4000.0, "mm/s^2"));
         assert!((at.expect("a place") - 3.0 * quarter).abs() < 1e-14);
         assert_eq!(value(&rows, "time ratio").0, 1.0);
+    }
+
+    #[test]
+    fn derivatives_at_the_border_of_a_gap_are_left_out() {
+        // Cannot be assembled beyond 2, where it turns back with an infinite slope.
+        let reach = |x: f64| {
+            [
+                -(2.0 - x).sqrt(),
+                0.5 / (2.0 - x).sqrt(),
+                0.25 / (2.0 - x).powf(1.5),
+            ]
+        };
+        let course = Course::of((0.0, 3.0), 90, reach).expect("a course");
+        let rows = report().course("y", "mm", &course).summary_rows();
+        assert_eq!(value(&rows, "lowest").0, -core::f64::consts::SQRT_2);
+        assert!(rows.iter().all(|row| row.what != "greatest velocity"));
     }
 
     #[test]
