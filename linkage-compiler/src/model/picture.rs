@@ -1,7 +1,7 @@
 //! `picture()`: a quantity that stands alone.
 
 use super::names::{Context, Resolver};
-use super::types::{Dimension, EvaluatorDef, Expr, ExprKind, Type};
+use super::types::{Dimension, EvaluatorDef, Expr, ExprKind, Name, Type};
 use crate::syntax::{self, SourceSpan};
 
 const LINKS_HELP: &str = "write each link as a list of points: `picture([a, b], [c, d, e])`";
@@ -48,6 +48,12 @@ impl Resolver<'_> {
         let value = self.expression(point, context);
         match &value.ty {
             Type::Error => None,
+            _ if !is_position(&value) => {
+                let fact = "a link joins points, found what is no position";
+                let help = "write points with lengths and angles of the mechanism alone, without derivatives, forces and arguments";
+                self.diagnostics.error_with_help(point.span, fact, help);
+                None
+            }
             Type::Vector(_, dimension) if dimension.fits(Dimension::LENGTH) => Some(value),
             Type::Zero(2 | 3) => Some(value),
             other => {
@@ -80,4 +86,18 @@ impl Resolver<'_> {
             self.diagnostics.error_with_help(span, fact, &help);
         }
     }
+}
+
+/// Whether an expression tells where something is: no quantity of motion, no load.
+fn is_position(expr: &Expr) -> bool {
+    let quantity = matches!(
+        expr.kind,
+        ExprKind::Derivative(..)
+            | ExprKind::InputDerivative(..)
+            | ExprKind::Sensitivity(..)
+            | ExprKind::Mechanics(_)
+            | ExprKind::Margin
+            | ExprKind::Name(Name::Argument(_))
+    );
+    !quantity && expr.operands().into_iter().all(is_position)
 }

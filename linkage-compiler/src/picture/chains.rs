@@ -1,11 +1,13 @@
 //! Sums of vectors as chains: from a point, each term is a step to the next.
 
+use std::collections::HashSet;
+
 use linkage_symbolic::NodeId;
 
 use crate::algebra::{Algebra, Translate};
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Name, OriginId, Type};
 
-use super::roles::Roles;
+use super::roles::{Moves, Roles};
 
 /// Points and what lies between them, as they are found; several may be one and the same.
 pub(super) struct Sketch<'a, 'm> {
@@ -22,6 +24,8 @@ pub(super) struct Sketch<'a, 'm> {
     pub(super) asked: Vec<Asked>,
     /// Added to the ranks of names: those in loops are better.
     pub(super) remoteness: u8,
+    /// Derived names in which rods have been looked for.
+    pub(super) searched: HashSet<usize>,
 }
 
 /// A point of a chain.
@@ -77,12 +81,15 @@ pub(super) struct Asked {
 }
 
 /// A term of a sum.
-struct Term<'m> {
-    sign: f64,
-    expr: &'m Expr,
+pub(super) struct Term<'m> {
+    pub(super) sign: f64,
+    pub(super) expr: &'m Expr,
     /// The name that it goes by.
     name: Option<String>,
 }
+
+/// Longer sums are not looked at.
+const MANY_TERMS: usize = 200;
 
 impl<'a, 'm> Sketch<'a, 'm> {
     pub(super) fn new(algebra: &'a mut Algebra<'m>, dimension: usize) -> Self {
@@ -97,6 +104,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
             axes: Vec::new(),
             asked: Vec::new(),
             remoteness: 0,
+            searched: HashSet::new(),
         }
     }
 
@@ -107,22 +115,25 @@ impl<'a, 'm> Sketch<'a, 'm> {
         }
         let mut terms = Vec::new();
         self.terms(expr, 1.0, None, &mut terms);
-        let weight = |term: &Term| term.sign * self.weight(term.expr).unwrap_or(0.0);
-        let total: f64 = terms.iter().map(weight).sum();
+        self.chain(terms)
+    }
+
+    /// The point at the end of a sum; `None` if the sum is no point.
+    pub(super) fn chain(&mut self, mut terms: Vec<Term<'m>>) -> Option<usize> {
+        let total: f64 = terms.iter().map(|term| self.weight_of(term)).sum();
+        let is_weighted = |term: &Term| self.weight_of(term) != 0.0;
         let weighted: Vec<usize> = (0..terms.len())
-            .filter(|&k| weight(&terms[k]) != 0.0)
+            .filter(|&k| is_weighted(&terms[k]))
             .collect();
         let start = match weighted[..] {
+            _ if terms.len() > MANY_TERMS => return None,
             [] => self.fixed_start(&mut terms),
             [one] if total == 1.0 => {
                 let term = terms.remove(one);
                 self.start(term.expr)
             }
             // A mean of points is a point without a chain.
-            _ if total == 1.0 => {
-                let nodes = self.vector(expr);
-                return Some(self.point(nodes));
-            }
+            _ if total == 1.0 => return Some(self.sum(&terms)),
             _ => return None,
         };
         Some(
@@ -132,25 +143,46 @@ impl<'a, 'm> Sketch<'a, 'm> {
         )
     }
 
-    /// Where a chain begins that names no point: a fixed vector, or the origin.
+    /// Where a chain begins that names no point: the sum of what does not move.
     fn fixed_start(&mut self, terms: &mut Vec<Term<'m>>) -> usize {
-        let is_fixed = |name| matches!(name, Name::Parameter(_) | Name::Const(_));
-        let named = terms.first().and_then(|term| match term.expr.kind {
-            ExprKind::Name(name) if term.sign > 0.0 && is_fixed(name) => Some(term.expr),
-            _ => None,
-        });
-        match named {
-            Some(expr) => {
-                terms.remove(0);
-                let point = self.start(expr);
-                self.name(point, 2, expr);
-                point
-            }
-            None => {
-                let zero = self.algebra.graph.zero();
-                self.point(vec![zero; self.dimension])
-            }
+        let (moving, fixed): (Vec<_>, Vec<_>) = std::mem::take(terms)
+            .into_iter()
+            .partition(|term| self.moves(term.expr) != Moves::Not);
+        *terms = moving;
+        let point = self.sum(&fixed);
+        if let [term] = &fixed[..]
+            && term.sign > 0.0
+            && let ExprKind::Name(Name::Parameter(_) | Name::Const(_)) = term.expr.kind
+        {
+            self.name(point, 2, term.expr);
         }
+        point
+    }
+
+    /// The point at the sum of these terms, the origin without any.
+    fn sum(&mut self, terms: &[Term<'m>]) -> usize {
+        let zero = self.algebra.graph.zero();
+        let start = vec![zero; self.dimension];
+        let nodes = terms.iter().fold(start, |sum, term| {
+            let step = self.vector(term.expr);
+            self.moved(sum, step, term.sign)
+        });
+        self.point(nodes)
+    }
+
+    fn moved(&mut self, from: Vec<NodeId>, step: Vec<NodeId>, sign: f64) -> Vec<NodeId> {
+        let graph = &mut self.algebra.graph;
+        let pairs = from.into_iter().zip(step);
+        let sums = pairs.map(|(a, b)| match sign > 0.0 {
+            true => graph.add(a, b),
+            false => graph.sub(a, b),
+        });
+        sums.collect()
+    }
+
+    /// How often a term counts as a point.
+    pub(super) fn weight_of(&self, term: &Term) -> f64 {
+        term.sign * self.weight(term.expr).unwrap_or(0.0)
     }
 
     /// A term that is a point.
@@ -162,7 +194,26 @@ impl<'a, 'm> Sketch<'a, 'm> {
         {
             self.segment(origin, point, None, Shape::Body);
         }
+        // A mean of points may belong to their link.
+        if let ExprKind::Binary(..) = expr.kind {
+            for own in self.points_in(expr) {
+                let nodes = self.vector(own);
+                let own = self.point(nodes);
+                self.segment(own, point, None, Shape::Body);
+            }
+        }
         point
+    }
+
+    /// The names of points in an expression.
+    fn points_in(&self, expr: &'m Expr) -> Vec<&'m Expr> {
+        match (&expr.kind, self.weight(expr)) {
+            (ExprKind::Name(_), Some(weight)) if weight == 1.0 => vec![expr],
+            _ => {
+                let operands = expr.operands().into_iter();
+                operands.flat_map(|own| self.points_in(own)).collect()
+            }
+        }
     }
 
     /// The point that a frame has its origin in.
@@ -181,13 +232,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
     fn step(&mut self, from: usize, term: Term<'m>) -> usize {
         let step = self.vector(term.expr);
         let start = self.points[from].nodes.clone();
-        let graph = &mut self.algebra.graph;
-        let pairs = start.into_iter().zip(step);
-        let nodes = pairs.map(|(a, b)| match term.sign > 0.0 {
-            true => graph.add(a, b),
-            false => graph.sub(a, b),
-        });
-        let nodes = nodes.collect();
+        let nodes = self.moved(start, step, term.sign);
         let to = self.point(nodes);
         if let ExprKind::Call(Function::Turn, arguments) = &term.expr.kind
             && self.varies(&arguments[2])
@@ -236,15 +281,13 @@ impl<'a, 'm> Sketch<'a, 'm> {
         }
     }
 
-    /// Whether an expression is written with what moves.
+    /// What an expression moves with.
+    pub(super) fn moves(&self, expr: &Expr) -> Moves {
+        self.roles.moves(expr)
+    }
+
     fn varies(&self, expr: &Expr) -> bool {
-        match expr.kind {
-            ExprKind::Name(Name::Input(_) | Name::Unknown(_)) => true,
-            ExprKind::Name(Name::Let(index)) => {
-                self.varies(&self.algebra.mechanism.lets[index].value)
-            }
-            _ => expr.operands().into_iter().any(|own| self.varies(own)),
-        }
+        self.moves(expr) != Moves::Not
     }
 
     /// The first length that is named in an expression.
@@ -261,8 +304,18 @@ impl<'a, 'm> Sketch<'a, 'm> {
     }
 
     /// Terms, named steps taken apart. A step of one term keeps its name.
-    fn terms(&self, expr: &'m Expr, sign: f64, name: Option<&str>, terms: &mut Vec<Term<'m>>) {
+    pub(super) fn terms(
+        &self,
+        expr: &'m Expr,
+        sign: f64,
+        name: Option<&str>,
+        terms: &mut Vec<Term<'m>>,
+    ) {
+        if terms.len() > MANY_TERMS {
+            return;
+        }
         match &expr.kind {
+            ExprKind::Number(0.0) => {}
             ExprKind::Binary(BinaryOp::Add, a, b) => {
                 self.terms(a, sign, None, terms);
                 self.terms(b, sign, None, terms);

@@ -14,7 +14,11 @@ pub(super) fn check_lists(
 ) {
     for asked in &sketch.asked {
         let span = origins.span(asked.origin);
-        if let Some(fact) = stretched(sketch, seen, asked) {
+        let first = seen.same[asked.points[0]];
+        if asked.points.iter().all(|&point| seen.same[point] == first) {
+            let fact = "these points are always at the same place: this is no link";
+            diagnostics.error_with_help(span, fact, "list different points of the link");
+        } else if let Some(fact) = stretched(sketch, seen, asked) {
             let help = "a link is rigid: list points that keep their distances";
             diagnostics.error_with_help(span, fact, help);
         } else if asked.points.iter().all(|&point| seen.is_fixed(point)) {

@@ -11,6 +11,8 @@ pub(super) struct RawLink {
     /// Points in the order in which they were found, each the first of those that coincide.
     pub(super) points: Vec<usize>,
     pub(super) title: Option<Title>,
+    /// Whether the user listed it.
+    asked: bool,
 }
 
 impl Links {
@@ -22,6 +24,7 @@ impl Links {
             links.all.push(RawLink {
                 points,
                 title: None,
+                asked: true,
             });
         }
         for segment in &sketch.segments {
@@ -31,6 +34,7 @@ impl Links {
                 links.all.push(RawLink {
                     points: vec![from, to],
                     title: segment.title.clone(),
+                    asked: false,
                 });
             }
         }
@@ -59,6 +63,7 @@ impl Links {
             let link = &mut self.all[known];
             let points = link.points.iter().chain(&other.points).copied();
             link.points = distinct(points);
+            link.asked |= other.asked;
             let titles = [link.title.take(), other.title].into_iter().flatten();
             link.title = titles.min_by_key(|title| title.rank);
             // It has grown: what did not fit before may fit now.
@@ -115,7 +120,8 @@ fn same_points(a: &RawLink, b: &RawLink) -> bool {
 fn turn_together(a: &RawLink, b: &RawLink, seen: &Seen) -> bool {
     let meet = a.points.iter().any(|point| b.points.contains(point));
     let rigid = |p: &usize| b.points.iter().all(|&q| seen.keep_distance(*p, q));
-    meet && a.points.iter().all(rigid)
+    // Lists are different links: in space, turning about a common line does not show in distances.
+    meet && !(a.asked && b.asked) && a.points.iter().all(rigid)
 }
 
 /// Each point once.

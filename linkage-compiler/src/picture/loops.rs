@@ -6,7 +6,7 @@ use crate::model::{
     BinaryOp, Expr, ExprKind, Function, Joint, JointKind, Loop, Mechanism, Name, Type,
 };
 
-use super::chains::{Asked, Line, Shape, Sketch, Title};
+use super::chains::{Asked, Line, Shape, Sketch, Term, Title};
 
 /// Names in derived quantities stand behind those in loops, and where no loop uses the quantity behind all others.
 const LET: [u8; 2] = [3, 6];
@@ -86,8 +86,18 @@ impl<'m> Sketch<'_, 'm> {
     fn look_at_loop(&mut self, own: &'m Loop) {
         match own.left.ty {
             Type::Vector(..) => {
-                for side in [&own.left, &own.right] {
-                    if let Some(end) = self.point_of(side) {
+                let mut terms = Vec::new();
+                self.terms(&own.left, 1.0, None, &mut terms);
+                self.terms(&own.right, -1.0, None, &mut terms);
+                // What is subtracted on one side is added on the other.
+                let (left, mut right): (Vec<_>, Vec<_>) =
+                    terms.into_iter().partition(|term| term.sign > 0.0);
+                right.iter_mut().for_each(|term| term.sign = 1.0);
+                for mut side in [left, right] {
+                    side.sort_by_key(|term| {
+                        (self.weight_of(term) != 1.0, self.roles.place(term.expr))
+                    });
+                    if let Some(end) = self.chain(side) {
                         self.points[end].wanted = true;
                     }
                 }
@@ -118,8 +128,10 @@ impl<'m> Sketch<'_, 'm> {
                 }
             }
             ExprKind::Name(Name::Let(index)) => {
-                let mechanism = self.algebra.mechanism;
-                self.look_for_rods(&mechanism.lets[*index].value, title);
+                if self.searched.insert(*index) {
+                    let mechanism = self.algebra.mechanism;
+                    self.look_for_rods(&mechanism.lets[*index].value, title);
+                }
             }
             _ => {
                 for operand in expr.operands() {
@@ -129,11 +141,20 @@ impl<'m> Sketch<'_, 'm> {
         }
     }
 
-    /// `q - p`, a rod between two points.
+    /// `q - p`, a rod between two points; a point alone is as far from the origin.
     fn look_for_rod(&mut self, vector: &'m Expr, title: Option<Title>) {
-        if let Some((q, p)) = self.difference(vector)
-            && let (Some(from), Some(to)) = (self.point_of(p), self.point_of(q))
-        {
+        let mut terms = Vec::new();
+        self.terms(vector, 1.0, None, &mut terms);
+        let (plus, mut minus): (Vec<_>, Vec<_>) =
+            terms.into_iter().partition(|term| term.sign > 0.0);
+        minus.iter_mut().for_each(|term| term.sign = 1.0);
+        let weight = |side: &[Term]| side.iter().map(|term| self.weight_of(term)).sum::<f64>();
+        let ends = [weight(&plus), weight(&minus)];
+        let is_point = ends.contains(&1.0) || !plus.is_empty() && !minus.is_empty();
+        if !is_point || ends.iter().any(|weight| ![0.0, 1.0].contains(weight)) {
+            return;
+        }
+        if let (Some(to), Some(from)) = (self.chain(plus), self.chain(minus)) {
             self.segment(from, to, title, Shape::Distance);
         }
     }

@@ -105,6 +105,14 @@ pub(crate) fn find<'m>(
     sketch.collect();
     sketch.add_lists(lists);
     let mut seen = Seen::new(sketch.algebra, &sketch.points, reference, nominal);
+    if seen.places.len() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
+        diagnostics.error_with_help(
+            origins.span(asked.origin),
+            "links cannot be told from what stretches: the mechanism closes at none of the other positions looked at",
+            "check the ranges of the inputs",
+        );
+        return Picture::default();
+    }
     check::check_lists(&sketch, &seen, origins, diagnostics);
     let mut links = Links::find(&sketch, &seen);
     let guides = Guides::find(&mut sketch, &mut seen, &links);
@@ -130,37 +138,37 @@ pub(crate) fn find<'m>(
     names::named(&sketch, &seen, &links, &guides)
 }
 
-/// 3 if anything lies in space.
+/// 3 if loops, joints or lists lie in space; without loops, if anything does.
 fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
     let mechanism = algebra.mechanism;
-    let lets = mechanism.lets.iter().map(|own| &own.value.ty);
-    let loops = mechanism.loops.iter().map(|own| &own.left.ty);
-    let unknowns = mechanism.unknowns.iter().map(|own| &own.ty);
-    let joints = mechanism.joints.iter().map(|own| &own.at.ty);
-    let listed = lists.iter().flatten().map(|own| &own.ty);
-    let mut types = lets
-        .chain(loops)
-        .chain(unknowns)
-        .chain(joints)
-        .chain(listed);
-    let in_space = types.any(|ty| matches!(ty, Type::Vector(3, _) | Type::Zero(3) | Type::Frame));
-    if in_space || uses_space(algebra) {
-        3
-    } else {
-        2
+    let sides = || {
+        mechanism
+            .loops
+            .iter()
+            .flat_map(|own| [&own.left, &own.right])
+    };
+    let joints = mechanism.joints.iter().map(|own| &own.at);
+    let lets = || mechanism.lets.iter().map(|own| &own.value);
+    let fixed = |count: usize| sides().any(|side| has_vector(side, count));
+    let in_space = fixed(3)
+        || joints
+            .chain(lists.iter().flatten())
+            .any(|own| has_vector(own, 3));
+    match in_space || !fixed(2) && lets().any(|own| has_vector(own, 3)) {
+        true => 3,
+        false => 2,
     }
 }
 
-/// Distances in space leave no type of space behind.
-fn uses_space(algebra: &Algebra) -> bool {
-    fn within(expr: &Expr) -> bool {
-        matches!(expr.ty, Type::Vector(3, _)) || expr.operands().into_iter().any(within)
-    }
-    let mechanism = algebra.mechanism;
-    let sides = mechanism
-        .loops
-        .iter()
-        .flat_map(|own| [&own.left, &own.right]);
-    let lets = mechanism.lets.iter().map(|own| &own.value);
-    sides.chain(lets).any(within)
+/// Whether there is a vector of so many components in an expression.
+fn has_vector(expr: &Expr, count: usize) -> bool {
+    let own = match expr.ty {
+        Type::Vector(components, _) => components == count,
+        Type::Frame => count == 3,
+        _ => false,
+    };
+    own || expr
+        .operands()
+        .into_iter()
+        .any(|own| has_vector(own, count))
 }

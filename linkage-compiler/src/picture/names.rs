@@ -18,10 +18,8 @@ pub(super) fn named(sketch: &Sketch, seen: &Seen, links: &Links, guides: &Guides
         .filter(|&point| seen.same[point] == point)
         .filter_map(|point| Some((point, namer.kind(point)?)))
         .collect();
-    let place = |point: usize| {
-        let found = kept.iter().position(|(own, _)| *own == seen.same[point]);
-        found.expect("points of links, guides and axes are kept")
-    };
+    // Points that are nowhere are left out, and what hangs on them.
+    let place = |point: usize| kept.iter().position(|(own, _)| *own == seen.same[point]);
     let mut names = Vec::new();
     let points = kept.iter().map(|&(point, kind)| {
         let name = unique(namer.name(point), &mut names);
@@ -42,22 +40,31 @@ pub(super) fn named(sketch: &Sketch, seen: &Seen, links: &Links, guides: &Guides
         .zip(&namer.link_names)
         .map(|(link, name)| Link {
             name: name.clone(),
-            points: link.points.iter().map(|&point| place(point)).collect(),
+            points: link
+                .points
+                .iter()
+                .filter_map(|&point| place(point))
+                .collect(),
         })
         .collect();
     for guide in &guides.all {
+        let (Some(origin), Some(slider)) = (place(guide.origin), place(guide.slider)) else {
+            continue;
+        };
         let name = unique(format!("along {}", guide.name), &mut names);
         picture.directions.push((name, guide.along.clone()));
         picture.guides.push(Guide {
             name: guide.name.clone(),
-            origin: place(guide.origin),
+            origin,
             direction: picture.directions.len() - 1,
-            slider: place(guide.slider),
+            slider,
             on: guide.on,
         });
     }
     for (point, along) in &sketch.axes {
-        let point = place(*point);
+        let Some(point) = place(*point) else {
+            continue;
+        };
         let known = picture.directions.iter().position(|(_, own)| own == along);
         let direction = known.unwrap_or_else(|| {
             let name = format!("axis at {}", picture.points[point].name);
@@ -96,9 +103,12 @@ impl Namer<'_, '_, '_> {
             .any(|(at, _)| self.seen.same[*at] == point);
         let wanted = (0..self.seen.same.len())
             .any(|other| self.seen.same[other] == point && self.sketch.points[other].wanted);
+        if !self.seen.is_known(point) {
+            return None;
+        }
         match (self.seen.is_fixed(point), links) {
-            (true, _) if links > 0 || pivots => Some(PointKind::Ground),
-            (true, _) if has_guide || has_axis || slides => Some(PointKind::Construction),
+            (true, _) if links > 0 || pivots || slides => Some(PointKind::Ground),
+            (true, _) if has_guide || has_axis => Some(PointKind::Construction),
             (true, _) => None,
             (false, _) if links + usize::from(slides) + usize::from(pivots) > 1 => {
                 Some(PointKind::Joint)
@@ -127,7 +137,11 @@ impl Namer<'_, '_, '_> {
         let mut parts: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
         let (fixed, kind) = (self.seen.is_fixed(point), self.kind(point));
         let mut guides = self.guides.all.iter();
-        let guide = guides.find(|guide| [guide.origin, guide.slider].contains(&point));
+        let is_here = |guide: &&super::guides::RawGuide| {
+            let begins = guide.on == GuideOn::Itself || kind == Some(PointKind::Construction);
+            guide.slider == point || guide.origin == point && begins
+        };
+        let guide = guides.find(is_here);
         if let Some(guide) = guide {
             match kind {
                 Some(PointKind::Construction) => return format!("guide of {}", guide.name),

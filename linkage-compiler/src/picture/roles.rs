@@ -1,12 +1,24 @@
 //! Is a named vector a point, or a step from one point to another?
 
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Mechanism, Name};
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Loop, Mechanism, Name, Type};
 
 /// What was seen of each name.
 #[derive(Debug)]
 pub(super) struct Roles {
     lets: Vec<Evidence>,
     unknowns: Vec<Evidence>,
+    /// What each `let` moves with.
+    moves: Vec<Moves>,
+    /// Whether a `let` is a named vector less another one.
+    differences: Vec<bool>,
+}
+
+/// What something moves with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Moves {
+    Not,
+    Inputs,
+    Unknowns,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,17 +32,23 @@ impl Roles {
         let mut roles = Self {
             lets: vec![Evidence::default(); mechanism.lets.len()],
             unknowns: vec![Evidence::default(); mechanism.unknowns.len()],
+            moves: Vec::with_capacity(mechanism.lets.len()),
+            differences: Vec::with_capacity(mechanism.lets.len()),
         };
         for own in &mechanism.lets {
+            let moves = roles.moves(&own.value);
+            roles.moves.push(moves);
+            let difference = roles.is_difference(&own.value);
+            roles.differences.push(difference);
             roles.look_at(&own.value);
         }
-        for side in mechanism
-            .loops
-            .iter()
-            .flat_map(|own| [&own.left, &own.right])
-        {
-            roles.point(side);
-            roles.look_at(side);
+        for own in &mechanism.loops {
+            match own.left.ty {
+                Type::Vector(..) => roles.look_at_loop(own),
+                _ => [&own.left, &own.right]
+                    .into_iter()
+                    .for_each(|side| roles.look_at(side)),
+            }
         }
         for joint in &mechanism.joints {
             roles.point(&joint.at);
@@ -47,6 +65,71 @@ impl Roles {
             _ => return false,
         };
         evidence.as_step && !evidence.as_point
+    }
+
+    /// On each side of a vector loop the first name is a point, others are steps.
+    fn look_at_loop(&mut self, own: &Loop) {
+        let mut terms = Vec::new();
+        signed_terms(&own.left, true, &mut terms);
+        signed_terms(&own.right, false, &mut terms);
+        for side in [true, false] {
+            let own = terms.iter().filter(|(plus, _)| *plus == side);
+            let mut own: Vec<&Expr> = own.map(|(_, term)| *term).collect();
+            own.sort_by_key(|term| self.place(term));
+            let names = own.iter().filter(|term| self.is_derived(term)).copied();
+            for (index, name) in names.collect::<Vec<_>>().into_iter().enumerate() {
+                match index == 0 && !self.is_difference(name) {
+                    true => self.point(name),
+                    false => self.step(name),
+                }
+            }
+            own.into_iter().for_each(|term| self.look_inside(term));
+        }
+    }
+
+    /// In which order the terms on one side of a loop follow each other: what is fixed begins, what only inputs turn hangs on the
+    /// frame, a slide stays where it is written.
+    pub(super) fn place(&self, term: &Expr) -> u8 {
+        match (self.moves(term), &term.kind) {
+            (Moves::Not, _) => 0,
+            (Moves::Inputs, _) | (_, ExprKind::Vector(_)) => 1,
+            (Moves::Unknowns, _) => 2,
+        }
+    }
+
+    pub(super) fn moves(&self, expr: &Expr) -> Moves {
+        match expr.kind {
+            ExprKind::Name(Name::Input(_)) => Moves::Inputs,
+            ExprKind::Name(Name::Unknown(_)) => Moves::Unknowns,
+            ExprKind::Name(Name::Let(index)) => self.moves[index],
+            _ => {
+                let operands = expr.operands().into_iter();
+                operands
+                    .map(|own| self.moves(own))
+                    .max()
+                    .unwrap_or(Moves::Not)
+            }
+        }
+    }
+
+    /// Whether names are subtracted from as many: `q - p`.
+    fn is_difference(&self, expr: &Expr) -> bool {
+        if let ExprKind::Name(Name::Let(index)) = expr.kind {
+            return self.differences[index];
+        }
+        let mut terms = Vec::new();
+        signed_terms(expr, true, &mut terms);
+        let names = |sign: bool| {
+            let own = terms
+                .iter()
+                .filter(|(plus, term)| *plus == sign && self.is_derived(term));
+            own.count()
+        };
+        names(true) > 0 && names(true) == names(false)
+    }
+
+    fn is_derived(&self, expr: &Expr) -> bool {
+        matches!(expr.kind, ExprKind::Name(Name::Let(_) | Name::Unknown(_)))
     }
 
     fn look_at(&mut self, expr: &Expr) {

@@ -3,7 +3,7 @@
 use linkage_symbolic::NodeId;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::formulate::{Reference, places};
+use crate::formulate::{Reference, places, unknown_nodes};
 
 use super::chains::Spot;
 
@@ -39,9 +39,9 @@ impl<'a> Seen<'a> {
             fixed: Vec::new(),
             size: 0.0,
         };
-        let all: Vec<NodeId> = points
-            .iter()
-            .flat_map(|point| point.nodes.clone())
+        let unknowns = 0..algebra.bound.len();
+        let all: Vec<NodeId> = unknowns
+            .flat_map(|own| unknown_nodes(algebra, own))
             .collect();
         let closes = |inputs: &Vec<f64>| {
             let values = reference.machine.evaluate(&algebra.graph, &all, inputs);
@@ -83,6 +83,11 @@ impl<'a> Seen<'a> {
                 .evaluate(&algebra.graph, nodes, inputs)
         };
         self.places.iter().map(at).collect()
+    }
+
+    /// Whether a point has a place wherever the mechanism closes.
+    pub(super) fn is_known(&self, point: usize) -> bool {
+        self.tracks[point].iter().flatten().all(|x| x.is_finite())
     }
 
     pub(super) fn is_fixed(&self, point: usize) -> bool {

@@ -62,13 +62,123 @@ fn a_vector_loop_tells_all_links() {
         FOUR_BAR_PICTURE,
     );
     // The same the other way round, and as multiples of directions.
-    let closed = "loop coupler * dir(theta) + polar(crank, phi) - polar(rocker, psi) = (base, 0);";
-    let (lowered, messages) = compile(
-        &format!("{FOUR_BAR} {closed}"),
-        "fn look(phi) -> Look { shape: picture() }",
-    );
+    for closed in [
+        "loop coupler * dir(theta) + polar(crank, phi) - polar(rocker, psi) = (base, 0);",
+        "loop polar(coupler, theta) = (base, 0) + polar(rocker, psi) - polar(crank, phi);",
+        "loop polar(crank, phi) + polar(coupler, theta) - polar(rocker, psi) - (base, 0) = 0;",
+    ] {
+        expect_links(
+            closed,
+            [
+                "crank: crank/frame",
+                "coupler: crank/coupler",
+                "rocker: rocker/frame",
+            ],
+        );
+    }
+    let points = "let p = polar(crank, phi); let q = polar(rocker, psi) + (base, 0);";
+    for closed in [
+        "loop q - p = polar(coupler, theta);",
+        "let v = q - p; loop v = polar(coupler, theta);",
+        "loop p + polar(coupler, theta) - q = 0;",
+        "loop -p - polar(coupler, theta) = -q;",
+    ] {
+        let links = [
+            "crank: crank/frame, p",
+            "coupler: p, q",
+            "rocker: rocker/frame, q",
+        ];
+        expect_links(&format!("{points} {closed}"), links);
+    }
+    let steps = "let r1 = (base, 0mm); let r2 = polar(crank, phi); let r3 = polar(coupler, theta); let r4 = polar(rocker, psi);";
+    for closed in ["loop r3 = r1 + r4 - r2;", "loop r2 + r3 - r4 - r1 = 0;"] {
+        let links = ["crank: crank/frame, r2", "r3: r2, r3/r4", "r4: r1, r3/r4"];
+        expect_links(&format!("{steps} {closed}"), links);
+    }
+}
+
+/// The four-bar has these links, in any order; of each the beginning is given.
+#[track_caller]
+fn expect_links(closed: &str, expected: [&str; 3]) {
+    let items = format!("{FOUR_BAR} {closed}");
+    let (lowered, messages) = compile(&items, "fn look(phi) -> Look { shape: picture() }");
     assert!(messages.is_empty(), "{messages:?}");
-    assert_eq!(lowered.picture.expect("a picture").links.len(), 3);
+    let picture = lowered.picture.expect("a picture").to_string();
+    let links: Vec<&str> = picture
+        .lines()
+        .filter(|line| line.starts_with("link"))
+        .collect();
+    assert_eq!(links.len(), 3, "{closed}\n{picture}");
+    for link in expected {
+        let found = links
+            .iter()
+            .any(|own| own.starts_with(&format!("link {link}")));
+        assert!(found, "{link} of {closed}\n{picture}");
+    }
+}
+
+#[test]
+fn pivots_may_be_written_last() {
+    expect(
+        "param crank = 50mm; param o = (10mm, 20mm); input phi = 30deg in 0deg..360deg; let p = polar(crank, phi) + o;",
+        "picture()",
+        "point o: Ground
+         point p: Tip
+         link crank: o, p",
+    );
+}
+
+#[test]
+fn what_lies_elsewhere_spoils_nothing() {
+    let items = "let p = polar(crank, phi); let q = (base, 0) + polar(rocker, psi); loop p + polar(coupler, theta) = q;
+        let above = (p.x, p.y, 12mm); let nowhere = p + polar(sqrt(-1mm * 1mm - p.y * p.y), theta);
+        let middle = (p + q) / 2; let tip = 0.5 * (p + q) + polar(10mm, theta + 90deg);";
+    expect(
+        &format!("{FOUR_BAR} {items}"),
+        "picture()",
+        "point crank/frame: Ground
+         point p: Joint
+         point rocker/frame: Ground
+         point q: Joint
+         point middle: Tip
+         point tip: Tip
+         link crank: crank/frame, p
+         link rocker: rocker/frame, q
+         link coupler: p, middle, q, tip",
+    );
+}
+
+#[test]
+fn a_length_from_the_origin_is_a_rod() {
+    expect(
+        "param arm = 80mm; param rod = 60mm; param crank = 10mm; param o = (60mm, 0mm);
+         input phi = 30deg in 0deg..360deg; unknown a = (70mm, 40mm);
+         loop norm(a) = arm; loop distance(a, o + polar(crank, phi)) = rod;",
+        "picture()",
+        "point a: Joint
+         point arm/frame: Ground
+         point o: Ground
+         point crank/rod: Joint
+         link arm: arm/frame, a
+         link crank: o, crank/rod
+         link rod: a, crank/rod",
+    );
+}
+
+#[test]
+fn a_rod_may_slide_through_a_pivot() {
+    expect(
+        "param crank = 30mm; param d = (100mm, 0mm); input phi = 30deg in 0deg..360deg; unknown theta = 0deg; unknown s = 80mm;
+         let p = polar(crank, phi); loop p + polar(s, theta) = d; let tip = p + polar(160mm, theta);",
+        "picture()",
+        "point crank/frame: Ground
+         point p: Joint
+         point tip: Tip
+         point d: Ground
+         link crank: crank/frame, p
+         link theta: p, tip
+         guide s: d from p, on theta",
+    );
 }
 
 #[test]
@@ -286,6 +396,8 @@ fn a_link_that_stretches_is_refused() {
     );
     let stretched = "fn look(phi) -> Look { shape: picture([(base, 0), p]) }";
     expect_message(&items, stretched, "a link that stretches: from");
+    let same = "fn look(phi) -> Look { shape: picture([p, polar(crank, phi)]) }";
+    expect_message(&items, same, "these points are always at the same place");
     let fixed = "fn look(phi) -> Look { shape: picture([(base, 0), (0, 0)]) }";
     expect_message(&items, fixed, "this is no link, but the frame");
 }
