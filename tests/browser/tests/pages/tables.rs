@@ -2,7 +2,7 @@
 
 use crate::checks;
 use linkage_browser::Page;
-use linkage_browser::samples::{FourBar, four_bar, written};
+use linkage_browser::samples::{FourBar, four_bar, roundoff, written};
 use serde_json::Value;
 
 fn page(name: &str) -> Option<Page> {
@@ -42,6 +42,12 @@ fn what_is_known_is_told() {
     let facts = table(&mut page, "facts");
     assert!(
         facts.contains("a test with <b>letters</b> & signs </script>"),
+        "{facts}"
+    );
+    assert!(
+        facts.starts_with(
+            "Speed of phi|62.83185307179586 rad/s (600 revolutions per minute)\nmade by"
+        ),
         "{facts}"
     );
     let accuracy = table(&mut page, "accuracy");
@@ -98,37 +104,47 @@ fn all_values_of_a_position() {
     page.assert_quiet();
 }
 
+/// What a button gives to save.
+fn saved(page: &mut Page, name: &str) -> String {
+    page.value("window.caught = null; URL.createObjectURL = (blob) => { blob.text().then((text) => { window.caught = text; }); return 'data:,'; };");
+    page.click(&format!("[data-file={name:?}]"));
+    page.wait("window.caught !== null");
+    page.words("window.caught")
+}
+
+/// The numbers below the head, to the last bit.
+fn bits(csv: &str) -> Vec<Option<u64>> {
+    let fields = csv.split("\r\n").skip(1).flat_map(|line| line.split(','));
+    fields
+        .map(|field| field.parse().ok().map(f64::to_bits))
+        .collect()
+}
+
 /// The files that the buttons give have every number to the last bit.
 #[test]
 fn files_hold_the_data() {
     let report = four_bar("Files", FourBar::TURNING);
-    let file = written(&report, "files");
-    let Some(mut page) = Page::open(&file) else {
+    let Some(mut page) = Page::open(&written(&report, "files")) else {
         return;
     };
-    let catch = |page: &mut Page, name: &str| {
-        page.value("window.caught = null; URL.createObjectURL = (blob) => { blob.text().then((text) => { window.caught = text; }); return 'data:,'; };");
-        page.click(&format!("[data-file={name:?}]"));
-        page.wait("window.caught !== null");
-        page.words("window.caught")
-    };
-    let json: Value = serde_json::from_str(&catch(&mut page, "data.json")).expect("JSON");
+    let json: Value = serde_json::from_str(&saved(&mut page, "data.json")).expect("JSON");
     let original: Value = serde_json::from_str(&report.json().expect("no mistakes")).expect("JSON");
     assert_eq!(json, original);
 
-    let csv = catch(&mut page, "motion.csv");
+    let csv = saved(&mut page, "motion.csv");
     let original = report.csv("motion").expect("no mistakes");
-    let cells = |text: &str| {
-        text.split("\r\n")
-            .skip(1)
-            .flat_map(|line| {
-                line.split(',')
-                    .map(|cell| cell.parse::<f64>().ok())
-                    .collect::<Vec<_>>()
-            })
-            .collect::<Vec<_>>()
-    };
     assert_eq!(csv.lines().next(), original.lines().next());
-    assert_eq!(cells(&csv), cells(&original));
-    assert!(cells(&csv).len() > 361 * 17);
+    assert_eq!(bits(&csv), bits(&original));
+    assert!(bits(&csv).len() > 361 * 17);
+}
+
+#[test]
+fn files_hold_the_sign_of_zero() {
+    let report = roundoff();
+    let Some(mut page) = Page::open(&written(&report, "zeros")) else {
+        return;
+    };
+    let original = bits(&report.csv("guided").expect("no mistakes"));
+    assert!(original.contains(&Some((-0.0_f64).to_bits())));
+    assert_eq!(bits(&saved(&mut page, "guided.csv")), original);
 }
