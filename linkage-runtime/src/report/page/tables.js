@@ -57,9 +57,9 @@ function speedFacts() {
 
 function summaryTable() {
   const rows = report.summary.map(({ quantity, what, value, unit, at }) =>
-    [quantity, what, placeButton(at), value, unit, inDegrees(value, unit)]);
+    [quantity, what, placeButton(at), withDegrees(value, unit), unit]);
   // Places before values: on a phone they are what must not be out of sight.
-  return grid("summary", ["quantity", "what", `at ${input.name}`, "value", "unit", ""], rows);
+  return grid("summary", ["quantity", "what", `at ${input.name}`, "value", "unit"], rows);
 }
 
 function dimensionTable() {

@@ -1,8 +1,8 @@
 //! Tables and files: nothing is lost.
 
 use crate::checks;
-use linkage_browser::Page;
 use linkage_browser::samples::{FourBar, four_bar, roundoff, written};
+use linkage_browser::{Page, SMALL_PHONE};
 use serde_json::Value;
 
 fn page(name: &str) -> Option<Page> {
@@ -39,6 +39,15 @@ fn what_is_known_is_told() {
         operations.contains("motion|61|21 add, 34 mul, 3 div, 1 sqrt, 1 sin_cos, 1 atan2"),
         "{operations}"
     );
+    // Radians with all their digits, degrees on a line below.
+    let value = page.words("document.querySelector('[data-table=summary] .amount').innerText");
+    let lines: Vec<&str> = value.lines().collect();
+    assert_eq!(lines.len(), 2, "{value}");
+    let radians: f64 = lines[0].parse().expect("a number");
+    let [_, b, _] = FourBar::TURNING.points(1.0);
+    assert_eq!(radians, b[1].atan2(b[0] - FourBar::TURNING.frame));
+    let degrees = lines[1].trim_end_matches(" deg").parse::<f64>();
+    assert!((degrees.expect("degrees") - radians.to_degrees()).abs() < 1e-9);
     let facts = table(&mut page, "facts");
     assert!(
         facts.contains("a test with <b>letters</b> & signs </script>"),
@@ -69,6 +78,15 @@ fn places_in_tables_lead_there() {
     };
     page.click("[data-table=summary] .place");
     assert_eq!(page.row(), 57, "1 rad is nearest to 57 deg");
+
+    // In sight without scrolling sideways.
+    page.screen(SMALL_PHONE);
+    let [left, _, width, _] = page.place("[data-table=summary] .place");
+    assert!(
+        left >= 0.0 && left + width <= f64::from(SMALL_PHONE.width),
+        "from {left}, {width} wide"
+    );
+    page.assert_quiet();
 }
 
 #[test]
