@@ -59,7 +59,7 @@ const JOBS: [Job; 5] = [
     ("eye_needle", reports::eye_needle),
     ("two_crank_triad", reports::two_crank_triad),
     ("spatial_crank_rocker", reports::spatial_crank_rocker),
-    ("crank_rocker", reports::crank_rocker),
+    ("beyond_reach", reports::beyond_reach),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -40,7 +40,8 @@ pub(crate) fn favorit() -> Made {
             "Two cranks drive the hook needle of the Favorit warp-knitting machine. The second one turns backwards at half the \
              speed, so that a cycle takes two turns of the main crank.",
         )
-        .note("Dimensions and masses as published; forces with the corrected mechanics.")
+        .note("Dimensions and masses as published; forces with the corrected mechanics, by the program of the example `favorit_forces`.")
+        .fact("Speed of the main crank", "1000 revolutions per minute, clockwise")
         .structure(Favorit::STRUCTURE)
         .modes(linkage.modes())
         .dimensions(&mechanism)
@@ -80,8 +81,8 @@ pub(crate) fn eye_needle() -> Made {
         .trace("p8")
         .course("phi75", "rad", &rocker)
         .margin(&margin);
-    // Half a degree of the rocker.
-    let dwell = rocker.longest_dwell(0.5_f64.to_radians());
+    // 0.2 mm of the needle's arc.
+    let dwell = rocker.longest_dwell(0.2 / mechanism.l78);
     Ok(match dwell {
         Some(dwell) => report.dwell("phi75", "rad", &dwell),
         None => report,
@@ -157,7 +158,7 @@ mechanism! {
 }
 
 /// A four-bar over a whole turn, of which it can do a part.
-pub(crate) fn crank_rocker() -> Made {
+pub(crate) fn beyond_reach() -> Made {
     let mechanism = Rocking::default();
     let linkage = mechanism.assemble()?;
     let input = Rocking::INPUTS[0];

@@ -3,7 +3,7 @@
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::shown::point_named;
+use super::shown::{drawn_names, point_named};
 use super::tables::Saved;
 use super::{Mistake, Report, ReportError};
 use crate::Meaning;
@@ -32,6 +32,7 @@ impl Report {
         if positions < 2 {
             mistakes.push(Mistake::Positions { count: positions });
         }
+        self.check_positions(mistakes);
         for (index, table) in self.tables.iter().enumerate() {
             let function = table.heading.function;
             if table.rows != positions {
@@ -50,6 +51,22 @@ impl Report {
         }
     }
 
+    fn check_positions(&self, mistakes: &mut Vec<Mistake>) {
+        let mut rows = self.positions.iter().enumerate();
+        if let Some((row, &value)) = rows.find(|(_, x)| !x.is_finite()) {
+            let what = std::format!("position {row} of `{}`", self.input.name);
+            mistakes.push(Mistake::NotFinite { what, value });
+        }
+        if let [first, _, ..] = self.positions[..]
+            && self.positions.iter().all(|x| *x == first)
+        {
+            mistakes.push(Mistake::Still {
+                input: self.input.name.to_string(),
+                at: first,
+            });
+        }
+    }
+
     fn check_picture(&self, mistakes: &mut Vec<Mistake>) {
         let pictures = self.tables.iter().filter(|t| t.heading.picture.is_some());
         let functions: Vec<String> = pictures.map(|t| t.heading.function.to_string()).collect();
@@ -65,13 +82,12 @@ impl Report {
             }
             return;
         };
-        let points = shown.picture.points;
         for name in &self.traces {
             if point_named(shown.picture, name).is_none() {
                 mistakes.push(Mistake::Unknown {
                     kind: "point",
                     name: name.clone(),
-                    known: points.iter().map(|point| point.name.to_string()).collect(),
+                    known: drawn_names(shown.picture),
                 });
             }
         }
@@ -96,6 +112,17 @@ impl Report {
     }
 
     fn check_speed(&self, mistakes: &mut Vec<Mistake>) {
+        if let Some(speed) = self.speed {
+            for (what, value) in [
+                ("the speed", speed.omega),
+                ("the acceleration", speed.epsilon),
+            ] {
+                if !value.is_finite() {
+                    let what = std::format!("{what} of `{}`", self.input.name);
+                    mistakes.push(Mistake::NotFinite { what, value });
+                }
+            }
+        }
         let accelerates = self.speed.is_some_and(|speed| speed.epsilon != 0.0);
         if !accelerates {
             return;

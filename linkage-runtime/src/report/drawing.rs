@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::shown::{Shown, point_named};
+use super::shown::{Shown, drawn_names, point_named};
 use super::svg::{Element, Svg};
 use super::{Mistake, Report, ReportError};
 use sheet::{Sheet, View};
@@ -86,7 +86,7 @@ impl Drawing<'_> {
             None => self.mistakes.push(Mistake::Unknown {
                 kind: "point",
                 name: point.to_string(),
-                known: picture.points.iter().map(|p| p.name.to_string()).collect(),
+                known: drawn_names(picture),
             }),
         }
         self

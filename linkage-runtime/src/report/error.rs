@@ -114,7 +114,7 @@ pub enum Mistake {
     },
     /// There is nothing of this name.
     Unknown {
-        /// What is missing: `column`, `table`, `point`.
+        /// What is missing: `column`, `table`, `point`, `curve`.
         kind: &'static str,
         /// The name.
         name: String,
@@ -148,6 +148,11 @@ pub enum Mistake {
     },
     /// A plot without any curve.
     NoCurve,
+    /// A plot over no values at all.
+    NoAbscissa {
+        /// The quantity that it is over.
+        name: String,
+    },
     /// A drawing's scale is not positive and finite.
     Scale {
         /// The scale.
@@ -166,6 +171,20 @@ pub enum Mistake {
     Positions {
         /// How many there are.
         count: usize,
+    },
+    /// A position or a speed is not finite.
+    NotFinite {
+        /// What it is.
+        what: String,
+        /// The number.
+        value: f64,
+    },
+    /// All positions are the same.
+    Still {
+        /// The input.
+        input: String,
+        /// Where it stands.
+        at: f64,
     },
 }
 
@@ -219,6 +238,12 @@ impl fmt::Display for Mistake {
             } => write!(
                 f,
                 "`{name}` has {values} values, the abscissa {positions}; give one for each"
+            ),
+            Self::NoAbscissa { name } => write!(f, "the plot is over no value of `{name}`; give some"),
+            Self::NotFinite { what, value } => write!(f, "{what} is {value}; give a finite number"),
+            Self::Still { input, at } => write!(
+                f,
+                "`{input}` is {at} at all positions; give the input a range, or the report other positions"
             ),
             Self::NoCurve => f.write_str("the plot has no curve; add one with `curve`"),
             Self::Scale { scale } => write!(

@@ -57,9 +57,33 @@ pub(super) struct Figures {
     /// Of the quantity and of its first and second derivative, as far as they are known.
     extremes: Vec<Extremes>,
     time: Option<TimeRatio>,
-    /// Whether there are positions that cannot be assembled.
-    gaps: bool,
+    /// Inputs at which gaps begin or end.
+    borders: Vec<f64>,
+    /// The range of the input.
+    width: f64,
 }
+
+impl Figures {
+    /// Whether an input lies at the border of a gap, or so near that rounding rules there.
+    fn is_beside_a_gap(&self, at: f64) -> bool {
+        let near = |border: &f64| (border - at).abs() <= NEAR * self.width;
+        self.borders.iter().any(near)
+    }
+}
+
+/// Where a course is interrupted; the ends of its range are no interruption.
+fn borders<const N: usize, F: Fn(f64) -> [f64; N]>(course: &Course<N, F>) -> Vec<f64> {
+    if !course.has_gaps() {
+        return Vec::new();
+    }
+    let (low, high) = course.range();
+    let parts = course.parts();
+    let ends = parts.iter().flat_map(|part| [part.from, part.to]);
+    ends.filter(|&end| end != low && end != high).collect()
+}
+
+/// As a share of the range.
+const NEAR: f64 = 1e-6;
 
 const NAMES: [[&str; 2]; 3] = [
     ["lowest", "highest"],
@@ -92,7 +116,8 @@ impl Report {
                 .filter_map(|k| course.extremes_of(k).cloned())
                 .collect(),
             time: course.time_ratio(),
-            gaps: course.has_gaps(),
+            borders: borders(course),
+            width: course.range().1 - course.range().0,
         });
         self
     }
@@ -163,7 +188,7 @@ impl Report {
                 };
                 for (name, extreme) in [(least, low), (greatest, high)] {
                     // Beside a dead point derivatives grow without bounds.
-                    if order > 0 && figures.gaps && extreme.end {
+                    if order > 0 && figures.is_beside_a_gap(extreme.at) {
                         continue;
                     }
                     let what = format!("{what}{name}");

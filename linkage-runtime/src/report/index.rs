@@ -87,12 +87,46 @@ impl Index {
 
 impl Entry {
     fn html(&self) -> String {
-        let [folder, title, about] =
-            [&self.folder, &self.title, &self.about].map(|text| escaped(text));
+        let folder = address(&self.folder);
+        let [title, about] = [&self.title, &self.about].map(|text| escaped(text));
         let picture = match self.drawn {
             true => format!("<img src=\"{folder}/drawing.svg\" alt=\"\">"),
             false => "<div class=\"none\"></div>".to_owned(),
         };
         format!("<a href=\"{folder}/index.html\">{picture}<h2>{title}</h2><p>{about}</p></a>")
+    }
+}
+
+/// A folder as part of an address.
+fn address(folder: &str) -> String {
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
+    let byte = |byte: u8| match plain(byte) {
+        true => String::from(char::from(byte)),
+        false => format!("%{byte:02X}"),
+    };
+    folder.bytes().map(byte).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_become_addresses() {
+        assert_eq!(address("press #2/50%"), "press%20%232/50%25");
+    }
+
+    #[test]
+    fn titles_are_no_markup() {
+        let input = crate::Input {
+            name: "phi",
+            unit: "rad",
+            reference: 0.0,
+            range: None,
+        };
+        let report = Report::new("<b>A & B</b>", &input, &[]).about("\"quoted\"");
+        let html = Index::new("All <of> them").report("a", &report).html();
+        assert!(html.contains("<h2>&lt;b&gt;A &amp; B&lt;/b&gt;</h2><p>&quot;quoted&quot;</p>"));
+        assert!(html.contains("<title>All &lt;of&gt; them</title>") && !html.contains("<img"));
     }
 }

@@ -48,11 +48,16 @@ pub struct Plot {
     mistakes: Vec<Mistake>,
 }
 
+/// Of a panel.
+const NARROWEST: f64 = 160.0;
+
 /// Numbers as they are shown.
 #[derive(Clone, Debug)]
 struct Quantity {
     name: String,
     unit: String,
+    /// Whether they were given in radians.
+    from_radians: bool,
     values: Vec<f64>,
 }
 
@@ -75,14 +80,14 @@ impl Quantity {
         Self {
             name: name.to_string(),
             unit: String::from(if unit == "rad" { "deg" } else { unit }),
-            values: shown(unit, values),
+            from_radians: unit == "rad",
+            values: shown(unit == "rad", values),
         }
     }
 }
 
-fn shown(unit: &str, values: &[f64]) -> Vec<f64> {
-    let degrees = unit == "rad";
-    let show = |x: &f64| if degrees { x.to_degrees() } else { *x };
+fn shown(radians: bool, values: &[f64]) -> Vec<f64> {
+    let show = |x: &f64| if radians { x.to_degrees() } else { *x };
     values.iter().map(show).collect()
 }
 
@@ -108,7 +113,8 @@ impl Plot {
         self
     }
 
-    /// Width of the plot and height of each panel, in pixels; 960 and 200 if nothing else is asked for. Not less than 320 and 80.
+    /// Width of the plot and height of each panel, in pixels; 960 and 200 if nothing else is asked for. Not less than 320 and 80, and
+    /// more where the legend needs it.
     #[must_use]
     pub fn size(mut self, width: f64, height: f64) -> Self {
         (self.width, self.height) = (width.max(320.0), height.max(80.0));
@@ -133,8 +139,7 @@ impl Plot {
         self.check(curve, half);
         let mut curves = self.curves.iter_mut().rev();
         if let Some(to) = curves.find(|to| to.quantity.name == curve) {
-            let unit = if to.quantity.unit == "deg" { "rad" } else { "" };
-            let half = shown(unit, half);
+            let half = shown(to.quantity.from_radians, half);
             to.bands.push(Band { kind, half });
             return self;
         }
@@ -159,12 +164,16 @@ impl Plot {
     ///
     /// # Errors
     ///
-    /// [`ReportError::Mistakes`] if there is no curve, if a curve or band has not as many values as the abscissa, or if a
+    /// [`ReportError::Mistakes`] if there is no curve or no value, if a curve or band has not as many values as the abscissa, or if a
     /// band's curve is not there.
     pub fn svg(&self) -> Result<String, ReportError> {
         let mut mistakes = self.mistakes.clone();
         if self.curves.is_empty() {
             mistakes.push(Mistake::NoCurve);
+        }
+        if self.abscissa.values.is_empty() {
+            let name = self.abscissa.name.clone();
+            mistakes.push(Mistake::NoAbscissa { name });
         }
         match mistakes.is_empty() {
             true => Ok(self.drawn()),
@@ -204,23 +213,27 @@ impl Plot {
         let legends: Vec<Vec<Entry<'_>>> = panels.iter().map(Panel::legend).collect();
         let beside = legends.iter().map(|l| legend::width(l)).fold(0.0, f64::max);
         let notes = self.gap_notes();
+        // As wide and as high as the legend needs it.
+        let total = self.width.max(panel::LEFT + NARROWEST + beside + 24.0);
+        let lines = legends.iter().map(Vec::len).max().unwrap_or(0);
+        let tall = self.height.max(legend::height(lines));
 
         let top = if self.title.is_empty() { 14.0 } else { 44.0 };
-        let below = top + panels.len() as f64 * (self.height + panel::SPACE) - panel::SPACE;
+        let below = top + panels.len() as f64 * (tall + panel::SPACE) - panel::SPACE;
         let height = below + 54.0 + 18.0 * notes.len() as f64;
-        let mut svg = Svg::new(self.width, height, "", &self.described());
+        let mut svg = Svg::new(total, height, "", &self.described());
         if !self.title.is_empty() {
             let title = Element::text([panel::LEFT, 26.0], 16.0).set("font-weight", 600);
             svg.words(title.fill(Colour::Ink), &self.title);
         }
         let axis = Axis::abscissa(&self.abscissa);
         for (index, (panel, legend)) in panels.iter().zip(&legends).enumerate() {
-            let above = top + index as f64 * (self.height + panel::SPACE);
+            let above = top + index as f64 * (tall + panel::SPACE);
             let frame = Frame {
                 left: panel::LEFT,
-                right: self.width - beside - 24.0,
+                right: total - beside - 24.0,
                 top: above,
-                bottom: above + self.height,
+                bottom: above + tall,
             };
             panel.draw(&mut svg, frame, &axis, index + 1 == panels.len());
             legend::draw(&mut svg, [frame.right + 14.0, above + 12.0], legend);

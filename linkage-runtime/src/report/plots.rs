@@ -5,11 +5,13 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::accuracy::Sensitive;
 use super::panels::{TOGETHER, panels};
 use super::rates::True;
 use super::tables::Saved;
-use super::units::titled;
+use super::units::{per_second, titled};
 use super::{BandKind, Mistake, Plot, Report, ReportError};
+use crate::words::rounded;
 use crate::{Column, Meaning};
 
 /// A column as it is asked for.
@@ -86,6 +88,7 @@ impl Report {
     /// accelerations, errors by tolerances.
     pub(super) fn all_plots(&self) -> Result<Vec<(String, Plot)>, ReportError> {
         let rates = self.true_rates();
+        let sensitive = self.sensitive();
         let mut plots = Vec::new();
         for table in &self.tables {
             let function = table.heading.function;
@@ -94,20 +97,30 @@ impl Report {
             let plot = self
                 .empty_plot()
                 .title(format!("{}: {function}", self.title));
-            plots.extend(panels(plot, given).map(|plot| (function.to_string(), plot)));
+            let plot = panels(plot, given).map(|plot| banded(plot, table, &sensitive));
+            plots.extend(plot.map(|plot| (function.to_string(), plot)));
 
             let rates = rates.iter().filter(|rate| rate.table == function);
             let rates = rates.map(|r| (r.column.name, r.unit.as_str(), r.values.as_slice()));
             let title = format!(
-                "{}: {function}, true velocities and accelerations",
-                self.title
+                "{}: {function}, true velocities and accelerations{}",
+                self.title,
+                self.at_speed()
             );
             let plot = self.empty_plot().title(title);
-            plots.extend(panels(plot, rates).map(|plot| (format!("{function}_true"), plot)));
+            plots.extend(panels(plot, rates).map(|plot| (format!("{function}-true"), plot)));
         }
         let errors = self.plot_errors()?;
-        plots.extend(errors.map(|plot| (String::from("errors_by_tolerances"), plot)));
+        plots.extend(errors.map(|plot| (String::from("errors-by-tolerances"), plot)));
         Ok(plots)
+    }
+
+    /// ` at 10 rad/s`
+    fn at_speed(&self) -> String {
+        self.speed.map_or_else(String::new, |speed| {
+            let unit = per_second(self.input.unit, 1);
+            format!(" at {} {unit}", rounded(speed.omega))
+        })
     }
 
     fn empty_plot(&self) -> Plot {
@@ -153,9 +166,17 @@ impl Report {
             let columns = table.columns().enumerate();
             columns.map(move |(index, (column, values))| (table, index, column, values))
         });
-        let mut columns = columns
+        let columns = columns
             .filter(|(table, _, column, _)| named(table.heading.function, column, column.unit));
-        let given = columns.next().map(|(table, index, column, values)| Found {
+        // Of functions that all have it, one that has its sensitivities, too.
+        let sensitive = self.sensitive();
+        let is_banded = |table: &Saved, index: usize| {
+            let is_it =
+                |s: &Sensitive<'_>| s.column == Some(index) && core::ptr::eq(s.table, table);
+            sensitive.iter().any(is_it)
+        };
+        let given = columns.min_by_key(|(table, index, ..)| !is_banded(table, *index));
+        let given = given.map(|(table, index, column, values)| Found {
             name: column.name,
             unit: Cow::Borrowed(column.unit),
             values: Cow::Borrowed(values),
@@ -184,6 +205,18 @@ impl Report {
             .map(|rate| titled(rate.column.name, &rate.unit));
         columns.chain(rates).collect()
     }
+}
+
+/// The plot with bands about the quantities that the function has sensitivities of, too.
+fn banded(plot: Plot, table: &Saved, sensitive: &[Sensitive<'_>]) -> Plot {
+    let own = |about: &&Sensitive<'_>| about.column.is_some() && core::ptr::eq(about.table, table);
+    sensitive.iter().filter(own).fold(plot, |plot, about| {
+        [BandKind::WorstCase, BandKind::Statistical]
+            .into_iter()
+            .fold(plot, |plot, kind| {
+                plot.band(&about.name, kind, &about.half(kind))
+            })
+    })
 }
 
 /// Whether a column is in the plots that are made unasked: sensitivities are too many, and points of the picture are in the

@@ -1,9 +1,10 @@
 //! The picture of a report, with the places of its points.
 
+use std::string::String;
 use std::vec::Vec;
 
 use super::Report;
-use crate::{Guide, GuideOn, Picture, PointKind};
+use crate::{Guide, GuideOn, Picture, PicturePoint, PointKind};
 
 /// The picture of a report, with the places of its points.
 #[derive(Clone, Copy, Debug)]
@@ -105,16 +106,33 @@ impl Report {
         };
         match self.traces.as_slice() {
             [] => tips().map(|(index, _)| index).collect(),
-            names => names
-                .iter()
-                .filter_map(|name| point_named(picture, name))
-                .collect(),
+            names => {
+                let mut found = Vec::new();
+                for index in names.iter().filter_map(|name| point_named(picture, name)) {
+                    if !found.contains(&index) {
+                        found.push(index);
+                    }
+                }
+                found
+            }
         }
     }
 }
 
+/// The index of a point that is drawn.
 pub(super) fn point_named(picture: &Picture, name: &str) -> Option<usize> {
-    picture.points.iter().position(|point| point.name == name)
+    let mut points = picture.points.iter();
+    points.position(|point| point.name == name && is_drawn(point))
+}
+
+/// The names of all points that are drawn.
+pub(super) fn drawn_names(picture: &Picture) -> Vec<String> {
+    let drawn = picture.points.iter().filter(|point| is_drawn(point));
+    drawn.map(|point| String::from(point.name)).collect()
+}
+
+fn is_drawn(point: &PicturePoint) -> bool {
+    point.kind != PointKind::Construction
 }
 
 fn components(columns: &[Vec<f64>], row: usize) -> [f64; 3] {

@@ -20,8 +20,8 @@ impl Report {
     /// | `data.json` | all data |
     /// | `FUNCTION.csv` | each table |
     /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
-    /// | `plots/FUNCTION.svg`, `plots/FUNCTION_true.svg` | each function's values and derivatives; true velocities and accelerations |
-    /// | `plots/errors_by_tolerances.svg` | errors over the range, if there are sensitivities and tolerances |
+    /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | each function's values and derivatives; true velocities and accelerations |
+    /// | `plots/errors-by-tolerances.svg` | errors over the range, if there are sensitivities and tolerances |
     ///
     /// # Errors
     ///

@@ -21,8 +21,8 @@ impl TimeRatio {
 }
 
 impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
-    /// How the input is divided between a forward and a return stroke. `None` if the range is no cycle, has gaps, is several turns,
-    /// or if the quantity has not exactly one highest and one lowest position.
+    /// How the input is divided between a forward and a return stroke. `None` if the range is no cycle or has gaps,
+    /// or if the quantity has not exactly one highest and one lowest position in it.
     #[must_use]
     pub fn time_ratio(&self) -> Option<TimeRatio> {
         let whole = self.is_cycle() && !self.has_gaps();

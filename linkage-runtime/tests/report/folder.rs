@@ -2,7 +2,9 @@
 
 use crate::fixture::{FourBar, PHI, quick_return, spatial};
 use crate::four_bar;
+use crate::picture::classed;
 use linkage_runtime::report::{Report, ReportError};
+use roxmltree::Document;
 use std::path::{Path, PathBuf};
 
 fn folder(name: &str) -> PathBuf {
@@ -35,10 +37,17 @@ fn everything_is_written() {
             "pictured.csv",
             "drawing.svg",
             "plots/motion.svg",
-            "plots/motion_true.svg",
+            "plots/motion-true.svg",
             "plots/accuracy.svg",
-            "plots/errors_by_tolerances.svg",
+            "plots/errors-by-tolerances.svg",
         ]
+    );
+    let accuracy = std::fs::read_to_string(folder.join("plots/accuracy.svg")).unwrap();
+    let accuracy = Document::parse(&accuracy).unwrap();
+    assert_eq!(
+        classed(&accuracy, "band").len(),
+        4,
+        "two kinds about both coordinates"
     );
     for file in &files {
         assert!(

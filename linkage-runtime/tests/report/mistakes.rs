@@ -184,3 +184,31 @@ fn pictures_have_known_endings() {
         "{error}"
     );
 }
+
+#[test]
+fn positions_and_speeds_are_numbers_that_differ() {
+    let still = Report::new("still", &PHI, &[1.0, 1.0, 1.0]);
+    let told = "`phi` is 1 at all positions; give the input a range, or the report other positions";
+    assert_eq!(still.json().unwrap_err().to_string(), told);
+    let lost = Report::new("lost", &PHI, &[0.0, f64::NAN]).speed(f64::INFINITY, 0.0);
+    assert_eq!(
+        lost.json().unwrap_err().to_string(),
+        "position 1 of `phi` is NaN; give a finite number\nthe speed of `phi` is inf; give a finite number"
+    );
+    let empty = Plot::new("s", "mm", &[]).curve("y", "mm", &[]);
+    let told = "the plot is over no value of `s`; give some";
+    assert_eq!(empty.svg().unwrap_err().to_string(), told);
+}
+
+#[test]
+fn what_is_not_drawn_has_no_path() {
+    let phi = PHI.positions(37);
+    let report = Report::new("shaper", &PHI, &phi)
+        .table(&quick_return(&phi))
+        .trace("way");
+    let error = report.json().unwrap_err().to_string();
+    assert!(
+        error.starts_with("no point `way`; there is ") && !error.contains(", `way`"),
+        "{error}"
+    );
+}

@@ -13,7 +13,7 @@ fn plotted(columns: &[&str]) -> String {
 
 #[test]
 fn curves_of_one_unit_share_a_panel_with_legend_and_title() {
-    let svg = plotted(&["tracer.x", "psi", "tracer.y", "v.x [mm/s]"]);
+    let svg = plotted(&["motion.tracer.x", "psi", "motion.tracer.y", "v.x [mm/s]"]);
     let svg = Document::parse(&svg).unwrap();
     assert_eq!(classed(&svg, "panel").len(), 3);
     assert_eq!(lines(&svg, "curve").len(), 4);
@@ -94,7 +94,7 @@ fn a_single_point_between_gaps_is_a_dot() {
 
 #[test]
 fn curves_of_one_name_are_told_apart_by_their_function() {
-    let svg = plotted(&["tracer.x", "accuracy.tracer.x", "v.x", "v.x [mm/s]"]);
+    let svg = plotted(&["motion.tracer.x", "tracer.x", "v.x", "v.x [mm/s]"]);
     let svg = Document::parse(&svg).unwrap();
     assert_eq!(
         words(&svg, "legend"),
@@ -216,4 +216,48 @@ fn strange_numbers_and_words_make_a_picture_too() {
         assert!(titles[0].ends_with("N\u{b2}\u{b7}m]"), "{titles:?}");
         assert_eq!(titles[1], "<s> [\"&]");
     }
+}
+
+#[test]
+fn bands_are_in_the_unit_that_the_curve_was_given_in() {
+    let x = [0.0, 1.0, 2.0];
+    let high = |unit: &str, values: [f64; 3], half: [f64; 3]| {
+        let plot = Plot::new("x", "mm", &x).curve("y", unit, &values);
+        let svg = plot.band("y", BandKind::WorstCase, &half).svg().unwrap();
+        let svg = Document::parse(&svg).unwrap();
+        let band = corners(classed(&svg, "band")[0]);
+        let line = corners(lines(&svg, "curve")[0]);
+        let places = band.iter().map(|at| at[1]);
+        let [low, high] = places.fold([f64::MAX, f64::MIN], |[a, b], y| [a.min(y), b.max(y)]);
+        (high - low) / (line[0][1] - line[2][1]).abs()
+    };
+    let degrees = high("deg", [0.0, 10.0, 20.0], [1.0; 3]);
+    let radians = high(
+        "rad",
+        [0.0, 10f64.to_radians(), 20f64.to_radians()],
+        [1f64.to_radians(); 3],
+    );
+    assert!(
+        (degrees - 1.1).abs() < 1e-2 && (radians - degrees).abs() < 1e-3,
+        "{degrees} {radians}"
+    );
+}
+
+#[test]
+fn a_plot_grows_with_its_legend() {
+    let x = [0.0, 1.0];
+    let names: Vec<String> = (0..20)
+        .map(|k| format!("a curve with a long name {k}"))
+        .collect();
+    let plot = Plot::new("x", "mm", &x).size(320.0, 80.0);
+    let plot = names
+        .iter()
+        .fold(plot, |plot, name| plot.curve(name, "mm", &[0.0, 1.0]));
+    let svg = plot.svg().unwrap();
+    let svg = Document::parse(&svg).unwrap();
+    let line = corners(lines(&svg, "curve")[0]);
+    assert!(line[1][0] - line[0][0] >= 100.0, "{line:?}");
+    let size = svg.root_element().attribute("viewBox").unwrap();
+    let height: f64 = size.split(' ').nth(3).unwrap().parse().unwrap();
+    assert!(height > 20.0 * 19.0, "{size}");
 }

@@ -39,6 +39,11 @@ pub(super) fn width(entries: &[Entry<'_>]) -> f64 {
     }
 }
 
+/// The height that so many lines take beside their panel.
+pub(super) fn height(lines: usize) -> f64 {
+    LINE * lines as f64
+}
+
 pub(super) fn draw(svg: &mut Svg, [left, top]: [f64; 2], entries: &[Entry<'_>]) {
     for (line, entry) in entries.iter().enumerate() {
         let y = top + LINE * line as f64;
