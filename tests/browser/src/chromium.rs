@@ -50,7 +50,15 @@ pub fn find() -> Option<PathBuf> {
     let places = NAMES
         .iter()
         .flat_map(|name| folders.iter().map(move |folder| folder.join(name)));
-    places.into_iter().find(|place| place.is_file())
+    places
+        .into_iter()
+        .find(|place| place.is_file() && answers(place))
+}
+
+/// Whether it is a browser, and not only a word about where one is to be had.
+fn answers(program: &Path) -> bool {
+    let answer = Command::new(program).arg("--version").output();
+    answer.is_ok_and(|answer| answer.status.success())
 }
 
 /// Whether a missing browser is a failure: `LINKAGE_BROWSER=required`.

@@ -1,11 +1,13 @@
 //! Mechanisms computed by hand, for pages that a test makes.
 
 mod four_bar;
+mod roundoff;
 mod sheet;
 mod sliders;
 mod spatial;
 
 pub use four_bar::{FourBar, four_bar};
+pub use roundoff::roundoff;
 pub use sheet::Sheet;
 pub use sliders::sliders;
 pub use spatial::spatial;

@@ -55,7 +55,7 @@ function setLimits(panel) {
   const all = spread(panel.curves, () => true);
   const beside = rowsBesideGaps();
   const rest = spread(panel.curves, (row) => !beside[row]);
-  const cut = rest[1] > rest[0] && all[1] - all[0] > FAR_BEYOND * (rest[1] - rest[0]);
+  const cut = isMoreThanRoundoff(rest) && all[1] - all[0] > FAR_BEYOND * (rest[1] - rest[0]);
   panel.cut = cut ? all : null;
   panel.limits = withMargin(cut ? rest : all);
 }
@@ -92,8 +92,17 @@ function spread(curves, counts) {
 
 function withMargin([low, high]) {
   if (!(high >= low)) return [0, 1];
-  const margin = high > low ? 0.04 * (high - low) : 0.05 * Math.abs(high) || 1;
+  const margin = isMoreThanRoundoff([low, high]) ? 0.04 * (high - low) : 0.05 * largestOf([low, high]) || 1;
   return [low - margin, high + margin];
+}
+
+// Whether limits differ in earnest: a constant with roundoff, as on a straight guide, is a straight line and no noise.
+function isMoreThanRoundoff([low, high]) {
+  return high - low > 1e-12 * largestOf([low, high]);
+}
+
+function largestOf([low, high]) {
+  return Math.max(Math.abs(low), Math.abs(high));
 }
 
 // `d` of the area between both sides of a band, a piece for every stretch without gap.

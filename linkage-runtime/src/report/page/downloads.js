@@ -4,11 +4,17 @@ function quoted(field) {
   return /[",\r\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field;
 }
 
-// The input, then the columns; no value is an empty field.
+// A zero keeps its sign, which String() drops; no value is an empty field.
+function fieldOf(number) {
+  if (number === null) return "";
+  return Object.is(number, -0) ? "-0" : String(number);
+}
+
+// The input, then the columns.
 function csvOf(members) {
   const head = [input, ...members].map(({ name, unit }) => quoted(titled(name, unit)));
   const lines = input.values.map((value, row) =>
-    [value, ...members.map((column) => column.values[row])].map((number) => (number === null ? "" : String(number))).join(","));
+    [value, ...members.map((column) => column.values[row])].map(fieldOf).join(","));
   return [head.join(","), ...lines, ""].join("\r\n");
 }
 

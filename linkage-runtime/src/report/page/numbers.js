@@ -44,8 +44,8 @@ function ticks(low, high, most, unit) {
   const first = Math.ceil(low / step - 1e-9);
   const last = Math.floor(high / step + 1e-9);
   const places = [];
-  // Counted and not added up, so that zero is zero.
-  for (let n = first; n <= last; n += 1) places.push(rounded(n * step, 12));
+  // Multiplied and not added up, so that zero is zero; counted from zero, since beyond 2^53 there is no next number.
+  for (let n = 0; n <= last - first; n += 1) places.push(rounded((first + n) * step, 12));
   return places;
 }
 

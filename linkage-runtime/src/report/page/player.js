@@ -9,9 +9,11 @@ function span() {
   return input.values[rowCount - 1] - input.values[0];
 }
 
-// The input's speed in the machine, or null if it is not known.
+// The input's steady speed in the machine, or null. An accelerated input has its speed at every position: how long the
+// range takes is not known.
 function trueSpeed() {
-  return report.speed && report.speed.omega ? report.speed.omega : null;
+  const { omega, epsilon } = report.speed ?? {};
+  return omega && !epsilon ? omega : null;
 }
 
 // Seconds that the range takes in the machine, or null.
@@ -21,7 +23,7 @@ function truePeriod() {
 
 // Whether the machine runs through the rows from the last to the first.
 function runsBackward() {
-  return trueSpeed() !== null && trueSpeed() * span() < 0;
+  return (report.speed?.omega ?? 0) * span() < 0;
 }
 
 // Seconds from where the machine enters the range.

@@ -1,9 +1,14 @@
 // Everything begins here.
 
+// So many gaps are told one by one; plots show all of them.
+const GAPS_TOLD = 4;
+
 function sayGaps() {
   const gaps = report.gaps ?? [];
   if (gaps.length === 0) return;
-  const ranges = gaps.map(({ from, to }) => (from === to ? inputShort(from) : `${inputShort(from)} to ${inputShort(to)}`));
+  const ranges = gaps.slice(0, GAPS_TOLD)
+    .map(({ from, to }) => (from === to ? inputShort(from) : `${inputShort(from)} to ${inputShort(to)}`));
+  if (gaps.length > GAPS_TOLD) ranges.push(`and ${gaps.length - GAPS_TOLD} more`);
   byId("gaps").hidden = false;
   byId("gaps").textContent =
     `Some values do not exist at ${input.name} = ${ranges.join(", ")}: the mechanism cannot be assembled there, or stands at a dead point. Plots have gaps, tables say none.`;

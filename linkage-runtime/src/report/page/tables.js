@@ -35,7 +35,8 @@ function addSheet(title, open, ...children) {
 
 function startTables() {
   if (report.summary?.length) addSheet("Cycle summary", true, summaryTable());
-  if (report.facts?.length) addSheet("Facts", true, grid("facts", [], report.facts.map(({ name, text }) => [name, text])));
+  const facts = [...speedFacts(), ...(report.facts ?? []).map(({ name, text }) => [name, text])];
+  if (facts.length > 0) addSheet("Facts", true, grid("facts", [], facts));
   if (report.dimensions?.length) addSheet("Dimensions and tolerances", true, dimensionTable());
   if (report.accuracy?.length) addSheet("Accuracy", true, ...accuracyTables());
   if (report.structure) addSheet("Structure", true, ...structureTables(report.structure));
@@ -44,24 +45,37 @@ function startTables() {
   if (report.notes?.length) addSheet("Notes", true, element("ul", {}, ...report.notes.map((note) => element("li", {}, note))));
 }
 
+// The speed that all true velocities, accelerations and forces belong to.
+function speedFacts() {
+  if (!report.speed) return [];
+  const { omega, epsilon } = report.speed;
+  const per = (time) => `${input.unit || "1"}/${time}`;
+  const turns = input.unit === "rad" ? ` (${digits(rounded((omega * 30) / Math.PI, 12))} revolutions per minute)` : "";
+  const speed = [`Speed of ${input.name}`, `${digits(omega)} ${per("s")}${turns}`];
+  return epsilon ? [speed, [`Acceleration of ${input.name}`, `${digits(epsilon)} ${per("s^2")}`]] : [speed];
+}
+
 function summaryTable() {
   const rows = report.summary.map(({ quantity, what, value, unit, at }) =>
-    [quantity, what, value, unit, inDegrees(value, unit), placeButton(at)]);
-  return grid("summary", ["quantity", "what", "value", "unit", "", `at ${input.name}`], rows);
+    [quantity, what, placeButton(at), withDegrees(value, unit), unit]);
+  // Places before values: on a phone they are what must not be out of sight.
+  return grid("summary", ["quantity", "what", `at ${input.name}`, "value", "unit"], rows);
 }
 
 function dimensionTable() {
   const changed = report.dimensions.some(({ value, nominal }) => value !== nominal);
   const rows = report.dimensions.map(({ name, unit, nominal, tolerance, value }) => {
-    const actual = changed ? [value === nominal ? "" : value] : [];
-    return [name, nominal, tolerance === 0 ? "" : `\u00b1 ${digits(tolerance)}`, ...actual, unit, degreesOfDimension(value, tolerance, unit)];
+    const actual = changed ? [value === nominal ? "" : withDegrees(value, unit)] : [];
+    return [name, withDegrees(nominal, unit), tolerance === 0 ? "" : withDegrees(tolerance, unit, "\u00b1 "), ...actual, unit];
   });
-  return grid("dimensions", ["dimension", "nominal", "tolerance", ...(changed ? ["actual"] : []), "unit", ""], rows);
+  return grid("dimensions", ["dimension", "nominal", "tolerance", ...(changed ? ["actual"] : []), "unit"], rows);
 }
 
-function degreesOfDimension(value, tolerance, unit) {
+// A number with all its digits, the degrees of an angle on a line below.
+function withDegrees(value, unit, sign = "") {
   const degrees = inDegrees(value, unit);
-  return degrees && tolerance ? `${degrees} \u00b1 ${inDegrees(tolerance, unit)}` : degrees;
+  const below = degrees ? [element("small", {}, sign + degrees)] : [];
+  return element("span", { class: "amount" }, sign + digits(value), ...below);
 }
 
 function accuracyTables() {

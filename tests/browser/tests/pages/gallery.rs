@@ -38,7 +38,13 @@ fn index_of_the_gallery() {
     page.wait("[...document.images].every((image) => image.complete && image.naturalWidth > 0)");
     for screen in [DESKTOP, SMALL_PHONE] {
         page.screen(screen);
-        page.shoot(&format!("index-{}", screen.name));
+        for (dark, colours) in [(false, "light"), (true, "dark")] {
+            page.dark(dark);
+            page.shoot(&format!("index-{}-{colours}", screen.name));
+            // What is left of a picture's box is as light or dark as its drawing.
+            let [_, box_of_picture] = page.colours("img");
+            assert_eq!(box_of_picture.iter().sum::<f64>() < 384.0, dark);
+        }
         let wide = page.number("document.documentElement.scrollWidth");
         assert!(
             wide <= f64::from(screen.width),

@@ -1,8 +1,10 @@
 //! Positions that cannot be assembled.
 
 use crate::checks;
-use linkage_browser::samples::{FourBar, four_bar, written};
+use linkage_browser::samples::{FourBar, Sheet, four_bar, written};
 use linkage_browser::{Key, Page};
+use linkage_runtime::report::Report;
+use linkage_runtime::{Column, Heading, Input, Meaning};
 
 #[test]
 fn the_page_says_so_and_nothing_is_drawn_there() {
@@ -57,5 +59,43 @@ fn the_page_says_so_and_nothing_is_drawn_there() {
     );
     page.shoot("swinging-gap");
     page.key(Key::Right);
+    page.assert_quiet();
+}
+
+static SPOTTED: Heading = Heading {
+    function: "spotted",
+    arguments: &["s"],
+    columns: &[Column {
+        name: "y",
+        unit: "mm",
+        meaning: Meaning::Value,
+    }],
+    picture: None,
+};
+
+/// Every other value is missing: some places are told, the others counted.
+#[test]
+fn many_gaps_are_no_litany() {
+    let input = Input {
+        name: "s",
+        unit: "mm",
+        reference: 0.0,
+        range: Some((0.0, 40.0)),
+    };
+    let positions = input.positions(41);
+    let spotted = Sheet::new(&SPOTTED, &positions, |s| {
+        [if s % 2.0 > 0.5 { f64::NAN } else { s }]
+    });
+    let report = Report::new("Spotted", &input, &positions).table(&spotted);
+    let Some(mut page) = Page::open(&written(&report, "spotted")) else {
+        return;
+    };
+    let words = page.words("document.querySelector('#gaps').innerText");
+    assert!(
+        words.contains("at s = 1 mm, 3 mm, 5 mm, 7 mm, and 16 more: the mechanism"),
+        "{words}"
+    );
+    let shaded = page.number("document.querySelectorAll('.plot .gap').length");
+    assert_eq!(shaded as usize, 20);
     page.assert_quiet();
 }

@@ -104,6 +104,35 @@ fn speeds_tell_their_slow_motion() {
     page.assert_quiet();
 }
 
+/// Its speed is one of every position, and no time follows from it.
+#[test]
+fn an_accelerated_input_has_no_true_time() {
+    let report = four_bar("Accelerated", FourBar::TURNING).speed(-5.0, 0.25);
+    let Some(mut page) = Page::open(&written(&report, "accelerated")) else {
+        return;
+    };
+    let words = page.words("document.querySelector('#speed').innerText");
+    assert!(
+        words.contains("8 s per cycle") && !words.contains("slowed") && !words.contains("true"),
+        "{words}"
+    );
+    let readout = page.words("document.querySelector('#readout').innerText");
+    assert!(
+        readout.contains("row 1 of 361") && !readout.contains("t = "),
+        "{readout}"
+    );
+    let facts = page.words("document.querySelector('[data-table=facts]').innerText");
+    assert!(facts.contains("-5 rad/s ("), "{facts}");
+    assert!(
+        facts.contains("Acceleration of phi\t0.25 rad/s^2"),
+        "{facts}"
+    );
+    // The machine still runs backwards.
+    let direction = page.words("document.querySelector('#direction').getAttribute('aria-label')");
+    assert_eq!(direction, "Direction: backward");
+    page.assert_quiet();
+}
+
 #[test]
 fn it_plays_by_itself_unless_less_motion_is_asked_for() {
     let file = written(&four_bar("By itself", FourBar::TURNING), "by-itself");

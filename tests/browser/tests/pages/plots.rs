@@ -1,7 +1,7 @@
 //! Plots: what they show, and what pointers do in them.
 
 use crate::checks;
-use linkage_browser::samples::{FourBar, four_bar, written};
+use linkage_browser::samples::{FourBar, four_bar, roundoff, written};
 use linkage_browser::{PHONE, Page};
 
 fn page(name: &str) -> Option<Page> {
@@ -201,5 +201,33 @@ fn bands_can_be_widened() {
         said
     );
     page.shoot("plot-bands");
+    page.assert_quiet();
+}
+
+/// What is constant but for the last bit is a straight line in the middle of an axis with ticks.
+#[test]
+fn roundoff_is_no_motion() {
+    let Some(mut page) = Page::open(&written(&roundoff(), "roundoff")) else {
+        return;
+    };
+    let panels = page.value(
+        "[...document.querySelectorAll('.plot')].map((plot) => ({ \
+           ticks: [...plot.querySelectorAll('.axes text[text-anchor=end]')].map((t) => Number(t.textContent)), \
+           height: plot.querySelector('.curve').getBBox().height }))",
+    );
+    let panels = panels.as_array().expect("panels");
+    assert_eq!(panels.len(), 3);
+    for (panel, constant) in panels.iter().zip([8.0, 0.5, 0.0]) {
+        let ticks: Vec<f64> = panel["ticks"]
+            .as_array()
+            .expect("ticks")
+            .iter()
+            .filter_map(serde_json::Value::as_f64)
+            .collect();
+        assert!((3..=7).contains(&ticks.len()), "{ticks:?}");
+        assert!(ticks.contains(&constant), "{ticks:?} without {constant}");
+        assert_eq!(panel["height"].as_f64(), Some(0.0), "{panel}");
+    }
+    page.shoot("roundoff");
     page.assert_quiet();
 }

@@ -1,8 +1,8 @@
 //! Tables and files: nothing is lost.
 
 use crate::checks;
-use linkage_browser::Page;
-use linkage_browser::samples::{FourBar, four_bar, written};
+use linkage_browser::samples::{FourBar, four_bar, roundoff, written};
+use linkage_browser::{Page, SMALL_PHONE};
 use serde_json::Value;
 
 fn page(name: &str) -> Option<Page> {
@@ -39,9 +39,24 @@ fn what_is_known_is_told() {
         operations.contains("motion|61|21 add, 34 mul, 3 div, 1 sqrt, 1 sin_cos, 1 atan2"),
         "{operations}"
     );
+    // Radians with all their digits, degrees on a line below.
+    let value = page.words("document.querySelector('[data-table=summary] .amount').innerText");
+    let lines: Vec<&str> = value.lines().collect();
+    assert_eq!(lines.len(), 2, "{value}");
+    let radians: f64 = lines[0].parse().expect("a number");
+    let [_, b, _] = FourBar::TURNING.points(1.0);
+    assert_eq!(radians, b[1].atan2(b[0] - FourBar::TURNING.frame));
+    let degrees = lines[1].trim_end_matches(" deg").parse::<f64>();
+    assert!((degrees.expect("degrees") - radians.to_degrees()).abs() < 1e-9);
     let facts = table(&mut page, "facts");
     assert!(
         facts.contains("a test with <b>letters</b> & signs </script>"),
+        "{facts}"
+    );
+    assert!(
+        facts.starts_with(
+            "Speed of phi|62.83185307179586 rad/s (600 revolutions per minute)\nmade by"
+        ),
         "{facts}"
     );
     let accuracy = table(&mut page, "accuracy");
@@ -63,6 +78,15 @@ fn places_in_tables_lead_there() {
     };
     page.click("[data-table=summary] .place");
     assert_eq!(page.row(), 57, "1 rad is nearest to 57 deg");
+
+    // In sight without scrolling sideways.
+    page.screen(SMALL_PHONE);
+    let [left, _, width, _] = page.place("[data-table=summary] .place");
+    assert!(
+        left >= 0.0 && left + width <= f64::from(SMALL_PHONE.width),
+        "from {left}, {width} wide"
+    );
+    page.assert_quiet();
 }
 
 #[test]
@@ -98,37 +122,47 @@ fn all_values_of_a_position() {
     page.assert_quiet();
 }
 
+/// What a button gives to save.
+fn saved(page: &mut Page, name: &str) -> String {
+    page.value("window.caught = null; URL.createObjectURL = (blob) => { blob.text().then((text) => { window.caught = text; }); return 'data:,'; };");
+    page.click(&format!("[data-file={name:?}]"));
+    page.wait("window.caught !== null");
+    page.words("window.caught")
+}
+
+/// The numbers below the head, to the last bit.
+fn bits(csv: &str) -> Vec<Option<u64>> {
+    let fields = csv.split("\r\n").skip(1).flat_map(|line| line.split(','));
+    fields
+        .map(|field| field.parse().ok().map(f64::to_bits))
+        .collect()
+}
+
 /// The files that the buttons give have every number to the last bit.
 #[test]
 fn files_hold_the_data() {
     let report = four_bar("Files", FourBar::TURNING);
-    let file = written(&report, "files");
-    let Some(mut page) = Page::open(&file) else {
+    let Some(mut page) = Page::open(&written(&report, "files")) else {
         return;
     };
-    let catch = |page: &mut Page, name: &str| {
-        page.value("window.caught = null; URL.createObjectURL = (blob) => { blob.text().then((text) => { window.caught = text; }); return 'data:,'; };");
-        page.click(&format!("[data-file={name:?}]"));
-        page.wait("window.caught !== null");
-        page.words("window.caught")
-    };
-    let json: Value = serde_json::from_str(&catch(&mut page, "data.json")).expect("JSON");
+    let json: Value = serde_json::from_str(&saved(&mut page, "data.json")).expect("JSON");
     let original: Value = serde_json::from_str(&report.json().expect("no mistakes")).expect("JSON");
     assert_eq!(json, original);
 
-    let csv = catch(&mut page, "motion.csv");
+    let csv = saved(&mut page, "motion.csv");
     let original = report.csv("motion").expect("no mistakes");
-    let cells = |text: &str| {
-        text.split("\r\n")
-            .skip(1)
-            .flat_map(|line| {
-                line.split(',')
-                    .map(|cell| cell.parse::<f64>().ok())
-                    .collect::<Vec<_>>()
-            })
-            .collect::<Vec<_>>()
-    };
     assert_eq!(csv.lines().next(), original.lines().next());
-    assert_eq!(cells(&csv), cells(&original));
-    assert!(cells(&csv).len() > 361 * 17);
+    assert_eq!(bits(&csv), bits(&original));
+    assert!(bits(&csv).len() > 361 * 17);
+}
+
+#[test]
+fn files_hold_the_sign_of_zero() {
+    let report = roundoff();
+    let Some(mut page) = Page::open(&written(&report, "zeros")) else {
+        return;
+    };
+    let original = bits(&report.csv("guided").expect("no mistakes"));
+    assert!(original.contains(&Some((-0.0_f64).to_bits())));
+    assert_eq!(bits(&saved(&mut page, "guided.csv")), original);
 }
