@@ -41,7 +41,6 @@ pub(crate) fn favorit() -> Made {
              speed, so that a cycle takes two turns of the main crank.",
         )
         .note("Dimensions and masses as published; forces with the corrected mechanics, by the program of the example `favorit_forces`.")
-        .fact("Speed of the main crank", "1000 revolutions per minute, clockwise")
         .structure(Favorit::STRUCTURE)
         .modes(linkage.modes())
         .dimensions(&mechanism)
