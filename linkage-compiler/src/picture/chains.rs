@@ -208,7 +208,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
     /// The names of points in an expression.
     fn points_in(&self, expr: &'m Expr) -> Vec<&'m Expr> {
         match (&expr.kind, self.weight(expr)) {
-            (ExprKind::Name(_), Some(weight)) if weight == 1.0 => vec![expr],
+            (ExprKind::Name(_), Some(1.0)) => vec![expr],
             _ => {
                 let operands = expr.operands().into_iter();
                 operands.flat_map(|own| self.points_in(own)).collect()
