@@ -23,6 +23,7 @@ mod plots;
 #[cfg(feature = "png")]
 mod png;
 mod rates;
+mod row;
 mod shown;
 mod svg;
 mod tables;
@@ -33,6 +34,6 @@ pub use accuracy::BandKind;
 pub use builder::Report;
 pub use drawing::Drawing;
 pub use error::{Mistake, ReportError};
-pub use figures::SummaryRow;
 pub use index::Index;
 pub use plot::Plot;
+pub use row::SummaryRow;

@@ -4,6 +4,7 @@ mod choice;
 mod columns;
 mod cost;
 mod coupled;
+mod fields;
 mod needs;
 mod quantity;
 #[cfg(test)]
@@ -19,7 +20,7 @@ use crate::algebra::{Algebra, Direction, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::forces::Forces;
 use crate::formulate::{Formulation, Prepared, Reference, unknown_nodes, valued_angles};
-use crate::model::{EvaluatorDef, LengthUnit, Mechanism, Quantity, Type};
+use crate::model::EvaluatorDef;
 use crate::picture::{self, Picture};
 
 use choice::Choice;
@@ -123,7 +124,7 @@ pub(crate) fn lower(
             states: states(&program),
             program,
             beside,
-            fields: fields(mechanism, definition, picture.as_ref()),
+            fields: fields::fields(mechanism, definition, picture.as_ref()),
             columns: columns::columns(mechanism, definition, picture.as_ref()),
             sensitivities: choice.direction.map(Direction::words),
         }
@@ -276,60 +277,5 @@ fn renumber_program(program: &mut Program, number: impl Fn(usize) -> usize) {
         if let Instruction::Load(Source::Centre(angle) | Source::Winding(angle, _)) = instruction {
             *angle = number(*angle);
         }
-    }
-}
-
-fn fields(
-    mechanism: &Mechanism,
-    definition: &EvaluatorDef,
-    picture: Option<&Picture>,
-) -> Vec<Field> {
-    let unit = mechanism.unit;
-    let field = |quantity: &Quantity| match picture.filter(|_| quantity.is_picture()) {
-        Some(picture) => Field {
-            name: quantity.field.clone(),
-            shape: Shape::Array(
-                picture.vectors().count(),
-                Box::new(Shape::Vector(picture.dimension)),
-            ),
-            unit: format!(
-                "points of `PICTURE` in {}, then its unit vectors",
-                unit.name()
-            ),
-        },
-        None => Field {
-            name: quantity.field.clone(),
-            shape: shape(&quantity.value.ty),
-            unit: unit_words(&quantity.value.ty, unit),
-        },
-    };
-    definition.quantities.iter().map(field).collect()
-}
-
-fn shape(ty: &Type) -> Shape {
-    match ty {
-        Type::Scalar(_) | Type::Zero(1) | Type::Error => Shape::Scalar,
-        Type::Vector(count, _) | Type::Zero(count) => Shape::Vector(*count),
-        Type::Frame => Shape::Frame,
-        Type::Array(entries) => {
-            let entry = entries.first().map_or(Shape::Scalar, shape);
-            Shape::Array(entries.len(), Box::new(entry))
-        }
-    }
-}
-
-/// `mm`, `mm^2`, `rad`, nothing for a number; entries of an array may differ.
-fn unit_words(ty: &Type, length: LengthUnit) -> String {
-    match ty {
-        Type::Scalar(dimension) | Type::Vector(_, dimension) => dimension.unit(length),
-        Type::Array(entries) => {
-            let words: Vec<String> = entries.iter().map(|e| unit_words(e, length)).collect();
-            match words.first() {
-                Some(first) if words.iter().all(|w| w == first) => first.clone(),
-                _ => "various units".to_owned(),
-            }
-        }
-        Type::Frame => format!("{}, its axes of length 1", length.name()),
-        Type::Zero(_) | Type::Error => String::new(),
     }
 }

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use linkage_symbolic::NodeId;
 
 use crate::algebra::{Algebra, Translate};
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Name, OriginId, Type};
+use crate::model::{Expr, ExprKind, Function, Name, OriginId, Type};
 
 use super::roles::{Moves, Roles};
 
@@ -85,11 +85,11 @@ pub(super) struct Term<'m> {
     pub(super) sign: f64,
     pub(super) expr: &'m Expr,
     /// The name that it goes by.
-    name: Option<String>,
+    pub(super) name: Option<String>,
 }
 
 /// Longer sums are not looked at.
-const MANY_TERMS: usize = 200;
+pub(super) const MANY_TERMS: usize = 200;
 
 impl<'a, 'm> Sketch<'a, 'm> {
     pub(super) fn new(algebra: &'a mut Algebra<'m>, dimension: usize) -> Self {
@@ -180,11 +180,6 @@ impl<'a, 'm> Sketch<'a, 'm> {
         sums.collect()
     }
 
-    /// How often a term counts as a point.
-    pub(super) fn weight_of(&self, term: &Term) -> f64 {
-        term.sign * self.weight(term.expr).unwrap_or(0.0)
-    }
-
     /// A term that is a point.
     fn start(&mut self, expr: &'m Expr) -> usize {
         let nodes = self.vector(expr);
@@ -251,36 +246,6 @@ impl<'a, 'm> Sketch<'a, 'm> {
         to
     }
 
-    /// A link is called after its length, or else its angle.
-    fn title(&self, expr: &Expr) -> Option<Title> {
-        let rank = |rank: u8| {
-            let rank = rank + self.remoteness;
-            move |text| Title { rank, text }
-        };
-        match &expr.kind {
-            ExprKind::Name(_) => self.spoken(expr).map(rank(1)),
-            ExprKind::Call(Function::Polar, arguments) => {
-                let length = self.dimension_in(&arguments[0]).map(rank(2));
-                length.or_else(|| self.spoken(&arguments[1]).map(rank(3)))
-            }
-            ExprKind::Call(Function::Rotate | Function::Turn, arguments) => {
-                let length = self.dimension_in(&arguments[0]).map(rank(2));
-                length.or_else(|| self.spoken(&arguments[arguments.len() - 1]).map(rank(3)))
-            }
-            ExprKind::Binary(BinaryOp::Mul, ..) | ExprKind::Vector(_) => {
-                self.dimension_in(expr).map(rank(2))
-            }
-            _ => None,
-        }
-    }
-
-    pub(super) fn spoken(&self, expr: &Expr) -> Option<String> {
-        match expr.kind {
-            ExprKind::Name(name) => Some(self.algebra.mechanism.name(name).to_owned()),
-            _ => None,
-        }
-    }
-
     /// What an expression moves with.
     pub(super) fn moves(&self, expr: &Expr) -> Moves {
         self.roles.moves(expr)
@@ -288,91 +253,6 @@ impl<'a, 'm> Sketch<'a, 'm> {
 
     fn varies(&self, expr: &Expr) -> bool {
         self.moves(expr) != Moves::Not
-    }
-
-    /// The first length that is named in an expression.
-    fn dimension_in(&self, expr: &Expr) -> Option<String> {
-        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
-        match &expr.kind {
-            ExprKind::Name(Name::Pi) => None,
-            ExprKind::Name(_) => self.spoken(expr).filter(|_| is_length),
-            _ => expr
-                .operands()
-                .into_iter()
-                .find_map(|own| self.dimension_in(own)),
-        }
-    }
-
-    /// Terms, named steps taken apart. A step of one term keeps its name.
-    pub(super) fn terms(
-        &self,
-        expr: &'m Expr,
-        sign: f64,
-        name: Option<&str>,
-        terms: &mut Vec<Term<'m>>,
-    ) {
-        if terms.len() > MANY_TERMS {
-            return;
-        }
-        match &expr.kind {
-            ExprKind::Number(0.0) => {}
-            ExprKind::Binary(BinaryOp::Add, a, b) => {
-                self.terms(a, sign, None, terms);
-                self.terms(b, sign, None, terms);
-            }
-            ExprKind::Binary(BinaryOp::Sub, a, b) => {
-                self.terms(a, sign, None, terms);
-                self.terms(b, -sign, None, terms);
-            }
-            ExprKind::Negate(a) => self.terms(a, -sign, name, terms),
-            ExprKind::Name(Name::Let(index)) if self.roles.is_step(Name::Let(*index)) => {
-                let own = &self.algebra.mechanism.lets[*index];
-                self.terms(&own.value, sign, Some(&own.name), terms);
-            }
-            _ => terms.push(Term {
-                sign,
-                expr,
-                name: name.map(str::to_owned),
-            }),
-        }
-    }
-
-    /// How often a vector counts as a point: 1 for a point, 0 for a difference; `None` if it may be either.
-    fn weight(&self, expr: &Expr) -> Option<f64> {
-        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
-        match &expr.kind {
-            // A direction.
-            _ if !is_length => None,
-            ExprKind::Name(name @ (Name::Let(_) | Name::Unknown(_))) => {
-                Some(if self.roles.is_step(*name) { 0.0 } else { 1.0 })
-            }
-            ExprKind::Index(..) | ExprKind::Call(Function::PointIn, _) => Some(1.0),
-            ExprKind::Negate(a) => self.weight(a).map(|weight| -weight),
-            ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), a, b) => {
-                let (a, b) = (self.weight(a), self.weight(b));
-                let sign = if *op == BinaryOp::Add { 1.0 } else { -1.0 };
-                match (a, b) {
-                    (None, None) => None,
-                    _ => Some(a.unwrap_or(0.0) + sign * b.unwrap_or(0.0)),
-                }
-            }
-            ExprKind::Binary(BinaryOp::Div, a, b) => self.scaled(a, |n| 1.0 / n, b),
-            ExprKind::Binary(BinaryOp::Mul, a, b) => match a.ty {
-                Type::Vector(..) => self.scaled(a, |n| n, b),
-                _ => self.scaled(b, |n| n, a),
-            },
-            _ => None,
-        }
-    }
-
-    /// The weight of a multiple of a vector.
-    fn scaled(&self, vector: &Expr, by: impl Fn(f64) -> f64, factor: &Expr) -> Option<f64> {
-        match (self.weight(vector)?, &factor.kind) {
-            (0.0, _) => Some(0.0),
-            (weight, ExprKind::Number(number)) => Some(weight * by(*number)),
-            // No point that chains could begin with.
-            _ => Some(f64::NAN),
-        }
     }
 
     /// Whether it is a vector of the picture's dimension, or a zero.
@@ -405,19 +285,6 @@ impl<'a, 'm> Sketch<'a, 'm> {
             });
             self.points.len() - 1
         })
-    }
-
-    pub(super) fn name(&mut self, point: usize, rank: u8, expr: &Expr) {
-        if let Some(text) = self.spoken(expr) {
-            self.call(point, Title { rank, text });
-        }
-    }
-
-    pub(super) fn call(&mut self, point: usize, title: Title) {
-        let name = &mut self.points[point].name;
-        if name.as_ref().is_none_or(|known| title.rank < known.rank) {
-            *name = Some(title);
-        }
     }
 
     pub(super) fn segment(

@@ -8,6 +8,8 @@
 //! |---|---|
 //! | `roles` | is a named vector a point, or a step from one to another? |
 //! | `chains` | sums of vectors as chains of points |
+//! | `terms` | sums of vectors, term by term |
+//! | `titles` | what points and links are called in the program |
 //! | `loops` | what loops, bodies and joints are made of |
 //! | `seen` | the points at several positions |
 //! | `links` | points that keep their distances |
@@ -25,8 +27,10 @@ mod names;
 mod print;
 mod roles;
 mod seen;
+mod terms;
 #[cfg(test)]
 mod tests;
+mod titles;
 
 use linkage_symbolic::NodeId;
 

@@ -3,7 +3,8 @@
 use std::string::String;
 use std::vec::Vec;
 
-use super::figures::{Figures, SummaryRow};
+use super::SummaryRow;
+use super::figures::Figures;
 use super::tables::Saved;
 use crate::{AssemblyMode, Dimensions, Input, Parameter, Structure, Table};
 

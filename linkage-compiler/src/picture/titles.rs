@@ -1,0 +1,63 @@
+//! What points and links are called.
+
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Name};
+
+use super::chains::{Sketch, Title};
+
+impl Sketch<'_, '_> {
+    pub(super) fn name(&mut self, point: usize, rank: u8, expr: &Expr) {
+        if let Some(text) = self.spoken(expr) {
+            self.call(point, Title { rank, text });
+        }
+    }
+
+    pub(super) fn call(&mut self, point: usize, title: Title) {
+        let name = &mut self.points[point].name;
+        if name.as_ref().is_none_or(|known| title.rank < known.rank) {
+            *name = Some(title);
+        }
+    }
+
+    /// A link is called after its length, or else its angle.
+    pub(super) fn title(&self, expr: &Expr) -> Option<Title> {
+        let rank = |rank: u8| {
+            let rank = rank + self.remoteness;
+            move |text| Title { rank, text }
+        };
+        match &expr.kind {
+            ExprKind::Name(_) => self.spoken(expr).map(rank(1)),
+            ExprKind::Call(Function::Polar, arguments) => {
+                let length = self.dimension_in(&arguments[0]).map(rank(2));
+                length.or_else(|| self.spoken(&arguments[1]).map(rank(3)))
+            }
+            ExprKind::Call(Function::Rotate | Function::Turn, arguments) => {
+                let length = self.dimension_in(&arguments[0]).map(rank(2));
+                length.or_else(|| self.spoken(&arguments[arguments.len() - 1]).map(rank(3)))
+            }
+            ExprKind::Binary(BinaryOp::Mul, ..) | ExprKind::Vector(_) => {
+                self.dimension_in(expr).map(rank(2))
+            }
+            _ => None,
+        }
+    }
+
+    pub(super) fn spoken(&self, expr: &Expr) -> Option<String> {
+        match expr.kind {
+            ExprKind::Name(name) => Some(self.algebra.mechanism.name(name).to_owned()),
+            _ => None,
+        }
+    }
+
+    /// The first length that is named in an expression.
+    fn dimension_in(&self, expr: &Expr) -> Option<String> {
+        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
+        match &expr.kind {
+            ExprKind::Name(Name::Pi) => None,
+            ExprKind::Name(_) => self.spoken(expr).filter(|_| is_length),
+            _ => expr
+                .operands()
+                .into_iter()
+                .find_map(|own| self.dimension_in(own)),
+        }
+    }
+}
