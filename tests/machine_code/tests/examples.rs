@@ -69,9 +69,14 @@ check!(eye_needle_: eye_needle::EyeNeedle, eye_needle::EyeNeedleAssembly:
     needle [needle_sweep needle_sweep_sets] (phi),
     motion [motion_sweep motion_sweep_sets] (phi),
     accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
+    picture [picture_sweep picture_sweep_sets] (phi),
+    rocker [rocker_sweep rocker_sweep_sets] (phi),
     posture [posture_sweep posture_sweep_sets] (phi));
 check!(favorit_: favorit::Favorit, favorit::FavoritAssembly:
     needle [needle_sweep needle_sweep_sets] (phi12),
+    height [height_sweep height_sweep_sets] (phi12),
+    transmission [transmission_sweep transmission_sweep_sets] (phi12),
+    picture [picture_sweep picture_sweep_sets] (phi12),
     motion [motion_sweep motion_sweep_sets] (phi12));
 check!(favorit_forces_: favorit_forces::Favorit, favorit_forces::FavoritAssembly:
     forces [forces_sweep forces_sweep_sets] (phi12, omega),
@@ -109,6 +114,7 @@ check!(quick_return_: quick_return::QuickReturn, quick_return::QuickReturnAssemb
     stroke [stroke_sweep stroke_sweep_sets] (phi));
 check!(spatial_crank_rocker_: spatial_crank_rocker::SpatialCrankRocker, spatial_crank_rocker::SpatialCrankRockerAssembly:
     motion [motion_sweep motion_sweep_sets] (phi),
+    picture [picture_sweep picture_sweep_sets] (phi),
     accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
     pose [pose_sweep pose_sweep_sets] (phi));
 check!(spatial_crank_rocker_published: spatial_crank_rocker::published::Published, spatial_crank_rocker::published::PublishedAssembly:
@@ -126,6 +132,7 @@ check!(trammel_scotch_yoke: trammel::ScotchYoke, trammel::ScotchYokeAssembly:
     accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
 check!(two_crank_triad_: two_crank_triad::TwoCranks, two_crank_triad::TwoCranksAssembly:
     working_point [working_point_sweep working_point_sweep_sets] (phi),
+    picture [picture_sweep picture_sweep_sets] (phi),
     motion [motion_sweep motion_sweep_sets] (phi));
 check!(universal_joint_: universal_joint::Cardan, universal_joint::CardanAssembly:
     single [single_sweep single_sweep_sets] (phi),
