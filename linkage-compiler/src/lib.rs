@@ -19,6 +19,7 @@ pub mod syntax;
 pub mod trace;
 mod vector;
 
+use linkage_symbolic::Graph;
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
 
@@ -74,7 +75,8 @@ pub fn analyse(
     origins: &Origins,
     diagnostics: &mut Diagnostics,
 ) -> Analysis {
-    let mut algebra = Algebra::new(mechanism);
+    let graph = Graph::new();
+    let mut algebra = Algebra::new(mechanism, &graph);
     let nominal = Nominal::of(&mut algebra);
     let before = diagnostics.len();
     formulate::check_directions(mechanism, &nominal, origins, diagnostics);

@@ -1,9 +1,8 @@
 //! A mechanism's functions as they stand in the expression graph, before slicing and scheduling: what tests compare the
 //! programs with.
 
-use linkage_symbolic::interpret::evaluate;
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{Graph, NodeId};
+use linkage_symbolic::{Graph, NodeId, evaluate};
 
 use crate::algebra::{Algebra, Angle, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
@@ -25,7 +24,8 @@ pub struct Oracle {
 impl Oracle {
     /// The graph of a mechanism that compiles without a message.
     pub fn new(mechanism: &Mechanism, origins: &Origins) -> Self {
-        let mut algebra = Algebra::new(mechanism);
+        let graph = Graph::new();
+        let mut algebra = Algebra::new(mechanism, &graph);
         let nominal = Nominal::of(&mut algebra);
         let mut diagnostics = Diagnostics::default();
         let structure = decompose(&mut algebra, &nominal, origins, &mut diagnostics);
@@ -39,10 +39,11 @@ impl Oracle {
             })
             .collect();
         let estimate = |angle: &Angle| angle.estimate(&nominal);
+        let estimates = algebra.angles.iter().map(estimate).collect();
         Self {
             functions,
-            estimates: algebra.angles.iter().map(estimate).collect(),
-            graph: algebra.graph,
+            estimates,
+            graph,
         }
     }
 

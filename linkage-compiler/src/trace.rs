@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use linkage_symbolic::Graph;
 use proc_macro2::TokenStream;
 
 use crate::algebra::{Algebra, Nominal};
@@ -51,7 +52,8 @@ pub fn trace(body: TokenStream) -> Trace {
 }
 
 fn structure_text(mechanism: &Mechanism, origins: &Origins) -> String {
-    let mut algebra = Algebra::new(mechanism);
+    let graph = Graph::new();
+    let mut algebra = Algebra::new(mechanism, &graph);
     let nominal = Nominal::of(&mut algebra);
     let Structure {
         groups,
@@ -103,7 +105,8 @@ fn formulate_text(analysis: &Analysis) -> String {
 
 /// How reactions are found; nothing for a mechanism without bodies.
 fn forces_text(mechanism: &Mechanism, origins: &Origins) -> String {
-    let mut algebra = Algebra::new(mechanism);
+    let graph = Graph::new();
+    let mut algebra = Algebra::new(mechanism, &graph);
     let nominal = Nominal::of(&mut algebra);
     let mut diagnostics = Diagnostics::default();
     let structure = structure::decompose(&mut algebra, &nominal, origins, &mut diagnostics);

@@ -3,30 +3,29 @@
 //! The rules keep results exact or more exact: they fold constants, drop neutral elements, cancel equal terms, pull signs
 //! outwards and gather what depends on parameters alone, so that it moves to `assemble()`.
 
-use crate::graph::{Graph, Node, NodeId};
-use crate::interpret::{apply_binary, apply_ternary, apply_unary};
+use crate::graph::{Node, NodeId, Store};
 use crate::program::{Binary, Ternary, Unary};
 
-impl Graph {
+impl Store {
     /// A number.
-    pub fn constant(&mut self, value: f64) -> NodeId {
+    pub(crate) fn constant(&mut self, value: f64) -> NodeId {
         // -0 and 0 are one constant: the sign of zero carries no meaning in a mechanism.
         let value = if value == 0.0 { 0.0 } else { value };
         self.intern(Node::Constant(value.to_bits()))
     }
 
     /// The constant 0.
-    pub fn zero(&mut self) -> NodeId {
+    pub(crate) fn zero(&mut self) -> NodeId {
         self.constant(0.0)
     }
 
     /// The constant 1.
-    pub fn one(&mut self) -> NodeId {
+    pub(crate) fn one(&mut self) -> NodeId {
         self.constant(1.0)
     }
 
     /// True for the constant 0.
-    pub fn is_zero(&self, id: NodeId) -> bool {
+    pub(crate) fn is_zero(&self, id: NodeId) -> bool {
         self.constant_value(id) == Some(0.0)
     }
 
@@ -60,9 +59,9 @@ impl Graph {
     }
 
     /// Any unary operation.
-    pub fn unary(&mut self, op: Unary, a: NodeId) -> NodeId {
+    pub(crate) fn unary(&mut self, op: Unary, a: NodeId) -> NodeId {
         if let Some(value) = self.constant_value(a) {
-            return self.constant(apply_unary(op, value));
+            return self.constant(op.apply([value]));
         }
         match op {
             Unary::Neg => self.neg(a),
@@ -87,7 +86,7 @@ impl Graph {
     }
 
     /// Any binary operation.
-    pub fn binary(&mut self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
+    pub(crate) fn binary(&mut self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
         match op {
             Binary::Add => self.add(a, b),
             Binary::Sub => self.sub(a, b),
@@ -99,10 +98,10 @@ impl Graph {
     }
 
     /// Any ternary operation.
-    pub fn ternary(&mut self, op: Ternary, a: NodeId, b: NodeId, c: NodeId) -> NodeId {
+    pub(crate) fn ternary(&mut self, op: Ternary, a: NodeId, b: NodeId, c: NodeId) -> NodeId {
         let values = [a, b, c].map(|x| self.constant_value(x));
         match (op, values) {
-            (_, [Some(x), Some(y), Some(z)]) => self.constant(apply_ternary(op, x, y, z)),
+            (_, [Some(x), Some(y), Some(z)]) => self.constant(op.apply([x, y, z])),
             (Ternary::Select, [Some(s), ..]) => {
                 if s.is_nan() {
                     a
@@ -119,7 +118,7 @@ impl Graph {
 
     pub(crate) fn fold(&mut self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
         match (self.constant_value(a), self.constant_value(b)) {
-            (Some(x), Some(y)) => self.constant(apply_binary(op, x, y)),
+            (Some(x), Some(y)) => self.constant(op.apply([x, y])),
             _ => self.intern(Node::Binary(op, a, b)),
         }
     }
@@ -130,7 +129,7 @@ impl Graph {
     }
 
     /// `sqrt(a^2 + b^2)`
-    pub fn hypot(&mut self, a: NodeId, b: NodeId) -> NodeId {
+    pub(crate) fn hypot(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if self.is_zero(a) {
             return self.abs(b);
         }
@@ -140,15 +139,5 @@ impl Graph {
         let a = self.negated(a).unwrap_or(a);
         let b = self.negated(b).unwrap_or(b);
         self.commute(Binary::Hypot, a, b)
-    }
-
-    /// `sqrt(a)`
-    pub fn sqrt(&mut self, a: NodeId) -> NodeId {
-        self.unary(Unary::Sqrt, a)
-    }
-
-    /// `a^2`
-    pub fn square(&mut self, a: NodeId) -> NodeId {
-        self.mul(a, a)
     }
 }

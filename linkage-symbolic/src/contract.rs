@@ -72,20 +72,9 @@ fn arrival_times(program: &Program) -> Vec<u32> {
     let mut known: Vec<u32> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
         let latest = instruction.operands().map(|x| known[x.0]).max();
-        known.push(latest.unwrap_or(0) + latency(instruction));
+        known.push(latest.unwrap_or(0) + instruction.latency());
     }
     known
-}
-
-fn latency(instruction: &Instruction) -> u32 {
-    match instruction {
-        Instruction::Constant(_) | Instruction::Load(_) => 0,
-        Instruction::Unary(Unary::Neg | Unary::Abs, _) => 1,
-        Instruction::Binary(Binary::Add | Binary::Sub | Binary::Mul, ..) => 4,
-        Instruction::Ternary(..) | Instruction::Fused(..) => 4,
-        Instruction::Unary(..) => 20,
-        Instruction::Binary(..) => 15,
-    }
 }
 
 /// The program without values that no output depends on.

@@ -2,17 +2,18 @@
 
 use std::collections::HashMap;
 
+use crate::expression::Ex;
 use crate::graph::{Binding, Graph, Node, NodeId, SymbolId};
-use crate::program::{Binary, Ternary, Unary};
+use crate::operation::{Binary, Ternary, Unary};
 
 /// Derivatives already known: of a node, by a symbol.
 pub type DerivativeMemo = HashMap<(NodeId, SymbolId), NodeId>;
 
 /// Who knows the derivatives of symbols: parameters and inputs are independent, the solution of a loop follows the
 /// implicit function theorem.
-pub trait Calculus {
+pub trait Calculus<'g> {
     /// The graph that derivatives are built in.
-    fn graph(&mut self) -> &mut Graph;
+    fn graph(&self) -> &'g Graph;
     /// Derivatives already known under these rules.
     fn memo(&mut self) -> &mut DerivativeMemo;
     /// The derivative of one symbol by another.
@@ -20,18 +21,19 @@ pub trait Calculus {
 }
 
 /// The derivative of `root` by `variable`.
-pub fn differentiate<C: Calculus + ?Sized>(
+pub fn differentiate<'g, C: Calculus<'g> + ?Sized>(
     calculus: &mut C,
     root: NodeId,
     variable: SymbolId,
 ) -> NodeId {
+    let graph = calculus.graph();
     let mut stack = vec![root];
     while let Some(&id) = stack.last() {
         if calculus.memo().contains_key(&(id, variable)) {
             stack.pop();
             continue;
         }
-        let node = calculus.graph().node(id);
+        let node = graph.node(id);
         let waiting = stack.len();
         for operand in node.operands() {
             if !calculus.memo().contains_key(&(operand, variable)) {
@@ -42,13 +44,14 @@ pub fn differentiate<C: Calculus + ?Sized>(
             continue;
         }
         let derivative = match node {
-            Node::Constant(_) => calculus.graph().zero(),
-            Node::Symbol(symbol) if symbol == variable => calculus.graph().one(),
+            Node::Constant(_) => graph.zero(),
+            Node::Symbol(symbol) if symbol == variable => graph.one(),
             Node::Symbol(symbol) => calculus.symbol_derivative(symbol, variable),
-            _ => {
-                let known = |c: &mut C, x| c.memo()[&(x, variable)];
-                let inner: Vec<NodeId> = node.operands().map(|x| known(calculus, x)).collect();
-                chain_rule(calculus.graph(), id, node, &inner)
+            Node::Unary(..) | Node::Binary(..) | Node::Ternary(..) => {
+                let memo = calculus.memo();
+                let rates = node.operands().map(|x| graph.ex(memo[&(x, variable)]));
+                let rates: Vec<Ex> = rates.collect();
+                chain_rule(graph.ex(id), &rates).id()
             }
         };
         calculus.memo().insert((id, variable), derivative);
@@ -59,186 +62,141 @@ pub fn differentiate<C: Calculus + ?Sized>(
 
 /// The chain rule backwards: from the derivative `weight` of a result by an operation, what each of the operation's operands contributes
 /// to the result's derivatives by them.
-pub fn pull_back(graph: &mut Graph, id: NodeId, weight: NodeId) -> Vec<(NodeId, NodeId)> {
-    let node = graph.node(id);
-    let operands: Vec<NodeId> = node.operands().collect();
-    let zero = graph.zero();
+pub fn pull_back<'g>(value: Ex<'g>, weight: Ex<'g>) -> Vec<(NodeId, Ex<'g>)> {
+    let operands: Vec<NodeId> = value.node().operands().collect();
+    let zero = value.number(0.0);
     (0..operands.len())
         .map(|k| {
-            let mut inner = vec![zero; operands.len()];
-            inner[k] = weight;
-            (operands[k], chain_rule(graph, id, node, &inner))
+            let mut rates = vec![zero; operands.len()];
+            rates[k] = weight;
+            (operands[k], chain_rule(value, &rates))
         })
         .collect()
 }
 
-/// The derivative of an operation from those of its operands.
-fn chain_rule(g: &mut Graph, id: NodeId, node: Node, inner: &[NodeId]) -> NodeId {
-    if inner.iter().all(|&d| g.is_zero(d)) {
-        return g.zero();
+/// The rate of an operation's result from those of its operands.
+fn chain_rule<'g>(value: Ex<'g>, rates: &[Ex<'g>]) -> Ex<'g> {
+    let zero = value.number(0.0);
+    if rates.iter().all(|rate| rate.is_zero()) {
+        return zero;
     }
-    match node {
-        Node::Constant(_) | Node::Symbol(_) => g.zero(),
-        Node::Unary(op, a) => unary_rule(g, id, op, a, inner[0]),
-        Node::Binary(op, a, b) => binary_rule(g, id, op, [a, b], [inner[0], inner[1]]),
-        Node::Ternary(Ternary::AngleNear, y, x, _) => argument_rule(g, y, x, inner[0], inner[1]),
-        Node::Ternary(Ternary::Select, s, ..) => g.ternary(Ternary::Select, s, inner[1], inner[2]),
+    let ex = |id| value.graph().ex(id);
+    match value.node() {
+        Node::Constant(_) | Node::Symbol(_) => zero,
+        Node::Unary(op, a) => unary_rule(op, value, ex(a), rates[0]),
+        Node::Binary(op, a, b) => binary_rule(op, value, [a, b].map(ex), [rates[0], rates[1]]),
+        Node::Ternary(op, a, b, c) => {
+            let rates = [rates[0], rates[1], rates[2]];
+            ternary_rule(op, [a, b, c].map(ex), rates)
+        }
     }
 }
 
-fn unary_rule(g: &mut Graph, id: NodeId, op: Unary, a: NodeId, da: NodeId) -> NodeId {
+/// `y' = f'(a) a'` for `y = f(a)`.
+fn unary_rule<'g>(op: Unary, y: Ex<'g>, a: Ex<'g>, da: Ex<'g>) -> Ex<'g> {
     match op {
-        Unary::Neg => g.neg(da),
-        Unary::Abs => {
-            let sign = g.unary(Unary::Sign, a);
-            g.mul(sign, da)
-        }
-        Unary::Sqrt => {
-            let half = g.constant(0.5);
-            let numerator = g.mul(half, da);
-            g.div(numerator, id)
-        }
-        Unary::Sin => {
-            let cos = g.unary(Unary::Cos, a);
-            g.mul(cos, da)
-        }
-        Unary::Cos => {
-            let sin = g.unary(Unary::Sin, a);
-            let product = g.mul(sin, da);
-            g.neg(product)
-        }
-        Unary::Tan => {
-            let one = g.one();
-            let square = g.square(id);
-            let slope = g.add(one, square);
-            g.mul(slope, da)
-        }
-        Unary::Asin => arc_rule(g, a, da),
-        Unary::Acos => {
-            let slope = arc_rule(g, a, da);
-            g.neg(slope)
-        }
-        Unary::Atan => {
-            let one = g.one();
-            let square = g.square(a);
-            let sum = g.add(one, square);
-            g.div(da, sum)
-        }
-        Unary::Sign | Unary::InverseScale => g.zero(),
+        Unary::Neg => -da,
+        Unary::Abs => a.unary(Unary::Sign) * da,
+        Unary::Sqrt => 0.5 * da / y,
+        Unary::Sin => a.unary(Unary::Cos) * da,
+        Unary::Cos => -(a.unary(Unary::Sin) * da),
+        Unary::Tan => (1.0 + y.square()) * da,
+        Unary::Asin => arc_rule(a, da),
+        Unary::Acos => -arc_rule(a, da),
+        Unary::Atan => da / (1.0 + a.square()),
+        Unary::Sign | Unary::InverseScale => a.number(0.0),
     }
 }
 
-/// `da / sqrt((1 - a)(1 + a))`
-fn arc_rule(g: &mut Graph, a: NodeId, da: NodeId) -> NodeId {
-    let one = g.one();
-    let below = g.sub(one, a);
-    let above = g.add(one, a);
-    let product = g.mul(below, above);
-    let root = g.sqrt(product);
-    g.div(da, root)
+/// `a' / sqrt((1 - a)(1 + a))`
+fn arc_rule<'g>(a: Ex<'g>, da: Ex<'g>) -> Ex<'g> {
+    let product = (1.0 - a) * (1.0 + a);
+    da / product.sqrt()
 }
 
-fn binary_rule(
-    g: &mut Graph,
-    id: NodeId,
-    op: Binary,
-    [a, b]: [NodeId; 2],
-    [da, db]: [NodeId; 2],
-) -> NodeId {
+/// The rate of `y`, an operation of `a` and `b`.
+fn binary_rule<'g>(op: Binary, y: Ex<'g>, [a, b]: [Ex<'g>; 2], [da, db]: [Ex<'g>; 2]) -> Ex<'g> {
     match op {
-        Binary::Add | Binary::Sub => rate_times_sum(g, op, da, db),
-        Binary::Mul => {
-            let left = times_rate(g, b, da);
-            let right = times_rate(g, a, db);
-            g.add(left, right)
-        }
-        Binary::Div => {
-            let back = g.mul(id, db);
-            let numerator = g.sub(da, back);
-            g.div(numerator, b)
-        }
-        Binary::Atan2 => argument_rule(g, a, b, da, db),
-        Binary::Hypot => {
-            let left = g.mul(a, da);
-            let right = g.mul(b, db);
-            let numerator = g.add(left, right);
-            g.div(numerator, id)
-        }
-        Binary::Min | Binary::Max => {
-            let (first, second) = if op == Binary::Min { (b, a) } else { (a, b) };
-            let prefer_a = g.sub(first, second);
-            g.ternary(Ternary::Select, prefer_a, da, db)
-        }
-        Binary::Root => unary_rule(g, id, Unary::Sqrt, a, da),
+        Binary::Add | Binary::Sub => rate_times_sum(op, da, db),
+        Binary::Mul => times_rate(b, da) + times_rate(a, db),
+        Binary::Div => (da - y * db) / b,
+        Binary::Atan2 => argument_rule([a, b], [da, db]),
+        Binary::Hypot => (a * da + b * db) / y,
+        Binary::Min => (b - a).select(da, db),
+        Binary::Max => (a - b).select(da, db),
+        Binary::Root => unary_rule(Unary::Sqrt, y, a, da),
     }
+}
+
+fn ternary_rule<'g>(op: Ternary, [a, b, _]: [Ex<'g>; 3], [da, db, dc]: [Ex<'g>; 3]) -> Ex<'g> {
+    match op {
+        // The number of turns does not change where there is a derivative.
+        Ternary::AngleNear => argument_rule([a, b], [da, db]),
+        Ternary::Select => a.select(db, dc),
+    }
+}
+
+/// The rate of the argument of `x + i y`.
+fn argument_rule<'g>([y, x]: [Ex<'g>; 2], [dy, dx]: [Ex<'g>; 2]) -> Ex<'g> {
+    let numerator = x * dy - y * dx;
+    numerator / (x.square() + y.square())
 }
 
 /// `p (r x)` as `r (p x)` where `p x` is known already: the vector of a link, whose direction `x` is.
-fn times_rate(g: &mut Graph, p: NodeId, derivative: NodeId) -> NodeId {
-    let mut factors = factors(g, derivative);
-    let known = factors
-        .iter()
-        .enumerate()
-        .find_map(|(place, &x)| Some((place, g.known_product(p, x)?)));
+fn times_rate<'g>(p: Ex<'g>, rate: Ex<'g>) -> Ex<'g> {
+    let graph = p.graph();
+    let mut factors = factors(rate);
+    let known = factors.iter().enumerate().find_map(|(place, x)| {
+        let product = graph.store().known_product(p.id(), x.id());
+        Some((place, graph.ex(product?)))
+    });
     match known {
         Some((place, vector)) if factors.len() > 1 => {
             factors[place] = vector;
-            product(g, factors)
+            product(graph, factors)
         }
-        _ => g.mul(p, derivative),
+        _ => p * rate,
     }
 }
 
-fn product(g: &mut Graph, factors: Vec<NodeId>) -> NodeId {
-    let one = g.one();
-    factors
-        .into_iter()
-        .rev()
-        .fold(one, |product, x| g.mul(x, product))
+fn product<'g>(graph: &'g Graph, factors: Vec<Ex<'g>>) -> Ex<'g> {
+    let one = graph.number(1.0);
+    let factors = factors.into_iter().rev();
+    factors.fold(one, |product, x| x * product)
 }
 
 /// `r x + r y` as `r (x + y)`: where vectors turn with one angle, `x + y` is mostly a component of their sum that is
 /// known already.
-fn rate_times_sum(g: &mut Graph, op: Binary, a: NodeId, b: NodeId) -> NodeId {
-    let (mut left, mut right) = (factors(g, a), factors(g, b));
-    let is_common = |x: &&NodeId| g.binding(**x) == Binding::Call && right.contains(x);
+fn rate_times_sum<'g>(op: Binary, a: Ex<'g>, b: Ex<'g>) -> Ex<'g> {
+    let (mut left, mut right) = (factors(a), factors(b));
+    let is_common = |x: &&Ex| x.binding() == Binding::Call && right.contains(x);
     let Some(rate) = left.iter().find(is_common).copied() else {
-        return g.binary(op, a, b);
+        return a.binary(op, b);
     };
     for list in [&mut left, &mut right] {
         let place = list.iter().position(|&x| x == rate);
         place.map(|place| list.remove(place));
     }
-    let [left, right] = [left, right].map(|factors| product(g, factors));
-    let sum = rate_times_sum(g, op, left, right);
-    g.mul(rate, sum)
+    let [left, right] = [left, right].map(|factors| product(a.graph(), factors));
+    let sum = rate_times_sum(op, left, right);
+    rate * sum
 }
 
 /// The factors of nested products, signs as -1.
-fn factors(g: &mut Graph, id: NodeId) -> Vec<NodeId> {
-    match g.node(id) {
-        Node::Unary(Unary::Neg, x) => {
-            let sign = g.constant(-1.0);
-            let mut factors = factors(g, x);
+fn factors(x: Ex) -> Vec<Ex> {
+    let ex = |id| x.graph().ex(id);
+    match x.node() {
+        Node::Unary(Unary::Neg, inner) => {
+            let sign = x.number(-1.0);
+            let mut factors = factors(ex(inner));
             factors.push(sign);
             factors
         }
-        Node::Binary(Binary::Mul, x, y) => {
-            let mut factors = factors(g, x);
-            factors.extend(self::factors(g, y));
+        Node::Binary(Binary::Mul, a, b) => {
+            let mut factors = factors(ex(a));
+            factors.extend(self::factors(ex(b)));
             factors
         }
-        _ => vec![id],
+        _ => vec![x],
     }
-}
-
-/// The derivative of the argument of `x + i y`.
-fn argument_rule(g: &mut Graph, y: NodeId, x: NodeId, dy: NodeId, dx: NodeId) -> NodeId {
-    let left = g.mul(x, dy);
-    let right = g.mul(y, dx);
-    let numerator = g.sub(left, right);
-    let x2 = g.square(x);
-    let y2 = g.square(y);
-    let square = g.add(x2, y2);
-    g.div(numerator, square)
 }

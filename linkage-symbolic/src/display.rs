@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::program::{Binary, Fused, Instruction, Program, Source, Ternary, Unary};
+use crate::program::{Binary, Fused, Instruction, Program, Source};
 
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -20,63 +20,20 @@ impl fmt::Display for Source {
     }
 }
 
-impl Unary {
-    fn word(self) -> &'static str {
-        match self {
-            Self::Neg => "neg",
-            Self::Abs => "abs",
-            Self::Sqrt => "sqrt",
-            Self::Sin => "sin",
-            Self::Cos => "cos",
-            Self::Tan => "tan",
-            Self::Asin => "asin",
-            Self::Acos => "acos",
-            Self::Atan => "atan",
-            Self::Sign => "sign",
-            Self::InverseScale => "inverse_scale",
-        }
-    }
-}
-
-impl Binary {
-    fn word(self) -> &'static str {
-        match self {
-            Self::Add => "+",
-            Self::Sub => "-",
-            Self::Mul => "*",
-            Self::Div => "/",
-            Self::Atan2 => "atan2",
-            Self::Hypot => "hypot",
-            Self::Min => "min",
-            Self::Max => "max",
-            Self::Root => "root",
-        }
-    }
-}
-
-impl Ternary {
-    fn word(self) -> &'static str {
-        match self {
-            Self::AngleNear => "angle_near",
-            Self::Select => "select",
-        }
-    }
-}
-
 impl fmt::Display for Instruction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Constant(value) => write!(f, "{value:?}"),
             Self::Load(source) => write!(f, "{source}"),
-            Self::Unary(op, a) => write!(f, "{} v{}", op.word(), a.0),
+            Self::Unary(op, a) => write!(f, "{} v{}", op.row().name, a.0),
             Self::Binary(op, a, b) => match op {
                 Binary::Add | Binary::Sub | Binary::Mul | Binary::Div => {
-                    write!(f, "v{} {} v{}", a.0, op.word(), b.0)
+                    write!(f, "v{} {} v{}", a.0, op.row().name, b.0)
                 }
-                _ => write!(f, "{} v{} v{}", op.word(), a.0, b.0),
+                _ => write!(f, "{} v{} v{}", op.row().name, a.0, b.0),
             },
             Self::Ternary(op, a, b, c) => {
-                write!(f, "{} v{} v{} v{}", op.word(), a.0, b.0, c.0)
+                write!(f, "{} v{} v{} v{}", op.row().name, a.0, b.0, c.0)
             }
             Self::Fused(Fused::MulAdd, a, b, c) => write!(f, "v{} * v{} + v{}", a.0, b.0, c.0),
             Self::Fused(Fused::MulSub, a, b, c) => write!(f, "v{} * v{} - v{}", a.0, b.0, c.0),

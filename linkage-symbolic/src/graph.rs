@@ -1,8 +1,14 @@
-//! The arena: nodes, symbols, hash-consing.
+//! The graph: a flat arena of operations, behind a cell, so that formulas can be written as formulas.
 
-use std::collections::{HashMap, HashSet};
+mod store;
 
-use crate::program::{Binary, Source, Ternary, Unary};
+use std::cell::{Ref, RefCell, RefMut};
+
+use crate::expression::Ex;
+use crate::operation::{Binary, Ternary, Unary};
+use crate::program::Source;
+
+pub(crate) use store::Store;
 
 /// Index of a node; children have smaller indices than their parents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -29,10 +35,15 @@ impl SymbolId {
 /// One operation. Constants are kept by their bits so that nodes can be hashed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
+    /// A number's bits.
     Constant(u64),
+    /// A leaf.
     Symbol(SymbolId),
+    /// An operation of one operand.
     Unary(Unary, NodeId),
+    /// An operation of two operands.
     Binary(Binary, NodeId, NodeId),
+    /// An operation of three operands.
     Ternary(Ternary, NodeId, NodeId, NodeId),
 }
 
@@ -73,17 +84,11 @@ pub struct Symbol {
     pub binding: Binding,
 }
 
-/// A flat arena of operations. Equal operations are one node.
+/// A flat arena of operations. Equal operations are one node, constructors simplify. It grows behind a shared reference: [`Ex`] is a
+/// node together with that.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
-    nodes: Vec<Node>,
-    bindings: Vec<Binding>,
-    index: HashMap<Node, NodeId>,
-    symbols: Vec<Symbol>,
-    sources: HashMap<Source, SymbolId>,
-    /// The cosine that a sine belongs to.
-    cosines: HashMap<SymbolId, SymbolId>,
-    with_sine: HashSet<SymbolId>,
+    store: RefCell<Store>,
 }
 
 impl Graph {
@@ -92,183 +97,186 @@ impl Graph {
         Self::default()
     }
 
+    pub(crate) fn store(&self) -> Ref<'_, Store> {
+        self.store.borrow()
+    }
+
+    pub(crate) fn store_mut(&self) -> RefMut<'_, Store> {
+        self.store.borrow_mut()
+    }
+
+    /// A node as an expression to compute with.
+    pub fn ex(&self, id: NodeId) -> Ex<'_> {
+        Ex::new(self, id)
+    }
+
+    /// A number as an expression.
+    pub fn number(&self, value: f64) -> Ex<'_> {
+        self.ex(self.constant(value))
+    }
+
     /// Number of nodes.
     pub fn len(&self) -> usize {
-        self.nodes.len()
+        self.store().len()
     }
 
     /// True if it has no node.
     pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
+        self.len() == 0
     }
 
     /// The operation of a node.
     pub fn node(&self, id: NodeId) -> Node {
-        self.nodes[id.index()]
+        self.store().node(id)
     }
 
     /// When a node's value is known.
     pub fn binding(&self, id: NodeId) -> Binding {
-        self.bindings[id.index()]
+        self.store().binding(id)
     }
 
     /// The value of a constant node.
     pub fn constant_value(&self, id: NodeId) -> Option<f64> {
-        match self.node(id) {
-            Node::Constant(bits) => Some(f64::from_bits(bits)),
-            _ => None,
-        }
+        self.store().constant_value(id)
     }
 
     /// A symbol's record.
-    pub fn symbol(&self, id: SymbolId) -> &Symbol {
-        &self.symbols[id.index()]
+    pub fn symbol(&self, id: SymbolId) -> Symbol {
+        self.store().symbol(id).clone()
     }
 
     /// The node of the symbol that a program loads from `source`; one symbol for each source.
-    pub fn source(&mut self, source: Source) -> NodeId {
-        if let Some(&symbol) = self.sources.get(&source) {
-            return self.intern(Node::Symbol(symbol));
-        }
-        let binding = match source {
-            Source::Input(_) | Source::State(..) | Source::Limit => Binding::Call,
-            _ => Binding::Parameter,
-        };
-        let symbol = self.add_symbol(Symbol {
-            name: format!("{source:?}"),
-            source: Some(source),
-            definition: None,
-            binding,
-        });
-        self.sources.insert(source, symbol);
-        self.intern(Node::Symbol(symbol))
+    pub fn source(&self, source: Source) -> NodeId {
+        self.store_mut().source(source)
     }
 
     /// The symbol that is loaded from `source`, if the graph has one.
     pub fn find_source(&self, source: Source) -> Option<SymbolId> {
-        self.sources.get(&source).copied()
+        self.store().find_source(source)
     }
 
     /// A fresh symbol that lives by a definition given now or later.
-    pub fn unknown(&mut self, name: impl Into<String>) -> (SymbolId, NodeId) {
-        let symbol = self.add_symbol(Symbol {
-            name: name.into(),
-            source: None,
-            definition: None,
-            binding: Binding::Call,
-        });
-        (symbol, self.intern(Node::Symbol(symbol)))
+    pub fn unknown(&self, name: impl Into<String>) -> (SymbolId, NodeId) {
+        self.store_mut().unknown(name.into())
     }
 
     /// Says that two symbols are the cosine and the sine of one angle.
-    pub fn pair(&mut self, cos: SymbolId, sin: SymbolId) {
-        self.cosines.insert(sin, cos);
-        self.with_sine.insert(cos);
-    }
-
-    /// The cosine of the angle that a symbol is the sine of.
-    pub(crate) fn cosine_of(&self, sin: SymbolId) -> Option<SymbolId> {
-        self.cosines.get(&sin).copied()
-    }
-
-    pub(crate) fn is_cosine(&self, symbol: SymbolId) -> bool {
-        self.with_sine.contains(&symbol)
+    pub fn pair(&self, cos: SymbolId, sin: SymbolId) {
+        self.store_mut().pair(cos, sin);
     }
 
     /// The node of a symbol.
-    pub fn symbol_node(&mut self, symbol: SymbolId) -> NodeId {
-        self.intern(Node::Symbol(symbol))
+    pub fn symbol_node(&self, symbol: SymbolId) -> NodeId {
+        self.store_mut().intern(Node::Symbol(symbol))
     }
 
     /// How many symbols there are.
     pub fn symbol_count(&self) -> usize {
-        self.symbols.len()
+        self.store().symbol_count()
     }
 
     /// The symbols made since there were `count`.
     pub fn symbols_since(&self, count: usize) -> impl Iterator<Item = SymbolId> + use<> {
-        (count as u32..self.symbols.len() as u32).map(SymbolId)
+        (count as u32..self.symbol_count() as u32).map(SymbolId)
     }
 
     /// Says what a symbol stands for.
-    pub fn define(&mut self, symbol: SymbolId, definition: NodeId) {
-        self.symbols[symbol.index()].definition = Some(definition);
-    }
-
-    fn add_symbol(&mut self, symbol: Symbol) -> SymbolId {
-        self.symbols.push(symbol);
-        SymbolId(self.symbols.len() as u32 - 1)
-    }
-
-    /// A node that exists already.
-    pub(crate) fn find(&self, node: Node) -> Option<NodeId> {
-        self.index.get(&node).copied()
-    }
-
-    /// The node of an operation, new or old. No simplification: see the constructors.
-    pub(crate) fn intern(&mut self, node: Node) -> NodeId {
-        if let Some(&id) = self.index.get(&node) {
-            return id;
-        }
-        let binding = match node {
-            Node::Constant(_) => Binding::Constant,
-            Node::Symbol(symbol) => self.symbols[symbol.index()].binding,
-            _ => node
-                .operands()
-                .map(|o| self.binding(o))
-                .max()
-                .unwrap_or(Binding::Constant),
-        };
-        let id = NodeId(self.nodes.len() as u32);
-        self.nodes.push(node);
-        self.bindings.push(binding);
-        self.index.insert(node, id);
-        id
+    pub fn define(&self, symbol: SymbolId, definition: NodeId) {
+        self.store_mut().define(symbol, definition);
     }
 
     /// All nodes that `roots` are made of, roots included, children first, without following definitions.
     pub fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
-        let mut seen = vec![false; self.len()];
-        let mut stack: Vec<NodeId> = roots.to_vec();
-        let mut found = Vec::new();
-        while let Some(id) = stack.pop() {
-            if std::mem::replace(&mut seen[id.index()], true) {
-                continue;
-            }
-            found.push(id);
-            stack.extend(self.node(id).operands());
-        }
-        found.sort_unstable();
-        found
+        self.store().reachable(roots)
     }
 
     /// True if `root` is `part` or computed from it, without following definitions.
     pub fn contains(&self, root: NodeId, part: NodeId) -> bool {
-        let mut seen = HashSet::new();
-        let mut open = vec![root];
-        while let Some(id) = open.pop() {
-            if id == part {
-                return true;
-            }
-            // Operands stand before their operations: nothing below `part` can contain it.
-            if id > part && seen.insert(id) {
-                open.extend(self.node(id).operands());
-            }
-        }
-        false
+        self.store().contains(root, part)
     }
 
     /// The symbols that `roots` are made of, in order, without following definitions.
     pub fn symbols_of(&self, roots: &[NodeId]) -> Vec<SymbolId> {
-        let mut symbols: Vec<SymbolId> = self
-            .reachable(roots)
-            .into_iter()
-            .filter_map(|id| match self.node(id) {
-                Node::Symbol(symbol) => Some(symbol),
-                _ => None,
-            })
-            .collect();
-        symbols.sort_unstable();
-        symbols
+        self.store().symbols_of(roots)
+    }
+
+    /// A number.
+    pub fn constant(&self, value: f64) -> NodeId {
+        self.store_mut().constant(value)
+    }
+
+    /// The constant 0.
+    pub fn zero(&self) -> NodeId {
+        self.constant(0.0)
+    }
+
+    /// The constant 1.
+    pub fn one(&self) -> NodeId {
+        self.constant(1.0)
+    }
+
+    /// True for the constant 0.
+    pub fn is_zero(&self, id: NodeId) -> bool {
+        self.store().is_zero(id)
+    }
+
+    /// Any unary operation.
+    pub fn unary(&self, op: Unary, a: NodeId) -> NodeId {
+        self.store_mut().unary(op, a)
+    }
+
+    /// Any binary operation.
+    pub fn binary(&self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
+        self.store_mut().binary(op, a, b)
+    }
+
+    /// Any ternary operation.
+    pub fn ternary(&self, op: Ternary, a: NodeId, b: NodeId, c: NodeId) -> NodeId {
+        self.store_mut().ternary(op, a, b, c)
+    }
+
+    /// `-a`
+    pub fn neg(&self, a: NodeId) -> NodeId {
+        self.unary(Unary::Neg, a)
+    }
+
+    /// `|a|`
+    pub fn abs(&self, a: NodeId) -> NodeId {
+        self.unary(Unary::Abs, a)
+    }
+
+    /// `a + b`
+    pub fn add(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Add, a, b)
+    }
+
+    /// `a - b`
+    pub fn sub(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Sub, a, b)
+    }
+
+    /// `a * b`
+    pub fn mul(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Mul, a, b)
+    }
+
+    /// `a / b`
+    pub fn div(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Div, a, b)
+    }
+
+    /// `sqrt(a^2 + b^2)`
+    pub fn hypot(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Hypot, a, b)
+    }
+
+    /// `sqrt(a)`
+    pub fn sqrt(&self, a: NodeId) -> NodeId {
+        self.unary(Unary::Sqrt, a)
+    }
+
+    /// `a^2`
+    pub fn square(&self, a: NodeId) -> NodeId {
+        self.mul(a, a)
     }
 }

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use crate::evaluate::dependencies;
 use crate::graph::{Graph, Node, NodeId};
-use crate::interpret::dependencies;
 use crate::program::{Binary, Ternary};
 
 /// Copies nodes of one graph into another without definitions, simplifying anew: factors of a link's length that
@@ -46,7 +46,7 @@ impl Inliner {
     }
 
     fn build(&mut self, source: &Graph, id: NodeId) -> NodeId {
-        let target = &mut self.target;
+        let target = &self.target;
         let new = |x: NodeId| self.copied[&x];
         match source.node(id) {
             Node::Constant(bits) => target.constant(f64::from_bits(bits)),

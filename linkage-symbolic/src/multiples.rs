@@ -21,7 +21,7 @@ struct Factors {
 type Base = ([NodeId; 2], [Vec<NodeId>; 2], u64);
 
 /// The values `outputs` with multiples of the same sum computed as such.
-pub fn share_multiples(graph: &mut Graph, outputs: &[NodeId]) -> Vec<NodeId> {
+pub fn share_multiples(graph: &Graph, outputs: &[NodeId]) -> Vec<NodeId> {
     let reachable = graph.reachable(outputs);
     let mut members: BTreeMap<Base, Vec<(NodeId, Factors)>> = BTreeMap::new();
     for &id in &reachable {
@@ -61,7 +61,7 @@ pub fn share_multiples(graph: &mut Graph, outputs: &[NodeId]) -> Vec<NodeId> {
 }
 
 /// A sum of two terms of factors known early and values known late, as a base and its multiple.
-fn sum_of_terms(graph: &mut Graph, id: NodeId) -> Option<(Base, Factors)> {
+fn sum_of_terms(graph: &Graph, id: NodeId) -> Option<(Base, Factors)> {
     let Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) = graph.node(id) else {
         return None;
     };
@@ -87,8 +87,8 @@ fn sum_of_terms(graph: &mut Graph, id: NodeId) -> Option<(Base, Factors)> {
 }
 
 /// `p` and `x` of a term `p x`.
-fn term(graph: &mut Graph, id: NodeId) -> Option<(Factors, NodeId)> {
-    let (p, x) = graph.product(id)?;
+fn term(graph: &Graph, id: NodeId) -> Option<(Factors, NodeId)> {
+    let (p, x) = graph.store().product(id)?;
     let split_by_time = graph.binding(p) < Binding::Call && graph.binding(x) == Binding::Call;
     let mut factors = Factors {
         number: 1.0,
@@ -112,7 +112,7 @@ fn split(a: Vec<NodeId>, mut b: Vec<NodeId>) -> (Vec<NodeId>, [Vec<NodeId>; 2]) 
 }
 
 impl Factors {
-    fn gather(&mut self, graph: &mut Graph, id: NodeId) {
+    fn gather(&mut self, graph: &Graph, id: NodeId) {
         match graph.node(id) {
             Node::Constant(bits) => self.number *= f64::from_bits(bits),
             Node::Unary(Unary::Neg, x) => {
@@ -123,7 +123,7 @@ impl Factors {
                 self.gather(graph, x);
                 self.gather(graph, y);
             }
-            Node::Binary(Binary::Div, x, y) if !graph.is_one(x) => {
+            Node::Binary(Binary::Div, x, y) if !graph.store().is_one(x) => {
                 self.gather(graph, x);
                 let one = graph.one();
                 let inverse = graph.div(one, y);
@@ -141,7 +141,7 @@ impl Factors {
     }
 
     /// `self * sum`, not distributed over the terms.
-    fn times(&self, graph: &mut Graph, sum: NodeId) -> NodeId {
+    fn times(&self, graph: &Graph, sum: NodeId) -> NodeId {
         let number = graph.constant(self.number);
         let factor = self
             .nodes
@@ -150,17 +150,17 @@ impl Factors {
         if graph.constant_value(factor).is_some_and(|x| x.abs() == 1.0) {
             return graph.mul(factor, sum);
         }
-        graph.commute_product(factor, sum)
+        graph.store_mut().commute_product(factor, sum)
     }
 }
 
 /// A sum of two terms of renewed values.
-fn renew_sum(graph: &mut Graph, id: NodeId, renewed: &HashMap<NodeId, NodeId>) -> NodeId {
+fn renew_sum(graph: &Graph, id: NodeId, renewed: &HashMap<NodeId, NodeId>) -> NodeId {
     let Node::Binary(op, a, b) = graph.node(id) else {
         unreachable!("a sum");
     };
     let [a, b] = [a, b].map(|term| {
-        let (p, x) = graph.product(term).expect("a term");
+        let (p, x) = graph.store().product(term).expect("a term");
         graph.mul(p, renewed[&x])
     });
     graph.binary(op, a, b)

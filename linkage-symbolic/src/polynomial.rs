@@ -17,7 +17,7 @@ const MAX_DEGREE: u8 = 4;
 /// `root` as a polynomial in `symbols`; `None` if it is none. `unit_pairs` are the positions in `symbols` of the cosine
 /// and sine of one angle; even powers of the sine are expressed by the cosine, so that `c^2 + s^2` is 1.
 pub fn collect(
-    graph: &mut Graph,
+    graph: &Graph,
     root: NodeId,
     symbols: &[SymbolId],
     unit_pairs: &[(usize, usize)],
@@ -68,7 +68,7 @@ pub fn collect(
     Some(result)
 }
 
-fn sum(graph: &mut Graph, mut a: Polynomial, b: Polynomial, minus: bool) -> Polynomial {
+fn sum(graph: &Graph, mut a: Polynomial, b: Polynomial, minus: bool) -> Polynomial {
     for (monomial, coefficient) in b {
         let coefficient = if minus {
             graph.neg(coefficient)
@@ -80,7 +80,7 @@ fn sum(graph: &mut Graph, mut a: Polynomial, b: Polynomial, minus: bool) -> Poly
     a
 }
 
-fn add_term(graph: &mut Graph, a: &mut Polynomial, monomial: Monomial, coefficient: NodeId) {
+fn add_term(graph: &Graph, a: &mut Polynomial, monomial: Monomial, coefficient: NodeId) {
     let old = a.get(&monomial).copied();
     let new = match old {
         Some(old) => graph.add(old, coefficient),
@@ -94,7 +94,7 @@ fn add_term(graph: &mut Graph, a: &mut Polynomial, monomial: Monomial, coefficie
 }
 
 fn product(
-    graph: &mut Graph,
+    graph: &Graph,
     a: &Polynomial,
     b: &Polynomial,
     unit_pairs: &[(usize, usize)],
@@ -115,7 +115,7 @@ fn product(
 
 /// Adds a term, with `s^2` written as `1 - c^2`.
 fn add_reduced(
-    graph: &mut Graph,
+    graph: &Graph,
     result: &mut Polynomial,
     monomial: Monomial,
     coefficient: NodeId,

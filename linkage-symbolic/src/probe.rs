@@ -4,8 +4,7 @@
 use std::collections::HashMap;
 
 use crate::graph::{Graph, Node, NodeId, SymbolId};
-use crate::interpret::{apply_binary, apply_ternary, apply_unary};
-use crate::program::{Binary, Unary};
+use crate::operation::Binary;
 
 /// Places at which both sides must be defined and agree.
 const PLACES: u64 = 4;
@@ -41,14 +40,12 @@ pub fn agree_within(graph: &Graph, a: NodeId, b: NodeId, share: f64) -> bool {
 
 /// True for functions that are different formulas on different sides of some value.
 fn splits(graph: &Graph, id: NodeId) -> bool {
-    matches!(
-        graph.node(id),
-        Node::Unary(
-            Unary::Abs | Unary::Sign | Unary::Asin | Unary::Acos | Unary::Atan,
-            _
-        ) | Node::Binary(Binary::Min | Binary::Max | Binary::Atan2, ..)
-            | Node::Ternary(..)
-    )
+    match graph.node(id) {
+        Node::Constant(_) | Node::Symbol(_) => false,
+        Node::Unary(op, _) => op.row().splits,
+        Node::Binary(op, ..) => op.row().splits,
+        Node::Ternary(op, ..) => op.row().splits,
+    }
 }
 
 /// Where expressions are evaluated.
@@ -70,12 +67,12 @@ fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: Place, share: f64) -> Op
             Node::Symbol(symbol) => sized(sample(graph, symbol, place)),
             Node::Unary(op, x) => {
                 let (value, size) = values[&x];
-                let result = apply_unary(op, value);
+                let result = op.apply([value]);
                 (result, result.abs().max(size * (result / value).abs()))
             }
             Node::Binary(op, x, y) => {
                 let ((x, x_size), (y, y_size)) = (values[&x], values[&y]);
-                let result = apply_binary(op, x, y);
+                let result = op.apply([x, y]);
                 let size = match op {
                     Binary::Mul => x_size * y_size,
                     Binary::Div => x_size / y.abs(),
@@ -84,7 +81,7 @@ fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: Place, share: f64) -> Op
                 (result, result.abs().max(size))
             }
             Node::Ternary(op, x, y, z) => {
-                sized(apply_ternary(op, values[&x].0, values[&y].0, values[&z].0))
+                sized(op.apply([values[&x].0, values[&y].0, values[&z].0]))
             }
         };
         values.insert(id, known);
@@ -100,9 +97,9 @@ fn sized(value: f64) -> (f64, f64) {
 
 /// A value for each symbol and place; the cosine and the sine of one angle fit each other.
 fn sample(graph: &Graph, symbol: SymbolId, place: Place) -> f64 {
-    match graph.cosine_of(symbol) {
+    match graph.store().cosine_of(symbol) {
         Some(cosine) => number(cosine, place).sin(),
-        None if graph.is_cosine(symbol) => number(symbol, place).cos(),
+        None if graph.store().is_cosine(symbol) => number(symbol, place).cos(),
         None => number(symbol, place),
     }
 }

@@ -1,11 +1,11 @@
 //! Constructors of products and quotients.
 
-use crate::graph::{Binding, Graph, Node, NodeId};
+use crate::graph::{Binding, Node, NodeId, Store};
 use crate::program::{Binary, Unary};
 
-impl Graph {
+impl Store {
     /// `a * b`
-    pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
+    pub(crate) fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if self.is_zero(a) || self.is_zero(b) {
             return self.zero();
         }
@@ -71,7 +71,7 @@ impl Graph {
         };
         let (p, x) = self.product(first)?;
         let (q, y) = self.product(second)?;
-        let early = |g: &Graph, x| g.binding(x) < Binding::Call;
+        let early = |g: &Store, x| g.binding(x) < Binding::Call;
         if !early(self, p) || !early(self, q) || early(self, x) || early(self, y) {
             return None;
         }
@@ -88,7 +88,7 @@ impl Graph {
 
     /// Products keep the factor that is known earlier in front.
     pub(crate) fn commute_product(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        let key = |g: &Graph, x: NodeId| (g.binding(x), x);
+        let key = |g: &Store, x: NodeId| (g.binding(x), x);
         let (a, b) = if key(self, b) < key(self, a) {
             (b, a)
         } else {
@@ -98,7 +98,7 @@ impl Graph {
     }
 
     /// `a / b`
-    pub fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
+    pub(crate) fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if self.is_zero(a) && !self.is_zero(b) {
             return a;
         }

@@ -1,5 +1,8 @@
 //! Straight-line programs: what a sliced, scheduled graph becomes before it is printed as code.
 
+use crate::graph::Binding;
+pub use crate::operation::{Binary, Fused, Ternary, Unary};
+
 /// Where a program finds a number that it does not compute itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Source {
@@ -22,6 +25,20 @@ pub enum Source {
     State(usize, usize),
     /// The largest correction of a prepared state that is certified.
     Limit,
+}
+
+impl Source {
+    /// When a number is known.
+    pub fn binding(self) -> Binding {
+        match self {
+            Self::Input(_) | Self::State(..) | Self::Limit | Self::Carried(_) => Binding::Call,
+            Self::Parameter(_)
+            | Self::Mode(_)
+            | Self::Centre(_)
+            | Self::Winding(..)
+            | Self::Prepared(_) => Binding::Parameter,
+        }
+    }
 }
 
 /// The result of an earlier instruction, by its index.
@@ -52,6 +69,39 @@ impl Instruction {
         operands.into_iter().flatten()
     }
 
+    /// In rough cycles: when its result is known after its operands.
+    pub fn latency(&self) -> u32 {
+        match self {
+            Self::Constant(_) | Self::Load(_) => 0,
+            Self::Unary(op, _) => op.row().latency,
+            Self::Binary(op, ..) => op.row().latency,
+            Self::Ternary(op, ..) => op.row().latency,
+            Self::Fused(op, ..) => op.row().latency,
+        }
+    }
+
+    /// In machine instructions, roughly; loads and constants come with what uses them.
+    pub fn size(&self) -> u32 {
+        match self {
+            Self::Constant(_) | Self::Load(_) => 0,
+            Self::Unary(op, _) => op.row().size,
+            Self::Binary(op, ..) => op.row().size,
+            Self::Ternary(op, ..) => op.row().size,
+            Self::Fused(op, ..) => op.row().size,
+        }
+    }
+
+    /// By throughput, an addition being 1; what is loaded was computed elsewhere.
+    pub fn time(&self) -> u32 {
+        match self {
+            Self::Constant(_) | Self::Load(_) => 0,
+            Self::Unary(op, _) => op.row().time,
+            Self::Binary(op, ..) => op.row().time,
+            Self::Ternary(op, ..) => op.row().time,
+            Self::Fused(op, ..) => op.row().time,
+        }
+    }
+
     /// The same operation of other values.
     #[must_use]
     pub fn with_operands(self, other: impl Fn(Value) -> Value) -> Self {
@@ -65,65 +115,6 @@ impl Instruction {
             Self::Fused(operation, a, b, c) => Self::Fused(operation, other(a), other(b), other(c)),
         }
     }
-}
-
-/// Operations of one operand. `Sin` and `Cos` of the same operand become one call where code is printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Unary {
-    Neg,
-    Abs,
-    Sqrt,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    /// `+1` for a number that is positive or `+0`, `-1` for a negative one: the derivative of `Abs`.
-    Sign,
-    /// A power of two near `1/|x|` (1 for 0 and non-finite numbers): scales lengths without rounding.
-    InverseScale,
-}
-
-/// Operations of two operands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Binary {
-    Add,
-    Sub,
-    Mul,
-    Div,
-    /// `atan2(y, x)`
-    Atan2,
-    /// `sqrt(x^2 + y^2)` without overflow.
-    Hypot,
-    /// NaN if an operand is.
-    Min,
-    /// NaN if an operand is.
-    Max,
-    /// `root(q, scale)`: the square root of `q`; 0 where `q` is negative by no more than 8 roundoffs of `scale`;
-    /// NaN below that. It closes a group up to the dead point and refuses beyond.
-    Root,
-}
-
-/// Operations of three operands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Ternary {
-    /// `angle_near(y, x, guide)`: the argument of `x + i y`, plus the number of whole turns that brings it nearest to
-    /// `guide`.
-    AngleNear,
-    /// `select(s, a, b)`: `a` where `s >= 0`, `b` where it is negative, NaN where it is NaN.
-    Select,
-}
-
-/// Operations of three operands that only programs have: contraction makes them from products and sums.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Fused {
-    /// `a * b + c`
-    MulAdd,
-    /// `a * b - c`
-    MulSub,
-    /// `c - a * b`
-    SubMul,
 }
 
 /// A straight-line program: instructions in order of execution, results by index.

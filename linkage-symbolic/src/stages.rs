@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::program::{Binary, Instruction, Program, Source, Ternary, Unary, Value};
+use crate::program::{Instruction, Program, Source, Unary, Value};
 
 /// A part of a program.
 #[derive(Clone, Debug, PartialEq)]
@@ -159,28 +159,13 @@ fn is_free(instruction: &Instruction) -> bool {
     matches!(instruction, Instruction::Load(_) | Instruction::Constant(_))
 }
 
-fn weight(instruction: &Instruction) -> usize {
-    match instruction {
-        Instruction::Constant(_) | Instruction::Load(_) => 0,
-        Instruction::Unary(Unary::Sin | Unary::Cos, _) => 20,
-        Instruction::Unary(Unary::Tan | Unary::Asin | Unary::Acos | Unary::Atan, _)
-        | Instruction::Binary(Binary::Atan2, ..)
-        | Instruction::Ternary(Ternary::AngleNear, ..) => 50,
-        Instruction::Unary(Unary::InverseScale, _) => 6,
-        Instruction::Binary(Binary::Hypot, ..) => 20,
-        Instruction::Binary(Binary::Root, ..) => 8,
-        Instruction::Binary(Binary::Min | Binary::Max, ..) | Instruction::Ternary(..) => 3,
-        Instruction::Unary(..) | Instruction::Binary(..) | Instruction::Fused(..) => 1,
-    }
-}
-
 /// The ends of the stages, the cheapest that there are.
 fn cuts(program: &Program, last_uses: &[usize]) -> Vec<usize> {
     let count = program.instructions.len();
     let alive = alive(program, last_uses);
     let mut weights = vec![0];
     for instruction in &program.instructions {
-        weights.push(weights[weights.len() - 1] + weight(instruction));
+        weights.push(weights[weights.len() - 1] + instruction.size() as usize);
     }
     // The least cost of stages up to each instruction, and where the last of them starts.
     let mut best: Vec<(usize, usize)> = vec![(0, 0)];
@@ -236,6 +221,7 @@ fn splits_pair(program: &Program, place: usize) -> bool {
 mod tests {
     use super::*;
     use crate::interpret::run;
+    use crate::program::Binary;
 
     /// `x_(k+1) = x_k * x_k + x_(k-1)`, with a sine in between; every tenth value is a result.
     fn chain(length: usize) -> Program {

@@ -5,11 +5,7 @@ use std::collections::HashMap;
 use crate::graph::{Graph, Node, NodeId, SymbolId};
 
 /// The nodes `roots` with symbols replaced as `map` says, simplified anew.
-pub fn substitute(
-    graph: &mut Graph,
-    roots: &[NodeId],
-    map: &HashMap<SymbolId, NodeId>,
-) -> Vec<NodeId> {
+pub fn substitute(graph: &Graph, roots: &[NodeId], map: &HashMap<SymbolId, NodeId>) -> Vec<NodeId> {
     let mut renewed: HashMap<NodeId, NodeId> = HashMap::new();
     for id in graph.reachable(roots) {
         let node = graph.node(id);
@@ -24,7 +20,7 @@ pub fn substitute(
 
 /// The operation `node` on new operands.
 pub(crate) fn rebuild(
-    graph: &mut Graph,
+    graph: &Graph,
     id: NodeId,
     node: Node,
     new: impl Fn(NodeId) -> NodeId,

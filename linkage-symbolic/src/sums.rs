@@ -1,11 +1,11 @@
 //! Constructors of sums, differences and signs.
 
-use crate::graph::{Graph, Node, NodeId};
+use crate::graph::{Node, NodeId, Store};
 use crate::program::{Binary, Unary};
 
-impl Graph {
+impl Store {
     /// `-a`
-    pub fn neg(&mut self, a: NodeId) -> NodeId {
+    pub(crate) fn neg(&mut self, a: NodeId) -> NodeId {
         if let Some(x) = self.negated(a) {
             return x;
         }
@@ -21,7 +21,7 @@ impl Graph {
     }
 
     /// `|a|`
-    pub fn abs(&mut self, a: NodeId) -> NodeId {
+    pub(crate) fn abs(&mut self, a: NodeId) -> NodeId {
         let a = self.negative_term(a).unwrap_or(a);
         match self.node(a) {
             Node::Constant(bits) => self.constant(f64::from_bits(bits).abs()),
@@ -32,7 +32,7 @@ impl Graph {
     }
 
     /// `a + b`
-    pub fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
+    pub(crate) fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if self.is_zero(a) {
             return b;
         }
@@ -59,7 +59,7 @@ impl Graph {
     }
 
     /// `a - b`
-    pub fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
+    pub(crate) fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if self.is_zero(b) {
             return a;
         }

@@ -4,14 +4,14 @@ use linkage_symbolic::program::{Binary, Source, Ternary, Unary};
 use linkage_symbolic::{Graph, NodeId, agree};
 
 fn graph() -> (Graph, [NodeId; 3]) {
-    let mut graph = Graph::default();
+    let graph = Graph::default();
     let symbols = [0, 1, 2].map(|k| graph.source(Source::Parameter(k)));
     (graph, symbols)
 }
 
 #[test]
 fn other_spellings_are_equal() {
-    let (mut graph, [a, b, c]) = graph();
+    let (graph, [a, b, c]) = graph();
     let sum = graph.add(a, b);
     let product = graph.mul(sum, c);
     let parts = [graph.mul(b, c), graph.mul(a, c)];
@@ -26,7 +26,7 @@ fn other_spellings_are_equal() {
 
 #[test]
 fn a_choice_is_no_equality() {
-    let (mut graph, [a, b, _]) = graph();
+    let (graph, [a, b, _]) = graph();
     let size = graph.abs(a);
     assert!(!agree(&graph, size, a), "negative numbers");
     for (op, limit) in [
@@ -50,7 +50,7 @@ fn a_choice_is_no_equality() {
 
 #[test]
 fn what_is_not_defined_everywhere_is_compared_where_it_is() {
-    let (mut graph, [a, b, c]) = graph();
+    let (graph, [a, b, c]) = graph();
     let squares = [graph.square(a), graph.square(b)];
     let difference = graph.sub(squares[0], squares[1]);
     let root = graph.sqrt(difference);

@@ -3,10 +3,9 @@
 use std::collections::HashMap;
 
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::interpret::evaluate;
 use linkage_symbolic::program::{Binary, Instruction, Source, Ternary, Unary};
 use linkage_symbolic::schedule::{Slots, schedule, schedule_stages, schedule_whole};
-use linkage_symbolic::{Binding, Graph, NodeId, collect, share_multiples, substitute};
+use linkage_symbolic::{Binding, Graph, NodeId, collect, evaluate, share_multiples, substitute};
 
 struct Names {
     g: Graph,
@@ -17,7 +16,7 @@ struct Names {
 }
 
 fn names() -> Names {
-    let mut g = Graph::new();
+    let g = Graph::new();
     let [x, y] = [0, 1].map(|k| g.source(Source::Input(k)));
     let [p, q] = [0, 1].map(|k| g.source(Source::Parameter(k)));
     Names { g, x, y, p, q }
@@ -25,7 +24,7 @@ fn names() -> Names {
 
 #[test]
 fn neutral_elements_and_equal_terms_vanish() {
-    let Names { mut g, x, y, p, .. } = names();
+    let Names { g, x, y, p, .. } = names();
     let (zero, one) = (g.zero(), g.one());
     assert_eq!(g.add(x, zero), x);
     assert_eq!(g.mul(one, x), x);
@@ -47,7 +46,7 @@ fn neutral_elements_and_equal_terms_vanish() {
 
 #[test]
 fn equal_operations_are_one_node() {
-    let Names { mut g, x, y, .. } = names();
+    let Names { g, x, y, .. } = names();
     assert_eq!(g.add(x, y), g.add(y, x));
     assert_eq!(g.mul(x, y), g.mul(y, x));
     let minus_y = g.neg(y);
@@ -57,7 +56,7 @@ fn equal_operations_are_one_node() {
 
 #[test]
 fn parameters_gather_before_inputs() {
-    let Names { mut g, x, p, q, .. } = names();
+    let Names { g, x, p, q, .. } = names();
     let inner = g.mul(q, x);
     let product = g.mul(p, inner);
     let factor = g.mul(p, q);
@@ -74,7 +73,7 @@ fn parameters_gather_before_inputs() {
 
 #[test]
 fn a_slice_contains_what_its_outputs_need() {
-    let Names { mut g, x, y, p, q } = names();
+    let Names { g, x, y, p, q } = names();
     let first = g.mul(x, p);
     let parameter_only = g.add(p, q);
     let second = g.mul(first, y);
@@ -100,9 +99,9 @@ fn a_slice_contains_what_its_outputs_need() {
 
 #[test]
 fn three_divisions_by_one_divisor_share_a_reciprocal() {
-    let Names { mut g, x, y, p, q } = names();
+    let Names { g, x, y, p, q } = names();
     let divisor = g.add(x, y);
-    let quotients = |g: &mut Graph, over: &[NodeId]| -> Vec<NodeId> {
+    let quotients = |g: &Graph, over: &[NodeId]| -> Vec<NodeId> {
         over.iter().map(|&n| g.div(n, divisor)).collect()
     };
     let count = |g: &Graph, outputs: &[NodeId]| {
@@ -113,15 +112,15 @@ fn three_divisions_by_one_divisor_share_a_reciprocal() {
             .filter(divides)
             .count()
     };
-    let two = quotients(&mut g, &[p, q]);
+    let two = quotients(&g, &[p, q]);
     assert_eq!(count(&g, &two), 2);
-    let three = quotients(&mut g, &[p, q, x]);
+    let three = quotients(&g, &[p, q, x]);
     assert_eq!(count(&g, &three), 1);
 }
 
 #[test]
 fn polynomials_see_through_the_way_of_writing() {
-    let mut g = Graph::new();
+    let g = Graph::new();
     let (c, cos) = g.unknown("cos");
     let (s, sin) = g.unknown("sin");
     let p = g.source(Source::Parameter(0));
@@ -133,38 +132,38 @@ fn polynomials_see_through_the_way_of_writing() {
     let product = g.mul(p, sum);
     let twice = g.mul(two, p);
     let root = g.sub(product, twice);
-    let found = collect(&mut g, root, &symbols, &pairs).expect("a polynomial");
+    let found = collect(&g, root, &symbols, &pairs).expect("a polynomial");
     assert_eq!(found.into_iter().collect::<Vec<_>>(), [(vec![1, 0], p)]);
     // cos^2 + sin^2 = 1
     let (cos2, sin2) = (g.square(cos), g.square(sin));
     let unit = g.add(cos2, sin2);
-    let found = collect(&mut g, unit, &symbols, &pairs).expect("a polynomial");
+    let found = collect(&g, unit, &symbols, &pairs).expect("a polynomial");
     assert_eq!(
         found.into_iter().collect::<Vec<_>>(),
         [(vec![0, 0], g.one())]
     );
     let not_one = g.unary(Unary::Sqrt, cos);
-    assert!(collect(&mut g, not_one, &symbols, &pairs).is_none());
+    assert!(collect(&g, not_one, &symbols, &pairs).is_none());
     let inverse = g.div(p, sum);
-    assert!(collect(&mut g, inverse, &symbols, &pairs).is_none());
+    assert!(collect(&g, inverse, &symbols, &pairs).is_none());
 }
 
 #[test]
 fn substitution_simplifies() {
-    let Names { mut g, x, y, .. } = names();
+    let Names { g, x, y, .. } = names();
     let (symbol, unknown) = g.unknown("u");
     let sum = g.add(unknown, x);
     let negative = g.neg(x);
     let value = g.add(y, negative);
     let map = HashMap::from([(symbol, value)]);
-    assert_eq!(substitute(&mut g, &[sum], &map), [y]);
+    assert_eq!(substitute(&g, &[sum], &map), [y]);
 }
 
 /// A guard against a root that cannot be taken goes where the value contains the root anyway, and only there: whether
 /// it does may depend on what a definition turns out to be.
 #[test]
 fn guards_stay_where_the_root_drops_out() {
-    let Names { mut g, x, p, q, .. } = names();
+    let Names { g, x, p, q, .. } = names();
     let (direction, factor) = g.unknown("direction");
     let root = g.binary(Binary::Root, x, p);
     let along = g.mul(factor, root);
@@ -188,7 +187,7 @@ fn guards_stay_where_the_root_drops_out() {
 }
 
 /// `p x + q y` times factors known early, in all signs.
-fn turned(g: &mut Graph, factors: &[NodeId], signs: [f64; 2]) -> NodeId {
+fn turned(g: &Graph, factors: &[NodeId], signs: [f64; 2]) -> NodeId {
     let [x, y] = [0, 1].map(|k| g.source(Source::Input(k)));
     let [p, q] = [0, 1].map(|k| g.source(Source::Parameter(k)));
     let [p, q] = [(p, signs[0]), (q, signs[1])].map(|(factor, sign)| {
@@ -202,28 +201,28 @@ fn turned(g: &mut Graph, factors: &[NodeId], signs: [f64; 2]) -> NodeId {
 
 #[test]
 fn signs_of_early_factors_do_not_hide_equal_sums() {
-    let mut g = Graph::new();
-    let sum = turned(&mut g, &[], [1.0, 1.0]);
-    let opposite = turned(&mut g, &[], [-1.0, -1.0]);
+    let g = Graph::new();
+    let sum = turned(&g, &[], [1.0, 1.0]);
+    let opposite = turned(&g, &[], [-1.0, -1.0]);
     assert_eq!(g.neg(opposite), sum);
-    let difference = turned(&mut g, &[], [1.0, -1.0]);
-    let reverse = turned(&mut g, &[], [-1.0, 1.0]);
+    let difference = turned(&g, &[], [1.0, -1.0]);
+    let reverse = turned(&g, &[], [-1.0, 1.0]);
     assert_eq!(g.neg(reverse), difference);
 }
 
 #[test]
 fn multiples_of_a_sum_are_products() {
-    let mut g = Graph::new();
+    let g = Graph::new();
     let [r, s] = [2, 3].map(|k| g.source(Source::Parameter(k)));
     let one = g.one();
     let inverse = g.div(one, s);
     let outputs = [
-        turned(&mut g, &[inverse, r], [1.0, 1.0]),
-        turned(&mut g, &[inverse], [-1.0, -1.0]),
-        turned(&mut g, &[r, inverse, r], [-2.0, -2.0]),
-        turned(&mut g, &[r], [1.0, -1.0]),
+        turned(&g, &[inverse, r], [1.0, 1.0]),
+        turned(&g, &[inverse], [-1.0, -1.0]),
+        turned(&g, &[r, inverse, r], [-2.0, -2.0]),
+        turned(&g, &[r], [1.0, -1.0]),
     ];
-    let shared = share_multiples(&mut g, &outputs);
+    let shared = share_multiples(&g, &outputs);
     let count = |outputs: &[NodeId]| {
         let program = schedule(&g, outputs, &mut Slots::default());
         let sums = program.instructions.iter().filter(|instruction| {

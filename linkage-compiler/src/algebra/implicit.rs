@@ -83,7 +83,7 @@ pub(crate) struct Rates {
 }
 
 /// The rules of differentiation, given how unknowns and rates depend on a variable.
-pub(super) trait Implicit<'m>: Calculus {
+pub(super) trait Implicit<'m>: Calculus<'m> {
     fn algebra(&mut self) -> &mut Algebra<'m>;
 
     /// The derivative by `variable` of unknown `position` of a group, or of its derivative `by` some variables.
@@ -149,9 +149,9 @@ pub(super) trait Implicit<'m>: Calculus {
     }
 }
 
-impl Calculus for Algebra<'_> {
-    fn graph(&mut self) -> &mut Graph {
-        &mut self.graph
+impl<'m> Calculus<'m> for Algebra<'m> {
+    fn graph(&self) -> &'m Graph {
+        self.graph
     }
 
     fn memo(&mut self) -> &mut DerivativeMemo {

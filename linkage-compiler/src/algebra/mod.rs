@@ -58,7 +58,7 @@ pub(crate) enum Bound {
 #[derive(Debug)]
 pub(crate) struct Algebra<'m> {
     pub(crate) mechanism: &'m Mechanism,
-    pub(crate) graph: Graph,
+    pub(crate) graph: &'m Graph,
     pub(crate) angles: Vec<Angle>,
     pub(crate) bound: Vec<Bound>,
     /// Vectors behind nodes that are their lengths: a loop `distance(a, b) = l` is solved by these.
@@ -85,10 +85,10 @@ pub(crate) struct Algebra<'m> {
 }
 
 impl<'m> Algebra<'m> {
-    pub(crate) fn new(mechanism: &'m Mechanism) -> Self {
+    pub(crate) fn new(mechanism: &'m Mechanism, graph: &'m Graph) -> Self {
         let mut algebra = Self {
             mechanism,
-            graph: Graph::new(),
+            graph,
             angles: Vec::new(),
             bound: Vec::new(),
             norms: HashMap::new(),

@@ -1,8 +1,7 @@
 //! The numbers of the mechanism as written: defaults, tolerances, reference position, estimates.
 
-use linkage_symbolic::interpret::evaluate;
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{Graph, NodeId};
+use linkage_symbolic::{Graph, NodeId, evaluate};
 
 use crate::model::{Expr, ExprKind, Name, Type};
 

@@ -45,9 +45,9 @@ pub(super) struct Partials {
 
 struct Partial<'a, 'm>(&'a mut Algebra<'m>);
 
-impl Calculus for Partial<'_, '_> {
-    fn graph(&mut self) -> &mut Graph {
-        &mut self.0.graph
+impl<'m> Calculus<'m> for Partial<'_, 'm> {
+    fn graph(&self) -> &'m Graph {
+        self.0.graph
     }
 
     fn memo(&mut self) -> &mut DerivativeMemo {
@@ -85,7 +85,7 @@ impl Algebra<'_> {
         &mut self,
         terms: &[Term],
         row: usize,
-        join: fn(&mut Graph, NodeId, NodeId) -> NodeId,
+        join: fn(&Graph, NodeId, NodeId) -> NodeId,
         slope: &mut dyn FnMut(&mut Self, NodeId) -> NodeId,
     ) -> NodeId {
         let zero = self.graph.zero();

@@ -63,8 +63,9 @@ impl Algebra<'_> {
                             self.symbol_back(&mut weights, &rule, weight);
                         }
                         _ => {
-                            for (operand, share) in pull_back(&mut self.graph, id, weight) {
-                                self.add_to_node(&mut weights, operand, share);
+                            let [value, weight] = [id, weight].map(|node| self.graph.ex(node));
+                            for (operand, share) in pull_back(value, weight) {
+                                self.add_to_node(&mut weights, operand, share.id());
                             }
                         }
                     }

@@ -5,6 +5,8 @@ mod asked;
 
 use std::collections::HashMap;
 
+use linkage_symbolic::Graph;
+
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Mechanism, Name};
@@ -25,7 +27,8 @@ pub(crate) fn check_directions(
         return;
     }
     // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
-    let mut algebra = Algebra::new(mechanism);
+    let graph = Graph::new();
+    let mut algebra = Algebra::new(mechanism, &graph);
     algebra.translate_lets();
     let mut check = Check {
         mechanism,

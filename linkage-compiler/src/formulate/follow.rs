@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use linkage_runtime::numeric::winding::{Centre, follow};
-use linkage_symbolic::interpret::apply_ternary;
 use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{Algebra, Atom, Nominal};
@@ -79,7 +78,7 @@ impl Numbers<'_> {
     /// The angle at given inputs that is nearest to `guide`.
     fn angle(&mut self, output: usize, inputs: &[f64], guide: f64) -> f64 {
         let [cos, sin] = self.direction(output, inputs);
-        apply_ternary(Ternary::AngleNear, sin, cos, guide)
+        Ternary::AngleNear.apply([sin, cos, guide])
     }
 
     /// With several inputs: the angle, followed from neighbour to neighbour over a grid, is the one nearest to its guide.

@@ -5,10 +5,10 @@ use std::collections::HashMap;
 use linkage_runtime::Scalar;
 use linkage_runtime::numeric::coupled::{Grid, Table};
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::interpret::{evaluate, run, run_steps};
+use linkage_symbolic::interpret::{run, run_steps};
 use linkage_symbolic::program::{Program, Source, Value};
 use linkage_symbolic::schedule::{schedule_stages, schedule_whole};
-use linkage_symbolic::{Graph, NodeId};
+use linkage_symbolic::{Graph, NodeId, evaluate};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::lower::{ContinuousAngle, Coupled, coupled_groups, coupled_nodes};

@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use linkage_symbolic::NodeId;
-use linkage_symbolic::interpret::apply_ternary;
 use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{Algebra, Bound, Nominal};
@@ -214,7 +213,7 @@ impl Assembly<'_, '_> {
             let value: Vec<f64> = match self.algebra.bound[unknown] {
                 Bound::Angle(_) => {
                     let (sin, cos) = (self.output(output + 1), self.output(output));
-                    let angle = apply_ternary(Ternary::AngleNear, sin, cos, estimate[0]);
+                    let angle = Ternary::AngleNear.apply([sin, cos, estimate[0]]);
                     square += (angle - estimate[0]).clamp(-PI, PI).powi(2);
                     vec![angle]
                 }

@@ -4,9 +4,8 @@ mod forces;
 mod space;
 mod units;
 
-use linkage_symbolic::interpret::evaluate;
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{Graph, NodeId};
+use linkage_symbolic::{Graph, NodeId, evaluate};
 use proc_macro2::TokenStream;
 
 use super::quantity::request;
@@ -45,7 +44,8 @@ fn expect_agreement(items: &str, function: &str) {
     assert!(messages.is_empty(), "{messages:?}");
     let mechanism = mechanism.expect("it resolves");
 
-    let mut algebra = Algebra::new(&mechanism);
+    let graph = Graph::new();
+    let mut algebra = Algebra::new(&mechanism, &graph);
     let nominal = Nominal::of(&mut algebra);
     let structure = structure::decompose(&mut algebra, &nominal, &origins, &mut diagnostics);
     let formulation = formulate::formulate(&mut algebra, structure);

@@ -1,0 +1,49 @@
+//! Graphs on plain numbers.
+
+use std::collections::HashMap;
+
+use crate::graph::{Graph, Node, NodeId};
+use crate::program::Source;
+
+/// Evaluates nodes of a graph, following definitions. Symbols that have neither source nor definition are NaN.
+pub fn evaluate(graph: &Graph, roots: &[NodeId], load: impl Fn(Source) -> f64) -> Vec<f64> {
+    let mut memo: HashMap<NodeId, f64> = HashMap::new();
+    let mut stack: Vec<NodeId> = roots.to_vec();
+    while let Some(&id) = stack.last() {
+        if memo.contains_key(&id) {
+            stack.pop();
+            continue;
+        }
+        let below = dependencies(graph, id);
+        let waiting = stack.len();
+        stack.extend(below.iter().filter(|x| !memo.contains_key(x)));
+        if stack.len() > waiting {
+            continue;
+        }
+        let value = match graph.node(id) {
+            Node::Constant(bits) => f64::from_bits(bits),
+            Node::Symbol(symbol) => {
+                let symbol = graph.symbol(symbol);
+                match (symbol.definition, symbol.source) {
+                    (Some(definition), _) => memo[&definition],
+                    (None, Some(source)) => load(source),
+                    (None, None) => f64::NAN,
+                }
+            }
+            Node::Unary(op, a) => op.apply([memo[&a]]),
+            Node::Binary(op, a, b) => op.apply([memo[&a], memo[&b]]),
+            Node::Ternary(op, a, b, c) => op.apply([memo[&a], memo[&b], memo[&c]]),
+        };
+        memo.insert(id, value);
+        stack.pop();
+    }
+    roots.iter().map(|root| memo[root]).collect()
+}
+
+/// What must be known before `id`: its operands, or the definition of a symbol.
+pub(crate) fn dependencies(graph: &Graph, id: NodeId) -> Vec<NodeId> {
+    match graph.node(id) {
+        Node::Symbol(symbol) => graph.symbol(symbol).definition.into_iter().collect(),
+        node => node.operands().collect(),
+    }
+}

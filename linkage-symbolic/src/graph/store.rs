@@ -1,0 +1,186 @@
+//! What the graph holds.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::program::Source;
+use crate::vector::Vectors;
+
+use super::{Binding, Node, NodeId, Symbol, SymbolId};
+
+/// A flat arena of operations. Equal operations are one node.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Store {
+    nodes: Vec<Node>,
+    bindings: Vec<Binding>,
+    index: HashMap<Node, NodeId>,
+    symbols: Vec<Symbol>,
+    sources: HashMap<Source, SymbolId>,
+    /// The cosine that a sine belongs to.
+    cosines: HashMap<SymbolId, SymbolId>,
+    with_sine: HashSet<SymbolId>,
+    /// What is known of vectors.
+    pub(crate) vectors: Vectors,
+}
+
+impl Store {
+    /// Number of nodes.
+    pub(crate) fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The operation of a node.
+    pub(crate) fn node(&self, id: NodeId) -> Node {
+        self.nodes[id.index()]
+    }
+
+    /// When a node's value is known.
+    pub(crate) fn binding(&self, id: NodeId) -> Binding {
+        self.bindings[id.index()]
+    }
+
+    /// The value of a constant node.
+    pub(crate) fn constant_value(&self, id: NodeId) -> Option<f64> {
+        match self.node(id) {
+            Node::Constant(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    /// A symbol's record.
+    pub(crate) fn symbol(&self, id: SymbolId) -> &Symbol {
+        &self.symbols[id.index()]
+    }
+
+    /// The node of the symbol that a program loads from `source`; one symbol for each source.
+    pub(crate) fn source(&mut self, source: Source) -> NodeId {
+        if let Some(&symbol) = self.sources.get(&source) {
+            return self.intern(Node::Symbol(symbol));
+        }
+        let symbol = self.add_symbol(Symbol {
+            name: format!("{source:?}"),
+            source: Some(source),
+            definition: None,
+            binding: source.binding(),
+        });
+        self.sources.insert(source, symbol);
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// The symbol that is loaded from `source`, if the graph has one.
+    pub(crate) fn find_source(&self, source: Source) -> Option<SymbolId> {
+        self.sources.get(&source).copied()
+    }
+
+    /// A fresh symbol that lives by a definition given now or later.
+    pub(crate) fn unknown(&mut self, name: String) -> (SymbolId, NodeId) {
+        let symbol = self.add_symbol(Symbol {
+            name,
+            source: None,
+            definition: None,
+            binding: Binding::Call,
+        });
+        (symbol, self.intern(Node::Symbol(symbol)))
+    }
+
+    /// Says that two symbols are the cosine and the sine of one angle.
+    pub(crate) fn pair(&mut self, cos: SymbolId, sin: SymbolId) {
+        self.cosines.insert(sin, cos);
+        self.with_sine.insert(cos);
+    }
+
+    /// The cosine of the angle that a symbol is the sine of.
+    pub(crate) fn cosine_of(&self, sin: SymbolId) -> Option<SymbolId> {
+        self.cosines.get(&sin).copied()
+    }
+
+    pub(crate) fn is_cosine(&self, symbol: SymbolId) -> bool {
+        self.with_sine.contains(&symbol)
+    }
+
+    /// How many symbols there are.
+    pub(crate) fn symbol_count(&self) -> usize {
+        self.symbols.len()
+    }
+
+    /// Says what a symbol stands for.
+    pub(crate) fn define(&mut self, symbol: SymbolId, definition: NodeId) {
+        self.symbols[symbol.index()].definition = Some(definition);
+    }
+
+    fn add_symbol(&mut self, symbol: Symbol) -> SymbolId {
+        self.symbols.push(symbol);
+        SymbolId(self.symbols.len() as u32 - 1)
+    }
+
+    /// A node that exists already.
+    pub(crate) fn find(&self, node: Node) -> Option<NodeId> {
+        self.index.get(&node).copied()
+    }
+
+    /// The node of an operation, new or old. No simplification: see the constructors.
+    pub(crate) fn intern(&mut self, node: Node) -> NodeId {
+        if let Some(&id) = self.index.get(&node) {
+            return id;
+        }
+        let binding = match node {
+            Node::Constant(_) => Binding::Constant,
+            Node::Symbol(symbol) => self.symbols[symbol.index()].binding,
+            _ => node
+                .operands()
+                .map(|o| self.binding(o))
+                .max()
+                .unwrap_or(Binding::Constant),
+        };
+        let id = NodeId(self.nodes.len() as u32);
+        self.nodes.push(node);
+        self.bindings.push(binding);
+        self.index.insert(node, id);
+        id
+    }
+
+    /// All nodes that `roots` are made of, roots included, children first, without following definitions.
+    pub(crate) fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
+        let mut seen = vec![false; self.len()];
+        let mut stack: Vec<NodeId> = roots.to_vec();
+        let mut found = Vec::new();
+        while let Some(id) = stack.pop() {
+            if std::mem::replace(&mut seen[id.index()], true) {
+                continue;
+            }
+            found.push(id);
+            stack.extend(self.node(id).operands());
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// True if `root` is `part` or computed from it, without following definitions.
+    pub(crate) fn contains(&self, root: NodeId, part: NodeId) -> bool {
+        let mut seen = HashSet::new();
+        let mut open = vec![root];
+        while let Some(id) = open.pop() {
+            if id == part {
+                return true;
+            }
+            // Operands stand before their operations: nothing below `part` can contain it.
+            if id > part && seen.insert(id) {
+                open.extend(self.node(id).operands());
+            }
+        }
+        false
+    }
+
+    /// The symbols that `roots` are made of, in order, without following definitions.
+    pub(crate) fn symbols_of(&self, roots: &[NodeId]) -> Vec<SymbolId> {
+        let mut symbols: Vec<SymbolId> = self
+            .reachable(roots)
+            .into_iter()
+            .filter_map(|id| match self.node(id) {
+                Node::Symbol(symbol) => Some(symbol),
+                _ => None,
+            })
+            .collect();
+        symbols.sort_unstable();
+        symbols
+    }
+}

@@ -1,0 +1,243 @@
+//! The operations, each with all that is known of it in one row.
+//!
+//! What a row cannot say is a `match` without a wildcard: the derivative in `differentiate`, what printers write. So an operation
+//! that is added here does not compile until everything knows it; simplification is a matter of choice.
+
+use std::f64::consts::TAU;
+
+/// What is known of an operation of so many operands.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<const ARITY: usize> {
+    /// In texts: a word, or the sign that stands between both operands.
+    pub name: &'static str,
+    /// What it computes, on numbers.
+    pub value: fn([f64; ARITY]) -> f64,
+    /// In rough cycles: when its result is known after its operands. It decides which of two products is fused, so a change of it
+    /// changes last digits where multiply-adds are.
+    pub latency: u32,
+    /// By throughput, an addition being 1: what it costs where much else is computed beside it.
+    pub time: u32,
+    /// In machine instructions, roughly: how much of what a processor looks ahead it takes.
+    pub size: u32,
+    /// As what it is counted.
+    pub class: Class,
+    /// True for a function that is a different formula on different sides of some value.
+    pub splits: bool,
+}
+
+/// The classes in which operations are counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    Addition,
+    Multiplication,
+    /// Both of them.
+    MultiplyAdd,
+    Division,
+    Root,
+    SineCosine,
+    ArcTangent,
+    Other,
+}
+
+/// A row with the columns that most operations share.
+const fn row<const ARITY: usize>(name: &'static str, value: fn([f64; ARITY]) -> f64) -> Row<ARITY> {
+    Row {
+        name,
+        value,
+        latency: 4,
+        time: 1,
+        size: 1,
+        class: Class::Other,
+        splits: false,
+    }
+}
+
+/// An enumeration of operations with a row for each.
+macro_rules! table {
+    (
+        $(#[$of_all:meta])*
+        pub enum $Name:ident: $arity:literal {
+            $($(#[$meta:meta])* $Variant:ident => $row:expr,)*
+        }
+    ) => {
+        $(#[$of_all])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum $Name {
+            $($(#[$meta])* $Variant,)*
+        }
+
+        impl $Name {
+            /// All of them, in the order of the table.
+            pub const ALL: &[Self] = &[$(Self::$Variant),*];
+
+            /// Its result on numbers.
+            pub fn apply(self, operands: [f64; $arity]) -> f64 {
+                (self.row().value)(operands)
+            }
+
+            /// What is known of it.
+            pub fn row(self) -> &'static Row<$arity> {
+                match self {
+                    $(Self::$Variant => const { &$row },)*
+                }
+            }
+        }
+    };
+}
+
+table! {
+    /// Operations of one operand.
+    pub enum Unary: 1 {
+        /// `-a`
+        Neg => Row { latency: 1, ..row("neg", |[a]| -a) },
+        /// `|a|`
+        Abs => Row { latency: 1, splits: true, ..row("abs", |[a]| a.abs()) },
+        /// The square root.
+        Sqrt => Row { latency: 20, time: 6, class: Class::Root, ..row("sqrt", |[a]| a.sqrt()) },
+        /// The sine. That and the cosine of one operand are computed together.
+        Sin => Row { class: Class::SineCosine, ..trigonometric("sin", |[a]| a.sin()) },
+        /// The cosine.
+        Cos => Row { class: Class::SineCosine, ..trigonometric("cos", |[a]| a.cos()) },
+        /// The tangent.
+        Tan => Row { time: ARC, size: 50, ..trigonometric("tan", |[a]| a.tan()) },
+        /// The arc sine.
+        Asin => Row { splits: true, ..arc("asin", |[a]| a.asin()) },
+        /// The arc cosine.
+        Acos => Row { splits: true, ..arc("acos", |[a]| a.acos()) },
+        /// The arc tangent.
+        Atan => Row { splits: true, ..arc("atan", |[a]| a.atan()) },
+        /// `+1` for a number that is positive or `+0`, `-1` for a negative one: the derivative of `Abs`.
+        Sign => Row { latency: 20, splits: true, ..row("sign", |[a]| sign(a)) },
+        /// A power of two near `1/|x|` (1 for 0 and non-finite numbers): scales lengths without rounding.
+        InverseScale => Row { latency: 20, size: 6, ..row("inverse_scale", |[a]| inverse_scale(a)) },
+    }
+}
+
+table! {
+    /// Operations of two operands.
+    pub enum Binary: 2 {
+        /// `a + b`
+        Add => Row { class: Class::Addition, ..row("+", |[a, b]| a + b) },
+        /// `a - b`
+        Sub => Row { class: Class::Addition, ..row("-", |[a, b]| a - b) },
+        /// `a * b`
+        Mul => Row { class: Class::Multiplication, ..row("*", |[a, b]| a * b) },
+        /// `a / b`
+        Div => Row { latency: 15, time: 5, class: Class::Division, ..row("/", |[a, b]| a / b) },
+        /// `atan2(y, x)`
+        Atan2 => Row { latency: 15, class: Class::ArcTangent, splits: true, ..arc("atan2", |[y, x]| y.atan2(x)) },
+        /// `sqrt(x^2 + y^2)` without overflow.
+        Hypot => Row { latency: 15, time: 6, size: 20, class: Class::Root, ..row("hypot", |[a, b]| a.hypot(b)) },
+        /// NaN if an operand is.
+        Min => Row { latency: 15, size: 3, splits: true, ..row("min", |[a, b]| numbers(a, b, f64::min)) },
+        /// NaN if an operand is.
+        Max => Row { latency: 15, size: 3, splits: true, ..row("max", |[a, b]| numbers(a, b, f64::max)) },
+        /// `root(q, scale)`: the square root of `q`; 0 where `q` is negative by no more than 8 roundoffs of `scale`;
+        /// NaN below that. It closes a group up to the dead point and refuses beyond.
+        Root => Row { latency: 15, time: 6, size: 8, class: Class::Root, ..row("root", |[q, scale]| root(q, scale)) },
+    }
+}
+
+table! {
+    /// Operations of three operands.
+    pub enum Ternary: 3 {
+        /// `angle_near(y, x, guide)`: the argument of `x + i y`, plus the number of whole turns that brings it nearest to
+        /// `guide`.
+        AngleNear => Row {
+            latency: 4,
+            class: Class::ArcTangent,
+            splits: true,
+            ..arc("angle_near", |[y, x, guide]| angle_near(y, x, guide))
+        },
+        /// `select(s, a, b)`: `a` where `s >= 0`, `b` where it is negative, NaN where it is NaN.
+        Select => Row { size: 3, splits: true, ..row("select", |[s, a, b]| select(s, a, b)) },
+    }
+}
+
+table! {
+    /// A product and a sum. Only programs have them: contraction makes them, and the machine rounds once or twice as it can. On
+    /// numbers here, twice.
+    pub enum Fused: 3 {
+        /// `a * b + c`
+        MulAdd => Row { class: Class::MultiplyAdd, ..row("mul_add", |[a, b, c]| a * b + c) },
+        /// `a * b - c`
+        MulSub => Row { class: Class::MultiplyAdd, ..row("mul_sub", |[a, b, c]| a * b - c) },
+        /// `c - a * b`
+        SubMul => Row { class: Class::MultiplyAdd, ..row("sub_mul", |[a, b, c]| c - a * b) },
+    }
+}
+
+/// What an arc function or a tangent costs by throughput.
+const ARC: u32 = 30;
+
+const fn trigonometric(name: &'static str, value: fn([f64; 1]) -> f64) -> Row<1> {
+    Row {
+        latency: 20,
+        time: 20,
+        size: 20,
+        ..row(name, value)
+    }
+}
+
+const fn arc<const ARITY: usize>(name: &'static str, value: fn([f64; ARITY]) -> f64) -> Row<ARITY> {
+    Row {
+        latency: 20,
+        time: ARC,
+        size: 50,
+        ..row(name, value)
+    }
+}
+
+/// Roundoffs of the scale by which a discriminant may be negative at the dead point: what its terms are rounded by.
+pub(crate) const DEAD_POINT: f64 = 8.0 * f64::EPSILON;
+
+fn sign(a: f64) -> f64 {
+    if a.is_nan() {
+        a
+    } else if a >= 0.0 {
+        1.0
+    } else {
+        -1.0
+    }
+}
+
+fn inverse_scale(x: f64) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return 1.0;
+    }
+    // The exponent alone, mirrored, and kept within what normal numbers have.
+    let exponent = (x.to_bits() >> 52) & 0x7ff;
+    f64::from_bits((2046 - exponent.clamp(1, 2045)) << 52)
+}
+
+fn numbers(a: f64, b: f64, choose: fn(f64, f64) -> f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        return f64::NAN;
+    }
+    choose(a, b)
+}
+
+fn root(q: f64, scale: f64) -> f64 {
+    if q > 0.0 {
+        q.sqrt()
+    } else if scale.is_finite() && q >= -DEAD_POINT * scale.abs() {
+        0.0
+    } else {
+        f64::NAN
+    }
+}
+
+fn angle_near(y: f64, x: f64, guide: f64) -> f64 {
+    let angle = y.atan2(x);
+    angle + TAU * ((guide - angle) / TAU).round_ties_even()
+}
+
+fn select(s: f64, a: f64, b: f64) -> f64 {
+    if s.is_nan() {
+        s
+    } else if s >= 0.0 {
+        a
+    } else {
+        b
+    }
+}

@@ -1,0 +1,122 @@
+//! What is known of vectors: lengths and what they are the lengths of, directions.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::expression::Ex;
+use crate::graph::{Graph, NodeId, SymbolId};
+use crate::probe::{agree, agree_within};
+use crate::substitute::substitute;
+
+use super::{V3, Vn};
+
+/// What rounding may add to the square of a direction.
+const UNIT: f64 = 8.0 * f64::EPSILON;
+
+/// What the graph remembers of vectors.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Vectors {
+    /// Vectors behind nodes that are their lengths: a loop `distance(a, b) = l` is solved by these.
+    norms: HashMap<NodeId, Vec<NodeId>>,
+    /// The same behind squares of lengths.
+    squares: HashMap<NodeId, Vec<NodeId>>,
+    /// Vectors of length 1.
+    units: HashSet<Vec<NodeId>>,
+}
+
+impl Graph {
+    /// The vector that a node is known to be the length of.
+    pub fn vector_of_length(&self, length: NodeId) -> Option<Vec<NodeId>> {
+        self.store().vectors.norms.get(&length).cloned()
+    }
+
+    /// The vector that a node is known to be the square of.
+    pub fn vector_of_square(&self, square: NodeId) -> Option<Vec<NodeId>> {
+        self.store().vectors.squares.get(&square).cloned()
+    }
+
+    /// Lengths in `roots` stay known as lengths of vectors when symbols are replaced.
+    pub fn substitute_lengths(&self, roots: &[NodeId], map: &HashMap<SymbolId, NodeId>) {
+        type Known = fn(&mut Vectors) -> &mut HashMap<NodeId, Vec<NodeId>>;
+        for node in self.reachable(roots) {
+            let kinds: [Known; 2] = [|known| &mut known.norms, |known| &mut known.squares];
+            for kind in kinds {
+                let vector = kind(&mut self.store_mut().vectors).get(&node).cloned();
+                if let Some(vector) = vector {
+                    let all = [&[node], &vector[..]].concat();
+                    let renewed = substitute(self, &all, map);
+                    kind(&mut self.store_mut().vectors).insert(renewed[0], renewed[1..].to_vec());
+                }
+            }
+        }
+    }
+}
+
+impl<'g> Vn<'g> {
+    /// The length; of what it is the length stays known.
+    pub fn length(self) -> Ex<'g> {
+        let length = match self.len() {
+            2 => self.at(0).hypot(self.at(1)),
+            _ => self.square().sqrt(),
+        };
+        let norms = &mut self.graph.store_mut().vectors.norms;
+        norms.insert(length.id(), self.ids().to_vec());
+        length
+    }
+
+    /// The scalar product with itself; what it is the square of stays known.
+    pub fn square(self) -> Ex<'g> {
+        let zero = self.graph.number(0.0);
+        let square = self.iter().fold(zero, |sum, x| sum + x.square());
+        let squares = &mut self.graph.store_mut().vectors.squares;
+        squares.insert(square.id(), self.ids().to_vec());
+        square
+    }
+
+    /// Remembers that the length is 1: of the vector, its opposite, and in the plane both turned by a quarter.
+    pub fn mark_unit(self) {
+        let back = -self;
+        let quarters = match (self.ids(), back.ids()) {
+            (&[x, y], &[back_x, back_y]) => vec![vec![back_y, x], vec![y, back_x]],
+            _ => Vec::new(),
+        };
+        let units = &mut self.graph.store_mut().vectors.units;
+        units.extend(quarters);
+        units.extend([self, back].map(|v| v.ids().to_vec()));
+    }
+
+    /// True if the length is known to be 1.
+    pub fn is_unit(self) -> bool {
+        let constants: Option<Vec<f64>> = self.iter().map(Ex::constant_value).collect();
+        match constants {
+            Some(numbers) => {
+                let square: f64 = numbers.iter().map(|x| x * x).sum();
+                (square - 1.0).abs() <= 2.0 * f64::EPSILON
+            }
+            None => self.graph.store().vectors.units.contains(self.ids()),
+        }
+    }
+
+    /// True if two vectors are perpendicular and of one length. Not by a product that vanishes: rounded constants leave a rest of it,
+    /// which is small only beside the squares.
+    pub fn is_turned(self, other: Self) -> bool {
+        let [first, second] = [self, other].map(Self::square);
+        let whole = (self + other).square();
+        let parts = first + second;
+        let equal = |a: Ex, b: Ex| agree(self.graph, a.id(), b.id());
+        equal(first, second) && equal(whole, parts)
+    }
+}
+
+impl V3<'_> {
+    /// The direction. What has length 1 by its formula, as `(cos t, 0, sin t)`, is not divided.
+    #[must_use]
+    pub fn unit(self) -> Self {
+        if !self.is_unit() {
+            let (square, one) = (self.square(), self.0[0].number(1.0));
+            if agree_within(square.graph(), square.id(), one.id(), UNIT) {
+                self.mark_unit();
+            }
+        }
+        self.length_and_unit().1
+    }
+}
