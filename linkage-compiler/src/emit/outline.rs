@@ -7,7 +7,6 @@ use super::count::Count;
 use super::docs;
 use super::facts::Facts;
 use super::load::Places;
-use super::shape::of_type;
 use crate::lower::{Evaluator, Lowered, Shape};
 use crate::model::{self, Dimension, Mechanism};
 use crate::syntax::{Attribute, FunctionDef, Item, MechanismDef, ParamItem, QuantityDef};
@@ -287,7 +286,7 @@ fn complete_parameter<'a>(
     mechanism: &Mechanism,
     facts: &Facts,
 ) -> Parameter<'a> {
-    let shape = of_type(&parameter.ty);
+    let shape = Shape::of(&parameter.ty);
     let first = parameter.first_scalar.0;
     let components = (first..first + shape.width())
         .map(|index| {

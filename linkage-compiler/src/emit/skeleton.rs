@@ -7,13 +7,11 @@ use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
-use super::shape::of_type;
 use super::{
     assembly, circuits, columns, dimensions, evaluator, guess::Guess, mechanism, picture,
     structure, table,
 };
-use crate::lower::Shape;
-use crate::model::{FUNCTION_SUFFIXES, Mechanism};
+use crate::model::{FUNCTION_SUFFIXES, Mechanism, MotionWord, Shape};
 use crate::picture::Picture;
 use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef};
 
@@ -49,7 +47,7 @@ fn asks_for_picture(def: &MechanismDef) -> bool {
         .iter()
         .flat_map(|function| &function.quantities);
     quantities.any(
-        |quantity| matches!(&quantity.value.kind, ExprKind::Call(name, _) if name == "picture"),
+        |quantity| matches!(&quantity.value.kind, ExprKind::Call(name, _) if name == MotionWord::Picture.word()),
     )
 }
 
@@ -64,7 +62,7 @@ fn sketch<'a>(
         .filter(|param| seen.first(&param.name))
         .map(|param| {
             let known = mechanism.and_then(|m| m.parameters.iter().find(|p| param.name == p.name));
-            let shape = known.map_or_else(|| guess.parameter(param), |p| of_type(&p.ty));
+            let shape = known.map_or_else(|| guess.parameter(param), |p| Shape::of(&p.ty));
             let components = components(&param.name, &shape);
             Parameter {
                 name: &param.name,
@@ -124,7 +122,7 @@ fn sketch_function<'a>(
             let known = known.filter(|q| !q.is_picture());
             let shape = known.map_or_else(
                 || guess.shape(&quantity.value, drives),
-                |q| of_type(&q.value.ty),
+                |q| Shape::of(&q.value.ty),
             );
             outline::field(quantity, shape, String::new())
         })

@@ -1,7 +1,10 @@
 //! What each number of a result is: its name, its unit, what it was derived from.
 
 use crate::algebra::AXES;
-use crate::model::{EvaluatorDef, Expr, ExprKind, LengthUnit, Mechanism, Quantity, Type, Variable};
+use crate::model::{
+    EvaluatorDef, Expr, ExprKind, FRAME_PARTS, LengthUnit, Mechanism, Quantity, Shape, Type,
+    Variable,
+};
 use crate::picture::Picture;
 
 pub use linkage_runtime::Meaning;
@@ -33,7 +36,7 @@ pub(super) fn columns(
         firsts.push(next);
         next += match picture.filter(|_| quantity.is_picture()) {
             Some(picture) => picture.vectors().count() * picture.dimension,
-            None => leaves(&quantity.value.ty),
+            None => Shape::of(&quantity.value.ty).width(),
         };
     }
     for quantity in &definition.quantities {
@@ -114,7 +117,7 @@ impl Namer<'_> {
 
     /// The unit of what is differentiated, and those of the variables.
     fn numerator(&self, expr: &Expr, offset: usize, divisors: &mut Vec<String>) -> String {
-        let width = |inner: &Expr| leaves(&inner.ty);
+        let width = |inner: &Expr| Shape::of(&inner.ty).width();
         match &expr.kind {
             ExprKind::InputDerivative(inner, order) => {
                 let drives = self.drives();
@@ -221,7 +224,7 @@ impl Namer<'_> {
                 _ => Meaning::Value,
             },
             ExprKind::Sensitivity(inner, parameters) => {
-                let width = leaves(&inner.ty);
+                let width = Shape::of(&inner.ty).width();
                 Meaning::Sensitivity {
                     parameter: parameters[offset / width].0,
                     of: self.column_of(inner, offset % width, firsts),
@@ -239,16 +242,6 @@ impl Namer<'_> {
     }
 }
 
-/// How many numbers a value has.
-fn leaves(ty: &Type) -> usize {
-    match ty {
-        Type::Array(entries) => entries.iter().map(leaves).sum(),
-        Type::Vector(count, _) | Type::Zero(count) => *count,
-        Type::Frame => 12,
-        Type::Scalar(_) | Type::Error => 1,
-    }
-}
-
 /// Names of all numbers of a value.
 fn names(ty: &Type, labels: &[Vec<String>], name: String) -> Vec<String> {
     let components = |count: usize| AXES[..count].iter().map(|axis| format!("{name}.{axis}"));
@@ -262,12 +255,10 @@ fn names(ty: &Type, labels: &[Vec<String>], name: String) -> Vec<String> {
             };
             entries.iter().enumerate().flat_map(entry).collect()
         }
-        Type::Frame => {
-            let parts = ["origin", "x", "y", "z"].into_iter();
-            parts
-                .flat_map(|part| AXES.map(|axis| format!("{name}.{part}.{axis}")))
-                .collect()
-        }
+        Type::Frame => FRAME_PARTS
+            .into_iter()
+            .flat_map(|part| AXES.map(|axis| format!("{name}.{part}.{axis}")))
+            .collect(),
         Type::Vector(count, _) => components(*count).collect(),
         Type::Zero(count) if *count > 1 => components(*count).collect(),
         Type::Scalar(_) | Type::Zero(_) | Type::Error => vec![name],

@@ -26,23 +26,11 @@ pub(super) fn fields(
         },
         None => Field {
             name: quantity.field.clone(),
-            shape: shape(&quantity.value.ty),
+            shape: Shape::of(&quantity.value.ty),
             unit: unit_words(&quantity.value.ty, unit),
         },
     };
     definition.quantities.iter().map(field).collect()
-}
-
-fn shape(ty: &Type) -> Shape {
-    match ty {
-        Type::Scalar(_) | Type::Zero(1) | Type::Error => Shape::Scalar,
-        Type::Vector(count, _) | Type::Zero(count) => Shape::Vector(*count),
-        Type::Frame => Shape::Frame,
-        Type::Array(entries) => {
-            let entry = entries.first().map_or(Shape::Scalar, shape);
-            Shape::Array(entries.len(), Box::new(entry))
-        }
-    }
 }
 
 /// `mm`, `mm^2`, `rad`, nothing for a number; entries of an array may differ.

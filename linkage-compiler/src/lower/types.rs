@@ -5,6 +5,8 @@ use linkage_symbolic::program::Program;
 use super::{Column, Coupled};
 use crate::picture::Picture;
 
+pub use crate::model::Shape;
+
 /// Everything that becomes code.
 #[derive(Clone, Debug, Default)]
 pub struct Lowered {
@@ -74,26 +76,4 @@ pub struct Field {
     pub shape: Shape,
     /// Words for the docs: `mm`, `rad`, `mm/rad`, `1`, ...
     pub unit: String,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Shape {
-    Scalar,
-    /// 2 or 3 components.
-    Vector(usize),
-    Array(usize, Box<Shape>),
-    /// Origin and axes x, y, z: four vectors of space.
-    Frame,
-}
-
-impl Shape {
-    /// How many scalars it holds.
-    pub fn width(&self) -> usize {
-        match self {
-            Self::Scalar => 1,
-            Self::Vector(n) => *n,
-            Self::Array(n, entry) => n * entry.width(),
-            Self::Frame => 12,
-        }
-    }
 }

@@ -1,6 +1,7 @@
 //! Syntax tree to model: names become ids, dimensions are checked, numbers get one unit.
 
 mod argument;
+mod call_messages;
 mod calls;
 mod conversion;
 mod decimal;
@@ -17,10 +18,12 @@ mod mechanics;
 mod names;
 mod operators;
 mod parameter;
+mod passes;
 mod picture;
 mod plane_and_space;
 mod presentation;
 mod refused;
+mod shape;
 pub(crate) mod spelling;
 #[cfg(test)]
 mod tests;
@@ -33,6 +36,9 @@ mod zeros;
 
 pub use dump::dump;
 pub(crate) use evaluators::FUNCTION_SUFFIXES;
+pub(crate) use frame::PARTS as FRAME_PARTS;
+pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
+pub use shape::Shape;
 pub use types::*;
 
 use crate::diagnostic::{Diagnostics, Origins};

@@ -1,5 +1,6 @@
 //! `picture()`: a quantity that stands alone.
 
+use super::functions::MotionWord;
 use super::names::{Context, Resolver};
 use super::types::{Dimension, EvaluatorDef, Expr, ExprKind, Name, Type};
 use crate::syntax::{self, SourceSpan};
@@ -12,7 +13,7 @@ impl Resolver<'_> {
         let syntax::ExprKind::Call(name, links) = &expr.kind else {
             return None;
         };
-        if name != "picture" {
+        if name != MotionWord::Picture.word() {
             return None;
         }
         let links = links.iter().map(|link| self.drawn_link(link, context));

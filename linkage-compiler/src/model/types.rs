@@ -4,6 +4,8 @@
 
 mod mechanics;
 
+pub use super::functions::Function;
+pub use super::units::LengthUnit;
 pub use mechanics::*;
 
 /// Index into [`Origins`](crate::diagnostic::Origins): where in the source something was written.
@@ -111,36 +113,6 @@ pub enum Variable {
     Parameter(ScalarParameterId),
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Function {
-    Polar,
-    Dir,
-    Rotate,
-    Turn,
-    Dot,
-    Cross,
-    Norm,
-    Distance,
-    Unit,
-    Angle,
-    TriangleAngle,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Atan2,
-    Sqrt,
-    Hypot,
-    Abs,
-    Min,
-    Max,
-    Frame,
-    PointIn,
-    CoordinatesIn,
-}
-
 #[derive(Clone, Debug)]
 pub struct Constant {
     pub name: String,
@@ -237,16 +209,6 @@ pub struct Quantity {
     pub field: String,
     pub value: Expr,
     pub origin: OriginId,
-}
-
-/// The length unit of fields and results.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LengthUnit {
-    Metre,
-    Millimetre,
-    Centimetre,
-    Micrometre,
-    Inch,
 }
 
 /// A mechanism without a mistake in names, dimensions or arity.

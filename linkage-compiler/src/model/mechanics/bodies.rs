@@ -7,7 +7,7 @@ use crate::syntax::{self, BodyItem, JointKind, SourceSpan};
 
 impl Resolver<'_> {
     /// A body and the joint that it hangs on, both of the same number.
-    pub(super) fn body(&mut self, item: &BodyItem, index: usize) -> (Body, Joint) {
+    pub(super) fn body_item(&mut self, item: &BodyItem, index: usize) -> (Body, Joint) {
         let joint = self.joint(&item.joint, index);
         let turns = match &item.turns {
             Some(turns) => Some(self.turns(turns, item.joint.kind)),

@@ -85,7 +85,7 @@ fn write_joint(out: &mut String, joint: &Joint, mechanism: &Mechanism) -> fmt::R
     }
     let on = body_name(mechanism, joint.on);
     write!(out, " on {on} at {}", show(&joint.at))?;
-    let word = joint.kind.direction_word();
+    let word = joint.kind.direction_word().word();
     match &joint.direction {
         Some(direction) => write!(out, " {word} {}", show(direction)),
         None => Ok(()),

@@ -6,7 +6,7 @@ use crate::syntax::{JointItem, JointKind, JointPart};
 
 impl Resolver<'_> {
     /// `pin NAME = BODY on BODY at point;`
-    pub(super) fn closing_joint(&mut self, item: &JointItem) -> Joint {
+    pub(super) fn joint_item(&mut self, item: &JointItem) -> Joint {
         let body = self.body_named(&item.body);
         if body == Some(None) {
             let fact = "the body of a joint moves, `frame` does not";
@@ -28,7 +28,7 @@ impl Resolver<'_> {
     pub(super) fn joint(&mut self, part: &JointPart, body: usize) -> Joint {
         let on = self.body_named(&part.on).flatten();
         let at = self.point_clause(&part.at);
-        let word = part.kind.direction_word();
+        let word = part.kind.direction_word().word();
         let direction = part
             .direction
             .as_ref()

@@ -9,7 +9,7 @@ use crate::syntax::{self, ElementItem, JointKind, LoadItem, SourceSpan};
 
 impl Resolver<'_> {
     /// `force vector on BODY [from BODY] at point;`
-    pub(super) fn force(&mut self, item: &LoadItem) -> Load {
+    pub(super) fn force_item(&mut self, item: &LoadItem) -> Load {
         let [on, from] = self.two_bodies(item);
         let at = item.at.as_ref().map(|at| self.point_clause(at));
         if at.is_none() {
@@ -22,7 +22,7 @@ impl Resolver<'_> {
     }
 
     /// `torque moment on BODY [from BODY];`
-    pub(super) fn torque(&mut self, item: &LoadItem) -> Load {
+    pub(super) fn torque_item(&mut self, item: &LoadItem) -> Load {
         let bodies = self.two_bodies(item);
         if let Some(at) = &item.at {
             let fact = "a `torque` acts on a body, wherever";
@@ -87,7 +87,7 @@ impl Resolver<'_> {
     }
 
     /// `spring stiffness BETWEEN [, free length];`
-    pub(super) fn spring(&mut self, item: &ElementItem, bodies: &[Body]) -> Element {
+    pub(super) fn spring_item(&mut self, item: &ElementItem, bodies: &[Body]) -> Element {
         let before = self.diagnostics.len();
         let (between, turning) = self.between(item);
         if turning == Some(true) && self.diagnostics.len() == before {
@@ -129,7 +129,7 @@ impl Resolver<'_> {
     }
 
     /// `damper damping BETWEEN;`
-    pub(super) fn damper(&mut self, item: &ElementItem) -> Element {
+    pub(super) fn damper_item(&mut self, item: &ElementItem) -> Element {
         let (between, turning) = self.between(item);
         let damping = match turning.unwrap_or_default() {
             true => (Dimension::of(1, 1, 1), "5N*mm*s"),
