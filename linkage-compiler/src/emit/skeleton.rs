@@ -161,7 +161,7 @@ fn components(name: &Ident, shape: &Shape) -> Vec<Component> {
             .iter()
             .map(|c| format!("{name}.{c}"))
             .collect(),
-        _ => vec![name],
+        Shape::Scalar | Shape::Array(..) | Shape::Frame => vec![name],
     };
     names
         .into_iter()

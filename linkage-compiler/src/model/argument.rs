@@ -2,7 +2,7 @@
 
 use super::names::{Context, Place, Resolver};
 use super::passes::Taken;
-use super::types::{Argument, Dimension, Expr, ExprKind, Input, Name, Type};
+use super::types::{Argument, Dimension, Expr, Input, Name, Type};
 use crate::syntax::NamedItem;
 
 impl Resolver<'_> {
@@ -71,14 +71,14 @@ impl Resolver<'_> {
 
     /// An argument that a value depends on, perhaps through derived quantities.
     pub(super) fn argument_below(&self, value: &Expr) -> Option<usize> {
-        match value.kind {
-            ExprKind::Name(Name::Argument(argument)) => Some(argument),
-            ExprKind::Name(Name::Let(index)) => self.arguments_of_lets.get(index).copied()?,
-            _ => value
-                .operands()
-                .into_iter()
-                .find_map(|operand| self.argument_below(operand)),
-        }
+        let mut names = value.parts().filter_map(Expr::as_name);
+        names.find_map(|name| match name {
+            Name::Argument(argument) => Some(argument),
+            Name::Let(index) => self.arguments_of_lets.get(index).copied()?,
+            Name::Const(_) | Name::Parameter(_) | Name::Input(_) | Name::Unknown(_) | Name::Pi => {
+                None
+            }
+        })
     }
 
     /// Reports what must be known before functions are called and depends on an argument.

@@ -13,7 +13,7 @@ pub(crate) const PARTS: [&str; 4] = ["origin", "x", "y", "z"];
 pub(super) const PARTS_HELP: &str = "parts of a frame are `.origin`, `.x`, `.y` and `.z`";
 
 impl Function {
-    /// Whether some argument may be of this type although it has no arithmetic.
+    /// Whether some argument may be of this type although it has no arithmetic. Other functions refuse it.
     pub(super) fn takes(self, ty: &Type) -> bool {
         matches!(self, Function::PointIn | Function::CoordinatesIn) && *ty == Type::Frame
     }

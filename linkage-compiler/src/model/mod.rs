@@ -31,6 +31,7 @@ mod types;
 pub(crate) mod units;
 mod usage;
 mod variable;
+mod walk;
 mod words;
 mod zeros;
 

@@ -53,7 +53,20 @@ impl Expr {
                 left.settle(wanted);
                 right.settle(wanted);
             }
-            _ => {}
+            // Nothing in them takes its type from around.
+            ExprKind::Number(_)
+            | ExprKind::Name(_)
+            | ExprKind::Component(..)
+            | ExprKind::Index(..)
+            | ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div, ..)
+            | ExprKind::Call(..)
+            | ExprKind::Derivative(..)
+            | ExprKind::InputDerivative(..)
+            | ExprKind::Sensitivity(..)
+            | ExprKind::Margin
+            | ExprKind::Picture(_)
+            | ExprKind::Mechanics(_)
+            | ExprKind::Error => {}
         }
         self.ty = wanted.clone();
     }
@@ -223,7 +236,7 @@ impl Resolver<'_> {
         let help = match &value.ty {
             Type::Array(_) => "take one entry: `[0]`".to_owned(),
             Type::Frame => self.parts_help("take", value),
-            _ => return false,
+            Type::Scalar(_) | Type::Vector(..) | Type::Zero(_) | Type::Error => return false,
         };
         if !value.ty.is_error() {
             let fact = format!("{} cannot be used in an expression", value.ty);

@@ -91,14 +91,6 @@ impl Resolver<'_> {
 
 /// Whether an expression tells where something is: no quantity of motion, no load.
 fn is_position(expr: &Expr) -> bool {
-    let quantity = matches!(
-        expr.kind,
-        ExprKind::Derivative(..)
-            | ExprKind::InputDerivative(..)
-            | ExprKind::Sensitivity(..)
-            | ExprKind::Mechanics(_)
-            | ExprKind::Margin
-            | ExprKind::Name(Name::Argument(_))
-    );
-    !quantity && expr.operands().into_iter().all(is_position)
+    expr.parts()
+        .all(|part| !part.is_quantity() && !matches!(part.as_name(), Some(Name::Argument(_))))
 }

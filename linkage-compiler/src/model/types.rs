@@ -90,7 +90,7 @@ pub enum BinaryOp {
 }
 
 /// What a name stands for; each index counts its own kind in declaration order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Name {
     Const(usize),
     Parameter(usize),

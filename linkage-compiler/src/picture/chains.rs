@@ -202,24 +202,17 @@ impl<'a, 'm> Sketch<'a, 'm> {
 
     /// The names of points in an expression.
     fn points_in(&self, expr: &'m Expr) -> Vec<&'m Expr> {
-        match (&expr.kind, self.weight(expr)) {
-            (ExprKind::Name(_), Some(1.0)) => vec![expr],
-            _ => {
-                let operands = expr.operands().into_iter();
-                operands.flat_map(|own| self.points_in(own)).collect()
-            }
-        }
+        let names = expr.parts().filter(|part| part.as_name().is_some());
+        names.filter(|own| self.weight(own) == Some(1.0)).collect()
     }
 
     /// The point that a frame has its origin in.
     fn origin_of(&mut self, frame: &'m Expr) -> Option<usize> {
         let mechanism = self.algebra.mechanism;
         match &frame.kind {
-            ExprKind::Name(Name::Let(index)) => self.origin_of(&mechanism.lets[*index].value),
-            ExprKind::Name(Name::Const(index)) => {
-                self.origin_of(&mechanism.constants[*index].value)
-            }
+            ExprKind::Name(name) => self.origin_of(mechanism.value_of(*name)?),
             ExprKind::Call(Function::Frame, arguments) => self.point_of(&arguments[0]),
+            // Nothing else is a frame.
             _ => None,
         }
     }
@@ -262,7 +255,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
                 *count == self.dimension && dimension.half_lengths == 2
             }
             Type::Zero(_) => true,
-            _ => false,
+            Type::Scalar(_) | Type::Array(_) | Type::Frame | Type::Error => false,
         }
     }
 

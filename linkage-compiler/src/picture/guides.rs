@@ -176,6 +176,7 @@ impl<'m> Sketch<'_, 'm> {
                 let (rest, along) = (turned(rest), turned(along));
                 Some((Some(rest), along))
             }
+            // Of anything else nobody knows along what it changes.
             _ => None,
         }
     }

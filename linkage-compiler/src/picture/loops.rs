@@ -2,9 +2,7 @@
 
 use crate::algebra::Translate;
 use crate::formulate::unknown_nodes;
-use crate::model::{
-    BinaryOp, Expr, ExprKind, Function, Joint, JointKind, Loop, Mechanism, Name, Type,
-};
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Joint, Loop, Mechanism, Name, Type};
 
 use super::chains::{Asked, Line, Shape, Sketch, Term, Title};
 
@@ -171,9 +169,10 @@ impl<'m> Sketch<'_, 'm> {
 
     /// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line.
     fn look_for_line(&mut self, side: &'m Expr, other: &Expr) {
-        let ExprKind::Call(function @ (Function::Dot | Function::Cross), arguments) = &side.kind
-        else {
-            return;
+        let (is_dot, arguments) = match &side.kind {
+            ExprKind::Call(Function::Dot, arguments) => (true, arguments),
+            ExprKind::Call(Function::Cross, arguments) => (false, arguments),
+            _ => return,
         };
         let zero = matches!(other.kind, ExprKind::Number(0.0));
         if self.dimension != 2 || !zero {
@@ -188,13 +187,12 @@ impl<'m> Sketch<'_, 'm> {
             };
             let value = self.algebra.translate(&arguments[direction]);
             let components = self.algebra.components(&value);
-            let [x, y] = self
-                .algebra
-                .length_and_unit([components[0], components[1]])
-                .1;
-            let along = match function {
-                Function::Dot => vec![self.algebra.graph.neg(y), x],
-                _ => vec![x, y],
+            let unit = self.unit(&components);
+            let (x, y) = (unit[0], unit[1]);
+            // Across what the product is taken with, or along it.
+            let along = match is_dot {
+                true => vec![self.algebra.graph.neg(y), x],
+                false => vec![x, y],
             };
             let name = self.points[slider].name.as_ref();
             let name = name.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
@@ -229,7 +227,7 @@ impl<'m> Sketch<'_, 'm> {
             };
             for (joint, point) in mechanism.joints.iter().zip(&points) {
                 // What slides along a guide is no point of it.
-                let carries = joint.on == Some(index) && !slides(joint);
+                let carries = joint.on == Some(index) && !joint.kind.slides();
                 if let (true, Some(point)) = (carries || joint.body == index, point) {
                     let text = body.name.clone();
                     self.segment(own, *point, Some(Title { rank: 0, text }), Shape::Body);
@@ -249,17 +247,10 @@ impl<'m> Sketch<'_, 'm> {
         };
         let mechanism = self.algebra.mechanism;
         let along = self.vector(direction);
-        if !slides(joint) {
+        if !joint.kind.slides() {
             return self.axis(point, &along);
         }
-        let along = match along[..] {
-            [x, y, z] => self.algebra.unit_vector([x, y, z]).to_vec(),
-            _ => self
-                .algebra
-                .length_and_unit([along[0], along[1]])
-                .1
-                .to_vec(),
-        };
+        let along = self.unit(&along);
         let carrier = joint
             .on
             .and_then(|body| points[mechanism.bodies[body].joint]);
@@ -278,9 +269,5 @@ impl<'m> Sketch<'_, 'm> {
 fn is_mass_centre(mechanism: &Mechanism, index: usize) -> bool {
     let masses = mechanism.bodies.iter().flat_map(|body| &body.masses);
     let mut centres = masses.map(|(_, at)| at);
-    centres.any(|at| matches!(at.kind, ExprKind::Name(Name::Let(own)) if own == index))
-}
-
-fn slides(joint: &Joint) -> bool {
-    matches!(joint.kind, JointKind::Slide | JointKind::Cylinder)
+    centres.any(|at| at.as_name() == Some(Name::Let(index)))
 }

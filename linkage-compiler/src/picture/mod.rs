@@ -166,13 +166,9 @@ fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
 
 /// Whether there is a vector of so many components in an expression.
 fn has_vector(expr: &Expr, count: usize) -> bool {
-    let own = match expr.ty {
+    expr.parts().any(|part| match part.ty {
         Type::Vector(components, _) => components == count,
         Type::Frame => count == 3,
-        _ => false,
-    };
-    own || expr
-        .operands()
-        .into_iter()
-        .any(|own| has_vector(own, count))
+        Type::Scalar(_) | Type::Array(_) | Type::Zero(_) | Type::Error => false,
+    })
 }

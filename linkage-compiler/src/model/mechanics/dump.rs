@@ -3,9 +3,7 @@
 use std::fmt::{self, Formatter, Write};
 
 use super::super::dump::{Show, separated};
-use super::super::types::{
-    Between, Body, ElementKind, Expr, Inertia, Joint, Load, Mechanics, Mechanism,
-};
+use super::super::types::{Between, Body, Expr, Inertia, Joint, Load, Mechanics, Mechanism};
 
 /// One line for each body, joint and load.
 pub(in crate::model) fn write_mechanics(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
@@ -25,10 +23,7 @@ pub(in crate::model) fn write_mechanics(out: &mut String, mechanism: &Mechanism)
         write_load(out, load, mechanism)?;
     }
     for element in &mechanism.elements {
-        let word = match element.kind {
-            ElementKind::Spring => "spring",
-            ElementKind::Damper => "damper",
-        };
+        let word = element.kind.word();
         write!(out, "{word} {}", show(&element.value))?;
         match &element.between {
             Between::Points(ends) => {

@@ -77,7 +77,11 @@ impl Resolver<'_> {
                 format!("a `{kind}` has no direction"),
                 "leave it out".to_owned(),
             ),
-            _ => return,
+            (JointKind::Pin, true, None)
+            | (JointKind::Pin | JointKind::Cylinder, false, Some(_))
+            | (JointKind::Slide, _, Some(_))
+            | (JointKind::Ball, false, None)
+            | (JointKind::Fixed, _, None) => return,
         };
         self.diagnostics.error_with_help(part.span, fact, help);
     }

@@ -179,18 +179,17 @@ impl Resolver<'_> {
             syntax::Between::Joint(ident) => {
                 let joint = self.joint_named(ident);
                 let kind = joint.map(|joint| self.mechanics.joints[joint]);
-                if let Some(kind) = kind
-                    && !matches!(kind, JointKind::Pin | JointKind::Slide)
-                {
-                    let fact = format!("`{ident}` is a `{}`", kind.word());
-                    let help =
-                        "springs and dampers act on a `pin`, on a `slide`, or between two points";
-                    self.diagnostics.error_with_help(ident.into(), fact, help);
-                }
-                (
-                    Between::Joint(joint.unwrap_or_default()),
-                    kind.map(|kind| kind != JointKind::Slide),
-                )
+                let turning = kind.map(|kind| match kind {
+                    JointKind::Pin => true,
+                    JointKind::Slide => false,
+                    JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
+                        let fact = format!("`{ident}` is a `{}`", kind.word());
+                        let help = "springs and dampers act on a `pin`, on a `slide`, or between two points";
+                        self.diagnostics.error_with_help(ident.into(), fact, help);
+                        true
+                    }
+                });
+                (Between::Joint(joint.unwrap_or_default()), turning)
             }
         }
     }
