@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::outline::{params, plain};
 use crate::model::{Function, MechanicsWord, MotionWord, QuantityWord, Shape};
-use crate::syntax::{BinaryOp, Expr, ExprKind, Item, MechanismDef, ParamItem, Toleranced};
+use crate::syntax::{BinaryOp, Expr, ExprKind, Item, MechanismDef, ParamItem, Toleranced, Word};
 
 /// More vectors than most pictures have.
 const MANY_POINTS: usize = 64;

@@ -8,7 +8,7 @@ use super::docs;
 use super::facts::Facts;
 use super::load::Places;
 use crate::lower::{Evaluator, Lowered, Shape};
-use crate::model::{self, Dimension, Mechanism};
+use crate::model::{self, ASSEMBLY, COLUMNS, Dimension, Mechanism};
 use crate::syntax::{Attribute, FunctionDef, Item, MechanismDef, ParamItem, QuantityDef};
 
 /// The surface of one mechanism.
@@ -159,7 +159,7 @@ impl<'a> Outline<'a> {
             attributes: &def.attributes,
             visibility: &def.visibility,
             name: &def.name,
-            assembly: format_ident!("{}Assembly", def.name),
+            assembly: format_ident!("{}{ASSEMBLY}", def.name),
             core: format_ident!("__{}Core", def.name),
             parameters: Vec::new(),
             inputs: Vec::new(),
@@ -260,7 +260,7 @@ pub(super) fn function<'a>(def: &'a FunctionDef, fields: Vec<Field<'a>>) -> Func
         visibility: &def.visibility,
         name: &def.name,
         result: &def.result,
-        columns: format_ident!("{}Columns", def.result),
+        columns: format_ident!("{}{COLUMNS}", def.result),
         kernel: format_ident!("__evaluate_{}", def.name),
         arguments: def.inputs.iter().collect(),
         positions: Vec::new(),

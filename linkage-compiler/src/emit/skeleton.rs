@@ -11,9 +11,9 @@ use super::{
     assembly, circuits, columns, dimensions, evaluator, guess::Guess, mechanism, picture,
     structure, table,
 };
-use crate::model::{FUNCTION_SUFFIXES, Mechanism, MotionWord, Shape};
+use crate::model::{ASSEMBLY, COLUMNS, Mechanism, MotionWord, Shape, Sweep};
 use crate::picture::Picture;
-use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef};
+use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
 
 /// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
 pub fn skeleton(
@@ -83,15 +83,16 @@ fn sketch<'a>(
         })
         .collect();
     let (mut names, mut types) = (Seen::default(), Seen::default());
-    types.all([def.name.clone(), format_ident!("{}Assembly", def.name)]);
+    types.all([def.name.clone(), format_ident!("{}{ASSEMBLY}", def.name)]);
     let functions = def
         .functions
         .iter()
         .filter(|function| {
             let (name, result) = (&function.name, &function.result);
-            let swept = FUNCTION_SUFFIXES.map(|suffix| format_ident!("{name}{suffix}"));
-            let own_names = [&[name.clone()][..], &swept].concat();
-            names.all(own_names) && types.all([result.clone(), format_ident!("{result}Columns")])
+            let swept = Sweep::all().map(|sweep| format_ident!("{name}{}", sweep.word()));
+            let columns = format_ident!("{result}{COLUMNS}");
+            names.all(std::iter::once(name.clone()).chain(swept))
+                && types.all([result.clone(), columns])
         })
         .map(|function| sketch_function(function, def, &guess, mechanism))
         .collect();

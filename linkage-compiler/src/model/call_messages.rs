@@ -6,7 +6,7 @@ use super::functions::QuantityWord;
 use super::names::{Resolver, kind};
 use super::types::{Expr, Function};
 use crate::diagnostic::text::{count, nearest};
-use crate::syntax::SourceSpan;
+use crate::syntax::{SourceSpan, Word};
 
 impl Resolver<'_> {
     pub(super) fn unknown_function(&mut self, ident: &Ident) {

@@ -6,7 +6,7 @@ use super::functions::QuantityWord;
 use super::names::{Context, Resolver};
 use super::operators::settle_alone;
 use super::types::{Dimension, Expr, ExprKind, Function, Type};
-use crate::syntax::{self, SourceSpan};
+use crate::syntax::{self, SourceSpan, Word};
 
 impl Resolver<'_> {
     pub(super) fn call(

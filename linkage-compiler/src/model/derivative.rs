@@ -6,7 +6,7 @@ use super::functions::{MotionWord, QuantityWord};
 use super::names::{Context, Place, Resolver};
 use super::types::{Dimension, Expr, ExprKind, Name, Type, Variable};
 use crate::diagnostic::text::count;
-use crate::syntax::{self, SourceSpan};
+use crate::syntax::{self, SourceSpan, Word};
 
 /// Most entries of an array, those of inner arrays counted.
 const ENTRY_LIMIT: usize = 10_000;

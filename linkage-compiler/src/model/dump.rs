@@ -5,6 +5,7 @@ use std::fmt::{self, Display, Formatter, Write};
 use super::functions::MotionWord;
 use super::mechanics::write_mechanics;
 use super::types::{BinaryOp, Expr, ExprKind, Mechanism, Type, Variable};
+use crate::syntax::Word;
 
 /// One line for each item and quantity; every operation in parentheses, numbers in the mechanism's unit and radians.
 pub fn dump(mechanism: &Mechanism) -> String {

@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use super::names::Resolver;
 use super::operators::settle_alone;
 use super::types::{Dimension, Expr, ExprKind, Function, Type};
-use crate::syntax::SourceSpan;
+use crate::syntax::{SourceSpan, Word};
 
 /// What a frame consists of, in this order.
 pub(crate) const PARTS: [&str; 4] = ["origin", "x", "y", "z"];

@@ -1,6 +1,6 @@
 //! What can be called in expressions: functions everywhere, quantities in the functions of the `impl` block.
 
-use crate::syntax::vocabulary;
+use crate::syntax::{Word, vocabulary};
 
 vocabulary! {
     /// A function of expressions.

@@ -6,7 +6,7 @@ use super::types::{
     Constant, Dimension, Expr, Input, LengthUnit, Let, Loop, Mechanism, Name, Type, Unknown,
 };
 use crate::diagnostic::text::nearest;
-use crate::syntax::{InputItem, LoopItem, MechanismDef, NamedItem, UnitItem};
+use crate::syntax::{InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, Word};
 
 impl Resolver<'_> {
     /// All items, pass by pass.

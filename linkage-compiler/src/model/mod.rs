@@ -13,6 +13,7 @@ mod expression;
 mod factors;
 mod frame;
 mod functions;
+mod generated;
 mod items;
 mod mechanics;
 mod names;
@@ -36,9 +37,9 @@ mod words;
 mod zeros;
 
 pub use dump::dump;
-pub(crate) use evaluators::FUNCTION_SUFFIXES;
 pub(crate) use frame::PARTS as FRAME_PARTS;
 pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
+pub(crate) use generated::{ASSEMBLY, COLUMNS, Sweep};
 pub use shape::Shape;
 pub use types::*;
 

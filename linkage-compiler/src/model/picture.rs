@@ -3,7 +3,7 @@
 use super::functions::MotionWord;
 use super::names::{Context, Resolver};
 use super::types::{Dimension, EvaluatorDef, Expr, ExprKind, Name, Type};
-use crate::syntax::{self, SourceSpan};
+use crate::syntax::{self, SourceSpan, Word};
 
 const LINKS_HELP: &str = "write each link as a list of points: `picture([a, b], [c, d, e])`";
 

@@ -3,6 +3,7 @@
 use super::names::Resolver;
 use super::parameter::COMPONENTS;
 use super::types::{Expr, ExprKind, Function, Name, Type};
+use crate::syntax::Word;
 
 /// The one of two vectors that lies in the plane, if the other one lies in space.
 pub(super) fn plane_beside_space<'e>(left: &'e Expr, right: &'e Expr) -> Option<&'e Expr> {

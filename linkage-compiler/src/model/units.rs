@@ -1,7 +1,7 @@
 //! The units of literals: one table.
 
 use super::types::Dimension;
-use crate::syntax::vocabulary;
+use crate::syntax::{Word, vocabulary};
 
 /// A unit: a scale times powers of kilogram, newton, metre and second.
 #[derive(Clone, Copy, Debug)]

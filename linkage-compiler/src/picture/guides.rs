@@ -10,6 +10,9 @@ use super::chains::{Line, Segment, Shape, Sketch};
 use super::links::Links;
 use super::seen::Seen;
 
+/// Unit vectors whose product misses 1 by less point along one line: 4e-5 radians, far above rounding, far below any angle that is meant.
+const PARALLEL: f64 = 1e-9;
+
 pub(super) struct Guides {
     pub(super) all: Vec<RawGuide>,
 }
@@ -250,6 +253,6 @@ impl<'m> Sketch<'_, 'm> {
 fn parallel(a: &[Vec<f64>], b: &[Vec<f64>]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let along: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
-        (1.0 - along.abs()).abs() < 1e-9
+        (1.0 - along.abs()).abs() < PARALLEL
     })
 }

@@ -10,6 +10,10 @@ use super::chains::Spot;
 /// Lengths that differ by a smaller share of the picture's size are equal.
 const EQUAL: f64 = 1e-9;
 
+/// Unit vectors that differ by less are one direction. They are quotients of differences of points, so they are known less well than
+/// these.
+const STEADY: f64 = 1e3 * EQUAL;
+
 pub(super) struct Seen<'a> {
     reference: &'a Reference,
     /// Inputs at which the mechanism closes.
@@ -109,7 +113,7 @@ impl<'a> Seen<'a> {
     pub(super) fn is_steady(&self, directions: &[Vec<f64>]) -> bool {
         directions
             .iter()
-            .all(|at| distance(at, &directions[0]) < 1e3 * EQUAL)
+            .all(|at| distance(at, &directions[0]) < STEADY)
     }
 
     /// Whether the end of a vector that begins in a point keeps its distance from another point.

@@ -4,7 +4,7 @@ use linkage_symbolic::agree;
 
 use super::Analysis;
 use super::classify::Polynomials;
-use super::coupled::Private;
+use super::coupled_core::Private;
 use super::equations::{Coordinate, CoordinateKind};
 
 impl Analysis<'_, '_> {

@@ -6,7 +6,7 @@
 
 mod class;
 mod classify;
-mod coupled;
+mod coupled_core;
 mod eliminate;
 mod equations;
 mod form;
@@ -24,7 +24,7 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::model::{Dimension, Mechanism, Type};
 
-pub(crate) use coupled::{Block, Core, Coupled, Private};
+pub(crate) use coupled_core::{Block, Core, Coupled, Private};
 pub(crate) use equations::{Coordinate, Equation};
 pub(crate) use form::{Form, Plane, Rotor, Sphere};
 

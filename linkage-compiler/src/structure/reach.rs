@@ -12,6 +12,16 @@ use super::equations::{Coordinate, CoordinateKind, Equation};
 
 type NodeVector = [NodeId; 3];
 
+/// Step of central differences, in radians or as a share of a length: near the cube root of a double's precision, where truncation and
+/// rounding are alike.
+const STEP: f64 = 1e-5;
+
+/// A column of which less than this share points across those before it adds no direction: far above the error of the differences.
+const ALONG: f64 = 1e-6;
+
+/// Three digits are enough to recognise a direction.
+const DIGITS: f64 = 1000.0;
+
 impl Analysis<'_, '_> {
     /// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
     /// move it in all directions.
@@ -24,7 +34,7 @@ impl Analysis<'_, '_> {
                 let along = dot(rest, *unit);
                 [0, 1, 2].map(|k| rest[k] - along * unit[k])
             });
-            if norm(across) > 1e-6 * norm(column) {
+            if norm(across) > ALONG * norm(column) {
                 reached.push(across.map(|x| x / norm(across)));
             }
         }
@@ -42,10 +52,9 @@ impl Analysis<'_, '_> {
     /// How the rows change with one coordinate, at the estimates.
     fn column(&mut self, rows: NodeVector, coordinate: &Coordinate) -> Option<Direction> {
         coordinate.unknown?;
-        let step = 1e-5;
-        let ahead = self.rows_at(rows, coordinate, step);
-        let behind = self.rows_at(rows, coordinate, -step);
-        let column = [0, 1, 2].map(|k| (ahead[k] - behind[k]) / (2.0 * step));
+        let ahead = self.rows_at(rows, coordinate, STEP);
+        let behind = self.rows_at(rows, coordinate, -STEP);
+        let column = [0, 1, 2].map(|k| (ahead[k] - behind[k]) / (2.0 * STEP));
         column.iter().all(|x| x.is_finite()).then_some(column)
     }
 
@@ -86,7 +95,7 @@ impl Analysis<'_, '_> {
 
 /// A unit vector to three digits; of the two signs, the one whose first component other than 0 is positive.
 fn words(direction: Direction) -> String {
-    let rounded = direction.map(|x| (1000.0 * x).round() / 1000.0);
+    let rounded = direction.map(|x| (DIGITS * x).round() / DIGITS);
     let first = rounded.into_iter().find(|x| *x != 0.0).unwrap_or(1.0);
     let [x, y, z] = rounded.map(|x| x * first.signum() + 0.0);
     format!("({x}, {y}, {z})")

@@ -1,7 +1,7 @@
 //! Messages of the structural analysis: mobility, and groups that have no closed form.
 
 use super::Analysis;
-use super::coupled::MOST_CORE;
+use super::coupled_core::MOST_CORE;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
 

@@ -4,6 +4,7 @@ use proc_macro2::Ident;
 
 use super::ast::{Expr, SourceSpan};
 use super::parser::{Parsed, Parser};
+use super::vocabulary::Word;
 use super::words::ClauseWord;
 use crate::diagnostic::text::{list, nearest};
 

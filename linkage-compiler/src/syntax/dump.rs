@@ -6,6 +6,7 @@ use super::ast::{
     Between, BinaryOp, BodyItem, ElementItem, Expr, ExprKind, InputItem, Item, JointItem,
     JointKind, LoadItem, MechanismDef, Toleranced,
 };
+use super::vocabulary::Word;
 
 /// One line for each item and quantity, every operation in parentheses.
 pub fn dump(definition: &MechanismDef) -> String {

@@ -9,6 +9,7 @@ use super::ast::{
 use super::expression::PlusMinus;
 use super::joints::{Kind, other_word};
 use super::parser::{Parsed, Parser};
+use super::vocabulary::Word;
 use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
 use crate::diagnostic::text::nearest;
 

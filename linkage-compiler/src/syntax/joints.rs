@@ -8,6 +8,7 @@ use super::ast::{
 };
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::parser::{Parsed, Parser, Reported};
+use super::vocabulary::Word;
 use super::words::ClauseWord;
 use crate::diagnostic::text::nearest;
 

@@ -6,6 +6,7 @@ use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem, So
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::expression::PlusMinus;
 use super::parser::{Parsed, Parser, Reported};
+use super::vocabulary::Word;
 use super::words::{ClauseWord, LoadWord};
 
 const BODY: &str = "the name of a body";

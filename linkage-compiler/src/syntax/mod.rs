@@ -27,7 +27,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream};
 
 pub use ast::*;
 pub use dump::dump;
-pub(crate) use vocabulary::vocabulary;
+pub(crate) use vocabulary::{Word, vocabulary};
 
 use crate::diagnostic::Diagnostics;
 use parser::{Parsed, Parser};

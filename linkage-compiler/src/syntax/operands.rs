@@ -6,6 +6,7 @@ use super::ast::{Expr, SourceSpan};
 use super::clauses::{Point, Rule};
 use super::expression::PlusMinus;
 use super::parser::Parser;
+use super::vocabulary::Word;
 use super::words::ClauseWord;
 
 impl Parser<'_> {

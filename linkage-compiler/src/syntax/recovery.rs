@@ -3,6 +3,7 @@
 use proc_macro2::TokenTree;
 
 use super::parser::{Parsed, Parser};
+use super::vocabulary::Word;
 use super::words::{ClauseWord, DeclarationWord, ItemWord, is_keyword};
 
 impl Parser<'_> {

@@ -1,7 +1,7 @@
 //! Words with a meaning of their own.
 
 use super::ast::JointKind;
-use super::vocabulary::vocabulary;
+use super::vocabulary::{Word, vocabulary};
 
 vocabulary! {
     /// The word that an item of the struct block begins with.

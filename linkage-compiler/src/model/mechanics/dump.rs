@@ -4,6 +4,7 @@ use std::fmt::{self, Formatter, Write};
 
 use super::super::dump::{Show, separated};
 use super::super::types::{Between, Body, Expr, Inertia, Joint, Load, Mechanics, Mechanism};
+use crate::syntax::Word;
 
 /// One line for each body, joint and load.
 pub(in crate::model) fn write_mechanics(out: &mut String, mechanism: &Mechanism) -> fmt::Result {

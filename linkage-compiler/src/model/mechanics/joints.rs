@@ -2,7 +2,7 @@
 
 use super::super::names::Resolver;
 use super::super::types::{Expr, Joint};
-use crate::syntax::{JointItem, JointKind, JointPart};
+use crate::syntax::{JointItem, JointKind, JointPart, Word};
 
 impl Resolver<'_> {
     /// `pin NAME = BODY on BODY at point;`

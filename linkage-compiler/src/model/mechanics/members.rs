@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use super::super::names::Resolver;
 use super::super::passes::Mechanical;
 use crate::diagnostic::text::nearest;
-use crate::syntax::{BodyItem, JointKind, SourceSpan};
+use crate::syntax::{BodyItem, JointKind, SourceSpan, Word};
 
 /// The fixed link.
 const FRAME: &str = "frame";

@@ -6,7 +6,7 @@ use super::super::functions::MechanicsWord;
 use super::super::names::{Context, Place, Resolver};
 use super::super::types::{Dimension, Expr, ExprKind, Mechanics, Name, Type};
 use crate::diagnostic::text::list;
-use crate::syntax::{self, JointKind, SourceSpan};
+use crate::syntax::{self, JointKind, SourceSpan, Word};
 
 impl Resolver<'_> {
     /// A quantity of the mechanics, in a function of these inputs and arguments.
