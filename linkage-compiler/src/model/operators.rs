@@ -53,20 +53,8 @@ impl Expr {
                 left.settle(wanted);
                 right.settle(wanted);
             }
-            // Nothing in them takes its type from around.
-            ExprKind::Number(_)
-            | ExprKind::Name(_)
-            | ExprKind::Component(..)
-            | ExprKind::Index(..)
-            | ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div, ..)
-            | ExprKind::Call(..)
-            | ExprKind::Derivative(..)
-            | ExprKind::InputDerivative(..)
-            | ExprKind::Sensitivity(..)
-            | ExprKind::Margin
-            | ExprKind::Picture(_)
-            | ExprKind::Mechanics(_)
-            | ExprKind::Error => {}
+            // Only what is put together of zeros hands its type on to them.
+            _ => {}
         }
         self.ty = wanted.clone();
     }

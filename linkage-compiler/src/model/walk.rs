@@ -36,20 +36,8 @@ impl Expr {
             ExprKind::Binary(BinaryOp::Add, a, b) => vec![(true, a), (true, b)],
             ExprKind::Binary(BinaryOp::Sub, a, b) => vec![(true, a), (false, b)],
             ExprKind::Negate(a) => vec![(false, a)],
-            ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div, ..)
-            | ExprKind::Number(_)
-            | ExprKind::Name(_)
-            | ExprKind::Vector(_)
-            | ExprKind::Component(..)
-            | ExprKind::Index(..)
-            | ExprKind::Call(..)
-            | ExprKind::Derivative(..)
-            | ExprKind::InputDerivative(..)
-            | ExprKind::Sensitivity(..)
-            | ExprKind::Margin
-            | ExprKind::Picture(_)
-            | ExprKind::Mechanics(_)
-            | ExprKind::Error => Vec::new(),
+            // Only signs make sums.
+            _ => Vec::new(),
         }
     }
 
