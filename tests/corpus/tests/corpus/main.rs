@@ -5,8 +5,8 @@
 use std::path::Path;
 
 use linkage::{Vector2, Vector3};
-use linkage_corpus::random::Random;
 use linkage_corpus::{Case, Kind, code};
+use linkage_random::Random;
 
 mod mechanisms;
 
