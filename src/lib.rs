@@ -18,8 +18,8 @@ pub use linkage_runtime::{
 };
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{
-    Branch, BranchEnd, Circuits, Columns, CoupledCause, CoupledError, Cycle, Placed, Value,
-    circuits,
+    Branch, BranchEnd, Circuits, Columns, CoupledCause, CoupledError, Cycle, Placed, Unlisted,
+    Value, circuits,
 };
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use linkage_runtime::{Handle, Scene};

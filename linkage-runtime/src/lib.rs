@@ -35,6 +35,7 @@ pub mod generated;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod math;
 mod motion;
+#[doc(hidden)]
 pub mod numeric;
 mod picture;
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -66,6 +67,8 @@ pub use frame::Frame;
 pub use motion::{true_acceleration, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{self, Vector2, Vector3};
+#[cfg(feature = "alloc")]
+pub use numeric::roots::Unlisted;
 pub use picture::{Axis, Guide, GuideOn, Picture, PictureLink, PicturePoint, PointKind};
 #[cfg(feature = "num-dual")]
 pub use scalar::Dual;
