@@ -6,6 +6,7 @@
 #[cfg(feature = "alloc")]
 pub mod coupled;
 pub(crate) mod minimum;
+pub mod nearest;
 pub mod range;
 #[cfg(feature = "alloc")]
 pub mod roots;
