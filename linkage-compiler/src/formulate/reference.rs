@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use linkage_runtime::numeric::nearest::{Ambiguity, nearest};
 use linkage_symbolic::NodeId;
 use linkage_symbolic::interpret::apply_ternary;
 use linkage_symbolic::program::Ternary;
@@ -20,9 +21,6 @@ use super::{Formulation, Prepared, Solved};
 
 /// Below this margin a position cannot be told from a dead point.
 pub(super) const SINGULAR: f64 = 1e-6;
-
-/// Estimates whose distances to two modes differ by less than this share do not choose.
-pub(super) const AMBIGUOUS: f64 = 0.01;
 
 /// The mechanism assembled at the reference input.
 #[derive(Debug)]
@@ -125,10 +123,9 @@ impl Assembly<'_, '_> {
                 .map(|sign| self.candidate(solved, stage, start, sign))
                 .into(),
         };
-        let chosen = candidates
-            .iter()
-            .min_by(|a, b| a.distance.total_cmp(&b.distance))
-            .expect("there is a candidate");
+        let distances = candidates.iter().map(|one| one.distance);
+        let nearest = nearest(distances, Ambiguity::AS_WRITTEN).expect("there is a candidate");
+        let chosen = &candidates[nearest.index];
         let (gap, margin, sign) = (chosen.gap, chosen.margin, chosen.sign);
         if solved.mode.is_some() {
             self.advance(solved, stage, start, sign);
@@ -157,21 +154,20 @@ impl Assembly<'_, '_> {
         let loops = loop_list(&solved.group.loops);
         let unknowns = self.words.unknowns(&solved.group.unknowns);
         let place = self.words.at_reference(&self.nominal.inputs);
-        if let [a, b] = &candidates[..] {
-            let larger = a.distance.max(b.distance);
-            if (a.distance - b.distance).abs() <= AMBIGUOUS * larger {
-                let message = format!(
-                    "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
-                     `{}` at distance {:.4} and `{}` at distance {:.4}\n\
-                     help: move the estimates towards the assembly that is meant",
-                    a.position, a.distance, b.position, b.distance
-                );
-                let unknown = solved.group.unknowns.first().copied();
-                let origin = unknown.map(|u| self.algebra.mechanism.unknowns[u].origin);
-                self.diagnostics
-                    .error(origin.map_or(span, |o| self.origins.span(o)), message);
-                return false;
-            }
+        if let [a, b] = &candidates[..]
+            && nearest.ambiguous
+        {
+            let message = format!(
+                "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
+                 `{}` at distance {:.4} and `{}` at distance {:.4}\n\
+                 help: move the estimates towards the assembly that is meant",
+                a.position, a.distance, b.position, b.distance
+            );
+            let unknown = solved.group.unknowns.first().copied();
+            let origin = unknown.map(|u| self.algebra.mechanism.unknowns[u].origin);
+            self.diagnostics
+                .error(origin.map_or(span, |o| self.origins.span(o)), message);
+            return false;
         }
         true
     }

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use linkage_runtime::numeric::coupled::{Correction, Grid, Range, Refusal, Step, Table};
+use linkage_runtime::numeric::nearest::{Ambiguity, nearest};
 use linkage_runtime::numeric::roots::{self, Term, Unlisted};
 
 use crate::algebra::Algebra;
@@ -10,7 +11,7 @@ use crate::lower::Coupled;
 use crate::structure::report::loop_list;
 
 use crate::formulate::machine::{Machine, Start};
-use crate::formulate::reference::{AMBIGUOUS, Assembly};
+use crate::formulate::reference::Assembly;
 use crate::formulate::{Solved, followed_range};
 
 use super::Prepared;
@@ -116,7 +117,8 @@ impl Assembly<'_, '_> {
             .map(|c| format!("`{}` at distance {:.4}", c.position, c.distance))
             .collect::<Vec<_>>()
             .join(", ");
-        let [nearest, others @ ..] = &candidates[..] else {
+        let distances = candidates.iter().map(|one| one.distance);
+        let Some(chosen) = nearest(distances, Ambiguity::AS_WRITTEN) else {
             self.diagnostics.error(
                 span,
                 format!(
@@ -126,9 +128,7 @@ impl Assembly<'_, '_> {
             );
             return false;
         };
-        if let Some(second) = others.first()
-            && second.distance - nearest.distance <= AMBIGUOUS * second.distance
-        {
+        if chosen.ambiguous {
             let unknown = solved.group.unknowns.first().copied();
             let origin = unknown.map(|u| self.algebra.mechanism.unknowns[u].origin);
             self.diagnostics.error(
@@ -143,7 +143,7 @@ impl Assembly<'_, '_> {
             );
             return false;
         }
-        match self.start(prepared, &nearest.state) {
+        match self.start(prepared, &candidates[chosen.index].state) {
             Ok(start) => {
                 self.machine.starts[prepared.number] = Some(start);
                 true
