@@ -1,6 +1,5 @@
 #![doc = include_str!("../docs/introduction.md")]
 #![no_std]
-#![warn(missing_docs)]
 
 #[cfg(feature = "num-dual")]
 pub use linkage_runtime::Dual;

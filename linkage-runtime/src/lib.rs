@@ -8,7 +8,6 @@
 //! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
 //! `tolerance` and `monte-carlo` (the module `tolerance`), `report` (the module `report`).
 #![no_std]
-#![warn(missing_docs)]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;

@@ -2,7 +2,6 @@
 //!
 //! The corpus of mechanisms, figures of accuracy and many limits hang on the very numbers. Libraries promise the bits of a
 //! generator at most, not the numbers made of them, so the few lines stand here.
-#![warn(missing_docs)]
 
 /// A generator (splitmix64): any seed is a good one, neighbours too.
 #[derive(Clone, Debug)]
