@@ -31,6 +31,7 @@ const LIMIT: f64 = 10.0;
 /// Geometries at each distance.
 const GEOMETRIES: usize = 12;
 
+/// Prints and checks everything, and draws the picture.
 pub fn main() -> Result<(), Box<dyn Error>> {
     let panels: Vec<Panel> = DYADS.iter().map(panel).collect();
     panels.iter().for_each(print);

@@ -1,6 +1,5 @@
 #![doc = include_str!("../docs/introduction.md")]
 #![no_std]
-#![warn(missing_docs)]
 
 #[cfg(feature = "num-dual")]
 pub use linkage_runtime::Dual;
@@ -18,8 +17,8 @@ pub use linkage_runtime::{
 };
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{
-    Branch, BranchEnd, Circuits, Columns, CoupledCause, CoupledError, Cycle, Placed, Value,
-    circuits,
+    Branch, BranchEnd, Circuits, Columns, CoupledCause, CoupledError, Cycle, Placed, Unlisted,
+    Value, circuits,
 };
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use linkage_runtime::{Handle, Scene};

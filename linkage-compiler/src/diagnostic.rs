@@ -34,6 +34,54 @@ impl Origins {
     }
 }
 
+/// Where phases without spans report: messages at the places that [`OriginId`]s lead back to.
+#[derive(Debug)]
+pub(crate) struct Reporter<'a> {
+    pub(crate) origins: &'a Origins,
+    pub(crate) diagnostics: &'a mut Diagnostics,
+}
+
+impl Reporter<'_> {
+    /// See [`Diagnostics::error`].
+    pub(crate) fn error(&mut self, origin: OriginId, message: impl Into<String>) {
+        self.diagnostics.error(self.origins.span(origin), message);
+    }
+
+    /// See [`Diagnostics::error_with_help`].
+    pub(crate) fn error_with_help(
+        &mut self,
+        origin: OriginId,
+        fact: impl Display,
+        help: impl Display,
+    ) {
+        let span = self.origins.span(origin);
+        self.diagnostics.error_with_help(span, fact, help);
+    }
+
+    /// At all that stands from one place to another.
+    pub(crate) fn error_between(
+        &mut self,
+        [first, last]: [OriginId; 2],
+        message: impl Into<String>,
+    ) {
+        let span = self.origins.span(first).to(self.origins.span(last));
+        self.diagnostics.error(span, message);
+    }
+
+    /// For somebody who keeps it.
+    pub(crate) fn reborrow(&mut self) -> Reporter<'_> {
+        Reporter {
+            origins: self.origins,
+            diagnostics: self.diagnostics,
+        }
+    }
+
+    /// How many messages there are by now, of all phases.
+    pub(crate) fn errors(&self) -> usize {
+        self.diagnostics.len()
+    }
+}
+
 /// The sink that every phase writes to.
 #[derive(Debug, Default)]
 pub struct Diagnostics {

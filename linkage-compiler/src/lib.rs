@@ -1,22 +1,25 @@
 //! The compiler behind `linkage::mechanism!`: tokens in, tokens out.
 //!
 //! The phases, each in a folder of its own: `syntax` parses, `model` resolves names and checks dimensions, `structure`
-//! finds the Assur groups, `formulate` expresses every unknown and checks assembly and range, `lower` makes programs of
-//! the requested quantities, `emit` prints them. `algebra` is what the middle phases share.
+//! finds the Assur groups, `formulate` expresses every unknown, `lower` makes programs of expressions, `close` runs them to check
+//! assembly and range, `request` puts the programs of all functions into one `unit`, `emit` prints that. `algebra` is what the
+//! middle phases share; `forces` and `picture` make expressions of what functions ask for.
 
 mod algebra;
+mod close;
 pub mod diagnostic;
 pub mod emit;
-mod facts;
 mod forces;
 mod formulate;
-pub mod lower;
+mod lower;
 pub mod model;
 pub mod oracle;
-pub mod picture;
+mod picture;
+mod request;
 mod structure;
 pub mod syntax;
 pub mod trace;
+pub mod unit;
 mod vector;
 
 use linkage_symbolic::Graph;
@@ -24,11 +27,13 @@ use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
 
 use algebra::{Algebra, Nominal};
-use diagnostic::{Diagnostics, Origins};
-use emit::facts::Facts;
+use diagnostic::{Diagnostics, Origins, Reporter};
 use forces::Forces;
-use lower::Lowered;
+use formulate::Formulation;
 use model::Mechanism;
+use request::{AtReference, State};
+use structure::Structure;
+use unit::Unit;
 
 /// Compiles the macro's input: the path of the facade in brackets, then the mechanism. Mistakes become `compile_error!`s
 /// beside a skeleton of the generated items.
@@ -40,18 +45,12 @@ pub fn compile(input: TokenStream) -> TokenStream {
     };
     let mut origins = Origins::default();
     let mechanism = model::resolve(&definition, &mut origins, &mut diagnostics);
-    let analysed = mechanism
+    let unit = mechanism
         .as_ref()
         .filter(|_| diagnostics.is_empty())
         .map(|mechanism| analyse(mechanism, &origins, &mut diagnostics));
-    match (&mechanism, &analysed) {
-        (Some(mechanism), Some(analysis)) if diagnostics.is_empty() => emit::emit(
-            &krate,
-            &definition,
-            mechanism,
-            &analysis.facts,
-            &analysis.lowered,
-        ),
+    match (&mechanism, &unit) {
+        (Some(_), Some(unit)) if diagnostics.is_empty() => emit::emit(&krate, &definition, unit),
         _ => {
             let errors = diagnostics.to_tokens();
             let skeleton = emit::skeleton(&krate, &definition, mechanism.as_ref());
@@ -60,52 +59,89 @@ pub fn compile(input: TokenStream) -> TokenStream {
     }
 }
 
-/// What the middle phases find out about a mechanism.
-#[derive(Clone, Debug, Default)]
-pub struct Analysis {
-    /// Numbers and words for emission.
-    pub facts: Facts,
-    /// All programs.
-    pub lowered: Lowered,
+/// The middle phases of a resolved mechanism: structure, formulation, checks and lowering.
+pub fn analyse(mechanism: &Mechanism, origins: &Origins, diagnostics: &mut Diagnostics) -> Unit {
+    analyse_watched(mechanism, origins, diagnostics, &mut ())
 }
 
-/// Structure, formulation, checks and lowering of a resolved mechanism.
-pub fn analyse(
+/// Who wants to see what the middle phases hand to each other. The order of phases stands in [`analyse_watched`] alone.
+trait Watch {
+    /// The groups, before they are solved.
+    fn structure(&mut self, _: &Algebra, _: &Structure) {}
+
+    /// Every unknown expressed, before anything is asked for.
+    fn formulated<'m>(&mut self, _: &mut Algebra<'m>, _: &Formulation<'m>, _: &Nominal) {}
+}
+
+impl Watch for () {}
+
+fn analyse_watched(
     mechanism: &Mechanism,
     origins: &Origins,
     diagnostics: &mut Diagnostics,
-) -> Analysis {
+    watch: &mut dyn Watch,
+) -> Unit {
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
     let nominal = Nominal::of(&mut algebra);
-    let before = diagnostics.len();
-    formulate::check_directions(mechanism, &nominal, origins, diagnostics);
-    if diagnostics.len() > before {
+    let mut reporter = Reporter {
+        origins,
+        diagnostics,
+    };
+    let before = reporter.errors();
+    close::check_directions(mechanism, &nominal, &mut reporter);
+    if reporter.errors() > before {
         // What is computed with them would be reported as not finite.
-        return Analysis::default();
+        return Unit::default();
     }
-    nominal.check(mechanism, origins, diagnostics);
-    let structure = structure::decompose(&mut algebra, &nominal, origins, diagnostics);
-    if diagnostics.len() > before {
-        return Analysis::default();
+    nominal.check(mechanism, &mut reporter);
+    let structure = structure::decompose(&mut algebra, &nominal, reporter.reborrow());
+    watch.structure(&algebra, &structure);
+    if reporter.errors() > before {
+        return Unit::default();
     }
     let formulation = formulate::formulate(&mut algebra, structure);
-    let mut reference =
-        formulate::assemble_reference(&mut algebra, &formulation, &nominal, origins, diagnostics);
+    watch.formulated(&mut algebra, &formulation, &nominal);
+    let closing = lower::closing(&mut algebra, &formulation, &nominal);
+    let mut reference = close::assemble_reference(
+        &algebra,
+        &formulation,
+        closing,
+        &nominal,
+        reporter.reborrow(),
+    );
     let mut forces = Forces::new(&mut algebra);
     if reference.closed {
-        let numbers = (&reference, &nominal);
-        forces::check(&mut algebra, &mut forces, numbers, origins, diagnostics);
+        forces::check(
+            &mut algebra,
+            &mut forces,
+            &reference,
+            &nominal,
+            &mut reporter,
+        );
     }
-    let whole = (&mut algebra, &mut forces, &formulation);
-    let lowered = lower::lower(whole, (&reference, &nominal), origins, diagnostics);
+    let state = State {
+        algebra: &mut algebra,
+        forces: &mut forces,
+        formulation: &formulation,
+        drawn: Vec::new(),
+    };
+    let at = AtReference {
+        reference: &reference,
+        nominal: &nominal,
+    };
+    let unit = request::unit(state, at, &mut reporter);
     if reference.closed {
-        let asked = &lowered.continuous_angles;
-        let checked = (&mut algebra, &formulation, &nominal);
-        formulate::check_ranges(checked, &mut reference, asked, origins, diagnostics);
+        close::check_ranges(
+            &mut algebra,
+            &formulation,
+            &nominal,
+            &mut reference,
+            &unit.angles,
+            &mut reporter,
+        );
     }
-    let facts = facts::collect(&algebra, &formulation, &nominal, &reference);
-    Analysis { facts, lowered }
+    unit
 }
 
 /// The bracketed path that the facade's wrapper puts in front, and the rest.

@@ -2,18 +2,18 @@
 //! programs with.
 
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{Graph, NodeId, evaluate};
+use linkage_symbolic::{Ex, Graph, NodeId, evaluate};
 
 use crate::algebra::{Algebra, Angle, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::forces::Forces;
-use crate::formulate::{Formulation, formulate};
-use crate::lower::requested_nodes;
+use crate::formulate::Formulation;
 use crate::model::Mechanism;
-use crate::structure::decompose;
+use crate::request::{State, requested};
+use crate::{Watch, analyse_watched};
 
 /// The expression graph of a mechanism, unknowns still being symbols with definitions.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Oracle {
     graph: Graph,
     functions: Vec<Vec<NodeId>>,
@@ -24,40 +24,48 @@ pub struct Oracle {
 impl Oracle {
     /// The graph of a mechanism that compiles without a message.
     pub fn new(mechanism: &Mechanism, origins: &Origins) -> Self {
-        let graph = Graph::new();
-        let mut algebra = Algebra::new(mechanism, &graph);
-        let nominal = Nominal::of(&mut algebra);
-        let mut diagnostics = Diagnostics::default();
-        let structure = decompose(&mut algebra, &nominal, origins, &mut diagnostics);
-        let formulation: Formulation = formulate(&mut algebra, structure);
-        let mut forces = Forces::new(&mut algebra);
-        let functions = mechanism
-            .evaluators
-            .iter()
-            .map(|definition| {
-                requested_nodes((&mut algebra, &mut forces, &formulation), definition)
-            })
-            .collect();
-        let estimate = |angle: &Angle| angle.estimate(&nominal);
-        let estimates = algebra.angles.iter().map(estimate).collect();
-        Self {
-            functions,
-            estimates,
-            graph,
-        }
+        let mut oracle = Self::default();
+        analyse_watched(mechanism, origins, &mut Diagnostics::default(), &mut oracle);
+        oracle
     }
 
     /// The results of a function near the reference inputs, where angles are nearest to their estimates. `load`
     /// supplies parameters, inputs and modes.
     pub fn evaluate(&self, function: usize, load: impl Fn(Source) -> f64) -> Vec<f64> {
-        evaluate(
-            &self.graph,
-            &self.functions[function],
-            |source| match source {
-                Source::Centre(angle) => self.estimates[angle],
-                Source::Winding(..) => 0.0,
-                other => load(other),
-            },
-        )
+        let outputs = self.functions[function].iter();
+        let outputs: Vec<Ex> = outputs.map(|&id| self.graph.ex(id)).collect();
+        evaluate(&outputs, |source| match source {
+            Source::Centre(angle) => self.estimates[angle],
+            Source::Winding(..) => 0.0,
+            other => load(other),
+        })
+    }
+}
+
+impl Watch for Oracle {
+    fn formulated<'m>(
+        &mut self,
+        algebra: &mut Algebra<'m>,
+        formulation: &Formulation<'m>,
+        nominal: &Nominal,
+    ) {
+        let estimate = |angle: &Angle| angle.estimate(nominal);
+        self.estimates = algebra.names.angles.iter().map(estimate).collect();
+        algebra.tried(|algebra| {
+            let functions = &algebra.mechanism.evaluators;
+            let mut forces = Forces::new(algebra);
+            let mut state = State {
+                forces: &mut forces,
+                formulation,
+                drawn: Vec::new(),
+                algebra: &mut *algebra,
+            };
+            let scalars = functions
+                .iter()
+                .map(|definition| requested(&mut state, definition));
+            let ids = scalars.map(|all| all.into_iter().map(Ex::id).collect());
+            self.functions = ids.collect();
+            self.graph = algebra.graph.clone();
+        });
     }
 }

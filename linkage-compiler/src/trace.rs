@@ -2,15 +2,14 @@
 
 use std::fmt::Write;
 
-use linkage_symbolic::Graph;
 use proc_macro2::TokenStream;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::lower::Lowered;
-use crate::model::Mechanism;
+use crate::formulate::Formulation;
 use crate::structure::Structure;
-use crate::{Analysis, analyse, forces, formulate, model, structure, syntax};
+use crate::unit::{self, Unit};
+use crate::{Watch, analyse_watched, forces, model, syntax};
 
 /// The phases of one mechanism, as text.
 #[derive(Clone, Debug, Default)]
@@ -40,10 +39,11 @@ pub fn trace(body: TokenStream) -> Trace {
         trace.syntax = syntax::dump(&definition);
         if let Some(mechanism) = model::resolve(&definition, &mut origins, &mut diagnostics) {
             trace.model = model::dump(&mechanism);
-            trace.structure = structure_text(&mechanism, &origins);
-            let analysis = analyse(&mechanism, &origins, &mut diagnostics);
-            trace.formulate = formulate_text(&analysis) + &forces_text(&mechanism, &origins);
-            trace.lower = lower_text(&mechanism, &analysis.lowered);
+            let mut middle = Middle::default();
+            let unit = analyse_watched(&mechanism, &origins, &mut diagnostics, &mut middle);
+            trace.structure = middle.structure;
+            trace.formulate = formulate_text(&unit) + &middle.forces;
+            trace.lower = unit::dump(&unit);
         }
     }
     trace.messages = diagnostics.iter().map(|d| d.message.clone()).collect();
@@ -51,22 +51,31 @@ pub fn trace(body: TokenStream) -> Trace {
     trace
 }
 
-fn structure_text(mechanism: &Mechanism, origins: &Origins) -> String {
-    let graph = Graph::new();
-    let mut algebra = Algebra::new(mechanism, &graph);
-    let nominal = Nominal::of(&mut algebra);
-    let Structure {
-        groups,
-        explicit,
-        mobility,
-    } = structure::decompose(&mut algebra, &nominal, origins, &mut Diagnostics::default());
-    let mut text = format!("mobility {mobility}\n");
-    for group in groups {
+/// What is seen between the phases.
+#[derive(Default)]
+struct Middle {
+    structure: String,
+    /// How reactions are found; nothing for a mechanism without bodies.
+    forces: String,
+}
+
+impl Watch for Middle {
+    fn structure(&mut self, algebra: &Algebra, structure: &Structure) {
+        self.structure = structure_text(algebra, structure);
+    }
+
+    fn formulated<'m>(&mut self, algebra: &mut Algebra<'m>, _: &Formulation<'m>, _: &Nominal) {
+        self.forces = algebra.tried(forces::describe);
+    }
+}
+
+fn structure_text(algebra: &Algebra, structure: &Structure) -> String {
+    let mut text = format!("mobility {}\n", structure.mobility);
+    for group in &structure.groups {
         let loops: Vec<String> = group.loops.iter().map(|k| (k + 1).to_string()).collect();
-        let unknowns: Vec<&str> = group
-            .unknowns
-            .iter()
-            .map(|&k| mechanism.unknowns[k].name.as_str())
+        let unknowns = group.unknowns.iter();
+        let unknowns: Vec<&str> = unknowns
+            .map(|&k| algebra.mechanism.unknowns[k].name.as_str())
             .collect();
         let form = group.form.name();
         let _ = writeln!(
@@ -76,15 +85,15 @@ fn structure_text(mechanism: &Mechanism, origins: &Origins) -> String {
             unknowns.join(", ")
         );
     }
-    for item in explicit {
+    for item in &structure.explicit {
         let _ = writeln!(text, "explicit: {}", algebra.graph.symbol(item.symbol).name);
     }
     text
 }
 
-fn formulate_text(analysis: &Analysis) -> String {
+fn formulate_text(unit: &Unit) -> String {
     let mut text = String::new();
-    for group in &analysis.facts.groups {
+    for group in &unit.groups {
         let mode = match (group.mode, group.plus) {
             _ if group.coupled => "assemblies listed".to_owned(),
             (None, _) => "one solution".to_owned(),
@@ -99,59 +108,6 @@ fn formulate_text(analysis: &Analysis) -> String {
             group.unknowns.join(", "),
             group.method
         );
-    }
-    text
-}
-
-/// How reactions are found; nothing for a mechanism without bodies.
-fn forces_text(mechanism: &Mechanism, origins: &Origins) -> String {
-    let graph = Graph::new();
-    let mut algebra = Algebra::new(mechanism, &graph);
-    let nominal = Nominal::of(&mut algebra);
-    let mut diagnostics = Diagnostics::default();
-    let structure = structure::decompose(&mut algebra, &nominal, origins, &mut diagnostics);
-    formulate::formulate(&mut algebra, structure);
-    forces::describe(&mut algebra)
-}
-
-fn lower_text(mechanism: &Mechanism, lowered: &Lowered) -> String {
-    let mut text = format!("prepare\n{}\ngaps\n{}", lowered.prepare, lowered.gaps);
-    let _ = write!(text, "\nsurvey\n{}", lowered.survey);
-    if !lowered.continuous_angles.is_empty() {
-        let _ = write!(text, "\nangles\n{}", lowered.angles);
-    }
-    for (number, group) in lowered.coupled.iter().enumerate() {
-        let _ = write!(text, "\nterms of coupled group {number}\n");
-        for (equation, exponents) in &group.terms {
-            let _ = writeln!(text, "equation {equation}: {exponents:?}");
-        }
-        for (what, program) in [
-            ("coefficients", &group.system),
-            ("correction", &group.correct),
-            ("unknowns", &group.placed),
-        ] {
-            let _ = write!(text, "\n{what} of coupled group {number}\n{program}");
-        }
-    }
-    for evaluator in &lowered.evaluators {
-        let name = &mechanism.evaluators[evaluator.index].name;
-        let fields: Vec<String> = evaluator
-            .fields
-            .iter()
-            .map(|f| format!("{}: {:?} {}", f.name, f.shape, f.unit))
-            .collect();
-        let _ = write!(
-            text,
-            "\n{name} ({})\n{}",
-            fields.join(", "),
-            evaluator.program
-        );
-        if let Some(beside) = &evaluator.beside {
-            let _ = write!(text, "\n{name}, for what the table does not know\n{beside}");
-        }
-    }
-    if let Some(picture) = &lowered.picture {
-        let _ = write!(text, "\npicture\n{picture}");
     }
     text
 }

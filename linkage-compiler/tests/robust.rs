@@ -5,6 +5,7 @@ use std::panic::catch_unwind;
 use std::path::Path;
 
 use linkage_compiler::compile;
+use linkage_random::Random;
 use proc_macro2::{Group, Literal, TokenStream, TokenTree};
 use quote::quote;
 
@@ -19,18 +20,6 @@ const SAMPLES: [&str; 6] = [
 
 /// Mutations of all samples together; `ROBUST_COUNT=100000` in the environment takes more.
 const COUNT: usize = 2000;
-
-/// A small generator of its own, so that a failure can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % limit as u64) as usize
-    }
-}
 
 fn read(name: &str) -> TokenStream {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
@@ -106,7 +95,7 @@ fn other_number(literal: &Literal, random: &mut Random) -> Literal {
 
 #[test]
 fn mutated_mechanisms_compile_to_something() {
-    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    let mut random = Random::new(0x2545_f491_4f6c_dd1d);
     let samples = SAMPLES.map(read);
     let mut pool = Vec::new();
     samples

@@ -93,6 +93,9 @@ impl<A> Circuits<A> {
 const SAME: f64 = 1e-6;
 const MEETING: f64 = 1e-3;
 
+/// A range of an angle that differs from a full turn by less, in radians, is one: users write 360 degrees.
+const TURN: f64 = 1e-9;
+
 /// Margins that are looked at along an assembly.
 const MARGINS: usize = 360;
 
@@ -202,7 +205,7 @@ impl Cycle {
 
     /// Whether the range is a full turn.
     fn is_turn(&self) -> bool {
-        self.angle && ((self.high - self.low) - core::f64::consts::TAU).abs() < 1e-9
+        self.angle && ((self.high - self.low) - core::f64::consts::TAU).abs() < TURN
     }
 }
 

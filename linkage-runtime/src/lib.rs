@@ -8,7 +8,6 @@
 //! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
 //! `tolerance` and `monte-carlo` (the module `tolerance`), `report` (the module `report`).
 #![no_std]
-#![warn(missing_docs)]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;
@@ -35,6 +34,7 @@ pub mod generated;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod math;
 mod motion;
+#[doc(hidden)]
 pub mod numeric;
 mod picture;
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -66,6 +66,8 @@ pub use frame::Frame;
 pub use motion::{true_acceleration, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{self, Vector2, Vector3};
+#[cfg(feature = "alloc")]
+pub use numeric::roots::Unlisted;
 pub use picture::{Axis, Guide, GuideOn, Picture, PictureLink, PicturePoint, PointKind};
 #[cfg(feature = "num-dual")]
 pub use scalar::Dual;

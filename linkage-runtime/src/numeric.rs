@@ -1,8 +1,12 @@
 //! Numeric searches and tables over the range of an input, on plain `f64`: no dependencies.
+//!
+//! For the compiler and generated code, which shall do the same: what they need may change with every version, so users
+//! do not see it.
 
 #[cfg(feature = "alloc")]
 pub mod coupled;
 pub(crate) mod minimum;
+pub mod nearest;
 pub mod range;
 #[cfg(feature = "alloc")]
 pub mod roots;

@@ -30,6 +30,11 @@ pub const FUSED: bool = cfg!(all(
     any(target_feature = "fma", target_arch = "aarch64")
 ));
 
+/// Roundings that the terms of a discriminant may have had, of their size each: a value that is negative by no more is a
+/// root of zero.
+#[cfg(any(feature = "std", feature = "libm"))]
+const ROUNDINGS: f64 = 8.0;
+
 /// A real number, or several side by side (lanes), or one with derivatives (a dual number).
 ///
 /// Implemented for `f64` and `f32`; `Lanes` (feature `simba`) and `Dual` (feature `num-dual`)

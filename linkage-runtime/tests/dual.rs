@@ -1,11 +1,9 @@
 //! Derivatives through dual numbers.
 #![cfg(feature = "num-dual")]
 
-mod random;
-
+use linkage_random::Random;
 use linkage_runtime::{Dual, Scalar};
 use num_dual::{Dual2_64, Dual64};
-use random::Random;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 type D = Dual<Dual64>;

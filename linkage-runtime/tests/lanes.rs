@@ -1,10 +1,8 @@
 //! SIMD types give in every lane what plain numbers give.
 #![cfg(all(feature = "simba", feature = "std"))]
 
-mod random;
-
+use linkage_random::Random;
 use linkage_runtime::{Lanes, Scalar};
-use random::Random;
 use simba::simd::{AutoF32x4, AutoF64x4, WideF32x8, WideF64x4};
 
 /// Compares every function lane by lane with type `$plain`, to `$places` units in the last place.

@@ -1,11 +1,9 @@
 //! `f64` and `f32` as scalars: special values, and properties on many numbers.
 #![cfg(any(feature = "std", feature = "libm"))]
 
-mod random;
-
 use core::f64::consts::{PI, TAU};
+use linkage_random::Random;
 use linkage_runtime::Scalar;
-use random::Random;
 
 macro_rules! special_values {
     ($float:ident) => {

@@ -1,13 +1,13 @@
 //! Derivatives of graph nodes.
 
-use std::collections::HashMap;
+use crate::unordered::Map;
 
 use crate::expression::Ex;
 use crate::graph::{Binding, Graph, Node, NodeId, SymbolId};
 use crate::operation::{Binary, Ternary, Unary};
 
 /// Derivatives already known: of a node, by a symbol.
-pub type DerivativeMemo = HashMap<(NodeId, SymbolId), NodeId>;
+pub type DerivativeMemo = Map<(NodeId, SymbolId), NodeId>;
 
 /// Who knows the derivatives of symbols: parameters and inputs are independent, the solution of a loop follows the
 /// implicit function theorem.

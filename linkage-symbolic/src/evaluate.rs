@@ -1,14 +1,18 @@
 //! Graphs on plain numbers.
 
-use std::collections::HashMap;
+use crate::unordered::Map;
 
+use crate::expression::Ex;
 use crate::graph::{Graph, Node, NodeId};
 use crate::program::Source;
 
-/// Evaluates nodes of a graph, following definitions. Symbols that have neither source nor definition are NaN.
-pub fn evaluate(graph: &Graph, roots: &[NodeId], load: impl Fn(Source) -> f64) -> Vec<f64> {
-    let mut memo: HashMap<NodeId, f64> = HashMap::new();
-    let mut stack: Vec<NodeId> = roots.to_vec();
+/// Evaluates expressions, following definitions. Symbols that have neither source nor definition are NaN.
+pub fn evaluate(roots: &[Ex], load: impl Fn(Source) -> f64) -> Vec<f64> {
+    let Some(graph) = roots.first().map(|root| root.graph()) else {
+        return Vec::new();
+    };
+    let mut memo: Map<NodeId, f64> = Map::new();
+    let mut stack: Vec<NodeId> = roots.iter().map(|root| root.id()).collect();
     while let Some(&id) = stack.last() {
         if memo.contains_key(&id) {
             stack.pop();
@@ -37,7 +41,7 @@ pub fn evaluate(graph: &Graph, roots: &[NodeId], load: impl Fn(Source) -> f64) -
         memo.insert(id, value);
         stack.pop();
     }
-    roots.iter().map(|root| memo[root]).collect()
+    roots.iter().map(|root| memo[&root.id()]).collect()
 }
 
 /// What must be known before `id`: its operands, or the definition of a symbol.

@@ -5,7 +5,7 @@
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::graph::{Binding, Graph, Node, NodeId};
 use crate::operation::{Binary, Ternary, Unary};
@@ -201,3 +201,15 @@ operator!(Add, add);
 operator!(Sub, sub);
 operator!(Mul, mul);
 operator!(Div, div);
+
+impl AddAssign for Ex<'_> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Ex<'_> {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}

@@ -91,6 +91,10 @@ pub struct Graph {
     store: RefCell<Store>,
 }
 
+/// What a graph held at some time.
+#[derive(Clone, Debug)]
+pub struct Snapshot(Store);
+
 impl Graph {
     /// An empty graph.
     pub fn new() -> Self {
@@ -103,6 +107,16 @@ impl Graph {
 
     pub(crate) fn store_mut(&self) -> RefMut<'_, Store> {
         self.store.borrow_mut()
+    }
+
+    /// All that it holds now, for [`Self::restore`].
+    pub fn snapshot(&self) -> Snapshot {
+        Snapshot(self.store().clone())
+    }
+
+    /// Forgets what was made since a snapshot. Expressions made since then must not be used any more.
+    pub fn restore(&self, snapshot: Snapshot) {
+        *self.store_mut() = snapshot.0;
     }
 
     /// A node as an expression to compute with.
@@ -183,6 +197,11 @@ impl Graph {
     /// Says what a symbol stands for.
     pub fn define(&self, symbol: SymbolId, definition: NodeId) {
         self.store_mut().define(symbol, definition);
+    }
+
+    /// A number that changes whenever a definition is exchanged for another.
+    pub fn revision(&self) -> usize {
+        self.store().revision()
     }
 
     /// All nodes that `roots` are made of, roots included, children first, without following definitions.

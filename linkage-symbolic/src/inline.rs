@@ -1,6 +1,6 @@
 //! Removing definitions: what was solved for becomes what it is computed from.
 
-use std::collections::HashMap;
+use crate::unordered::Map;
 
 use crate::evaluate::dependencies;
 use crate::graph::{Graph, Node, NodeId};
@@ -12,12 +12,19 @@ use crate::program::{Binary, Ternary};
 pub struct Inliner {
     /// The plain graph: its symbols all have sources.
     pub target: Graph,
-    copied: HashMap<NodeId, NodeId>,
+    copied: Map<NodeId, NodeId>,
+    /// Of the source: copies under other definitions are worth nothing.
+    revision: usize,
 }
 
 impl Inliner {
     /// The copy of `root` in the target graph. Symbols without source and definition must not occur.
+    /// Under other definitions than before it is a copy of its own; equal expressions stay one node of the target.
     pub fn copy(&mut self, source: &Graph, root: NodeId) -> NodeId {
+        if self.revision != source.revision() {
+            self.copied.clear();
+            self.revision = source.revision();
+        }
         let mut stack = vec![root];
         while let Some(&id) = stack.last() {
             if self.copied.contains_key(&id) {
@@ -38,11 +45,6 @@ impl Inliner {
             stack.pop();
         }
         self.copied[&root]
-    }
-
-    /// Forgets what was copied: definitions have changed. Equal expressions stay one node of the target.
-    pub fn forget(&mut self) {
-        self.copied.clear();
     }
 
     fn build(&mut self, source: &Graph, id: NodeId) -> NodeId {

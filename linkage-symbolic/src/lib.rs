@@ -10,6 +10,7 @@
 
 mod build;
 mod contract;
+pub mod count;
 mod differentiate;
 mod display;
 mod double_angles;
@@ -28,6 +29,7 @@ pub mod schedule;
 pub mod stages;
 mod substitute;
 mod sums;
+pub mod unordered;
 mod vector;
 
 pub use differentiate::{Calculus, DerivativeMemo, differentiate, pull_back};

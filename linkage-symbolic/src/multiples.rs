@@ -4,7 +4,9 @@
 //! its length. Where the same direction occurs with several lengths, as it does among sensitivities, one
 //! sum and a product for each further length are cheaper. Nothing is divided: a length may be 0.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+
+use crate::unordered::Map;
 
 use crate::graph::{Binding, Graph, Node, NodeId};
 use crate::program::{Binary, Unary};
@@ -29,7 +31,7 @@ pub fn share_multiples(graph: &Graph, outputs: &[NodeId]) -> Vec<NodeId> {
             members.entry(base).or_default().push((id, common));
         }
     }
-    let mut multiples: HashMap<NodeId, (NodeId, Factors)> = HashMap::new();
+    let mut multiples: Map<NodeId, (NodeId, Factors)> = Map::new();
     for group in members.values() {
         for (id, common) in group {
             let least = group.iter().min_by_key(|(_, other)| other.nodes.len());
@@ -44,7 +46,7 @@ pub fn share_multiples(graph: &Graph, outputs: &[NodeId]) -> Vec<NodeId> {
     if multiples.is_empty() {
         return outputs.to_vec();
     }
-    let mut renewed: HashMap<NodeId, NodeId> = HashMap::new();
+    let mut renewed: Map<NodeId, NodeId> = Map::new();
     for id in reachable {
         let node = graph.node(id);
         let new = match multiples.get(&id) {
@@ -155,7 +157,7 @@ impl Factors {
 }
 
 /// A sum of two terms of renewed values.
-fn renew_sum(graph: &Graph, id: NodeId, renewed: &HashMap<NodeId, NodeId>) -> NodeId {
+fn renew_sum(graph: &Graph, id: NodeId, renewed: &Map<NodeId, NodeId>) -> NodeId {
     let Node::Binary(op, a, b) = graph.node(id) else {
         unreachable!("a sum");
     };

@@ -1,38 +1,38 @@
 //! An expression as a polynomial in chosen symbols: how the solver sees a loop whatever way it was written.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
-use crate::graph::{Graph, Node, NodeId, SymbolId};
-use crate::program::{Binary, Unary};
+use crate::unordered::Map;
+
+use crate::expression::Ex;
+use crate::graph::{Node, NodeId, SymbolId};
+use crate::operation::{Binary, Unary};
 
 /// Exponents of the chosen symbols, in their order.
 pub type Monomial = Vec<u8>;
 
 /// Coefficients, free of the chosen symbols and never the constant 0, by monomial.
-pub type Polynomial = BTreeMap<Monomial, NodeId>;
+pub type Polynomial<'g> = BTreeMap<Monomial, Ex<'g>>;
 
 /// Higher total degrees are of no use to any solver.
 const MAX_DEGREE: u8 = 4;
 
 /// `root` as a polynomial in `symbols`; `None` if it is none. `unit_pairs` are the positions in `symbols` of the cosine
 /// and sine of one angle; even powers of the sine are expressed by the cosine, so that `c^2 + s^2` is 1.
-pub fn collect(
-    graph: &Graph,
-    root: NodeId,
+pub fn collect<'g>(
+    root: Ex<'g>,
     symbols: &[SymbolId],
     unit_pairs: &[(usize, usize)],
-) -> Option<Polynomial> {
-    let mut known: HashMap<NodeId, Polynomial> = HashMap::new();
-    let nodes = graph.reachable(&[root]);
+) -> Option<Polynomial<'g>> {
+    let graph = root.graph();
+    let mut known: Map<NodeId, Polynomial> = Map::new();
     let free = vec![0; symbols.len()];
     // Nodes without chosen symbols are coefficients as they stand and need no entry.
-    let of = |known: &HashMap<NodeId, Polynomial>, id: NodeId| {
-        known
-            .get(&id)
-            .cloned()
-            .unwrap_or_else(|| Polynomial::from([(free.clone(), id)]))
+    let of = |known: &Map<NodeId, Polynomial<'g>>, id: NodeId| {
+        let entry = known.get(&id).cloned();
+        entry.unwrap_or_else(|| Polynomial::from([(free.clone(), graph.ex(id))]))
     };
-    for id in nodes {
+    for id in graph.reachable(&[root.id()]) {
         let node = graph.node(id);
         let polynomial = match node {
             Node::Constant(_) => continue,
@@ -41,64 +41,55 @@ pub fn collect(
                 Some(place) => {
                     let mut monomial = free.clone();
                     monomial[place] = 1;
-                    let one = graph.one();
-                    Polynomial::from([(monomial, one)])
+                    Polynomial::from([(monomial, graph.number(1.0))])
                 }
             },
             _ if !node.operands().any(|x| known.contains_key(&x)) => continue,
-            Node::Unary(Unary::Neg, a) => {
-                let zero = Polynomial::new();
-                sum(graph, zero, of(&known, a), true)
+            Node::Unary(Unary::Neg, a) => sum(Polynomial::new(), of(&known, a), true),
+            Node::Binary(Binary::Add, a, b) => sum(of(&known, a), of(&known, b), false),
+            Node::Binary(Binary::Sub, a, b) => sum(of(&known, a), of(&known, b), true),
+            Node::Binary(Binary::Mul, a, b) => product(&of(&known, a), &of(&known, b), unit_pairs)?,
+            Node::Binary(Binary::Div, a, b) if !known.contains_key(&b) => {
+                let terms = of(&known, a).into_iter();
+                let divisor = graph.ex(b);
+                terms
+                    .map(|(monomial, coefficient)| (monomial, coefficient / divisor))
+                    .collect()
             }
-            Node::Binary(Binary::Add, a, b) => sum(graph, of(&known, a), of(&known, b), false),
-            Node::Binary(Binary::Sub, a, b) => sum(graph, of(&known, a), of(&known, b), true),
-            Node::Binary(Binary::Mul, a, b) => {
-                product(graph, &of(&known, a), &of(&known, b), unit_pairs)?
-            }
-            Node::Binary(Binary::Div, a, b) if !known.contains_key(&b) => of(&known, a)
-                .into_iter()
-                .map(|(monomial, coefficient)| (monomial, graph.div(coefficient, b)))
-                .collect(),
             _ => return None,
         };
         known.insert(id, polynomial);
     }
-    let mut result = of(&known, root);
-    result.retain(|_, coefficient| !graph.is_zero(*coefficient));
+    let mut result = of(&known, root.id());
+    result.retain(|_, coefficient| !coefficient.is_zero());
     Some(result)
 }
 
-fn sum(graph: &Graph, mut a: Polynomial, b: Polynomial, minus: bool) -> Polynomial {
+fn sum<'g>(mut a: Polynomial<'g>, b: Polynomial<'g>, minus: bool) -> Polynomial<'g> {
     for (monomial, coefficient) in b {
-        let coefficient = if minus {
-            graph.neg(coefficient)
-        } else {
-            coefficient
-        };
-        add_term(graph, &mut a, monomial, coefficient);
+        let coefficient = if minus { -coefficient } else { coefficient };
+        add_term(&mut a, monomial, coefficient);
     }
     a
 }
 
-fn add_term(graph: &Graph, a: &mut Polynomial, monomial: Monomial, coefficient: NodeId) {
-    let old = a.get(&monomial).copied();
-    let new = match old {
-        Some(old) => graph.add(old, coefficient),
+fn add_term<'g>(a: &mut Polynomial<'g>, monomial: Monomial, coefficient: Ex<'g>) {
+    let new = match a.get(&monomial) {
+        Some(&old) => old + coefficient,
         None => coefficient,
     };
-    if graph.is_zero(new) {
+    if new.is_zero() {
         a.remove(&monomial);
     } else {
         a.insert(monomial, new);
     }
 }
 
-fn product(
-    graph: &Graph,
-    a: &Polynomial,
-    b: &Polynomial,
+fn product<'g>(
+    a: &Polynomial<'g>,
+    b: &Polynomial<'g>,
     unit_pairs: &[(usize, usize)],
-) -> Option<Polynomial> {
+) -> Option<Polynomial<'g>> {
     let mut result = Polynomial::new();
     for (m, &x) in a {
         for (n, &y) in b {
@@ -106,29 +97,27 @@ fn product(
             if monomial.iter().sum::<u8>() > MAX_DEGREE {
                 return None;
             }
-            let coefficient = graph.mul(x, y);
-            add_reduced(graph, &mut result, monomial, coefficient, unit_pairs);
+            add_reduced(&mut result, monomial, x * y, unit_pairs);
         }
     }
     Some(result)
 }
 
 /// Adds a term, with `s^2` written as `1 - c^2`.
-fn add_reduced(
-    graph: &Graph,
-    result: &mut Polynomial,
+fn add_reduced<'g>(
+    result: &mut Polynomial<'g>,
     monomial: Monomial,
-    coefficient: NodeId,
+    coefficient: Ex<'g>,
     unit_pairs: &[(usize, usize)],
 ) {
     let Some(&(cos, sin)) = unit_pairs.iter().find(|&&(_, sin)| monomial[sin] >= 2) else {
-        return add_term(graph, result, monomial, coefficient);
+        return add_term(result, monomial, coefficient);
     };
     let mut lower = monomial.clone();
     lower[sin] -= 2;
     let mut other = lower.clone();
     other[cos] += 2;
-    let negative = graph.neg(coefficient);
-    add_reduced(graph, result, lower, coefficient, unit_pairs);
-    add_reduced(graph, result, other, negative, unit_pairs);
+    let negative = -coefficient;
+    add_reduced(result, lower, coefficient, unit_pairs);
+    add_reduced(result, other, negative, unit_pairs);
 }

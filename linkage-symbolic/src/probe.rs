@@ -1,8 +1,9 @@
 //! Are two expressions equal? By evaluating both at chosen places: sums and products may be written in more ways than
 //! constructors can bring to one form.
 
-use std::collections::HashMap;
+use crate::unordered::Map;
 
+use crate::expression::Ex;
 use crate::graph::{Graph, Node, NodeId, SymbolId};
 use crate::operation::Binary;
 
@@ -15,17 +16,18 @@ const TRIED: u64 = 64;
 /// Differences below this share of the larger terms are rounding.
 const ROUNDING: f64 = 1e-10;
 
-/// True if two nodes have equal values wherever their symbols are independent, up to rounding. Definitions are not
+/// True if two expressions have equal values wherever their symbols are independent, up to rounding. Definitions are not
 /// followed.
-pub fn agree(graph: &Graph, a: NodeId, b: NodeId) -> bool {
-    agree_within(graph, a, b, ROUNDING)
+pub fn agree(a: Ex, b: Ex) -> bool {
+    agree_within(a, b, ROUNDING)
 }
 
 /// The same up to a given share of the larger terms.
-pub fn agree_within(graph: &Graph, a: NodeId, b: NodeId, share: f64) -> bool {
+pub fn agree_within(a: Ex, b: Ex, share: f64) -> bool {
     if a == b {
         return true;
     }
+    let (graph, a, b) = (a.graph(), a.id(), b.id());
     let near = (0..TRIED).map(|place| agree_at(graph, a, b, Place::Near(place), share));
     let near: Vec<bool> = near.flatten().take(PLACES as usize).collect();
     let analytic = || {
@@ -60,7 +62,7 @@ enum Place {
 /// Nothing where both sides are undefined.
 fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: Place, share: f64) -> Option<bool> {
     // Each value comes with the size of the terms that it is made of: a small sum of large terms is known less well.
-    let mut values: HashMap<NodeId, (f64, f64)> = HashMap::new();
+    let mut values: Map<NodeId, (f64, f64)> = Map::new();
     for id in graph.reachable(&[a, b]) {
         let known = match graph.node(id) {
             Node::Constant(bits) => sized(f64::from_bits(bits)),

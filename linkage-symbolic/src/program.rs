@@ -1,6 +1,7 @@
 //! Straight-line programs: what a sliced, scheduled graph becomes before it is printed as code.
 
 use crate::graph::Binding;
+use crate::operation::Class;
 pub use crate::operation::{Binary, Fused, Ternary, Unary};
 
 /// Where a program finds a number that it does not compute itself.
@@ -100,6 +101,17 @@ impl Instruction {
             Self::Ternary(op, ..) => op.row().time,
             Self::Fused(op, ..) => op.row().time,
         }
+    }
+
+    /// As what it is counted; `None` for a load or a constant.
+    pub fn class(&self) -> Option<Class> {
+        Some(match self {
+            Self::Constant(_) | Self::Load(_) => return None,
+            Self::Unary(op, _) => op.row().class,
+            Self::Binary(op, ..) => op.row().class,
+            Self::Ternary(op, ..) => op.row().class,
+            Self::Fused(op, ..) => op.row().class,
+        })
     }
 
     /// The same operation of other values.

@@ -1,6 +1,7 @@
 //! Slicing and ordering: from a plain graph to straight-line programs, split by when values are known.
 
-use std::collections::HashMap;
+use crate::unordered::Map;
+use std::collections::BTreeMap;
 
 use crate::contract::contract;
 use crate::double_angles;
@@ -15,7 +16,7 @@ const SHARED_DIVISIONS: usize = 3;
 #[derive(Debug, Default)]
 pub struct Slots {
     nodes: Vec<NodeId>,
-    index: HashMap<NodeId, usize>,
+    index: Map<NodeId, usize>,
 }
 
 impl Slots {
@@ -64,15 +65,15 @@ struct Scheduler<'a> {
     graph: &'a Graph,
     slots: Option<&'a mut Slots>,
     /// Divisors with enough divisions, and their reciprocals once computed.
-    reciprocals: HashMap<NodeId, Option<Value>>,
+    reciprocals: Map<NodeId, Option<Value>>,
     program: Program,
-    values: HashMap<NodeId, Value>,
+    values: Map<NodeId, Value>,
     one: Option<Value>,
 }
 
 impl<'a> Scheduler<'a> {
     fn new(graph: &'a Graph, outputs: &[NodeId], slots: Option<&'a mut Slots>) -> Self {
-        let mut divisions: HashMap<NodeId, usize> = HashMap::new();
+        let mut divisions: BTreeMap<NodeId, usize> = BTreeMap::new();
         for id in graph.reachable(outputs) {
             if let Node::Binary(Binary::Div, _, divisor) = graph.node(id)
                 && graph.binding(divisor) == Binding::Call
@@ -89,7 +90,7 @@ impl<'a> Scheduler<'a> {
                 .map(|divisor| (divisor, None))
                 .collect(),
             program: Program::default(),
-            values: HashMap::new(),
+            values: Map::new(),
             one: None,
         }
     }

@@ -1,21 +1,26 @@
 //! Replacing symbols by expressions.
 
-use std::collections::HashMap;
+use crate::unordered::Map;
 
+use crate::expression::Ex;
 use crate::graph::{Graph, Node, NodeId, SymbolId};
 
-/// The nodes `roots` with symbols replaced as `map` says, simplified anew.
-pub fn substitute(graph: &Graph, roots: &[NodeId], map: &HashMap<SymbolId, NodeId>) -> Vec<NodeId> {
-    let mut renewed: HashMap<NodeId, NodeId> = HashMap::new();
-    for id in graph.reachable(roots) {
+/// The expressions `roots` with symbols replaced as `map` says, simplified anew.
+pub fn substitute<'g>(roots: &[Ex<'g>], map: &Map<SymbolId, Ex<'g>>) -> Vec<Ex<'g>> {
+    let Some(graph) = roots.first().map(|root| root.graph()) else {
+        return Vec::new();
+    };
+    let ids: Vec<NodeId> = roots.iter().map(|root| root.id()).collect();
+    let mut renewed: Map<NodeId, NodeId> = Map::new();
+    for id in graph.reachable(&ids) {
         let node = graph.node(id);
         let new = match node {
-            Node::Symbol(symbol) => map.get(&symbol).copied().unwrap_or(id),
+            Node::Symbol(symbol) => map.get(&symbol).map_or(id, |new| new.id()),
             _ => rebuild(graph, id, node, |x| renewed[&x]),
         };
         renewed.insert(id, new);
     }
-    roots.iter().map(|root| renewed[root]).collect()
+    ids.iter().map(|id| graph.ex(renewed[id])).collect()
 }
 
 /// The operation `node` on new operands.

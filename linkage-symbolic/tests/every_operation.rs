@@ -6,7 +6,7 @@ use linkage_symbolic::interpret::run;
 use linkage_symbolic::program::{Binary, Source, Ternary, Unary};
 use linkage_symbolic::schedule::{Slots, schedule, schedule_whole};
 use linkage_symbolic::{
-    Calculus, DerivativeMemo, Graph, NodeId, SymbolId, differentiate, evaluate,
+    Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, differentiate, evaluate,
 };
 
 /// Parameters and inputs only: every other symbol is constant.
@@ -76,15 +76,15 @@ fn derivatives_agree_with_differences() {
     let mut plain = Plain::new(&graph);
     let (x, p, step) = (0.4, 0.7, 1e-5);
     for (name, node) in expressions(&graph) {
-        let value = |g: &Graph, x: f64, p: f64| evaluate(g, &[node], load(x, p))[0];
+        let value = |x: f64, p: f64| evaluate(&[graph.ex(node)], load(x, p))[0];
         for (by, source) in [("x", Source::Input(0)), ("p", Source::Parameter(0))] {
             graph.source(source);
             let variable = graph.find_source(source).expect("there is one");
             let slope = differentiate(&mut plain, node, variable);
-            let slope = evaluate(&graph, &[slope], load(x, p))[0];
+            let slope = evaluate(&[graph.ex(slope)], load(x, p))[0];
             let [dx, dp] = if by == "x" { [step, 0.0] } else { [0.0, step] };
-            let up = value(&graph, x + dx, p + dp);
-            let down = value(&graph, x - dx, p - dp);
+            let up = value(x + dx, p + dp);
+            let down = value(x - dx, p - dp);
             let difference = (up - down) / (2.0 * step);
             assert!(
                 (slope - difference).abs() < 1e-8 * difference.abs().max(1.0),
@@ -106,7 +106,7 @@ fn second_derivatives_do_not_depend_on_the_order() {
             differentiate(c, once, second)
         };
         let nodes = [mixed(&mut plain, x, p), mixed(&mut plain, p, x)];
-        let values = evaluate(&graph, &nodes, load(0.4, 0.7));
+        let values = evaluate(&nodes.map(|id| graph.ex(id)), load(0.4, 0.7));
         let size = values[0].abs().max(1.0);
         assert!(
             (values[0] - values[1]).abs() < 1e-13 * size,
@@ -119,6 +119,7 @@ fn second_derivatives_do_not_depend_on_the_order() {
 fn programs_compute_what_graphs_say() {
     let graph = Graph::new();
     let (names, nodes): (Vec<_>, Vec<NodeId>) = expressions(&graph).into_iter().unzip();
+    let own: Vec<Ex> = nodes.iter().map(|&id| graph.ex(id)).collect();
     let mut inliner = Inliner::default();
     let copies: Vec<NodeId> = nodes
         .iter()
@@ -129,7 +130,7 @@ fn programs_compute_what_graphs_say() {
     let program = schedule(target, &copies, &mut slots);
     let prepare = slots.prepare(target);
     for (x, p) in [(0.4, 0.7), (0.1, -0.3), (-0.2, 0.9)] {
-        let expected = evaluate(&graph, &nodes, load(x, p));
+        let expected = evaluate(&own, load(x, p));
         let whole = run(&schedule_whole(target, &copies), load(x, p));
         let prepared = run(&prepare, load(x, p));
         let split = run(&program, |source| match source {
@@ -164,7 +165,8 @@ fn impossible_positions_are_nan() {
     let root = graph.binary(Binary::Root, x, one);
     let least = graph.binary(Binary::Min, root, one);
     let chosen = graph.ternary(Ternary::Select, root, one, root);
-    let value = |x: f64| evaluate(&graph, &[root, least, chosen], |_| x);
+    let own = [root, least, chosen].map(|id| graph.ex(id));
+    let value = |x: f64| evaluate(&own, |_| x);
     assert_eq!(value(4.0), [2.0, 1.0, 1.0]);
     assert_eq!(
         value(-1e-15),

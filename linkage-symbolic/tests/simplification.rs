@@ -1,11 +1,13 @@
 //! What constructors simplify, how values move to the time when they are known, and what polynomials see.
 
-use std::collections::HashMap;
+use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::program::{Binary, Instruction, Source, Ternary, Unary};
 use linkage_symbolic::schedule::{Slots, schedule, schedule_stages, schedule_whole};
-use linkage_symbolic::{Binding, Graph, NodeId, collect, evaluate, share_multiples, substitute};
+use linkage_symbolic::{
+    Binding, Ex, Graph, NodeId, collect, evaluate, share_multiples, substitute,
+};
 
 struct Names {
     g: Graph,
@@ -132,20 +134,23 @@ fn polynomials_see_through_the_way_of_writing() {
     let product = g.mul(p, sum);
     let twice = g.mul(two, p);
     let root = g.sub(product, twice);
-    let found = collect(&g, root, &symbols, &pairs).expect("a polynomial");
-    assert_eq!(found.into_iter().collect::<Vec<_>>(), [(vec![1, 0], p)]);
+    let found = collect(g.ex(root), &symbols, &pairs).expect("a polynomial");
+    assert_eq!(
+        found.into_iter().collect::<Vec<_>>(),
+        [(vec![1, 0], g.ex(p))]
+    );
     // cos^2 + sin^2 = 1
     let (cos2, sin2) = (g.square(cos), g.square(sin));
     let unit = g.add(cos2, sin2);
-    let found = collect(&g, unit, &symbols, &pairs).expect("a polynomial");
+    let found = collect(g.ex(unit), &symbols, &pairs).expect("a polynomial");
     assert_eq!(
         found.into_iter().collect::<Vec<_>>(),
-        [(vec![0, 0], g.one())]
+        [(vec![0, 0], g.number(1.0))]
     );
     let not_one = g.unary(Unary::Sqrt, cos);
-    assert!(collect(&g, not_one, &symbols, &pairs).is_none());
+    assert!(collect(g.ex(not_one), &symbols, &pairs).is_none());
     let inverse = g.div(p, sum);
-    assert!(collect(&g, inverse, &symbols, &pairs).is_none());
+    assert!(collect(g.ex(inverse), &symbols, &pairs).is_none());
 }
 
 #[test]
@@ -155,8 +160,8 @@ fn substitution_simplifies() {
     let sum = g.add(unknown, x);
     let negative = g.neg(x);
     let value = g.add(y, negative);
-    let map = HashMap::from([(symbol, value)]);
-    assert_eq!(substitute(&g, &[sum], &map), [y]);
+    let map = Map::from([(symbol, g.ex(value))]);
+    assert_eq!(substitute(&[g.ex(sum)], &map), [g.ex(y)]);
 }
 
 /// A guard against a root that cannot be taken goes where the value contains the root anyway, and only there: whether
@@ -182,7 +187,7 @@ fn guards_stay_where_the_root_drops_out() {
             Source::Input(_) => -1.0,
             _ => 2.0,
         };
-        assert!(evaluate(&inliner.target, &[copy], load)[0].is_nan());
+        assert!(evaluate(&[inliner.target.ex(copy)], load)[0].is_nan());
     }
 }
 
@@ -241,7 +246,11 @@ fn multiples_of_a_sum_are_products() {
         Source::Input(k) => 0.7 - k as f64,
         _ => f64::NAN,
     };
-    let (before, after) = (evaluate(&g, &outputs, load), evaluate(&g, &shared, load));
+    let value = |all: &[NodeId]| {
+        let all: Vec<Ex> = all.iter().map(|&id| g.ex(id)).collect();
+        evaluate(&all, load)
+    };
+    let (before, after) = (value(&outputs), value(&shared));
     for (a, b) in before.iter().zip(&after) {
         assert!((a - b).abs() <= 1e-15 * a.abs(), "{before:?} {after:?}");
     }

@@ -110,9 +110,7 @@ fn reactions_and_drives() {
         let ([v, omega], [a_x, epsilon]) = (rates[0], rates[1]);
         let found = linkage.forces(x, phi, v, a_x, omega, epsilon, load);
         let forces = [found.f1, found.f2, found.f3, found.f4, found.f5, found.f6];
-        for (joint, force) in forces.into_iter().enumerate() {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces(forces);
         for (joint, moment) in [(0, found.m1), (1, found.m2), (5, found.m6)] {
             solution.expect_moment(joint, moment);
         }

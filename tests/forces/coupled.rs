@@ -102,9 +102,7 @@ fn reactions_and_powers() {
         let forces = [
             found.f1, found.f2, found.f3, found.f4, found.f5, found.f6, found.f7,
         ];
-        for (joint, force) in forces.into_iter().enumerate() {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces(forces);
         solution.expect_torque(solution.drive(0), found.t);
         solution.expect_power(solution.power(&all), found.p, rate.omega);
         let energy = linkage.energy(phi, rate.omega);

@@ -86,12 +86,7 @@ fn reactions_and_powers() {
 
         let solution = all.solve();
         let found = linkage.forces(x, rate.omega, rate.epsilon, load);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([found.f1, found.f2, found.f3, found.f4]);
         solution.expect_moment(1, found.m2);
         solution.expect_size(Vector::x() * solution.drive(1), Vector::x() * found.f);
         solution.expect_power(solution.power(&all), found.p, rate.omega);

@@ -76,9 +76,7 @@ fn half_speed_and_a_parallelogram() {
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
         let forces = [found.f0, found.f1, found.f2, found.f3, found.f4];
-        for (joint, force) in forces.into_iter().enumerate() {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces(forces);
         let torque = solution.drive(0) / 2.0 + solution.drive(1);
         let alone = linkage.alone(phi, rate.omega, rate.epsilon, load);
         solution.expect_torque(torque, found.t);

@@ -138,9 +138,7 @@ fn reactions_and_powers() {
         let solution = all.solve();
         let found = linkage.forces(phi, psi, w1, e1, w2, e2, load);
         let forces = [found.f1, found.f2, found.f3, found.f4, found.f5];
-        for (joint, force) in forces.into_iter().enumerate() {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces(forces);
         solution.expect_torque(solution.drive(0), found.t1);
         solution.expect_torque(solution.drive(1), found.t2);
         let speed = w1.abs().max(w2.abs());

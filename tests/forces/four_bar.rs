@@ -130,12 +130,7 @@ fn reactions_and_powers() {
         let all = instant(&m, &at, rate, loads);
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, loads[0], loads[1]);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([found.f1, found.f2, found.f3, found.f4]);
         solution.expect_torque(solution.drive(0), found.t);
         let [force, moment] = all.shaking(Vector::zeros());
         let [_, about_base] = all.shaking(flat(m.base));
@@ -164,12 +159,7 @@ fn speeds_that_are_not_listed_are_zero() {
 
         let still = instant(&m, &at, Rate::REST, loads).solve();
         let found = linkage.statics(phi, loads[0], loads[1]);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
-            .into_iter()
-            .enumerate()
-        {
-            still.expect_force(joint, force);
-        }
+        still.expect_forces([found.f1, found.f2, found.f3, found.f4]);
         still.expect_torque(still.drive(0), found.t);
 
         let all = instant(&m, &at, rate.steady(), loads);

@@ -119,9 +119,7 @@ fn a_wheel_on_a_guided_lever() {
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
         let forces = [found.f1, found.f2, found.f3, found.f4, found.f5];
-        for (joint, force) in forces.into_iter().enumerate() {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces(forces);
         solution.expect_moment(2, found.m3);
         let alone = linkage.alone(phi, rate.omega, rate.epsilon, load);
         for torque in [found.t, alone.t] {
@@ -159,9 +157,7 @@ fn two_halves() {
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
         let forces = [found.f1, found.f2, found.f3, found.f4, found.f5];
-        for (joint, force) in forces.into_iter().enumerate() {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces(forces);
         solution.expect_moment(4, found.m5);
         solution.expect_torque(solution.drive(0), found.t);
         true

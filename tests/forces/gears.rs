@@ -155,9 +155,7 @@ fn half_speed_and_a_wheel() {
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
         let forces = [found.f0, found.f1, found.f2, found.f3, found.f4, found.f5];
-        for (joint, force) in forces.into_iter().enumerate() {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces(forces);
         let drive = solution.drive(0) + solution.drive(1) / 2.0;
         solution.expect_torque(drive, found.t);
         let alone = linkage.alone(phi, rate.omega, rate.epsilon, load);
@@ -207,9 +205,7 @@ fn coupler_and_arm() {
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
         let forces = [found.f1, found.f2, found.f3, found.f4, found.f5];
-        for (joint, force) in forces.into_iter().enumerate() {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces(forces);
         solution.expect_torque(solution.drive(0), found.t);
         let alone = linkage.alone(phi, rate.omega, rate.epsilon, load);
         solution.expect_torque(solution.drive(0), alone.t);

@@ -115,12 +115,7 @@ fn yoke() {
 
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, push);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([found.f1, found.f2, found.f3, found.f4]);
         solution.expect_moment(2, found.m3);
         solution.expect_moment(3, found.m4);
         solution.expect_torque(solution.drive(0), found.t);
@@ -164,12 +159,7 @@ fn cross() {
 
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, push);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([found.f1, found.f2, found.f3, found.f4]);
         solution.expect_moment(1, found.m2);
         solution.expect_moment(3, found.m4);
         solution.expect_torque(solution.drive(0), found.t);

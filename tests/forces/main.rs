@@ -33,8 +33,9 @@ mod units;
 
 use body::Body;
 use joint::Kind;
+use linkage_random::Random;
 use newton_euler::Instant;
-use samples::{Random, Rate, each, energy_rate};
+use samples::{Rate, each, energy_rate};
 
 type Vector = nalgebra::Vector3<f64>;
 

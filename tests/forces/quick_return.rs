@@ -1,95 +1,74 @@
 //! Dyad RPR: a block on the crank's pin slides on a swinging arm, with an offset. Once the slide closes the loop, once the block hangs on the arm.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
 
 use super::{Instant, Kind, NEWTON, Rate, Vector, disc, each, energy_rate, flat, pin};
 
-mechanism! {
-    pub struct QuickReturn {
-        unit mm;
-        param a = 40mm;
-        param e = 7mm;
-        param reach = 180mm;
-        param base = (10mm, -90mm);
-        param m1 = 130g;
-        param m2 = 90g;
-        param m3 = 0.5kg;
-        param i2 = 2000g*mm^2;
-        param i3 = 800000g*mm^2;
-        param rate = 0.5N/mm;
-        param drag = 0.02N*s/mm;
-        param grip = 3N*mm*s;
-        argument cut = 50N;
-        input phi = 40deg in 0deg..360deg at omega, epsilon;
-        unknown theta = 75deg;
-        unknown x = 110mm;
-        let p2 = polar(a, phi);
-        let foot = base + polar(e, theta + 90deg);
-        loop p2 = base + rotate((x, e), theta);
-        let end = base + polar(reach, theta);
-        let c1 = polar(a / 4, phi + 200deg);
-        let c2 = p2 + rotate((8mm, 11mm), theta);
-        let c3 = base + rotate((80mm, -6mm), theta);
+macro_rules! quick_return {
+    ($name:ident, $forces:ident, { $($bodies:tt)* } $($functions:tt)*) => {
+        linkage::mechanism! {
+            pub struct $name {
+                unit mm;
+                param a = 40mm;
+                param e = 7mm;
+                param reach = 180mm;
+                param base = (10mm, -90mm);
+                param m1 = 130g;
+                param m2 = 90g;
+                param m3 = 0.5kg;
+                param i2 = 2000g*mm^2;
+                param i3 = 800000g*mm^2;
+                param rate = 0.5N/mm;
+                param drag = 0.02N*s/mm;
+                param grip = 3N*mm*s;
+                argument cut = 50N;
+                input phi = 40deg in 0deg..360deg at omega, epsilon;
+                unknown theta = 75deg;
+                unknown x = 110mm;
+                let p2 = polar(a, phi);
+                loop p2 = base + rotate((x, e), theta);
+                let end = base + polar(reach, theta);
+                let c1 = polar(a / 4, phi + 200deg);
+                let c2 = p2 + rotate((8mm, 11mm), theta);
+                let c3 = base + rotate((80mm, -6mm), theta);
 
-        gravity = (0.3m/s^2, -9.80665m/s^2);
-        body crank = pin b1 on frame at (0mm, 0mm), turns phi, mass m1 at c1;
-        body arm = pin b4 on frame at base, turns theta, mass m3 at c3, inertia i3;
+                gravity = (0.3m/s^2, -9.80665m/s^2);
+                body crank = pin b1 on frame at (0mm, 0mm), turns phi, mass m1 at c1;
+                body arm = pin b4 on frame at base, turns theta, mass m3 at c3, inertia i3;
+                $($bodies)*
+                force (-cut, cut / 4) on arm at end;
+                spring rate on b3, free 100mm;
+                damper drag on b3;
+                damper grip on b2;
+            }
+            impl $name {
+                pub fn forces(phi, omega, epsilon, cut) -> $forces {
+                    f1: reaction(b1), f2: reaction(b2), f3: reaction(b3), f4: reaction(b4), m3: moment(b3), t: torque(phi), p: power(),
+                }
+                $($functions)*
+            }
+        }
+    };
+}
+
+quick_return! { QuickReturn, QuickReturnForces,
+    {
         body block = pin b2 on crank at p2, turns theta, mass m2 at c2, inertia i2;
         slide b3 = block on arm at p2 along dir(theta);
-        force (-cut, cut / 4) on arm at end;
-        spring rate on b3, free 100mm;
-        damper drag on b3;
-        damper grip on b2;
     }
-    impl QuickReturn {
-        pub fn motion(phi) -> QuickReturnMotion {
-            p2, v2: velocity(p2), a2: acceleration(p2), w: velocity(theta), e: acceleration(theta), theta, x, c1, c2, c3, end,
-            margin: margin(),
-        }
-        pub fn forces(phi, omega, epsilon, cut) -> QuickReturnForces {
-            f1: reaction(b1), f2: reaction(b2), f3: reaction(b3), f4: reaction(b4), m3: moment(b3), t: torque(phi), p: power(),
-        }
-        pub fn energy(phi, omega) -> QuickReturnEnergy {
-            k: kinetic_energy(), u: potential_energy(), kv: velocity(kinetic_energy()), uv: velocity(potential_energy()),
-        }
+    pub fn motion(phi) -> QuickReturnMotion {
+        p2, v2: velocity(p2), a2: acceleration(p2), w: velocity(theta), e: acceleration(theta), theta, x, c1, c2, c3, end,
+        margin: margin(),
+    }
+    pub fn energy(phi, omega) -> QuickReturnEnergy {
+        k: kinetic_energy(), u: potential_energy(), kv: velocity(kinetic_energy()), uv: velocity(potential_energy()),
     }
 }
 
-mechanism! {
-    pub struct HungBlock {
-        unit mm;
-        param a = 40mm;
-        param e = 7mm;
-        param reach = 180mm;
-        param base = (10mm, -90mm);
-        param m1 = 130g;
-        param m2 = 90g;
-        param m3 = 0.5kg;
-        param i2 = 2000g*mm^2;
-        param i3 = 800000g*mm^2;
-        param rate = 0.5N/mm;
-        param drag = 0.02N*s/mm;
-        param grip = 3N*mm*s;
-        argument cut = 50N;
-        input phi = 40deg in 0deg..360deg at omega, epsilon;
-        unknown theta = 75deg;
-        unknown x = 110mm;
-        let p2 = polar(a, phi);
-        loop p2 = base + rotate((x, e), theta);
-        gravity = (0.3m/s^2, -9.80665m/s^2);
-        body crank = pin b1 on frame at (0mm, 0mm), turns phi, mass m1 at polar(a / 4, phi + 200deg);
-        body arm = pin b4 on frame at base, turns theta, mass m3 at base + rotate((80mm, -6mm), theta), inertia i3;
-        body block = slide b3 on arm at p2 along (2 * cos(theta), 2 * sin(theta)), mass m2 at p2 + rotate((8mm, 11mm), theta), inertia i2;
+quick_return! { HungBlock, HungBlockForces,
+    {
+        body block = slide b3 on arm at p2 along (2 * cos(theta), 2 * sin(theta)), mass m2 at c2, inertia i2;
         pin b2 = crank on block at p2;
-        force (-cut, cut / 4) on arm at base + polar(reach, theta);
-        spring rate on b3, free 100mm;
-        damper drag on b3;
-        damper grip on b2;
-    }
-    impl HungBlock {
-        pub fn forces(phi, omega, epsilon, cut) -> HungBlockForces {
-            f1: reaction(b1), f2: reaction(b2), f3: reaction(b3), f4: reaction(b4), m3: moment(b3), t: torque(phi), p: power(),
-        }
     }
 }
 
@@ -125,23 +104,13 @@ fn reactions_and_powers() {
         let all = instant(&m, &linkage.motion(phi), rate, cut);
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, cut);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([found.f1, found.f2, found.f3, found.f4]);
         solution.expect_moment(2, found.m3);
         solution.expect_torque(solution.drive(0), found.t);
         solution.expect_power(solution.power(&all), found.p, rate.omega);
 
         let other = hung.forces(phi, rate.omega, rate.epsilon, cut);
-        for (joint, force) in [other.f1, -other.f2, other.f3, other.f4]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([other.f1, -other.f2, other.f3, other.f4]);
         solution.expect_moment(2, other.m3);
         solution.expect_torque(solution.drive(0), other.t);
 

@@ -57,7 +57,7 @@ fn turns(phi: f64, w: [f64; 2], e: [f64; 2]) -> [[Vector; 2]; 2] {
 fn gyroscopic_moments() {
     let m = Rotor::default();
     let linkage = m.assemble().expect("it assembles");
-    let mut random = Random(0x1f1);
+    let mut random = Random::new(0x1f1);
     for _ in 0..120 {
         let [phi, psi] = [random.turn(), random.turn()];
         let w = [0, 1].map(|_| random.load(30.0));

@@ -75,7 +75,7 @@ fn columns<T: Scalar>(rows: usize, random: &mut Random) -> [Vec<T>; 4] {
 fn sweeps_are_single_calls<T: Scalar>(roundoff: f64) {
     let mechanism = Press::default().cast::<T>();
     let linkage = mechanism.assemble().expect("it assembles");
-    let mut random = Random(0x99);
+    let mut random = Random::new(0x99);
     for rows in [1, 7, 31, 32, 33, 64, 200] {
         let [phi, omega, epsilon, load] = columns::<T>(rows, &mut random);
         let sweep = linkage.forces_sweep(&phi, &omega, &epsilon, &load);
@@ -107,7 +107,7 @@ fn sweeps() {
 #[test]
 fn places() {
     let linkage = Press::default().assemble().expect("it assembles");
-    let [phi, omega, epsilon, load] = columns::<f64>(150, &mut Random(0x9a));
+    let [phi, omega, epsilon, load] = columns::<f64>(150, &mut Random::new(0x9a));
     let bits = |columns: &PressForcesColumns| -> Vec<[u64; WIDTH]> {
         columns
             .iter()
@@ -133,7 +133,7 @@ fn single_precision() {
         .cast::<f32>()
         .assemble()
         .expect("it assembles");
-    let mut random = Random(0x9b);
+    let mut random = Random::new(0x9b);
     for _ in 0..200 {
         let (phi, omega) = (random.turn(), random.between(5.0, 60.0));
         let (epsilon, load) = (random.between(-500.0, 500.0), random.between(-100.0, 100.0));

@@ -144,12 +144,7 @@ fn reactions_and_powers() {
         let all = instant(&m, &at, (phi, rate), load);
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, load);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([found.f1, found.f2, found.f3, found.f4]);
         solution.expect_moment(0, found.m1);
         solution.expect_moment(3, found.m4);
         solution.expect_torque(solution.drive(0), found.t);

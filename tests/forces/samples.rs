@@ -1,39 +1,9 @@
 //! Random mechanisms, speeds and loads; derivatives by inputs as motions in time.
 
 use linkage::{Dimensions, Vector2};
+use linkage_random::Random;
 
 use super::{Body, Vector, flat};
-
-/// Xorshift.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        low + (high - low) * ((self.0 >> 11) as f64 * 2f64.powi(-53))
-    }
-
-    /// From a tenth of a number to ten times as much.
-    fn size(&mut self, typical: f64) -> f64 {
-        typical * 10f64.powf(self.between(-1.0, 1.0))
-    }
-
-    /// A number of either sign.
-    pub(crate) fn load(&mut self, typical: f64) -> f64 {
-        let size = self.size(typical);
-        if self.between(0.0, 1.0) < 0.5 {
-            size
-        } else {
-            -size
-        }
-    }
-
-    pub(crate) fn turn(&mut self) -> f64 {
-        self.between(0.0, std::f64::consts::TAU)
-    }
-}
 
 /// Speed and acceleration of the only input.
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +59,7 @@ pub(crate) fn each<M: Dimensions<N>, const N: usize>(
     seed: u64,
     mut run: impl FnMut(M, &mut Random) -> bool,
 ) {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let mut compared = 0;
     for _ in 0..150 {
         let mut values = [0.0; N];

@@ -1,90 +1,72 @@
 //! Dyad RRP on a fixed guide, in both ways to declare it: the slider hangs on the frame and a pin closes the loop, or it hangs on the rod and
 //! its guide closes the loop.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
 
 use super::{Instant, Kind, NEWTON, Rate, Vector, disc, each, energy_rate, flat, pin};
 
-mechanism! {
-    pub struct SliderCrank {
-        unit mm;
-        param a = 40mm;
-        param b = 120mm;
-        param lean = 10deg;
-        param offset = 5mm;
-        param m1 = 130g;
-        param m2 = 90g;
-        param m3 = 0.5kg;
-        param i2 = 150000g*mm^2;
-        param rate = 1.5N/mm;
-        param drag = 0.02N*s/mm;
-        argument press = 50N;
-        input phi = 40deg in 0deg..360deg at omega, epsilon;
-        unknown theta = -10deg;
-        unknown x = 150mm;
-        let p2 = polar(a, phi);
-        let p3 = x * dir(lean) + polar(offset, lean + 90deg);
-        loop p2 + polar(b, theta) = p3;
-        let c1 = polar(a / 4, phi);
-        let c2 = p2 + polar(b / 3, theta);
-        let tip = p3 + polar(30mm, lean + 40deg);
+macro_rules! slider_crank {
+    ($name:ident, $forces:ident, { $($slider:tt)* } $($functions:tt)*) => {
+        linkage::mechanism! {
+            pub struct $name {
+                unit mm;
+                param a = 40mm;
+                param b = 120mm;
+                param lean = 10deg;
+                param offset = 5mm;
+                param m1 = 130g;
+                param m2 = 90g;
+                param m3 = 0.5kg;
+                param i2 = 150000g*mm^2;
+                param rate = 1.5N/mm;
+                param drag = 0.02N*s/mm;
+                argument press = 50N;
+                input phi = 40deg in 0deg..360deg at omega, epsilon;
+                unknown theta = -10deg;
+                unknown x = 150mm;
+                let p2 = polar(a, phi);
+                let p3 = x * dir(lean) + polar(offset, lean + 90deg);
+                loop p2 + polar(b, theta) = p3;
+                let c1 = polar(a / 4, phi);
+                let c2 = p2 + polar(b / 3, theta);
+                let tip = p3 + polar(30mm, lean + 40deg);
 
-        gravity = (0, -9.80665m/s^2);
-        body crank = pin b1 on frame at (0mm, 0mm), turns phi, mass m1 at c1;
-        body rod = pin b2 on crank at p2, turns theta, mass m2 at c2, inertia i2;
+                gravity = (0, -9.80665m/s^2);
+                body crank = pin b1 on frame at (0mm, 0mm), turns phi, mass m1 at c1;
+                body rod = pin b2 on crank at p2, turns theta, mass m2 at c2, inertia i2;
+                $($slider)*
+                force (-press, press / 4) on slider at tip;
+                spring rate on b4, free 100mm;
+                damper drag on b4;
+            }
+            impl $name {
+                pub fn forces(phi, omega, epsilon, press) -> $forces {
+                    f1: reaction(b1), f2: reaction(b2), f3: reaction(b3), f4: reaction(b4), m4: moment(b4), t: torque(phi), p: power(),
+                }
+                $($functions)*
+            }
+        }
+    };
+}
+
+slider_crank! { SliderCrank, SliderCrankForces,
+    {
         body slider = slide b4 on frame at p3 along dir(lean), mass m3 at tip;
         pin b3 = rod on slider at p3;
-        force (-press, press / 4) on slider at tip;
-        spring rate on b4, free 100mm;
-        damper drag on b4;
     }
-    impl SliderCrank {
-        pub fn motion(phi) -> SliderCrankMotion {
-            p2, v2: velocity(p2), a2: acceleration(p2), w2: velocity(theta), e2: acceleration(theta),
-            p3, v3: velocity(p3), a3: acceleration(p3), c1, c2, tip, x, margin: margin(),
-        }
-        pub fn forces(phi, omega, epsilon, press) -> SliderCrankForces {
-            f1: reaction(b1), f2: reaction(b2), f3: reaction(b3), f4: reaction(b4), m4: moment(b4), t: torque(phi), p: power(),
-        }
-        pub fn energy(phi, omega) -> SliderCrankEnergy {
-            k: kinetic_energy(), u: potential_energy(), kv: velocity(kinetic_energy()), uv: velocity(potential_energy()),
-        }
+    pub fn motion(phi) -> SliderCrankMotion {
+        p2, v2: velocity(p2), a2: acceleration(p2), w2: velocity(theta), e2: acceleration(theta),
+        p3, v3: velocity(p3), a3: acceleration(p3), c1, c2, tip, x, margin: margin(),
+    }
+    pub fn energy(phi, omega) -> SliderCrankEnergy {
+        k: kinetic_energy(), u: potential_energy(), kv: velocity(kinetic_energy()), uv: velocity(potential_energy()),
     }
 }
 
-mechanism! {
-    pub struct HungSlider {
-        unit mm;
-        param a = 40mm;
-        param b = 120mm;
-        param lean = 10deg;
-        param offset = 5mm;
-        param m1 = 130g;
-        param m2 = 90g;
-        param m3 = 0.5kg;
-        param i2 = 150000g*mm^2;
-        param rate = 1.5N/mm;
-        param drag = 0.02N*s/mm;
-        argument press = 50N;
-        input phi = 40deg in 0deg..360deg at omega, epsilon;
-        unknown theta = -10deg;
-        unknown x = 150mm;
-        let p2 = polar(a, phi);
-        let p3 = x * dir(lean) + polar(offset, lean + 90deg);
-        loop p2 + polar(b, theta) = p3;
-        gravity = (0, -9.80665m/s^2);
-        body crank = pin b1 on frame at (0mm, 0mm), turns phi, mass m1 at polar(a / 4, phi);
-        body rod = pin b2 on crank at p2, turns theta, mass m2 at p2 + polar(b / 3, theta), inertia i2;
-        body slider = pin b3 on rod at p3, turns 0deg, mass m3 at p3 + polar(30mm, lean + 40deg);
+slider_crank! { HungSlider, HungSliderForces,
+    {
+        body slider = pin b3 on rod at p3, turns 0deg, mass m3 at tip;
         slide b4 = slider on frame at p3 along dir(lean);
-        force (-press, press / 4) on slider at p3 + polar(30mm, lean + 40deg);
-        spring rate on b4, free 100mm;
-        damper drag on b4;
-    }
-    impl HungSlider {
-        pub fn forces(phi, omega, epsilon, press) -> HungSliderForces {
-            f1: reaction(b1), f2: reaction(b2), f3: reaction(b3), f4: reaction(b4), m4: moment(b4), t: torque(phi), p: power(),
-        }
     }
 }
 
@@ -120,24 +102,14 @@ fn reactions_and_powers() {
         let all = instant(&m, &linkage.motion(phi), rate, press);
         let solution = all.solve();
         let found = linkage.forces(phi, rate.omega, rate.epsilon, press);
-        for (joint, force) in [found.f1, found.f2, found.f3, found.f4]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([found.f1, found.f2, found.f3, found.f4]);
         solution.expect_moment(3, found.m4);
         solution.expect_torque(solution.drive(0), found.t);
         solution.expect_power(solution.power(&all), found.p, rate.omega);
 
         // The pin's force acts on the slider there.
         let other = hung.forces(phi, rate.omega, rate.epsilon, press);
-        for (joint, force) in [other.f1, other.f2, -other.f3, other.f4]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([other.f1, other.f2, -other.f3, other.f4]);
         solution.expect_moment(3, other.m4);
         solution.expect_torque(solution.drive(0), other.t);
         solution.expect_power(solution.power(&all), other.p, rate.omega);

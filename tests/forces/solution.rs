@@ -72,6 +72,14 @@ impl Solution {
         self.expect(self.forces[joint], found.into().0, self.largest);
     }
 
+    /// The forces of the first joints, in their order.
+    #[track_caller]
+    pub(crate) fn expect_forces<const N: usize>(&self, found: [impl Into<Spatial>; N]) {
+        for (joint, force) in found.into_iter().enumerate() {
+            self.expect_force(joint, force);
+        }
+    }
+
     #[track_caller]
     pub(crate) fn expect_moment(&self, joint: usize, found: impl Into<Spatial>) {
         self.expect(

@@ -92,7 +92,7 @@ fn forces_do_not_depend_on_the_tree() {
     let on_rocker = OnRocker::default().assemble().expect("it assembles");
     let open_pivot = OpenPivot::default().assemble().expect("it assembles");
     let turned = Turned::default().assemble().expect("it assembles");
-    let mut random = Random(0x101);
+    let mut random = Random::new(0x101);
     for _ in 0..200 {
         let (phi, rate, pull) = (random.turn(), Rate::any(&mut random), random.load(20.0));
         let (omega, epsilon) = (rate.omega, rate.epsilon);

@@ -102,12 +102,7 @@ fn legs() {
         let solution = all.solve();
         let [l1, l2, l3] = lengths;
         let found = linkage.forces(l1, l2, l3, v[0], a[0], v[1], a[1], v[2], a[2], load);
-        for (joint, force) in [found.j1, found.j2, found.j3, found.s1]
-            .into_iter()
-            .enumerate()
-        {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces([found.j1, found.j2, found.j3, found.s1]);
         solution.expect_moment(3, found.t1);
         solution.expect_force(6, found.k2);
         solution.expect_force(7, found.k3);

@@ -117,9 +117,7 @@ fn reactions_and_powers() {
         let forces = [
             found.f1, found.f2, found.f3, found.f4, found.f8, found.f9, found.f11,
         ];
-        for (joint, force) in forces.into_iter().enumerate() {
-            solution.expect_force(joint, force);
-        }
+        solution.expect_forces(forces);
         solution.expect_moment(6, found.m11);
         solution.expect_torque(solution.drive(0), found.t);
         let energy = linkage.energy(phi, rate.omega);

@@ -27,7 +27,7 @@ mechanism! {
 fn a_mass_beside_its_bearing() {
     let m = Disc::default();
     let linkage = m.assemble().expect("it assembles");
-    let mut random = Random(0x1e1);
+    let mut random = Random::new(0x1e1);
     for _ in 0..20 {
         let (phi, omega, epsilon) = (random.turn(), random.load(30.0), random.load(500.0));
         let found = linkage.forces(phi, omega, epsilon);

@@ -50,7 +50,7 @@ fn units_agree() {
     let small = in_mm::Slider::default().assemble().expect("it assembles");
     let large = in_m::Slider::default().assemble().expect("it assembles");
     let inch = in_inch::Slider::default().assemble().expect("it assembles");
-    let mut random = Random(0x77);
+    let mut random = Random::new(0x77);
     for _ in 0..100 {
         let (phi, omega, epsilon) = (random.turn(), random.load(30.0), random.load(500.0));
         let press = random.load(50.0);

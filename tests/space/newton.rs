@@ -1,19 +1,7 @@
 //! All solutions of a small system by Newton's method from many places: an independent count.
 
+use linkage_random::Random;
 use nalgebra::{DMatrix, DVector};
-
-/// A simple generator with a fixed seed.
-struct Random(u64);
-
-impl Random {
-    /// Between 0 and 1.
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
 
 /// Distinct solutions of `f(x) = 0` reached from random places `from[k] .. to[k]`; `same` tells which are one.
 pub(crate) fn all<const N: usize>(
@@ -22,10 +10,10 @@ pub(crate) fn all<const N: usize>(
     same: impl Fn([f64; N], [f64; N]) -> bool,
     tries: usize,
 ) -> Vec<[f64; N]> {
-    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    let mut random = Random::new(0x2545_f491_4f6c_dd1d);
     let mut found: Vec<[f64; N]> = Vec::new();
     for _ in 0..tries {
-        let start: [f64; N] = std::array::from_fn(|k| from[k] + (to[k] - from[k]) * random.next());
+        let start: [f64; N] = std::array::from_fn(|k| random.between(from[k], to[k]));
         if let Some(x) = solve(&f, start)
             && !found.iter().any(|&y| same(x, y))
         {

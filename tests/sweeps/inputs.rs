@@ -1,7 +1,8 @@
 //! Over inputs.
 
 use super::{
-    FiveBar, Random, Rocker, RockerMotionColumns, WIDTH, bits, check_row, numbers, single, swept,
+    FiveBar, Random, Rocker, RockerMotionColumns, WIDTH, angles, bits, check_row, numbers, single,
+    swept,
 };
 use linkage::Scalar;
 
@@ -16,9 +17,9 @@ fn every_length<T: Scalar>(unit: f64) {
         .cast::<T>()
         .assemble()
         .expect("it assembles");
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for len in lengths() {
-        let phi: Vec<T> = random.angles(len);
+        let phi: Vec<T> = angles(&mut random, len);
         let rows = swept(&linkage, &phi);
         assert_eq!(rows.len(), len);
         for (row, (found, &phi)) in rows.into_iter().zip(&phi).enumerate() {
@@ -43,8 +44,8 @@ fn every_place<T: Scalar>() {
         .cast::<T>()
         .assemble()
         .expect("it assembles");
-    let mut random = Random(2);
-    let mut phi: Vec<T> = random.angles(300);
+    let mut random = Random::new(2);
+    let mut phi: Vec<T> = angles(&mut random, 300);
     phi[17] = T::from_f64(f64::NAN);
     phi[250] = T::from_f64(f64::INFINITY);
     let all = bits(&swept(&linkage, &phi));
@@ -71,9 +72,9 @@ fn a_row_is_the_same_wherever_it_stands() {
 #[test]
 fn slices_are_filled_and_nothing_beside_them() {
     let linkage = Rocker::default().assemble().expect("it assembles");
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     for len in lengths() {
-        let phi: Vec<f64> = random.angles(len);
+        let phi: Vec<f64> = angles(&mut random, len);
         let start = random.below(9);
         let mut buffers: [Vec<f64>; WIDTH] = std::array::from_fn(|_| vec![-7.0; len + 16]);
         let slices = buffers
@@ -100,7 +101,7 @@ fn columns_can_be_used_again() {
     let mut columns = RockerMotionColumns::new();
     assert!(columns.is_empty());
     for len in [40, 3, 0, 100, 64, 1] {
-        let phi: Vec<f64> = Random(len as u64).angles(len);
+        let phi: Vec<f64> = angles(&mut Random::new(len as u64), len);
         linkage.motion_sweep_into(&phi, &mut columns);
         assert_eq!(columns, linkage.motion_sweep(&phi));
         assert_eq!((columns.len(), columns.psi().len()), (len, len));
@@ -110,9 +111,9 @@ fn columns_can_be_used_again() {
 #[test]
 fn two_inputs_go_side_by_side() {
     let linkage = FiveBar::default().assemble().expect("it assembles");
-    let mut random = Random(4);
+    let mut random = Random::new(4);
     for len in [1, 31, 32, 70] {
-        let phi: Vec<f64> = random.angles(len);
+        let phi: Vec<f64> = angles(&mut random, len);
         let phase: Vec<f64> = (0..len).map(|_| random.between(-1.0, 1.0)).collect();
         let columns = linkage.motion_sweep(&phi, &phase);
         for (row, found) in columns.iter().enumerate() {

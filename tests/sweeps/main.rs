@@ -10,6 +10,7 @@ mod singular;
 mod space;
 
 use linkage::{Scalar, mechanism};
+use linkage_random::Random;
 
 mechanism! {
     /// Crank-rocker with a coupler point.
@@ -123,29 +124,6 @@ fn check_row<T: Scalar>(found: [T; WIDTH], known: [T; WIDTH], unit: f64, what: &
     }
 }
 
-/// Reproducible numbers from 0 to 1.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-
-    /// A whole number below `end`.
-    fn below(&mut self, end: usize) -> usize {
-        (self.next() * end as f64) as usize
-    }
-
-    fn angles<T: Scalar>(&mut self, count: usize) -> Vec<T> {
-        let angle = |_| T::from_f64(self.between(0.0, core::f64::consts::TAU));
-        (0..count).map(angle).collect()
-    }
+fn angles<T: Scalar>(random: &mut Random, count: usize) -> Vec<T> {
+    (0..count).map(|_| T::from_f64(random.turn())).collect()
 }

@@ -1,6 +1,6 @@
 //! On many threads: the same to the last bit.
 
-use super::{Random, Rocker, RockerMotionColumns, bits, numbers};
+use super::{Random, Rocker, RockerMotionColumns, angles, bits, numbers};
 use linkage::Scalar;
 
 fn rows<T: Scalar>(columns: &RockerMotionColumns<T>) -> Vec<[u64; super::WIDTH]> {
@@ -20,8 +20,8 @@ fn same<T: Scalar + Send + Sync>() {
     let linkage = mechanism.assemble().expect("it assembles");
     let mut columns = RockerMotionColumns::new();
     for len in lengths() {
-        let mut random = Random(len as u64);
-        let phi: Vec<T> = random.angles(len);
+        let mut random = Random::new(len as u64);
+        let phi: Vec<T> = angles(&mut random, len);
         linkage.motion_sweep_parallel_into(&phi, &mut columns);
         assert_eq!(rows(&columns), rows(&linkage.motion_sweep(&phi)), "{len}");
 

@@ -8,7 +8,7 @@ use linkage::Scalar;
 fn same<T: Scalar>(lanes: impl Fn(&mut Random) -> T) {
     let mechanism = Rocker::default().cast::<T>();
     let linkage = mechanism.assemble().expect("it assembles");
-    let mut random = Random(11);
+    let mut random = Random::new(11);
     for len in [0, 1, 7, 40] {
         let phi: Vec<T> = (0..len).map(|_| lanes(&mut random)).collect();
         let rows = swept(&linkage, &phi);

@@ -1,6 +1,6 @@
 //! Over mechanisms.
 
-use super::{DragLink, Random, Rocker, WIDTH, bits, check_row, numbers, single};
+use super::{DragLink, Random, Rocker, WIDTH, angles, bits, check_row, numbers, single};
 use linkage::Scalar;
 
 /// Dimensions within some per cent of the default ones.
@@ -27,10 +27,10 @@ fn swept<T: Scalar>(sets: &[Rocker<T>], phi: &[T]) -> Vec<[T; WIDTH]> {
 }
 
 fn every_length<T: Scalar>(unit: f64) {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     for len in (0..=70).chain([95, 96, 97, 129]) {
         let sets: Vec<Rocker<T>> = (0..len).map(|_| similar(&mut random)).collect();
-        let phi: Vec<T> = random.angles(len);
+        let phi: Vec<T> = angles(&mut random, len);
         let rows = swept(&sets, &phi);
         assert_eq!(rows.len(), len);
         for (index, row) in rows.into_iter().enumerate() {
@@ -48,7 +48,7 @@ fn every_set_is_as_if_assembled_by_itself() {
 
 #[test]
 fn one_element_is_for_all() {
-    let mut random = Random(6);
+    let mut random = Random::new(6);
     for len in [0, 1, 2, 31, 32, 33, 100] {
         let sets: Vec<Rocker> = (0..len).map(|_| similar(&mut random)).collect();
         let repeated = bits(&swept(&sets, &vec![1.25; len]));
@@ -58,9 +58,9 @@ fn one_element_is_for_all() {
 
 #[test]
 fn a_set_is_the_same_wherever_it_stands() {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     let sets: Vec<Rocker> = (0..200).map(|_| similar(&mut random)).collect();
-    let phi: Vec<f64> = random.angles(200);
+    let phi: Vec<f64> = angles(&mut random, 200);
     let all = bits(&swept(&sets, &phi));
     for _ in 0..100 {
         let start = random.below(200);
@@ -72,7 +72,7 @@ fn a_set_is_the_same_wherever_it_stands() {
 
 #[test]
 fn what_cannot_be_assembled_is_nan_in_its_row_alone() {
-    let mut random = Random(8);
+    let mut random = Random::new(8);
     let mut sets: Vec<Rocker> = (0..100).map(|_| similar(&mut random)).collect();
     let good = swept(&sets, &[0.7]);
     for set in sets.iter_mut().step_by(7) {
@@ -95,7 +95,7 @@ fn the_mode_is_that_of_the_assembly() {
     let [_, other] = Rocker::default().assemblies().expect("both assemble")[..] else {
         panic!("a dyad has two assemblies");
     };
-    let mut random = Random(9);
+    let mut random = Random::new(9);
     let sets: Vec<Rocker> = (0..40).map(|_| similar(&mut random)).collect();
     let columns = other.motion_sweep_sets(&sets, &[0.7]);
     for (row, set) in columns.iter().zip(&sets) {
@@ -111,7 +111,7 @@ fn the_mode_is_that_of_the_assembly() {
 #[test]
 fn angles_count_their_turns() {
     let linkage = DragLink::default().assemble().expect("it assembles");
-    let mut random = Random(10);
+    let mut random = Random::new(10);
     let mut of = |nominal: f64| nominal * random.between(0.98, 1.02);
     let sets: Vec<DragLink> = (0..150)
         .map(|_| DragLink {

@@ -75,7 +75,7 @@ fn check<T: Scalar>(found: [T; WIDTH], known: [T; WIDTH], unit: f64) {
 fn inputs_and_sets<T: Scalar>(unit: f64) {
     let linkage = Space::default().cast::<T>().assemble();
     let linkage = linkage.expect("it assembles");
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     for len in [0, 1, 7, 8, 31, 32, 33, 64, 65, 100] {
         let phi: Vec<T> = (0..len)
             .map(|_| T::from_f64(random.between(0.0, 6.2)))

@@ -1,9 +1,10 @@
 //! All assemblies are listed, no other ones, and the chosen one is the one that the estimates mean.
 
+use crate::effort;
 use crate::kinds::{self, Answer};
 use crate::legs::{Point, Pose, characteristic, poses};
-use crate::random::{Random, effort};
 use crate::two_slides;
+use linkage_random::Random;
 use std::f64::consts::TAU;
 
 /// Loops are missed by less than this many times the size of the mechanism: some roundings.

@@ -3,7 +3,8 @@
 use crate::contour::Contour;
 use crate::legs::turned;
 use crate::newton;
-use crate::random::{Random, alike, effort};
+use crate::{alike, effort};
+use linkage_random::Random;
 use std::f64::consts::TAU;
 
 const REFERENCE: f64 = 30.0 / 180.0 * std::f64::consts::PI;

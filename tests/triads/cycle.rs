@@ -1,10 +1,11 @@
 //! An assembly stays itself over the whole cycle: a position is the one that fine steps lead to from the
 //! reference, or NaN.
 
+use crate::effort;
 use crate::follow::{follow, follow_and_measure};
 use crate::kinds::{Answer, Dimensions, KINDS, Kind};
 use crate::legs::{Pose, distance, poses};
-use crate::random::{Random, effort};
+use linkage_random::Random;
 use std::f64::consts::TAU;
 
 const REFERENCE: f64 = 30.0 / 180.0 * std::f64::consts::PI;

@@ -2,8 +2,8 @@
 
 use crate::follow::follow;
 use crate::legs::{Leg, Pose, distance, poses, turned};
-use crate::random::Random;
 use linkage::{Scalar, Vector2};
+use linkage_random::Random;
 
 linkage::mechanism! {
     /// Three cylinders hold a plate.

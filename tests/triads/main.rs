@@ -15,7 +15,6 @@ mod newton;
 mod pinned;
 mod platforms;
 mod polynomial;
-mod random;
 mod sweeps;
 mod two_slides;
 
@@ -29,4 +28,18 @@ fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
         }
     };
     numbers.into_iter().fold(0.0, more)
+}
+
+/// How many times the usual number of cases: 10 for `LINKAGE_LONG=1`, 20 for `LINKAGE_LONG=2`.
+fn effort() -> usize {
+    let long = std::env::var("LINKAGE_LONG").ok();
+    let times = long.and_then(|value| value.parse::<usize>().ok());
+    times.map_or(1, |times| 10 * times.max(1))
+}
+
+/// Whether two lists of directions, or of numbers of size 1, are the same.
+fn alike(one: &[f64], two: &[f64], tolerance: f64) -> bool {
+    one.iter()
+        .zip(two)
+        .all(|(a, b)| ((a - b) / 2.0).sin().abs() < tolerance)
 }

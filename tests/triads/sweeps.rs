@@ -1,7 +1,7 @@
 //! Sweeps, sets of dimensions and other scalars on coupled groups: the rows of single calls.
 
-use crate::random::Random;
 use linkage::AssemblyError;
+use linkage_random::Random;
 use std::f64::consts::TAU;
 
 linkage::mechanism! {

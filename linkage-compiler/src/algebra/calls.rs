@@ -1,218 +1,152 @@
 //! The functions of the language.
 
-use linkage_symbolic::NodeId;
-use linkage_symbolic::program::{Binary, Ternary, Unary};
+use linkage_symbolic::program::{Binary, Unary};
+use linkage_symbolic::{Ex, V2, V3, Vector, Vn};
 
 use crate::model::Function;
 
-use super::{Algebra, Scalar, Value};
+use super::{Algebra, Value};
 
-impl Algebra<'_> {
-    pub(crate) fn call(&mut self, function: Function, arguments: Vec<Value>) -> Value {
+impl<'m> Algebra<'m> {
+    pub(crate) fn call(&mut self, function: Function, arguments: Vec<Value<'m>>) -> Value<'m> {
         use Function::*;
+        let number = |k: usize| self.number(&arguments[k]);
+        let vector = |k: usize| self.vector(&arguments[k]);
         match function {
             Polar => {
-                let length = self.as_node(&arguments[0]);
-                let unit = self.direction_of(&arguments[1]);
-                Value::Vector(unit.map(|x| self.graph.mul(length, x)).to_vec())
+                let length = number(0);
+                in_plane(length * self.direction_of(&arguments[1]))
             }
-            Dir => Value::Vector(self.direction_of(&arguments[0]).to_vec()),
+            Dir => in_plane(self.direction_of(&arguments[0])),
             Rotate => {
-                let v = self.components(&arguments[0]);
+                let v = vector(0);
                 let unit = self.direction_of(&arguments[1]);
-                Value::Vector(self.complex_product([v[0], v[1]], unit).to_vec())
+                in_plane(plane(v).turned(unit))
             }
-            Turn => self.turn(&arguments),
-            Dot => {
-                let (a, b) = (
-                    self.components(&arguments[0]),
-                    self.components(&arguments[1]),
-                );
-                Value::Scalar(self.dot(&a, &b).into())
+            Turn => {
+                let (v, axis) = (spatial(vector(0)), spatial(vector(1)));
+                self.turn(v, axis, &arguments[2])
             }
-            Cross => self.cross_call(&arguments),
-            Norm => {
-                let v = self.components(&arguments[0]);
-                Value::Scalar(self.length(&v).into())
+            Dot => vector(0).dot(vector(1)).into(),
+            Cross => {
+                let (a, b) = (vector(0), vector(1));
+                match a.len().max(b.len()) {
+                    2 => plane(a).cross(plane(b)).into(),
+                    _ => in_space(spatial(a).cross(spatial(b))),
+                }
             }
-            Distance => {
-                let (a, b) = (
-                    self.components(&arguments[0]),
-                    self.components(&arguments[1]),
-                );
-                let difference = self.difference(&a, &b);
-                Value::Scalar(self.length(&difference).into())
-            }
+            Norm => vector(0).length().into(),
+            Distance => (vector(0) - vector(1)).length().into(),
             Unit => {
-                let v = self.components(&arguments[0]);
-                let unit = match v[..] {
-                    [x, y, z] => self.unit_vector([x, y, z]).to_vec(),
-                    _ => self.length_and_unit([v[0], v[1]]).1.to_vec(),
-                };
-                Value::Vector(unit)
+                let v = vector(0);
+                match v.in_space() {
+                    Some(v) => in_space(v.unit()),
+                    None => in_plane(plane(v).length_and_unit().1),
+                }
             }
             Angle => {
-                let v = self.components(&arguments[0]);
-                Value::Scalar(self.graph.binary(Binary::Atan2, v[1], v[0]).into())
+                let v = plane(vector(0));
+                v[1].atan2(v[0]).into()
             }
-            TriangleAngle => self.triangle_angle(&arguments),
-            Sin => self.trigonometric(&arguments[0], |_, [_, s]| s),
-            Cos => self.trigonometric(&arguments[0], |_, [c, _]| c),
-            Tan => self.trigonometric(&arguments[0], |a, [c, s]| a.graph.div(s, c)),
-            Asin => self.unary_call(Unary::Asin, &arguments),
-            Acos => self.unary_call(Unary::Acos, &arguments),
-            Atan => self.unary_call(Unary::Atan, &arguments),
-            Sqrt => self.square_root(&arguments[0]),
-            Abs => self.unary_call(Unary::Abs, &arguments),
-            Atan2 => self.binary_call(Binary::Atan2, &arguments),
-            Min => self.binary_call(Binary::Min, &arguments),
-            Max => self.binary_call(Binary::Max, &arguments),
-            Hypot => {
-                let v = [self.as_node(&arguments[0]), self.as_node(&arguments[1])];
-                Value::Scalar(self.length(&v).into())
+            TriangleAngle => triangle_angle([0, 1, 2].map(number)).into(),
+            Sin => self.direction_of(&arguments[0])[1].into(),
+            Cos => self.direction_of(&arguments[0])[0].into(),
+            Tan => {
+                let unit = self.direction_of(&arguments[0]);
+                (unit[1] / unit[0]).into()
             }
+            Asin => number(0).unary(Unary::Asin).into(),
+            Acos => number(0).unary(Unary::Acos).into(),
+            Atan => number(0).unary(Unary::Atan).into(),
+            Sqrt => self.square_root(number(0)).into(),
+            Abs => number(0).abs().into(),
+            Atan2 => binary(Binary::Atan2, [0, 1].map(number)),
+            Min => binary(Binary::Min, [0, 1].map(number)),
+            Max => binary(Binary::Max, [0, 1].map(number)),
+            Hypot => Vector([0, 1].map(number)).length().into(),
             Frame => self.frame(&arguments),
             PointIn => self.point_in(&arguments),
             CoordinatesIn => self.coordinates_in(&arguments),
         }
     }
 
-    fn direction_of(&mut self, angle: &Value) -> [NodeId; 2] {
-        let angle = self.as_scalar(angle);
+    fn direction_of(&mut self, angle: &Value<'m>) -> V2<'m> {
+        let angle = self.scalar(angle);
         self.direction(&angle)
     }
 
-    fn trigonometric(
-        &mut self,
-        angle: &Value,
-        pick: impl Fn(&mut Self, [NodeId; 2]) -> NodeId,
-    ) -> Value {
-        let unit = self.direction_of(angle);
-        Value::Scalar(pick(self, unit).into())
-    }
-
     /// The root of `v . v` is known as a length.
-    fn square_root(&mut self, argument: &Value) -> Value {
-        let square = self.as_node(argument);
-        let root = match self.squares.get(&square).cloned() {
-            Some(vector) if vector.len() == 3 => self.length(&vector),
-            _ => self.graph.sqrt(square),
-        };
-        Value::Scalar(root.into())
-    }
-
-    fn unary_call(&mut self, op: Unary, arguments: &[Value]) -> Value {
-        let a = self.as_node(&arguments[0]);
-        Value::Scalar(self.graph.unary(op, a).into())
-    }
-
-    fn binary_call(&mut self, op: Binary, arguments: &[Value]) -> Value {
-        let (a, b) = (self.as_node(&arguments[0]), self.as_node(&arguments[1]));
-        Value::Scalar(self.graph.binary(op, a, b).into())
-    }
-
-    pub(crate) fn dot(&mut self, a: &[NodeId], b: &[NodeId]) -> NodeId {
-        if a == b {
-            return self.sum_of_squares(a);
-        }
-        let zero = self.graph.zero();
-        a.iter().zip(b).fold(zero, |sum, (&x, &y)| {
-            let product = self.graph.mul(x, y);
-            self.graph.add(sum, product)
-        })
-    }
-
-    /// `a x b` in the plane.
-    pub(crate) fn cross(&mut self, a: [NodeId; 2], b: [NodeId; 2]) -> NodeId {
-        let left = self.graph.mul(a[0], b[1]);
-        let right = self.graph.mul(a[1], b[0]);
-        self.graph.sub(left, right)
-    }
-
-    /// `a x b` in space.
-    pub(crate) fn cross3(&mut self, a: [NodeId; 3], b: [NodeId; 3]) -> [NodeId; 3] {
-        [0, 1, 2].map(|k| {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            self.cross([a[i], a[j]], [b[i], b[j]])
-        })
-    }
-
-    fn cross_call(&mut self, arguments: &[Value]) -> Value {
-        let (a, b) = (
-            self.components(&arguments[0]),
-            self.components(&arguments[1]),
-        );
-        match a.len().max(b.len()) {
-            2 => Value::Scalar(self.cross([a[0], a[1]], [b[0], b[1]]).into()),
-            _ => Value::Vector(self.cross3(spatial(&a), spatial(&b)).to_vec()),
+    fn square_root(&self, square: Ex<'m>) -> Ex<'m> {
+        match self.graph.vector_of_square(square.id()) {
+            Some(vector) if vector.len() == 3 => self.graph.components(&vector).length(),
+            _ => square.sqrt(),
         }
     }
 
     /// Rodrigues: `v cos + (k x v) sin + k (k . v) (1 - cos)` about the unit axis `k`.
-    fn turn(&mut self, arguments: &[Value]) -> Value {
-        let v = spatial(&self.components(&arguments[0]));
-        let axis = spatial(&self.components(&arguments[1]));
-        let axis = self.unit_vector(axis);
-        let [cos, sin] = self.direction_of(&arguments[2]);
-        let (one, zero) = (self.graph.one(), self.graph.zero());
-        let along = self.dot(&axis, &v);
-        let sideways = self.cross3(axis, v);
-        let fixed = v.iter().chain(&axis).all(|&x| self.is_fixed(x));
+    fn turn(&mut self, v: V3<'m>, axis: V3<'m>, angle: &Value<'m>) -> Value<'m> {
+        let axis = axis.unit();
+        let Vector([cos, sin]) = self.direction_of(angle);
+        let along = axis.dot(v);
+        let sideways = axis.cross(v);
         let (turning, sideways, along) = if self.vanishes(along) {
-            (v, sideways, zero)
-        } else if fixed {
+            (v, sideways, self.zero())
+        } else if v.is_fixed() && axis.is_fixed() {
             // Of a vector that is prepared only the part across the axis turns: what is left of a long part along it by
             // rounding would tilt the circle.
-            let across = self.cross3(sideways, axis);
-            (across, self.cross3(axis, across), along)
+            let across = sideways.cross(axis);
+            (across, axis.cross(across), along)
         } else {
-            let versine = self.graph.sub(one, cos);
-            (v, sideways, self.graph.mul(along, versine))
+            let versine = 1.0 - cos;
+            (v, sideways, along * versine)
         };
-        let turned = [0, 1, 2].map(|k| {
-            let terms = [
-                self.graph.mul(turning[k], cos),
-                self.graph.mul(sideways[k], sin),
-                self.graph.mul(axis[k], along),
-            ];
-            let sum = self.graph.add(terms[0], terms[1]);
-            self.graph.add(sum, terms[2])
-        });
-        if self.is_unit(&v) {
-            self.mark_unit(&turned);
+        let turned = Vector([0, 1, 2].map(|k| {
+            let terms = [turning[k] * cos, sideways[k] * sin, axis[k] * along];
+            terms[0] + terms[1] + terms[2]
+        }));
+        if v.is_unit() {
+            turned.mark_unit();
         }
-        Value::Vector(turned.to_vec())
-    }
-
-    /// The angle between sides `a` and `b`, opposite to `c`, by Kahan's formula, which needle triangles do not hurt
-    /// (W. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle").
-    fn triangle_angle(&mut self, arguments: &[Value]) -> Value {
-        let sides: Vec<NodeId> = arguments.iter().map(|a| self.as_node(a)).collect();
-        let g = &mut self.graph;
-        let a = g.binary(Binary::Max, sides[0], sides[1]);
-        let b = g.binary(Binary::Min, sides[0], sides[1]);
-        let c = sides[2];
-        let a_minus_b = g.sub(a, b);
-        let a_minus_c = g.sub(a, c);
-        let b_minus_c = g.sub(b, c);
-        let short_c = g.sub(c, a_minus_b);
-        let short_b = g.sub(b, a_minus_c);
-        let smallest = g.ternary(Ternary::Select, b_minus_c, short_c, short_b);
-        let opposite = g.add(a_minus_b, c);
-        let numerator = g.mul(opposite, smallest);
-        let b_plus_c = g.add(b, c);
-        let perimeter = g.add(a, b_plus_c);
-        let beside = g.add(a_minus_c, b);
-        let denominator = g.mul(perimeter, beside);
-        let square = g.div(numerator, denominator);
-        let tangent = g.sqrt(square);
-        let half = g.unary(Unary::Atan, tangent);
-        let two = g.constant(2.0);
-        Value::Scalar(Scalar::from(g.mul(two, half)))
+        in_space(turned)
     }
 }
 
+fn in_plane(v: V2) -> Value {
+    Value::Vector(v.into())
+}
+
+fn in_space(v: V3) -> Value {
+    Value::Vector(v.into())
+}
+
+/// The two components of a plane vector.
+fn plane(v: Vn) -> V2 {
+    Vector([v.at(0), v.at(1)])
+}
+
 /// The three components of a space vector.
-fn spatial(v: &[NodeId]) -> [NodeId; 3] {
-    [v[0], v[1], v[2]]
+fn spatial(v: Vn) -> V3 {
+    Vector([v.at(0), v.at(1), v.at(2)])
+}
+
+fn binary<'m>(op: Binary, [a, b]: [Ex<'m>; 2]) -> Value<'m> {
+    a.binary(op, b).into()
+}
+
+/// The angle between the first two sides, opposite to the last, by Kahan's formula, which needle triangles do not hurt
+/// (W. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle").
+fn triangle_angle([first, second, c]: [Ex; 3]) -> Ex {
+    let a = first.max(second);
+    let b = first.min(second);
+    let a_minus_b = a - b;
+    let a_minus_c = a - c;
+    let b_minus_c = b - c;
+    let short_c = c - a_minus_b;
+    let short_b = b - a_minus_c;
+    let smallest = b_minus_c.select(short_c, short_b);
+    let numerator = (a_minus_b + c) * smallest;
+    let perimeter = a + (b + c);
+    let denominator = perimeter * (a_minus_c + b);
+    let tangent = (numerator / denominator).sqrt();
+    2.0 * tangent.unary(Unary::Atan)
 }

@@ -1,17 +1,26 @@
 //! What values depend on, definitions followed.
 
-use std::collections::HashSet;
+use std::collections::BTreeSet;
+
+use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, NodeId, SymbolId};
 
 use super::Algebra;
 
-impl Algebra<'_> {
+/// Inputs that symbols depend on, under the definitions of some revision of the graph.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Dependence {
+    revision: usize,
+    inputs: Map<SymbolId, Vec<usize>>,
+}
+
+impl<'m> Algebra<'m> {
     /// All symbols that nodes are computed from.
-    pub(crate) fn symbols_below(&self, nodes: &[NodeId]) -> HashSet<SymbolId> {
-        let mut found: HashSet<SymbolId> = HashSet::new();
-        let mut open = nodes.to_vec();
+    pub(crate) fn symbols_below(&self, all: &[Ex<'m>]) -> BTreeSet<SymbolId> {
+        let mut found: BTreeSet<SymbolId> = BTreeSet::new();
+        let mut open: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
         while !open.is_empty() {
             let mut next = Vec::new();
             for symbol in self.graph.symbols_of(&open) {
@@ -24,8 +33,18 @@ impl Algebra<'_> {
         found
     }
 
-    /// The inputs that nodes depend on, in order. Remembered for each symbol: the definitions below must be complete.
-    pub(crate) fn inputs_below(&mut self, nodes: &[NodeId]) -> Vec<usize> {
+    /// The inputs that expressions depend on, in order.
+    pub(crate) fn inputs_below(&mut self, all: &[Ex<'m>]) -> Vec<usize> {
+        let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
+        let dependence = &mut self.derivatives.dependence;
+        if dependence.revision != self.graph.revision() {
+            dependence.inputs.clear();
+            dependence.revision = self.graph.revision();
+        }
+        self.inputs_of_nodes(&nodes)
+    }
+
+    fn inputs_of_nodes(&mut self, nodes: &[NodeId]) -> Vec<usize> {
         let mut inputs: Vec<usize> = self
             .graph
             .symbols_of(nodes)
@@ -38,23 +57,25 @@ impl Algebra<'_> {
     }
 
     /// Whether something is computed from what the loops tell.
-    pub(crate) fn depends_on_unknowns(&self, nodes: &[NodeId]) -> bool {
-        let symbols = self.graph.symbols_of(nodes).into_iter();
+    pub(crate) fn depends_on_unknowns(&self, all: &[Ex<'m>]) -> bool {
+        let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
+        let symbols = self.graph.symbols_of(&nodes).into_iter();
         let mut sources = symbols.map(|symbol| self.graph.symbol(symbol).source);
         sources.any(|source| source.is_none())
     }
 
     fn inputs_of_symbol(&mut self, symbol: SymbolId) -> Vec<usize> {
-        if let Some(known) = self.inputs_of.get(&symbol) {
+        if let Some(known) = self.derivatives.dependence.inputs.get(&symbol) {
             return known.clone();
         }
         let record = self.graph.symbol(symbol);
         let inputs = match (record.source, record.definition) {
             (Some(Source::Input(index)), _) => vec![index],
-            (_, Some(definition)) => self.inputs_below(&[definition]),
+            (_, Some(definition)) => self.inputs_of_nodes(&[definition]),
             _ => return Vec::new(),
         };
-        self.inputs_of.insert(symbol, inputs.clone());
+        let known = &mut self.derivatives.dependence.inputs;
+        known.insert(symbol, inputs.clone());
         inputs
     }
 }

@@ -4,63 +4,63 @@
 //! for every other unknown. What remains is a small square matrix, the same for every right-hand side. Cofactors need no choice
 //! of pivots, which would be a branch, and no division but the last.
 
-use std::collections::HashMap;
+use linkage_symbolic::unordered::Map;
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::{Ex, Graph};
 
 use super::Algebra;
 
 /// How a group's Jacobian is brought down to its core.
 #[derive(Clone, Debug)]
-pub(crate) struct Elimination {
+pub(crate) struct Elimination<'m> {
     /// One for each equation of the core.
-    pub(crate) rows: Vec<CoreRow>,
+    pub(crate) rows: Vec<CoreRow<'m>>,
     /// Scaled, by row and unknown.
-    pub(crate) matrix: Vec<Vec<NodeId>>,
+    pub(crate) matrix: Vec<Vec<Ex<'m>>>,
     /// An unknown is its scaled value times this: 1 for an angle, a length for a slide.
-    pub(crate) units: Vec<NodeId>,
+    pub(crate) units: Vec<Ex<'m>>,
     /// In the order of the columns after those of the core.
-    pub(crate) privates: Vec<PrivateColumn>,
+    pub(crate) privates: Vec<PrivateColumn<'m>>,
 }
 
 /// An equation of the core: a combination of the rows of one loop.
 #[derive(Clone, Debug)]
-pub(crate) struct CoreRow {
+pub(crate) struct CoreRow<'m> {
     /// The loop's first row.
     pub(crate) first: usize,
     /// One factor for each of its rows, or for one of them.
-    pub(crate) factors: Vec<NodeId>,
+    pub(crate) factors: Vec<Ex<'m>>,
 }
 
 /// The column of a private unknown: two rows.
 #[derive(Clone, Debug)]
-pub(crate) struct PrivateColumn {
+pub(crate) struct PrivateColumn<'m> {
     pub(crate) first: usize,
     /// The square of its length.
-    pub(crate) square: NodeId,
+    pub(crate) square: Ex<'m>,
 }
 
-impl Algebra<'_> {
+impl<'m> Algebra<'m> {
     /// The unknowns of `J r = right`, the core first. `determinant` is that of the matrix.
     pub(super) fn eliminate(
         &mut self,
         group: usize,
-        right: &[NodeId],
-        name: &mut dyn FnMut(&mut Self, usize, NodeId) -> NodeId,
-    ) -> Vec<NodeId> {
-        let solution = self.solutions[group].clone();
+        right: &[Ex<'m>],
+        name: &mut dyn FnMut(&mut Self, usize, Ex<'m>) -> Ex<'m>,
+    ) -> Vec<Ex<'m>> {
+        let solution = self.solutions.groups[group].clone();
         let Some(elimination) = &solution.elimination else {
             unreachable!("closed forms are solved by Cramer's rule");
         };
-        let core: Vec<NodeId> = elimination
+        let core: Vec<Ex> = elimination
             .rows
             .iter()
-            .map(|row| self.dot(&row.factors, &right[row.first..]))
+            .map(|row| self.product_sum(&row.factors, &right[row.first..]))
             .collect();
         let quotients = self.solve_core(&elimination.matrix, &core, solution.determinant);
         let mut rates = Vec::new();
         for (position, quotient) in quotients.into_iter().enumerate() {
-            let rate = self.graph.mul(elimination.units[position], quotient);
+            let rate = elimination.units[position] * quotient;
             rates.push(name(self, position, rate));
         }
         let count = rates.len();
@@ -68,134 +68,140 @@ impl Algebra<'_> {
             let rows = [private.first, private.first + 1];
             let left = rows.map(|row| {
                 let columns = solution.jacobian[..count].iter().zip(&rates);
-                columns.fold(right[row], |sum, (column, &rate)| {
-                    let product = self.graph.mul(column[row], rate);
-                    self.graph.sub(sum, product)
-                })
+                columns.fold(right[row], |sum, (column, &rate)| sum - column[row] * rate)
             });
             let own = rows.map(|row| solution.jacobian[count + k][row]);
-            let along = self.dot(&own, &left);
-            let rate = self.graph.div(along, private.square);
+            let rate = self.product_sum(&own, &left) / private.square;
             rates.push(name(self, count + k, rate));
         }
         rates
     }
 
     /// The multipliers of `J^T l = weights`.
-    pub(super) fn eliminate_transposed(&mut self, group: usize, weights: &[NodeId]) -> Vec<NodeId> {
-        let solution = self.solutions[group].clone();
+    pub(super) fn eliminate_transposed(&mut self, group: usize, weights: &[Ex<'m>]) -> Vec<Ex<'m>> {
+        let solution = self.solutions.groups[group].clone();
         let Some(elimination) = &solution.elimination else {
             unreachable!("closed forms are solved by Cramer's rule");
         };
         let count = elimination.units.len();
-        let zero = self.graph.zero();
+        let zero = self.zero();
         let mut multipliers = vec![zero; solution.jacobian[0].len()];
         for (k, private) in elimination.privates.iter().enumerate() {
-            let factor = self.graph.div(weights[count + k], private.square);
+            let factor = weights[count + k] / private.square;
             for row in [private.first, private.first + 1] {
-                let own = solution.jacobian[count + k][row];
-                multipliers[row] = self.graph.mul(factor, own);
+                multipliers[row] = factor * solution.jacobian[count + k][row];
             }
         }
-        let core: Vec<NodeId> = (0..count)
+        let core: Vec<Ex> = (0..count)
             .map(|position| {
-                let known = self.dot(&multipliers, &solution.jacobian[position]);
-                let rest = self.graph.sub(weights[position], known);
-                self.graph.mul(elimination.units[position], rest)
+                let known = self.product_sum(&multipliers, &solution.jacobian[position]);
+                elimination.units[position] * (weights[position] - known)
             })
             .collect();
-        let transposed: Vec<Vec<NodeId>> = (0..count)
+        let transposed: Vec<Vec<Ex>> = (0..count)
             .map(|column| elimination.matrix.iter().map(|row| row[column]).collect())
             .collect();
         let numerators = self.cofactor_products(&transposed, &core);
         for (row, numerator) in elimination.rows.iter().zip(numerators) {
-            let factor = self.graph.div(numerator, solution.determinant);
+            let factor = numerator / solution.determinant;
             for (k, &own) in row.factors.iter().enumerate() {
-                let product = self.graph.mul(factor, own);
-                let multiplier = multipliers[row.first + k];
-                multipliers[row.first + k] = self.graph.add(multiplier, product);
+                multipliers[row.first + k] += factor * own;
             }
         }
         multipliers
     }
 
+    /// The sum of products, of any number.
+    pub(crate) fn product_sum(&self, a: &[Ex<'m>], b: &[Ex<'m>]) -> Ex<'m> {
+        let pairs = a.iter().zip(b);
+        pairs.fold(self.zero(), |sum, (&x, &y)| sum + x * y)
+    }
+
     /// The solution of a linear system. What is divided by the determinant is the right-hand side where that is mostly 0.
     fn solve_core(
         &mut self,
-        matrix: &[Vec<NodeId>],
-        right: &[NodeId],
-        determinant: NodeId,
-    ) -> Vec<NodeId> {
-        let entries = right.iter().filter(|&&x| !self.graph.is_zero(x)).count();
+        matrix: &[Vec<Ex<'m>>],
+        right: &[Ex<'m>],
+        determinant: Ex<'m>,
+    ) -> Vec<Ex<'m>> {
+        let entries = right.iter().filter(|x| !x.is_zero()).count();
         if entries < right.len() {
-            let right: Vec<NodeId> = right
-                .iter()
-                .map(|&x| self.graph.div(x, determinant))
-                .collect();
+            let right: Vec<Ex> = right.iter().map(|&x| x / determinant).collect();
             return self.cofactor_products(matrix, &right);
         }
         let numerators = self.cofactor_products(matrix, right).into_iter();
         numerators
-            .map(|numerator| self.graph.div(numerator, determinant))
+            .map(|numerator| numerator / determinant)
             .collect()
     }
 
     /// The adjugate of a matrix times a vector: the solution of the linear system times the determinant.
     pub(crate) fn cofactor_products(
-        &mut self,
-        matrix: &[Vec<NodeId>],
-        right: &[NodeId],
-    ) -> Vec<NodeId> {
+        &self,
+        matrix: &[Vec<Ex<'m>>],
+        right: &[Ex<'m>],
+    ) -> Vec<Ex<'m>> {
         let size = matrix.len();
         let all = (1_u32 << size) - 1;
-        let mut minors = HashMap::new();
-        let zero = self.graph.zero();
+        let mut minors = Minors::of(self.graph, matrix);
+        let zero = self.zero();
         (0..size)
             .map(|column| {
                 (0..size).fold(zero, |sum, row| {
-                    let minor =
-                        self.minor(matrix, all & !(1 << row), all & !(1 << column), &mut minors);
-                    let product = self.graph.mul(minor, right[row]);
+                    let minor = minors.minor(all & !(1 << row), all & !(1 << column));
+                    let product = minor * right[row];
                     match (row + column) % 2 {
-                        0 => self.graph.add(sum, product),
-                        _ => self.graph.sub(sum, product),
+                        0 => sum + product,
+                        _ => sum - product,
                     }
                 })
             })
             .collect()
     }
 
-    pub(crate) fn determinant(&mut self, matrix: &[Vec<NodeId>]) -> NodeId {
+    pub(crate) fn determinant(&self, matrix: &[Vec<Ex<'m>>]) -> Ex<'m> {
         let all = (1_u32 << matrix.len()) - 1;
-        self.minor(matrix, all, all, &mut HashMap::new())
+        Minors::of(self.graph, matrix).minor(all, all)
+    }
+}
+
+/// The minors of a matrix that are known already.
+struct Minors<'a, 'm> {
+    graph: &'m Graph,
+    matrix: &'a [Vec<Ex<'m>>],
+    /// By the sets of rows and of columns, as bits.
+    known: Map<(u32, u32), Ex<'m>>,
+}
+
+impl<'a, 'm> Minors<'a, 'm> {
+    fn of(graph: &'m Graph, matrix: &'a [Vec<Ex<'m>>]) -> Self {
+        Self {
+            graph,
+            matrix,
+            known: Map::new(),
+        }
     }
 
     /// The determinant of the rows and columns in two sets, by its first row.
-    fn minor(
-        &mut self,
-        matrix: &[Vec<NodeId>],
-        rows: u32,
-        columns: u32,
-        known: &mut HashMap<(u32, u32), NodeId>,
-    ) -> NodeId {
+    fn minor(&mut self, rows: u32, columns: u32) -> Ex<'m> {
         if rows == 0 {
-            return self.graph.one();
+            return self.graph.number(1.0);
         }
-        if let Some(&minor) = known.get(&(rows, columns)) {
+        if let Some(&minor) = self.known.get(&(rows, columns)) {
             return minor;
         }
         let row = rows.trailing_zeros() as usize;
-        let mut sum = self.graph.zero();
-        let among = (0..matrix.len()).filter(|&column| columns >> column & 1 == 1);
+        let mut sum = self.graph.number(0.0);
+        let among = (0..self.matrix.len()).filter(|&column| columns >> column & 1 == 1);
         for (place, column) in among.enumerate() {
-            let below = self.minor(matrix, rows & !(1 << row), columns & !(1 << column), known);
-            let product = self.graph.mul(matrix[row][column], below);
+            let below = self.minor(rows & !(1 << row), columns & !(1 << column));
+            let product = self.matrix[row][column] * below;
             sum = match place % 2 {
-                0 => self.graph.add(sum, product),
-                _ => self.graph.sub(sum, product),
+                0 => sum + product,
+                _ => sum - product,
             };
         }
-        known.insert((rows, columns), sum);
+        self.known.insert((rows, columns), sum);
         sum
     }
 }

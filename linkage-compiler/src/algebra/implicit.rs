@@ -5,81 +5,17 @@
 //! every further derivative follows by differentiating that linear system, so that the square root of the
 //! closed form is never differentiated. Each rate is a symbol of its own: common parts are computed once.
 
-use linkage_symbolic::{Calculus, DerivativeMemo, Graph, NodeId, SymbolId, differentiate};
+use linkage_symbolic::{
+    Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, Vector, differentiate,
+};
 
-use super::Algebra;
-use super::elimination::Elimination;
-
-/// How a symbol that lives by its definition is differentiated.
-#[derive(Clone, Debug)]
-pub(crate) enum Rule {
-    /// Like this expression, which is equal to the definition.
-    Follow(NodeId),
-    /// The cosine, sine or value of an angle that a group solves for; `sense` is -1 if the group works with its
-    /// negative.
-    Cosine(AngleRule),
-    Sine(AngleRule),
-    Value(AngleRule),
-    /// A component of `z u`, a vector that turns with unknown `position` of a group.
-    Turning(Box<Turning>),
-    /// Unknown `position` of a group.
-    Unknown {
-        group: usize,
-        position: usize,
-    },
-    /// A derivative of unknown `position` of a group.
-    Rate {
-        group: usize,
-        position: usize,
-        by: Vec<SymbolId>,
-    },
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct AngleRule {
-    pub(crate) group: usize,
-    pub(crate) position: usize,
-    pub(crate) sense: f64,
-    pub(crate) cos: NodeId,
-    pub(crate) sin: NodeId,
-}
-
-/// See [`Rule::Turning`].
-#[derive(Clone, Debug)]
-pub(crate) struct Turning {
-    pub(crate) group: usize,
-    pub(crate) position: usize,
-    pub(crate) component: usize,
-    /// The vector itself.
-    pub(crate) vector: [NodeId; 2],
-    pub(crate) z: [NodeId; 2],
-    pub(crate) unit: [NodeId; 2],
-}
-
-/// One term of a group's equations.
-#[derive(Clone, Debug)]
-pub(crate) struct Term {
-    /// One for each equation.
-    pub(crate) coefficient: Vec<NodeId>,
-    pub(crate) factor: NodeId,
-}
-
-/// What differentiation needs to know of a solved group.
-#[derive(Clone, Debug)]
-pub(crate) struct Solution {
-    pub(crate) terms: Vec<Term>,
-    /// Columns: the derivatives of the equations by each unknown.
-    pub(crate) jacobian: Vec<Vec<NodeId>>,
-    pub(crate) determinant: NodeId,
-    /// For a coupled group; closed forms have one or two equations.
-    pub(crate) elimination: Option<Elimination>,
-}
+use super::{Algebra, AngleRule, Rule, Turning};
 
 /// Derivatives of a group's unknowns by some variables, and the right-hand side that they solve.
 #[derive(Clone, Debug)]
-pub(crate) struct Rates {
-    pub(super) right: Vec<NodeId>,
-    pub(super) rates: Vec<NodeId>,
+pub(super) struct Rates<'m> {
+    pub(super) right: Vec<Ex<'m>>,
+    pub(super) rates: Vec<Ex<'m>>,
 }
 
 /// The rules of differentiation, given how unknowns and rates depend on a variable.
@@ -93,45 +29,46 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
         position: usize,
         by: Vec<SymbolId>,
         variable: SymbolId,
-    ) -> NodeId;
+    ) -> Ex<'m>;
+
+    fn slope(&mut self, x: Ex<'m>, variable: SymbolId) -> Ex<'m> {
+        let graph = self.graph();
+        graph.ex(differentiate(self, x.id(), variable))
+    }
 
     fn derivative_by_rule(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
-        match self.algebra().rules.get(&symbol).cloned() {
-            None => self.graph().zero(),
-            Some(Rule::Follow(node)) => differentiate(self, node, variable),
-            Some(Rule::Cosine(rule)) => {
+        let Some(rule) = self.algebra().solutions.rule(symbol).cloned() else {
+            return self.graph().zero();
+        };
+        let rate = match rule {
+            Rule::Follow(equal) => self.slope(equal, variable),
+            Rule::Cosine(rule) => {
                 let rate = self.angle_rate(rule, variable);
-                let product = self.graph().mul(rule.sin, rate);
-                self.graph().neg(product)
+                -(rule.unit[1] * rate)
             }
-            Some(Rule::Sine(rule)) => {
+            Rule::Sine(rule) => {
                 let rate = self.angle_rate(rule, variable);
-                self.graph().mul(rule.cos, rate)
+                rule.unit[0] * rate
             }
-            Some(Rule::Value(rule)) => self.angle_rate(rule, variable),
-            Some(Rule::Turning(turning)) => self.turning_rate(&turning, variable),
-            Some(Rule::Unknown { group, position }) => {
-                self.rate(group, position, Vec::new(), variable)
-            }
-            Some(Rule::Rate {
+            Rule::Value(rule) => self.angle_rate(rule, variable),
+            Rule::Turning(turning) => self.turning_rate(&turning, variable),
+            Rule::Unknown { group, position } => self.rate(group, position, Vec::new(), variable),
+            Rule::Rate {
                 group,
                 position,
                 by,
-            }) => self.rate(group, position, by, variable),
-        }
+            } => self.rate(group, position, by, variable),
+        };
+        rate.id()
     }
 
-    fn angle_rate(&mut self, rule: AngleRule, variable: SymbolId) -> NodeId {
+    fn angle_rate(&mut self, rule: AngleRule<'m>, variable: SymbolId) -> Ex<'m> {
         let rate = self.rate(rule.group, rule.position, Vec::new(), variable);
-        if rule.sense < 0.0 {
-            self.graph().neg(rate)
-        } else {
-            rate
-        }
+        rule.sensed(rate)
     }
 
     /// `z' u + rate perp(z u)`
-    fn turning_rate(&mut self, turning: &Turning, variable: SymbolId) -> NodeId {
+    fn turning_rate(&mut self, turning: &Turning<'m>, variable: SymbolId) -> Ex<'m> {
         let &Turning {
             group,
             position,
@@ -140,12 +77,11 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
             z,
             unit,
         } = turning;
-        let stretch = z.map(|x| differentiate(self, x, variable));
-        let stretched = self.algebra().complex_product(stretch, unit)[component];
+        let stretch = z.map(|x| self.slope(x, variable));
+        let stretched = stretch.turned(unit);
         let rate = self.rate(group, position, Vec::new(), variable);
-        let across = [self.graph().neg(vector[1]), vector[0]][component];
-        let turned = self.graph().mul(rate, across);
-        self.graph().add(stretched, turned)
+        let across = vector.perp();
+        stretched[component] + rate * across[component]
     }
 }
 
@@ -155,7 +91,7 @@ impl<'m> Calculus<'m> for Algebra<'m> {
     }
 
     fn memo(&mut self) -> &mut DerivativeMemo {
-        &mut self.memo
+        &mut self.derivatives.memo
     }
 
     fn symbol_derivative(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
@@ -174,60 +110,55 @@ impl<'m> Implicit<'m> for Algebra<'m> {
         position: usize,
         mut by: Vec<SymbolId>,
         variable: SymbolId,
-    ) -> NodeId {
+    ) -> Ex<'m> {
         by.push(variable);
         by.sort_unstable();
         self.rates(group, by).rates[position]
     }
 }
 
-impl Algebra<'_> {
+impl<'m> Algebra<'m> {
     /// The derivatives of a group's unknowns by the variables `by`, which are in order.
-    pub(super) fn rates(&mut self, group: usize, by: Vec<SymbolId>) -> Rates {
+    pub(super) fn rates(&mut self, group: usize, by: Vec<SymbolId>) -> Rates<'m> {
         let key = (group, by);
-        if let Some(known) = self.rates.get(&key) {
+        if let Some(known) = self.derivatives.rates.get(&key) {
             return known.clone();
         }
         let right = self.right_hand_side(group, &key.1);
         let rates = self.solve(group, &right, &key.1);
         let rates = Rates { right, rates };
-        self.rates.insert(key, rates.clone());
+        self.derivatives.rates.insert(key, rates.clone());
         rates
     }
 
-    fn right_hand_side(&mut self, group: usize, by: &[SymbolId]) -> Vec<NodeId> {
+    fn right_hand_side(&mut self, group: usize, by: &[SymbolId]) -> Vec<Ex<'m>> {
         let (&last, before) = by.split_last().expect("a derivative has a variable");
-        let solution = self.solutions[group].clone();
+        let solution = self.solutions.groups[group].clone();
         let equations = solution.jacobian[0].len();
         if before.is_empty() {
-            let mut slope = |algebra: &mut Self, node| differentiate(algebra, node, last);
+            let mut slope = |algebra: &mut Self, x| algebra.slope(x, last);
             return (0..equations)
-                .map(|row| self.sum_of_slopes(&solution.terms, row, Graph::sub, &mut slope))
+                .map(|row| self.sum_of_slopes(&solution.terms, row, |a, b| a - b, &mut slope))
                 .collect();
         }
         let lower = self.rates(group, before.to_vec());
         (0..equations)
             .map(|row| {
-                let start = differentiate(self, lower.right[row], last);
-                solution
-                    .jacobian
-                    .iter()
-                    .zip(&lower.rates)
-                    .fold(start, |sum, (column, &rate)| {
-                        let slope = differentiate(self, column[row], last);
-                        let product = self.graph.mul(slope, rate);
-                        self.graph.sub(sum, product)
-                    })
+                let start = self.slope(lower.right[row], last);
+                let columns = solution.jacobian.iter().zip(&lower.rates);
+                columns.fold(start, |sum, (column, &rate)| {
+                    sum - self.slope(column[row], last) * rate
+                })
             })
             .collect()
     }
 
     /// Cramer's rule, the determinant being known from the closed form; coupled groups are brought down to their core.
-    fn solve(&mut self, group: usize, right: &[NodeId], by: &[SymbolId]) -> Vec<NodeId> {
-        let solution = &self.solutions[group];
+    fn solve(&mut self, group: usize, right: &[Ex<'m>], by: &[SymbolId]) -> Vec<Ex<'m>> {
+        let solution = &self.solutions.groups[group];
         let (determinant, count) = (solution.determinant, solution.jacobian.len());
-        if right.iter().all(|&b| self.graph.is_zero(b)) {
-            return vec![self.graph.zero(); count];
+        if right.iter().all(|b| b.is_zero()) {
+            return vec![self.zero(); count];
         }
         if solution.elimination.is_some() {
             return self.eliminate(group, right, &mut |algebra, position, rate| {
@@ -237,17 +168,18 @@ impl Algebra<'_> {
         let numerators = match *right {
             [b] => vec![b],
             [x, y] => {
+                let right = Vector([x, y]);
                 let [first, second] = [0, 1].map(|k| {
-                    let column = &self.solutions[group].jacobian[k];
-                    [column[0], column[1]]
+                    let column = &solution.jacobian[k];
+                    Vector([column[0], column[1]])
                 });
-                vec![self.cross([x, y], second), self.cross(first, [x, y])]
+                vec![right.cross(second), first.cross(right)]
             }
             _ => unreachable!("closed forms have one or two equations"),
         };
         (0..count)
             .map(|position| {
-                let quotient = self.graph.div(numerators[position], determinant);
+                let quotient = numerators[position] / determinant;
                 self.rate_symbol(group, position, by, quotient)
             })
             .collect()
@@ -259,20 +191,29 @@ impl Algebra<'_> {
         group: usize,
         position: usize,
         by: &[SymbolId],
-        value: NodeId,
-    ) -> NodeId {
-        if self.graph.constant_value(value).is_some() {
+        value: Ex<'m>,
+    ) -> Ex<'m> {
+        if value.constant_value().is_some() {
             return value;
         }
-        let name = format!("rate {group}.{position} {by:?}");
-        let (symbol, node) = self.graph.unknown(name);
-        self.graph.define(symbol, value);
         let rule = Rule::Rate {
             group,
             position,
             by: by.to_vec(),
         };
-        self.rules.insert(symbol, rule);
-        node
+        self.symbol_for_value(format!("rate {group}.{position} {by:?}"), value, rule)
+    }
+
+    /// A new symbol that is computed as `value` and differentiated by a rule.
+    pub(crate) fn symbol_for_value(
+        &mut self,
+        name: String,
+        value: Ex<'m>,
+        rule: Rule<'m>,
+    ) -> Ex<'m> {
+        let (symbol, node) = self.graph.unknown(name);
+        self.graph.define(symbol, value.id());
+        self.solutions.set_rule(symbol, rule);
+        self.graph.ex(node)
     }
 }

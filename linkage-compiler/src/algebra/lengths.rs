@@ -93,7 +93,7 @@ impl Algebra<'_> {
     pub(crate) fn substitute_norms(
         &mut self,
         roots: &[NodeId],
-        map: &std::collections::HashMap<SymbolId, NodeId>,
+        map: &linkage_symbolic::unordered::Map<SymbolId, NodeId>,
     ) {
         let Self {
             graph,

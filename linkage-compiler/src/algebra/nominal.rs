@@ -1,7 +1,7 @@
 //! The numbers of the mechanism as written: defaults, tolerances, reference position, estimates.
 
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{Graph, NodeId, evaluate};
+use linkage_symbolic::{Ex, evaluate};
 
 use crate::model::{Expr, ExprKind, Name, Type};
 
@@ -43,7 +43,7 @@ impl Nominal {
             nominal.ranges.push(range);
         }
         for (unknown, item) in mechanism.unknowns.iter().enumerate() {
-            let count = algebra.components_of(unknown);
+            let count = algebra.names.components_of(unknown);
             let wanted = (count, &item.ty);
             let estimate = algebra.numbers(&item.estimate, wanted, &nominal.parameters);
             nominal.estimates.push(estimate);
@@ -53,9 +53,9 @@ impl Nominal {
 }
 
 impl Nominal {
-    /// Nodes at the defaults and the reference position; NaN for what depends on modes, prepared states or arguments.
-    pub(crate) fn evaluate(&self, graph: &Graph, nodes: &[NodeId]) -> Vec<f64> {
-        evaluate(graph, nodes, |source| match source {
+    /// Expressions at the defaults and the reference position; NaN for what depends on modes, prepared states or arguments.
+    pub(crate) fn evaluate(&self, all: &[Ex]) -> Vec<f64> {
+        evaluate(all, |source| match source {
             Source::Parameter(index) => self.parameters[index],
             Source::Input(index) => self.inputs.get(index).copied().unwrap_or(f64::NAN),
             _ => f64::NAN,
@@ -63,7 +63,7 @@ impl Nominal {
     }
 }
 
-impl Angle {
+impl Angle<'_> {
     /// The model's unknown that this angle is, or stands for.
     pub(crate) fn meant(&self) -> Option<usize> {
         self.unknown.or(self.stands_for.map(|(unknown, _)| unknown))
@@ -131,12 +131,12 @@ impl Algebra<'_> {
         parameters: &[f64],
         inputs: &[f64],
     ) -> Vec<f64> {
-        let nodes = match self.translate(expr) {
-            Value::Vector(components) => components,
-            scalar => vec![self.as_node(&scalar)],
+        let numbers = match self.translate(expr) {
+            Value::Vector(vector) => vector.iter().collect(),
+            scalar => vec![self.number(&scalar)],
         };
         let given = |numbers: &[f64], index: usize| numbers.get(index).copied().unwrap_or(f64::NAN);
-        evaluate(&self.graph, &nodes, |source| match source {
+        evaluate(&numbers, |source| match source {
             Source::Parameter(index) => given(parameters, index),
             Source::Input(index) => given(inputs, index),
             _ => f64::NAN,

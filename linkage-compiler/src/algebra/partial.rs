@@ -1,11 +1,13 @@
 //! Partial derivatives: by one unknown, rate or parameter, while all other unknowns and rates are held.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
-use linkage_symbolic::{Calculus, DerivativeMemo, Graph, Node, NodeId, SymbolId, differentiate};
+use linkage_symbolic::unordered::Map;
 
-use super::Algebra;
-use super::implicit::{AngleRule, Implicit, Rule, Term};
+use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, Node, NodeId, SymbolId};
+
+use super::implicit::Implicit;
+use super::{Algebra, AngleRule, Rule, Term};
 
 /// What is solved together: a group's unknowns, or their derivatives by some variables. In the order in which they
 /// depend on each other: a system mentions its own results and those of smaller ones.
@@ -35,12 +37,12 @@ pub(super) struct Solved {
 }
 
 /// What is known of partial derivatives.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Partials {
     memo: DerivativeMemo,
     /// Symbols that stand for unknowns of groups as variables.
-    unknowns: HashMap<(usize, usize), SymbolId>,
-    mentioned: HashMap<SymbolId, BTreeSet<Solved>>,
+    unknowns: Map<(usize, usize), SymbolId>,
+    mentioned: Map<SymbolId, BTreeSet<Solved>>,
 }
 
 struct Partial<'a, 'm>(&'a mut Algebra<'m>);
@@ -51,7 +53,7 @@ impl<'m> Calculus<'m> for Partial<'_, 'm> {
     }
 
     fn memo(&mut self) -> &mut DerivativeMemo {
-        &mut self.0.partials.memo
+        &mut self.0.derivatives.partials.memo
     }
 
     fn symbol_derivative(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
@@ -70,79 +72,62 @@ impl<'m> Implicit<'m> for Partial<'_, 'm> {
         position: usize,
         by: Vec<SymbolId>,
         variable: SymbolId,
-    ) -> NodeId {
+    ) -> Ex<'m> {
         // A rate has a symbol of its own: if that is the variable, nobody asks here.
-        match by.is_empty() && self.0.partials.unknowns.get(&(group, position)) == Some(&variable) {
-            true => self.0.graph.one(),
-            false => self.0.graph.zero(),
+        match by.is_empty()
+            && self.0.derivatives.partials.unknowns.get(&(group, position)) == Some(&variable)
+        {
+            true => self.0.one(),
+            false => self.0.zero(),
         }
     }
 }
 
-impl Algebra<'_> {
+impl<'m> Algebra<'m> {
     /// 0 plus or minus all derivatives of coefficients, which `slope` finds, times their factors.
     pub(super) fn sum_of_slopes(
         &mut self,
-        terms: &[Term],
+        terms: &[Term<'m>],
         row: usize,
-        join: fn(&Graph, NodeId, NodeId) -> NodeId,
-        slope: &mut dyn FnMut(&mut Self, NodeId) -> NodeId,
-    ) -> NodeId {
-        let zero = self.graph.zero();
+        join: fn(Ex<'m>, Ex<'m>) -> Ex<'m>,
+        slope: &mut dyn FnMut(&mut Self, Ex<'m>) -> Ex<'m>,
+    ) -> Ex<'m> {
+        let zero = self.zero();
         let mut products = Vec::new();
         let mut sum = zero;
         for term in terms {
             let slope = slope(self, term.coefficient[row]);
-            let product = self.graph.mul(slope, term.factor);
-            sum = join(&mut self.graph, sum, product);
-            if !self.graph.is_zero(slope) {
+            sum = join(sum, slope * term.factor);
+            if !slope.is_zero() {
                 products.push((slope, term.factor));
             }
         }
-        let gathered = self.gathered(&products);
+        let gathered = gathered(&products);
         if gathered.len() == products.len() {
             return sum;
         }
-        gathered.into_iter().fold(zero, |sum, (slope, factor)| {
-            let product = self.graph.mul(slope, factor);
-            join(&mut self.graph, sum, product)
-        })
+        let gathered = gathered.into_iter();
+        gathered.fold(zero, |sum, (slope, factor)| join(sum, slope * factor))
     }
 
-    /// Products of slopes and factors, those of equal slopes put together: a centre that moves alone moves all differences from
-    /// it.
-    fn gathered(&mut self, products: &[(NodeId, NodeId)]) -> Vec<(NodeId, NodeId)> {
-        let mut gathered: Vec<(NodeId, NodeId)> = Vec::new();
-        for &(slope, factor) in products {
-            let opposite = self.graph.neg(slope);
-            let like = |(other, _): &&mut (NodeId, NodeId)| *other == slope || *other == opposite;
-            match gathered.iter_mut().find(like) {
-                Some((other, sum)) if *other == slope => *sum = self.graph.add(*sum, factor),
-                Some((_, sum)) => *sum = self.graph.sub(*sum, factor),
-                None => gathered.push((slope, factor)),
-            }
-        }
-        gathered
-    }
-
-    /// The derivative of a node that mentions `variable`, a parameter or a symbol from [`Self::symbol_for`].
-    pub(crate) fn partial(&mut self, node: NodeId, variable: SymbolId) -> NodeId {
-        differentiate(&mut Partial(self), node, variable)
+    /// The derivative of an expression that mentions `variable`, a parameter or a symbol from [`Self::symbol_for`].
+    pub(crate) fn partial(&mut self, x: Ex<'m>, variable: SymbolId) -> Ex<'m> {
+        Partial(self).slope(x, variable)
     }
 
     /// The symbol that stands for an unknown or a rate as a variable.
     pub(super) fn symbol_for(&mut self, solved: &Solved) -> SymbolId {
         let System { group, by, .. } = &solved.system;
         if by.is_empty() {
-            let graph = &mut self.graph;
+            let graph = self.graph;
             let key = (*group, solved.position);
-            let unknowns = &mut self.partials.unknowns;
+            let unknowns = &mut self.derivatives.partials.unknowns;
             return *unknowns
                 .entry(key)
                 .or_insert_with(|| graph.unknown(format!("unknown {key:?}")).0);
         }
-        let node = self.rates(*group, by.clone()).rates[solved.position];
-        match self.graph.node(node) {
+        let rate = self.rates(*group, by.clone()).rates[solved.position];
+        match rate.node() {
             Node::Symbol(symbol) => symbol,
             _ => unreachable!("only rates that are symbols are mentioned"),
         }
@@ -156,26 +141,27 @@ impl Algebra<'_> {
         })
     }
 
-    /// The unknowns and rates that nodes mention.
-    pub(super) fn mentioned_in(&mut self, nodes: &[NodeId]) -> BTreeSet<Solved> {
-        let symbols = self.graph.symbols_of(nodes);
+    /// The unknowns and rates that expressions mention.
+    pub(super) fn mentioned_in(&mut self, all: &[Ex<'m>]) -> BTreeSet<Solved> {
+        let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
+        let symbols = self.graph.symbols_of(&nodes);
         let behind = symbols.into_iter().map(|symbol| self.behind(symbol));
         behind.flatten().collect()
     }
 
     fn behind(&mut self, symbol: SymbolId) -> BTreeSet<Solved> {
-        if let Some(known) = self.partials.mentioned.get(&symbol) {
+        if let Some(known) = self.derivatives.partials.mentioned.get(&symbol) {
             return known.clone();
         }
         let result = |group, position, by| Solved {
             system: System::new(group, by),
             position,
         };
-        let behind = match self.rules.get(&symbol).cloned() {
+        let behind = match self.solutions.rule(symbol).cloned() {
             None => BTreeSet::new(),
-            Some(Rule::Follow(node)) => self.mentioned_in(&[node]),
+            Some(Rule::Follow(equal)) => self.mentioned_in(&[equal]),
             Some(Rule::Turning(turning)) => {
-                let mut behind = self.mentioned_in(&turning.z);
+                let mut behind = self.mentioned_in(&turning.z.0);
                 behind.insert(result(turning.group, turning.position, Vec::new()));
                 behind
             }
@@ -197,7 +183,26 @@ impl Algebra<'_> {
                 by,
             }) => BTreeSet::from([result(group, position, by)]),
         };
-        self.partials.mentioned.insert(symbol, behind.clone());
+        self.derivatives
+            .partials
+            .mentioned
+            .insert(symbol, behind.clone());
         behind
     }
+}
+
+/// Products of slopes and factors, those of equal slopes put together: a centre that moves alone moves all differences from
+/// it.
+fn gathered<'m>(products: &[(Ex<'m>, Ex<'m>)]) -> Vec<(Ex<'m>, Ex<'m>)> {
+    let mut gathered: Vec<(Ex, Ex)> = Vec::new();
+    for &(slope, factor) in products {
+        let opposite = -slope;
+        let like = |(other, _): &&mut (Ex, Ex)| *other == slope || *other == opposite;
+        match gathered.iter_mut().find(like) {
+            Some((other, sum)) if *other == slope => *sum += factor,
+            Some((_, sum)) => *sum -= factor,
+            None => gathered.push((slope, factor)),
+        }
+    }
+    gathered
 }

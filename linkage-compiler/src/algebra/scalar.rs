@@ -1,9 +1,9 @@
 //! Scalars that may be angles: linear in driving and unknown angles, so that directions need no arc tangent.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Binding, Node, NodeId};
+use linkage_symbolic::{Ex, Node, V2, Vector};
 
-use super::{Algebra, Angle};
+use super::Algebra;
 
 /// Powers of a unit vector up to this one are products; beyond, the angle itself is cheaper.
 const MAX_POWER: f64 = 8.0;
@@ -18,13 +18,13 @@ pub(crate) enum Atom {
 
 /// `sum of coefficient * atom + rest`; atoms in order, coefficients never 0. Anything that is no angle has no atoms.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Scalar {
+pub(crate) struct Scalar<'m> {
     pub(crate) terms: Vec<(Atom, f64)>,
-    pub(crate) rest: NodeId,
+    pub(crate) rest: Ex<'m>,
 }
 
-impl From<NodeId> for Scalar {
-    fn from(rest: NodeId) -> Self {
+impl<'m> From<Ex<'m>> for Scalar<'m> {
+    fn from(rest: Ex<'m>) -> Self {
         Self {
             terms: Vec::new(),
             rest,
@@ -32,27 +32,19 @@ impl From<NodeId> for Scalar {
     }
 }
 
-impl Scalar {
+impl Scalar<'_> {
     pub(crate) fn coefficient(&self, atom: Atom) -> f64 {
         self.terms
             .iter()
             .find(|(a, _)| *a == atom)
             .map_or(0.0, |(_, k)| *k)
     }
-}
 
-impl Algebra<'_> {
-    pub(crate) fn atom(&mut self, atom: Atom) -> Scalar {
-        let rest = self.graph.zero();
-        Scalar {
-            terms: vec![(atom, 1.0)],
-            rest,
-        }
-    }
-
-    pub(crate) fn combine(&mut self, a: &Scalar, b: &Scalar, sign: f64) -> Scalar {
-        let mut terms = a.terms.clone();
-        for &(atom, k) in &b.terms {
+    /// `self + sign other`
+    #[must_use]
+    pub(crate) fn combined(&self, other: &Self, sign: f64) -> Self {
+        let mut terms = self.terms.clone();
+        for &(atom, k) in &other.terms {
             match terms.iter_mut().find(|(other, _)| *other == atom) {
                 Some((_, old)) => *old += sign * k,
                 None => terms.push((atom, sign * k)),
@@ -61,185 +53,169 @@ impl Algebra<'_> {
         terms.retain(|(_, k)| *k != 0.0);
         terms.sort_by_key(|(atom, _)| *atom);
         let rest = if sign > 0.0 {
-            self.graph.add(a.rest, b.rest)
+            self.rest + other.rest
         } else {
-            self.graph.sub(a.rest, b.rest)
+            self.rest - other.rest
         };
-        Scalar { terms, rest }
+        Self { terms, rest }
     }
 
-    pub(crate) fn scale(&mut self, a: &Scalar, factor: f64) -> Scalar {
-        let terms = a
-            .terms
-            .iter()
-            .map(|&(atom, k)| (atom, factor * k))
-            .filter(|(_, k)| *k != 0.0)
-            .collect();
-        let node = self.graph.constant(factor);
+    /// `factor self`
+    #[must_use]
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let terms = self.terms.iter();
+        let terms = terms.map(|&(atom, k)| (atom, factor * k));
+        Self {
+            terms: terms.filter(|(_, k)| *k != 0.0).collect(),
+            rest: factor * self.rest,
+        }
+    }
+}
+
+impl<'m> Algebra<'m> {
+    pub(crate) fn atom(&self, atom: Atom) -> Scalar<'m> {
         Scalar {
-            terms,
-            rest: self.graph.mul(node, a.rest),
+            terms: vec![(atom, 1.0)],
+            rest: self.zero(),
         }
     }
 
-    /// The value as one node; unknown angles enter by their values.
-    pub(crate) fn node(&mut self, scalar: &Scalar) -> NodeId {
+    /// The value as one expression; unknown angles enter by their values.
+    pub(crate) fn value_of(&self, scalar: &Scalar<'m>) -> Ex<'m> {
         let mut sum = scalar.rest;
         for &(atom, k) in &scalar.terms {
             let value = match atom {
                 Atom::Input(index) => self.input(index),
-                Atom::Angle(index) => self.angles[index].value_node,
+                Atom::Angle(index) => self.names.angles[index].number,
             };
-            let factor = self.graph.constant(k);
-            let term = self.graph.mul(factor, value);
-            sum = self.graph.add(sum, term);
+            sum += k * value;
         }
         sum
     }
 
     /// Cosine and sine.
-    pub(crate) fn direction(&mut self, angle: &Scalar) -> [NodeId; 2] {
+    pub(crate) fn direction(&mut self, angle: &Scalar<'m>) -> V2<'m> {
         let mut rest = Scalar::from(angle.rest);
-        let one = self.graph.one();
-        let mut result = [one, self.graph.zero()];
+        let mut result = Vector([self.one(), self.zero()]);
         for &(atom, k) in &angle.terms {
             match atom {
                 Atom::Input(index) => {
-                    if !self.turning.contains(&(atom, k)) {
-                        self.turning.push((atom, k));
-                    }
-                    let input = self.input(index);
-                    let factor = self.graph.constant(k);
-                    let argument = self.graph.mul(factor, input);
-                    let turned = self.cos_sin(argument);
-                    result = self.complex_product(result, turned);
+                    self.names.add_rate(atom, k);
+                    let turned = cos_sin(k * self.input(index));
+                    result = result.turned(turned);
                 }
                 Atom::Angle(index) if k.fract() == 0.0 && k.abs() <= MAX_POWER => {
                     let power = self.unit_power(index, k as i32);
-                    result = self.complex_product(result, power);
+                    result = result.turned(power);
                 }
                 Atom::Angle(_) => rest.terms.push((atom, k)),
             }
         }
-        let argument = self.node(&rest);
-        let turned = self.cos_sin(argument);
-        let unit = self.complex_product(turned, result);
-        self.mark_unit(&unit);
+        let argument = self.value_of(&rest);
+        let unit = cos_sin(argument).turned(result);
+        unit.mark_unit();
         unit
     }
 
     /// The unit vector of an unknown angle to an integer power.
-    fn unit_power(&mut self, angle: usize, power: i32) -> [NodeId; 2] {
-        let Angle {
-            cos_node, sin_node, ..
-        } = self.angles[angle];
+    fn unit_power(&self, angle: usize, power: i32) -> V2<'m> {
+        let unit = self.names.angles[angle].unit;
         let unit = match power < 0 {
-            true => [cos_node, self.graph.neg(sin_node)],
-            false => [cos_node, sin_node],
+            true => unit.conjugate(),
+            false => unit,
         };
-        (1..power.unsigned_abs()).fold(unit, |product, _| self.complex_product(product, unit))
+        (1..power.unsigned_abs()).fold(unit, |product, _| product.turned(unit))
     }
+}
 
-    /// Cosine and sine of a node. Quarter turns are exact, also as summands, and the argument of a vector is not taken
-    /// to be undone.
-    fn cos_sin(&mut self, argument: NodeId) -> [NodeId; 2] {
-        if let Some(value) = self.graph.constant_value(argument) {
-            return cos_sin_exact(value).map(|x| self.graph.constant(x));
+/// Cosine and sine of an expression. Quarter turns are exact, also as summands, and the argument of a vector is not taken
+/// to be undone.
+fn cos_sin(argument: Ex) -> V2 {
+    if let Some(value) = argument.constant_value() {
+        return numbers(argument, cos_sin_exact(value));
+    }
+    if let Some((rest, turn)) = without_quarter_turns(argument) {
+        return cos_sin(rest).turned(numbers(argument, turn));
+    }
+    undone(argument).unwrap_or_else(|| {
+        let [cos, sin] = [Unary::Cos, Unary::Sin].map(|op| argument.unary(op));
+        Vector([cos, sin])
+    })
+}
+
+fn numbers<'m>(beside: Ex<'m>, values: [f64; 2]) -> V2<'m> {
+    Vector(values.map(|value| beside.number(value)))
+}
+
+/// Cosine and sine of the argument of a vector, or of an angle in a triangle, without any arc function; also as a summand.
+fn undone(argument: Ex) -> Option<V2> {
+    let ex = |id| argument.graph().ex(id);
+    match argument.node() {
+        Node::Binary(Binary::Atan2, y, x) => {
+            let v = Vector([ex(x), ex(y)]);
+            Some(v / v.length())
         }
-        if let Some((rest, turn)) = self.without_quarter_turns(argument) {
-            let [rest, turn] = [self.cos_sin(rest), turn.map(|x| self.graph.constant(x))];
-            return self.complex_product(rest, turn);
+        Node::Binary(Binary::Mul, a, b) => {
+            let two = |x: Ex| x.constant_value() == Some(2.0);
+            let half = match (two(ex(a)), two(ex(b))) {
+                (true, _) => ex(b),
+                (_, true) => ex(a),
+                _ => return None,
+            };
+            let Node::Unary(Unary::Atan, tangent) = half.node() else {
+                return None;
+            };
+            Some(turned_by_half_tangent(ex(tangent)))
         }
-        self.undone(argument).unwrap_or_else(|| {
-            [
-                self.graph.unary(Unary::Cos, argument),
-                self.graph.unary(Unary::Sin, argument),
-            ]
-        })
-    }
-
-    /// Cosine and sine of the argument of a vector, or of an angle in a triangle, without any arc function; also as a summand.
-    fn undone(&mut self, argument: NodeId) -> Option<[NodeId; 2]> {
-        match self.graph.node(argument) {
-            Node::Binary(Binary::Atan2, y, x) => {
-                let length = self.length(&[x, y]);
-                Some([self.graph.div(x, length), self.graph.div(y, length)])
-            }
-            Node::Binary(Binary::Mul, a, b) => {
-                let two = |x| self.graph.constant_value(x) == Some(2.0);
-                let half = match (two(a), two(b)) {
-                    (true, _) => b,
-                    (_, true) => a,
-                    _ => return None,
-                };
-                let Node::Unary(Unary::Atan, tangent) = self.graph.node(half) else {
-                    return None;
-                };
-                Some(self.turned_by_half_tangent(tangent))
-            }
-            Node::Unary(Unary::Neg, x) => {
-                let [cos, sin] = self.undone(x)?;
-                Some([cos, self.graph.neg(sin)])
-            }
-            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => {
-                let (first, second) = match (self.undone(a), self.undone(b)) {
-                    (None, None) => return None,
-                    (Some(first), Some(second)) => (first, second),
-                    (Some(first), None) => (first, self.cos_sin(b)),
-                    (None, Some(second)) => (self.cos_sin(a), second),
-                };
-                let second = match op {
-                    Binary::Sub => [second[0], self.graph.neg(second[1])],
-                    _ => second,
-                };
-                Some(self.complex_product(first, second))
-            }
-            _ => None,
+        Node::Unary(Unary::Neg, x) => Some(undone(ex(x))?.conjugate()),
+        Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => {
+            let [a, b] = [a, b].map(ex);
+            let (first, second) = match (undone(a), undone(b)) {
+                (None, None) => return None,
+                (Some(first), Some(second)) => (first, second),
+                (Some(first), None) => (first, cos_sin(b)),
+                (None, Some(second)) => (cos_sin(a), second),
+            };
+            Some(first.turned(match op {
+                Binary::Sub => second.conjugate(),
+                _ => second,
+            }))
         }
+        _ => None,
     }
+}
 
-    /// `(1 - t^2)/(1 + t^2)` and `2 t/(1 + t^2)`
-    fn turned_by_half_tangent(&mut self, tangent: NodeId) -> [NodeId; 2] {
-        let graph = &mut self.graph;
-        let square = graph.square(tangent);
-        let one = graph.one();
-        let (above, below) = (graph.sub(one, square), graph.add(one, square));
-        let two = graph.constant(2.0);
-        let twice = graph.mul(two, tangent);
-        [graph.div(above, below), graph.div(twice, below)]
-    }
+/// `(1 - t^2)/(1 + t^2)` and `2 t/(1 + t^2)`
+fn turned_by_half_tangent(tangent: Ex) -> V2 {
+    let square = tangent.square();
+    let (above, below) = (1.0 - square, 1.0 + square);
+    Vector([above, 2.0 * tangent]) / below
+}
 
-    /// An angle without a summand of whole quarter turns, and the unit vector of that summand.
-    fn without_quarter_turns(&mut self, angle: NodeId) -> Option<(NodeId, [f64; 2])> {
-        let turns = |algebra: &Self, x| algebra.graph.constant_value(x).and_then(quarter_turns);
-        match self.graph.node(angle) {
-            Node::Unary(Unary::Neg, x) => {
-                let (rest, [cos, sin]) = self.without_quarter_turns(x)?;
-                Some((self.graph.neg(rest), [cos, -sin]))
-            }
-            Node::Binary(Binary::Add, x, y) => match (turns(self, x), turns(self, y)) {
+/// An angle without a summand of whole quarter turns, and the unit vector of that summand.
+fn without_quarter_turns(angle: Ex) -> Option<(Ex, [f64; 2])> {
+    let ex = |id| angle.graph().ex(id);
+    let turns = |x: Ex| x.constant_value().and_then(quarter_turns);
+    match angle.node() {
+        Node::Unary(Unary::Neg, x) => {
+            let (rest, [cos, sin]) = without_quarter_turns(ex(x))?;
+            Some((-rest, [cos, -sin]))
+        }
+        Node::Binary(Binary::Add, x, y) => {
+            let [x, y] = [x, y].map(ex);
+            match (turns(x), turns(y)) {
                 (Some(turn), _) => Some((y, turn)),
                 (_, turn) => Some((x, turn?)),
-            },
-            Node::Binary(Binary::Sub, x, y) => match (turns(self, x), turns(self, y)) {
-                (Some(turn), _) => Some((self.graph.neg(y), turn)),
-                (_, turn) => turn.map(|[cos, sin]| (x, [cos, -sin])),
-            },
-            _ => None,
+            }
         }
-    }
-
-    /// `a b` of complex numbers.
-    pub(crate) fn complex_product(&mut self, a: [NodeId; 2], b: [NodeId; 2]) -> [NodeId; 2] {
-        let g = &mut self.graph;
-        let [xx, yy] = [g.mul(a[0], b[0]), g.mul(a[1], b[1])];
-        let [xy, yx] = [g.mul(a[0], b[1]), g.mul(a[1], b[0])];
-        [g.sub(xx, yy), g.add(xy, yx)]
-    }
-
-    /// True if a node is known at compile time or in `assemble()`.
-    pub(crate) fn is_fixed(&self, node: NodeId) -> bool {
-        self.graph.binding(node) < Binding::Call
+        Node::Binary(Binary::Sub, x, y) => {
+            let [x, y] = [x, y].map(ex);
+            match (turns(x), turns(y)) {
+                (Some(turn), _) => Some((-y, turn)),
+                (_, turn) => turn.map(|[cos, sin]| (x, [cos, -sin])),
+            }
+        }
+        _ => None,
     }
 }
 

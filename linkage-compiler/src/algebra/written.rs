@@ -1,22 +1,17 @@
 //! Are the numbers of the mechanism numbers? Defaults such as `1 / zero`, tolerances such as `1um - 2um`.
 
-use crate::diagnostic::{Diagnostics, Origins};
+use crate::diagnostic::Reporter;
 use crate::model::{Expr, Mechanism};
 
 use super::Nominal;
 
 impl Nominal {
     /// Reports values that are not finite and tolerances below zero.
-    pub(crate) fn check(
-        &self,
-        mechanism: &Mechanism,
-        origins: &Origins,
-        diagnostics: &mut Diagnostics,
-    ) {
+    pub(crate) fn check(&self, mechanism: &Mechanism, reporter: &mut Reporter) {
         let mut finite = |expr: &Expr, what: &str, name: &str, values: &[f64]| {
             if values.iter().any(|x| !x.is_finite()) {
-                diagnostics.error_with_help(
-                    origins.span(expr.origin),
+                reporter.error_with_help(
+                    expr.origin,
                     format!("the {what} of `{name}` is not a finite number"),
                     "look for a division by zero, or a root or an arc function out of its range",
                 );
@@ -52,8 +47,8 @@ impl Nominal {
             finite(&unknown.estimate, "estimate", &unknown.name, estimate);
         }
         for (origin, name) in negative {
-            diagnostics.error_with_help(
-                origins.span(origin),
+            reporter.error_with_help(
+                origin,
                 format!("the tolerance of `{name}` is negative"),
                 "write how far the value may lie above or below its nominal value",
             );

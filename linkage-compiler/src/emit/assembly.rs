@@ -5,11 +5,10 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::doc;
-use super::facts::Facts;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
 use super::{attribute, body, coupled, literal, winding};
-use crate::lower::Lowered;
+use crate::unit::Unit;
 
 /// The assembly type and the public functions that make one.
 pub(super) fn items(outline: &Outline) -> TokenStream {
@@ -174,14 +173,14 @@ fn constructors(outline: &Outline) -> TokenStream {
 }
 
 /// The private functions of the assembly: `__assemble` and the programs that it runs.
-pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> TokenStream {
+pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
     let Outline {
         runtime,
         name,
         assembly,
         ..
     } = outline;
-    let types = Types::new(outline, facts, lowered);
+    let types = Types::new(outline, unit);
     let Types {
         modes,
         turns,
@@ -191,12 +190,12 @@ pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> T
         ..
     } = &types;
     let assemble = match outline.starts.is_empty() {
-        true => assemble(outline, lowered, &types),
-        false => coupled::assemble(outline, lowered, &types),
+        true => assemble(outline, unit, &types),
+        false => coupled::assemble(outline, unit, &types),
     };
-    let close = close(outline, facts);
-    let prepare_body = program(outline, &lowered.prepare);
-    let gaps_body = program(outline, &lowered.gaps);
+    let close = close(outline, unit);
+    let prepare_body = program(outline, &unit.prepare);
+    let gaps_body = program(outline, &unit.gaps);
     let allow = attribute::allow();
     quote! {
         #allow
@@ -230,7 +229,7 @@ pub(super) fn plumbing(outline: &Outline, facts: &Facts, lowered: &Lowered) -> T
     }
 }
 
-fn assemble(outline: &Outline, lowered: &Lowered, types: &Types) -> TokenStream {
+fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -243,7 +242,7 @@ fn assemble(outline: &Outline, lowered: &Lowered, types: &Types) -> TokenStream 
         turns,
         ..
     } = types;
-    let turning = winding::turning(outline, lowered);
+    let turning = winding::turning(outline, unit);
     quote! {
         fn __assemble(
             __m: &#name<T>,
@@ -272,14 +271,14 @@ pub(super) struct Types {
 }
 
 impl Types {
-    pub(super) fn new(outline: &Outline, facts: &Facts, lowered: &Lowered) -> Self {
+    pub(super) fn new(outline: &Outline, unit: &Unit) -> Self {
         let runtime = &outline.runtime;
         let modes = literal::index(outline.modes.len());
-        let inputs = literal::index(facts.inputs.len());
+        let inputs = literal::index(unit.inputs.len());
         let prepared = literal::index(outline.prepared);
         let arguments = literal::index(Places::all(outline).width());
-        let angles = literal::index(lowered.continuous_angles.len());
-        let gaps = literal::index(lowered.gaps.outputs.len());
+        let angles = literal::index(unit.angles.len());
+        let gaps = literal::index(unit.gaps.outputs.len());
         Self {
             modes: quote!([#runtime::AssemblyMode; #modes]),
             inputs: quote!([T; #inputs]),
@@ -291,10 +290,10 @@ impl Types {
     }
 }
 
-fn close(outline: &Outline, facts: &Facts) -> TokenStream {
+fn close(outline: &Outline, unit: &Unit) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let title = outline.title();
-    let units = facts.groups.iter().map(|group| &group.gap_unit);
+    let units = unit.groups.iter().map(|group| &group.gap_unit);
     quote! {
         #runtime::close(
             #title,

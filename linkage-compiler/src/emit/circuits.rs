@@ -4,28 +4,17 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::assembly::Types;
-use super::facts::Facts;
 use super::load::{Places, loader};
 use super::outline::Outline;
 use super::{attribute, body, literal};
-use crate::lower::Lowered;
-use crate::model::Mechanism;
+use crate::unit::Unit;
 
 /// At how many positions of a turn, or of a range of lengths, assemblies are listed.
 const SAMPLES: usize = 72;
 
 /// `circuits()`; nothing for a mechanism without groups or with another number of inputs than one.
-pub(super) fn items(
-    outline: &Outline,
-    mechanism: &Mechanism,
-    facts: &Facts,
-    lowered: &Lowered,
-) -> TokenStream {
-    let ([input], [own], false) = (
-        &mechanism.inputs[..],
-        &facts.inputs[..],
-        facts.groups.is_empty(),
-    ) else {
+pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+    let ([input], false) = (&unit.inputs[..], unit.groups.is_empty()) else {
         return TokenStream::new();
     };
     let Outline {
@@ -34,17 +23,17 @@ pub(super) fn items(
         core,
         ..
     } = outline;
-    let Types { arguments, .. } = Types::new(outline, facts, lowered);
+    let Types { arguments, .. } = Types::new(outline, unit);
     let places = Places::all(outline);
-    let statements = body::statements(&lowered.survey, &loader(outline, &places));
-    let outputs = body::outputs(&lowered.survey);
-    let count = literal::index(lowered.survey.outputs.len());
+    let statements = body::statements(&unit.survey, &loader(outline, &places));
+    let outputs = body::outputs(&unit.survey);
+    let count = literal::index(unit.survey.outputs.len());
     let x = match outline.starts.is_empty() {
         true => quote!([__x]),
         false => quote!(Self::__extend(&self.__starts, [__x])),
     };
-    let angle = input.dimension.half_lengths == 0;
-    let (low, high) = own.range.unwrap_or(own.followed);
+    let angle = input.angle;
+    let (low, high) = input.range.unwrap_or(input.followed);
     let turns = (high - low) / std::f64::consts::TAU;
     let samples = match angle {
         true => (turns * SAMPLES as f64).ceil().clamp(24.0, 1000.0) as usize,

@@ -6,7 +6,7 @@ use quote::quote;
 use super::docs::{doc, in_unit};
 use super::outline::{Function, Outline, plain};
 use super::{attribute, literal, sweeps};
-use crate::lower::Shape;
+use crate::model::Shape;
 
 /// Columns of a function, and the sweeps that fill them; nothing for a function without inputs.
 pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {

@@ -11,12 +11,10 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::assembly::Types;
-use super::facts::Facts;
 use super::load::{Places, loader};
 use super::outline::{Outline, Start};
 use super::{attribute, body, literal};
-use crate::lower::Lowered;
-use crate::model::Mechanism;
+use crate::unit::Unit;
 
 pub(super) use assemble::assemble;
 pub(super) use states::{states_name, with_states};
@@ -41,18 +39,13 @@ fn start_type(outline: &Outline, start: &Start) -> TokenStream {
 }
 
 /// Everything for the coupled groups of a mechanism; nothing if it has none.
-pub(super) fn items(
-    outline: &Outline,
-    mechanism: &Mechanism,
-    facts: &Facts,
-    lowered: &Lowered,
-) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     if outline.starts.is_empty() {
         return TokenStream::new();
     }
     let mut items = lookups(outline);
-    items.extend(programs(outline, facts, lowered));
-    items.extend(preparing::items(outline, mechanism, facts, lowered));
+    items.extend(programs(outline, unit));
+    items.extend(preparing::items(outline, unit));
     items
 }
 
@@ -146,7 +139,7 @@ fn look_up(
 }
 
 /// The programs of all groups as functions of the plumbing's arguments.
-fn programs(outline: &Outline, facts: &Facts, lowered: &Lowered) -> TokenStream {
+fn programs(outline: &Outline, unit: &Unit) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -158,7 +151,7 @@ fn programs(outline: &Outline, facts: &Facts, lowered: &Lowered) -> TokenStream 
         arguments,
         prepared,
         ..
-    } = Types::new(outline, facts, lowered);
+    } = Types::new(outline, unit);
     let places = Places::all(outline);
     let program = |kind: &str, number: usize, program: &Program| {
         let method = format_ident!("__{kind}{number}");
@@ -174,7 +167,7 @@ fn programs(outline: &Outline, facts: &Facts, lowered: &Lowered) -> TokenStream 
             ) -> [T; #count] { #statements #outputs }
         }
     };
-    let methods = lowered.coupled.iter().enumerate().map(|(number, group)| {
+    let methods = unit.coupled.iter().enumerate().map(|(number, group)| {
         let system = program("system", number, &group.system);
         let correct = program("correct", number, &group.correct);
         let placed = program("placed", number, &group.placed);

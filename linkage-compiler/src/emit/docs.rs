@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::model::Mechanism;
 use crate::syntax::Attribute;
+use crate::unit::{Role, Unit};
 
 /// `#[doc = " ..."]` for each line.
 pub(super) fn doc(text: &str) -> TokenStream {
@@ -66,22 +66,19 @@ pub(super) fn decimal(x: f64) -> String {
 }
 
 /// `` `phi`, in rad ``, `` `omega`, the speed of `phi`, in rad/s ``
-pub(super) fn argument(name: &str, position: usize, mechanism: &Mechanism) -> String {
-    let Some(argument) = position.checked_sub(mechanism.inputs.len()) else {
-        let unit = mechanism.inputs[position].dimension.unit(mechanism.unit);
-        return format!("`{name}`{}", in_unit(&unit));
+pub(super) fn argument(name: &str, place: usize, unit: &Unit) -> String {
+    let Some(argument) = place.checked_sub(unit.inputs.len()) else {
+        return format!("`{name}`{}", in_unit(&unit.inputs[place].unit));
     };
-    let role = mechanism.inputs.iter().find_map(|input| {
-        let own = input.name.strip_prefix("r#").unwrap_or(&input.name);
-        match () {
-            () if input.speed == Some(argument) => Some(format!(", the speed of `{own}`")),
-            () if input.acceleration == Some(argument) => {
-                Some(format!(", the acceleration of `{own}`"))
-            }
-            () => None,
-        }
-    });
-    let unit = mechanism.arguments[argument].dimension.unit(mechanism.unit);
-    let role = role.unwrap_or_default();
-    format!("`{name}`{role}{}", in_unit(&unit))
+    let own = &unit.arguments[argument];
+    let input = |input: usize| {
+        let name = &unit.inputs[input].name;
+        name.strip_prefix("r#").unwrap_or(name)
+    };
+    let role = match own.role {
+        Role::Speed(of) => format!(", the speed of `{}`", input(of)),
+        Role::Acceleration(of) => format!(", the acceleration of `{}`", input(of)),
+        Role::Load => String::new(),
+    };
+    format!("`{name}`{role}{}", in_unit(&own.unit))
 }

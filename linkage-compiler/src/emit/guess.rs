@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 
 use super::outline::{params, plain};
-use crate::lower::Shape;
-use crate::syntax::{BinaryOp, Expr, ExprKind, Item, MechanismDef, ParamItem, Toleranced};
+use crate::model::{Function, MechanicsWord, MotionWord, QuantityWord, Shape};
+use crate::syntax::{BinaryOp, Expr, ExprKind, Item, MechanismDef, ParamItem, Toleranced, Word};
 
 /// More vectors than most pictures have.
 const MANY_POINTS: usize = 64;
@@ -43,7 +43,18 @@ impl<'a> Guess<'a> {
                         guess.vectors.insert(plain(&param.name), components.len());
                     }
                 },
-                _ => {}
+                // Scalars, or nothing with a value.
+                Item::Unit(_)
+                | Item::Input(_)
+                | Item::Argument(_)
+                | Item::Loop(_)
+                | Item::Gravity(_)
+                | Item::Body(_)
+                | Item::Joint(_)
+                | Item::Force(_)
+                | Item::Torque(_)
+                | Item::Spring(_)
+                | Item::Damper(_) => {}
             }
         }
         let mut points = def.items.iter().filter_map(|item| match item {
@@ -93,40 +104,50 @@ impl<'a> Guess<'a> {
             ExprKind::Field(value, _) if shape(value) == Shape::Frame => Shape::Vector(3),
             ExprKind::Negate(inner) => shape(inner),
             ExprKind::Binary(BinaryOp::Div, left, _) => shape(left),
-            ExprKind::Binary(_, left, right) => match shape(left) {
-                Shape::Scalar => shape(right),
-                other => other,
-            },
-            ExprKind::Call(function, arguments) => {
-                let first = || arguments.first().map_or(Shape::Scalar, shape);
-                self.call(&plain(function), &first, arguments, inputs)
+            ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul, left, right) => {
+                match shape(left) {
+                    Shape::Scalar => shape(right),
+                    other => other,
+                }
             }
-            _ => Shape::Scalar,
+            ExprKind::Call(name, arguments) => {
+                let name = plain(name);
+                let first = || arguments.first().map_or(Shape::Scalar, shape);
+                if let Some(function) = Function::from_word(&name) {
+                    return call(function, &first);
+                }
+                match QuantityWord::from_word(&name) {
+                    Some(QuantityWord::Motion(word)) => {
+                        self.motion(word, &first, arguments, inputs)
+                    }
+                    Some(QuantityWord::Mechanics(word)) => self.mechanics(word),
+                    None => Shape::Scalar,
+                }
+            }
+            ExprKind::Number { .. }
+            | ExprKind::Field(..)
+            | ExprKind::Power(..)
+            | ExprKind::List(_)
+            | ExprKind::Error => Shape::Scalar,
         }
     }
 
-    fn call(
+    fn motion(
         &self,
-        function: &str,
+        word: MotionWord,
         first: &dyn Fn() -> Shape,
         arguments: &[Expr],
         inputs: usize,
     ) -> Shape {
         let array = |n: usize, entry: Shape| Shape::Array(n, Box::new(entry));
-        match function {
-            "polar" | "dir" => Shape::Vector(2),
-            "turn" | "point_in" | "coordinates_in" => Shape::Vector(3),
-            "reaction" | "shaking_force" => vector(self.components),
-            "moment" | "shaking_moment" if self.components == 3 => Shape::Vector(3),
-            "frame" => Shape::Frame,
-            // So many that no index is beyond its end.
-            "picture" => array(MANY_POINTS, vector(self.components)),
-            "rotate" | "unit" | "d" | "jerk" => first(),
-            "cross" if first() == Shape::Vector(3) => first(),
-            "velocity" if inputs > 1 => array(inputs, first()),
-            "acceleration" if inputs > 1 => array(inputs, array(inputs, first())),
-            "velocity" | "acceleration" => first(),
-            "sensitivity" => {
+        match word {
+            MotionWord::Velocity if inputs > 1 => array(inputs, first()),
+            MotionWord::Acceleration if inputs > 1 => array(inputs, array(inputs, first())),
+            MotionWord::Derivative
+            | MotionWord::Velocity
+            | MotionWord::Acceleration
+            | MotionWord::Jerk => first(),
+            MotionWord::Sensitivity => {
                 let listed = match arguments.get(1).map(|list| &list.kind) {
                     // A vector parameter stands for its components.
                     Some(ExprKind::List(list)) => list
@@ -137,8 +158,56 @@ impl<'a> Guess<'a> {
                 };
                 array(listed, first())
             }
-            _ => Shape::Scalar,
+            MotionWord::Margin => Shape::Scalar,
+            // So many that no index is beyond its end.
+            MotionWord::Picture => array(MANY_POINTS, vector(self.components)),
         }
+    }
+
+    fn mechanics(&self, word: MechanicsWord) -> Shape {
+        match word {
+            MechanicsWord::Reaction | MechanicsWord::ShakingForce => vector(self.components),
+            MechanicsWord::Moment | MechanicsWord::ShakingMoment => match self.components {
+                3 => Shape::Vector(3),
+                _ => Shape::Scalar,
+            },
+            MechanicsWord::Torque
+            | MechanicsWord::Force
+            | MechanicsWord::Power
+            | MechanicsWord::KineticEnergy
+            | MechanicsWord::PotentialEnergy => Shape::Scalar,
+        }
+    }
+}
+
+/// `first` is the shape of the first argument.
+fn call(function: Function, first: &dyn Fn() -> Shape) -> Shape {
+    match function {
+        Function::Polar | Function::Dir => Shape::Vector(2),
+        Function::Turn | Function::PointIn | Function::CoordinatesIn => Shape::Vector(3),
+        Function::Frame => Shape::Frame,
+        Function::Rotate | Function::Unit => first(),
+        Function::Cross => match first() {
+            Shape::Vector(3) => Shape::Vector(3),
+            _ => Shape::Scalar,
+        },
+        Function::Dot
+        | Function::Norm
+        | Function::Distance
+        | Function::Angle
+        | Function::TriangleAngle
+        | Function::Sin
+        | Function::Cos
+        | Function::Tan
+        | Function::Asin
+        | Function::Acos
+        | Function::Atan
+        | Function::Atan2
+        | Function::Sqrt
+        | Function::Hypot
+        | Function::Abs
+        | Function::Min
+        | Function::Max => Shape::Scalar,
     }
 }
 

@@ -14,7 +14,6 @@ mod coupled;
 mod dimensions;
 mod docs;
 mod evaluator;
-pub mod facts;
 mod guess;
 mod kernels;
 mod literal;
@@ -36,40 +35,30 @@ use quote::quote;
 
 pub use self::skeleton::skeleton;
 
-use linkage_symbolic::stages::split;
-
 use self::evaluator::Version;
-use self::facts::Facts;
 use self::outline::{Function, Outline};
-use crate::lower::{Evaluator, Lowered};
-use crate::model::Mechanism;
 use crate::syntax::MechanismDef;
+use crate::unit::{self, Unit};
 
 /// All items for a mechanism without mistakes. `krate` is the path of the facade.
-pub fn emit(
-    krate: &TokenStream,
-    def: &MechanismDef,
-    mechanism: &Mechanism,
-    facts: &Facts,
-    lowered: &Lowered,
-) -> TokenStream {
-    let outline = Outline::complete(krate, def, mechanism, facts, lowered);
+pub fn emit(krate: &TokenStream, def: &MechanismDef, unit: &Unit) -> TokenStream {
+    let outline = Outline::complete(krate, def, unit);
     let mut items = mechanism::items(&outline);
     items.extend(mechanism::constants(
         &outline,
-        &structure::literal(&outline, facts, lowered),
+        &structure::literal(&outline, unit),
     ));
-    if let Some(picture) = &lowered.picture {
+    if let Some(picture) = &unit.picture {
         items.extend(picture::items(&outline, picture));
     }
     items.extend(dimensions::items(&outline));
     let mut assembled = assembly::items(&outline);
-    assembled.extend(assembly::plumbing(&outline, facts, lowered));
-    assembled.extend(coupled::items(&outline, mechanism, facts, lowered));
-    assembled.extend(winding::items(&outline, mechanism, facts, lowered));
-    assembled.extend(circuits::items(&outline, mechanism, facts, lowered));
-    for (function, evaluator) in outline.functions.iter().zip(&lowered.evaluators) {
-        assembled.extend(self::function(&outline, function, evaluator));
+    assembled.extend(assembly::plumbing(&outline, unit));
+    assembled.extend(coupled::items(&outline, unit));
+    assembled.extend(winding::items(&outline, unit));
+    assembled.extend(circuits::items(&outline, unit));
+    for (function, own) in outline.functions.iter().zip(&unit.functions) {
+        assembled.extend(self::function(&outline, function, own));
     }
     match outline.starts.is_empty() {
         true => items.extend(assembled),
@@ -83,17 +72,17 @@ pub fn emit(
 }
 
 /// One function with its programs and sweeps.
-fn function(outline: &Outline, function: &Function, evaluator: &Evaluator) -> TokenStream {
+fn function(outline: &Outline, function: &Function, own: &unit::Function) -> TokenStream {
     let mut items = evaluator::items(outline, function);
-    let stages = split(&evaluator.program);
-    let beside = evaluator.beside.as_ref().map(split);
+    let stages = &own.called.stages;
+    let beside = own.beside.as_ref().map(|body| &body.stages[..]);
     items.extend(evaluator::kernel(
         outline,
         function,
-        &stages,
+        stages,
         Version::Called,
     ));
-    if let Some(beside) = &beside {
+    if let Some(beside) = beside {
         items.extend(evaluator::kernel(
             outline,
             function,
@@ -103,12 +92,7 @@ fn function(outline: &Outline, function: &Function, evaluator: &Evaluator) -> To
     }
     items.extend(evaluator::from_row(outline, function));
     items.extend(columns::items(outline, function));
-    items.extend(table::items(outline, function, &evaluator.columns));
-    items.extend(kernels::items(
-        outline,
-        function,
-        &stages,
-        beside.as_deref(),
-    ));
+    items.extend(table::items(outline, function, &own.columns));
+    items.extend(kernels::items(outline, function, stages, beside));
     items
 }

@@ -3,14 +3,11 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::count::Count;
-use super::docs;
-use super::facts::Facts;
 use super::load::Places;
-use super::shape::of_type;
-use crate::lower::{Evaluator, Lowered, Shape};
-use crate::model::{self, Dimension, Mechanism};
+use super::{count, docs};
+use crate::model::{ASSEMBLY, COLUMNS, Shape};
 use crate::syntax::{Attribute, FunctionDef, Item, MechanismDef, ParamItem, QuantityDef};
+use crate::unit::{self, Unit};
 
 /// The surface of one mechanism.
 pub(super) struct Outline<'a> {
@@ -99,55 +96,35 @@ pub(super) struct Field<'a> {
 
 impl<'a> Outline<'a> {
     /// The outline of a mechanism without mistakes.
-    pub(super) fn complete(
-        krate: &TokenStream,
-        def: &'a MechanismDef,
-        mechanism: &Mechanism,
-        facts: &Facts,
-        lowered: &Lowered,
-    ) -> Self {
-        let inputs: Vec<Input> = inputs(def)
-            .zip(&facts.inputs)
-            .zip(&mechanism.inputs)
-            .map(|((name, facts), input)| Input {
-                name,
-                unit: match input.dimension.fits(Dimension::LENGTH) {
-                    true => mechanism.unit.name().to_owned(),
-                    false => "rad".to_owned(),
-                },
-                reference: facts.reference,
-                range: facts.range,
-            })
-            .collect();
-        let mut modes: Vec<(usize, bool)> = facts
-            .groups
-            .iter()
-            .filter_map(|g| g.mode.map(|mode| (mode, g.plus)))
-            .collect();
-        modes.sort_unstable();
+    pub(super) fn complete(krate: &TokenStream, def: &'a MechanismDef, unit: &Unit) -> Self {
+        let inputs = inputs(def).zip(&unit.inputs).map(|(name, input)| Input {
+            name,
+            unit: if input.angle {
+                "rad".to_owned()
+            } else {
+                input.unit.clone()
+            },
+            reference: input.reference,
+            range: input.range,
+        });
+        let parameters = params(def).zip(&unit.parameters);
+        let functions = def.functions.iter().zip(&unit.functions);
+        let starts = unit.coupled.iter().map(|group| Start {
+            inputs: group.inputs.clone(),
+            size: group.size,
+        });
         Self {
-            parameters: params(def)
-                .zip(&mechanism.parameters)
-                .map(|(item, parameter)| complete_parameter(item, parameter, mechanism, facts))
+            parameters: parameters
+                .map(|(item, parameter)| complete_parameter(item, parameter))
                 .collect(),
-            functions: def
-                .functions
-                .iter()
-                .zip(&lowered.evaluators)
-                .map(|(function, evaluator)| complete_function(function, mechanism, evaluator))
+            functions: functions
+                .map(|(def, function)| complete_function(def, function, unit))
                 .collect(),
-            inputs,
-            modes: modes.into_iter().map(|(_, plus)| plus).collect(),
-            prepared: lowered.prepare.outputs.len(),
-            continuous_angles: lowered.continuous_angles.len(),
-            starts: lowered
-                .coupled
-                .iter()
-                .map(|group| Start {
-                    inputs: group.inputs.clone(),
-                    size: group.size,
-                })
-                .collect(),
+            inputs: inputs.collect(),
+            modes: unit.modes(),
+            prepared: unit.slots(),
+            continuous_angles: unit.angles.len(),
+            starts: starts.collect(),
             complete: true,
             ..Self::empty(krate, def)
         }
@@ -160,7 +137,7 @@ impl<'a> Outline<'a> {
             attributes: &def.attributes,
             visibility: &def.visibility,
             name: &def.name,
-            assembly: format_ident!("{}Assembly", def.name),
+            assembly: format_ident!("{}{ASSEMBLY}", def.name),
             core: format_ident!("__{}Core", def.name),
             parameters: Vec::new(),
             inputs: Vec::new(),
@@ -261,7 +238,7 @@ pub(super) fn function<'a>(def: &'a FunctionDef, fields: Vec<Field<'a>>) -> Func
         visibility: &def.visibility,
         name: &def.name,
         result: &def.result,
-        columns: format_ident!("{}Columns", def.result),
+        columns: format_ident!("{}{COLUMNS}", def.result),
         kernel: format_ident!("__evaluate_{}", def.name),
         arguments: def.inputs.iter().collect(),
         positions: Vec::new(),
@@ -281,64 +258,43 @@ pub(super) fn field<'a>(quantity: &'a QuantityDef, shape: Shape, unit: String) -
     }
 }
 
-fn complete_parameter<'a>(
-    item: &'a ParamItem,
-    parameter: &model::Parameter,
-    mechanism: &Mechanism,
-    facts: &Facts,
-) -> Parameter<'a> {
-    let shape = of_type(&parameter.ty);
-    let first = parameter.first_scalar.0;
-    let components = (first..first + shape.width())
-        .map(|index| {
-            let scalar = &mechanism.scalar_parameters[index];
-            Component {
-                name: scalar.name.clone(),
-                unit: scalar.dimension.unit(mechanism.unit),
-                nominal: facts.nominal[index],
-                tolerance: facts.tolerance[index],
-            }
-        })
-        .collect();
+fn complete_parameter<'a>(item: &'a ParamItem, parameter: &unit::Parameter) -> Parameter<'a> {
+    let components = parameter.scalars.iter().map(|scalar| Component {
+        name: scalar.name.clone(),
+        unit: scalar.unit.clone(),
+        nominal: scalar.nominal,
+        tolerance: scalar.tolerance,
+    });
     Parameter {
         name: &item.name,
         attributes: &item.attributes,
-        shape,
-        components,
+        shape: parameter.shape.clone(),
+        components: components.collect(),
     }
 }
 
-fn complete_function<'a>(
-    def: &'a FunctionDef,
-    mechanism: &Mechanism,
-    evaluator: &Evaluator,
-) -> Function<'a> {
-    let fields = def
-        .quantities
-        .iter()
-        .zip(&evaluator.fields)
-        .map(|(quantity, lowered)| field(quantity, lowered.shape.clone(), lowered.unit.clone()))
+fn complete_function<'a>(def: &'a FunctionDef, own: &unit::Function, unit: &Unit) -> Function<'a> {
+    let quantities = def.quantities.iter().zip(&own.fields);
+    let fields = quantities
+        .map(|(quantity, own)| field(quantity, own.shape.clone(), own.unit.clone()))
         .collect();
-    let positions = &mechanism.evaluators[evaluator.index].inputs;
-    let arguments: Vec<String> = def
-        .inputs
-        .iter()
-        .zip(positions)
-        .map(|(name, position)| docs::argument(&plain(name), *position, mechanism))
+    let arguments = def.inputs.iter().zip(&own.arguments);
+    let arguments: Vec<String> = arguments
+        .map(|(name, place)| docs::argument(&plain(name), *place, unit))
         .collect();
     let mut notes = String::new();
     if !arguments.is_empty() {
         notes = format!("Takes {}.\n\n", arguments.join("; "));
     }
-    let count = Count::of(&evaluator.program).words();
+    let count = count::words(&own.called.count);
     notes.push_str("A quantity that depends on something which cannot be assembled is NaN.\n\n");
-    let direction = evaluator.direction_note();
+    let direction = own.direction_note();
     notes.push_str(&format!("Operations: {count}.{direction}"));
     Function {
         notes,
-        positions: positions.clone(),
-        states: evaluator.states.clone(),
-        beside: evaluator.beside.is_some(),
+        positions: own.arguments.clone(),
+        states: own.states.clone(),
+        beside: own.beside.is_some(),
         ..function(def, fields)
     }
 }

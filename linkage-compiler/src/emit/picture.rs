@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::outline::Outline;
 use super::{attribute, literal};
-use crate::picture::{GuideOn, Picture, PointKind};
+use crate::unit::{GuideOn, Picture, PointKind};
 
 /// The constant of a mechanism that has a picture.
 pub(super) fn items(outline: &Outline, picture: &Picture) -> TokenStream {
@@ -34,7 +34,7 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
         };
         quote!(#runtime::PicturePoint { name: #name, kind: #runtime::PointKind::#kind })
     });
-    let directions = picture.directions.iter().map(|(name, _)| name);
+    let directions = &picture.directions;
     let links = picture.links.iter().map(|link| {
         let name = &link.name;
         let points = link.points.iter().map(|&point| literal::index(point));

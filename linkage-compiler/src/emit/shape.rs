@@ -5,8 +5,7 @@ use quote::quote;
 
 use super::literal;
 use super::outline::Outline;
-use crate::lower::Shape;
-use crate::model::Type;
+use crate::model::Shape;
 
 impl Outline<'_> {
     /// The Rust type of a field over the scalar type `scalar`.
@@ -51,18 +50,5 @@ impl Outline<'_> {
                 quote!(#runtime::Frame { origin: #origin, x: #x, y: #y, z: #z })
             }
         }
-    }
-}
-
-/// The shape of a checked type; a type spoilt by a mistake counts as a scalar.
-pub(super) fn of_type(ty: &Type) -> Shape {
-    match ty {
-        Type::Vector(n, _) | Type::Zero(n) if *n > 1 => Shape::Vector(*n),
-        Type::Array(entries) => {
-            let entry = entries.first().map_or(Shape::Scalar, of_type);
-            Shape::Array(entries.len(), Box::new(entry))
-        }
-        Type::Frame => Shape::Frame,
-        _ => Shape::Scalar,
     }
 }

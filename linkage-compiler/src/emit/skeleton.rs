@@ -7,15 +7,13 @@ use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
-use super::shape::of_type;
 use super::{
     assembly, circuits, columns, dimensions, evaluator, guess::Guess, mechanism, picture,
     structure, table,
 };
-use crate::lower::Shape;
-use crate::model::{FUNCTION_SUFFIXES, Mechanism};
-use crate::picture::Picture;
-use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef};
+use crate::model::{ASSEMBLY, COLUMNS, Mechanism, MotionWord, Shape, Sweep};
+use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
+use crate::unit::Picture;
 
 /// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
 pub fn skeleton(
@@ -49,7 +47,7 @@ fn asks_for_picture(def: &MechanismDef) -> bool {
         .iter()
         .flat_map(|function| &function.quantities);
     quantities.any(
-        |quantity| matches!(&quantity.value.kind, ExprKind::Call(name, _) if name == "picture"),
+        |quantity| matches!(&quantity.value.kind, ExprKind::Call(name, _) if name == MotionWord::Picture.word()),
     )
 }
 
@@ -64,7 +62,7 @@ fn sketch<'a>(
         .filter(|param| seen.first(&param.name))
         .map(|param| {
             let known = mechanism.and_then(|m| m.parameters.iter().find(|p| param.name == p.name));
-            let shape = known.map_or_else(|| guess.parameter(param), |p| of_type(&p.ty));
+            let shape = known.map_or_else(|| guess.parameter(param), |p| Shape::of(&p.ty));
             let components = components(&param.name, &shape);
             Parameter {
                 name: &param.name,
@@ -85,15 +83,16 @@ fn sketch<'a>(
         })
         .collect();
     let (mut names, mut types) = (Seen::default(), Seen::default());
-    types.all([def.name.clone(), format_ident!("{}Assembly", def.name)]);
+    types.all([def.name.clone(), format_ident!("{}{ASSEMBLY}", def.name)]);
     let functions = def
         .functions
         .iter()
         .filter(|function| {
             let (name, result) = (&function.name, &function.result);
-            let swept = FUNCTION_SUFFIXES.map(|suffix| format_ident!("{name}{suffix}"));
-            let own_names = [&[name.clone()][..], &swept].concat();
-            names.all(own_names) && types.all([result.clone(), format_ident!("{result}Columns")])
+            let swept = Sweep::all().map(|sweep| format_ident!("{name}{}", sweep.word()));
+            let columns = format_ident!("{result}{COLUMNS}");
+            names.all(std::iter::once(name.clone()).chain(swept))
+                && types.all([result.clone(), columns])
         })
         .map(|function| sketch_function(function, def, &guess, mechanism))
         .collect();
@@ -124,7 +123,7 @@ fn sketch_function<'a>(
             let known = known.filter(|q| !q.is_picture());
             let shape = known.map_or_else(
                 || guess.shape(&quantity.value, drives),
-                |q| of_type(&q.value.ty),
+                |q| Shape::of(&q.value.ty),
             );
             outline::field(quantity, shape, String::new())
         })
@@ -163,7 +162,7 @@ fn components(name: &Ident, shape: &Shape) -> Vec<Component> {
             .iter()
             .map(|c| format!("{name}.{c}"))
             .collect(),
-        _ => vec![name],
+        Shape::Scalar | Shape::Array(..) | Shape::Frame => vec![name],
     };
     names
         .into_iter()

@@ -1,30 +1,25 @@
 //! The `STRUCTURE` constant.
 
+use linkage_symbolic::count::Count;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::count::Count;
-use super::facts::{Facts, GroupFacts};
-use super::literal;
 use super::outline::{Outline, plain};
-use crate::lower::Lowered;
+use super::{count, literal};
+use crate::unit::{Group, Unit};
 
 /// The literal of the runtime's `Structure`.
-pub(super) fn literal(outline: &Outline, facts: &Facts, lowered: &Lowered) -> TokenStream {
+pub(super) fn literal(outline: &Outline, unit: &Unit) -> TokenStream {
     let runtime = &outline.runtime;
-    let mobility = literal::index(facts.mobility);
-    let groups = facts.groups.iter().map(|facts| group(outline, facts));
-    let functions =
-        outline
-            .functions
-            .iter()
-            .zip(&lowered.evaluators)
-            .map(|(function, evaluator)| {
-                let name = plain(function.name);
-                let operations = Count::of(&evaluator.program).literal(outline);
-                quote!(#runtime::FunctionInfo { name: #name, operations: #operations })
-            });
-    let prepare = Count::of(&lowered.prepare).literal(outline);
+    let mobility = literal::index(unit.mobility);
+    let groups = unit.groups.iter().map(|own| group(outline, own));
+    let functions = outline.functions.iter().zip(&unit.functions);
+    let functions = functions.map(|(function, own)| {
+        let name = plain(function.name);
+        let operations = count::literal(outline, &own.called.count);
+        quote!(#runtime::FunctionInfo { name: #name, operations: #operations })
+    });
+    let prepare = count::literal(outline, &Count::of(&unit.prepare));
     quote! {
         #runtime::Structure {
             mobility: #mobility,
@@ -37,21 +32,21 @@ pub(super) fn literal(outline: &Outline, facts: &Facts, lowered: &Lowered) -> To
 
 /// A structure with nothing in it, for the skeleton.
 pub(super) fn empty(outline: &Outline) -> TokenStream {
-    literal(outline, &Facts::default(), &Lowered::default())
+    literal(outline, &Unit::default())
 }
 
-fn group(outline: &Outline, facts: &GroupFacts) -> TokenStream {
+fn group(outline: &Outline, group: &Group) -> TokenStream {
     let runtime = &outline.runtime;
-    let GroupFacts {
+    let Group {
         class,
         order,
         kind,
         unknowns,
         method,
         ..
-    } = facts;
-    let loops = facts.loops.iter().map(|n| literal::index(*n));
-    let mode = match facts.mode {
+    } = group;
+    let loops = group.loops.iter().map(|n| literal::index(*n));
+    let mode = match group.mode {
         Some(mode) => {
             let mode = literal::index(mode);
             quote!(::core::option::Option::Some(#mode))

@@ -7,6 +7,8 @@ use super::docs::doc;
 use super::evaluator::Version;
 use super::outline::{Function, Outline, plain};
 use super::{attribute, coupled, literal};
+use crate::model::Sweep;
+use crate::syntax::Word;
 
 /// What the methods of one function have in common.
 struct Sweeps<'a> {
@@ -64,17 +66,17 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
 }
 
 impl Sweeps<'_> {
-    /// A method `NAME<suffix>` with its documentation.
+    /// A method with its documentation.
     fn method(
         &self,
-        suffix: &str,
+        sweep: Sweep,
         summary: &str,
         panics: &str,
         signature: TokenStream,
         body: TokenStream,
     ) -> TokenStream {
         let visibility = self.function.visibility;
-        let name = format_ident!("{}{suffix}", self.function.name);
+        let name = format_ident!("{}{}", self.function.name, sweep.word());
         let name_only = plain(self.function.name);
         let doc = doc(&format!(
             "`{name_only}` {summary}\n\n# Panics\n\nPanics if {panics}."
@@ -93,7 +95,7 @@ impl Sweeps<'_> {
         } = self.function;
         let (columns, slices) = (&self.columns, &self.slices);
         let width = literal::index(self.function.width());
-        let into = format_ident!("{name}_sweep_into");
+        let into = format_ident!("{name}{}", Sweep::Into.word());
         let inputs = quote!(#(#arguments: &[T]),*);
         let (each, panics) = match arguments.len() {
             1 => ("", "the slices differ in length"),
@@ -102,9 +104,9 @@ impl Sweeps<'_> {
                 "the slices differ in length, those with a single element aside",
             ),
         };
-        let source = |title: &str| self.inputs(title);
+        let source = |sweep| self.inputs(sweep);
         let sweep = self.method(
-            "_sweep",
+            Sweep::Owned,
             &format!("at many positions, one for each element of the slices.{each}"),
             panics,
             quote!((&self, #inputs) -> #ty<T>),
@@ -114,9 +116,9 @@ impl Sweeps<'_> {
                 __columns
             },
         );
-        let inputs_into = source("_sweep_into");
+        let inputs_into = source(Sweep::Into);
         let sweep_into = self.method(
-            "_sweep_into",
+            Sweep::Into,
             &format!(
                 "at many positions, into columns that are there already: allocates only if they are too small.{each}"
             ),
@@ -126,10 +128,10 @@ impl Sweeps<'_> {
                 quote!(#runtime::fill(&self.#kernel(), &#inputs_into, &mut #columns.__columns);)
             }),
         );
-        let title = format!("{}_sweep_slices", plain(name));
-        let inputs_slices = source("_sweep_slices");
+        let title = format!("{}{}", plain(name), Sweep::Slices.word());
+        let inputs_slices = source(Sweep::Slices);
         let sweep_slices = self.method(
-            "_sweep_slices",
+            Sweep::Slices,
             &format!(
                 "at many positions, into slices: one for each number of the result, in the order of its fields. \
                  Allocates nothing.{each}"
@@ -140,9 +142,9 @@ impl Sweeps<'_> {
                 quote!(#runtime::fill_slices(#title, &self.#kernel(), &#inputs_slices, #slices);)
             }),
         );
-        let inputs_parallel = source("_sweep_parallel_into");
+        let inputs_parallel = source(Sweep::ParallelInto);
         let parallel = self.method(
-            "_sweep_parallel_into",
+            Sweep::ParallelInto,
             &format!(
                 "at many positions, computed by all threads of rayon's current pool, into columns that are there already.{each}"
             ),
@@ -184,7 +186,7 @@ impl Sweeps<'_> {
             ..
         } = self.function;
         let (columns, sets, kernel) = (&self.columns, &self.sets, &self.over_sets);
-        let into = format_ident!("{name}_sweep_sets_into");
+        let into = format_ident!("{name}{}", Sweep::SetsInto.word());
         let inputs = quote!(#sets: &[#mechanism<T>], #(#arguments: &[T]),*);
         let panics =
             "a slice of inputs has neither one element nor as many as there are mechanisms";
@@ -192,7 +194,7 @@ impl Sweeps<'_> {
                      single element. Each is assembled in the modes of this one, and its angles count their turns from \
                      those of this one; where one cannot be assembled at its position, the results are NaN.";
         let sweep = self.method(
-            "_sweep_sets",
+            Sweep::Sets,
             about,
             panics,
             quote!((&self, #inputs) -> #ty<T>),
@@ -202,18 +204,18 @@ impl Sweeps<'_> {
                 __columns
             },
         );
-        let source = self.sets("_sweep_sets_into");
+        let source = self.sets(Sweep::SetsInto);
         let sweep_into = self.method(
-            "_sweep_sets_into",
+            Sweep::SetsInto,
             "for many mechanisms, as the method without `_into`, into columns that are there already: allocates only if they are \
              too small.",
             panics,
             quote!((&self, #inputs, #columns: &mut #ty<T>)),
             quote!(#runtime::fill(&self.#kernel(), &#source, &mut #columns.__columns);),
         );
-        let source = self.sets("_sweep_sets_parallel_into");
+        let source = self.sets(Sweep::SetsParallelInto);
         let parallel = self.method(
-            "_sweep_sets_parallel_into",
+            Sweep::SetsParallelInto,
             "for many mechanisms, as the method without `_parallel_into`, computed by all threads of rayon's current pool, into columns that \
              are there already.",
             panics,
@@ -232,10 +234,10 @@ impl Sweeps<'_> {
     }
 
     /// The runtime's `Inputs`.
-    fn inputs(&self, suffix: &str) -> TokenStream {
+    fn inputs(&self, sweep: Sweep) -> TokenStream {
         let runtime = &self.outline.runtime;
         let arguments = &self.function.arguments;
-        let title = format!("{}{suffix}", plain(self.function.name));
+        let title = format!("{}{}", plain(self.function.name), sweep.word());
         let names = arguments.iter().map(|name| plain(name));
         let inputs = quote! {
             #runtime::Inputs {
@@ -257,11 +259,11 @@ impl Sweeps<'_> {
     }
 
     /// The runtime's `Sets`.
-    fn sets(&self, suffix: &str) -> TokenStream {
+    fn sets(&self, sweep: Sweep) -> TokenStream {
         let runtime = &self.outline.runtime;
         let (mechanism, sets) = (self.outline.name, &self.sets);
         let arguments = &self.function.arguments;
-        let title = format!("{}{suffix}", plain(self.function.name));
+        let title = format!("{}{}", plain(self.function.name), sweep.word());
         let names = arguments.iter().map(|name| plain(name));
         let fields = self.outline.scalar_fields();
         let count = literal::index(arguments.len());

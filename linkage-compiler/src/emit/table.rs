@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::outline::{Function, Outline, plain};
 use super::{attribute, literal};
-use crate::lower::{Column, Meaning};
+use crate::unit::{Column, Meaning};
 
 /// The trait for the columns of a function; nothing for a function without arguments.
 pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) -> TokenStream {

@@ -5,16 +5,14 @@ use quote::quote;
 
 use super::assembly::Types;
 use super::body;
-use super::facts::Facts;
 use super::load::{Places, loader};
 use super::outline::Outline;
 use super::{attribute, coupled, literal};
-use crate::lower::{ContinuousAngle, Lowered};
-use crate::model::Mechanism;
+use crate::unit::{ContinuousAngle, Unit};
 
 /// The centres and windings of the continuous angles, lane by lane. Where they cannot be found because a loop does not
 /// close, the error is about that loop.
-pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
+pub(super) fn turning(outline: &Outline, unit: &Unit) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -22,11 +20,11 @@ pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
         inputs,
         ..
     } = outline;
-    if lowered.continuous_angles.is_empty() {
+    if unit.angles.is_empty() {
         return quote!(#runtime::Turns { centres: [], windings: [] });
     }
     let title = outline.title();
-    let at_estimates = at_estimates(outline, lowered);
+    let at_estimates = at_estimates(outline, unit);
     let (starts, at) = match outline.starts.is_empty() {
         true => (TokenStream::new(), quote!(__at)),
         false => (
@@ -34,7 +32,7 @@ pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
             quote!(__x),
         ),
     };
-    let count = literal::index(lowered.continuous_angles.len());
+    let count = literal::index(unit.angles.len());
     let lane = (0..inputs.len()).map(|input| {
         let input = literal::index(input);
         quote!(T::lane(__at[#input], __lane))
@@ -61,21 +59,16 @@ pub(super) fn turning(outline: &Outline, lowered: &Lowered) -> TokenStream {
 }
 
 /// Centres at the start estimates, no winding.
-pub(super) fn at_estimates(outline: &Outline, lowered: &Lowered) -> TokenStream {
+pub(super) fn at_estimates(outline: &Outline, unit: &Unit) -> TokenStream {
     let runtime = &outline.runtime;
-    let angles = lowered.continuous_angles.iter();
+    let angles = unit.angles.iter();
     let estimates = angles.map(|angle| literal::float(angle.estimate));
     quote!(#runtime::Turns::at_estimates([#(#estimates),*]))
 }
 
 /// `__wind` and the program of the directions; nothing for a mechanism without continuous angles.
-pub(super) fn items(
-    outline: &Outline,
-    mechanism: &Mechanism,
-    facts: &Facts,
-    lowered: &Lowered,
-) -> TokenStream {
-    if lowered.continuous_angles.is_empty() {
+pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+    if unit.angles.is_empty() {
         return TokenStream::new();
     }
     let Outline {
@@ -89,18 +82,13 @@ pub(super) fn items(
         arguments,
         prepared,
         ..
-    } = Types::new(outline, facts, lowered);
-    let angle_count = literal::index(lowered.continuous_angles.len());
-    let input_count = literal::index(facts.inputs.len());
-    let table = lowered
-        .continuous_angles
-        .iter()
-        .map(|a| search(outline, mechanism, facts, a));
-    let references = facts
-        .inputs
-        .iter()
-        .map(|input| literal::float(input.reference));
-    let directions = directions(outline, lowered);
+    } = Types::new(outline, unit);
+    let angle_count = literal::index(unit.angles.len());
+    let input_count = literal::index(unit.inputs.len());
+    let table = unit.angles.iter().map(|angle| search(outline, unit, angle));
+    let inputs = unit.inputs.iter();
+    let references = inputs.map(|input| literal::float(input.reference));
+    let directions = directions(outline, unit);
     let (starts, argument) = match outline.starts.is_empty() {
         true => (TokenStream::new(), quote!(__x)),
         false => {
@@ -144,19 +132,14 @@ pub(super) fn items(
 }
 
 /// The runtime's `Angle`: which angle, and along which inputs it is followed.
-fn search(
-    outline: &Outline,
-    mechanism: &Mechanism,
-    facts: &Facts,
-    angle: &ContinuousAngle,
-) -> TokenStream {
+fn search(outline: &Outline, unit: &Unit, angle: &ContinuousAngle) -> TokenStream {
     let runtime = &outline.runtime;
-    let unknown = &mechanism.unknowns[angle.unknown].name;
+    let unknown = &unit.unknowns[angle.unknown].name;
     let estimate = literal::float(angle.estimate);
     let along = angle.inputs.iter().map(|&input| {
-        let (low, high) = facts.inputs[input].followed;
+        let (low, high) = unit.inputs[input].followed;
         let (low, high) = (literal::float(low), literal::float(high));
-        let rates = facts.inputs[input]
+        let rates = unit.inputs[input]
             .rates
             .iter()
             .map(|rate| literal::float(*rate));
@@ -167,10 +150,10 @@ fn search(
 }
 
 /// The program of the directions, ending in `[[cosine, sine], ...]`.
-fn directions(outline: &Outline, lowered: &Lowered) -> TokenStream {
+fn directions(outline: &Outline, unit: &Unit) -> TokenStream {
     let places = Places::all(outline);
-    let statements = body::statements(&lowered.angles, &loader(outline, &places));
-    let pairs = lowered.angles.outputs.chunks(2).map(|pair| {
+    let statements = body::statements(&unit.directions, &loader(outline, &places));
+    let pairs = unit.directions.outputs.chunks(2).map(|pair| {
         let names = pair.iter().map(|value| body::name(*value));
         quote!([#(#names),*])
     });

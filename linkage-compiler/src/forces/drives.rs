@@ -3,10 +3,10 @@
 use super::Mechanics;
 use super::system::{Equation, System};
 
-impl Mechanics<'_, '_> {
+impl<'m> Mechanics<'_, 'm> {
     /// A motion that the loops make steady may be driven, too: the length of a leg to a point that is an unknown. As long as motions
     /// lack a reaction, such ones are taken for driven.
-    pub(super) fn drive_steady(&mut self, system: &mut System) {
+    pub(super) fn drive_steady(&mut self, system: &mut System<'m>) {
         for (body, slides) in self.forces.steady.clone() {
             let is_this = |equation: &Equation| {
                 let way = equation.way();
@@ -25,20 +25,20 @@ impl Mechanics<'_, '_> {
                 Equation::Motion(way) if system.found() == before.found() => {
                     system.driven.push(way);
                 }
-                _ => *system = before,
+                Equation::Motion(_) | Equation::Released(_) => *system = before,
             }
         }
     }
 
     /// A motion that depends on inputs alone need not be driven: the block of a Scotch yoke turns against the crank by minus its angle, and the
     /// yoke's slot holds it. As long as a reaction lacks an equation, such motions are taken for held, those farthest from the frame first.
-    pub(super) fn release_held(&mut self, system: &mut System) {
+    pub(super) fn release_held(&mut self, system: &mut System<'m>) {
         let mut candidates = system.driven.clone();
         candidates.sort_by_key(|way| (self.forces.tree.depth(way.body), way.body));
         while system.lacks_equations() && system.driven.len() > self.drives() {
             let Some(way) = candidates.pop() else { return };
             let before = system.clone();
-            self.add(system, Equation::Motion(way.clone()));
+            self.add(system, Equation::Motion(way));
             system.order();
             match system.found() > before.found() {
                 true => system.driven.retain(|own| *own != way),

@@ -1,186 +1,178 @@
 //! Do bodies and joints fit the motion? Velocities compared on numbers.
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::Vn;
 
-use crate::diagnostic::{Diagnostics, Origins};
-use crate::formulate::{Reference, numbers};
-use crate::model::{Between, ElementKind, Expr, JointKind, Mechanism, OriginId};
+use crate::close::numbers;
+use crate::diagnostic::Reporter;
+use crate::model::{Between, ElementKind, Expr, Mechanism, OriginId};
 
 use super::Mechanics;
-use super::ends::place;
-use super::geometry::{slides_along, turns_about};
+use super::geometry::{Turns, slides_along, turns_of};
+use super::motion::By;
+use super::positions::{EQUAL, Position, Positions, SLOW, size};
 use super::print::{body_name, joint_name};
 
-/// Velocities that differ by a smaller share are equal.
-const EQUAL: f64 = 1e-7;
-
 /// Two velocities that must be equal.
-struct Pair {
+struct Pair<'m> {
     input: usize,
-    first: Vec<NodeId>,
-    second: Vec<NodeId>,
+    first: Vn<'m>,
+    second: Vn<'m>,
     /// Along this direction they may differ.
-    except: Option<Vec<NodeId>>,
-    is_turn: bool,
+    except: Option<Vn<'m>>,
     what: What,
 }
 
+/// What the velocities are of.
 #[derive(Clone, Copy)]
 enum What {
+    /// Of a joint's point with its bodies.
     Joint(usize),
-    /// A point that must stay with a body: what leaves it, and where it is written.
-    Point(&'static str, Option<usize>, OriginId),
+    /// Angular velocities of a joint's bodies.
+    Turns(usize),
+    /// Of a point that must stay with a body, and as the body's.
+    Point(Point),
 }
 
-impl What {
-    fn origin(self, mechanism: &Mechanism) -> OriginId {
-        match self {
-            What::Joint(joint) => mechanism.joints[joint].origin,
-            What::Point(_, _, origin) => origin,
-        }
-    }
+/// A point that moves with a body, the frame included.
+#[derive(Clone, Copy)]
+struct Point {
+    what: &'static str,
+    body: Option<usize>,
+    origin: OriginId,
 }
 
-impl Mechanics<'_, '_> {
+impl<'m> Mechanics<'_, 'm> {
     /// Reports each joint and point that does not move as declared, once.
-    pub(super) fn check_fit(
-        &mut self,
-        reference: &Reference,
-        places: &[Vec<f64>],
-        origins: &Origins,
-        diagnostics: &mut Diagnostics,
-    ) {
+    pub(super) fn check_fit(&mut self, positions: &Positions, reporter: &mut Reporter) {
         let mechanism = self.algebra.mechanism;
         let pairs = self.pairs();
         let mut reported: Vec<OriginId> = Vec::new();
-        for inputs in places {
+        for position in positions.iter() {
             for pair in &pairs {
                 let origin = pair.what.origin(mechanism);
                 if reported.contains(&origin) {
                     continue;
                 }
-                let Some(message) = self.difference(pair, reference, inputs) else {
-                    continue;
-                };
-                reported.push(origin);
-                diagnostics.error(origins.span(origin), message);
+                if let Some(message) = pair.difference(mechanism, position) {
+                    reported.push(origin);
+                    reporter.error(origin, message);
+                }
             }
         }
     }
 
     /// All that must move alike.
-    fn pairs(&mut self) -> Vec<Pair> {
+    fn pairs(&mut self) -> Vec<Pair<'m>> {
         let mechanism = self.algebra.mechanism;
         let mut pairs = Vec::new();
         for input in 0..self.drives() {
-            for (joint, declared) in mechanism.joints.iter().enumerate() {
-                let what = What::Joint(joint);
-                let point = self.forces.geometry.points[joint].clone();
-                let direction = self.forces.geometry.directions[joint].clone();
-                let (body, on) = (Some(declared.body), declared.on);
-                let slides = slides_along(declared.kind);
-                pairs.push(Pair {
-                    input,
-                    first: self.velocity_of(body, &point, input),
-                    second: self.velocity_of(on, &point, input),
-                    except: direction.clone().filter(|_| slides),
-                    is_turn: false,
-                    what,
-                });
-                let turns = turns_about(declared.kind);
-                let free = declared.kind == JointKind::Ball || turns && direction.is_none();
-                if !free {
-                    pairs.push(Pair {
-                        input,
-                        first: self.turn(body, input),
-                        second: self.turn(on, input),
-                        except: direction.filter(|_| turns),
-                        is_turn: true,
-                        what,
-                    });
-                }
+            let by = By::Input(input);
+            for joint in 0..mechanism.joints.len() {
+                pairs.push(self.pair_of_points(joint, input));
+                pairs.extend(self.pair_of_turns(joint, input));
             }
-            for (what, body, at) in carried_points(mechanism) {
+            for (what, at) in carried_points(mechanism) {
                 let point = self.algebra.vector_of(at);
-                let moved = point.iter().map(|&x| self.algebra.by_input(x, input));
                 pairs.push(Pair {
                     input,
-                    first: moved.collect(),
-                    second: self.velocity_of(body, &point, input),
+                    first: self.moved(point, by),
+                    second: self.velocity_of(what.body, point, by),
                     except: None,
-                    is_turn: false,
-                    what: What::Point(what, body, at.origin),
+                    what: What::Point(what),
                 });
             }
         }
         pairs
     }
 
-    /// What is wrong with a pair at a position.
-    fn difference(&self, pair: &Pair, reference: &Reference, inputs: &[f64]) -> Option<String> {
-        let graph = &self.algebra.graph;
-        let evaluate = |v: &[NodeId]| reference.machine.evaluate(graph, v, inputs);
-        let (first, second) = (evaluate(&pair.first), evaluate(&pair.second));
-        let mut apart: Vec<f64> = first.iter().zip(&second).map(|(a, b)| a - b).collect();
-        if let Some(except) = &pair.except {
-            let direction = evaluate(except);
-            let along: f64 = apart.iter().zip(&direction).map(|(x, d)| x * d).sum();
-            apart
-                .iter_mut()
-                .zip(&direction)
-                .for_each(|(x, d)| *x -= along * d);
+    fn pair_of_points(&mut self, joint: usize, input: usize) -> Pair<'m> {
+        let declared = &self.algebra.mechanism.joints[joint];
+        let (point, by) = (self.forces.geometry.points[joint], By::Input(input));
+        let direction = self.forces.geometry.directions[joint];
+        Pair {
+            input,
+            first: self.velocity_of(Some(declared.body), point, by),
+            second: self.velocity_of(declared.on, point, by),
+            except: direction.filter(|_| slides_along(declared.kind)),
+            what: What::Joint(joint),
         }
-        let size = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let unit = if pair.is_turn { 1.0 } else { reference.longest };
-        let scale = size(&first) + size(&second) + 1e-3 * unit;
-        // Where the mechanism does not close there is nothing to compare.
-        (size(&apart) > EQUAL * scale).then(|| self.apart(pair, &first, &second, inputs))
     }
 
-    fn apart(&self, pair: &Pair, first: &[f64], second: &[f64], inputs: &[f64]) -> String {
-        let mechanism = self.algebra.mechanism;
-        let at = place(mechanism, inputs);
-        let by = &mechanism.inputs[pair.input].name;
-        let vector = |v: &[f64]| match v {
-            [x] => numbers(&[*x])[0].clone(),
-            _ => format!("({})", numbers(v).join(", ")),
+    /// Nothing for a ball joint, and for a pin of the plane.
+    fn pair_of_turns(&mut self, joint: usize, input: usize) -> Option<Pair<'m>> {
+        let declared = &self.algebra.mechanism.joints[joint];
+        let except = match turns_of(declared.kind) {
+            Turns::Not => None,
+            Turns::AboutAxis => Some(self.forces.geometry.directions[joint]?),
+            Turns::Freely => return None,
         };
-        let (a, b) = (vector(first), vector(second));
-        match pair.what {
+        let by = By::Input(input);
+        Some(Pair {
+            input,
+            first: self.turn(Some(declared.body), by),
+            second: self.turn(declared.on, by),
+            except,
+            what: What::Turns(joint),
+        })
+    }
+}
+
+impl Pair<'_> {
+    /// What is wrong with a pair at a position.
+    fn difference(&self, mechanism: &Mechanism, position: Position) -> Option<String> {
+        let [first, second] = [self.first, self.second].map(|v| position.vector(v));
+        let mut apart: Vec<f64> = first.iter().zip(&second).map(|(a, b)| a - b).collect();
+        if let Some(except) = self.except {
+            let direction = position.vector(except);
+            let along: f64 = apart.iter().zip(&direction).map(|(x, d)| x * d).sum();
+            let pairs = apart.iter_mut().zip(&direction);
+            pairs.for_each(|(x, d)| *x -= along * d);
+        }
+        let unit = match self.what {
+            What::Turns(_) => 1.0,
+            What::Joint(_) | What::Point(_) => position.longest(),
+        };
+        let scale = size(&first) + size(&second) + SLOW * unit;
+        // Where the mechanism does not close there is nothing to compare.
+        (size(&apart) > EQUAL * scale).then(|| {
+            let at = position.words(mechanism);
+            self.message(mechanism, &at, [&first, &second].map(|v| vector_words(v)))
+        })
+    }
+
+    fn message(&self, mechanism: &Mechanism, at: &str, [a, b]: [String; 2]) -> String {
+        let by = &mechanism.inputs[self.input].name;
+        match self.what {
             What::Joint(joint) => {
-                let declared = &mechanism.joints[joint];
-                let name = joint_name(mechanism, joint);
-                let body = body_name(mechanism, Some(declared.body));
-                let on = body_name(mechanism, declared.on);
-                match pair.is_turn {
-                    true => format!(
-                        "{name} cannot hold: {at}{body} turns by {a} per unit of `{by}`, {on} by {b}{}\n\
-                         help: check what both bodies turn with, and the kind of the joint",
-                        match &pair.except {
-                            Some(_) => ", and not about the joint's axis alone",
-                            None => "",
-                        }
-                    ),
-                    false => format!(
-                        "{name} comes apart: {at}its point moves by {a} per unit of `{by}` with {body}, by {b} with {on}{}\n\
-                         help: check the point, the two bodies, and what they turn with",
-                        match &pair.except {
-                            Some(_) => ", which differ across the guide, too",
-                            None => "",
-                        }
-                    ),
-                }
+                let [name, body, on] = joint_names(mechanism, joint);
+                let across = match &self.except {
+                    Some(_) => ", which differ across the guide, too",
+                    None => "",
+                };
+                format!(
+                    "{name} comes apart: {at}its point moves by {a} per unit of `{by}` with {body}, by {b} with {on}{across}\n\
+                     help: check the point, the two bodies, and what they turn with"
+                )
             }
-            What::Point(what, body, _) => {
-                let (body, help) = (
-                    body_name(mechanism, body),
-                    match body {
-                        Some(_) => {
-                            "write the point from the body's origin and with what the body turns with"
-                        }
-                        None => "write a point that stays, or name the body that it belongs to",
-                    },
-                );
+            What::Turns(joint) => {
+                let [name, body, on] = joint_names(mechanism, joint);
+                let across = match &self.except {
+                    Some(_) => ", and not about the joint's axis alone",
+                    None => "",
+                };
+                format!(
+                    "{name} cannot hold: {at}{body} turns by {a} per unit of `{by}`, {on} by {b}{across}\n\
+                     help: check what both bodies turn with, and the kind of the joint"
+                )
+            }
+            What::Point(Point { what, body, .. }) => {
+                let help = match body {
+                    Some(_) => {
+                        "write the point from the body's origin and with what the body turns with"
+                    }
+                    None => "write a point that stays, or name the body that it belongs to",
+                };
+                let body = body_name(mechanism, body);
                 format!(
                     "{what} leaves {body}: {at}its point moves by {a} per unit of `{by}`, as a point of {body} by {b}\n\
                      help: {help}"
@@ -190,18 +182,48 @@ impl Mechanics<'_, '_> {
     }
 }
 
+impl What {
+    fn origin(self, mechanism: &Mechanism) -> OriginId {
+        match self {
+            What::Joint(joint) | What::Turns(joint) => mechanism.joints[joint].origin,
+            What::Point(point) => point.origin,
+        }
+    }
+}
+
+/// A joint and its bodies.
+fn joint_names(mechanism: &Mechanism, joint: usize) -> [String; 3] {
+    let declared = &mechanism.joints[joint];
+    [
+        joint_name(mechanism, joint),
+        body_name(mechanism, Some(declared.body)),
+        body_name(mechanism, declared.on),
+    ]
+}
+
+/// `(0, 1)`, or a number alone.
+fn vector_words(v: &[f64]) -> String {
+    let words = numbers(v);
+    match &words[..] {
+        [number] => number.clone(),
+        _ => format!("({})", words.join(", ")),
+    }
+}
+
 /// Points that move with a body, the frame included: of masses, of moments of inertia, of the ends of springs and dampers.
-fn carried_points(mechanism: &Mechanism) -> Vec<(&'static str, Option<usize>, &Expr)> {
+fn carried_points(mechanism: &Mechanism) -> Vec<(Point, &Expr)> {
+    let point = |what, body, at: &Expr| Point {
+        what,
+        body,
+        origin: at.origin,
+    };
     let mut points = Vec::new();
-    for (index, body) in mechanism.bodies.iter().enumerate() {
-        let masses = body.masses.iter().map(|(_, at)| ("the mass", at));
-        let inertias = body.inertias.iter().filter_map(|(_, at)| at.as_ref());
-        let inertias = inertias.map(|at| ("the point of the inertia", at));
-        points.extend(
-            masses
-                .chain(inertias)
-                .map(|(what, at)| (what, Some(index), at)),
-        );
+    for (body, own) in mechanism.bodies.iter().enumerate() {
+        let body = Some(body);
+        let masses = own.masses.iter();
+        points.extend(masses.map(|(_, at)| (point("the mass", body, at), at)));
+        let about = own.inertias.iter().filter_map(|(_, at)| at.as_ref());
+        points.extend(about.map(|at| (point("the point of the inertia", body, at), at)));
     }
     for element in &mechanism.elements {
         let what = match element.kind {
@@ -209,7 +231,7 @@ fn carried_points(mechanism: &Mechanism) -> Vec<(&'static str, Option<usize>, &E
             ElementKind::Damper => "the damper's end",
         };
         if let Between::Points(ends) = &element.between {
-            points.extend(ends.iter().map(|(body, at)| (what, *body, at)));
+            points.extend(ends.iter().map(|(body, at)| (point(what, *body, at), at)));
         }
     }
     points

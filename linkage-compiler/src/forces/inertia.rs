@@ -2,95 +2,56 @@
 //!
 //! A body with a frame is looked at in its own axes, where its inertia does not change and nothing is turned to and fro.
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::{Ex, Vector, Vn};
 
+use crate::algebra::Translate;
 use crate::model::{Expr, Inertia};
 
 use super::Mechanics;
 use super::geometry::Turning;
 
 /// How a body turns: the angular velocity and its gain, in the body's own axes if it has any.
-struct Turned {
-    axes: Option<[Vec<NodeId>; 3]>,
-    velocity: Vec<NodeId>,
-    gain: Vec<NodeId>,
+struct Turned<'m> {
+    axes: Option<[Vn<'m>; 3]>,
+    velocity: Vn<'m>,
+    gain: Vn<'m>,
 }
 
-impl Mechanics<'_, '_> {
+impl<'m> Mechanics<'_, 'm> {
     /// How fast the moment of momentum of a body grows beyond that of its masses as points: `I alpha`, in space `I alpha + omega x I omega`.
-    pub(super) fn inertia_couple(&mut self, body: usize) -> Option<Vec<NodeId>> {
+    pub(super) fn inertia_couple(&mut self, body: usize) -> Option<Vn<'m>> {
         if self.algebra.mechanism.bodies[body].inertias.is_empty() {
             return None;
         }
         let turned = self.turned(body);
-        let couple = self.inertia_times(body, &turned, &turned.gain);
-        if self.forces.geometry.dimensions == 2 {
+        let couple = self.inertia_times(body, &turned, turned.gain);
+        if self.forces.geometry.is_plane() {
             return Some(couple);
         }
-        let momentum = self.inertia_times(body, &turned, &turned.velocity);
-        let gyroscopic = self.algebra.moment_of(&turned.velocity, &momentum);
-        let couple = self.algebra.plus(&couple, &gyroscopic);
+        let momentum = self.inertia_times(body, &turned, turned.velocity);
+        let couple = couple + turned.velocity.moment_of(momentum);
         Some(match &turned.axes {
-            Some(axes) => self.out_of_axes(axes, &couple),
+            Some(axes) => self.out_of_axes(axes, couple),
             None => couple,
         })
     }
 
-    /// Twice the energy of a body's turning beyond that of its masses as points.
-    pub(super) fn twice_turning_energy(&mut self, body: usize) -> NodeId {
+    /// Twice the energy of a body's turning beyond that of its masses as points: `omega . I omega`.
+    pub(super) fn twice_turning_energy(&mut self, body: usize) -> Ex<'m> {
         if self.algebra.mechanism.bodies[body].inertias.is_empty() {
-            return self.algebra.graph.zero();
+            return self.algebra.zero();
         }
         let turned = self.turned(body);
-        let momentum = self.inertia_times(body, &turned, &turned.velocity);
-        self.algebra.dot(&turned.velocity, &momentum)
+        let momentum = self.inertia_times(body, &turned, turned.velocity);
+        turned.velocity.dot(momentum)
     }
 
-    fn turned(&mut self, body: usize) -> Turned {
-        match self.forces.geometry.turning[body].clone() {
-            Turning::Frame(axes) => {
-                // Components: y' . z and so on; y" . z - w_y w_z and so on.
-                let velocity: Vec<NodeId> = (0..3)
-                    .map(|k| {
-                        let moved = self.point_velocity(&axes[(k + 1) % 3]);
-                        self.algebra.dot(&moved, &axes[(k + 2) % 3])
-                    })
-                    .collect();
-                let gain = (0..3).map(|k| {
-                    let (next, after) = ((k + 1) % 3, (k + 2) % 3);
-                    let gained = self.point_acceleration(&axes[next]);
-                    let along = self.algebra.dot(&gained, &axes[after]);
-                    let product = self.algebra.graph.mul(velocity[next], velocity[after]);
-                    self.algebra.graph.sub(along, product)
-                });
-                Turned {
-                    gain: gain.collect(),
-                    velocity,
-                    axes: Some(axes),
-                }
-            }
-            Turning::Rod(along) => {
-                // (V x V" - 2 (V . V') w) / V^2
-                let velocity = self.angular_velocity(body);
-                let gained = self.point_acceleration(&along);
-                let mut across = self.algebra.moment_of(&along, &gained);
-                if !self.forces.rigid_rods.contains(&body) {
-                    let moved = self.point_velocity(&along);
-                    let product = self.algebra.dot(&along, &moved);
-                    let two = self.algebra.graph.constant(2.0);
-                    let factor = self.algebra.graph.mul(two, product);
-                    let part = self.algebra.times(factor, &velocity);
-                    across = self.algebra.difference(&across, &part);
-                }
-                let square = self.algebra.sum_of_squares(&along);
-                let graph = &mut self.algebra.graph;
-                Turned {
-                    gain: across.into_iter().map(|x| graph.div(x, square)).collect(),
-                    velocity,
-                    axes: None,
-                }
-            }
-            _ => Turned {
+    /// How a body turns at the speeds that are listed.
+    fn turned(&mut self, body: usize) -> Turned<'m> {
+        match self.forces.geometry.turning[body] {
+            Turning::Frame(axes) => self.turned_in_axes(axes),
+            Turning::Rod(along) => self.turned_rod(body, along),
+            Turning::Along | Turning::Angle(_) | Turning::About(..) => Turned {
                 gain: self.angular_acceleration(body),
                 velocity: self.angular_velocity(body),
                 axes: None,
@@ -98,90 +59,111 @@ impl Mechanics<'_, '_> {
         }
     }
 
-    fn out_of_axes(&mut self, axes: &[Vec<NodeId>; 3], own: &[NodeId]) -> Vec<NodeId> {
-        let zero = self.algebra.zeros(3);
-        own.iter().zip(axes).fold(zero, |sum, (&along, axis)| {
-            let part = self.algebra.times(along, axis);
-            self.algebra.plus(&sum, &part)
-        })
+    /// Components `w_x = y' . z` and so on, and their gain: `y" . z - w_y w_z` and so on.
+    fn turned_in_axes(&mut self, axes: [Vn<'m>; 3]) -> Turned<'m> {
+        let velocity = [0, 1, 2].map(|k| {
+            let [y, z] = [k + 1, k + 2].map(|k| axes[k % 3]);
+            self.point_velocity(y).dot(z)
+        });
+        let gain = [0, 1, 2].map(|k| {
+            let [y, z] = [k + 1, k + 2].map(|k| axes[k % 3]);
+            let [w_y, w_z] = [k + 1, k + 2].map(|k| velocity[k % 3]);
+            self.point_acceleration(y).dot(z) - w_y * w_z
+        });
+        Turned {
+            axes: Some(axes),
+            velocity: Vector(velocity).into(),
+            gain: Vector(gain).into(),
+        }
+    }
+
+    /// `w`, and `(V x V" - 2 (V . V') w) / V^2`, where a rod that keeps its length has no second term.
+    fn turned_rod(&mut self, body: usize, v: Vn<'m>) -> Turned<'m> {
+        let velocity = self.angular_velocity(body);
+        let mut across = v.moment_of(self.point_acceleration(v));
+        if !self.forces.rigid_rods.contains(&body) {
+            let moved = self.point_velocity(v);
+            across = across - (2.0 * v.dot(moved)) * velocity;
+        }
+        Turned {
+            axes: None,
+            velocity,
+            gain: across / v.square(),
+        }
+    }
+
+    /// `a x + b y + c z`
+    fn out_of_axes(&self, axes: &[Vn<'m>; 3], own: Vn<'m>) -> Vn<'m> {
+        let pairs = own.iter().zip(axes);
+        pairs.fold(self.zero_turn(), |sum, (along, &axis)| sum + along * axis)
     }
 
     /// A body's inertia, without that of its masses as points, times a turn.
-    fn inertia_times(&mut self, body: usize, turned: &Turned, turn: &[NodeId]) -> Vec<NodeId> {
+    fn inertia_times(&mut self, body: usize, turned: &Turned<'m>, turn: Vn<'m>) -> Vn<'m> {
         let mechanism = self.algebra.mechanism;
-        let mut sum = self.algebra.zeros(turn.len());
+        let mut sum = self.zero_turn();
         for (inertia, about) in &mechanism.bodies[body].inertias {
-            let product = match inertia {
+            let whole = match inertia {
                 Inertia::Scalar(inertia) => self.scalar_inertia(body, inertia, turn),
-                Inertia::Tensor(rows) => rows
-                    .iter()
-                    .map(|row| {
-                        let row: Vec<NodeId> =
-                            row.iter().map(|x| self.algebra.number_of(x)).collect();
-                        self.algebra.dot(&row, turn)
-                    })
-                    .collect(),
+                Inertia::Tensor(rows) => self.tensor_inertia(rows, turn),
             };
-            sum = self.algebra.plus(&sum, &product);
-            if let Some(about) = about {
-                let points = match (inertia, self.forces.geometry.turning[body].clone()) {
-                    // The number says nothing of the masses' products of inertia.
-                    (Inertia::Scalar(_), Turning::About(_, axis)) => {
-                        let turn = self.algebra.along(&axis, turn);
-                        let points = self.points_about(body, about, turned, &turn);
-                        self.algebra.along(&axis, &points)
-                    }
-                    _ => self.points_about(body, about, turned, turn),
-                };
-                sum = self.algebra.difference(&sum, &points);
-            }
+            sum = sum + whole;
+            let Some(about) = about else { continue };
+            let points = match (inertia, self.forces.geometry.axis(body)) {
+                // The number says nothing of the masses' products of inertia.
+                (Inertia::Scalar(_), Some(axis)) => {
+                    let turn = turn.along(axis);
+                    self.points_about(body, about, turned, turn).along(axis)
+                }
+                (Inertia::Scalar(_), None) | (Inertia::Tensor(_), _) => {
+                    self.points_about(body, about, turned, turn)
+                }
+            };
+            sum = sum - points;
         }
         sum
     }
 
-    /// What the masses as points have about a point, times a turn.
+    /// What the masses as points have about a point, times a turn: `sum m r^2 w`, in space `sum m r x (w x r)`.
     fn points_about(
         &mut self,
         body: usize,
         about: &Expr,
-        turned: &Turned,
-        turn: &[NodeId],
-    ) -> Vec<NodeId> {
+        turned: &Turned<'m>,
+        turn: Vn<'m>,
+    ) -> Vn<'m> {
         let about = self.algebra.vector_of(about);
-        let mut sum = self.algebra.zeros(turn.len());
+        let mut sum = self.zero_turn();
         for (mass, point) in self.masses(body) {
-            let mut arm = self.algebra.difference(&point, &about);
-            if let Some(axes) = &turned.axes {
-                arm = axes
-                    .iter()
-                    .map(|axis| self.algebra.dot(axis, &arm))
-                    .collect();
-            }
-            let part = match turn {
-                [turn] => {
-                    let square = self.algebra.sum_of_squares(&arm);
-                    vec![self.algebra.graph.mul(square, *turn)]
-                }
-                _ => {
-                    let swept = self.algebra.swept(turn, &arm);
-                    self.algebra.moment_of(&arm, &swept)
-                }
+            let arm = point - about;
+            let arm = match turned.axes {
+                Some(axes) => Vector(axes.map(|axis| axis.dot(arm))).into(),
+                None => arm,
             };
-            let part = self.algebra.times(mass, &part);
-            sum = self.algebra.plus(&sum, &part);
+            let part = match self.forces.geometry.is_plane() {
+                true => arm.square() * turn,
+                false => arm.moment_of(turn.sweeping(arm)),
+            };
+            sum = sum + mass * part;
         }
         sum
     }
 
     /// In space a scalar is that of a sphere, of a rod across its line, or about the axis of a body that turns about one.
-    fn scalar_inertia(&mut self, body: usize, inertia: &Expr, turn: &[NodeId]) -> Vec<NodeId> {
-        let inertia = self.algebra.number_of(inertia);
-        match self.forces.geometry.turning[body].clone() {
-            Turning::About(_, axis) => {
-                let along = self.algebra.along(&axis, turn);
-                self.algebra.times(inertia, &along)
-            }
-            _ => self.algebra.times(inertia, turn),
+    fn scalar_inertia(&mut self, body: usize, inertia: &Expr, turn: Vn<'m>) -> Vn<'m> {
+        let inertia = self.algebra.translate_number(inertia);
+        match self.forces.geometry.axis(body) {
+            Some(axis) => inertia * turn.along(axis),
+            None => inertia * turn,
         }
+    }
+
+    /// In the axes of the body's frame.
+    fn tensor_inertia(&mut self, rows: &[[Expr; 3]; 3], turn: Vn<'m>) -> Vn<'m> {
+        let rows = rows.each_ref().map(|row| {
+            let row = row.each_ref().map(|x| self.algebra.translate_number(x));
+            Vn::from(Vector(row)).dot(turn)
+        });
+        Vector(rows).into()
     }
 }

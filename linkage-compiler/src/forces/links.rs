@@ -1,6 +1,6 @@
 //! Links that one cut joint holds at their other end: their own moment gives the part of that joint's reaction across them.
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::{Vector, Vn};
 
 use crate::model::JointKind;
 
@@ -15,17 +15,16 @@ pub(super) struct Axial {
     pub(super) link: usize,
 }
 
-impl Mechanics<'_, '_> {
+impl<'m> Mechanics<'_, 'm> {
     /// Links of large blocks that one cut joint holds, and all rods.
     pub(super) fn links(&self, system: &System) -> Vec<Axial> {
         let mut links: Vec<Axial> = Vec::new();
         for &joint in &self.forces.tree.closing {
             let declared = &self.algebra.mechanism.joints[joint];
-            let plane = self.forces.geometry.dimensions == 2;
-            let kind = if plane {
-                JointKind::Pin
-            } else {
-                JointKind::Ball
+            let plane = self.forces.geometry.is_plane();
+            let kind = match plane {
+                true => JointKind::Pin,
+                false => JointKind::Ball,
             };
             if declared.kind != kind {
                 continue;
@@ -65,33 +64,27 @@ impl Mechanics<'_, '_> {
     }
 
     /// From a link's origin to the cut joint at its other end.
-    pub(super) fn link_vector(&mut self, axial: &Axial) -> Vec<NodeId> {
-        let point = self.forces.geometry.points[axial.joint].clone();
-        self.arm(axial.link, &point)
+    pub(super) fn link_vector(&self, axial: &Axial) -> Vn<'m> {
+        self.arm(axial.link, self.forces.geometry.points[axial.joint])
     }
 
     /// The part of a reaction that holds a link against its own loads: `-M perp(V) / V^2`, in space `(V x M) / V^2`.
-    pub(super) fn across_link(&mut self, axial: &Axial) -> Wrench {
+    pub(super) fn across_link(&mut self, axial: &Axial) -> Wrench<'m> {
         // Without the reaction itself.
         let loads = self.wrench(axial.link, &[axial.joint], &[]);
-        let along = self.link_vector(axial);
-        let square = self.algebra.sum_of_squares(&along);
-        let across = match loads.moment[..] {
-            [moment] => {
-                let across = [along[1], self.algebra.graph.neg(along[0])];
-                self.algebra.times(moment, &across)
-            }
-            _ => self.algebra.moment_of(&along, &loads.moment),
+        let v = self.link_vector(axial);
+        let square = v.square();
+        let across = match self.forces.geometry.is_plane() {
+            true => loads.moment.at(0) * Vn::from(Vector([v.at(1), -v.at(0)])),
+            false => v.moment_of(loads.moment),
         };
-        let graph = &mut self.algebra.graph;
-        let mut force: Vec<NodeId> = across.into_iter().map(|x| graph.div(x, square)).collect();
-        if self.joins(axial.joint, axial.link) < 0 {
-            force = self.algebra.opposite(&force);
-        }
-        let turns = self.forces.geometry.turns();
+        let force = across / square;
         Wrench {
-            force,
-            moment: self.algebra.zeros(turns),
+            force: match self.joins(axial.joint, axial.link) < 0 {
+                true => -force,
+                false => force,
+            },
+            ..self.zero_wrench()
         }
     }
 }

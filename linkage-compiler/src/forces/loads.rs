@@ -1,137 +1,136 @@
 //! What acts on each body: inertia forces and weight, applied loads, springs and dampers.
 
-use linkage_symbolic::NodeId;
+use std::rc::Rc;
 
-use crate::model::{Between, Element, ElementKind, Expr, JointKind};
+use linkage_symbolic::{Ex, Vector, Vn};
 
-use super::geometry::Turning;
+use crate::algebra::Translate;
+use crate::model::{Between, Element, ElementKind, Expr};
+
+use super::Mechanics;
+use super::geometry::{Turning, slides_along};
 use super::wrench::Wrench;
-use super::{Case, Mechanics};
 
 /// By body: forces at points, and couples.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Loads {
-    pub(super) bodies: Vec<BodyLoads>,
+#[derive(Clone, Debug)]
+pub(super) struct Loads<'m> {
+    pub(super) bodies: Vec<BodyLoads<'m>>,
 }
 
 #[derive(Clone, Debug, Default)]
-pub(super) struct BodyLoads {
-    pub(super) forces: Vec<PointForce>,
-    pub(super) couples: Vec<Vec<NodeId>>,
+pub(super) struct BodyLoads<'m> {
+    pub(super) forces: Vec<PointForce<'m>>,
+    pub(super) couples: Vec<Vn<'m>>,
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct PointForce {
-    pub(super) point: Vec<NodeId>,
-    pub(super) force: Vec<NodeId>,
+pub(super) struct PointForce<'m> {
+    pub(super) point: Vn<'m>,
+    pub(super) force: Vn<'m>,
     /// A centre of mass, whose expression moves with the body.
     pub(super) is_mass: bool,
 }
 
-impl Mechanics<'_, '_> {
+impl<'m> Mechanics<'_, 'm> {
     /// The loads at the speeds that are listed.
-    pub(super) fn loads(&mut self) -> Loads {
-        if let Some(case) = self.forces.cases.get(&self.speeds) {
-            return case.loads.clone();
-        }
+    pub(super) fn loads(&mut self) -> Rc<Loads<'m>> {
+        self.case().loads.clone()
+    }
+
+    /// The same, found anew.
+    pub(super) fn all_loads(&mut self) -> Loads<'m> {
         let mechanism = self.algebra.mechanism;
+        let bodies = mechanism.bodies.len();
         let mut loads = Loads {
-            bodies: vec![BodyLoads::default(); mechanism.bodies.len()],
+            bodies: (0..bodies)
+                .map(|body| self.inertia_and_weight(body))
+                .collect(),
         };
-        for body in 0..mechanism.bodies.len() {
-            self.add_masses(&mut loads, body);
-        }
         for load in &mechanism.loads {
             let value = self.load_vector(&load.value, load.at.is_some());
-            let back = self.algebra.opposite(&value);
+            let back = -value;
             let point = load.at.as_ref().map(|at| self.algebra.vector_of(at));
-            loads.add(load.on, point.clone(), value);
+            loads.add(load.on, point, value);
             loads.add(load.from, point, back);
         }
         for element in &mechanism.elements {
             self.add_element(&mut loads, element);
         }
-        let case = Case {
-            loads: loads.clone(),
-            ..Case::default()
-        };
-        self.forces.cases.insert(self.speeds.clone(), case);
         loads
     }
 
     /// A force as a vector; a torque as a turn.
-    fn load_vector(&mut self, value: &Expr, is_force: bool) -> Vec<NodeId> {
-        match is_force || self.forces.geometry.dimensions == 3 {
+    fn load_vector(&mut self, value: &Expr, is_force: bool) -> Vn<'m> {
+        match is_force || !self.forces.geometry.is_plane() {
             true => self.algebra.vector_of(value),
-            false => vec![self.algebra.number_of(value)],
+            false => Vector([self.algebra.translate_number(value)]).into(),
         }
     }
 
-    /// Weight and inertia of a body.
-    fn add_masses(&mut self, loads: &mut Loads, body: usize) {
+    /// `m (g - a)` at each mass of a body, and what its turning takes.
+    fn inertia_and_weight(&mut self, body: usize) -> BodyLoads<'m> {
+        let mut loads = BodyLoads::default();
         let gravity = self.gravity();
         for (mass, point) in self.masses(body) {
-            let zero = self.algebra.zeros(point.len());
-            let weight = gravity.clone().unwrap_or_else(|| zero.clone());
+            let zero = self.graph().zeros(point.len());
+            let gravity = gravity.unwrap_or(zero);
             let gain = match self.moves() {
-                true => self.point_acceleration(&point),
+                true => self.point_acceleration(point),
                 false => zero,
             };
-            let field = self.algebra.difference(&weight, &gain);
-            if field.iter().all(|&x| self.algebra.graph.is_zero(x)) {
-                continue;
+            let field = gravity - gain;
+            if !field.is_zero() {
+                loads.forces.push(PointForce {
+                    point,
+                    force: mass * field,
+                    is_mass: true,
+                });
             }
-            let force = self.algebra.times(mass, &field);
-            loads.bodies[body].forces.push(PointForce {
-                point,
-                force,
-                is_mass: true,
-            });
         }
-        if self.moves()
-            && let Some(couple) = self.inertia_couple(body)
-        {
-            let couple = self.algebra.opposite(&couple);
-            loads.bodies[body].couples.push(couple);
+        if self.moves() {
+            let couple = self.inertia_couple(body);
+            loads.couples.extend(couple.map(|couple| -couple));
         }
+        loads
     }
 
-    pub(super) fn gravity(&mut self) -> Option<Vec<NodeId>> {
+    /// The field of gravity, if there is one.
+    pub(super) fn gravity(&mut self) -> Option<Vn<'m>> {
         let gravity = self.algebra.mechanism.gravity.as_ref()?;
         Some(self.algebra.vector_of(gravity))
     }
 
     /// A body's masses and where they are.
-    pub(super) fn masses(&mut self, body: usize) -> Vec<(NodeId, Vec<NodeId>)> {
-        let mechanism = self.algebra.mechanism;
-        let masses = mechanism.bodies[body].masses.iter();
+    pub(super) fn masses(&mut self, body: usize) -> Vec<(Ex<'m>, Vn<'m>)> {
+        let masses = self.algebra.mechanism.bodies[body].masses.iter();
         masses
-            .map(|(mass, at)| (self.algebra.number_of(mass), self.algebra.vector_of(at)))
+            .map(|(mass, at)| {
+                let mass = self.algebra.translate_number(mass);
+                (mass, self.algebra.vector_of(at))
+            })
             .collect()
     }
 
-    fn add_element(&mut self, loads: &mut Loads, element: &Element) {
+    /// A spring or damper on both of its bodies; a damper needs speeds.
+    fn add_element(&mut self, loads: &mut Loads<'m>, element: &Element) {
         if element.kind == ElementKind::Damper && !self.moves() {
             return;
         }
         match &element.between {
             Between::Points([from, to]) => {
-                let points = [&from.1, &to.1].map(|at| self.algebra.vector_of(at));
-                let bodies = [from.0, to.0];
-                let pull = self.pull(element, bodies, &points);
-                let back = self.algebra.opposite(&pull);
-                let [start, end] = points;
-                loads.add(bodies[0], Some(start), pull);
-                loads.add(bodies[1], Some(end), back);
+                let [start, end] = [&from.1, &to.1].map(|at| self.algebra.vector_of(at));
+                let pull = self.pull(element, [(from.0, start), (to.0, end)]);
+                let back = -pull;
+                loads.add(from.0, Some(start), pull);
+                loads.add(to.0, Some(end), back);
             }
             Between::Joint(joint) => {
                 let wrench = self.joint_element(element, *joint);
                 let joint = &self.algebra.mechanism.joints[*joint];
-                let [on, body] = [joint.on, Some(joint.body)];
-                let back = self.opposite_wrench(&wrench);
+                let back = -wrench;
                 let point = self.algebra.vector_of(&joint.at);
-                for (body, wrench) in [(body, wrench), (on, back)] {
-                    loads.add(body, Some(point.clone()), wrench.force);
+                for (body, wrench) in [(Some(joint.body), wrench), (joint.on, back)] {
+                    loads.add(body, Some(point), wrench.force);
                     loads.add(body, None, wrench.moment);
                 }
             }
@@ -139,130 +138,99 @@ impl Mechanics<'_, '_> {
     }
 
     /// The force of a spring or damper on the point where it begins.
-    fn pull(
-        &mut self,
-        element: &Element,
-        bodies: [Option<usize>; 2],
-        points: &[Vec<NodeId>; 2],
-    ) -> Vec<NodeId> {
-        let rate = self.algebra.number_of(&element.value);
-        let between = self.algebra.difference(&points[1], &points[0]);
-        if element.kind == ElementKind::Damper {
-            // rate (d . d') d / d^2
-            let [start, end] = [0, 1].map(|k| {
-                self.in_time(between.len(), |mechanics, input| {
-                    mechanics.velocity_of(bodies[k], &points[k], input)
-                })
-            });
-            let moved = self.algebra.difference(&end, &start);
-            let product = self.algebra.dot(&between, &moved);
-            let square = self.algebra.sum_of_squares(&between);
-            let graph = &mut self.algebra.graph;
-            let force = graph.mul(rate, product);
-            let factor = graph.div(force, square);
-            return self.algebra.times(factor, &between);
-        }
-        let factor = match &element.free {
-            None => rate,
-            Some(free) => {
+    fn pull(&mut self, element: &Element, ends: [(Option<usize>, Vn<'m>); 2]) -> Vn<'m> {
+        let rate = self.algebra.translate_number(&element.value);
+        let between = ends[1].1 - ends[0].1;
+        let factor = match (element.kind, &element.free) {
+            (ElementKind::Damper, _) => {
+                // rate (d . d') / d^2
+                let [start, end] = ends.map(|(body, point)| {
+                    self.in_time(between.len(), |mechanics, by| {
+                        mechanics.velocity_of(body, point, by)
+                    })
+                });
+                let (along, square) = (between.dot(end - start), between.square());
+                rate * along / square
+            }
+            (ElementKind::Spring, None) => rate,
+            (ElementKind::Spring, Some(free)) => {
                 // rate (1 - free / length)
-                let free = self.algebra.number_of(free);
-                let length = self.algebra.length(&between);
-                let graph = &mut self.algebra.graph;
-                let longer = graph.sub(length, free);
-                let force = graph.mul(rate, longer);
-                graph.div(force, length)
+                let free = self.algebra.translate_number(free);
+                let length = between.length();
+                rate * (length - free) / length
             }
         };
-        self.algebra.times(factor, &between)
+        factor * between
     }
 
     /// The force or couple of a spring or damper in a joint on the joint's body.
-    fn joint_element(&mut self, element: &Element, joint: usize) -> Wrench {
-        let declared = &self.algebra.mechanism.joints[joint];
-        let rate = self.algebra.number_of(&element.value);
-        let way = self.forces.geometry.directions[joint].clone();
-        let slides = declared.kind == JointKind::Slide;
-        let place = match element.kind {
-            ElementKind::Damper => self.joint_speed(joint),
-            ElementKind::Spring => {
+    fn joint_element(&mut self, element: &Element, joint: usize) -> Wrench<'m> {
+        let rate = self.algebra.translate_number(&element.value);
+        let place = match (element.kind, &element.free) {
+            (ElementKind::Damper, _) => self.joint_speed(joint),
+            (ElementKind::Spring, None) => self.joint_coordinate(joint),
+            (ElementKind::Spring, Some(free)) => {
                 let place = self.joint_coordinate(joint);
-                match &element.free {
-                    None => place,
-                    Some(free) => {
-                        let free = self.algebra.number_of(free);
-                        self.algebra.graph.sub(place, free)
-                    }
-                }
+                place - self.algebra.translate_number(free)
             }
         };
-        let strength = self.algebra.graph.mul(rate, place);
-        let strength = self.algebra.graph.neg(strength);
-        let geometry = &self.forces.geometry;
-        let (forces, turns) = (geometry.dimensions, geometry.turns());
-        let mut wrench = Wrench {
-            force: self.algebra.zeros(forces),
-            moment: self.algebra.zeros(turns),
-        };
-        match way {
-            Some(way) if slides => wrench.force = self.algebra.times(strength, &way),
-            Some(axis) => wrench.moment = self.algebra.times(strength, &axis),
-            None => wrench.moment = vec![strength],
+        let strength = -(rate * place);
+        let mut wrench = self.zero_wrench();
+        match self.forces.geometry.directions[joint] {
+            Some(guide) if self.acts_along_guide(joint) => wrench.force = strength * guide,
+            Some(axis) => wrench.moment = strength * axis,
+            None => wrench.moment = Vector([strength]).into(),
         }
         wrench
     }
 
-    /// How far a joint has turned (its body against the one that it hangs on), or slid from that one's origin.
-    pub(super) fn joint_coordinate(&mut self, joint: usize) -> NodeId {
-        let declared = &self.algebra.mechanism.joints[joint];
-        let (body, on) = (declared.body, declared.on);
-        if declared.kind == JointKind::Slide {
-            let point = self.forces.geometry.points[joint].clone();
-            let way = self.forces.geometry.directions[joint].clone();
-            let from = match on {
-                Some(on) => self.arm(on, &point),
-                None => point,
-            };
-            return self.algebra.dot(&way.unwrap_or_default(), &from);
-        }
-        if let Turning::About(angle, _) = self.forces.geometry.turning[body].clone() {
-            return self.algebra.node(&angle);
-        }
-        let geometry = &self.forces.geometry;
-        let own = geometry.angle(self.algebra, &self.forces.tree, Some(body));
-        let other = geometry.angle(self.algebra, &self.forces.tree, on);
-        let relative = self.algebra.combine(&own, &other, -1.0);
-        self.algebra.node(&relative)
+    /// Whether what acts in a joint acts along its guide, and not on its angle.
+    fn acts_along_guide(&self, joint: usize) -> bool {
+        slides_along(self.algebra.mechanism.joints[joint].kind)
     }
 
-    fn joint_speed(&mut self, joint: usize) -> NodeId {
+    /// How far a joint has turned (its body against the one that it hangs on), or slid from that one's origin.
+    pub(super) fn joint_coordinate(&self, joint: usize) -> Ex<'m> {
+        let declared = &self.algebra.mechanism.joints[joint];
+        let (body, on) = (declared.body, declared.on);
+        let geometry = &self.forces.geometry;
+        if let Some(guide) = geometry.directions[joint].filter(|_| self.acts_along_guide(joint)) {
+            let point = geometry.points[joint];
+            return guide.dot(on.map_or(point, |on| self.arm(on, point)));
+        }
+        if let Turning::About(angle, _) = &geometry.turning[body] {
+            return self.algebra.value_of(angle);
+        }
+        let [own, other] =
+            [Some(body), on].map(|body| geometry.angle(self.algebra, &self.forces.tree, body));
+        self.algebra.value_of(&own.combined(&other, -1.0))
+    }
+
+    /// How fast that grows.
+    fn joint_speed(&mut self, joint: usize) -> Ex<'m> {
         let declared = &self.algebra.mechanism.joints[joint];
         let (body, on) = (Some(declared.body), declared.on);
-        let way = self.forces.geometry.directions[joint].clone();
-        let relative = if declared.kind == JointKind::Slide {
-            let point = self.forces.geometry.points[joint].clone();
-            self.in_time(point.len(), |mechanics, input| {
-                let own = mechanics.velocity_of(body, &point, input);
-                let other = mechanics.velocity_of(on, &point, input);
-                mechanics.algebra.difference(&own, &other)
+        let relative = if self.acts_along_guide(joint) {
+            let point = self.forces.geometry.points[joint];
+            self.in_time(point.len(), |mechanics, by| {
+                mechanics.velocity_of(body, point, by) - mechanics.velocity_of(on, point, by)
             })
         } else {
             let count = self.forces.geometry.turns();
-            self.in_time(count, |mechanics, input| {
-                let own = mechanics.turn(body, input);
-                let other = mechanics.turn(on, input);
-                mechanics.algebra.difference(&own, &other)
+            self.in_time(count, |mechanics, by| {
+                mechanics.turn(body, by) - mechanics.turn(on, by)
             })
         };
-        match way {
-            Some(way) => self.algebra.dot(&way, &relative),
-            None => relative[0],
+        match self.forces.geometry.directions[joint] {
+            Some(way) => way.dot(relative),
+            None => relative.at(0),
         }
     }
 }
 
-impl Loads {
-    fn add(&mut self, body: Option<usize>, point: Option<Vec<NodeId>>, value: Vec<NodeId>) {
+impl<'m> Loads<'m> {
+    /// A force at a point, or a couple.
+    fn add(&mut self, body: Option<usize>, point: Option<Vn<'m>>, value: Vn<'m>) {
         let Some(body) = body else { return };
         let loads = &mut self.bodies[body];
         match point {

@@ -1,4 +1,4 @@
-//! Forces: reactions of joints, driving torques, energies, as nodes of the same graph as the motion.
+//! Forces: reactions of joints, driving torques, energies, as expressions of the same graph as the motion.
 //!
 //! By virtual work, on the bodies and joints that the user declares and not on the loops, which may be written in any way. Every body
 //! hangs on another by its own joint: that is a tree, and what all bodies beyond a joint carry is what the joint carries. Joints
@@ -8,7 +8,7 @@
 //! | file | what |
 //! |---|---|
 //! | `tree` | who hangs on whom |
-//! | `geometry` | origins, angles, axes, centres of mass as nodes |
+//! | `geometry` | origins, angles, axes as expressions, what joints allow |
 //! | `motion` | velocities and accelerations of points and bodies |
 //! | `inertia` | moments of inertia and what they do when a body turns |
 //! | `loads` | what acts on each body: inertia, weight, loads, springs, dampers |
@@ -16,10 +16,12 @@
 //! | `drives` | what is driven where the unknowns do not tell |
 //! | `system` | equations for the reactions of the cut joints |
 //! | `rank` | do equations that are solved together tell their unknowns? |
+//! | `elimination` | Gauss elimination on plain numbers |
 //! | `links` | links that leave one number of a reaction open |
 //! | `reactions` | the equations solved, group by group |
 //! | `wrench` | what bodies beyond a joint carry together |
 //! | `quantities` | what functions ask for |
+//! | `positions` | where things are looked at on numbers |
 //! | `check` | can forces be found with what is declared? |
 //! | `fit` | do bodies and joints fit the motion? |
 //! | `ends` | do springs and dampers have a direction? |
@@ -28,6 +30,7 @@
 
 mod check;
 mod drives;
+mod elimination;
 mod ends;
 mod fit;
 mod freedom;
@@ -36,6 +39,7 @@ mod inertia;
 mod links;
 mod loads;
 mod motion;
+mod positions;
 mod print;
 mod quantities;
 mod rank;
@@ -43,13 +47,12 @@ mod reactions;
 mod steady;
 mod system;
 mod tree;
-mod vector;
 mod wrench;
 
-use std::collections::HashMap;
+use linkage_symbolic::unordered::Map;
 use std::rc::Rc;
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::{Ex, Graph, Vn};
 
 use crate::algebra::Algebra;
 
@@ -58,49 +61,49 @@ use loads::Loads;
 use motion::{Motion, Speeds};
 use system::System;
 use tree::Tree;
-use wrench::Wrench;
+use wrench::{Carried, Wrench};
 
 pub(crate) use check::check;
 pub(crate) use print::describe;
 
 /// All that is known of the mechanics, made when it is asked for.
-#[derive(Debug)]
-pub(crate) struct Forces {
+#[derive(Clone, Debug)]
+pub(crate) struct Forces<'m> {
     tree: Tree,
-    geometry: Geometry,
-    motion: Motion,
+    geometry: Geometry<'m>,
+    motion: Motion<'m>,
     /// Ways of bodies (which, and whether they slide) whose rates by the inputs are the same at all positions.
     steady: Vec<(usize, bool)>,
     /// Ways of pins, slides and cylinders in which nothing moves.
     still: Vec<(usize, bool)>,
     /// Bodies that turn with a vector whose length does not change.
     rigid_rods: Vec<usize>,
-    system: Option<Rc<System>>,
+    system: Option<Rc<System<'m>>>,
     /// By the speeds and accelerations that functions list.
-    cases: HashMap<Speeds, Case>,
+    cases: Map<Speeds, Case<'m>>,
 }
 
 /// The forces at some speeds.
-#[derive(Clone, Debug, Default)]
-struct Case {
-    loads: Loads,
-    wrenches: HashMap<(usize, Vec<usize>, Vec<usize>), Wrench>,
+#[derive(Clone, Debug)]
+struct Case<'m> {
+    loads: Rc<Loads<'m>>,
+    wrenches: Map<Carried, Wrench<'m>>,
     /// Unknowns of the system that are known already.
-    solved: HashMap<usize, NodeId>,
+    solved: Map<usize, Ex<'m>>,
 }
 
 /// The mechanics of one mechanism together with its algebra, for the time of one question.
 pub(crate) struct Mechanics<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
-    forces: &'a mut Forces,
+    forces: &'a mut Forces<'m>,
     speeds: Speeds,
     /// Whether reactions are asked for.
     with_reactions: bool,
 }
 
-impl Forces {
+impl<'m> Forces<'m> {
     /// Nothing is computed yet but the geometry.
-    pub(crate) fn new(algebra: &mut Algebra) -> Self {
+    pub(crate) fn new(algebra: &mut Algebra<'m>) -> Self {
         let tree = Tree::new(algebra.mechanism);
         let geometry = Geometry::new(algebra, &tree);
         Self {
@@ -111,13 +114,13 @@ impl Forces {
             still: Vec::new(),
             rigid_rods: Vec::new(),
             system: None,
-            cases: HashMap::new(),
+            cases: Map::new(),
         }
     }
 
     /// For a function that lists these inputs and arguments: speeds that it does not list are zero. Drives are found from the joints if
     /// reactions are asked for, too.
-    pub(crate) fn at<'a, 'm>(
+    pub(crate) fn at<'a>(
         &'a mut self,
         algebra: &'a mut Algebra<'m>,
         listed: &[usize],
@@ -133,15 +136,37 @@ impl Forces {
     }
 }
 
-impl Mechanics<'_, '_> {
-    fn case(&mut self) -> &mut Case {
+impl<'m> Mechanics<'_, 'm> {
+    /// What is known at the speeds that are listed, the loads at least.
+    fn case(&mut self) -> &mut Case<'m> {
+        if !self.forces.cases.contains_key(&self.speeds) {
+            let case = Case {
+                loads: Rc::new(self.all_loads()),
+                wrenches: Map::new(),
+                solved: Map::new(),
+            };
+            self.forces.cases.insert(self.speeds.clone(), case);
+        }
         let case = self.forces.cases.get_mut(&self.speeds);
-        case.expect("made with the first load")
+        case.expect("just made")
+    }
+
+    fn graph(&self) -> &'m Graph {
+        self.algebra.graph
+    }
+
+    /// No force, no velocity.
+    fn zero_vector(&self) -> Vn<'m> {
+        self.graph().zeros(self.forces.geometry.dimensions)
+    }
+
+    /// No moment, no angular velocity.
+    fn zero_turn(&self) -> Vn<'m> {
+        self.graph().zeros(self.forces.geometry.turns())
     }
 
     /// The vector from a body's origin to a point.
-    fn arm(&mut self, body: usize, point: &[NodeId]) -> Vec<NodeId> {
-        let origin = self.forces.geometry.origins[body].clone();
-        self.algebra.difference(point, &origin)
+    fn arm(&self, body: usize, point: Vn<'m>) -> Vn<'m> {
+        point - self.forces.geometry.origins[body]
     }
 }

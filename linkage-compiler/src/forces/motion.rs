@@ -1,10 +1,10 @@
-//! How points and bodies move: by each input, and in time at given speeds.
+//! How points and bodies move: by each input or unknown, and in time at given speeds.
 
-use std::collections::HashMap;
+use linkage_symbolic::unordered::Map;
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 
-use crate::algebra::{Algebra, Direction};
+use crate::algebra::Direction;
 use crate::model::{Mechanism, Variable};
 
 use super::Mechanics;
@@ -13,17 +13,27 @@ use super::geometry::Turning;
 /// The speeds and accelerations that a function lists, as places among inputs and arguments, by drive.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Speeds {
-    pub(super) speeds: Vec<Option<usize>>,
-    pub(super) accelerations: Vec<Option<usize>>,
+    speeds: Vec<Option<usize>>,
+    accelerations: Vec<Option<usize>>,
 }
 
-/// Angular velocities by each input, made when they are asked for.
-#[derive(Debug, Default)]
-pub(super) struct Motion {
-    turns: HashMap<(usize, usize), Vec<NodeId>>,
+/// What derivatives are by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum By {
+    /// An input, which moves the unknowns, too.
+    Input(usize),
+    /// An unknown or input that changes alone.
+    Alone(SymbolId),
+}
+
+/// Angular velocities of bodies, made when they are asked for.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Motion<'m> {
+    turns: Map<(usize, By), Vn<'m>>,
 }
 
 impl Speeds {
+    /// Those among the arguments that a function lists.
     pub(super) fn listed(mechanism: &Mechanism, listed: &[usize]) -> Self {
         let drives = mechanism.inputs.len();
         let place = |argument: Option<usize>| {
@@ -38,28 +48,18 @@ impl Speeds {
     }
 }
 
-impl Algebra<'_> {
-    /// The derivative by an input.
-    pub(super) fn by_input(&mut self, node: NodeId, input: usize) -> NodeId {
-        let variable = self.variable(Variable::Input(input));
-        self.derivative(node, variable, Direction::Forward)
-    }
-
-    fn vector_by_input(&mut self, v: &[NodeId], input: usize) -> Vec<NodeId> {
-        v.iter().map(|&x| self.by_input(x, input)).collect()
-    }
-}
-
-impl Mechanics<'_, '_> {
+impl<'m> Mechanics<'_, 'm> {
+    /// How many inputs there are.
     pub(super) fn drives(&self) -> usize {
         self.algebra.mechanism.inputs.len()
     }
 
-    pub(super) fn speed(&mut self, input: usize) -> Option<NodeId> {
+    /// The speed of an input, if it is listed.
+    pub(super) fn speed(&self, input: usize) -> Option<Ex<'m>> {
         self.speeds.speeds[input].map(|place| self.algebra.input(place))
     }
 
-    fn acceleration(&mut self, input: usize) -> Option<NodeId> {
+    fn acceleration(&self, input: usize) -> Option<Ex<'m>> {
         self.speeds.accelerations[input].map(|place| self.algebra.input(place))
     }
 
@@ -72,102 +72,76 @@ impl Mechanics<'_, '_> {
         speeds.iter().chain(accelerations).any(Option::is_some)
     }
 
-    /// The angular velocity of a body by an input; the frame does not turn.
-    pub(super) fn turn(&mut self, body: Option<usize>, input: usize) -> Vec<NodeId> {
-        let Some(body) = body else {
-            let count = self.forces.geometry.turns();
-            return self.algebra.zeros(count);
-        };
-        if let Some(known) = self.forces.motion.turns.get(&(body, input)) {
-            return known.clone();
+    /// The derivative of a number.
+    pub(super) fn slope(&mut self, x: Ex<'m>, by: By) -> Ex<'m> {
+        match by {
+            By::Input(input) => {
+                let variable = self.algebra.variable(Variable::Input(input));
+                self.algebra.derivative(x, variable, Direction::Forward)
+            }
+            By::Alone(variable) => self.algebra.partial(x, variable),
         }
-        let turn = self.turn_by(
-            body,
-            &mut |mechanics, node| mechanics.algebra.by_input(node, input),
-            &mut |mechanics, on| mechanics.turn(on, input),
-        );
-        let turns = &mut self.forces.motion.turns;
-        turns.insert((body, input), turn.clone());
-        turn
     }
 
-    /// The angular velocity of a body by anything, given derivatives of numbers and the turn of the body that it hangs on.
-    pub(super) fn turn_by(
-        &mut self,
-        body: usize,
-        slope: &mut dyn FnMut(&mut Self, NodeId) -> NodeId,
-        of_parent: &mut dyn FnMut(&mut Self, Option<usize>) -> Vec<NodeId>,
-    ) -> Vec<NodeId> {
-        match self.forces.geometry.turning[body].clone() {
-            Turning::Along => {
-                let on = self.forces.tree.parent[body];
-                of_parent(self, on)
-            }
+    /// The derivative of a point or vector that is part of the motion.
+    pub(super) fn moved(&mut self, v: Vn<'m>, by: By) -> Vn<'m> {
+        v.map(|x| self.slope(x, by))
+    }
+
+    /// The angular velocity of a body; the frame does not turn.
+    pub(super) fn turn(&mut self, body: Option<usize>, by: By) -> Vn<'m> {
+        let Some(body) = body else {
+            return self.zero_turn();
+        };
+        if let Some(&known) = self.forces.motion.turns.get(&(body, by)) {
+            return known;
+        }
+        let on = self.forces.tree.parent[body];
+        let turn = match self.forces.geometry.turning[body].clone() {
+            Turning::Along => self.turn(on, by),
             Turning::Angle(angle) => {
-                let node = self.algebra.node(&angle);
-                vec![slope(self, node)]
+                let angle = self.algebra.value_of(&angle);
+                Vector([self.slope(angle, by)]).into()
             }
             Turning::About(angle, axis) => {
-                let node = self.algebra.node(&angle);
-                let rate = slope(self, node);
-                let own = self.algebra.times(rate, &axis);
-                let on = self.forces.tree.parent[body];
-                let carried = of_parent(self, on);
-                self.algebra.plus(&carried, &own)
+                let angle = self.algebra.value_of(&angle);
+                let own = self.slope(angle, by) * axis;
+                self.turn(on, by) + own
             }
             Turning::Frame(axes) => {
                 // (y' . z) x + (z' . x) y + (x' . y) z
-                let zero = self.algebra.zeros(3);
-                (0..3).fold(zero, |sum, k| {
-                    let (next, after) = (&axes[(k + 1) % 3], &axes[(k + 2) % 3]);
-                    let moved: Vec<_> = next.iter().map(|&x| slope(self, x)).collect();
-                    let rate = self.algebra.dot(&moved, after);
-                    let part = self.algebra.times(rate, &axes[k]);
-                    self.algebra.plus(&sum, &part)
+                (0..3).fold(self.zero_turn(), |sum, k| {
+                    let [x, y, z] = [k, k + 1, k + 2].map(|k| axes[k % 3]);
+                    sum + self.moved(y, by).dot(z) * x
                 })
             }
-            Turning::Rod(along) => {
-                let moved: Vec<_> = along.iter().map(|&x| slope(self, x)).collect();
-                let across = self.algebra.moment_of(&along, &moved);
-                let square = self.algebra.sum_of_squares(&along);
-                let graph = &mut self.algebra.graph;
-                across.into_iter().map(|x| graph.div(x, square)).collect()
-            }
-        }
-    }
-
-    /// The velocity of a body's point by an input.
-    pub(super) fn velocity_of(
-        &mut self,
-        body: Option<usize>,
-        point: &[NodeId],
-        input: usize,
-    ) -> Vec<NodeId> {
-        let Some(number) = body else {
-            return self.algebra.zeros(point.len());
+            // V x V' / V^2
+            Turning::Rod(v) => v.moment_of(self.moved(v, by)) / v.square(),
         };
-        let origin = self.forces.geometry.origins[number].clone();
-        let moved = self.algebra.vector_by_input(&origin, input);
-        let arm = self.algebra.difference(point, &origin);
-        let turn = self.turn(body, input);
-        let swept = self.algebra.swept(&turn, &arm);
-        self.algebra.plus(&moved, &swept)
+        self.forces.motion.turns.insert((body, by), turn);
+        turn
     }
 
-    /// Derivatives by the inputs times their speeds.
+    /// The velocity of a body's point: `O' + w x (P - O)`.
+    pub(super) fn velocity_of(&mut self, body: Option<usize>, point: Vn<'m>, by: By) -> Vn<'m> {
+        let Some(number) = body else {
+            return self.graph().zeros(point.len());
+        };
+        let moved = self.moved(self.forces.geometry.origins[number], by);
+        let arm = self.arm(number, point);
+        moved + self.turn(body, by).sweeping(arm)
+    }
+
+    /// Derivatives by the inputs times their speeds: `sum q_i w_i`.
     pub(super) fn in_time(
         &mut self,
         count: usize,
-        mut by: impl FnMut(&mut Self, usize) -> Vec<NodeId>,
-    ) -> Vec<NodeId> {
-        let zero = self.algebra.zeros(count);
+        mut derivative: impl FnMut(&mut Self, By) -> Vn<'m>,
+    ) -> Vn<'m> {
+        let zero = self.graph().zeros(count);
         (0..self.drives()).fold(zero, |sum, input| match self.speed(input) {
             None => sum,
-            Some(speed) => {
-                let slope = by(self, input);
-                let part = self.algebra.times(speed, &slope);
-                self.algebra.plus(&sum, &part)
-            }
+            Some(speed) => sum + speed * derivative(self, By::Input(input)),
         })
     }
 
@@ -175,51 +149,47 @@ impl Mechanics<'_, '_> {
     pub(super) fn gain(
         &mut self,
         count: usize,
-        mut by: impl FnMut(&mut Self, usize) -> Vec<NodeId>,
-    ) -> Vec<NodeId> {
-        let mut sum = self.algebra.zeros(count);
+        mut derivative: impl FnMut(&mut Self, By) -> Vn<'m>,
+    ) -> Vn<'m> {
+        let mut sum = self.graph().zeros(count);
         for i in 0..self.drives() {
             let (speed, acceleration) = (self.speed(i), self.acceleration(i));
             if speed.is_none() && acceleration.is_none() {
                 continue;
             }
-            let first = by(self, i);
+            let first = derivative(self, By::Input(i));
             if let Some(acceleration) = acceleration {
-                let part = self.algebra.times(acceleration, &first);
-                sum = self.algebra.plus(&sum, &part);
+                sum = sum + acceleration * first;
             }
             let Some(speed) = speed else { continue };
             for j in 0..self.drives() {
                 let Some(other) = self.speed(j) else { continue };
-                let second = self.algebra.vector_by_input(&first, j);
-                let product = self.algebra.graph.mul(speed, other);
-                let part = self.algebra.times(product, &second);
-                sum = self.algebra.plus(&sum, &part);
+                let second = self.moved(first, By::Input(j));
+                sum = sum + (speed * other) * second;
             }
         }
         sum
     }
 
     /// The velocity of a point that is part of the motion, in time.
-    pub(super) fn point_velocity(&mut self, point: &[NodeId]) -> Vec<NodeId> {
-        self.in_time(point.len(), |mechanics, input| {
-            mechanics.algebra.vector_by_input(point, input)
-        })
+    pub(super) fn point_velocity(&mut self, point: Vn<'m>) -> Vn<'m> {
+        self.in_time(point.len(), |mechanics, by| mechanics.moved(point, by))
     }
 
-    pub(super) fn point_acceleration(&mut self, point: &[NodeId]) -> Vec<NodeId> {
-        self.gain(point.len(), |mechanics, input| {
-            mechanics.algebra.vector_by_input(point, input)
-        })
+    /// Its acceleration.
+    pub(super) fn point_acceleration(&mut self, point: Vn<'m>) -> Vn<'m> {
+        self.gain(point.len(), |mechanics, by| mechanics.moved(point, by))
     }
 
-    pub(super) fn angular_velocity(&mut self, body: usize) -> Vec<NodeId> {
+    /// The angular velocity of a body, in time.
+    pub(super) fn angular_velocity(&mut self, body: usize) -> Vn<'m> {
         let count = self.forces.geometry.turns();
-        self.in_time(count, |mechanics, input| mechanics.turn(Some(body), input))
+        self.in_time(count, |mechanics, by| mechanics.turn(Some(body), by))
     }
 
-    pub(super) fn angular_acceleration(&mut self, body: usize) -> Vec<NodeId> {
+    /// What it gains.
+    pub(super) fn angular_acceleration(&mut self, body: usize) -> Vn<'m> {
         let count = self.forces.geometry.turns();
-        self.gain(count, |mechanics, input| mechanics.turn(Some(body), input))
+        self.gain(count, |mechanics, by| mechanics.turn(Some(body), by))
     }
 }

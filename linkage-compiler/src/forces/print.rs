@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::algebra::Algebra;
-use crate::model::Mechanism;
+use crate::model::{ElementKind, Mechanism};
 
 use super::Forces;
 use super::freedom::Way;
@@ -42,10 +42,8 @@ pub(crate) fn describe(algebra: &mut Algebra) -> String {
 
 /// `force b3, force b3: coupler turns, rocker turns`
 fn block_words(mechanism: &Mechanism, system: &System, block: &[usize]) -> String {
-    let unknowns = block
-        .iter()
-        .flat_map(|&e| &system.matching.coordinates_of[e]);
-    let unknowns = unknowns.map(|&unknown| match &system.unknowns[unknown] {
+    let unknowns = system.unknowns_of(block).into_iter();
+    let unknowns = unknowns.map(|unknown| match &system.unknowns[unknown] {
         Unknown::Reaction(own) => {
             let what = if own.is_moment { "moment" } else { "force" };
             format!("{what} {}", joint_name(mechanism, own.joint))
@@ -75,6 +73,7 @@ fn way_words(mechanism: &Mechanism, way: &Way) -> String {
     format!("`{}` {does}", mechanism.bodies[way.body].name)
 }
 
+/// A joint as messages name it.
 pub(super) fn joint_name(mechanism: &Mechanism, joint: usize) -> String {
     let declared = &mechanism.joints[joint];
     match &declared.name {
@@ -83,9 +82,18 @@ pub(super) fn joint_name(mechanism: &Mechanism, joint: usize) -> String {
     }
 }
 
+/// A body as messages name it; `None` is the frame.
 pub(super) fn body_name(mechanism: &Mechanism, body: Option<usize>) -> String {
     match body {
         Some(body) => format!("`{}`", mechanism.bodies[body].name),
         None => "the frame".to_owned(),
+    }
+}
+
+/// A spring or damper as messages name it.
+pub(super) fn element_word(kind: ElementKind) -> &'static str {
+    match kind {
+        ElementKind::Spring => "spring",
+        ElementKind::Damper => "damper",
     }
 }

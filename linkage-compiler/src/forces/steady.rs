@@ -1,73 +1,71 @@
 //! What only numbers tell of the motion: joints that move at a steady rate, rods that keep their length.
 
-use linkage_symbolic::NodeId;
-
-use crate::formulate::Reference;
-use crate::model::JointKind;
+use linkage_symbolic::{Ex, Vn};
 
 use super::Mechanics;
+use super::freedom::Way;
+use super::geometry::{Turns, turns_of};
+use super::motion::By;
+use super::positions::{EQUAL, Positions, SLOW};
 
-/// Rates that differ by a smaller share are equal.
-const EQUAL: f64 = 1e-7;
-
-impl Mechanics<'_, '_> {
+impl<'m> Mechanics<'_, 'm> {
     /// Looks at some positions; those that do not close count for nothing.
-    pub(super) fn look_at_motion(&mut self, reference: &Reference, places: &[Vec<f64>]) {
+    pub(super) fn look_at_motion(&mut self, positions: &Positions) {
         for body in 0..self.algebra.mechanism.bodies.len() {
-            let joint = self.algebra.mechanism.bodies[body].joint;
-            let is_ball = self.algebra.mechanism.joints[joint].kind == JointKind::Ball;
             for way in self.ways(body) {
-                let rates: Vec<NodeId> = (0..self.drives())
-                    .map(|input| self.driven_rate(&way, input))
-                    .collect();
-                let values = self.values(&rates, reference, places);
-                let moves = values.iter().flatten().any(|rate| rate.abs() > EQUAL);
-                if moves && all_alike(&values) {
-                    self.forces.steady.push((body, way.slides));
-                }
-                if !moves && !values.is_empty() && !is_ball {
-                    self.forces.still.push((body, way.slides));
-                }
+                self.look_at_way(&way, positions);
             }
-            if let Some(along) = self.forces.geometry.rod(body) {
-                let square = self.algebra.sum_of_squares(&along);
-                let mut lengths = vec![square];
-                lengths
-                    .extend((0..self.drives()).map(|input| self.algebra.by_input(square, input)));
-                let values = self.values(&lengths, reference, places);
-                let keeps =
-                    |values: &Vec<f64>| values[1..].iter().all(|x| x.abs() < EQUAL * values[0]);
-                if !values.is_empty() && values.iter().all(keeps) {
-                    self.forces.rigid_rods.push(body);
-                }
+            if let Some(along) = self.forces.geometry.rod(body)
+                && self.keeps_its_length(along, positions)
+            {
+                self.forces.rigid_rods.push(body);
             }
         }
     }
 
-    /// Values at the places where the mechanism closes.
-    pub(super) fn values(
-        &self,
-        nodes: &[NodeId],
-        reference: &Reference,
-        places: &[Vec<f64>],
-    ) -> Vec<Vec<f64>> {
-        let graph = &self.algebra.graph;
-        let at = |place: &Vec<f64>| reference.machine.evaluate(graph, nodes, place);
-        let values = places.iter().map(at);
-        values
-            .filter(|values| values.iter().all(|x| x.is_finite()))
-            .collect()
+    /// Whether a body moves in its own joint, and at a steady rate.
+    fn look_at_way(&mut self, way: &Way<'m>, positions: &Positions) {
+        let drives = 0..self.drives();
+        let rates: Vec<Ex> = drives
+            .map(|input| self.relative_rate(way, By::Input(input)))
+            .collect();
+        let rates = positions.numbers(&rates);
+        let moves = rates.iter().flatten().any(|rate| rate.abs() > EQUAL);
+        let way = (way.body, way.slides);
+        if moves && all_alike(&rates) {
+            self.forces.steady.push(way);
+        }
+        if !moves && !rates.is_empty() && !self.hangs_freely(way.0) {
+            self.forces.still.push(way);
+        }
+    }
+
+    /// True if a body's own joint lets it turn in every way: which of them rest says nothing of the others.
+    fn hangs_freely(&self, body: usize) -> bool {
+        let mechanism = self.algebra.mechanism;
+        let joint = &mechanism.joints[mechanism.bodies[body].joint];
+        turns_of(joint.kind) == Turns::Freely
+    }
+
+    /// True if `(V^2)'` is nothing beside `V^2`.
+    fn keeps_its_length(&mut self, along: Vn<'m>, positions: &Positions) -> bool {
+        let square = along.square();
+        let mut numbers = vec![square];
+        numbers.extend((0..self.drives()).map(|input| self.slope(square, By::Input(input))));
+        let keeps = |numbers: &Vec<f64>| {
+            let (square, slopes) = (numbers[0], &numbers[1..]);
+            slopes.iter().all(|slope| slope.abs() < EQUAL * square)
+        };
+        let numbers = positions.numbers(&numbers);
+        !numbers.is_empty() && numbers.iter().all(keeps)
     }
 }
 
 /// True if there are several and they do not differ.
-fn all_alike(values: &[Vec<f64>]) -> bool {
-    let Some((first, others)) = values.split_first() else {
+fn all_alike(rates: &[Vec<f64>]) -> bool {
+    let Some((first, others)) = rates.split_first() else {
         return false;
     };
-    let like = |(a, b): (&f64, &f64)| (a - b).abs() <= EQUAL * b.abs().max(1e-3);
-    !others.is_empty()
-        && others
-            .iter()
-            .all(|values| values.iter().zip(first).all(like))
+    let like = |(a, b): (&f64, &f64)| (a - b).abs() <= EQUAL * b.abs().max(SLOW);
+    !others.is_empty() && others.iter().all(|rates| rates.iter().zip(first).all(like))
 }

@@ -7,53 +7,52 @@
 
 use std::rc::Rc;
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::model::JointKind;
 use crate::structure::matching::{self, Matching};
 
 use super::Mechanics;
 use super::freedom::{Motions, Tie, Way};
-use super::geometry::{slides_along, turns_about};
+use super::geometry::{Turns, slides_along, turns_of};
 use super::links::Axial;
 
 /// A number to be found.
 #[derive(Clone, Debug)]
-pub(super) enum Unknown {
-    Reaction(Component),
+pub(super) enum Unknown<'m> {
+    Reaction(Component<'m>),
     /// The couple of a tie.
     Tie(Tie),
     /// A couple along a rod between ball joints. It is zero, and makes one equation too many three for three.
     Spin {
         rod: usize,
-        along: Vec<NodeId>,
+        along: Vn<'m>,
     },
 }
 
 /// A component of a cut joint's reaction on the joint's body.
-#[derive(Clone, Debug)]
-pub(super) struct Component {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Component<'m> {
     pub(super) joint: usize,
     pub(super) is_moment: bool,
-    pub(super) direction: Vec<NodeId>,
+    pub(super) direction: Vn<'m>,
 }
 
-#[derive(Clone, Debug)]
-pub(super) enum Equation {
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Equation<'m> {
     /// No work in a free motion.
-    Motion(Way),
+    Motion(Way<'m>),
     /// What a cut joint does not transmit.
-    Released(Component),
+    Released(Component<'m>),
 }
 
 #[derive(Clone, Debug, Default)]
-pub(super) struct System {
-    pub(super) unknowns: Vec<Unknown>,
-    pub(super) equations: Vec<Equation>,
+pub(super) struct System<'m> {
+    pub(super) unknowns: Vec<Unknown<'m>>,
+    pub(super) equations: Vec<Equation<'m>>,
     /// What drives move.
-    pub(super) driven: Vec<Way>,
+    pub(super) driven: Vec<Way<'m>>,
     pub(super) axial: Vec<Axial>,
-    pub(super) matrix: Vec<Vec<NodeId>>,
+    pub(super) matrix: Vec<Vec<Ex<'m>>>,
     pub(super) matching: Matching,
     /// The unknowns that each equation contains.
     pub(super) incidence: Vec<Vec<usize>>,
@@ -61,14 +60,15 @@ pub(super) struct System {
     pub(super) blocks: Vec<Vec<usize>>,
 }
 
-/// Up to this many equations are solved at once.
+/// Up to this many equations are solved at once: cofactors double with each one more.
 pub(super) const LARGEST_BLOCK: usize = 6;
 
-/// From this size on links are taken out of a block.
+/// From this size on links are taken out of a block: a dyad, which no link makes smaller, has two equations.
 const LARGE: usize = 3;
 
-impl Mechanics<'_, '_> {
-    pub(super) fn system(&mut self) -> Rc<System> {
+impl<'m> Mechanics<'_, 'm> {
+    /// The system, made when it is first asked for.
+    pub(super) fn system(&mut self) -> Rc<System<'m>> {
         if let Some(known) = &self.forces.system {
             return known.clone();
         }
@@ -84,7 +84,7 @@ impl Mechanics<'_, '_> {
     }
 
     /// The system in which some links leave one number open.
-    fn assembled(&mut self, axial: Vec<Axial>) -> System {
+    fn assembled(&mut self, axial: Vec<Axial>) -> System<'m> {
         let (components, released) = self.reactions(&axial);
         let held = components.len() - released.len() + axial.len();
         let Motions { free, driven, ties } = self.motions(held);
@@ -112,11 +112,11 @@ impl Mechanics<'_, '_> {
     }
 
     /// Rods that may turn about themselves.
-    fn spins(&mut self, axial: &[Axial]) -> Vec<Unknown> {
+    fn spins(&self, axial: &[Axial]) -> Vec<Unknown<'m>> {
         let mechanism = self.algebra.mechanism;
         let rods = (0..mechanism.bodies.len()).filter(|&body| {
             let kind = mechanism.joints[mechanism.bodies[body].joint].kind;
-            kind == JointKind::Ball && axial.iter().all(|own| own.link != body)
+            turns_of(kind) == Turns::Freely && axial.iter().all(|own| own.link != body)
         });
         let rods = rods.filter_map(|rod| {
             let along = self.forces.geometry.rod(rod)?;
@@ -125,120 +125,116 @@ impl Mechanics<'_, '_> {
         rods.collect()
     }
 
-    pub(super) fn add(&mut self, system: &mut System, equation: Equation) {
+    /// Adds an equation, with a coefficient for each unknown.
+    pub(super) fn add(&mut self, system: &mut System<'m>, equation: Equation<'m>) {
         let unknowns = system.unknowns.iter();
-        let row: Vec<NodeId> = unknowns
+        let row: Vec<Ex> = unknowns
             .map(|unknown| self.coefficient(&equation, unknown))
             .collect();
-        let entries = (0..row.len()).filter(|&k| !self.algebra.graph.is_zero(row[k]));
+        let entries = (0..row.len()).filter(|&k| !row[k].is_zero());
         system.incidence.push(entries.collect());
         system.equations.push(equation);
         system.matrix.push(row);
     }
 
     /// The components of the cut joints' reactions, and equations for those that are none.
-    fn reactions(&mut self, axial: &[Axial]) -> (Vec<Component>, Vec<Component>) {
+    fn reactions(&self, axial: &[Axial]) -> (Vec<Component<'m>>, Vec<Component<'m>>) {
+        let geometry = &self.forces.geometry;
+        let plane = geometry.is_plane();
         let (mut unknowns, mut equations) = (Vec::new(), Vec::new());
-        for joint in self.forces.tree.closing.clone() {
-            let kind = self.algebra.mechanism.joints[joint].kind;
-            let direction = self.forces.geometry.directions[joint].clone();
-            let unknown = |is_moment, direction| Component {
-                joint,
-                is_moment,
-                direction,
+        for &joint in &self.forces.tree.closing {
+            let component = |is_moment| {
+                move |direction| Component {
+                    joint,
+                    is_moment,
+                    direction,
+                }
             };
+            let [force, moment] = [false, true].map(component);
             if let Some(own) = axial.iter().find(|own| own.joint == joint) {
-                let along = self.link_vector(own);
-                unknowns.push(unknown(false, along));
+                unknowns.push(force(self.link_vector(own)));
                 continue;
             }
-            let plane = self.forces.geometry.dimensions == 2;
-            match direction.clone() {
+            let units = || geometry.units(self.graph()).into_iter();
+            let direction = geometry.directions[joint];
+            match direction {
                 Some(guide) if plane => {
-                    let normal = vec![self.algebra.graph.neg(guide[1]), guide[0]];
-                    unknowns.push(unknown(false, normal));
+                    let normal = Vector([-guide.at(1), guide.at(0)]);
+                    unknowns.push(force(normal.into()));
                 }
-                _ => unknowns.extend(self.units().into_iter().map(|unit| unknown(false, unit))),
+                _ => unknowns.extend(units().map(force)),
             }
-            let one = self.algebra.graph.one();
-            match kind {
-                JointKind::Pin if plane => {}
-                JointKind::Ball => {}
-                _ if plane => unknowns.push(unknown(true, vec![one])),
-                _ => unknowns.extend(self.units().into_iter().map(|unit| unknown(true, unit))),
+            let kind = self.algebra.mechanism.joints[joint].kind;
+            match turns_of(kind) {
+                Turns::Freely => {}
+                Turns::AboutAxis if plane => {}
+                Turns::Not if plane => unknowns.push(moment(Vector([self.algebra.one()]).into())),
+                Turns::AboutAxis | Turns::Not => unknowns.extend(units().map(moment)),
             }
             let Some(direction) = direction.filter(|_| !plane) else {
                 continue;
             };
             if slides_along(kind) {
-                equations.push(unknown(false, direction.clone()));
+                equations.push(force(direction));
             }
-            if turns_about(kind) {
-                equations.push(unknown(true, direction));
+            if turns_of(kind) == Turns::AboutAxis {
+                equations.push(moment(direction));
             }
         }
         (unknowns, equations)
     }
 
-    fn units(&mut self) -> Vec<Vec<NodeId>> {
-        let count = self.forces.geometry.dimensions;
-        let (one, zero) = (self.algebra.graph.one(), self.algebra.graph.zero());
-        let unit = |axis| {
-            (0..count)
-                .map(|k| if k == axis { one } else { zero })
-                .collect()
-        };
-        (0..count).map(unit).collect()
-    }
-
-    fn coefficient(&mut self, equation: &Equation, unknown: &Unknown) -> NodeId {
+    /// How much of an unknown is in an equation.
+    fn coefficient(&self, equation: &Equation<'m>, unknown: &Unknown<'m>) -> Ex<'m> {
+        let zero = self.algebra.zero();
         match (equation, unknown) {
-            (Equation::Released(released), Unknown::Reaction(own))
-                if (released.joint, released.is_moment) == (own.joint, own.is_moment) =>
-            {
-                self.algebra.dot(&released.direction, &own.direction)
+            (Equation::Released(released), Unknown::Reaction(own)) => {
+                match (released.joint, released.is_moment) == (own.joint, own.is_moment) {
+                    true => released.direction.dot(own.direction),
+                    false => zero,
+                }
             }
-            (Equation::Released(_), _) => self.algebra.graph.zero(),
             (Equation::Motion(way), Unknown::Reaction(own)) => {
                 let work = self.work(way, own);
                 match self.joins(own.joint, way.body) {
                     1 => work,
-                    -1 => self.algebra.graph.neg(work),
-                    _ => self.algebra.graph.zero(),
+                    -1 => -work,
+                    _ => zero,
                 }
             }
             (Equation::Motion(way), Unknown::Spin { rod, along }) if way.body == *rod => {
-                self.algebra.dot(&way.direction, along)
+                way.direction.dot(*along)
             }
-            (Equation::Motion(_), Unknown::Spin { .. }) => self.algebra.graph.zero(),
-            (Equation::Motion(way), Unknown::Tie(_)) if way.slides => self.algebra.graph.zero(),
-            (Equation::Motion(way), Unknown::Tie(tie)) => {
+            (Equation::Motion(way), Unknown::Tie(tie)) if !way.slides => {
                 let tree = &self.forces.tree;
                 let beyond = tie.couples.iter();
                 let beyond = beyond.filter(|(body, _)| tree.hangs_on(Some(*body), way.body));
                 let share = beyond.map(|(_, share)| share).sum();
-                self.algebra.graph.constant(share)
+                self.graph().number(share)
             }
+            (
+                Equation::Released(_) | Equation::Motion(_),
+                Unknown::Spin { .. } | Unknown::Tie(_),
+            ) => zero,
         }
     }
 
-    /// The work of a reaction's component in a motion.
-    fn work(&mut self, way: &Way, unknown: &Component) -> NodeId {
+    /// The work of a reaction's component in a motion: `d . F`, `d . M`, `d . (r x F)`.
+    fn work(&self, way: &Way<'m>, unknown: &Component<'m>) -> Ex<'m> {
         match (way.slides, unknown.is_moment) {
-            (true, true) => self.algebra.graph.zero(),
-            (true, false) | (false, true) => self.algebra.dot(&way.direction, &unknown.direction),
+            (true, true) => self.algebra.zero(),
+            (true, false) | (false, true) => way.direction.dot(unknown.direction),
             (false, false) => {
-                let point = self.forces.geometry.points[unknown.joint].clone();
-                let arm = self.arm(way.body, &point);
-                let moment = self.algebra.moment_of(&arm, &unknown.direction);
-                self.algebra.dot(&way.direction, &moment)
+                let arm = self.arm(way.body, self.forces.geometry.points[unknown.joint]);
+                way.direction.dot(arm.moment_of(unknown.direction))
             }
         }
     }
 }
 
-impl Equation {
-    pub(super) fn way(&self) -> Option<&Way> {
+impl<'m> Equation<'m> {
+    /// The motion, if it is about one.
+    pub(super) fn way(&self) -> Option<&Way<'m>> {
         match self {
             Equation::Motion(way) => Some(way),
             Equation::Released(_) => None,
@@ -246,7 +242,8 @@ impl Equation {
     }
 }
 
-impl Unknown {
+impl Unknown<'_> {
+    /// The joint whose reaction it belongs to, if it does.
     pub(super) fn joint(&self) -> Option<usize> {
         match self {
             Unknown::Reaction(own) => Some(own.joint),
@@ -255,7 +252,7 @@ impl Unknown {
     }
 }
 
-impl System {
+impl System<'_> {
     /// Which equation finds which unknown, and in which order.
     pub(super) fn order(&mut self) {
         let rows = vec![1; self.equations.len()];
@@ -268,6 +265,13 @@ impl System {
         self.matching.equation_of.iter().flatten().count()
     }
 
+    /// The unknowns that a block finds.
+    pub(super) fn unknowns_of(&self, block: &[usize]) -> Vec<usize> {
+        let found = block.iter().map(|&e| &self.matching.coordinates_of[e]);
+        found.flatten().copied().collect()
+    }
+
+    /// True if some have none.
     pub(super) fn lacks_equations(&self) -> bool {
         self.found() < self.unknowns.len()
     }

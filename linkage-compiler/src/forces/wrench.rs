@@ -2,40 +2,89 @@
 //!
 //! The reactions of cut joints count if one of the two bodies hangs on that body and the other does not.
 
-use linkage_symbolic::NodeId;
+use std::ops::{Add, Neg};
+
+use linkage_symbolic::{Ex, Vector, Vn};
 
 use super::Mechanics;
 use super::freedom::Way;
 use super::system::Unknown;
 
-#[derive(Clone, Debug)]
-pub(super) struct Wrench {
-    pub(super) force: Vec<NodeId>,
-    pub(super) moment: Vec<NodeId>,
+/// A force and a moment about a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wrench<'m> {
+    pub(super) force: Vn<'m>,
+    pub(super) moment: Vn<'m>,
 }
 
-impl Wrench {
+/// What a wrench was made of.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Carried {
+    body: usize,
+    /// Cut joints that cancel.
+    inside: Vec<usize>,
+    /// Unknowns that count as 0.
+    open: Vec<usize>,
+}
+
+impl<'m> Wrench<'m> {
+    /// About a point from which the force has an arm: `F`, `M + r x F`.
+    pub(super) fn with_arm(self, arm: Vn<'m>) -> Self {
+        Self {
+            force: self.force,
+            moment: self.moment + arm.moment_of(self.force),
+        }
+    }
+
     /// What does work in a motion.
-    pub(super) fn along(&self, way: &Way) -> &[NodeId] {
-        if way.slides {
-            &self.force
-        } else {
-            &self.moment
+    pub(super) fn along(self, way: &Way<'m>) -> Ex<'m> {
+        way.direction.dot(match way.slides {
+            true => self.force,
+            false => self.moment,
+        })
+    }
+}
+
+impl Add for Wrench<'_> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            force: self.force + other.force,
+            moment: self.moment + other.moment,
         }
     }
 }
 
-impl Mechanics<'_, '_> {
+impl Neg for Wrench<'_> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            force: -self.force,
+            moment: -self.moment,
+        }
+    }
+}
+
+impl<'m> Mechanics<'_, 'm> {
+    /// Neither force nor moment.
+    pub(super) fn zero_wrench(&self) -> Wrench<'m> {
+        Wrench {
+            force: self.zero_vector(),
+            moment: self.zero_turn(),
+        }
+    }
+
     /// Of a body and those that hang on it. Cut joints in `inside` join two of them and cancel; the unknowns in `open` count as 0.
-    pub(super) fn wrench(&mut self, body: usize, inside: &[usize], open: &[usize]) -> Wrench {
-        let closing = self.forces.tree.closing.clone();
-        let (within, others): (Vec<usize>, Vec<usize>) = closing
-            .into_iter()
+    pub(super) fn wrench(&mut self, body: usize, inside: &[usize], open: &[usize]) -> Wrench<'m> {
+        let closing = self.forces.tree.closing.iter().copied();
+        let (inside, crossing): (Vec<usize>, Vec<usize>) = closing
             .filter(|&joint| self.is_inside(joint, body) || self.joins(joint, body) != 0)
             .partition(|&joint| self.is_inside(joint, body) || inside.contains(&joint));
         let system = self.system();
         let touches = |unknown: &&usize| match &system.unknowns[**unknown] {
-            Unknown::Reaction(own) => others.contains(&own.joint),
+            Unknown::Reaction(own) => crossing.contains(&own.joint),
             Unknown::Spin { .. } => false,
             Unknown::Tie(tie) => {
                 let mut bodies = tie.couples.iter();
@@ -43,82 +92,55 @@ impl Mechanics<'_, '_> {
             }
         };
         let open: Vec<usize> = open.iter().filter(touches).copied().collect();
-        self.loads();
-        let key = (body, within.clone(), open.clone());
-        if let Some(known) = self.case().wrenches.get(&key) {
-            return known.clone();
+        let carried = Carried { body, inside, open };
+        if let Some(&known) = self.case().wrenches.get(&carried) {
+            return known;
         }
+        let Carried { inside, open, .. } = &carried;
         let mut sum = self.own_wrench(body);
-        for joint in others {
+        for joint in crossing {
             let sign = self.at_ends(joint, body);
             if sign == 0 {
                 continue;
             }
-            let mut reaction = self.closing_wrench(joint, &open);
-            if sign < 0 {
-                reaction = self.opposite_wrench(&reaction);
-            }
-            let point = self.forces.geometry.points[joint].clone();
-            sum = self.add_at(body, sum, &point, &reaction);
+            let reaction = self.closing_wrench(joint, open);
+            let reaction = if sign < 0 { -reaction } else { reaction };
+            let point = self.forces.geometry.points[joint];
+            sum = sum + reaction.with_arm(self.arm(body, point));
         }
         for (index, unknown) in system.unknowns.iter().enumerate() {
             let Unknown::Tie(tie) = unknown else { continue };
             let own = tie.couples.iter().find(|(own, _)| *own == body);
-            let Some((_, share)) = own.filter(|_| !open.contains(&index)) else {
-                continue;
-            };
-            let size = self.solved(index);
-            let share = self.algebra.graph.constant(*share);
-            let couple = self.algebra.graph.mul(share, size);
-            sum.moment = self.algebra.plus(&sum.moment, &[couple]);
+            if let Some(&(_, share)) = own.filter(|_| !open.contains(&index)) {
+                let couple = Vector([share * self.solved(index)]);
+                sum.moment = sum.moment + couple.into();
+            }
         }
         for child in self.forces.tree.children[body].clone() {
-            let carried = self.wrench(child, &within, &open);
-            let point = self.forces.geometry.origins[child].clone();
-            sum = self.add_at(body, sum, &point, &carried);
+            let beyond = self.wrench(child, inside, open);
+            let point = self.forces.geometry.origins[child];
+            sum = sum + beyond.with_arm(self.arm(body, point));
         }
-        self.case().wrenches.insert(key, sum.clone());
+        self.case().wrenches.insert(carried, sum);
         sum
     }
 
     /// The loads on a body alone.
-    fn own_wrench(&mut self, body: usize) -> Wrench {
-        let loads = self.loads().bodies[body].clone();
-        let geometry = &self.forces.geometry;
-        let (dimensions, turns) = (geometry.dimensions, geometry.turns());
-        let mut sum = Wrench {
-            force: self.algebra.zeros(dimensions),
-            moment: self.algebra.zeros(turns),
-        };
-        for load in &loads.forces {
+    fn own_wrench(&mut self, body: usize) -> Wrench<'m> {
+        let loads = self.loads();
+        let own = &loads.bodies[body];
+        let mut sum = self.zero_wrench();
+        for load in &own.forces {
             let force = Wrench {
-                force: load.force.clone(),
-                moment: self.algebra.zeros(turns),
+                force: load.force,
+                ..self.zero_wrench()
             };
-            sum = self.add_at(body, sum, &load.point, &force);
+            sum = sum + force.with_arm(self.arm(body, load.point));
         }
-        for couple in &loads.couples {
-            sum.moment = self.algebra.plus(&sum.moment, couple);
+        for &couple in &own.couples {
+            sum.moment = sum.moment + couple;
         }
         sum
-    }
-
-    /// Adds a wrench about a point to one about a body's origin.
-    fn add_at(&mut self, body: usize, sum: Wrench, point: &[NodeId], part: &Wrench) -> Wrench {
-        let arm = self.arm(body, point);
-        let lever = self.algebra.moment_of(&arm, &part.force);
-        let moment = self.algebra.plus(&part.moment, &lever);
-        Wrench {
-            force: self.algebra.plus(&sum.force, &part.force),
-            moment: self.algebra.plus(&sum.moment, &moment),
-        }
-    }
-
-    pub(super) fn opposite_wrench(&mut self, wrench: &Wrench) -> Wrench {
-        Wrench {
-            force: self.algebra.opposite(&wrench.force),
-            moment: self.algebra.opposite(&wrench.moment),
-        }
     }
 
     /// 1 if the reaction of a cut joint acts on what hangs on a body, -1 if its opposite does, 0 if neither or both.

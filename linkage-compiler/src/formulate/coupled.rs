@@ -5,46 +5,27 @@
 //! arc function.
 
 mod bound;
-mod close;
 mod equations;
 mod jacobian;
 mod laurent;
 mod newton;
-mod refused;
+mod state;
+mod system;
 
-use linkage_symbolic::program::Source;
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn};
 
-use crate::algebra::Rule;
-use crate::structure::{Core, Coupled};
+use crate::structure::Coupled;
 
+use super::plane::linear_gap;
 use super::{Closed, GapIn, Solver};
 
-use laurent::System;
 use newton::Plan;
-
-/// From a table over one input, whose error is known.
-const FROM_TABLE: Plan = Plan {
-    steps: 1,
-    first: None,
-};
-
-/// From such a table for dimensions, derivatives or digits that it does not know. Dimensions that move the solution by more than
-/// this, in radians or scaled lengths, might lead to another assembly than a gradual change would.
-const BESIDE_TABLE: Plan = Plan {
-    steps: 4,
-    first: Some(0.05),
-};
-
-/// From the nearest of prepared states over several inputs.
-const FROM_GRID: Plan = Plan {
-    steps: 4,
-    first: None,
-};
+use state::Part;
+use system::System;
 
 /// What is prepared for a coupled group and how it is used.
 #[derive(Clone, Debug)]
-pub(crate) struct Prepared {
+pub(crate) struct Prepared<'m> {
     /// Index among the coupled groups.
     pub(crate) number: usize,
     /// The inputs that the group depends on.
@@ -52,86 +33,105 @@ pub(crate) struct Prepared {
     /// Numbers in a state.
     pub(crate) size: usize,
     /// Polynomials of which the assemblies are the real roots.
-    pub(crate) system: System,
-    pub(crate) core: Vec<Definition>,
+    pub(crate) system: System<'m>,
     /// One step: the new state, the square of the correction, the determinant.
-    pub(crate) step: Vec<NodeId>,
+    pub(crate) step: Vec<Ex<'m>>,
     /// The sum of the lengths of its links.
-    pub(crate) reach: NodeId,
+    pub(crate) reach: Ex<'m>,
+    raw: Vec<Meaning<'m>>,
+    called: Vec<Meaning<'m>>,
+    beside: Vec<Meaning<'m>>,
 }
 
-/// The symbol of an unknown of the core with all that it may stand for.
-#[derive(Clone, Debug)]
-pub(crate) struct Definition {
-    pub(crate) symbol: SymbolId,
+/// Which of its meanings an unknown of a core has.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Version {
     /// As prepared, without a step.
-    pub(crate) raw: NodeId,
+    Raw,
     /// After the steps of a call.
-    pub(crate) called: NodeId,
+    Called,
     /// After the steps that other dimensions need.
-    pub(crate) beside: NodeId,
+    Beside,
 }
 
-impl Prepared {
+/// What a symbol of an unknown of the core stands for.
+#[derive(Clone, Copy, Debug)]
+struct Meaning<'m> {
+    symbol: SymbolId,
+    value: Ex<'m>,
+}
+
+impl Prepared<'_> {
     /// True if calls and sweeps over dimensions take different numbers of steps.
     pub(crate) fn has_table(&self) -> bool {
         self.inputs.len() == 1
     }
+
+    /// Gives the unknowns of the core one of their meanings.
+    pub(crate) fn define(&self, graph: &Graph, version: Version) {
+        let meanings = match version {
+            Version::Raw => &self.raw,
+            Version::Called => &self.called,
+            Version::Beside => &self.beside,
+        };
+        for meaning in meanings {
+            graph.define(meaning.symbol, meaning.value.id());
+        }
+    }
 }
 
-impl Solver<'_, '_> {
-    pub(super) fn coupled(&mut self, form: &Coupled) -> Closed {
+impl<'m> Solver<'_, 'm> {
+    /// Newton steps for the core, from which the private unknowns follow.
+    pub(super) fn coupled(&mut self, form: &Coupled<'m>) -> Closed<'m> {
         self.declare_core(&form.core);
-        let variables: Vec<SymbolId> = (0..form.core.len())
-            .map(|position| self.algebra.unknown_variable(self.index, position))
-            .collect();
-        let equations = self.core_equations(form, &variables);
-        let system = System::new(self.algebra, form, equations.scale, equations.unit);
+        let equations = self.core_equations(form);
+        let system = System::new(self.algebra, &equations);
 
-        let state: Vec<Vec<NodeId>> = self.state_nodes(&form.core);
-        let size = state.iter().map(Vec::len).sum();
-        let floor = self.state(size);
-        let first = self.step(&equations, &form.core, &state);
-        let unguarded = self.corrected(&first, &first.corrections);
-        let mut step: Vec<NodeId> = unguarded.concat();
-        step.extend([first.size2, first.determinant]);
+        let state = self.prepared_state(&form.core);
+        let size = state.iter().flat_map(|part| part.numbers()).count();
+        let floor = self.prepared_number(size);
+        let first = self.step(&equations, &state);
+        let next = first.corrected(&first.corrections);
+        let numbers = next.into_iter().flat_map(Part::numbers);
+        let step = numbers.chain([first.size2, first.determinant]).collect();
 
-        let rows: Vec<NodeId> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
+        let rows: Vec<Ex> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
         let inputs = self.algebra.inputs_below(&rows);
-        let (called, beside) = match inputs.len() {
-            1 => (FROM_TABLE, BESIDE_TABLE),
-            _ => (FROM_GRID, FROM_GRID),
-        };
-        let called = self.solution(&equations, &form.core, &state, floor, called);
-        let beside = self.solution(&equations, &form.core, &state, floor, beside);
-        let core = self.define_core(&form.core, &state, [&called, &beside], equations.unit);
+        let plans = Plan::of(inputs.len());
+        let [called, beside] = plans.map(|plan| self.solution(&equations, &state, floor, plan));
+        let unit = equations.unit;
+        let meanings = [&state, &called, &beside].map(|state| self.meanings(state, unit));
+        self.define_core(&called, unit);
 
         let determinant = self.algebra.determinant(&equations.matrix);
         let determinant = self.alias("det", determinant, determinant);
-        self.push_coupled(form, &variables, &equations, determinant);
+        self.push_coupled(&equations, determinant);
 
-        let bound = self.largest_core_determinant(form, &equations);
-        let graph = &mut self.algebra.graph;
-        let slack = graph.div(determinant, bound);
-        let margin = self.abs(slack);
-        let gap = self.linear_gap(determinant);
-        self.prepared = Some(Prepared {
+        let slack = determinant / self.largest_core_determinant(&equations);
+        let margin = slack.abs();
+        let gap = linear_gap(determinant);
+        let [raw, called, beside] = meanings;
+        let prepared = Prepared {
             number: self.number,
             inputs,
             size,
             system,
-            core,
             step,
             reach: equations.reach,
-        });
+            raw,
+            called,
+            beside,
+        };
+        let method = match prepared.has_table() {
+            true => "prepared table over the input, one Newton step, certificate",
+            false => "prepared states, fixed number of Newton steps, certificate",
+        };
+        self.prepared = Some(prepared);
         Closed {
             kind: form.kind.clone().into(),
             class: form.class,
             order: form.order,
-            method: match self.prepared.as_ref().is_some_and(Prepared::has_table) {
-                true => "prepared table over the input, one Newton step, certificate",
-                false => "prepared states, fixed number of Newton steps, certificate",
-            },
+            method,
             two_modes: false,
             margin,
             slack,
@@ -140,80 +140,10 @@ impl Solver<'_, '_> {
             gap_in: GapIn::Loop,
         }
     }
+}
 
-    /// Derivatives by the unknowns of the core follow these rules before there are definitions.
-    fn declare_core(&mut self, core: &[Core]) {
-        for (position, core) in core.iter().enumerate() {
-            match *core {
-                Core::Angle(angle) => self.declare_angle(angle, 1.0, position),
-                Core::Length { symbol, .. } => {
-                    let group = self.index;
-                    let rule = Rule::Unknown { group, position };
-                    self.algebra.rules.insert(symbol, rule);
-                }
-            }
-        }
-    }
-
-    fn state(&mut self, component: usize) -> NodeId {
-        let source = Source::State(self.number, component);
-        self.algebra.graph.source(source)
-    }
-
-    /// The prepared numbers of each unknown of the core.
-    fn state_nodes(&mut self, core: &[Core]) -> Vec<Vec<NodeId>> {
-        let mut next = 0;
-        core.iter()
-            .map(|core| {
-                let width = match core {
-                    Core::Angle(_) => 2,
-                    Core::Length { .. } => 1,
-                };
-                next += width;
-                (next - width..next).map(|k| self.state(k)).collect()
-            })
-            .collect()
-    }
-
-    /// Gives the unknowns of the core their definitions for calls.
-    fn define_core(
-        &mut self,
-        core: &[Core],
-        state: &[Vec<NodeId>],
-        [called, beside]: [&[Vec<NodeId>]; 2],
-        unit: NodeId,
-    ) -> Vec<Definition> {
-        let mut definitions = Vec::new();
-        for (position, core) in core.iter().enumerate() {
-            let versions = [&state[position], &called[position], &beside[position]];
-            match *core {
-                Core::Angle(angle) => {
-                    let own = &called[position];
-                    self.define_angle(angle, 1.0, [own[0], own[1]], position);
-                    let angle = &self.algebra.angles[angle];
-                    for (k, symbol) in [angle.cos, angle.sin].into_iter().enumerate() {
-                        let [raw, called, beside] = versions.map(|v| v[k]);
-                        definitions.push(Definition {
-                            symbol,
-                            raw,
-                            called,
-                            beside,
-                        });
-                    }
-                }
-                Core::Length { symbol, .. } => {
-                    let [raw, called, beside] =
-                        versions.map(|v| self.algebra.graph.mul(unit, v[0]));
-                    self.define_length(symbol, called, position);
-                    definitions.push(Definition {
-                        symbol,
-                        raw,
-                        called,
-                        beside,
-                    });
-                }
-            }
-        }
-        definitions
-    }
+/// One component for each row of a loop, as a vector.
+fn vector<'m>(rows: &[Ex<'m>]) -> Vn<'m> {
+    let ids: Vec<NodeId> = rows.iter().map(|x| x.id()).collect();
+    rows[0].graph().components(&ids)
 }

@@ -1,82 +1,61 @@
 //! RSSP: a link with ball joints between a known point and a slider on a line in space.
 
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use crate::algebra::{Solution, Term};
+use crate::algebra::Term;
 
-use super::space::Space;
+use super::plane::{gap, guarded};
+use super::space::{distance_terms, projection};
 use super::{Closed, GapIn, Solver};
 
-impl Solver<'_, '_> {
+impl<'m> Solver<'_, 'm> {
     /// `|K + s G| = l`: the point is at distance `X = |g x K|` from the line, the link reaches `h = sqrt((l - X)(l + X))` along it. The
     /// link's vector is `K - (g.K) g + w h g`, never `K + s G`.
     pub(super) fn link_to_slide(
         &mut self,
         slide: SymbolId,
-        guide: Space,
-        known: Space,
-        l: NodeId,
-    ) -> Closed {
+        guide: V3<'m>,
+        known: V3<'m>,
+        l: Ex<'m>,
+    ) -> Closed<'m> {
         let w = self.mode_sign();
-        let (stretch, g) = self.algebra.length_and_unit(guide);
-        let along = self.projection(g, known);
-        let moment = self.algebra.cross3(g, known);
-        let x = self.algebra.length(&moment);
-        let q = self.difference_of_squares(l, x);
-        let reach = self.abs(along);
-        let graph = &mut self.algebra.graph;
-        let far = graph.mul(l, reach);
-        let near = graph.square(l);
-        let noise = graph.add(far, near);
-        let h = self.root(q, noise);
-        let hw = self.algebra.graph.mul(w, h);
-        let graph = &mut self.algebra.graph;
-        let position = graph.sub(hw, along);
-        let position = graph.div(position, stretch);
-        self.define_length(slide, position, 0);
+        let (stretch, g) = guide.length_and_unit();
+        let along = projection(g, known);
+        let moment = g.cross(known);
+        let x = moment.length();
+        let q = l.difference_of_squares(x);
+        let noise = l * along.abs() + l.square();
+        let h = q.root(noise);
+        let hw = w * h;
+        self.define_length(slide, (hw - along) / stretch, 0);
 
         // (g x K) x g is K without its part along the line.
-        let across = self.algebra.cross3(moment, g);
-        let s = self.algebra.graph.symbol_node(slide);
-        let link = [0, 1, 2].map(|k| {
-            let graph = &mut self.algebra.graph;
-            let forth = graph.mul(hw, g[k]);
-            let value = graph.add(across[k], forth);
-            let value = self.guarded(value, h);
-            let graph = &mut self.algebra.graph;
-            let moved = graph.mul(guide[k], s);
-            let equal = graph.add(known[k], moved);
+        let across = moment.cross(g);
+        let s = self.unknown(slide);
+        let link = Vector([0, 1, 2].map(|k| {
+            let value = guarded(across[k] + hw * g[k], h);
+            let equal = known[k] + guide[k] * s;
             self.alias("rod", value, equal)
-        });
-        let slope = self.algebra.dot(&link, &guide);
-        let determinant = self.algebra.graph.mul(stretch, hw);
-        let determinant = self.alias("det", determinant, slope);
-        let mut terms = self.distance_terms(link, known, l);
+        }));
+        let slope = link.dot(guide);
+        let determinant = self.alias("det", stretch * hw, slope);
+        let mut terms = distance_terms(link, known, l);
         terms.extend((0..3).map(|k| Term {
             coefficient: vec![guide[k]],
-            factor: self.algebra.graph.mul(link[k], s),
+            factor: link[k] * s,
         }));
-        self.push_solution(Solution {
-            terms,
-            jacobian: vec![vec![determinant]],
-            determinant,
-            elimination: None,
-        });
+        self.push_single(terms, determinant);
 
-        let miss = self.algebra.graph.sub(x, l);
-        let gap = self.gap(q, noise, miss);
-        let graph = &mut self.algebra.graph;
-        let largest2 = graph.square(l);
         Closed {
             kind: "SSP".into(),
             class: 0,
             order: 0,
             method: "intersection of a sphere and a line, by the distance from the line",
             two_modes: true,
-            margin: graph.div(h, l),
-            slack: graph.div(q, largest2),
-            slack_scale: graph.one(),
-            gap,
+            gap: gap(q, noise, x - l),
+            margin: h / l,
+            slack: q / l.square(),
+            slack_scale: self.algebra.one(),
             gap_in: GapIn::Link,
         }
     }

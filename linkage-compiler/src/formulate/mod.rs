@@ -1,23 +1,15 @@
-//! Every unknown expressed: the closed form of each group, the assembly modes, the range check.
+//! Every unknown expressed: the closed form of each group.
 //!
 //! One file for each form of group. A group's unknowns get definitions that are computed by the closed form; their
 //! derivatives follow from the group's equations (see [`Solution`](crate::algebra::Solution)).
 
-mod check;
 mod circles;
 mod coupled;
-mod degenerate;
-mod directions;
-mod follow;
 mod link_to_rotor;
 mod link_to_slide;
-mod machine;
-mod places;
+mod plane;
 mod point;
 mod quadratic;
-mod ranges;
-mod reference;
-mod refusal;
 mod rotor_and_slide;
 mod scalar;
 mod slide_on_rotor;
@@ -27,13 +19,12 @@ mod three_slides;
 mod trigonometric;
 mod two_rotors;
 mod two_slides;
-mod vector;
-mod words;
 
 use std::borrow::Cow;
-use std::collections::HashMap;
 
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::unordered::Map;
+
+use linkage_symbolic::{Ex, SymbolId};
 
 use crate::algebra::{Algebra, Rule};
 use crate::model::{Dimension, Mechanism};
@@ -41,18 +32,11 @@ use crate::structure::{Group, Structure};
 
 use solver::Solver;
 
-pub(crate) use check::check_ranges;
-pub(crate) use coupled::{Definition, Prepared};
-pub(crate) use directions::check_directions;
-pub(crate) use follow::{candidate_rates, followed_range};
-pub(crate) use machine::{unknown_nodes, valued_angles};
-pub(crate) use places::places;
-pub(crate) use reference::{Reference, assemble_reference};
-pub(crate) use words::{Words, numbers};
+pub(crate) use coupled::{Prepared, Version};
 
 /// What a kind of group tells about its solution.
 #[derive(Clone, Debug)]
-pub(crate) struct Closed {
+pub(crate) struct Closed<'m> {
     pub(crate) kind: Cow<'static, str>,
     pub(crate) class: u8,
     pub(crate) order: u8,
@@ -60,14 +44,14 @@ pub(crate) struct Closed {
     /// Two solutions, told apart by a mode.
     pub(crate) two_modes: bool,
     /// `|det J|` over its largest value for these lengths.
-    pub(crate) margin: NodeId,
+    pub(crate) margin: Ex<'m>,
     /// Positive where the group can be assembled, zero at the dead point, negative beyond. For a group with one
     /// solution it changes sign there.
-    pub(crate) slack: NodeId,
+    pub(crate) slack: Ex<'m>,
     /// What the slack is measured by: its value at the reference makes the slack a number of about 1.
-    pub(crate) slack_scale: NodeId,
+    pub(crate) slack_scale: Ex<'m>,
     /// By how much the group misses closing: positive if it cannot be assembled.
-    pub(crate) gap: NodeId,
+    pub(crate) gap: Ex<'m>,
     /// What the gap is measured in.
     pub(crate) gap_in: GapIn,
 }
@@ -85,16 +69,16 @@ pub(crate) enum GapIn {
 
 /// A group with its solution.
 #[derive(Clone, Debug)]
-pub(crate) struct Solved {
-    pub(crate) group: Group,
-    pub(crate) closed: Closed,
+pub(crate) struct Solved<'m> {
+    pub(crate) group: Group<'m>,
+    pub(crate) closed: Closed<'m>,
     /// Index among the assembly modes.
     pub(crate) mode: Option<usize>,
     /// For a coupled group.
-    pub(crate) prepared: Option<Prepared>,
+    pub(crate) prepared: Option<Prepared<'m>>,
 }
 
-impl Solved {
+impl Solved<'_> {
     /// The dimension of the group's gap.
     pub(crate) fn gap_dimension(&self, mechanism: &Mechanism) -> Dimension {
         let dimension = match self.closed.gap_in {
@@ -108,14 +92,14 @@ impl Solved {
 
 /// The mechanism with every unknown expressed.
 #[derive(Debug, Default)]
-pub(crate) struct Formulation {
-    pub(crate) groups: Vec<Solved>,
+pub(crate) struct Formulation<'m> {
+    pub(crate) groups: Vec<Solved<'m>>,
     /// The group that a symbol belongs to.
-    pub(crate) group_of: HashMap<SymbolId, usize>,
+    pub(crate) group_of: Map<SymbolId, usize>,
     pub(crate) mobility: usize,
 }
 
-impl Formulation {
+impl<'m> Formulation<'m> {
     pub(crate) fn modes(&self) -> usize {
         self.groups
             .iter()
@@ -124,7 +108,7 @@ impl Formulation {
     }
 
     /// What is prepared for the coupled groups, in order.
-    pub(crate) fn prepared(&self) -> impl Iterator<Item = &Prepared> {
+    pub(crate) fn prepared(&self) -> impl Iterator<Item = &Prepared<'m>> {
         self.groups
             .iter()
             .filter_map(|group| group.prepared.as_ref())
@@ -138,14 +122,14 @@ impl Formulation {
     }
 
     /// Angles in the order in which their groups are solved.
-    pub(crate) fn in_order(&self, algebra: &Algebra, mut angles: Vec<usize>) -> Vec<usize> {
-        angles.sort_by_key(|&angle| self.group_of.get(&algebra.angles[angle].cos));
+    pub(crate) fn in_order(&self, algebra: &Algebra<'m>, mut angles: Vec<usize>) -> Vec<usize> {
+        angles.sort_by_key(|&angle| self.group_of.get(&algebra.names.angles[angle].cos));
         angles
     }
 
-    /// The groups that nodes are computed from, in order.
-    pub(crate) fn groups_of(&self, algebra: &Algebra, nodes: &[NodeId]) -> Vec<usize> {
-        let symbols = algebra.symbols_below(nodes);
+    /// The groups that expressions are computed from, in order.
+    pub(crate) fn groups_of(&self, algebra: &Algebra<'m>, all: &[Ex<'m>]) -> Vec<usize> {
+        let symbols = algebra.symbols_below(all);
         let mut groups: Vec<usize> = symbols
             .iter()
             .filter_map(|symbol| self.group_of.get(symbol).copied())
@@ -157,21 +141,24 @@ impl Formulation {
 }
 
 /// Gives every unknown its definition.
-pub(crate) fn formulate(algebra: &mut Algebra, structure: Structure) -> Formulation {
+pub(crate) fn formulate<'m>(
+    algebra: &mut Algebra<'m>,
+    structure: Structure<'m>,
+) -> Formulation<'m> {
     let mut formulation = Formulation {
         mobility: structure.mobility,
         ..Default::default()
     };
     for explicit in &structure.explicit {
-        algebra.graph.define(explicit.symbol, explicit.value);
-        algebra
-            .rules
-            .insert(explicit.symbol, Rule::Follow(explicit.value));
+        let value = explicit.value;
+        algebra.graph.define(explicit.symbol, value.id());
+        let rule = Rule::Follow(value);
+        algebra.solutions.set_rule(explicit.symbol, rule);
     }
     let (mut modes, mut coupled) = (0, 0);
     for group in structure.groups {
         let first_symbol = algebra.graph.symbol_count();
-        let index = algebra.solutions.len();
+        let index = algebra.solutions.groups.len();
         let dimension = group.loop_dimension(algebra.mechanism);
         let mut solver = Solver {
             algebra,
@@ -197,7 +184,7 @@ pub(crate) fn formulate(algebra: &mut Algebra, structure: Structure) -> Formulat
         }
         if group.factor_has_unit(algebra.mechanism) {
             // Nothing says how large the factor could be.
-            closed.margin = algebra.graph.one();
+            closed.margin = algebra.one();
         }
         let made = algebra.graph.symbols_since(first_symbol);
         let number = formulation.groups.len();

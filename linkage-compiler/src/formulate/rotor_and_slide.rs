@@ -1,78 +1,64 @@
 //! RRP and PRR: a link of given length between a known point and a slider on a known line.
 
-use linkage_symbolic::SymbolId;
+use linkage_symbolic::{SymbolId, V2};
 
 use crate::algebra::Term;
 use crate::structure::Rotor;
 
-use super::vector::Vector;
+use super::plane::{gap, guarded, known_term, rotor_terms};
 use super::{Closed, GapIn, Solver};
 
-impl Solver<'_, '_> {
+impl<'m> Solver<'_, 'm> {
     /// `Z u + s G = C`: the distance of the point from the line is `X = g x C`, the link reaches `h = sqrt((r - X)(r + X))`
     /// along it. The link's vector is `w h g + X g_perp`, never the difference `C - s G`.
     pub(super) fn rotor_and_slide(
         &mut self,
-        rotor: &Rotor,
+        rotor: &Rotor<'m>,
         slide: SymbolId,
-        guide: Vector,
-        known: Vector,
-    ) -> Closed {
-        let c = self.negative(known);
-        let r = self.algebra.length(&rotor.z);
-        let (stretch, g) = self.algebra.length_and_unit(guide);
+        guide: V2<'m>,
+        known: V2<'m>,
+    ) -> Closed<'m> {
+        let c = -known;
+        let r = rotor.z.length();
+        let (stretch, g) = guide.length_and_unit();
         let w = self.mode_sign();
 
-        let x = self.algebra.cross(g, c);
-        let along = self.algebra.dot(&g, &c);
-        let q = self.difference_of_squares(r, x);
+        let x = g.cross(c);
+        let along = g.dot(c);
+        let q = r.difference_of_squares(x);
         // Rounding in `X` is that of `|C|`, which near the dead point, where `|X| = r`, is less than this sum.
-        let reach = self.abs(along);
-        let graph = &mut self.algebra.graph;
-        let far = graph.mul(r, reach);
-        let near = graph.square(r);
-        let noise = graph.add(far, near);
-        let h = self.root(q, noise);
-        let hw = self.algebra.graph.mul(w, h);
-        let across = self.perp(g);
-        let value = self.combine(hw, g, x, across);
-        let graph = &mut self.algebra.graph;
-        let position = graph.sub(along, hw);
-        let position = graph.div(position, stretch);
-        let determinant = graph.mul(stretch, hw);
-        let determinant = graph.neg(determinant);
+        let noise = r * along.abs() + r.square();
+        let h = q.root(noise);
+        let hw = w * h;
+        let value = hw * g + x * g.perp();
+        let position = (along - hw) / stretch;
+        let determinant = -(stretch * hw);
 
         let unit = self.unit_of(rotor);
-        let vector = value.map(|x| self.guarded(x, h));
+        let vector = value.map(|x| guarded(x, h));
         let vector = self.turning(vector, rotor.z, unit, 0);
-        let quotient = self.complex_quotient(vector, rotor.z);
-        self.define_angle(rotor.angle, rotor.sense, quotient, 0);
+        let turned = vector.turned_back(rotor.z);
+        self.define_angle(rotor.angle, rotor.sense, turned, 0);
         self.define_length(slide, position, 1);
 
-        let mut terms = self.rotor_terms(rotor.z, unit);
-        let slide_node = self.algebra.graph.symbol_node(slide);
+        let mut terms = rotor_terms(rotor.z, unit);
         terms.push(Term {
-            coefficient: guide.to_vec(),
-            factor: slide_node,
+            coefficient: guide.0.to_vec(),
+            factor: self.unknown(slide),
         });
-        terms.push(self.known_term(&known));
-        let turning = self.perp(vector);
-        self.push_pair(terms, [turning, guide], determinant);
+        terms.push(known_term(&known.0));
+        self.push_pair(terms, [vector.perp(), guide], determinant);
 
-        let off = self.abs(x);
-        let miss = self.algebra.graph.sub(off, r);
-        let gap = self.gap(q, noise, miss);
-        let graph = &mut self.algebra.graph;
-        let largest2 = graph.square(r);
+        let gap = gap(q, noise, x.abs() - r);
         Closed {
             kind: "RRP".into(),
             class: 2,
             order: 2,
             method: "intersection of a circle and a line, by the distance from the line",
             two_modes: true,
-            margin: graph.div(h, r),
-            slack: graph.div(q, largest2),
-            slack_scale: graph.one(),
+            margin: h / r,
+            slack: q / r.square(),
+            slack_scale: self.algebra.one(),
             gap,
             gap_in: GapIn::Loop,
         }

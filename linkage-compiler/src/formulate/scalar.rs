@@ -1,41 +1,31 @@
 //! Scalar loops that need no root: linear equations and angle relations.
 
-use linkage_symbolic::program::Binary;
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, SymbolId};
 
-use crate::algebra::{Rule, Scalar, Solution, Term};
+use crate::algebra::{Scalar, Term};
 
+use super::plane::{known_term, linear_gap};
 use super::{Closed, GapIn, Solver};
 
-impl Solver<'_, '_> {
+impl<'m> Solver<'_, 'm> {
     /// `a x + b = 0`
-    pub(super) fn linear(&mut self, symbol: SymbolId, a: NodeId, b: NodeId) -> Closed {
-        let graph = &mut self.algebra.graph;
-        let quotient = graph.div(b, a);
-        let value = graph.neg(quotient);
-        self.define_length(symbol, value, 0);
-        let x = self.algebra.graph.symbol_node(symbol);
+    pub(super) fn linear(&mut self, symbol: SymbolId, a: Ex<'m>, b: Ex<'m>) -> Closed<'m> {
+        self.define_length(symbol, -(b / a), 0);
         let terms = vec![
             Term {
                 coefficient: vec![a],
-                factor: x,
+                factor: self.unknown(symbol),
             },
-            self.known_term(&[b]),
+            known_term(&[b]),
         ];
-        self.push_solution(Solution {
-            terms,
-            jacobian: vec![vec![a]],
-            determinant: a,
-            elimination: None,
-        });
+        self.push_single(terms, a);
 
         // The factor's largest value is not known; a direction's component reaches 1.
-        let one = self.algebra.graph.one();
-        let size = self.abs(a);
-        let (margin, slack, slack_scale) = if self.algebra.is_fixed(a) {
-            (one, one, one)
-        } else {
-            (self.algebra.graph.binary(Binary::Min, size, one), a, size)
+        let one = self.algebra.one();
+        let size = a.abs();
+        let (margin, slack, slack_scale) = match a.is_fixed() {
+            true => (one, one, one),
+            false => (size.min(one), a, size),
         };
         Closed {
             kind: "linear".into(),
@@ -46,34 +36,18 @@ impl Solver<'_, '_> {
             margin,
             slack,
             slack_scale,
-            gap: self.linear_gap(a),
+            gap: linear_gap(a),
             gap_in: GapIn::Loop,
         }
     }
 
     /// An angle given by others.
-    pub(super) fn relation(&mut self, angle: usize, value: &Scalar) -> Closed {
-        let [cos, sin] = self.algebra.direction(value);
-        let node = self.algebra.node(value);
-        let symbols = self.algebra.angles[angle].clone();
-        for (symbol, value) in [
-            (symbols.cos, cos),
-            (symbols.sin, sin),
-            (symbols.value, node),
-        ] {
-            self.algebra.graph.define(symbol, value);
-            self.algebra.rules.insert(symbol, Rule::Follow(value));
-            self.defined.push(symbol);
-        }
-        let zero = self.algebra.graph.zero();
-        let one = self.algebra.graph.one();
-        let solution = Solution {
-            terms: Vec::new(),
-            jacobian: vec![vec![one]],
-            determinant: one,
-            elimination: None,
-        };
-        self.push_solution(solution);
+    pub(super) fn relation(&mut self, angle: usize, value: &Scalar<'m>) -> Closed<'m> {
+        let [cos, sin] = self.algebra.direction(value).0;
+        let number = self.algebra.value_of(value);
+        self.define_relation(angle, [cos, sin, number]);
+        let one = self.algebra.one();
+        self.push_single(Vec::new(), one);
         Closed {
             kind: "angle relation".into(),
             class: 0,
@@ -83,7 +57,7 @@ impl Solver<'_, '_> {
             margin: one,
             slack: one,
             slack_scale: one,
-            gap: zero,
+            gap: self.algebra.zero(),
             gap_in: GapIn::Loop,
         }
     }

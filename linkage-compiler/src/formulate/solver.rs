@@ -1,7 +1,7 @@
 //! What the closed forms of all kinds of groups share: giving unknowns their definitions and rules.
 
 use linkage_symbolic::program::{Source, Ternary};
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::{Algebra, AngleRule, Rule, Solution, Turning};
 use crate::model::Dimension;
@@ -23,11 +23,11 @@ pub(super) struct Solver<'a, 'm> {
     /// The unknown symbols that were given definitions.
     pub(super) defined: Vec<SymbolId>,
     /// For a coupled group.
-    pub(super) prepared: Option<Prepared>,
+    pub(super) prepared: Option<Prepared<'m>>,
 }
 
-impl Solver<'_, '_> {
-    pub(super) fn solve(&mut self, form: &Form) -> Closed {
+impl<'m> Solver<'_, 'm> {
+    pub(super) fn solve(&mut self, form: &Form<'m>) -> Closed<'m> {
         match form {
             Form::TwoRotors {
                 first,
@@ -83,109 +83,113 @@ impl Solver<'_, '_> {
     }
 
     /// The sign that tells the two solutions apart.
-    pub(super) fn mode_sign(&mut self) -> NodeId {
-        self.algebra.graph.source(Source::Mode(self.mode))
+    pub(super) fn mode_sign(&self) -> Ex<'m> {
+        self.algebra.source(Source::Mode(self.mode))
+    }
+
+    /// The symbol of an unknown, as it enters the group's equations.
+    pub(super) fn unknown(&self, symbol: SymbolId) -> Ex<'m> {
+        let graph = self.algebra.graph;
+        graph.ex(graph.symbol_node(symbol))
     }
 
     /// Records what differentiation needs.
-    pub(super) fn push_solution(&mut self, solution: Solution) {
-        self.algebra.solutions.push(solution);
+    pub(super) fn push_solution(&mut self, solution: Solution<'m>) {
+        self.algebra.solutions.groups.push(solution);
+    }
+
+    /// Says what an unknown symbol is computed as and how it is differentiated.
+    fn define(&mut self, symbol: SymbolId, value: Ex<'m>, rule: Rule<'m>) {
+        self.algebra.graph.define(symbol, value.id());
+        self.algebra.solutions.set_rule(symbol, rule);
+        self.defined.push(symbol);
     }
 
     /// Gives an unknown length its value.
-    pub(super) fn define_length(&mut self, symbol: SymbolId, value: NodeId, position: usize) {
-        self.algebra.graph.define(symbol, value);
+    pub(super) fn define_length(&mut self, symbol: SymbolId, value: Ex<'m>, position: usize) {
         let rule = Rule::Unknown {
             group: self.index,
             position,
         };
-        self.algebra.rules.insert(symbol, rule);
-        self.defined.push(symbol);
+        self.define(symbol, value, rule);
+    }
+
+    /// Gives an angle the cosine, sine and value of another expression, which it is differentiated as, too.
+    pub(super) fn define_relation(&mut self, angle: usize, values: [Ex<'m>; 3]) {
+        let symbols = self.algebra.names.angles[angle].symbols();
+        for (symbol, value) in symbols.into_iter().zip(values) {
+            self.define(symbol, value, Rule::Follow(value));
+        }
     }
 
     /// Gives an unknown angle its unit vector `(cos, sense sin)`, and its value from that.
-    pub(super) fn define_angle(
-        &mut self,
-        angle: usize,
-        sense: f64,
-        unit: [NodeId; 2],
-        position: usize,
-    ) {
+    pub(super) fn define_angle(&mut self, angle: usize, sense: f64, unit: V2<'m>, position: usize) {
         self.declare_angle(angle, sense, position);
-        let symbols = self.algebra.angles[angle].clone();
-        let [cos, turned] = unit;
-        let sin = if sense < 0.0 {
-            self.algebra.graph.neg(turned)
-        } else {
-            turned
-        };
-        self.algebra.graph.define(symbols.cos, cos);
-        self.algebra.graph.define(symbols.sin, sin);
-        let guide = self.guide(angle, &[cos, sin]);
-        let (y, x) = (symbols.sin_node, symbols.cos_node);
-        let value = self.algebra.graph.ternary(Ternary::AngleNear, y, x, guide);
-        self.algebra.graph.define(symbols.value, value);
-        self.defined
-            .extend([symbols.cos, symbols.sin, symbols.value]);
+        let unit = if sense < 0.0 { unit.conjugate() } else { unit };
+        let graph = self.algebra.graph;
+        let symbols = self.algebra.names.angles[angle].clone();
+        for (symbol, component) in [symbols.cos, symbols.sin]
+            .into_iter()
+            .zip(unit.components())
+        {
+            graph.define(symbol, component.id());
+        }
+        let guide = self.guide(angle, unit);
+        let [cos, sin] = symbols.unit.0;
+        let value = sin.ternary(Ternary::AngleNear, cos, guide);
+        graph.define(symbols.value, value.id());
+        self.defined.extend(symbols.symbols());
     }
 
     /// Says how an unknown angle is differentiated.
     pub(super) fn declare_angle(&mut self, angle: usize, sense: f64, position: usize) {
-        let symbols = self.algebra.angles[angle].clone();
+        let symbols = self.algebra.names.angles[angle].clone();
         let rule = AngleRule {
             group: self.index,
             position,
             sense,
-            cos: symbols.cos_node,
-            sin: symbols.sin_node,
+            unit: symbols.unit,
         };
-        let rules = &mut self.algebra.rules;
-        rules.insert(symbols.cos, Rule::Cosine(rule));
-        rules.insert(symbols.sin, Rule::Sine(rule));
-        rules.insert(symbols.value, Rule::Value(rule));
+        let solutions = &mut self.algebra.solutions;
+        solutions.set_rule(symbols.cos, Rule::Cosine(rule));
+        solutions.set_rule(symbols.sin, Rule::Sine(rule));
+        solutions.set_rule(symbols.value, Rule::Value(rule));
     }
 
     /// `centre + sum of winding * input`: within half a turn of the angle's value over the whole range.
-    pub(super) fn guide(&mut self, angle: usize, unit: &[NodeId]) -> NodeId {
-        let inputs = self.algebra.inputs_below(unit);
-        let graph = &mut self.algebra.graph;
-        let mut guide = graph.source(Source::Centre(angle));
+    fn guide(&mut self, angle: usize, unit: V2<'m>) -> Ex<'m> {
+        let inputs = self.algebra.inputs_below(&unit.0);
+        let mut guide = self.algebra.source(Source::Centre(angle));
         for input in inputs {
-            let winding = graph.source(Source::Winding(angle, input));
-            let coordinate = graph.source(Source::Input(input));
-            let turned = graph.mul(winding, coordinate);
-            guide = graph.add(guide, turned);
+            let winding = self.algebra.source(Source::Winding(angle, input));
+            guide += winding * self.algebra.input(input);
         }
         guide
     }
 
     /// A symbol computed as `definition` and differentiated as `equal`.
-    pub(super) fn alias(&mut self, name: &str, definition: NodeId, equal: NodeId) -> NodeId {
-        let (symbol, node) = self.algebra.graph.unknown(format!("{name} {}", self.index));
-        self.algebra.graph.define(symbol, definition);
-        self.algebra.rules.insert(symbol, Rule::Follow(equal));
-        node
+    pub(super) fn alias(&mut self, name: &str, definition: Ex<'m>, equal: Ex<'m>) -> Ex<'m> {
+        let name = format!("{name} {}", self.index);
+        let rule = Rule::Follow(equal);
+        self.algebra.symbol_for_value(name, definition, rule)
     }
 
     /// The vector `z u` that turns with unknown `position`, computed as `value`.
     pub(super) fn turning(
         &mut self,
-        value: [NodeId; 2],
-        z: [NodeId; 2],
-        unit: [NodeId; 2],
+        value: V2<'m>,
+        z: V2<'m>,
+        unit: V2<'m>,
         position: usize,
-    ) -> [NodeId; 2] {
-        let group = self.index;
-        let symbols = value.map(|value| {
-            let (symbol, node) = self
-                .algebra
-                .graph
-                .unknown(format!("link {group}.{position}"));
-            self.algebra.graph.define(symbol, value);
-            (symbol, node)
+    ) -> V2<'m> {
+        let (graph, group) = (self.algebra.graph, self.index);
+        let symbols = value.0.map(|value| {
+            let (symbol, _) = graph.unknown(format!("link {group}.{position}"));
+            graph.define(symbol, value.id());
+            symbol
         });
-        let vector = symbols.map(|(_, node)| node);
-        for (component, (symbol, _)) in symbols.into_iter().enumerate() {
+        let vector = Vector(symbols.map(|symbol| self.unknown(symbol)));
+        for (component, symbol) in symbols.into_iter().enumerate() {
             let turning = Turning {
                 group,
                 position,
@@ -194,22 +198,19 @@ impl Solver<'_, '_> {
                 z,
                 unit,
             };
-            self.algebra
-                .rules
-                .insert(symbol, Rule::Turning(Box::new(turning)));
+            let rule = Rule::Turning(Box::new(turning));
+            self.algebra.solutions.set_rule(symbol, rule);
         }
         vector
     }
 
     /// The unit vector `(cos, sense sin)` of a rotor's angle.
-    pub(super) fn unit_of(&mut self, rotor: &Rotor) -> [NodeId; 2] {
-        let angle = &self.algebra.angles[rotor.angle];
-        let (cos, sin) = (angle.cos_node, angle.sin_node);
-        let turned = if rotor.sense < 0.0 {
-            self.algebra.graph.neg(sin)
+    pub(super) fn unit_of(&self, rotor: &Rotor<'m>) -> V2<'m> {
+        let unit = self.algebra.names.angles[rotor.angle].unit;
+        if rotor.sense < 0.0 {
+            unit.conjugate()
         } else {
-            sin
-        };
-        [cos, turned]
+            unit
+        }
     }
 }

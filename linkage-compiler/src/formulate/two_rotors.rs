@@ -1,19 +1,25 @@
 //! RRR: two links of given lengths between two known points.
 
-use linkage_symbolic::program::Binary;
+use linkage_symbolic::V2;
 
 use crate::structure::Rotor;
 
-use super::vector::Vector;
+use super::circles::Squares;
+use super::plane::{defined_gap, gap, guarded, known_term, rotor_terms};
 use super::{Closed, GapIn, Solver};
 
-impl Solver<'_, '_> {
+impl<'m> Solver<'_, 'm> {
     /// `Z1 u1 + Z2 u2 = C` by the intersection of two circles.
-    pub(super) fn two_rotors(&mut self, first: &Rotor, second: &Rotor, known: Vector) -> Closed {
-        let c = self.negative(known);
-        let [r1, r2] = [first.z, second.z].map(|z| self.algebra.length(&z));
-        let reach = self.algebra.graph.add(r1, r2);
-        let (squares, radii) = self.squares([r1, r2], reach);
+    pub(super) fn two_rotors(
+        &mut self,
+        first: &Rotor<'m>,
+        second: &Rotor<'m>,
+        known: V2<'m>,
+    ) -> Closed<'m> {
+        let c = -known;
+        let [r1, r2] = [first.z, second.z].map(|z| z.length());
+        let reach = r1 + r2;
+        let squares = Squares::of([r1, r2], reach);
         let circles = self.circles(c, &squares);
         let h = circles.h;
 
@@ -22,38 +28,32 @@ impl Solver<'_, '_> {
         let links = [first, second].into_iter().zip(circles.vectors);
         for (position, (rotor, value)) in links.enumerate() {
             let unit = self.unit_of(rotor);
-            let vector = value.map(|x| self.guarded(x, h));
+            let vector = value.map(|x| guarded(x, h));
             let vector = self.turning(vector, rotor.z, unit, position);
-            let quotient = self.complex_quotient(vector, rotor.z);
-            self.define_angle(rotor.angle, rotor.sense, quotient, position);
-            terms.extend(self.rotor_terms(rotor.z, unit));
-            columns.push(self.perp(vector));
+            let turned = vector.turned_back(rotor.z);
+            self.define_angle(rotor.angle, rotor.sense, turned, position);
+            terms.extend(rotor_terms(rotor.z, unit));
+            columns.push(vector.perp());
         }
-        terms.push(self.known_term(&known));
+        terms.push(known_term(&known.0));
         self.push_pair(terms, [columns[0], columns[1]], circles.product);
 
-        let distance = self.algebra.length(&c);
-        let graph = &mut self.algebra.graph;
-        let too_far = graph.sub(distance, reach);
-        let difference = graph.sub(r1, r2);
-        let difference = graph.abs(difference);
-        let too_near = graph.sub(difference, distance);
-        let miss = graph.binary(Binary::Max, too_far, too_near);
-        let gap = self.gap(circles.q, circles.noise, miss);
-        let gap = self.defined_gap(gap, circles.m);
-        let graph = &mut self.algebra.graph;
-        let largest = graph.mul(radii[0], radii[1]);
-        let margin = graph.div(h, largest);
-        let largest2 = graph.square(largest);
+        let distance = c.length();
+        let too_far = distance - reach;
+        let too_near = (r1 - r2).abs() - distance;
+        let gap = gap(circles.q, circles.noise, too_far.max(too_near));
+        let gap = defined_gap(gap, circles.m);
+        let [r1, r2] = squares.radii;
+        let largest = r1 * r2;
         Closed {
             kind: "RRR".into(),
             class: 2,
             order: 2,
             method: "intersection of two circles, root taken for the smaller one",
             two_modes: true,
-            margin,
-            slack: graph.div(circles.q, largest2),
-            slack_scale: graph.one(),
+            margin: h / largest,
+            slack: circles.q / largest.square(),
+            slack_scale: self.algebra.one(),
             gap,
             gap_in: GapIn::Loop,
         }

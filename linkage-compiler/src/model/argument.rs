@@ -1,25 +1,26 @@
 //! Arguments: loads and speeds that functions take at run time.
 
 use super::names::{Context, Place, Resolver};
-use super::types::{Argument, Dimension, Expr, ExprKind, Input, Name, Type};
-use crate::syntax::{Item, MechanismDef, NamedItem};
+use super::passes::Taken;
+use super::types::{Argument, Dimension, Expr, Input, Name, Type};
+use crate::syntax::NamedItem;
 
 impl Resolver<'_> {
     /// All arguments in the order of their names; speeds and accelerations stand at their inputs.
     pub(super) fn arguments(
         &mut self,
-        definition: &MechanismDef,
+        items: &[(usize, Taken)],
         inputs: &[Input],
     ) -> Vec<Argument> {
         let mut arguments = Vec::new();
         let mut input = 0;
-        for (position, item) in definition.items.iter().enumerate() {
+        for (position, item) in items {
             match item {
-                Item::Argument(item) => {
-                    let argument = self.run_time_argument(item, arguments.len(), position);
+                Taken::Argument(item) => {
+                    let argument = self.argument_item(item, arguments.len(), *position);
                     arguments.push(argument);
                 }
-                Item::Input(item) => {
+                Taken::Rates(item) => {
                     let rates = [&item.speed, &item.acceleration];
                     for (order, ident) in (1..).zip(rates) {
                         let Some(ident) = ident else { continue };
@@ -35,14 +36,13 @@ impl Resolver<'_> {
                     }
                     input += 1;
                 }
-                _ => {}
             }
         }
         arguments
     }
 
     /// `argument NAME = value;`
-    fn run_time_argument(&mut self, item: &NamedItem, index: usize, position: usize) -> Argument {
+    fn argument_item(&mut self, item: &NamedItem, index: usize, position: usize) -> Argument {
         let context = Context {
             place: Place::Argument,
             item: position,
@@ -71,14 +71,14 @@ impl Resolver<'_> {
 
     /// An argument that a value depends on, perhaps through derived quantities.
     pub(super) fn argument_below(&self, value: &Expr) -> Option<usize> {
-        match value.kind {
-            ExprKind::Name(Name::Argument(argument)) => Some(argument),
-            ExprKind::Name(Name::Let(index)) => self.arguments_of_lets.get(index).copied()?,
-            _ => value
-                .operands()
-                .into_iter()
-                .find_map(|operand| self.argument_below(operand)),
-        }
+        let mut names = value.parts().filter_map(Expr::as_name);
+        names.find_map(|name| match name {
+            Name::Argument(argument) => Some(argument),
+            Name::Let(index) => self.arguments_of_lets.get(index).copied()?,
+            Name::Const(_) | Name::Parameter(_) | Name::Input(_) | Name::Unknown(_) | Name::Pi => {
+                None
+            }
+        })
     }
 
     /// Reports what must be known before functions are called and depends on an argument.

@@ -2,21 +2,11 @@
 
 use proc_macro2::Ident;
 
-use super::mechanics::MECHANICS;
+use super::functions::{MotionWord, QuantityWord};
 use super::names::{Context, Place, Resolver};
 use super::types::{Dimension, Expr, ExprKind, Name, Type, Variable};
 use crate::diagnostic::text::count;
-use crate::syntax::{self, SourceSpan};
-
-pub(super) const QUANTITIES: [&str; 7] = [
-    "d",
-    "velocity",
-    "acceleration",
-    "jerk",
-    "sensitivity",
-    "margin",
-    "picture",
-];
+use crate::syntax::{self, SourceSpan, Word};
 
 /// Most entries of an array, those of inner arrays counted.
 const ENTRY_LIMIT: usize = 10_000;
@@ -24,29 +14,33 @@ const ENTRY_LIMIT: usize = 10_000;
 impl Resolver<'_> {
     pub(super) fn quantity_call(
         &mut self,
-        name: &str,
+        word: QuantityWord,
         ident: &Ident,
         arguments: &[syntax::Expr],
         context: Context,
         span: SourceSpan,
     ) -> Expr {
         let Place::Function(inputs) = context.place else {
+            let name = word.word();
             let fact = format!("`{name}` is only known in the functions of the `impl` block");
             let help = "move it there, as a quantity of a function";
             self.diagnostics.error_with_help(ident.into(), fact, help);
             return self.failed(span);
         };
-        if MECHANICS.contains(&name) {
-            return self.mechanics_call(name, arguments, context, span);
-        }
-        match name {
-            "margin" => self.margin(arguments, span),
-            "picture" => self.picture_in_expression(span),
-            "d" => self.derivative(arguments, context, span),
-            "sensitivity" => self.sensitivity(arguments, context, span),
-            "velocity" => self.input_derivative(1, inputs, name, arguments, context, span),
-            "acceleration" => self.input_derivative(2, inputs, name, arguments, context, span),
-            _ => self.input_derivative(3, inputs, name, arguments, context, span),
+        let word = match word {
+            QuantityWord::Motion(word) => word,
+            QuantityWord::Mechanics(word) => {
+                return self.mechanics_call(word, arguments, context, span);
+            }
+        };
+        match word {
+            MotionWord::Margin => self.margin(arguments, span),
+            MotionWord::Picture => self.picture_in_expression(span),
+            MotionWord::Derivative => self.derivative(arguments, context, span),
+            MotionWord::Sensitivity => self.sensitivity(arguments, context, span),
+            MotionWord::Velocity | MotionWord::Acceleration | MotionWord::Jerk => {
+                self.input_derivative(word, inputs, arguments, context, span)
+            }
         }
     }
 
@@ -129,13 +123,13 @@ impl Resolver<'_> {
 
     fn input_derivative(
         &mut self,
-        order: u8,
+        word: MotionWord,
         inputs: Option<&[usize]>,
-        name: &str,
         arguments: &[syntax::Expr],
         context: Context,
         span: SourceSpan,
     ) -> Expr {
+        let (name, order) = (word.word(), word.order().unwrap_or_default());
         let [quantity] = arguments else {
             self.wrong_count(name, &["quantity"], arguments.len(), span);
             return self.failed(span);
@@ -156,8 +150,11 @@ impl Resolver<'_> {
             self.diagnostics.error_with_help(span, fact, help);
             return self.failed(span);
         }
-        if order == 3 && inputs.len() > 1 {
-            let fact = format!("`jerk` needs one input, the function has {}", inputs.len());
+        if word == MotionWord::Jerk && inputs.len() > 1 {
+            let fact = format!(
+                "`{name}` needs one input, the function has {}",
+                inputs.len()
+            );
             let help = "differentiate an entry: `d(acceleration(q)[0][0], x)`";
             self.diagnostics.error_with_help(span, fact, help);
             return self.failed(span);
@@ -248,6 +245,6 @@ impl Resolver<'_> {
 fn leaves(ty: &Type) -> usize {
     match ty {
         Type::Array(entries) => entries.iter().map(leaves).sum(),
-        _ => 1,
+        Type::Scalar(_) | Type::Vector(..) | Type::Frame | Type::Zero(_) | Type::Error => 1,
     }
 }

@@ -180,7 +180,7 @@ impl Type {
         match self {
             Type::Error => true,
             Type::Array(entries) => entries.iter().any(Type::is_error),
-            _ => false,
+            Type::Scalar(_) | Type::Vector(..) | Type::Frame | Type::Zero(_) => false,
         }
     }
 }

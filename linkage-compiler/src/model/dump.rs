@@ -2,8 +2,10 @@
 
 use std::fmt::{self, Display, Formatter, Write};
 
+use super::functions::MotionWord;
 use super::mechanics::write_mechanics;
 use super::types::{BinaryOp, Expr, ExprKind, Mechanism, Type, Variable};
+use crate::syntax::Word;
 
 /// One line for each item and quantity; every operation in parentheses, numbers in the mechanism's unit and radians.
 pub fn dump(mechanism: &Mechanism) -> String {
@@ -185,7 +187,7 @@ impl Display for Show<'_> {
                 write!(f, "({} {sign} {})", self.inner(left), self.inner(right))
             }
             ExprKind::Call(function, arguments) => {
-                f.write_str(function.name())?;
+                f.write_str(function.word())?;
                 separated(f, "(", arguments.iter().map(|value| self.inner(value)), ")")
             }
             ExprKind::Derivative(value, variables) => {
@@ -198,8 +200,8 @@ impl Display for Show<'_> {
                 )
             }
             ExprKind::InputDerivative(value, order) => {
-                let name = ["velocity", "acceleration", "jerk"][usize::from(*order) - 1];
-                write!(f, "{name}({})", self.inner(value))
+                let word = MotionWord::of_order(*order).map_or("", MotionWord::word);
+                write!(f, "{word}({})", self.inner(value))
             }
             ExprKind::Sensitivity(value, parameters) => {
                 write!(f, "sensitivity({}, ", self.inner(value))?;

@@ -4,22 +4,12 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
+use super::generated::{ASSEMBLY, COLUMNS, Sweep};
 use super::names::{Context, Place, Resolver, kind};
 use super::operators::settle_alone;
 use super::types::{EvaluatorDef, Name, Quantity};
 use crate::diagnostic::text::{list, nearest};
-use crate::syntax::{FunctionDef, MechanismDef, QuantityDef, SourceSpan};
-
-/// What the macro generates beside a function `NAME`.
-pub(crate) const FUNCTION_SUFFIXES: [&str; 7] = [
-    "_sweep",
-    "_sweep_into",
-    "_sweep_slices",
-    "_sweep_parallel_into",
-    "_sweep_sets",
-    "_sweep_sets_into",
-    "_sweep_sets_parallel_into",
-];
+use crate::syntax::{FunctionDef, MechanismDef, QuantityDef, SourceSpan, Word};
 
 /// Names taken so far: where, and by what if not by the user's own word.
 type Taken = BTreeMap<String, (SourceSpan, Option<String>)>;
@@ -42,8 +32,8 @@ impl Resolver<'_> {
             self.take(&mut taken, &function.name, "function");
         }
         for function in &definition.functions {
-            for suffix in FUNCTION_SUFFIXES {
-                let generated = format!("{}{suffix}", function.name);
+            for sweep in Sweep::all() {
+                let generated = format!("{}{}", function.name, sweep.word());
                 if let Some((span, _)) = taken.get(&generated).cloned() {
                     let fact = format!(
                         "the function `{generated}` is also generated for `{}`",
@@ -62,14 +52,14 @@ impl Resolver<'_> {
         let span = SourceSpan::from(name);
         taken.insert(name.to_string(), (span, Some("the mechanism".to_owned())));
         let assembly = Some(format!("the assembly of `{name}`"));
-        taken.insert(format!("{name}Assembly"), (span, assembly));
+        taken.insert(format!("{name}{ASSEMBLY}"), (span, assembly));
         for function in &definition.functions {
             self.check_reserved(&function.result);
             self.check_new_type(&function.result);
             self.take(&mut taken, &function.result, "result type");
         }
         for function in &definition.functions {
-            let generated = format!("{}Columns", function.result);
+            let generated = format!("{}{COLUMNS}", function.result);
             if let Some((span, owner)) = taken.get(&generated).cloned() {
                 let fact = format!(
                     "the type `{generated}` is also generated for sweeps of `{}`",

@@ -96,18 +96,21 @@ impl Resolver<'_> {
 
     /// What to say where a name has been taken for the unit that it hides: `0.2N*s/mm` beside `unknown s`.
     pub(super) fn hidden_unit(&self, value: &Expr) -> Option<String> {
-        if let types::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div, left, right) = &value.kind
-            && let types::ExprKind::Name(name) = right.kind
-            && matches!(left.ty, Type::Scalar(dimension) if dimension != Dimension::NUMBER)
-            && is_literal(left)
-        {
-            let symbol = self.symbols.iter().find(|symbol| symbol.name == name)?;
-            let (text, kind) = (&symbol.text, kind(name));
-            let help = format!("`{text}` is {kind} here, not the unit: give it another name");
-            return is_unit(text).then_some(help);
-        }
-        let mut operands = value.operands().into_iter();
-        operands.find_map(|operand| self.hidden_unit(operand))
+        value.parts().find_map(|part| self.hides_unit(part))
+    }
+
+    fn hides_unit(&self, product: &Expr) -> Option<String> {
+        let types::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div, left, right) = &product.kind
+        else {
+            return None;
+        };
+        let of_literal = is_literal(left)
+            && matches!(left.ty, Type::Scalar(dimension) if dimension != Dimension::NUMBER);
+        let name = right.as_name().filter(|_| of_literal)?;
+        let symbol = self.symbols.iter().find(|symbol| symbol.name == name)?;
+        let (text, kind) = (&symbol.text, kind(name));
+        let help = format!("`{text}` is {kind} here, not the unit: give it another name");
+        is_unit(text).then_some(help)
     }
 
     /// Products and quotients of units with at most one number above the line.
@@ -149,6 +152,7 @@ impl Resolver<'_> {
                 divisible.then_some(())?;
                 self.measure(left)?.times(below, -1)
             }
+            // No product of numbers and units.
             _ => None,
         }
     }

@@ -5,15 +5,15 @@ use proc_macro2::Ident;
 use super::names::Resolver;
 use super::operators::settle_alone;
 use super::types::{Dimension, Expr, ExprKind, Function, Type};
-use crate::syntax::SourceSpan;
+use crate::syntax::{SourceSpan, Word};
 
 /// What a frame consists of, in this order.
-pub(super) const PARTS: [&str; 4] = ["origin", "x", "y", "z"];
+pub(crate) const PARTS: [&str; 4] = ["origin", "x", "y", "z"];
 
 pub(super) const PARTS_HELP: &str = "parts of a frame are `.origin`, `.x`, `.y` and `.z`";
 
 impl Function {
-    /// Whether some argument may be of this type although it has no arithmetic.
+    /// Whether some argument may be of this type although it has no arithmetic. Other functions refuse it.
     pub(super) fn takes(self, ty: &Type) -> bool {
         matches!(self, Function::PointIn | Function::CoordinatesIn) && *ty == Type::Frame
     }
@@ -45,27 +45,25 @@ impl Resolver<'_> {
         let [origin, x, z] = arguments else {
             return None;
         };
-        let name = Function::Frame.name();
-        self.point(origin, name, "the origin of a frame is")?;
-        self.vector_of(x, name, Some(3))?;
-        self.vector_of(z, name, Some(3))?;
+        let function = Function::Frame;
+        self.point(origin, function, "the origin of a frame is")?;
+        self.vector_of(x, function, Some(3))?;
+        self.vector_of(z, function, Some(3))?;
         Some(Type::Frame)
     }
 
-    /// `point_in(frame, vector)`, `coordinates_in(frame, point)`
+    /// `point_in(frame, vector)`, `coordinates_in(frame, point)`: what the second argument must be, and what it is called.
     pub(super) fn in_frame(
         &mut self,
         function: Function,
+        (role, second): (&str, &str),
         arguments: &mut [Expr],
         span: SourceSpan,
     ) -> Option<Type> {
         let [frame, point] = arguments else {
             return None;
         };
-        let (name, role, second) = match function {
-            Function::PointIn => ("point_in", "coordinates in a frame are", "vector"),
-            _ => ("coordinates_in", "a point is", "point"),
-        };
+        let name = function.word();
         if frame.ty != Type::Frame && point.ty == Type::Frame {
             let (first, frame) = (&frame.ty, &point.ty);
             let fact = format!("the arguments of `{name}` are swapped: found {first} and {frame}");
@@ -76,20 +74,20 @@ impl Resolver<'_> {
         if frame.ty != Type::Frame {
             settle_alone(frame);
             let help = "`frame(origin, x, z)` makes a frame";
-            return self.wrong_argument(name, "a frame here", frame, help);
+            return self.wrong_argument(function, "a frame here", frame, help);
         }
-        self.point(point, name, role)?;
+        self.point(point, function, role)?;
         Some(Type::Vector(3, Dimension::LENGTH))
     }
 
     /// A space vector of lengths; zeros are lengths here.
-    fn point(&mut self, argument: &mut Expr, name: &str, role: &str) -> Option<()> {
+    fn point(&mut self, argument: &mut Expr, function: Function, role: &str) -> Option<()> {
         let wanted = Type::Vector(3, Dimension::LENGTH);
         argument.settle(&wanted);
         if self.refuse_compound(argument) {
             return None;
         }
-        let (_, dimension) = self.vector_of(argument, name, Some(3))?;
+        let (_, dimension) = self.vector_of(argument, function, Some(3))?;
         if dimension.fits(Dimension::LENGTH) {
             return Some(());
         }

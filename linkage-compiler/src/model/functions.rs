@@ -1,58 +1,122 @@
-//! The functions of expressions: one table.
+//! What can be called in expressions: functions everywhere, quantities in the functions of the `impl` block.
 
-use super::derivative::QUANTITIES;
-use super::mechanics::MECHANICS;
-use super::types::Function;
+use crate::syntax::{Word, vocabulary};
 
-/// Name, function, arguments as messages show them.
-pub(super) const FUNCTIONS: [(&str, Function, &[&str]); 26] = [
-    ("polar", Function::Polar, &["length", "angle"]),
-    ("dir", Function::Dir, &["angle"]),
-    ("rotate", Function::Rotate, &["vector", "angle"]),
-    ("turn", Function::Turn, &["vector", "axis", "angle"]),
-    ("dot", Function::Dot, &["a", "b"]),
-    ("cross", Function::Cross, &["a", "b"]),
-    ("norm", Function::Norm, &["vector"]),
-    ("distance", Function::Distance, &["a", "b"]),
-    ("unit", Function::Unit, &["vector"]),
-    ("angle", Function::Angle, &["vector"]),
-    ("triangle_angle", Function::TriangleAngle, &["a", "b", "c"]),
-    ("sin", Function::Sin, &["angle"]),
-    ("cos", Function::Cos, &["angle"]),
-    ("tan", Function::Tan, &["angle"]),
-    ("asin", Function::Asin, &["number"]),
-    ("acos", Function::Acos, &["number"]),
-    ("atan", Function::Atan, &["number"]),
-    ("atan2", Function::Atan2, &["y", "x"]),
-    ("sqrt", Function::Sqrt, &["a"]),
-    ("hypot", Function::Hypot, &["a", "b"]),
-    ("abs", Function::Abs, &["a"]),
-    ("min", Function::Min, &["a", "b"]),
-    ("max", Function::Max, &["a", "b"]),
-    ("frame", Function::Frame, &["origin", "x", "z"]),
-    ("point_in", Function::PointIn, &["frame", "vector"]),
-    (
-        "coordinates_in",
-        Function::CoordinatesIn,
-        &["frame", "point"],
-    ),
-];
-
-pub(super) fn is_function(name: &str) -> bool {
-    FUNCTIONS.iter().any(|(known, ..)| *known == name) || is_quantity(name)
+vocabulary! {
+    /// A function of expressions.
+    pub enum Function {
+        Polar = "polar",
+        Dir = "dir",
+        Rotate = "rotate",
+        Turn = "turn",
+        Dot = "dot",
+        Cross = "cross",
+        Norm = "norm",
+        Distance = "distance",
+        Unit = "unit",
+        Angle = "angle",
+        TriangleAngle = "triangle_angle",
+        Sin = "sin",
+        Cos = "cos",
+        Tan = "tan",
+        Asin = "asin",
+        Acos = "acos",
+        Atan = "atan",
+        Atan2 = "atan2",
+        Sqrt = "sqrt",
+        Hypot = "hypot",
+        Abs = "abs",
+        Min = "min",
+        Max = "max",
+        Frame = "frame",
+        PointIn = "point_in",
+        CoordinatesIn = "coordinates_in",
+    }
 }
 
-/// Whether it is known in the functions of the `impl` block.
-pub(super) fn is_quantity(name: &str) -> bool {
-    QUANTITIES.contains(&name) || MECHANICS.contains(&name)
+vocabulary! {
+    /// What functions of the `impl` block ask for, beside expressions.
+    pub(crate) enum QuantityWord {
+        Motion(MotionWord),
+        Mechanics(MechanicsWord),
+    }
+}
+
+vocabulary! {
+    /// Quantities of the motion.
+    pub(crate) enum MotionWord {
+        Derivative = "d",
+        Velocity = "velocity",
+        Acceleration = "acceleration",
+        Jerk = "jerk",
+        Sensitivity = "sensitivity",
+        Margin = "margin",
+        Picture = "picture",
+    }
+}
+
+vocabulary! {
+    /// Quantities of forces and masses.
+    pub(crate) enum MechanicsWord {
+        Reaction = "reaction",
+        Moment = "moment",
+        Torque = "torque",
+        Force = "force",
+        Power = "power",
+        KineticEnergy = "kinetic_energy",
+        PotentialEnergy = "potential_energy",
+        ShakingForce = "shaking_force",
+        ShakingMoment = "shaking_moment",
+    }
 }
 
 impl Function {
-    /// As it is written.
-    pub fn name(self) -> &'static str {
-        FUNCTIONS
-            .iter()
-            .find(|(_, function, _)| *function == self)
-            .map_or("", |(name, ..)| name)
+    /// Its arguments as messages show them.
+    pub(super) fn parameters(self) -> &'static [&'static str] {
+        match self {
+            Function::Polar => &["length", "angle"],
+            Function::Dir | Function::Sin | Function::Cos | Function::Tan => &["angle"],
+            Function::Rotate => &["vector", "angle"],
+            Function::Turn => &["vector", "axis", "angle"],
+            Function::Dot
+            | Function::Cross
+            | Function::Distance
+            | Function::Hypot
+            | Function::Min
+            | Function::Max => &["a", "b"],
+            Function::Norm | Function::Unit | Function::Angle => &["vector"],
+            Function::TriangleAngle => &["a", "b", "c"],
+            Function::Asin | Function::Acos | Function::Atan => &["number"],
+            Function::Atan2 => &["y", "x"],
+            Function::Sqrt | Function::Abs => &["a"],
+            Function::Frame => &["origin", "x", "z"],
+            Function::PointIn => &["frame", "vector"],
+            Function::CoordinatesIn => &["frame", "point"],
+        }
     }
+}
+
+impl MotionWord {
+    /// How often it differentiates by the inputs of the function that asks.
+    pub(super) fn order(self) -> Option<u8> {
+        match self {
+            MotionWord::Velocity => Some(1),
+            MotionWord::Acceleration => Some(2),
+            MotionWord::Jerk => Some(3),
+            MotionWord::Derivative
+            | MotionWord::Sensitivity
+            | MotionWord::Margin
+            | MotionWord::Picture => None,
+        }
+    }
+
+    /// The word for so many derivatives by the inputs.
+    pub(super) fn of_order(order: u8) -> Option<Self> {
+        Self::all().find(|word| word.order() == Some(order))
+    }
+}
+
+/// Whether it can be called.
+pub(super) fn is_function(name: &str) -> bool {
+    Function::from_word(name).is_some() || QuantityWord::from_word(name).is_some()
 }

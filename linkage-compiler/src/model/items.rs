@@ -1,17 +1,18 @@
 //! The items of the struct block.
 
 use super::names::{Context, Place, Resolver};
+use super::passes::{Coordinate, Definition, Passes};
 use super::types::{
     Constant, Dimension, Expr, Input, LengthUnit, Let, Loop, Mechanism, Name, Type, Unknown,
 };
-use super::units::LENGTH_UNIT_NAMES;
 use crate::diagnostic::text::nearest;
-use crate::syntax::{InputItem, Item, LoopItem, MechanismDef, NamedItem, UnitItem};
+use crate::syntax::{InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, Word};
 
 impl Resolver<'_> {
-    /// All items. Kinds are resolved one after the other, so that only `let` and `const` depend on the order.
+    /// All items, pass by pass.
     pub(super) fn items(&mut self, definition: &MechanismDef) -> Mechanism {
-        self.unit = self.length_unit(definition);
+        let passes = Passes::of(definition);
+        self.unit = self.length_unit(&passes.units);
         let mut mechanism = Mechanism {
             name: definition.name.to_string(),
             unit: self.unit,
@@ -31,52 +32,47 @@ impl Resolver<'_> {
             evaluators: Vec::new(),
             origin: self.origins.add((&definition.name).into()),
         };
-        let items = || definition.items.iter().enumerate();
-        for (position, item) in items() {
-            if let Item::Const(item) = item {
-                let context = Context {
-                    place: Place::Constant,
-                    item: position,
-                };
-                let name = Name::Const(mechanism.constants.len());
-                let (value, origin) = (self.named(item, name, context), self.name_origin(item));
-                let name = item.name.to_string();
-                mechanism.constants.push(Constant {
-                    name,
-                    value,
-                    origin,
-                });
-            }
-        }
-        for (position, item) in items() {
-            if let Item::Param(item) = item {
-                let index = mechanism.parameters.len();
-                mechanism
-                    .parameters
-                    .push(self.parameter(item, index, position));
-            }
-        }
-        for (position, item) in items() {
-            match item {
-                Item::Input(item) => {
-                    let index = mechanism.inputs.len();
-                    mechanism.inputs.push(self.input(item, index, position));
-                }
-                Item::Unknown(item) => {
-                    let index = mechanism.unknowns.len();
-                    mechanism.unknowns.push(self.unknown(item, index, position));
-                }
-                _ => {}
-            }
-        }
-        mechanism.arguments = self.arguments(definition, &mechanism.inputs);
-        for (position, item) in items() {
+        for (position, item) in passes.constants {
             let context = Context {
-                place: Place::Body,
+                place: Place::Constant,
+                item: position,
+            };
+            let name = Name::Const(mechanism.constants.len());
+            let (value, origin) = (self.named(item, name, context), self.name_origin(item));
+            let name = item.name.to_string();
+            mechanism.constants.push(Constant {
+                name,
+                value,
+                origin,
+            });
+        }
+        for (index, (position, item)) in passes.parameters.into_iter().enumerate() {
+            let parameter = self.param_item(item, index, position);
+            mechanism.parameters.push(parameter);
+        }
+        for (position, item) in passes.coordinates {
+            match item {
+                Coordinate::Input(item) => {
+                    let index = mechanism.inputs.len();
+                    mechanism
+                        .inputs
+                        .push(self.input_item(item, index, position));
+                }
+                Coordinate::Unknown(item) => {
+                    let index = mechanism.unknowns.len();
+                    let unknown = self.unknown_item(item, index, position);
+                    mechanism.unknowns.push(unknown);
+                }
+            }
+        }
+        mechanism.arguments = self.arguments(&passes.arguments, &mechanism.inputs);
+        for (position, item) in passes.definitions {
+            let context = Context {
+                place: Place::LetOrLoop,
                 item: position,
             };
             match item {
-                Item::Let(item) => {
+                Definition::Let(item) => {
                     let name = Name::Let(mechanism.lets.len());
                     let value = self.named(item, name, context);
                     let argument = self.argument_below(&value);
@@ -88,44 +84,37 @@ impl Resolver<'_> {
                         origin,
                     });
                 }
-                Item::Loop(item) => mechanism.loops.push(self.closure(item, context)),
-                _ => {}
+                Definition::Loop(item) => mechanism.loops.push(self.loop_item(item, context)),
             }
         }
-        self.mechanics(definition, &mut mechanism);
+        self.mechanics(&passes.bodies, &passes.mechanics, &mut mechanism);
         mechanism
             .scalar_parameters
             .clone_from(&self.scalar_parameters);
         mechanism
     }
 
-    fn length_unit(&mut self, definition: &MechanismDef) -> LengthUnit {
-        let mut first: Option<&UnitItem> = None;
-        for item in &definition.items {
-            let Item::Unit(item) = item else { continue };
-            match first {
-                None => first = Some(item),
-                Some(first) => {
-                    let help = "leave one of them out";
-                    self.diagnostics
-                        .error_with_help(item.span, "a second `unit`", help);
-                    self.diagnostics
-                        .error(first.span, "`unit` is first given here");
-                }
-            }
-        }
-        let Some(item) = first else {
+    fn length_unit(&mut self, items: &[&UnitItem]) -> LengthUnit {
+        let Some((first, others)) = items.split_first() else {
             return LengthUnit::Metre;
         };
-        let text = item.unit.to_string();
+        for item in others {
+            let help = "leave one of them out";
+            self.diagnostics
+                .error_with_help(item.span, "a second `unit`", help);
+            self.diagnostics
+                .error(first.span, "`unit` is first given here");
+        }
+        let text = first.unit.to_string();
         LengthUnit::from_name(&text).unwrap_or_else(|| {
-            let help = match nearest(&text, LENGTH_UNIT_NAMES) {
+            let names: Vec<&str> = LengthUnit::all().map(LengthUnit::word).collect();
+            let help = match nearest(&text, names.iter().copied()) {
                 Some(name) => format!("did you mean `{name}`?"),
-                None => format!("length units are {}", LENGTH_UNIT_NAMES.join(" ")),
+                None => format!("length units are {}", names.join(" ")),
             };
             let fact = format!("`{text}` is not a length unit");
             self.diagnostics
-                .error_with_help((&item.unit).into(), fact, help);
+                .error_with_help((&first.unit).into(), fact, help);
             LengthUnit::Metre
         })
     }
@@ -148,7 +137,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn input(&mut self, item: &InputItem, index: usize, position: usize) -> Input {
+    fn input_item(&mut self, item: &InputItem, index: usize, position: usize) -> Input {
         let context = Context {
             place: Place::Input,
             item: position,
@@ -193,7 +182,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn unknown(&mut self, item: &NamedItem, index: usize, position: usize) -> Unknown {
+    fn unknown_item(&mut self, item: &NamedItem, index: usize, position: usize) -> Unknown {
         let context = Context {
             place: Place::Estimate,
             item: position,
@@ -236,7 +225,7 @@ impl Resolver<'_> {
         None
     }
 
-    fn closure(&mut self, item: &LoopItem, context: Context) -> Loop {
+    fn loop_item(&mut self, item: &LoopItem, context: Context) -> Loop {
         let mut left = self.expression(&item.left, context);
         let mut right = self.expression(&item.right, context);
         let origin = self.origins.add(item.span);

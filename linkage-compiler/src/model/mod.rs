@@ -1,6 +1,7 @@
 //! Syntax tree to model: names become ids, dimensions are checked, numbers get one unit.
 
 mod argument;
+mod call_messages;
 mod calls;
 mod conversion;
 mod decimal;
@@ -12,15 +13,18 @@ mod expression;
 mod factors;
 mod frame;
 mod functions;
+mod generated;
 mod items;
 mod mechanics;
 mod names;
 mod operators;
 mod parameter;
+mod passes;
 mod picture;
 mod plane_and_space;
 mod presentation;
 mod refused;
+mod shape;
 pub(crate) mod spelling;
 #[cfg(test)]
 mod tests;
@@ -28,11 +32,15 @@ mod types;
 pub(crate) mod units;
 mod usage;
 mod variable;
+mod walk;
 mod words;
 mod zeros;
 
 pub use dump::dump;
-pub(crate) use evaluators::FUNCTION_SUFFIXES;
+pub(crate) use frame::PARTS as FRAME_PARTS;
+pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
+pub(crate) use generated::{ASSEMBLY, COLUMNS, Sweep};
+pub use shape::Shape;
 pub use types::*;
 
 use crate::diagnostic::{Diagnostics, Origins};

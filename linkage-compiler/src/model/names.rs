@@ -31,8 +31,7 @@ pub(super) enum Place<'a> {
     Input,
     Estimate,
     Argument,
-    /// A `let` or `loop`.
-    Body,
+    LetOrLoop,
     /// A clause of bodies, joints and loads.
     Mechanics,
     /// A function of these inputs; `None` if its list has a mistake.
@@ -86,25 +85,24 @@ impl<'a> Resolver<'a> {
             diagnostics,
         };
         resolver.check_reserved(&definition.name);
-        let mut counts = [0; 6];
+        let mut counts = Counts::default();
         for (position, item) in definition.items.iter().enumerate() {
-            if let Some(ident) = item.name() {
-                resolver.declare(ident, position, next_name(item, &mut counts));
+            if let Some((ident, name)) = counts.next(item) {
+                resolver.declare(ident, position, name);
             }
             if let Item::Input(input) = item {
                 resolver.declare_rates(input, position, &mut counts);
             }
         }
-        resolver.input_count = counts[INPUTS];
+        resolver.input_count = counts.inputs;
         resolver
     }
 
     /// The arguments that are speed and acceleration of an input.
-    fn declare_rates(&mut self, input: &InputItem, item: usize, counts: &mut [usize; 6]) {
+    fn declare_rates(&mut self, input: &InputItem, item: usize, counts: &mut Counts) {
         let rates = [&input.speed, &input.acceleration].map(|ident| {
             let ident = ident.as_ref()?;
-            let argument = counts[ARGUMENTS];
-            counts[ARGUMENTS] += 1;
+            let argument = next(&mut counts.arguments);
             self.declare(ident, item, Name::Argument(argument));
             Some(argument)
         });
@@ -181,22 +179,43 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// Where [`next_name`] counts inputs and arguments.
-const INPUTS: usize = 2;
-const ARGUMENTS: usize = 5;
+/// How many names there are of each kind so far.
+#[derive(Default)]
+struct Counts {
+    constants: usize,
+    parameters: usize,
+    inputs: usize,
+    unknowns: usize,
+    lets: usize,
+    arguments: usize,
+}
 
-/// Each kind of item counts on its own.
-fn next_name(item: &Item, counts: &mut [usize; 6]) -> Name {
-    let (kind, name): (usize, fn(usize) -> Name) = match item {
-        Item::Const(_) => (0, Name::Const),
-        Item::Param(_) => (1, Name::Parameter),
-        Item::Input(_) => (INPUTS, Name::Input),
-        Item::Unknown(_) => (3, Name::Unknown),
-        Item::Argument(_) => (ARGUMENTS, Name::Argument),
-        _ => (4, Name::Let),
-    };
-    counts[kind] += 1;
-    name(counts[kind] - 1)
+impl Counts {
+    /// The name of the value that an item declares, if it does. Names of bodies and joints are of their own.
+    fn next<'i>(&mut self, item: &'i Item) -> Option<(&'i Ident, Name)> {
+        Some(match item {
+            Item::Const(item) => (&item.name, Name::Const(next(&mut self.constants))),
+            Item::Param(item) => (&item.name, Name::Parameter(next(&mut self.parameters))),
+            Item::Input(item) => (&item.name, Name::Input(next(&mut self.inputs))),
+            Item::Unknown(item) => (&item.name, Name::Unknown(next(&mut self.unknowns))),
+            Item::Let(item) => (&item.name, Name::Let(next(&mut self.lets))),
+            Item::Argument(item) => (&item.name, Name::Argument(next(&mut self.arguments))),
+            Item::Unit(_)
+            | Item::Loop(_)
+            | Item::Gravity(_)
+            | Item::Body(_)
+            | Item::Joint(_)
+            | Item::Force(_)
+            | Item::Torque(_)
+            | Item::Spring(_)
+            | Item::Damper(_) => return None,
+        })
+    }
+}
+
+fn next(count: &mut usize) -> usize {
+    *count += 1;
+    *count - 1
 }
 
 /// Why a name cannot be used here, and what to do.
@@ -204,23 +223,30 @@ fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
     let text = &symbol.text;
     let constant = matches!(symbol.name, Name::Const(_));
     let parameter = matches!(symbol.name, Name::Parameter(_));
-    let rule = match context.place {
-        Place::Constant if !constant => "a constant may use numbers, functions and constants only",
-        Place::Parameter if !constant => {
-            "a default or tolerance may use numbers, functions and constants only"
-        }
-        Place::Input if !constant => {
-            "the reference and range of an input may use numbers, functions and constants only"
-        }
-        Place::Argument if !constant => {
-            "the value of an argument may use numbers, functions and constants only"
-        }
-        Place::Estimate if !constant && !parameter => {
-            "an estimate may use numbers, functions, constants and parameters only"
-        }
-        _ => "",
+    let (allowed, rule) = match context.place {
+        Place::Constant => (
+            constant,
+            "a constant may use numbers, functions and constants only",
+        ),
+        Place::Parameter => (
+            constant,
+            "a default or tolerance may use numbers, functions and constants only",
+        ),
+        Place::Input => (
+            constant,
+            "the reference and range of an input may use numbers, functions and constants only",
+        ),
+        Place::Argument => (
+            constant,
+            "the value of an argument may use numbers, functions and constants only",
+        ),
+        Place::Estimate => (
+            constant || parameter,
+            "an estimate may use numbers, functions, constants and parameters only",
+        ),
+        Place::LetOrLoop | Place::Mechanics | Place::Function(_) => (true, ""),
     };
-    if !rule.is_empty() {
+    if !allowed {
         return Some((
             format!(
                 "`{text}` is {}, which cannot be used here",
@@ -234,8 +260,14 @@ fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
     }
     let ordered = match context.place {
         Place::Constant => constant,
-        Place::Body => matches!(symbol.name, Name::Let(_)),
-        _ => false,
+        Place::LetOrLoop => matches!(symbol.name, Name::Let(_)),
+        // What they may use is resolved before them.
+        Place::Parameter
+        | Place::Input
+        | Place::Estimate
+        | Place::Argument
+        | Place::Mechanics
+        | Place::Function(_) => false,
     };
     if ordered && symbol.item == context.item {
         let fact = format!("`{text}` is used in its own definition");

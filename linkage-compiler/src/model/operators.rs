@@ -53,6 +53,7 @@ impl Expr {
                 left.settle(wanted);
                 right.settle(wanted);
             }
+            // Only what is put together of zeros hands its type on to them.
             _ => {}
         }
         self.ty = wanted.clone();
@@ -223,7 +224,7 @@ impl Resolver<'_> {
         let help = match &value.ty {
             Type::Array(_) => "take one entry: `[0]`".to_owned(),
             Type::Frame => self.parts_help("take", value),
-            _ => return false,
+            Type::Scalar(_) | Type::Vector(..) | Type::Zero(_) | Type::Error => return false,
         };
         if !value.ty.is_error() {
             let fact = format!("{} cannot be used in an expression", value.ty);

@@ -10,7 +10,7 @@ use crate::syntax::{self, ParamItem, SourceSpan, Toleranced};
 pub(super) const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
 impl Resolver<'_> {
-    pub(super) fn parameter(
+    pub(super) fn param_item(
         &mut self,
         item: &ParamItem,
         index: usize,

@@ -1,8 +1,9 @@
 //! `picture()`: a quantity that stands alone.
 
+use super::functions::MotionWord;
 use super::names::{Context, Resolver};
 use super::types::{Dimension, EvaluatorDef, Expr, ExprKind, Name, Type};
-use crate::syntax::{self, SourceSpan};
+use crate::syntax::{self, SourceSpan, Word};
 
 const LINKS_HELP: &str = "write each link as a list of points: `picture([a, b], [c, d, e])`";
 
@@ -12,7 +13,7 @@ impl Resolver<'_> {
         let syntax::ExprKind::Call(name, links) = &expr.kind else {
             return None;
         };
-        if name != "picture" {
+        if name != MotionWord::Picture.word() {
             return None;
         }
         let links = links.iter().map(|link| self.drawn_link(link, context));
@@ -90,14 +91,6 @@ impl Resolver<'_> {
 
 /// Whether an expression tells where something is: no quantity of motion, no load.
 fn is_position(expr: &Expr) -> bool {
-    let quantity = matches!(
-        expr.kind,
-        ExprKind::Derivative(..)
-            | ExprKind::InputDerivative(..)
-            | ExprKind::Sensitivity(..)
-            | ExprKind::Mechanics(_)
-            | ExprKind::Margin
-            | ExprKind::Name(Name::Argument(_))
-    );
-    !quantity && expr.operands().into_iter().all(is_position)
+    expr.parts()
+        .all(|part| !part.is_quantity() && !matches!(part.as_name(), Some(Name::Argument(_))))
 }

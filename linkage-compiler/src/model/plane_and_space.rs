@@ -3,6 +3,7 @@
 use super::names::Resolver;
 use super::parameter::COMPONENTS;
 use super::types::{Expr, ExprKind, Function, Name, Type};
+use crate::syntax::Word;
 
 /// The one of two vectors that lies in the plane, if the other one lies in space.
 pub(super) fn plane_beside_space<'e>(left: &'e Expr, right: &'e Expr) -> Option<&'e Expr> {
@@ -91,12 +92,20 @@ impl Resolver<'_> {
     }
 
     /// Reports arguments of which one lies in the plane, the other in space.
-    pub(super) fn in_one_space(&mut self, name: &str, left: &Expr, right: &Expr) -> Option<()> {
+    pub(super) fn in_one_space(
+        &mut self,
+        function: Function,
+        left: &Expr,
+        right: &Expr,
+    ) -> Option<()> {
         let Some(plane) = plane_beside_space(left, right) else {
             return Some(());
         };
         let (first, second) = self.both_types(left, right);
-        let fact = format!("the arguments of `{name}` differ: {first} and {second}");
+        let fact = format!(
+            "the arguments of `{}` differ: {first} and {second}",
+            function.word()
+        );
         let help = self.lifted(plane);
         let span = self.origins.span(plane.origin);
         self.diagnostics.error_with_help(span, fact, help);
@@ -104,14 +113,19 @@ impl Resolver<'_> {
     }
 
     /// What to write where a function takes another kind of vector, or a vector at all.
-    pub(super) fn vector_help(&self, name: &str, found: &Expr, wanted: Option<usize>) -> String {
+    pub(super) fn vector_help(
+        &self,
+        function: Function,
+        found: &Expr,
+        wanted: Option<usize>,
+    ) -> String {
         let count = vector_components(found);
-        let help = match (name, wanted, count) {
-            ("rotate", _, Some(3)) => "`turn(v, axis, angle)` turns space vectors",
-            ("angle", _, Some(3)) => {
+        let help = match (function, wanted, count) {
+            (Function::Rotate, _, Some(3)) => "`turn(v, axis, angle)` turns space vectors",
+            (Function::Angle, _, Some(3)) => {
                 "the angle between two directions in space is `atan2(norm(cross(a, b)), dot(a, b))`"
             }
-            ("turn", _, Some(2)) if !matches!(found.kind, ExprKind::Vector(_)) => {
+            (Function::Turn, _, Some(2)) if !matches!(found.kind, ExprKind::Vector(_)) => {
                 return format!(
                     "{}; `rotate(v, angle)` turns plane vectors",
                     self.lifted(found)

@@ -1,6 +1,6 @@
 //! Units as others write them: `Nmm`, `kgm2`.
 
-use super::units::{UNIT_NAMES, is_unit};
+use super::units::{is_unit, unit_names};
 
 /// Units and exponents without signs between them, as they are written here: `N*mm`, `kg*m^2`. `None` for a unit of the table, and
 /// for what may be any name.
@@ -14,7 +14,7 @@ fn split(text: &str) -> Option<Vec<String>> {
     if text.is_empty() {
         return Some(Vec::new());
     }
-    let mut units: Vec<&str> = UNIT_NAMES.into_iter().collect();
+    let mut units: Vec<&str> = unit_names().collect();
     units.sort_by_key(|unit| std::cmp::Reverse(unit.len()));
     units.into_iter().find_map(|unit| {
         let rest = text.strip_prefix(unit)?;

@@ -4,6 +4,8 @@
 
 mod mechanics;
 
+pub use super::functions::Function;
+pub use super::units::LengthUnit;
 pub use mechanics::*;
 
 /// Index into [`Origins`](crate::diagnostic::Origins): where in the source something was written.
@@ -88,7 +90,7 @@ pub enum BinaryOp {
 }
 
 /// What a name stands for; each index counts its own kind in declaration order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Name {
     Const(usize),
     Parameter(usize),
@@ -109,36 +111,6 @@ pub struct ScalarParameterId(pub usize);
 pub enum Variable {
     Input(usize),
     Parameter(ScalarParameterId),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Function {
-    Polar,
-    Dir,
-    Rotate,
-    Turn,
-    Dot,
-    Cross,
-    Norm,
-    Distance,
-    Unit,
-    Angle,
-    TriangleAngle,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Atan2,
-    Sqrt,
-    Hypot,
-    Abs,
-    Min,
-    Max,
-    Frame,
-    PointIn,
-    CoordinatesIn,
 }
 
 #[derive(Clone, Debug)]
@@ -237,16 +209,6 @@ pub struct Quantity {
     pub field: String,
     pub value: Expr,
     pub origin: OriginId,
-}
-
-/// The length unit of fields and results.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LengthUnit {
-    Metre,
-    Millimetre,
-    Centimetre,
-    Micrometre,
-    Inch,
 }
 
 /// A mechanism without a mistake in names, dimensions or arity.

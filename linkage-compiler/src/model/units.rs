@@ -1,6 +1,7 @@
 //! The units of literals: one table.
 
-use super::types::{Dimension, LengthUnit};
+use super::types::Dimension;
+use crate::syntax::{Word, vocabulary};
 
 /// A unit: a scale times powers of kilogram, newton, metre and second.
 #[derive(Clone, Copy, Debug)]
@@ -70,50 +71,56 @@ const MINUTE: Unit = Unit {
     ..SECOND
 };
 
-const UNITS: [(&str, Unit); 32] = [
-    ("m", METRE),
-    ("mm", METRE.shifted(-3)),
-    ("cm", METRE.shifted(-2)),
-    ("um", METRE.shifted(-6)),
+/// Spellings, the first of which messages list.
+const UNITS: [(&[&str], Unit); 30] = [
+    (&["m"], METRE),
+    (&["mm"], METRE.shifted(-3)),
+    (&["cm"], METRE.shifted(-2)),
     // The micro sign and the Greek letter look alike.
-    ("\u{b5}m", METRE.shifted(-6)),
-    ("\u{3bc}m", METRE.shifted(-6)),
-    ("nm", METRE.shifted(-9)),
-    ("inch", INCH),
-    ("deg", RADIAN.half_turns(180, -1)),
-    ("rad", RADIAN),
-    ("arcmin", RADIAN.half_turns(180 * 60, -1)),
-    ("arcsec", RADIAN.half_turns(180 * 3600, -1)),
-    ("turn", RADIAN.half_turns(2, 1)),
-    ("kg", KILOGRAM),
-    ("g", KILOGRAM.shifted(-3)),
-    ("mg", KILOGRAM.shifted(-6)),
-    ("t", KILOGRAM.shifted(3)),
-    ("N", NEWTON),
-    ("mN", NEWTON.shifted(-3)),
-    ("kN", NEWTON.shifted(3)),
-    ("s", SECOND),
-    ("ms", SECOND.shifted(-3)),
-    ("min", MINUTE),
-    ("J", JOULE),
-    ("mJ", JOULE.shifted(-3)),
-    ("kJ", JOULE.shifted(3)),
-    ("W", WATT),
-    ("mW", WATT.shifted(-3)),
-    ("kW", WATT.shifted(3)),
-    ("Pa", PASCAL),
-    ("kPa", PASCAL.shifted(3)),
-    ("MPa", PASCAL.shifted(6)),
+    (&["um", "\u{b5}m", "\u{3bc}m"], METRE.shifted(-6)),
+    (&["nm"], METRE.shifted(-9)),
+    (&["inch"], INCH),
+    (&["deg"], RADIAN.half_turns(180, -1)),
+    (&["rad"], RADIAN),
+    (&["arcmin"], RADIAN.half_turns(180 * 60, -1)),
+    (&["arcsec"], RADIAN.half_turns(180 * 3600, -1)),
+    (&["turn"], RADIAN.half_turns(2, 1)),
+    (&["kg"], KILOGRAM),
+    (&["g"], KILOGRAM.shifted(-3)),
+    (&["mg"], KILOGRAM.shifted(-6)),
+    (&["t"], KILOGRAM.shifted(3)),
+    (&["N"], NEWTON),
+    (&["mN"], NEWTON.shifted(-3)),
+    (&["kN"], NEWTON.shifted(3)),
+    (&["s"], SECOND),
+    (&["ms"], SECOND.shifted(-3)),
+    (&["min"], MINUTE),
+    (&["J"], JOULE),
+    (&["mJ"], JOULE.shifted(-3)),
+    (&["kJ"], JOULE.shifted(3)),
+    (&["W"], WATT),
+    (&["mW"], WATT.shifted(-3)),
+    (&["kW"], WATT.shifted(3)),
+    (&["Pa"], PASCAL),
+    (&["kPa"], PASCAL.shifted(3)),
+    (&["MPa"], PASCAL.shifted(6)),
 ];
+
+vocabulary! {
+    /// The length unit of fields and results.
+    pub enum LengthUnit {
+        Metre = "m",
+        Millimetre = "mm",
+        Centimetre = "cm",
+        Micrometre = "um",
+        Inch = "inch",
+    }
+}
 
 /// The units as messages list them.
-pub(crate) const UNIT_NAMES: [&str; 30] = [
-    "m", "mm", "cm", "um", "nm", "inch", "deg", "rad", "arcmin", "arcsec", "turn", "kg", "g", "mg",
-    "t", "N", "mN", "kN", "s", "ms", "min", "J", "mJ", "kJ", "W", "mW", "kW", "Pa", "kPa", "MPa",
-];
-
-/// The length units that a mechanism can have, as messages list them.
-pub(super) const LENGTH_UNIT_NAMES: [&str; 5] = ["m", "mm", "cm", "um", "inch"];
+pub(crate) fn unit_names() -> impl Iterator<Item = &'static str> {
+    UNITS.iter().map(|(spellings, _)| spellings[0])
+}
 
 /// Whether this is the suffix of a literal.
 pub(crate) fn is_unit(name: &str) -> bool {
@@ -121,10 +128,13 @@ pub(crate) fn is_unit(name: &str) -> bool {
 }
 
 pub(super) fn find(name: &str) -> Option<Unit> {
+    row(name).map(|(_, unit)| *unit)
+}
+
+fn row(name: &str) -> Option<&'static (&'static [&'static str], Unit)> {
     UNITS
         .iter()
-        .find(|(known, _)| *known == name)
-        .map(|(_, unit)| *unit)
+        .find(|(spellings, _)| spellings.contains(&name))
 }
 
 impl Unit {
@@ -154,27 +164,15 @@ impl Unit {
 }
 
 impl LengthUnit {
-    /// The unit of `unit NAME;`.
+    /// The unit of `unit NAME;`, in any spelling.
     pub fn from_name(name: &str) -> Option<LengthUnit> {
-        Some(match name {
-            "m" => LengthUnit::Metre,
-            "mm" => LengthUnit::Millimetre,
-            "cm" => LengthUnit::Centimetre,
-            "um" | "\u{b5}m" | "\u{3bc}m" => LengthUnit::Micrometre,
-            "inch" => LengthUnit::Inch,
-            _ => return None,
-        })
+        let (spellings, _) = row(name)?;
+        LengthUnit::from_word(spellings[0])
     }
 
     /// `m`, `mm`, ...
     pub fn name(self) -> &'static str {
-        match self {
-            LengthUnit::Metre => "m",
-            LengthUnit::Millimetre => "mm",
-            LengthUnit::Centimetre => "cm",
-            LengthUnit::Micrometre => "um",
-            LengthUnit::Inch => "inch",
-        }
+        self.word()
     }
 }
 
@@ -183,12 +181,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn listed_units_are_in_the_table() {
-        assert!(UNIT_NAMES.iter().all(|name| is_unit(name)));
-        assert!(
-            LENGTH_UNIT_NAMES
-                .iter()
-                .all(|name| LengthUnit::from_name(name).is_some())
+    fn length_units_are_in_the_table() {
+        for unit in LengthUnit::all() {
+            let found = find(unit.word()).map(Unit::dimension);
+            assert_eq!(found, Some(Dimension::LENGTH), "{}", unit.word());
+        }
+        assert_eq!(
+            LengthUnit::from_name("\u{b5}m"),
+            Some(LengthUnit::Micrometre)
         );
+    }
+
+    #[test]
+    fn no_spelling_stands_twice() {
+        let mut all: Vec<&str> = UNITS
+            .iter()
+            .flat_map(|(own, _)| own.iter().copied())
+            .collect();
+        let count = all.len();
+        all.sort_unstable();
+        all.dedup();
+        assert_eq!(all.len(), count);
     }
 }

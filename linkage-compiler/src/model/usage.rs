@@ -1,4 +1,4 @@
-//! What expressions are written with.
+//! What loops, bodies and functions are written with.
 
 use super::types::{
     Between, EvaluatorDef, Expr, ExprKind, Inertia, Mechanics, Mechanism, Name, Quantity,
@@ -67,14 +67,17 @@ impl Mechanism {
 
 impl Usage {
     fn mark(&mut self, expr: &Expr) {
-        match expr.kind {
-            ExprKind::Name(Name::Let(index)) => self.lets[index] = true,
-            ExprKind::Name(Name::Unknown(index)) => self.unknowns[index] = true,
-            _ => {}
+        for name in expr.parts().filter_map(Expr::as_name) {
+            match name {
+                Name::Let(index) => self.lets[index] = true,
+                Name::Unknown(index) => self.unknowns[index] = true,
+                Name::Const(_)
+                | Name::Parameter(_)
+                | Name::Input(_)
+                | Name::Argument(_)
+                | Name::Pi => {}
+            }
         }
-        expr.operands()
-            .into_iter()
-            .for_each(|operand| self.mark(operand));
     }
 }
 
@@ -105,27 +108,24 @@ impl Quantity {
 
 impl Expr {
     fn asks_for_reactions(&self) -> bool {
-        use Mechanics::{Moment, Reaction};
-        matches!(self.kind, ExprKind::Mechanics(Reaction(_) | Moment(_)))
-            || self.operands().into_iter().any(Expr::asks_for_reactions)
+        self.parts().any(|part| match &part.kind {
+            ExprKind::Mechanics(quantity) => quantity.is_of_joints(),
+            _ => false,
+        })
     }
+}
 
-    /// The expressions that it is made of.
-    pub(crate) fn operands(&self) -> Vec<&Expr> {
-        match &self.kind {
-            ExprKind::Vector(all) | ExprKind::Call(_, all) => all.iter().collect(),
-            ExprKind::Component(a, _) | ExprKind::Index(a, _) | ExprKind::Negate(a) => vec![a],
-            ExprKind::Binary(_, a, b) => vec![a, b],
-            ExprKind::Derivative(a, _)
-            | ExprKind::InputDerivative(a, _)
-            | ExprKind::Sensitivity(a, _) => vec![a],
-            ExprKind::Mechanics(Mechanics::ShakingMoment(Some(point))) => vec![point],
-            ExprKind::Picture(links) => links.iter().flatten().collect(),
-            ExprKind::Number(_)
-            | ExprKind::Name(_)
-            | ExprKind::Mechanics(_)
-            | ExprKind::Margin
-            | ExprKind::Error => Vec::new(),
+impl Mechanics {
+    /// Whether it is what a joint transmits.
+    fn is_of_joints(&self) -> bool {
+        match self {
+            Mechanics::Reaction(_) | Mechanics::Moment(_) => true,
+            Mechanics::Drive(_)
+            | Mechanics::Power
+            | Mechanics::KineticEnergy
+            | Mechanics::PotentialEnergy
+            | Mechanics::ShakingForce
+            | Mechanics::ShakingMoment(_) => false,
         }
     }
 }

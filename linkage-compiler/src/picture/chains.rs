@@ -1,8 +1,8 @@
 //! Sums of vectors as chains: from a point, each term is a step to the next.
 
-use std::collections::HashSet;
+use linkage_symbolic::unordered::Set;
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::Vn;
 
 use crate::algebra::{Algebra, Translate};
 use crate::model::{Expr, ExprKind, Function, Name, OriginId, Type};
@@ -14,24 +14,24 @@ pub(super) struct Sketch<'a, 'm> {
     pub(super) algebra: &'a mut Algebra<'m>,
     pub(super) roles: Roles,
     pub(super) dimension: usize,
-    pub(super) points: Vec<Spot>,
+    pub(super) points: Vec<Spot<'m>>,
     pub(super) segments: Vec<Segment<'m>>,
     /// Guides that are no terms of a chain.
-    pub(super) lines: Vec<Line>,
+    pub(super) lines: Vec<Line<'m>>,
     /// In space: points and directions of axes.
-    pub(super) axes: Vec<(usize, Vec<NodeId>)>,
+    pub(super) axes: Vec<(usize, Vn<'m>)>,
     /// Links that the user named, each by its points.
     pub(super) asked: Vec<Asked>,
     /// Added to the ranks of names: those in loops are better.
     pub(super) remoteness: u8,
     /// Derived names in which rods have been looked for.
-    pub(super) searched: HashSet<usize>,
+    pub(super) searched: Set<usize>,
 }
 
 /// A point of a chain.
 #[derive(Clone, Debug)]
-pub(super) struct Spot {
-    pub(super) nodes: Vec<NodeId>,
+pub(super) struct Spot<'m> {
+    pub(super) at: Vn<'m>,
     pub(super) name: Option<Title>,
     /// Whether it is more than a corner on the way along a link: it has a name, a loop closes there, or the user lists it.
     pub(super) wanted: bool,
@@ -65,11 +65,11 @@ pub(super) enum Shape<'m> {
 
 /// A point that stays on a line.
 #[derive(Clone, Debug)]
-pub(super) struct Line {
+pub(super) struct Line<'m> {
     pub(super) slider: usize,
     /// A point of what carries the line; `None` is the frame.
     pub(super) carrier: Option<usize>,
-    pub(super) along: Vec<NodeId>,
+    pub(super) along: Vn<'m>,
     pub(super) name: String,
 }
 
@@ -104,7 +104,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
             axes: Vec::new(),
             asked: Vec::new(),
             remoteness: 0,
-            searched: HashSet::new(),
+            searched: Set::new(),
         }
     }
 
@@ -161,29 +161,18 @@ impl<'a, 'm> Sketch<'a, 'm> {
 
     /// The point at the sum of these terms, the origin without any.
     fn sum(&mut self, terms: &[Term<'m>]) -> usize {
-        let zero = self.algebra.graph.zero();
-        let start = vec![zero; self.dimension];
-        let nodes = terms.iter().fold(start, |sum, term| {
+        let start = self.algebra.graph.zeros(self.dimension);
+        let sum = terms.iter().fold(start, |sum, term| {
             let step = self.vector(term.expr);
-            self.moved(sum, step, term.sign)
+            moved(sum, step, term.sign)
         });
-        self.point(nodes)
-    }
-
-    fn moved(&mut self, from: Vec<NodeId>, step: Vec<NodeId>, sign: f64) -> Vec<NodeId> {
-        let graph = &mut self.algebra.graph;
-        let pairs = from.into_iter().zip(step);
-        let sums = pairs.map(|(a, b)| match sign > 0.0 {
-            true => graph.add(a, b),
-            false => graph.sub(a, b),
-        });
-        sums.collect()
+        self.point(sum)
     }
 
     /// A term that is a point.
     fn start(&mut self, expr: &'m Expr) -> usize {
-        let nodes = self.vector(expr);
-        let point = self.point(nodes);
+        let at = self.vector(expr);
+        let point = self.point(at);
         if let ExprKind::Call(Function::PointIn, arguments) = &expr.kind
             && let Some(origin) = self.origin_of(&arguments[0])
         {
@@ -192,8 +181,8 @@ impl<'a, 'm> Sketch<'a, 'm> {
         // A mean of points may belong to their link.
         if let ExprKind::Binary(..) = expr.kind {
             for own in self.points_in(expr) {
-                let nodes = self.vector(own);
-                let own = self.point(nodes);
+                let at = self.vector(own);
+                let own = self.point(at);
                 self.segment(own, point, None, Shape::Body);
             }
         }
@@ -202,38 +191,29 @@ impl<'a, 'm> Sketch<'a, 'm> {
 
     /// The names of points in an expression.
     fn points_in(&self, expr: &'m Expr) -> Vec<&'m Expr> {
-        match (&expr.kind, self.weight(expr)) {
-            (ExprKind::Name(_), Some(1.0)) => vec![expr],
-            _ => {
-                let operands = expr.operands().into_iter();
-                operands.flat_map(|own| self.points_in(own)).collect()
-            }
-        }
+        let names = expr.parts().filter(|part| part.as_name().is_some());
+        names.filter(|own| self.weight(own) == Some(1.0)).collect()
     }
 
     /// The point that a frame has its origin in.
     fn origin_of(&mut self, frame: &'m Expr) -> Option<usize> {
         let mechanism = self.algebra.mechanism;
         match &frame.kind {
-            ExprKind::Name(Name::Let(index)) => self.origin_of(&mechanism.lets[*index].value),
-            ExprKind::Name(Name::Const(index)) => {
-                self.origin_of(&mechanism.constants[*index].value)
-            }
+            ExprKind::Name(name) => self.origin_of(mechanism.value_of(*name)?),
             ExprKind::Call(Function::Frame, arguments) => self.point_of(&arguments[0]),
+            // Nothing else is a frame.
             _ => None,
         }
     }
 
     fn step(&mut self, from: usize, term: Term<'m>) -> usize {
         let step = self.vector(term.expr);
-        let start = self.points[from].nodes.clone();
-        let nodes = self.moved(start, step, term.sign);
-        let to = self.point(nodes);
+        let to = self.point(moved(self.points[from].at, step, term.sign));
         if let ExprKind::Call(Function::Turn, arguments) = &term.expr.kind
             && self.varies(&arguments[2])
         {
             let axis = self.vector(&arguments[1]);
-            self.axis(from, &axis);
+            self.axis(from, axis);
         }
         let title = match term.name {
             Some(text) => Some(Title {
@@ -262,24 +242,21 @@ impl<'a, 'm> Sketch<'a, 'm> {
                 *count == self.dimension && dimension.half_lengths == 2
             }
             Type::Zero(_) => true,
-            _ => false,
+            Type::Scalar(_) | Type::Array(_) | Type::Frame | Type::Error => false,
         }
     }
 
-    pub(super) fn vector(&mut self, expr: &Expr) -> Vec<NodeId> {
+    pub(super) fn vector(&mut self, expr: &Expr) -> Vn<'m> {
         let value = self.algebra.translate(expr);
-        let mut nodes = self.algebra.components(&value);
-        let zero = self.algebra.graph.zero();
-        nodes.resize(self.dimension, zero);
-        nodes
+        self.algebra.vector(&value).resized(self.dimension)
     }
 
     /// The point with these coordinates.
-    pub(super) fn point(&mut self, nodes: Vec<NodeId>) -> usize {
-        let known = self.points.iter().position(|point| point.nodes == nodes);
+    pub(super) fn point(&mut self, at: Vn<'m>) -> usize {
+        let known = self.points.iter().position(|point| point.at == at);
         known.unwrap_or_else(|| {
             self.points.push(Spot {
-                nodes,
+                at,
                 name: None,
                 wanted: false,
             });
@@ -305,12 +282,17 @@ impl<'a, 'm> Sketch<'a, 'm> {
     }
 
     /// Remembers an axis through a point of space.
-    pub(super) fn axis(&mut self, point: usize, along: &[NodeId]) {
-        if let [x, y, z] = along[..] {
-            let along = self.algebra.unit_vector([x, y, z]).to_vec();
-            if !self.axes.contains(&(point, along.clone())) {
-                self.axes.push((point, along));
+    pub(super) fn axis(&mut self, point: usize, along: Vn<'m>) {
+        if let Some(along) = along.in_space() {
+            let axis = (point, along.unit().into());
+            if !self.axes.contains(&axis) {
+                self.axes.push(axis);
             }
         }
     }
+}
+
+/// Where a step leads.
+fn moved<'m>(from: Vn<'m>, step: Vn<'m>, sign: f64) -> Vn<'m> {
+    if sign > 0.0 { from + step } else { from - step }
 }

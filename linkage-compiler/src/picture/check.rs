@@ -1,29 +1,23 @@
 //! Links that the user lists must be rigid, and move.
 
-use crate::diagnostic::{Diagnostics, Origins};
-use crate::formulate::numbers;
+use crate::close::numbers;
+use crate::diagnostic::Reporter;
 
 use super::chains::{Asked, Sketch};
 use super::seen::Seen;
 
-pub(super) fn check_lists(
-    sketch: &Sketch,
-    seen: &Seen,
-    origins: &Origins,
-    diagnostics: &mut Diagnostics,
-) {
+pub(super) fn check_lists(sketch: &Sketch, seen: &Seen, reporter: &mut Reporter) {
     for asked in &sketch.asked {
-        let span = origins.span(asked.origin);
         let first = seen.same[asked.points[0]];
         if asked.points.iter().all(|&point| seen.same[point] == first) {
             let fact = "these points are always at the same place: this is no link";
-            diagnostics.error_with_help(span, fact, "list different points of the link");
+            reporter.error_with_help(asked.origin, fact, "list different points of the link");
         } else if let Some(fact) = stretched(sketch, seen, asked) {
             let help = "a link is rigid: list points that keep their distances";
-            diagnostics.error_with_help(span, fact, help);
+            reporter.error_with_help(asked.origin, fact, help);
         } else if asked.points.iter().all(|&point| seen.is_fixed(point)) {
             let fact = "none of these points moves: this is no link, but the frame";
-            diagnostics.error_with_help(span, fact, "leave the list out");
+            reporter.error_with_help(asked.origin, fact, "leave the list out");
         }
     }
 }

@@ -1,38 +1,41 @@
 //! Lines along which points slide.
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::Translate;
+use crate::algebra::{Translate, Value};
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
 
-use super::GuideOn;
 use super::chains::{Line, Segment, Shape, Sketch};
 use super::links::Links;
 use super::seen::Seen;
+use crate::unit::GuideOn;
 
-pub(super) struct Guides {
-    pub(super) all: Vec<RawGuide>,
+/// Unit vectors whose product misses 1 by less point along one line: 4e-5 radians, far above rounding, far below any angle that is meant.
+const PARALLEL: f64 = 1e-9;
+
+pub(super) struct Guides<'m> {
+    pub(super) all: Vec<RawGuide<'m>>,
 }
 
-pub(super) struct RawGuide {
+pub(super) struct RawGuide<'m> {
     pub(super) name: String,
     /// Points, each the first of those that coincide.
     pub(super) origin: usize,
     pub(super) slider: usize,
-    pub(super) along: Vec<NodeId>,
+    pub(super) along: Vn<'m>,
     pub(super) on: GuideOn,
 }
 
 /// A guide before it is known what carries it.
-struct Candidate {
+struct Candidate<'m> {
     name: String,
     origin: usize,
     slider: usize,
-    along: Vec<NodeId>,
+    along: Vn<'m>,
 }
 
-impl Guides {
-    pub(super) fn find(sketch: &mut Sketch, seen: &mut Seen, links: &Links) -> Self {
+impl<'m> Guides<'m> {
+    pub(super) fn find(sketch: &mut Sketch<'_, 'm>, seen: &mut Seen, links: &Links) -> Self {
         let mut candidates = Vec::new();
         for segment in sketch.segments.clone() {
             let (from, to) = (seen.same[segment.from], seen.same[segment.to]);
@@ -48,7 +51,7 @@ impl Guides {
 
         let mut guides = Self { all: Vec::new() };
         for candidate in candidates {
-            guides.add(candidate, sketch, seen, links);
+            guides.add(candidate, seen, links);
         }
         guides
     }
@@ -60,14 +63,14 @@ impl Guides {
     }
 
     /// Adds a guide unless it is known.
-    fn add(&mut self, candidate: Candidate, sketch: &Sketch, seen: &Seen, links: &Links) {
+    fn add(&mut self, candidate: Candidate<'m>, seen: &Seen, links: &Links) {
         let (origin, slider) = (seen.same[candidate.origin], seen.same[candidate.slider]);
-        let along = seen.track(sketch.algebra, &candidate.along);
+        let along = seen.track(candidate.along);
         if along.iter().flatten().any(|x| !x.is_finite()) {
             return;
         }
         let known = self.all.iter().any(|guide| {
-            let other = seen.track(sketch.algebra, &guide.along);
+            let other = seen.track(guide.along);
             guide.slider == slider && parallel(&along, &other)
         });
         if known {
@@ -97,33 +100,27 @@ impl Guides {
 
 impl<'m> Sketch<'_, 'm> {
     /// The guide of a segment that changes its length.
-    fn slide(&mut self, segment: &Segment<'m>, seen: &Seen) -> Option<Candidate> {
+    fn slide(&mut self, segment: &Segment<'m>, seen: &Seen) -> Option<Candidate<'m>> {
         let (mut origin, mut slider) = (segment.from, segment.to);
-        let from = self.points[segment.from].nodes.clone();
+        let from = self.points[segment.from].at;
         let (offset, along) = match segment.shape {
             Shape::Term(sign, term) => {
                 let (offset, along) = self.direction_of(term)?;
-                (
-                    offset.map(|offset| self.scaled_by_sign(offset, sign)),
-                    along,
-                )
+                let signed = offset.map(|offset| if sign > 0.0 { offset } else { -offset });
+                (signed, along)
             }
             Shape::Distance => {
-                let to = self.points[segment.to].nodes.clone();
+                let to = self.points[segment.to].at;
                 // A cylinder hangs on its fixed end.
                 if seen.is_fixed(slider) {
                     (origin, slider) = (slider, origin);
                 }
-                let rod = self.algebra.difference(&to, &from);
-                (None, self.unit(&rod))
+                (None, (to - from).unit())
             }
             Shape::Body => return None,
         };
         if let Some(offset) = offset {
-            let graph = &mut self.algebra.graph;
-            let pairs = from.into_iter().zip(offset);
-            let nodes = pairs.map(|(a, b)| graph.add(a, b)).collect();
-            origin = self.point(nodes);
+            origin = self.point(from + offset);
         }
         let name = segment.title.as_ref().map(|title| title.text.clone());
         Some(Candidate {
@@ -135,12 +132,12 @@ impl<'m> Sketch<'_, 'm> {
     }
 
     /// Along which unit vector a term changes its length, and what it contains across that.
-    fn direction_of(&mut self, term: &'m Expr) -> Option<(Option<Vec<NodeId>>, Vec<NodeId>)> {
+    fn direction_of(&mut self, term: &'m Expr) -> Option<(Option<Vn<'m>>, Vn<'m>)> {
         match &term.kind {
             ExprKind::Call(Function::Polar, arguments) => {
                 let angle = self.algebra.translate(&arguments[1]);
                 let unit = self.algebra.call(Function::Dir, vec![angle]);
-                Some((None, self.algebra.components(&unit)))
+                Some((None, self.algebra.vector(&unit)))
             }
             ExprKind::Binary(BinaryOp::Mul, a, b) => {
                 let vector = if matches!(a.ty, Type::Vector(..)) {
@@ -148,99 +145,74 @@ impl<'m> Sketch<'_, 'm> {
                 } else {
                     b
                 };
-                let vector = self.vector(vector);
-                Some((None, self.unit(&vector)))
+                Some((None, self.vector(vector).unit()))
             }
             ExprKind::Vector(components) => {
                 let (varying, rest) = self.varying(components)?;
-                let (zero, one) = (self.algebra.graph.zero(), self.algebra.graph.one());
-                let mut along = vec![zero; self.dimension];
-                along[varying] = one;
-                Some((Some(rest), along))
+                Some((Some(rest), self.axis_of(varying)))
             }
             ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) => {
                 let ExprKind::Vector(components) = &arguments[0].kind else {
                     return None;
                 };
                 let (varying, rest) = self.varying(components)?;
-                let (zero, one) = (self.algebra.graph.zero(), self.algebra.graph.one());
-                let mut along = vec![zero; self.dimension];
-                along[varying] = one;
-                let mut turned = |vector: Vec<NodeId>| {
+                let along = self.axis_of(varying);
+                let mut turned = |vector: Vn<'m>| {
                     let others = arguments[1..].iter().map(|own| self.algebra.translate(own));
-                    let mut values = vec![crate::algebra::Value::Vector(vector)];
+                    let mut values = vec![Value::Vector(vector)];
                     values.extend(others.collect::<Vec<_>>());
                     let value = self.algebra.call(*function, values);
-                    self.algebra.components(&value)
+                    self.algebra.vector(&value)
                 };
                 let (rest, along) = (turned(rest), turned(along));
                 Some((Some(rest), along))
             }
+            // Of anything else nobody knows along what it changes.
             _ => None,
         }
     }
 
+    /// The unit vector along a coordinate axis.
+    fn axis_of(&self, component: usize) -> Vn<'m> {
+        let graph = self.algebra.graph;
+        let mut axis = vec![graph.zero(); self.dimension];
+        axis[component] = graph.one();
+        graph.components(&axis)
+    }
+
     /// The one component that changes, and the vector without it.
-    fn varying(&mut self, components: &'m [Expr]) -> Option<(usize, Vec<NodeId>)> {
-        let mut nodes: Vec<NodeId> = components
-            .iter()
+    fn varying(&mut self, components: &'m [Expr]) -> Option<(usize, Vn<'m>)> {
+        let numbers = components.iter();
+        let numbers: Vec<Ex> = numbers
             .map(|own| {
                 let value = self.algebra.translate(own);
-                self.algebra.as_node(&value)
+                self.algebra.number(&value)
             })
             .collect();
-        let changes =
-            (0..nodes.len()).filter(|&k| !self.algebra.inputs_below(&[nodes[k]]).is_empty());
-        let changes: Vec<usize> = changes.collect();
+        let changes = 0..numbers.len();
+        let changes: Vec<usize> = changes
+            .filter(|&k| !self.algebra.inputs_below(&[numbers[k]]).is_empty())
+            .collect();
         let [varying] = changes[..] else { return None };
-        nodes[varying] = self.algebra.graph.zero();
-        Some((varying, nodes))
+        let mut rest: Vec<NodeId> = numbers.into_iter().map(Ex::id).collect();
+        rest[varying] = self.algebra.graph.zero();
+        Some((varying, self.algebra.graph.components(&rest)))
     }
 
     /// A guide whose origin is the point of the line that is nearest to the carrier's point.
-    fn candidate(&mut self, line: Line) -> Candidate {
-        let zero = self.algebra.graph.zero();
+    fn candidate(&mut self, line: Line<'m>) -> Candidate<'m> {
         let base = match line.carrier {
-            Some(carrier) => self.points[carrier].nodes.clone(),
-            None => vec![zero; self.dimension],
+            Some(carrier) => self.points[carrier].at,
+            None => self.algebra.graph.zeros(self.dimension),
         };
-        let slider = self.points[line.slider].nodes.clone();
-        let arm = self.algebra.difference(&slider, &base);
-        let reach = self.algebra.dot(&arm, &line.along);
-        let graph = &mut self.algebra.graph;
-        let pairs = slider.into_iter().zip(&line.along);
-        let foot = pairs.map(|(x, &d)| {
-            let along = graph.mul(reach, d);
-            graph.sub(x, along)
-        });
-        let foot = foot.collect();
-        let origin = self.point(foot);
+        let slider = self.points[line.slider].at;
+        let reach = (slider - base).dot(line.along);
+        let origin = self.point(slider - reach * line.along);
         Candidate {
             name: line.name,
             origin,
             slider: line.slider,
             along: line.along,
-        }
-    }
-
-    fn scaled_by_sign(&mut self, vector: Vec<NodeId>, sign: f64) -> Vec<NodeId> {
-        match sign > 0.0 {
-            true => vector,
-            false => vector
-                .into_iter()
-                .map(|x| self.algebra.graph.neg(x))
-                .collect(),
-        }
-    }
-
-    pub(super) fn unit(&mut self, vector: &[NodeId]) -> Vec<NodeId> {
-        match vector[..] {
-            [x, y, z] => self.algebra.unit_vector([x, y, z]).to_vec(),
-            _ => self
-                .algebra
-                .length_and_unit([vector[0], vector[1]])
-                .1
-                .to_vec(),
         }
     }
 }
@@ -249,6 +221,6 @@ impl<'m> Sketch<'_, 'm> {
 fn parallel(a: &[Vec<f64>], b: &[Vec<f64>]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let along: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
-        (1.0 - along.abs()).abs() < 1e-9
+        (1.0 - along.abs()).abs() < PARALLEL
     })
 }

@@ -1,10 +1,9 @@
 //! What loops, derived names, bodies and joints are made of.
 
+use linkage_symbolic::{Ex, NodeId, Vector};
+
 use crate::algebra::Translate;
-use crate::formulate::unknown_nodes;
-use crate::model::{
-    BinaryOp, Expr, ExprKind, Function, Joint, JointKind, Loop, Mechanism, Name, Type,
-};
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Joint, Loop, Mechanism, Name, Type};
 
 use super::chains::{Asked, Line, Shape, Sketch, Term, Title};
 
@@ -34,8 +33,8 @@ impl<'m> Sketch<'_, 'm> {
             }
             self.remoteness = LET[usize::from(!usage.lets[index])];
             if let Some(point) = self.point_of(&own.value) {
-                let nodes = self.vector(&own.value);
-                let named = self.point(nodes);
+                let at = self.vector(&own.value);
+                let named = self.point(at);
                 for point in [point, named] {
                     let text = own.name.clone();
                     self.call(point, Title { rank: 0, text });
@@ -55,8 +54,9 @@ impl<'m> Sketch<'_, 'm> {
             };
             let is_point = count == self.dimension && dimension.half_lengths == 2;
             if is_point && !self.roles.is_step(Name::Unknown(index)) {
-                let nodes = unknown_nodes(self.algebra, index);
-                let point = self.point(nodes);
+                let numbers = self.algebra.names.numbers_of(index).into_iter();
+                let numbers: Vec<NodeId> = numbers.map(Ex::id).collect();
+                let point = self.point(self.algebra.graph.components(&numbers));
                 let text = own.name.clone();
                 self.call(point, Title { rank: 1, text });
                 self.points[point].wanted = true;
@@ -70,9 +70,9 @@ impl<'m> Sketch<'_, 'm> {
             let points: Vec<usize> = list
                 .iter()
                 .map(|expr| {
-                    let nodes = self.vector(expr);
+                    let at = self.vector(expr);
                     let found = self.point_of(expr);
-                    let point = self.point(nodes);
+                    let point = self.point(at);
                     self.name(point, 0, expr);
                     self.points[point].wanted = true;
                     found.unwrap_or(point)
@@ -171,9 +171,10 @@ impl<'m> Sketch<'_, 'm> {
 
     /// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line.
     fn look_for_line(&mut self, side: &'m Expr, other: &Expr) {
-        let ExprKind::Call(function @ (Function::Dot | Function::Cross), arguments) = &side.kind
-        else {
-            return;
+        let (is_dot, arguments) = match &side.kind {
+            ExprKind::Call(Function::Dot, arguments) => (true, arguments),
+            ExprKind::Call(Function::Cross, arguments) => (false, arguments),
+            _ => return,
         };
         let zero = matches!(other.kind, ExprKind::Number(0.0));
         if self.dimension != 2 || !zero {
@@ -187,15 +188,10 @@ impl<'m> Sketch<'_, 'm> {
                 continue;
             };
             let value = self.algebra.translate(&arguments[direction]);
-            let components = self.algebra.components(&value);
-            let [x, y] = self
-                .algebra
-                .length_and_unit([components[0], components[1]])
-                .1;
-            let along = match function {
-                Function::Dot => vec![self.algebra.graph.neg(y), x],
-                _ => vec![x, y],
-            };
+            let unit = self.algebra.vector(&value).unit();
+            let unit = Vector([unit.at(0), unit.at(1)]);
+            // Across what the product is taken with, or along it.
+            let along = if is_dot { unit.perp() } else { unit }.into();
             let name = self.points[slider].name.as_ref();
             let name = name.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
             let carrier = Some(carrier);
@@ -229,7 +225,7 @@ impl<'m> Sketch<'_, 'm> {
             };
             for (joint, point) in mechanism.joints.iter().zip(&points) {
                 // What slides along a guide is no point of it.
-                let carries = joint.on == Some(index) && !slides(joint);
+                let carries = joint.on == Some(index) && !joint.kind.slides();
                 if let (true, Some(point)) = (carries || joint.body == index, point) {
                     let text = body.name.clone();
                     self.segment(own, *point, Some(Title { rank: 0, text }), Shape::Body);
@@ -249,17 +245,10 @@ impl<'m> Sketch<'_, 'm> {
         };
         let mechanism = self.algebra.mechanism;
         let along = self.vector(direction);
-        if !slides(joint) {
-            return self.axis(point, &along);
+        if !joint.kind.slides() {
+            return self.axis(point, along);
         }
-        let along = match along[..] {
-            [x, y, z] => self.algebra.unit_vector([x, y, z]).to_vec(),
-            _ => self
-                .algebra
-                .length_and_unit([along[0], along[1]])
-                .1
-                .to_vec(),
-        };
+        let along = along.unit();
         let carrier = joint
             .on
             .and_then(|body| points[mechanism.bodies[body].joint]);
@@ -278,9 +267,5 @@ impl<'m> Sketch<'_, 'm> {
 fn is_mass_centre(mechanism: &Mechanism, index: usize) -> bool {
     let masses = mechanism.bodies.iter().flat_map(|body| &body.masses);
     let mut centres = masses.map(|(_, at)| at);
-    centres.any(|at| matches!(at.kind, ExprKind::Name(Name::Let(own)) if own == index))
-}
-
-fn slides(joint: &Joint) -> bool {
-    matches!(joint.kind, JointKind::Slide | JointKind::Cylinder)
+    centres.any(|at| at.as_name() == Some(Name::Let(index)))
 }

@@ -16,7 +16,6 @@
 //! | `guides` | lines along which points slide, and what carries them |
 //! | `names` | names for points and links that the program does not name |
 //! | `check` | links that the user added must be rigid |
-//! | `print` | the picture in words, for golden files |
 
 mod chains;
 mod check;
@@ -24,7 +23,6 @@ mod guides;
 mod links;
 mod loops;
 mod names;
-mod print;
 mod roles;
 mod seen;
 mod terms;
@@ -32,92 +30,48 @@ mod terms;
 mod tests;
 mod titles;
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::Vn;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::diagnostic::{Diagnostics, Origins};
-use crate::formulate::Reference;
+use crate::close::Reference;
+use crate::diagnostic::Reporter;
 use crate::model::{Expr, Type};
+use crate::unit::Picture;
 
 use chains::Sketch;
 use guides::Guides;
 use links::Links;
 use seen::Seen;
 
-pub use linkage_runtime::{GuideOn, PointKind};
-
-/// What is drawn, and the nodes that say where it is.
+/// What is drawn, and the vectors that say where it is: points first, then directions.
 #[derive(Clone, Debug, Default)]
-pub struct Picture {
-    /// 2 in the plane, 3 in space.
-    pub dimension: usize,
-    pub points: Vec<Point>,
-    /// Unit vectors with their names.
-    pub directions: Vec<(String, Vec<NodeId>)>,
-    pub links: Vec<Link>,
-    pub guides: Vec<Guide>,
-    /// In space: points and directions of axes.
-    pub axes: Vec<(usize, usize)>,
-}
-
-#[derive(Clone, Debug)]
-pub struct Point {
-    pub name: String,
-    pub kind: PointKind,
-    pub nodes: Vec<NodeId>,
-}
-
-#[derive(Clone, Debug)]
-pub struct Link {
-    pub name: String,
-    pub points: Vec<usize>,
-}
-
-#[derive(Clone, Debug)]
-pub struct Guide {
-    pub name: String,
-    pub origin: usize,
-    pub direction: usize,
-    pub slider: usize,
-    pub on: GuideOn,
-}
-
-impl Picture {
-    /// The vectors that the quantity consists of.
-    pub fn vectors(&self) -> impl Iterator<Item = &[NodeId]> {
-        let points = self.points.iter().map(|point| &point.nodes[..]);
-        points.chain(self.directions.iter().map(|(_, nodes)| &nodes[..]))
-    }
-
-    /// Their names, in the same order.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
-        let points = self.points.iter().map(|point| &point.name[..]);
-        points.chain(self.directions.iter().map(|(name, _)| &name[..]))
-    }
+pub(crate) struct Found<'m> {
+    pub(crate) picture: Picture,
+    pub(crate) vectors: Vec<Vn<'m>>,
 }
 
 /// The picture of a mechanism that closes, with `lists` of points that the user says to be links.
 pub(crate) fn find<'m>(
     algebra: &mut Algebra<'m>,
-    (reference, nominal): (&Reference, &Nominal),
+    reference: &Reference,
+    nominal: &Nominal,
     (lists, asked): (&'m [Vec<Expr>], &'m Expr),
-    origins: &Origins,
-    diagnostics: &mut Diagnostics,
-) -> Picture {
+    reporter: &mut Reporter,
+) -> Found<'m> {
     let dimension = dimension(algebra, lists);
     let mut sketch = Sketch::new(algebra, dimension);
     sketch.collect();
     sketch.add_lists(lists);
     let mut seen = Seen::new(sketch.algebra, &sketch.points, reference, nominal);
     if seen.places.len() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
-        diagnostics.error_with_help(
-            origins.span(asked.origin),
+        reporter.error_with_help(
+            asked.origin,
             "links cannot be told from what stretches: the mechanism closes at none of the other positions looked at",
             "check the ranges of the inputs",
         );
-        return Picture::default();
+        return Found::default();
     }
-    check::check_lists(&sketch, &seen, origins, diagnostics);
+    check::check_lists(&sketch, &seen, reporter);
     let mut links = Links::find(&sketch, &seen);
     let guides = Guides::find(&mut sketch, &mut seen, &links);
     links.drop_corners(|point| {
@@ -133,8 +87,8 @@ pub(crate) fn find<'m>(
             || axes.any(|at| at == point)
     });
     if links.all.is_empty() && guides.all.is_empty() {
-        diagnostics.error_with_help(
-            origins.span(asked.origin),
+        reporter.error_with_help(
+            asked.origin,
             "there is nothing to draw: the loops tell of no link",
             "name the points that links join: `picture([a, b], [b, c, d])`",
         );
@@ -166,13 +120,9 @@ fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
 
 /// Whether there is a vector of so many components in an expression.
 fn has_vector(expr: &Expr, count: usize) -> bool {
-    let own = match expr.ty {
+    expr.parts().any(|part| match part.ty {
         Type::Vector(components, _) => components == count,
         Type::Frame => count == 3,
-        _ => false,
-    };
-    own || expr
-        .operands()
-        .into_iter()
-        .any(|own| has_vector(own, count))
+        Type::Scalar(_) | Type::Array(_) | Type::Zero(_) | Type::Error => false,
+    })
 }

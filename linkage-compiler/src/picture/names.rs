@@ -1,12 +1,21 @@
 //! The picture with names for everything, without what is not needed.
 
+use linkage_symbolic::Vn;
+
+use crate::unit::{Guide, GuideOn, Link, Picture, Point, PointKind};
+
+use super::Found;
 use super::chains::Sketch;
 use super::guides::Guides;
 use super::links::Links;
 use super::seen::Seen;
-use super::{Guide, GuideOn, Link, Picture, Point, PointKind};
 
-pub(super) fn named(sketch: &Sketch, seen: &Seen, links: &Links, guides: &Guides) -> Picture {
+pub(super) fn named<'m>(
+    sketch: &Sketch<'_, 'm>,
+    seen: &Seen,
+    links: &Links,
+    guides: &Guides<'m>,
+) -> Found<'m> {
     let namer = Namer {
         sketch,
         seen,
@@ -23,11 +32,7 @@ pub(super) fn named(sketch: &Sketch, seen: &Seen, links: &Links, guides: &Guides
     let mut names = Vec::new();
     let points = kept.iter().map(|&(point, kind)| {
         let name = unique(namer.name(point), &mut names);
-        Point {
-            name,
-            kind,
-            nodes: sketch.points[point].nodes.clone(),
-        }
+        Point { name, kind }
     });
     let mut picture = Picture {
         dimension: sketch.dimension,
@@ -47,12 +52,14 @@ pub(super) fn named(sketch: &Sketch, seen: &Seen, links: &Links, guides: &Guides
                 .collect(),
         })
         .collect();
+    let mut directions: Vec<Vn> = Vec::new();
     for guide in &guides.all {
         let (Some(origin), Some(slider)) = (place(guide.origin), place(guide.slider)) else {
             continue;
         };
         let name = unique(format!("along {}", guide.name), &mut names);
-        picture.directions.push((name, guide.along.clone()));
+        picture.directions.push(name);
+        directions.push(guide.along);
         picture.guides.push(Guide {
             name: guide.name.clone(),
             origin,
@@ -65,25 +72,30 @@ pub(super) fn named(sketch: &Sketch, seen: &Seen, links: &Links, guides: &Guides
         let Some(point) = place(*point) else {
             continue;
         };
-        let known = picture.directions.iter().position(|(_, own)| own == along);
+        let known = directions.iter().position(|own| own == along);
         let direction = known.unwrap_or_else(|| {
             let name = format!("axis at {}", picture.points[point].name);
             let name = unique(name, &mut names);
-            picture.directions.push((name, along.clone()));
-            picture.directions.len() - 1
+            picture.directions.push(name);
+            directions.push(*along);
+            directions.len() - 1
         });
         if !picture.axes.contains(&(point, direction)) {
             picture.axes.push((point, direction));
         }
     }
-    picture
+    let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
+    Found {
+        vectors: vectors.chain(directions).collect(),
+        picture,
+    }
 }
 
 struct Namer<'a, 'b, 'm> {
     sketch: &'a Sketch<'b, 'm>,
     seen: &'a Seen<'a>,
     links: &'a Links,
-    guides: &'a Guides,
+    guides: &'a Guides<'m>,
     link_names: Vec<String>,
 }
 

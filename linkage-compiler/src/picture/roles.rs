@@ -1,12 +1,13 @@
 //! Is a named vector a point, or a step from one point to another?
 
+use std::collections::BTreeMap;
+
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Loop, Mechanism, Name, Type};
 
 /// What was seen of each name.
 #[derive(Debug)]
 pub(super) struct Roles {
-    lets: Vec<Evidence>,
-    unknowns: Vec<Evidence>,
+    seen: BTreeMap<Name, Evidence>,
     /// What each `let` moves with.
     moves: Vec<Moves>,
     /// Whether a `let` is a named vector less another one.
@@ -30,8 +31,7 @@ struct Evidence {
 impl Roles {
     pub(super) fn of(mechanism: &Mechanism) -> Self {
         let mut roles = Self {
-            lets: vec![Evidence::default(); mechanism.lets.len()],
-            unknowns: vec![Evidence::default(); mechanism.unknowns.len()],
+            seen: BTreeMap::new(),
             moves: Vec::with_capacity(mechanism.lets.len()),
             differences: Vec::with_capacity(mechanism.lets.len()),
         };
@@ -59,12 +59,8 @@ impl Roles {
 
     /// Whether a name stands for a step; seen as both, it is a point.
     pub(super) fn is_step(&self, name: Name) -> bool {
-        let evidence = match name {
-            Name::Let(index) => self.lets[index],
-            Name::Unknown(index) => self.unknowns[index],
-            _ => return false,
-        };
-        evidence.as_step && !evidence.as_point
+        let seen = self.seen.get(&name);
+        seen.is_some_and(|seen| seen.as_step && !seen.as_point)
     }
 
     /// On each side of a vector loop the first name is a point, others are steps.
@@ -76,7 +72,7 @@ impl Roles {
             let own = terms.iter().filter(|(plus, _)| *plus == side);
             let mut own: Vec<&Expr> = own.map(|(_, term)| *term).collect();
             own.sort_by_key(|term| self.place(term));
-            let names = own.iter().filter(|term| self.is_derived(term)).copied();
+            let names = own.iter().filter(|term| derived(term).is_some()).copied();
             for (index, name) in names.collect::<Vec<_>>().into_iter().enumerate() {
                 match index == 0 && !self.is_difference(name) {
                     true => self.point(name),
@@ -98,18 +94,14 @@ impl Roles {
     }
 
     pub(super) fn moves(&self, expr: &Expr) -> Moves {
-        match expr.kind {
-            ExprKind::Name(Name::Input(_)) => Moves::Inputs,
-            ExprKind::Name(Name::Unknown(_)) => Moves::Unknowns,
-            ExprKind::Name(Name::Let(index)) => self.moves[index],
-            _ => {
-                let operands = expr.operands().into_iter();
-                operands
-                    .map(|own| self.moves(own))
-                    .max()
-                    .unwrap_or(Moves::Not)
-            }
-        }
+        let names = expr.parts().filter_map(Expr::as_name);
+        let moves = names.map(|name| match name {
+            Name::Input(_) => Moves::Inputs,
+            Name::Unknown(_) => Moves::Unknowns,
+            Name::Let(index) => self.moves[index],
+            Name::Const(_) | Name::Parameter(_) | Name::Argument(_) | Name::Pi => Moves::Not,
+        });
+        moves.max().unwrap_or(Moves::Not)
     }
 
     /// Whether names are subtracted from as many: `q - p`.
@@ -122,14 +114,10 @@ impl Roles {
         let names = |sign: bool| {
             let own = terms
                 .iter()
-                .filter(|(plus, term)| *plus == sign && self.is_derived(term));
+                .filter(|(plus, term)| *plus == sign && derived(term).is_some());
             own.count()
         };
         names(true) > 0 && names(true) == names(false)
-    }
-
-    fn is_derived(&self, expr: &Expr) -> bool {
-        matches!(expr.kind, ExprKind::Name(Name::Let(_) | Name::Unknown(_)))
     }
 
     fn look_at(&mut self, expr: &Expr) {
@@ -176,54 +164,54 @@ impl Roles {
 
     fn arguments(&mut self, function: Function, arguments: &[Expr]) {
         use Function::*;
-        match (function, arguments) {
-            (Norm | Unit | Angle | Dot | Cross, all) => all.iter().for_each(|own| self.step(own)),
-            (Rotate, [vector, _]) => self.step(vector),
-            (Turn, [vector, axis, _]) => [vector, axis].into_iter().for_each(|own| self.step(own)),
-            (Distance, all) => all.iter().for_each(|own| self.point(own)),
-            (Frame, [origin, x, z]) => {
-                self.point(origin);
-                [x, z].into_iter().for_each(|own| self.step(own));
+        let mut steps = |own: &[Expr]| own.iter().for_each(|own| self.step(own));
+        match function {
+            Norm | Unit | Angle | Dot | Cross => steps(arguments),
+            Rotate => steps(&arguments[..1]),
+            Turn => steps(&arguments[..2]),
+            PointIn => steps(&arguments[1..]),
+            Frame => {
+                steps(&arguments[1..]);
+                self.point(&arguments[0]);
             }
-            (PointIn, [_, vector]) => self.step(vector),
-            (CoordinatesIn, [_, point]) => self.point(point),
-            _ => {}
+            Distance => arguments.iter().for_each(|own| self.point(own)),
+            CoordinatesIn => self.point(&arguments[1]),
+            // They take numbers.
+            Polar | Dir | TriangleAngle | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 | Sqrt
+            | Hypot | Abs | Min | Max => {}
         }
     }
 
     fn point(&mut self, expr: &Expr) {
-        if let Some(evidence) = self.evidence(expr) {
-            evidence.as_point = true;
+        if let Some(name) = derived(expr) {
+            self.seen.entry(name).or_default().as_point = true;
         }
     }
 
     fn step(&mut self, expr: &Expr) {
-        if let Some(evidence) = self.evidence(expr) {
-            evidence.as_step = true;
+        if let Some(name) = derived(expr) {
+            self.seen.entry(name).or_default().as_step = true;
         }
     }
+}
 
-    fn evidence(&mut self, expr: &Expr) -> Option<&mut Evidence> {
-        match expr.kind {
-            ExprKind::Name(Name::Let(index)) => Some(&mut self.lets[index]),
-            ExprKind::Name(Name::Unknown(index)) => Some(&mut self.unknowns[index]),
-            _ => None,
-        }
+/// A name that may stand for a point or for a step.
+fn derived(expr: &Expr) -> Option<Name> {
+    let name = expr.as_name()?;
+    match name {
+        Name::Let(_) | Name::Unknown(_) => Some(name),
+        // Where points are given, they are numbers.
+        Name::Const(_) | Name::Parameter(_) | Name::Input(_) | Name::Argument(_) | Name::Pi => None,
     }
 }
 
 /// The terms of a sum; true for those that are added.
 fn signed_terms<'e>(expr: &'e Expr, plus: bool, terms: &mut Vec<(bool, &'e Expr)>) {
-    match &expr.kind {
-        ExprKind::Binary(BinaryOp::Add, a, b) => {
-            signed_terms(a, plus, terms);
-            signed_terms(b, plus, terms);
-        }
-        ExprKind::Binary(BinaryOp::Sub, a, b) => {
-            signed_terms(a, plus, terms);
-            signed_terms(b, !plus, terms);
-        }
-        ExprKind::Negate(a) => signed_terms(a, !plus, terms),
-        _ => terms.push((plus, expr)),
+    let summands = expr.summands();
+    if summands.is_empty() {
+        return terms.push((plus, expr));
+    }
+    for (adds, summand) in summands {
+        signed_terms(summand, plus == adds, terms);
     }
 }

@@ -1,14 +1,18 @@
 //! The points at several positions: what coincides, what stays, what keeps its distance.
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::formulate::{Reference, places, unknown_nodes};
+use crate::close::{Reference, places};
 
 use super::chains::Spot;
 
 /// Lengths that differ by a smaller share of the picture's size are equal.
 const EQUAL: f64 = 1e-9;
+
+/// Unit vectors that differ by less are one direction. They are quotients of differences of points, so they are known less well than
+/// these.
+const STEADY: f64 = 1e3 * EQUAL;
 
 pub(super) struct Seen<'a> {
     reference: &'a Reference,
@@ -25,9 +29,9 @@ pub(super) struct Seen<'a> {
 }
 
 impl<'a> Seen<'a> {
-    pub(super) fn new(
-        algebra: &Algebra,
-        points: &[Spot],
+    pub(super) fn new<'m>(
+        algebra: &Algebra<'m>,
+        points: &[Spot<'m>],
         reference: &'a Reference,
         nominal: &Nominal,
     ) -> Self {
@@ -39,12 +43,12 @@ impl<'a> Seen<'a> {
             fixed: Vec::new(),
             size: 0.0,
         };
-        let unknowns = 0..algebra.bound.len();
-        let all: Vec<NodeId> = unknowns
-            .flat_map(|own| unknown_nodes(algebra, own))
+        let unknowns = 0..algebra.names.bound.len();
+        let all: Vec<Ex> = unknowns
+            .flat_map(|own| algebra.names.numbers_of(own))
             .collect();
         let closes = |inputs: &Vec<f64>| {
-            let values = reference.machine.evaluate(&algebra.graph, &all, inputs);
+            let values = reference.machine.evaluate(&all, inputs);
             values.iter().all(|x| x.is_finite())
         };
         seen.places.retain(closes);
@@ -53,17 +57,18 @@ impl<'a> Seen<'a> {
     }
 
     /// Looks at further points.
-    pub(super) fn add(&mut self, algebra: &Algebra, points: &[Spot]) {
+    pub(super) fn add<'m>(&mut self, algebra: &Algebra<'m>, points: &[Spot<'m>]) {
         let structure = algebra.mechanism.inputs.is_empty();
         for point in points {
-            let track = self.track(algebra, &point.nodes);
+            let track = self.track(point.at);
             self.size = track
                 .iter()
                 .flatten()
                 .fold(self.size, |size, x| size.max(x.abs()));
             self.tracks.push(track);
             // Nothing moves in a structure: what its loops tell is not fixed.
-            let found = structure && algebra.depends_on_unknowns(&point.nodes);
+            let found =
+                structure && algebra.depends_on_unknowns(&point.at.iter().collect::<Vec<_>>());
             self.fixed.push(!found);
         }
         for index in self.same.len()..self.tracks.len() {
@@ -76,13 +81,13 @@ impl<'a> Seen<'a> {
     }
 
     /// A vector at each place.
-    pub(super) fn track(&self, algebra: &Algebra, nodes: &[NodeId]) -> Vec<Vec<f64>> {
-        let at = |inputs: &Vec<f64>| {
-            self.reference
-                .machine
-                .evaluate(&algebra.graph, nodes, inputs)
-        };
-        self.places.iter().map(at).collect()
+    pub(super) fn track(&self, vector: Vn) -> Vec<Vec<f64>> {
+        let components: Vec<Ex> = vector.iter().collect();
+        let machine = &self.reference.machine;
+        let places = self.places.iter();
+        places
+            .map(|inputs| machine.evaluate(&components, inputs))
+            .collect()
     }
 
     /// Whether a point has a place wherever the mechanism closes.
@@ -109,7 +114,7 @@ impl<'a> Seen<'a> {
     pub(super) fn is_steady(&self, directions: &[Vec<f64>]) -> bool {
         directions
             .iter()
-            .all(|at| distance(at, &directions[0]) < 1e3 * EQUAL)
+            .all(|at| distance(at, &directions[0]) < STEADY)
     }
 
     /// Whether the end of a vector that begins in a point keeps its distance from another point.

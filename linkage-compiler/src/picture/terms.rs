@@ -16,26 +16,24 @@ impl<'m> Sketch<'_, 'm> {
         if terms.len() > MANY_TERMS {
             return;
         }
-        match &expr.kind {
-            ExprKind::Number(0.0) => {}
-            ExprKind::Binary(BinaryOp::Add, a, b) => {
-                self.terms(a, sign, None, terms);
-                self.terms(b, sign, None, terms);
-            }
-            ExprKind::Binary(BinaryOp::Sub, a, b) => {
-                self.terms(a, sign, None, terms);
-                self.terms(b, -sign, None, terms);
-            }
-            ExprKind::Negate(a) => self.terms(a, -sign, name, terms),
-            ExprKind::Name(Name::Let(index)) if self.roles.is_step(Name::Let(*index)) => {
+        let sign_of = |adds: bool| if adds { sign } else { -sign };
+        match (&expr.kind, &expr.summands()[..]) {
+            (ExprKind::Number(0.0), _) => {}
+            (ExprKind::Name(own @ Name::Let(index)), _) if self.roles.is_step(*own) => {
                 let own = &self.algebra.mechanism.lets[*index];
                 self.terms(&own.value, sign, Some(&own.name), terms);
             }
-            _ => terms.push(Term {
+            (_, []) => terms.push(Term {
                 sign,
                 expr,
                 name: name.map(str::to_owned),
             }),
+            (_, [(adds, only)]) => self.terms(only, sign_of(*adds), name, terms),
+            (_, all) => {
+                for (adds, own) in all {
+                    self.terms(own, sign_of(*adds), None, terms);
+                }
+            }
         }
     }
 
@@ -63,6 +61,7 @@ impl<'m> Sketch<'_, 'm> {
                 Type::Vector(..) => self.scaled(a, |n| n, b),
                 _ => self.scaled(b, |n| n, a),
             },
+            // A step, a mean, a parameter: whatever the others make of it.
             _ => None,
         }
     }

@@ -3,25 +3,25 @@
 use proc_macro2::TokenStream;
 
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::lower::Lowered;
+use crate::unit::Unit;
 use crate::{analyse, model, syntax};
 
-fn compile(items: &str, functions: &str) -> (Lowered, Vec<String>) {
+fn compile(items: &str, functions: &str) -> (Unit, Vec<String>) {
     let text = format!("struct M {{ unit mm; {items} }} impl M {{ {functions} }}");
     let tokens: TokenStream = text.parse().expect("tokens");
     let (mut diagnostics, mut origins) = (Diagnostics::default(), Origins::default());
     let definition = syntax::parse(tokens, &mut diagnostics).expect("a mechanism");
     let mechanism = model::resolve(&definition, &mut origins, &mut diagnostics);
-    let lowered = mechanism.map(|own| analyse(&own, &origins, &mut diagnostics).lowered);
+    let unit = mechanism.map(|own| analyse(&own, &origins, &mut diagnostics));
     let messages = diagnostics.iter().map(|own| own.message.clone()).collect();
-    (lowered.unwrap_or_default(), messages)
+    (unit.unwrap_or_default(), messages)
 }
 
 #[track_caller]
 fn expect(items: &str, call: &str, expected: &str) {
-    let (lowered, messages) = compile(items, &format!("fn look(phi) -> Look {{ shape: {call} }}"));
+    let (unit, messages) = compile(items, &format!("fn look(phi) -> Look {{ shape: {call} }}"));
     assert!(messages.is_empty(), "{messages:?}");
-    let picture = lowered.picture.expect("a picture").to_string();
+    let picture = unit.picture.expect("a picture").to_string();
     let lines =
         |text: &str| -> Vec<String> { text.lines().map(|line| line.trim().to_owned()).collect() };
     let expected: Vec<String> = lines(expected)
@@ -101,9 +101,9 @@ fn a_vector_loop_tells_all_links() {
 #[track_caller]
 fn expect_links(closed: &str, expected: [&str; 3]) {
     let items = format!("{FOUR_BAR} {closed}");
-    let (lowered, messages) = compile(&items, "fn look(phi) -> Look { shape: picture() }");
+    let (unit, messages) = compile(&items, "fn look(phi) -> Look { shape: picture() }");
     assert!(messages.is_empty(), "{messages:?}");
-    let picture = lowered.picture.expect("a picture").to_string();
+    let picture = unit.picture.expect("a picture").to_string();
     let links: Vec<&str> = picture
         .lines()
         .filter(|line| line.starts_with("link"))
@@ -350,14 +350,14 @@ fn space_has_axes() {
 
 #[test]
 fn a_tool_in_a_frame_belongs_to_the_coupler() {
-    let (lowered, messages) = compile(
+    let (unit, messages) = compile(
         "param crank = 40mm; input phi = 20deg in 0deg..360deg;
          let pin = (crank * cos(phi), crank * sin(phi), 0);
          let body = frame(pin, (1, 0, 0) * 1mm, (0, 0, 1)); let tip = point_in(body, (60mm, 0mm, 15mm));",
         "fn look(phi) -> Look { shape: picture() }",
     );
     assert!(messages.is_empty(), "{messages:?}");
-    let picture = lowered.picture.expect("a picture");
+    let picture = unit.picture.expect("a picture");
     assert_eq!(picture.links.len(), 2, "{picture}");
 }
 
@@ -370,12 +370,12 @@ fn the_user_adds_what_loops_do_not_tell() {
         "link coupler: p, coupler/rocker",
         "link coupler: p, end of coupler, coupler/rocker",
     );
-    let (lowered, messages) = compile(
+    let (unit, messages) = compile(
         &items,
         "fn look(phi) -> Look { shape: picture([p, p + polar(9mm, theta + 90deg)]) }",
     );
     assert!(messages.is_empty(), "{messages:?}");
-    let picture = lowered.picture.expect("a picture").to_string();
+    let picture = unit.picture.expect("a picture").to_string();
     let links = |text: &str| -> Vec<String> {
         let own = text
             .lines()
@@ -443,9 +443,9 @@ fn other_functions_stay_as_they_are() {
     for functions in [format!("{motion} {look}"), format!("{look} {motion}")] {
         let (beside, messages) = compile(&items, &functions);
         assert!(messages.is_empty(), "{messages:?}");
-        let find = |lowered: &Lowered| {
-            let own = lowered.evaluators.iter().find(|own| own.fields.len() == 5);
-            let program = &own.expect("the function").program;
+        let find = |unit: &Unit| {
+            let own = unit.functions.iter().find(|own| own.fields.len() == 5);
+            let program = &own.expect("the function").called.program;
             let operations = program
                 .instructions
                 .iter()

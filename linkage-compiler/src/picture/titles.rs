@@ -1,6 +1,6 @@
 //! What points and links are called.
 
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Name};
+use crate::model::{BinaryOp, Expr, ExprKind, Function};
 
 use super::chains::{Sketch, Title};
 
@@ -37,27 +37,22 @@ impl Sketch<'_, '_> {
             ExprKind::Binary(BinaryOp::Mul, ..) | ExprKind::Vector(_) => {
                 self.dimension_in(expr).map(rank(2))
             }
+            // Its link gets a number, or the names of what it joins.
             _ => None,
         }
     }
 
     pub(super) fn spoken(&self, expr: &Expr) -> Option<String> {
-        match expr.kind {
-            ExprKind::Name(name) => Some(self.algebra.mechanism.name(name).to_owned()),
-            _ => None,
-        }
+        let name = expr.as_name()?;
+        Some(self.algebra.mechanism.name(name).to_owned())
     }
 
     /// The first length that is named in an expression.
     fn dimension_in(&self, expr: &Expr) -> Option<String> {
-        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
-        match &expr.kind {
-            ExprKind::Name(Name::Pi) => None,
-            ExprKind::Name(_) => self.spoken(expr).filter(|_| is_length),
-            _ => expr
-                .operands()
-                .into_iter()
-                .find_map(|own| self.dimension_in(own)),
-        }
+        let mut lengths = expr.parts().filter(|own| {
+            let dimension = own.ty.dimension();
+            dimension.is_some_and(|own| own.half_lengths == 2)
+        });
+        lengths.find_map(|own| self.spoken(own))
     }
 }

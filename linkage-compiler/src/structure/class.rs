@@ -4,16 +4,16 @@ use linkage_symbolic::agree;
 
 use super::Analysis;
 use super::classify::Polynomials;
-use super::coupled::Private;
+use super::coupled_core::Private;
 use super::equations::{Coordinate, CoordinateKind};
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// Class, order, and the number of links in the closed contour that changes its shape (0 without one). Loops whose known
     /// parts are the same, and a loop without any, close a contour that leaves the frame out; every other loop adds a place where
     /// the group is attached.
     pub(super) fn class_and_order(
         &mut self,
-        polynomials: &[Polynomials],
+        polynomials: &[Polynomials<'m>],
         coordinates: &[Coordinate],
     ) -> (u8, u8, usize) {
         if let [only] = polynomials {
@@ -41,8 +41,8 @@ impl Analysis<'_, '_> {
     /// The number of unknowns in a vector loop, or in the sum or difference of two, if the known parts cancel.
     fn contour(
         &mut self,
-        a: &Polynomials,
-        b: Option<&Polynomials>,
+        a: &Polynomials<'m>,
+        b: Option<&Polynomials<'m>>,
         coordinates: &[Coordinate],
     ) -> Option<usize> {
         let both: Vec<&Polynomials> = std::iter::once(a).chain(b).collect();
@@ -50,14 +50,14 @@ impl Analysis<'_, '_> {
             return None;
         }
         [1.0, -1.0].into_iter().find_map(|sign| {
-            let mut cancels = |monomial: &[u8]| {
+            let cancels = |monomial: &[u8]| {
                 (0..2).all(|row| {
-                    let graph = &mut self.algebra.graph;
-                    let zero = graph.zero();
-                    let of = |p: &Polynomials| p.rows[row].get(monomial).copied().unwrap_or(zero);
+                    let zero = self.algebra.zero();
+                    let of =
+                        |p: &Polynomials<'m>| p.rows[row].get(monomial).copied().unwrap_or(zero);
                     let (x, y) = (of(a), b.map_or(zero, of));
-                    let y = if sign < 0.0 { graph.neg(y) } else { y };
-                    agree(graph, x, y)
+                    let y = if sign < 0.0 { -y } else { y };
+                    agree(x, y)
                 })
             };
             let mut monomials = both.iter().flat_map(|p| &p.rows).flat_map(|row| row.keys());
@@ -84,8 +84,8 @@ impl Analysis<'_, '_> {
     /// The legs of a triad by their joints, the outer one first.
     pub(super) fn kind(
         &self,
-        private: &[Option<(Private, usize)>],
-        polynomials: &[Polynomials],
+        private: &[Option<(Private<'m>, usize)>],
+        polynomials: &[Polynomials<'m>],
         coordinates: &[Coordinate],
         core: &[usize],
         class: u8,
@@ -130,11 +130,11 @@ impl Analysis<'_, '_> {
         legs.join("-")
     }
 
-    fn leg(&self, private: &Private, coordinates: &[Coordinate]) -> &'static str {
+    fn leg(&self, private: &Private<'m>, coordinates: &[Coordinate]) -> &'static str {
         match private {
             Private::Rotor(_) => "RR",
             Private::Slide { guide, .. } => {
-                let turns = |c: &Coordinate| guide.iter().any(|&g| self.contains(g, c));
+                let turns = |c: &Coordinate| guide.components().any(|g| self.contains(g, c));
                 match coordinates.iter().any(turns) {
                     true => "RP",
                     false => "PR",

@@ -1,6 +1,6 @@
 //! Recognising a group by its mathematics: its loop as a polynomial in its unknowns.
 
-use linkage_symbolic::{NodeId, Polynomial, SymbolId, agree, agree_within, collect};
+use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, V3, Vector, agree, agree_within, collect};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Form, Rotor};
@@ -10,12 +10,12 @@ const NEGLIGIBLE: f64 = 1e-14;
 
 /// The equations of a group as polynomials in the symbols of its coordinates.
 #[derive(Clone, Debug)]
-pub(super) struct Polynomials {
-    pub(super) rows: Vec<Polynomial>,
+pub(super) struct Polynomials<'m> {
+    pub(super) rows: Vec<Polynomial<'m>>,
     symbols: Vec<SymbolId>,
 }
 
-impl Polynomials {
+impl<'m> Polynomials<'m> {
     fn monomial(&self, symbols: &[SymbolId]) -> Vec<u8> {
         let mut exponents = vec![0; self.symbols.len()];
         for symbol in symbols {
@@ -27,7 +27,7 @@ impl Polynomials {
     }
 
     /// Removes and returns the coefficients of a product of symbols, one for each row; 0 where there is none.
-    fn take(&mut self, symbols: &[SymbolId], zero: NodeId) -> Vec<NodeId> {
+    fn take(&mut self, symbols: &[SymbolId], zero: Ex<'m>) -> Vec<Ex<'m>> {
         let monomial = self.monomial(symbols);
         self.rows
             .iter_mut()
@@ -35,14 +35,14 @@ impl Polynomials {
             .collect()
     }
 
-    fn take_pair(&mut self, symbols: &[SymbolId], zero: NodeId) -> [NodeId; 2] {
+    fn take_pair(&mut self, symbols: &[SymbolId], zero: Ex<'m>) -> V2<'m> {
         let pair = self.take(symbols, zero);
-        [pair[0], pair[1]]
+        Vector([pair[0], pair[1]])
     }
 
-    pub(super) fn take_space(&mut self, symbols: &[SymbolId], zero: NodeId) -> [NodeId; 3] {
+    pub(super) fn take_space(&mut self, symbols: &[SymbolId], zero: Ex<'m>) -> V3<'m> {
         let taken = self.take(symbols, zero);
-        [taken[0], taken[1], taken[2]]
+        Vector([taken[0], taken[1], taken[2]])
     }
 
     /// True if a term contains the symbol at `place`.
@@ -63,13 +63,13 @@ impl Polynomials {
     }
 }
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// The rows of an equation as polynomials in coordinates; `None` if they are none (a square root, an angle's value).
     pub(super) fn polynomials(
         &mut self,
-        rows: &[NodeId],
+        rows: &[Ex<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<Polynomials> {
+    ) -> Option<Polynomials<'m>> {
         let mut symbols = Vec::new();
         let mut unit_pairs = Vec::new();
         for coordinate in coordinates {
@@ -78,27 +78,22 @@ impl Analysis<'_, '_> {
             }
             symbols.extend(self.symbols(coordinate));
         }
-        let graph = &mut self.algebra.graph;
         let rows = rows
             .iter()
-            .map(|&row| collect(graph, row, &symbols, &unit_pairs))
+            .map(|&row| collect(row, &symbols, &unit_pairs))
             .collect::<Option<Vec<Polynomial>>>()?;
         Some(Polynomials { rows, symbols })
     }
 
     /// Removes terms in a direction whose coefficients are 0 in a spelling that constructors do not see, or by rounding.
-    fn drop_cancelled(&mut self, polynomials: &mut Polynomials) {
-        let graph = &mut self.algebra.graph;
-        let zero = graph.zero();
+    fn drop_cancelled(&self, polynomials: &mut Polynomials<'m>) {
+        let zero = self.algebra.zero();
         for row in &mut polynomials.rows {
-            let square = row.values().fold(zero, |sum, &coefficient| {
-                let square = graph.square(coefficient);
-                graph.add(sum, square)
-            });
-            let size = graph.sqrt(square);
+            let squares = row.values().map(|coefficient| coefficient.square());
+            let size = squares.fold(zero, |sum, square| sum + square).sqrt();
             row.retain(|_, coefficient| {
-                let with = graph.add(size, *coefficient);
-                !agree(graph, *coefficient, zero) && !agree_within(graph, with, size, NEGLIGIBLE)
+                let with = size + *coefficient;
+                !agree(*coefficient, zero) && !agree_within(with, size, NEGLIGIBLE)
             });
         }
     }
@@ -106,9 +101,9 @@ impl Analysis<'_, '_> {
     /// The form in which one equation is solved for all its coordinates, if it has one of the known forms.
     pub(super) fn classify(
         &mut self,
-        equation: &Equation,
+        equation: &Equation<'m>,
         coordinates: &[Coordinate],
-    ) -> Option<Form> {
+    ) -> Option<Form<'m>> {
         use CoordinateKind::{Angle, Length};
         if let ([coordinate], 1) = (coordinates, equation.rows.len()) {
             return self.classify_scalar(equation, coordinate);
@@ -132,19 +127,18 @@ impl Analysis<'_, '_> {
     /// The terms with an angle's unit vector (times `with`), if they are a vector turning with it.
     pub(super) fn take_rotor(
         &mut self,
-        polynomials: &mut Polynomials,
+        polynomials: &mut Polynomials<'m>,
         index: usize,
         with: &[SymbolId],
-    ) -> Option<Rotor> {
-        let angle = &self.algebra.angles[index];
+    ) -> Option<Rotor<'m>> {
+        let angle = &self.algebra.names.angles[index];
         let (cos, sin) = (angle.cos, angle.sin);
-        let zero = self.algebra.graph.zero();
+        let zero = self.algebra.zero();
         let along = polynomials.take_pair(&[&[cos], with].concat(), zero);
         let across = polynomials.take_pair(&[&[sin], with].concat(), zero);
-        let graph = &mut self.algebra.graph;
-        let perp = [graph.neg(along[1]), along[0]];
-        let back = [along[1], graph.neg(along[0])];
-        let equal = |v: [NodeId; 2]| (0..2).all(|k| agree(graph, across[k], v[k]));
+        let perp = along.perp();
+        let back = Vector([along[1], -along[0]]);
+        let equal = |v: V2<'m>| (0..2).all(|k| agree(across[k], v[k]));
         let sense = match () {
             () if equal(perp) => 1.0,
             () if equal(back) => -1.0,
@@ -157,12 +151,17 @@ impl Analysis<'_, '_> {
         })
     }
 
-    fn two_rotors(&mut self, mut rest: Polynomials, first: usize, second: usize) -> Option<Form> {
+    fn two_rotors(
+        &mut self,
+        mut rest: Polynomials<'m>,
+        first: usize,
+        second: usize,
+    ) -> Option<Form<'m>> {
         let first = self.take_rotor(&mut rest, first, &[])?;
         let second = self.take_rotor(&mut rest, second, &[])?;
-        let zero = self.algebra.graph.zero();
+        let zero = self.algebra.zero();
         let known = rest.take_pair(&[], zero);
-        let complete = rest.is_exhausted() && self.is_vector(first.z) && self.is_vector(second.z);
+        let complete = rest.is_exhausted() && !first.z.is_zero() && !second.z.is_zero();
         complete.then_some(Form::TwoRotors {
             first,
             second,
@@ -172,11 +171,11 @@ impl Analysis<'_, '_> {
 
     fn rotor_and_slide(
         &mut self,
-        mut rest: Polynomials,
+        mut rest: Polynomials<'m>,
         angle: usize,
         slide: SymbolId,
-    ) -> Option<Form> {
-        let zero = self.algebra.graph.zero();
+    ) -> Option<Form<'m>> {
+        let zero = self.algebra.zero();
         let rotor = self.take_rotor(&mut rest, angle, &[])?;
         let moving = self.take_rotor(&mut rest, angle, &[slide])?;
         let fixed = rest.take_pair(&[slide], zero);
@@ -184,14 +183,14 @@ impl Analysis<'_, '_> {
         if !rest.is_exhausted() {
             return None;
         }
-        match (self.is_vector(fixed), self.is_vector(moving.z)) {
-            (true, false) if self.is_vector(rotor.z) => Some(Form::RotorAndSlide {
+        match (fixed.is_zero(), moving.z.is_zero()) {
+            (false, true) if !rotor.z.is_zero() => Some(Form::RotorAndSlide {
                 rotor,
                 slide,
                 guide: fixed,
                 known,
             }),
-            (false, true) if !self.is_vector(rotor.z) || moving.sense == rotor.sense => {
+            (true, false) if rotor.z.is_zero() || moving.sense == rotor.sense => {
                 let rotor = Rotor {
                     z: rotor.z,
                     ..moving.clone()
@@ -207,8 +206,8 @@ impl Analysis<'_, '_> {
         }
     }
 
-    fn two_slides(&mut self, mut rest: Polynomials, slides: [SymbolId; 2]) -> Option<Form> {
-        let zero = self.algebra.graph.zero();
+    fn two_slides(&mut self, mut rest: Polynomials<'m>, slides: [SymbolId; 2]) -> Option<Form<'m>> {
+        let zero = self.algebra.zero();
         let guides = slides.map(|slide| rest.take_pair(&[slide], zero));
         let known = rest.take_pair(&[], zero);
         rest.is_exhausted().then_some(Form::TwoSlides {
@@ -218,11 +217,11 @@ impl Analysis<'_, '_> {
         })
     }
 
-    pub(super) fn is_vector(&self, v: [NodeId; 2]) -> bool {
-        !v.iter().all(|&x| self.algebra.graph.is_zero(x))
-    }
-
-    fn classify_scalar(&mut self, equation: &Equation, coordinate: &Coordinate) -> Option<Form> {
+    fn classify_scalar(
+        &mut self,
+        equation: &Equation<'m>,
+        coordinate: &Coordinate,
+    ) -> Option<Form<'m>> {
         if let CoordinateKind::Angle(angle) = coordinate.kind
             && let Some(value) = self.solved_relation(equation, angle)
         {
@@ -235,18 +234,16 @@ impl Analysis<'_, '_> {
         if let CoordinateKind::Angle(_) = coordinate.kind {
             self.drop_cancelled(&mut rest);
         }
-        let zero = self.algebra.graph.zero();
+        let zero = self.algebra.zero();
         let mut take = |symbols: &[SymbolId]| rest.take(symbols, zero)[0];
         let form = match coordinate.kind {
             CoordinateKind::Angle(angle) => {
-                let symbols = self.algebra.angles[angle].clone();
+                let symbols = self.algebra.names.angles[angle].clone();
                 let (a, b) = (take(&[symbols.cos]), take(&[symbols.sin]));
                 let (factor, c) = (take(&[symbols.value]), take(&[]));
-                let graph = &mut self.algebra.graph;
-                match (graph.is_zero(a) && graph.is_zero(b), graph.is_zero(factor)) {
+                match (a.is_zero() && b.is_zero(), factor.is_zero()) {
                     (true, false) => {
-                        let quotient = graph.div(c, factor);
-                        let value = graph.neg(quotient).into();
+                        let value = (-(c / factor)).into();
                         Form::Relation { angle, value }
                     }
                     (false, true) => Form::Trigonometric { angle, a, b, c },
@@ -256,7 +253,7 @@ impl Analysis<'_, '_> {
             CoordinateKind::Length(symbol) => {
                 let (a, b) = (take(&[symbol, symbol]), take(&[symbol]));
                 let c = take(&[]);
-                match self.algebra.graph.is_zero(a) {
+                match a.is_zero() {
                     true => Form::Linear { symbol, a: b, b: c },
                     false => Form::Quadratic { symbol, a, b, c },
                 }

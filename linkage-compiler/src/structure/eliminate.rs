@@ -1,6 +1,6 @@
 //! Bringing a coupled set of loops to known forms: unknowns that are explicit expressions of others go.
 
-use linkage_symbolic::{Binding, NodeId, SymbolId, collect};
+use linkage_symbolic::{Ex, SymbolId, collect};
 
 use crate::algebra::{Atom, Scalar};
 
@@ -8,15 +8,15 @@ use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Explicit};
 
 /// Equations and the coordinates that they are solved for.
-pub(super) type System = (Vec<Equation>, Vec<Coordinate>);
+pub(super) type System<'m> = (Vec<Equation<'m>>, Vec<Coordinate>);
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// An angle relation (`psi = theta + 30deg`) shows which vectors turn together.
     fn eliminate_relation(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<System> {
+    ) -> Option<System<'m>> {
         let (place, angle) = self.find_relation(equations, coordinates)?;
         let value = self.solved_relation(&equations[place], angle)?;
         self.replace_angle(angle, &value);
@@ -29,7 +29,7 @@ impl Analysis<'_, '_> {
         for equation in &mut equations {
             match self.replaced_in_relation(equation, angle, &value) {
                 Some(relation) => {
-                    equation.rows = vec![self.algebra.node(&relation)];
+                    equation.rows = vec![self.algebra.value_of(&relation)];
                     equation.relation = Some(relation);
                     equation.absorb(&eliminated, &gone);
                 }
@@ -43,7 +43,7 @@ impl Analysis<'_, '_> {
     /// loops use too, after whose removal the rest counts in whole multiples.
     fn find_relation(
         &self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
     ) -> Option<(usize, usize)> {
         equations.iter().enumerate().find_map(|(place, equation)| {
@@ -83,10 +83,10 @@ impl Analysis<'_, '_> {
     /// A relation between angles stays a linear form when one of its angles is replaced.
     fn replaced_in_relation(
         &mut self,
-        equation: &Equation,
+        equation: &Equation<'m>,
         angle: usize,
-        value: &Scalar,
-    ) -> Option<Scalar> {
+        value: &Scalar<'m>,
+    ) -> Option<Scalar<'m>> {
         let mut relation = equation.relation.clone()?;
         let factor = relation.coefficient(Atom::Angle(angle));
         if factor == 0.0 {
@@ -95,40 +95,38 @@ impl Analysis<'_, '_> {
         relation
             .terms
             .retain(|(atom, _)| *atom != Atom::Angle(angle));
-        let share = self.algebra.scale(value, factor);
-        Some(self.algebra.combine(&relation, &share, 1.0))
+        Some(relation.combined(&value.scaled(factor), 1.0))
     }
 
     /// An angle relation solved for one angle.
-    pub(super) fn solved_relation(&mut self, equation: &Equation, angle: usize) -> Option<Scalar> {
+    pub(super) fn solved_relation(
+        &mut self,
+        equation: &Equation<'m>,
+        angle: usize,
+    ) -> Option<Scalar<'m>> {
         let relation = equation.relation.clone()?;
         let own = relation.coefficient(Atom::Angle(angle));
-        let symbols = &self.algebra.angles[angle];
-        let own_symbols = [symbols.cos, symbols.sin, symbols.value];
-        let present = self.algebra.graph.symbols_of(&[relation.rest]);
+        let own_symbols = self.algebra.names.angles[angle].symbols();
+        let present = self.symbols_of(&[relation.rest]);
         if own == 0.0 || own_symbols.iter().any(|s| present.contains(s)) {
             return None;
         }
         let mut value = relation;
         value.terms.retain(|(atom, _)| *atom != Atom::Angle(angle));
-        Some(self.algebra.scale(&value, -1.0 / own))
+        Some(value.scaled(-1.0 / own))
     }
 
     /// Makes an angle an explicit expression of others.
-    pub(super) fn replace_angle(&mut self, angle: usize, value: &Scalar) {
-        let [cos, sin] = self.algebra.direction(value);
-        let node = self.algebra.node(value);
-        let symbols = self.algebra.angles[angle].clone();
-        for (symbol, value) in [
-            (symbols.cos, cos),
-            (symbols.sin, sin),
-            (symbols.value, node),
-        ] {
+    pub(super) fn replace_angle(&mut self, angle: usize, value: &Scalar<'m>) {
+        let [cos, sin] = self.algebra.direction(value).0;
+        let number = self.algebra.value_of(value);
+        let symbols = self.algebra.names.angles[angle].symbols();
+        for (symbol, value) in symbols.into_iter().zip([cos, sin, number]) {
             self.make_explicit(symbol, value);
         }
     }
 
-    fn make_explicit(&mut self, symbol: SymbolId, value: NodeId) {
+    fn make_explicit(&mut self, symbol: SymbolId, value: Ex<'m>) {
         self.substitutions.insert(symbol, value);
         self.structure.explicit.push(Explicit { symbol, value });
     }
@@ -136,8 +134,8 @@ impl Analysis<'_, '_> {
     /// Substitutes in an equation; if that changes it, it also answers for the eliminated loop and unknowns.
     fn substitute_in(
         &mut self,
-        equation: &mut Equation,
-        eliminated: &Equation,
+        equation: &mut Equation<'m>,
+        eliminated: &Equation<'m>,
         gone: &[Coordinate],
     ) {
         let changed = self.substituted(equation);
@@ -150,9 +148,9 @@ impl Analysis<'_, '_> {
     /// One step towards known forms; `None` if there is none.
     pub(super) fn reduce(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<System> {
+    ) -> Option<System<'m>> {
         self.eliminate_relation(equations, coordinates)
             .or_else(|| self.eliminate_point(equations, coordinates))
             .or_else(|| self.eliminate_slide(equations, coordinates))
@@ -166,9 +164,9 @@ impl Analysis<'_, '_> {
     /// `p + ... = 0` in one of several vector loops gives the unknown point `p`.
     fn eliminate_point(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<System> {
+    ) -> Option<System<'m>> {
         if equations.len() < 2 {
             return None;
         }
@@ -194,20 +192,19 @@ impl Analysis<'_, '_> {
     }
 
     /// All components of a point that enters an equation as `k (x, y)` with a `k` that is known before the input.
-    fn solve_point(&mut self, equation: &Equation, point: &[SymbolId]) -> Option<Vec<NodeId>> {
-        let graph = &mut self.algebra.graph;
+    fn solve_point(&mut self, equation: &Equation<'m>, point: &[SymbolId]) -> Option<Vec<Ex<'m>>> {
+        let zero = self.algebra.zero();
         let mut values = Vec::new();
-        for (row, &node) in equation.rows.iter().enumerate() {
-            let mut terms = collect(graph, node, point, &[])?;
+        for (row, &x) in equation.rows.iter().enumerate() {
+            let mut terms = collect(x, point, &[])?;
             let mut own = vec![0; point.len()];
             own[row] = 1;
             let factor = terms.remove(&own)?;
-            let rest = terms.remove(&vec![0; point.len()]).unwrap_or(graph.zero());
-            if !terms.is_empty() || graph.binding(factor) == Binding::Call {
+            let rest = terms.remove(&vec![0; point.len()]).unwrap_or(zero);
+            if !terms.is_empty() || !factor.is_fixed() {
                 return None;
             }
-            let quotient = graph.div(rest, factor);
-            values.push(graph.neg(quotient));
+            values.push(-(rest / factor));
         }
         Some(values)
     }
@@ -215,9 +212,9 @@ impl Analysis<'_, '_> {
     /// A scalar loop that is linear in a slide, with a constant factor, gives that slide.
     fn eliminate_slide(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<System> {
+    ) -> Option<System<'m>> {
         if equations.len() < 2 {
             return None;
         }
@@ -230,21 +227,18 @@ impl Analysis<'_, '_> {
                 let CoordinateKind::Length(symbol) = coordinate.kind else {
                     continue;
                 };
-                let graph = &mut self.algebra.graph;
-                let Some(mut terms) = collect(graph, equation.rows[0], &[symbol], &[]) else {
+                let Some(mut terms) = collect(equation.rows[0], &[symbol], &[]) else {
                     continue;
                 };
                 let (factor, rest) = (terms.remove(&vec![1]), terms.remove(&vec![0]));
                 let (Some(factor), true) = (factor, terms.is_empty()) else {
                     continue;
                 };
-                if graph.constant_value(factor).is_none() {
+                if factor.constant_value().is_none() {
                     continue;
                 }
-                let rest = rest.unwrap_or(graph.zero());
-                let quotient = graph.div(rest, factor);
-                let value = graph.neg(quotient);
-                self.make_explicit(symbol, value);
+                let rest = rest.unwrap_or(self.algebra.zero());
+                self.make_explicit(symbol, -(rest / factor));
                 return Some(self.without(equations, coordinates, place, &coordinates[k..=k]));
             }
         }
@@ -254,11 +248,11 @@ impl Analysis<'_, '_> {
     /// What remains when one equation has given some coordinates.
     fn without(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
         place: usize,
         gone: &[Coordinate],
-    ) -> System {
+    ) -> System<'m> {
         let mut equations = equations.to_vec();
         let eliminated = equations.remove(place);
         for equation in &mut equations {

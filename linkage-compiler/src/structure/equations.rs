@@ -1,6 +1,6 @@
 //! Equations and coordinates: the two sides of the bipartite graph.
 
-use linkage_symbolic::{NodeId, SymbolId, substitute};
+use linkage_symbolic::{Ex, NodeId, SymbolId, substitute};
 
 use crate::algebra::{Bound, Scalar, Translate, Value};
 use crate::model::Loop;
@@ -9,12 +9,12 @@ use super::Analysis;
 
 /// A loop, or what became of one: one to three scalar equations `row = 0`.
 #[derive(Clone, Debug)]
-pub(crate) struct Equation {
-    pub(crate) rows: Vec<NodeId>,
+pub(crate) struct Equation<'m> {
+    pub(crate) rows: Vec<Ex<'m>>,
     /// A scalar loop as a linear form in angles.
-    pub(crate) relation: Option<Scalar>,
+    pub(crate) relation: Option<Scalar<'m>>,
     /// The length of a link in space, if the row is about the square of its vector.
-    pub(crate) distance: Option<NodeId>,
+    pub(crate) distance: Option<Ex<'m>>,
     /// The loop that its rows were written as.
     pub(crate) written: usize,
     /// The loops it comes from.
@@ -23,7 +23,7 @@ pub(crate) struct Equation {
     pub(crate) eliminated: Vec<usize>,
 }
 
-impl Equation {
+impl Equation<'_> {
     /// Takes over the loops and unknowns of an equation that was eliminated into this one.
     pub(super) fn absorb(&mut self, eliminated: &Equation, gone: &[Coordinate]) {
         self.loops.extend(&eliminated.loops);
@@ -49,9 +49,9 @@ pub(crate) enum CoordinateKind {
     Length(SymbolId),
 }
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// All loops as equations, all unknowns as coordinates.
-    pub(super) fn equations(&mut self) -> (Vec<Equation>, Vec<Coordinate>) {
+    pub(super) fn equations(&mut self) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
         let mechanism = self.algebra.mechanism;
         self.algebra.translate_lets();
         let loops = mechanism.loops.iter().enumerate();
@@ -59,7 +59,7 @@ impl Analysis<'_, '_> {
             .map(|(index, item)| self.equation(index, item))
             .collect();
         let mut coordinates = Vec::new();
-        for (unknown, bound) in self.algebra.bound.iter().enumerate() {
+        for (unknown, bound) in self.algebra.names.bound.iter().enumerate() {
             let kinds: Vec<CoordinateKind> = match bound {
                 Bound::Angle(angle) => vec![CoordinateKind::Angle(*angle)],
                 Bound::Lengths(symbols) => symbols
@@ -76,18 +76,17 @@ impl Analysis<'_, '_> {
         (equations, coordinates)
     }
 
-    fn equation(&mut self, index: usize, item: &Loop) -> Equation {
+    fn equation(&mut self, index: usize, item: &Loop) -> Equation<'m> {
         let left = self.algebra.translate(&item.left);
         let right = self.algebra.translate(&item.right);
         let (rows, relation) = match (&left, &right) {
             (Value::Scalar(a), Value::Scalar(b)) => {
-                let relation = self.algebra.combine(a, b, -1.0);
-                (vec![self.algebra.node(&relation)], Some(relation))
+                let relation = a.combined(b, -1.0);
+                (vec![self.algebra.value_of(&relation)], Some(relation))
             }
             _ => {
-                let a = self.algebra.components(&left);
-                let b = self.algebra.components(&right);
-                (self.algebra.difference(&a, &b), None)
+                let (a, b) = (self.algebra.vector(&left), self.algebra.vector(&right));
+                ((a - b).iter().collect(), None)
             }
         };
         Equation {
@@ -104,16 +103,17 @@ impl Analysis<'_, '_> {
     pub(super) fn symbols(&self, coordinate: &Coordinate) -> Vec<SymbolId> {
         match coordinate.kind {
             CoordinateKind::Length(symbol) => vec![symbol],
-            CoordinateKind::Angle(index) => {
-                let angle = &self.algebra.angles[index];
-                vec![angle.cos, angle.sin, angle.value]
-            }
+            CoordinateKind::Angle(index) => self.algebra.names.angles[index].symbols().to_vec(),
         }
     }
 
     /// Which coordinates an equation contains.
-    pub(super) fn incidence(&self, equation: &Equation, coordinates: &[Coordinate]) -> Vec<usize> {
-        let present = self.algebra.graph.symbols_of(&equation.rows);
+    pub(super) fn incidence(
+        &self,
+        equation: &Equation<'m>,
+        coordinates: &[Coordinate],
+    ) -> Vec<usize> {
+        let present = self.symbols_of(&equation.rows);
         (0..coordinates.len())
             .filter(|&k| {
                 self.symbols(&coordinates[k])
@@ -123,21 +123,27 @@ impl Analysis<'_, '_> {
             .collect()
     }
 
-    pub(super) fn contains(&self, node: NodeId, coordinate: &Coordinate) -> bool {
-        let present = self.algebra.graph.symbols_of(&[node]);
+    pub(super) fn contains(&self, x: Ex<'m>, coordinate: &Coordinate) -> bool {
+        let present = self.symbols_of(&[x]);
         self.symbols(coordinate).iter().any(|s| present.contains(s))
     }
 
     /// Replaces eliminated symbols in an equation.
-    pub(super) fn substituted(&mut self, equation: &Equation) -> Equation {
-        self.algebra
-            .substitute_norms(&equation.rows, &self.substitutions);
-        let rows = substitute(&mut self.algebra.graph, &equation.rows, &self.substitutions);
+    pub(super) fn substituted(&mut self, equation: &Equation<'m>) -> Equation<'m> {
+        let graph = self.algebra.graph;
+        graph.substitute_lengths(&equation.rows, &self.substitutions);
+        let rows = substitute(&equation.rows, &self.substitutions);
         let relation = equation.relation.clone().filter(|_| rows == equation.rows);
         Equation {
             rows,
             relation,
             ..equation.clone()
         }
+    }
+
+    /// The symbols that expressions are made of.
+    pub(super) fn symbols_of(&self, all: &[Ex<'m>]) -> Vec<SymbolId> {
+        let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
+        self.algebra.graph.symbols_of(&nodes)
     }
 }

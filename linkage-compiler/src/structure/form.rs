@@ -1,6 +1,6 @@
 //! The forms of groups that have a solution.
 
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, SymbolId, V2, V3};
 
 use crate::algebra::Scalar;
 
@@ -8,123 +8,132 @@ use super::{Coupled, Private};
 
 /// A vector that turns with an unknown angle: `z (cos + i sense sin)` in complex numbers.
 #[derive(Clone, Debug)]
-pub(crate) struct Rotor {
+pub(crate) struct Rotor<'m> {
     pub(crate) angle: usize,
     /// -1 if the vector turns against the angle.
     pub(crate) sense: f64,
-    pub(crate) z: [NodeId; 2],
+    pub(crate) z: V2<'m>,
 }
 
 /// `|known + factor * point| = radius`
 #[derive(Clone, Debug)]
-pub(crate) struct Sphere {
-    pub(crate) known: [NodeId; 3],
-    pub(crate) factor: NodeId,
-    pub(crate) radius: NodeId,
+pub(crate) struct Sphere<'m> {
+    pub(crate) known: V3<'m>,
+    pub(crate) factor: Ex<'m>,
+    pub(crate) radius: Ex<'m>,
 }
 
 /// `normal . point + offset = 0`
 #[derive(Clone, Debug)]
-pub(crate) struct Plane {
-    pub(crate) normal: [NodeId; 3],
-    pub(crate) offset: NodeId,
+pub(crate) struct Plane<'m> {
+    pub(crate) normal: V3<'m>,
+    pub(crate) offset: Ex<'m>,
 }
 
 /// A group in the form in which it is solved. Each equation is `sum = 0`.
 #[derive(Clone, Debug)]
-pub(crate) enum Form {
+pub(crate) enum Form<'m> {
     /// `first + second + known = 0`: RRR
     TwoRotors {
-        first: Rotor,
-        second: Rotor,
-        known: [NodeId; 2],
+        first: Rotor<'m>,
+        second: Rotor<'m>,
+        known: V2<'m>,
     },
     /// `rotor + slide * guide + known = 0`: RRP, PRR
     RotorAndSlide {
-        rotor: Rotor,
+        rotor: Rotor<'m>,
         slide: SymbolId,
-        guide: [NodeId; 2],
-        known: [NodeId; 2],
+        guide: V2<'m>,
+        known: V2<'m>,
     },
     /// `(rotor + slide * guide) turning with one angle + known = 0`: RPR. The rotor's vector is the offset.
     SlideOnRotor {
-        rotor: Rotor,
+        rotor: Rotor<'m>,
         slide: SymbolId,
-        guide: [NodeId; 2],
-        known: [NodeId; 2],
+        guide: V2<'m>,
+        known: V2<'m>,
     },
     /// `slide 1 * guide 1 + slide 2 * guide 2 + known = 0`: PRP, RPP
     TwoSlides {
         slides: [SymbolId; 2],
-        guides: [[NodeId; 2]; 2],
-        known: [NodeId; 2],
+        guides: [V2<'m>; 2],
+        known: V2<'m>,
     },
     /// `a cos + b sin + c = 0`
     Trigonometric {
         angle: usize,
-        a: NodeId,
-        b: NodeId,
-        c: NodeId,
+        a: Ex<'m>,
+        b: Ex<'m>,
+        c: Ex<'m>,
     },
     /// `a x^2 + b x + c = 0`
     Quadratic {
         symbol: SymbolId,
-        a: NodeId,
-        b: NodeId,
-        c: NodeId,
+        a: Ex<'m>,
+        b: Ex<'m>,
+        c: Ex<'m>,
     },
     /// `a x + b = 0`
     Linear {
         symbol: SymbolId,
-        a: NodeId,
-        b: NodeId,
+        a: Ex<'m>,
+        b: Ex<'m>,
     },
     /// `|cosine cos + sine sin + known| = length` in space, the two perpendicular and equally long: RSSR
     LinkToRotor {
         angle: usize,
-        cosine: [NodeId; 3],
-        sine: [NodeId; 3],
-        known: [NodeId; 3],
-        length: NodeId,
+        cosine: V3<'m>,
+        sine: V3<'m>,
+        known: V3<'m>,
+        length: Ex<'m>,
     },
     /// `|slide * guide + known| = length` in space: RSSP
     LinkToSlide {
         slide: SymbolId,
-        guide: [NodeId; 3],
-        known: [NodeId; 3],
-        length: NodeId,
+        guide: V3<'m>,
+        known: V3<'m>,
+        length: Ex<'m>,
     },
     /// A point on spheres and planes, three in all; a component that is no coordinate is 0, which counts as a plane.
     Point {
         /// With the components that they are.
         coordinates: Vec<(SymbolId, usize)>,
-        spheres: Vec<Sphere>,
-        planes: Vec<Plane>,
+        spheres: Vec<Sphere<'m>>,
+        planes: Vec<Plane<'m>>,
     },
     /// `slide 1 * guide 1 + slide 2 * guide 2 + slide 3 * guide 3 + known = 0` in space
     ThreeSlides {
         slides: [SymbolId; 3],
-        guides: [[NodeId; 3]; 3],
-        known: [NodeId; 3],
+        guides: [V3<'m>; 3],
+        known: V3<'m>,
     },
     /// An angle given by others.
-    Relation { angle: usize, value: Scalar },
+    Relation { angle: usize, value: Scalar<'m> },
     /// Several loops together: class III and higher
-    Coupled(Box<Coupled>),
+    Coupled(Box<Coupled<'m>>),
 }
 
-impl Form {
+impl<'m> Form<'m> {
     /// The vectors that turn with its angles, and the lengths of its links in space.
-    pub(crate) fn links(&self) -> Vec<Vec<NodeId>> {
+    pub(crate) fn links(&self) -> Vec<Vec<Ex<'m>>> {
         match self {
-            Self::LinkToRotor { cosine, length, .. } => vec![cosine.to_vec(), vec![*length]],
+            Self::LinkToRotor { cosine, length, .. } => vec![cosine.0.to_vec(), vec![*length]],
             Self::LinkToSlide { length, .. } => vec![vec![*length]],
             Self::Point { spheres, .. } => spheres.iter().map(|s| vec![s.radius]).collect(),
-            _ => self.rotors().iter().map(|rotor| rotor.z.to_vec()).collect(),
+            Self::TwoRotors { .. }
+            | Self::RotorAndSlide { .. }
+            | Self::SlideOnRotor { .. }
+            | Self::TwoSlides { .. }
+            | Self::Trigonometric { .. }
+            | Self::Quadratic { .. }
+            | Self::Linear { .. }
+            | Self::ThreeSlides { .. }
+            | Self::Relation { .. }
+            | Self::Coupled(_) => self.rotors().iter().map(|r| r.z.0.to_vec()).collect(),
         }
     }
 
-    fn rotors(&self) -> Vec<&Rotor> {
+    fn rotors(&self) -> Vec<&Rotor<'m>> {
         match self {
             Self::TwoRotors { first, second, .. } => vec![first, second],
             Self::RotorAndSlide { rotor, .. } | Self::SlideOnRotor { rotor, .. } => vec![rotor],
@@ -136,7 +145,15 @@ impl Form {
                 });
                 rotors.collect()
             }
-            _ => Vec::new(),
+            Self::TwoSlides { .. }
+            | Self::Trigonometric { .. }
+            | Self::Quadratic { .. }
+            | Self::Linear { .. }
+            | Self::LinkToRotor { .. }
+            | Self::LinkToSlide { .. }
+            | Self::Point { .. }
+            | Self::ThreeSlides { .. }
+            | Self::Relation { .. } => Vec::new(),
         }
     }
 

@@ -6,7 +6,7 @@
 
 mod class;
 mod classify;
-mod coupled;
+mod coupled_core;
 mod eliminate;
 mod equations;
 mod form;
@@ -18,29 +18,29 @@ mod rewrite;
 mod space;
 mod squared;
 
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, SymbolId};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::diagnostic::{Diagnostics, Origins};
+use crate::diagnostic::Reporter;
 use crate::model::{Dimension, Mechanism, Type};
 
-pub(crate) use coupled::{Block, Core, Coupled, Private};
+pub(crate) use coupled_core::{Block, Core, Coupled, Private, Product};
 pub(crate) use equations::{Coordinate, Equation};
 pub(crate) use form::{Form, Plane, Rotor, Sphere};
 
 /// One Assur group.
 #[derive(Clone, Debug)]
-pub(crate) struct Group {
+pub(crate) struct Group<'m> {
     /// Indices of its loops in the mechanism.
     pub(crate) loops: Vec<usize>,
     /// That of them which is solved; the others were eliminated, or are solved with it.
     pub(crate) written: usize,
     /// Indices of the unknowns that it finds, in the model.
     pub(crate) unknowns: Vec<usize>,
-    pub(crate) form: Form,
+    pub(crate) form: Form<'m>,
 }
 
-impl Group {
+impl Group<'_> {
     /// True if it finds both components of an unknown point by an angle.
     pub(crate) fn finds_point(&self, mechanism: &Mechanism) -> bool {
         let point = |&k: &usize| mechanism.unknowns[k].ty.components() == Some(2);
@@ -82,32 +82,30 @@ impl Group {
 
 /// An unknown that is an explicit expression of others and was eliminated before its group was solved.
 #[derive(Clone, Debug)]
-pub(crate) struct Explicit {
+pub(crate) struct Explicit<'m> {
     pub(crate) symbol: SymbolId,
-    pub(crate) value: NodeId,
+    pub(crate) value: Ex<'m>,
 }
 
 /// The groups in an order in which they can be solved.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Structure {
-    pub(crate) groups: Vec<Group>,
-    pub(crate) explicit: Vec<Explicit>,
+pub(crate) struct Structure<'m> {
+    pub(crate) groups: Vec<Group<'m>>,
+    pub(crate) explicit: Vec<Explicit<'m>>,
     /// Inputs + unknowns - equations.
     pub(crate) mobility: usize,
 }
 
 /// Finds the groups; what cannot be solved is reported.
-pub(crate) fn decompose(
-    algebra: &mut Algebra,
+pub(crate) fn decompose<'m>(
+    algebra: &mut Algebra<'m>,
     nominal: &Nominal,
-    origins: &Origins,
-    diagnostics: &mut Diagnostics,
-) -> Structure {
+    reporter: Reporter,
+) -> Structure<'m> {
     let mut analysis = Analysis {
         algebra,
         nominal,
-        origins,
-        diagnostics,
+        reporter,
         structure: Structure::default(),
         substitutions: Default::default(),
         steps: 0,
@@ -122,11 +120,10 @@ pub(crate) fn decompose(
 struct Analysis<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
     nominal: &'a Nominal,
-    origins: &'a Origins,
-    diagnostics: &'a mut Diagnostics,
-    structure: Structure,
+    reporter: Reporter<'a>,
+    structure: Structure<'m>,
     /// Eliminated symbols and what they stand for.
-    substitutions: std::collections::HashMap<SymbolId, NodeId>,
+    substitutions: linkage_symbolic::unordered::Map<SymbolId, Ex<'m>>,
     /// Reductions so far.
     steps: usize,
 }
@@ -134,9 +131,9 @@ struct Analysis<'a, 'm> {
 /// No mechanism needs as many reductions for each of its loops.
 const STEPS_PER_LOOP: usize = 10;
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// Splits equations into groups and solves each for its coordinates.
-    fn solve(&mut self, equations: Vec<Equation>, coordinates: Vec<Coordinate>) {
+    fn solve(&mut self, equations: Vec<Equation<'m>>, coordinates: Vec<Coordinate>) {
         let incidence: Vec<Vec<usize>> = equations
             .iter()
             .map(|e| self.incidence(e, &coordinates))
@@ -159,7 +156,7 @@ impl Analysis<'_, '_> {
     }
 
     /// One strongly connected component: recognised, reduced, or reported.
-    fn component(&mut self, equations: Vec<Equation>, coordinates: Vec<Coordinate>) {
+    fn component(&mut self, equations: Vec<Equation<'m>>, coordinates: Vec<Coordinate>) {
         if let [equation] = &equations[..]
             && let Some(form) = self.classify(equation, &coordinates)
         {
@@ -185,7 +182,12 @@ impl Analysis<'_, '_> {
         }
     }
 
-    fn push_group(&mut self, equations: &[Equation], coordinates: &[Coordinate], form: Form) {
+    fn push_group(
+        &mut self,
+        equations: &[Equation<'m>],
+        coordinates: &[Coordinate],
+        form: Form<'m>,
+    ) {
         let own = coordinates.iter().filter_map(|c| c.unknown);
         let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
         let loops = equations.iter().flat_map(|e| e.loops.iter().copied());

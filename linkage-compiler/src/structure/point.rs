@@ -1,18 +1,17 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
-use linkage_symbolic::{NodeId, SymbolId, agree};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::space::Vector;
 use super::{Analysis, Form, Plane, Sphere};
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// Two or three numbers given by distances in space and planes: a point, or a direction.
     pub(super) fn classify_point(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<Form> {
+    ) -> Option<Form<'m>> {
         let symbols: Vec<SymbolId> = coordinates
             .iter()
             .map(|c| match c.kind {
@@ -48,11 +47,11 @@ impl Analysis<'_, '_> {
         }
         let places = places?;
         self.smallest_first(&mut spheres);
-        let zero = self.algebra.graph.zero();
+        let zero = self.algebra.zero();
         let planes = linear.into_iter().map(|(factors, offset)| {
-            let mut normal = [zero; 3];
+            let mut normal = Vector([zero; 3]);
             for (&place, factor) in places.iter().zip(factors) {
-                normal[place] = factor;
+                normal.0[place] = factor;
             }
             Plane { normal, offset }
         });
@@ -66,8 +65,7 @@ impl Analysis<'_, '_> {
     /// The accuracy of the solution is that of the first sphere: at the defaults and the reference position, it is the smallest.
     fn smallest_first(&self, spheres: &mut [Sphere]) {
         let size = |sphere: &Sphere| {
-            let nodes = [sphere.radius, sphere.factor];
-            let values = self.nominal.evaluate(&self.algebra.graph, &nodes);
+            let values = self.nominal.evaluate(&[sphere.radius, sphere.factor]);
             (values[0] / values[1]).abs()
         };
         spheres.sort_by(|a, b| size(a).total_cmp(&size(b)));
@@ -76,23 +74,21 @@ impl Analysis<'_, '_> {
     /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
     fn moved_point(
         &mut self,
-        vector: Vector,
+        vector: V3<'m>,
         symbols: &[SymbolId],
-    ) -> Option<(Vec<usize>, NodeId, Vector)> {
-        let zero = self.algebra.graph.zero();
+    ) -> Option<(Vec<usize>, Ex<'m>, V3<'m>)> {
         let mut places = vec![None; symbols.len()];
         let mut factor = None;
-        let mut known = [zero; 3];
-        for (component, row) in vector.into_iter().enumerate() {
+        let mut known = Vector([self.algebra.zero(); 3]);
+        for (component, row) in vector.components().enumerate() {
             let (factors, rest) = self.linear_row(row, symbols)?;
-            known[component] = rest;
-            let graph = &self.algebra.graph;
+            known.0[component] = rest;
             for (place, own) in places.iter_mut().zip(factors) {
-                if graph.is_zero(own) {
+                if own.is_zero() {
                     continue;
                 }
                 let first = *factor.get_or_insert(own);
-                if place.replace(component).is_some() || !agree(graph, first, own) {
+                if place.replace(component).is_some() || !agree(first, own) {
                     return None;
                 }
             }
@@ -104,10 +100,10 @@ impl Analysis<'_, '_> {
 }
 
 /// Three linear rows in three lengths.
-fn three_slides(slides: [SymbolId; 3], rows: &[(Vec<NodeId>, NodeId)]) -> Form {
+fn three_slides<'m>(slides: [SymbolId; 3], rows: &[(Vec<Ex<'m>>, Ex<'m>)]) -> Form<'m> {
     Form::ThreeSlides {
         slides,
-        guides: [0, 1, 2].map(|slide| [0, 1, 2].map(|row| rows[row].0[slide])),
-        known: [0, 1, 2].map(|row| rows[row].1),
+        guides: [0, 1, 2].map(|slide| Vector([0, 1, 2].map(|row| rows[row].0[slide]))),
+        known: Vector([0, 1, 2].map(|row| rows[row].1)),
     }
 }

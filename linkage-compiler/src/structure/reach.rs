@@ -1,8 +1,8 @@
 //! Directions in which a loop in space is moved by its unknowns, for messages.
 
-use std::collections::HashMap;
+use linkage_symbolic::unordered::Map;
 
-use linkage_symbolic::{NodeId, SymbolId, substitute};
+use linkage_symbolic::{Ex, SymbolId, substitute};
 
 use crate::algebra::Bound;
 use crate::vector::{Vector as Direction, cross, dot, norm};
@@ -10,13 +10,25 @@ use crate::vector::{Vector as Direction, cross, dot, norm};
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 
-type NodeVector = [NodeId; 3];
+/// Step of central differences, in radians or as a share of a length: near the cube root of a double's precision, where truncation and
+/// rounding are alike.
+const STEP: f64 = 1e-5;
 
-impl Analysis<'_, '_> {
+/// A column of which less than this share points across those before it adds no direction: far above the error of the differences.
+const ALONG: f64 = 1e-6;
+
+/// Three digits are enough to recognise a direction.
+const DIGITS: f64 = 1000.0;
+
+impl<'m> Analysis<'_, 'm> {
     /// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
     /// move it in all directions.
-    pub(super) fn short_of(&mut self, equation: &Equation, own: &[Coordinate]) -> Option<String> {
-        let rows: NodeVector = equation.rows.clone().try_into().ok()?;
+    pub(super) fn short_of(
+        &mut self,
+        equation: &Equation<'m>,
+        own: &[Coordinate],
+    ) -> Option<String> {
+        let rows: [Ex<'m>; 3] = equation.rows.clone().try_into().ok()?;
         let mut reached: Vec<Direction> = Vec::new();
         for coordinate in own {
             let column = self.column(rows, coordinate)?;
@@ -24,7 +36,7 @@ impl Analysis<'_, '_> {
                 let along = dot(rest, *unit);
                 [0, 1, 2].map(|k| rest[k] - along * unit[k])
             });
-            if norm(across) > 1e-6 * norm(column) {
+            if norm(across) > ALONG * norm(column) {
                 reached.push(across.map(|x| x / norm(across)));
             }
         }
@@ -40,32 +52,30 @@ impl Analysis<'_, '_> {
     }
 
     /// How the rows change with one coordinate, at the estimates.
-    fn column(&mut self, rows: NodeVector, coordinate: &Coordinate) -> Option<Direction> {
+    fn column(&mut self, rows: [Ex<'m>; 3], coordinate: &Coordinate) -> Option<Direction> {
         coordinate.unknown?;
-        let step = 1e-5;
-        let ahead = self.rows_at(rows, coordinate, step);
-        let behind = self.rows_at(rows, coordinate, -step);
-        let column = [0, 1, 2].map(|k| (ahead[k] - behind[k]) / (2.0 * step));
+        let ahead = self.rows_at(rows, coordinate, STEP);
+        let behind = self.rows_at(rows, coordinate, -STEP);
+        let column = [0, 1, 2].map(|k| (ahead[k] - behind[k]) / (2.0 * STEP));
         column.iter().all(|x| x.is_finite()).then_some(column)
     }
 
     /// The rows at the estimates with one coordinate moved: by radians, or by a share of the estimate.
-    fn rows_at(&mut self, rows: NodeVector, moved: &Coordinate, step: f64) -> Vec<f64> {
-        let mut values: HashMap<SymbolId, NodeId> = HashMap::new();
-        for (unknown, bound) in self.algebra.bound.iter().enumerate() {
+    fn rows_at(&mut self, rows: [Ex<'m>; 3], moved: &Coordinate, step: f64) -> Vec<f64> {
+        let mut values: Map<SymbolId, Ex<'m>> = Map::new();
+        for (unknown, bound) in self.algebra.names.bound.iter().enumerate() {
             let estimate = &self.nominal.estimates[unknown];
             match bound {
                 Bound::Angle(index) => {
-                    let angle = &self.algebra.angles[*index];
+                    let angle = &self.algebra.names.angles[*index];
                     let shift = match moved.kind == CoordinateKind::Angle(*index) {
                         true => step,
                         false => 0.0,
                     };
                     let value = estimate[0] + shift;
-                    let graph = &mut self.algebra.graph;
-                    values.insert(angle.cos, graph.constant(value.cos()));
-                    values.insert(angle.sin, graph.constant(value.sin()));
-                    values.insert(angle.value, graph.constant(value));
+                    let numbers = [value.cos(), value.sin(), value];
+                    let numbers = numbers.map(|x| self.algebra.graph.number(x));
+                    values.extend(angle.symbols().into_iter().zip(numbers));
                 }
                 Bound::Lengths(symbols) => {
                     for ((symbol, _), estimate) in symbols.iter().zip(estimate) {
@@ -73,20 +83,20 @@ impl Analysis<'_, '_> {
                             true => step * estimate.abs().max(1.0),
                             false => 0.0,
                         };
-                        let value = self.algebra.graph.constant(estimate + shift);
+                        let value = self.algebra.graph.number(estimate + shift);
                         values.insert(*symbol, value);
                     }
                 }
             }
         }
-        let rows = substitute(&mut self.algebra.graph, &rows, &values);
-        self.nominal.evaluate(&self.algebra.graph, &rows)
+        let rows = substitute(&rows, &values);
+        self.nominal.evaluate(&rows)
     }
 }
 
 /// A unit vector to three digits; of the two signs, the one whose first component other than 0 is positive.
 fn words(direction: Direction) -> String {
-    let rounded = direction.map(|x| (1000.0 * x).round() / 1000.0);
+    let rounded = direction.map(|x| (DIGITS * x).round() / DIGITS);
     let first = rounded.into_iter().find(|x| *x != 0.0).unwrap_or(1.0);
     let [x, y, z] = rounded.map(|x| x * first.signum() + 0.0);
     format!("({x}, {y}, {z})")

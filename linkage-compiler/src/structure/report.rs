@@ -1,15 +1,15 @@
 //! Messages of the structural analysis: mobility, and groups that have no closed form.
 
 use super::Analysis;
-use super::coupled::MOST_CORE;
+use super::coupled_core::MOST_CORE;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// Reports unknowns without equations and equations without unknowns; true if there are none.
     pub(super) fn report_mobility(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
         incidence: &[Vec<usize>],
         matching: &Matching,
@@ -40,7 +40,7 @@ impl Analysis<'_, '_> {
     }
 
     /// True for a loop whose unknowns cancel out, if that has been said of one of them.
-    fn is_told(&self, equation: &Equation, told: &[usize], coordinates: &[Coordinate]) -> bool {
+    fn is_told(&self, equation: &Equation<'m>, told: &[usize], coordinates: &[Coordinate]) -> bool {
         let written = self.algebra.mechanism.usage(&equation.loops).unknowns;
         let mut told = told.iter().filter_map(|&k| coordinates[k].unknown);
         told.any(|unknown| written[unknown])
@@ -51,15 +51,13 @@ impl Analysis<'_, '_> {
         coordinate: &Coordinate,
         undetermined: &[usize],
         sharing: &[usize],
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
     ) {
         let Some(unknown) = coordinate.unknown else {
             return;
         };
-        let span = self
-            .origins
-            .span(self.algebra.mechanism.unknowns[unknown].origin);
+        let origin = self.algebra.mechanism.unknowns[unknown].origin;
         let name = &self.algebra.mechanism.unknowns[unknown].name;
         if sharing.is_empty() && self.is_component(undetermined, coordinates) {
             let component = self.coordinate_name(coordinate);
@@ -68,8 +66,8 @@ impl Analysis<'_, '_> {
                 true => format!("; the loop of a direction is `norm({name}) = 1`"),
                 false => String::new(),
             };
-            return self.diagnostics.error(
-                span,
+            return self.reporter.error(
+                origin,
                 format!("`{component}` is in no loop\nhelp: add a `loop` that contains it{norm}"),
             );
         }
@@ -78,8 +76,8 @@ impl Analysis<'_, '_> {
             .collect();
         if sharing.is_empty() && !written.is_empty() {
             let loops = loop_list(&written);
-            return self.diagnostics.error(
-                span,
+            return self.reporter.error(
+                origin,
                 format!(
                     "no loop changes with `{name}`: it cancels out of {loops}\n\
                      help: look for a vector that is turned by `{name}` and lies along its axis, or that is multiplied by 0"
@@ -87,8 +85,8 @@ impl Analysis<'_, '_> {
             );
         }
         if sharing.is_empty() {
-            return self.diagnostics.error(
-                span,
+            return self.reporter.error(
+                origin,
                 format!(
                     "unknown `{name}` is in no loop\n\
                      help: add a `loop` that contains it, or write it as `let` or `input`"
@@ -112,21 +110,19 @@ impl Analysis<'_, '_> {
                 format!("{surplus} of these unknowns inputs")
             },
         );
-        self.diagnostics.error(span, message);
+        self.reporter.error(origin, message);
     }
 
     fn report_surplus(
         &mut self,
-        equation: &Equation,
+        equation: &Equation<'m>,
         surplus: usize,
         contained: &[usize],
         rows: usize,
         coordinates: &[Coordinate],
     ) {
         let number = equation.loops[0];
-        let span = self
-            .origins
-            .span(self.algebra.mechanism.loops[number].origin);
+        let origin = self.algebra.mechanism.loops[number].origin;
         let loops = loop_list(&equation.loops);
         let message = if contained.is_empty() {
             format!(
@@ -156,11 +152,15 @@ impl Analysis<'_, '_> {
                 counted(coordinates.len(), "unknown"),
             )
         };
-        self.diagnostics.error(span, message);
+        self.reporter.error(origin, message);
     }
 
     /// A coupled group without a closed form.
-    pub(super) fn report_unsolved(&mut self, equations: &[Equation], coordinates: &[Coordinate]) {
+    pub(super) fn report_unsolved(
+        &mut self,
+        equations: &[Equation<'m>],
+        coordinates: &[Coordinate],
+    ) {
         let loops = loop_list(equations.iter().flat_map(|e| &e.loops));
         let own = coordinates.iter().filter_map(|c| c.unknown);
         let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
@@ -169,12 +169,10 @@ impl Analysis<'_, '_> {
         unknowns.dedup();
         let count: usize = unknowns
             .iter()
-            .map(|&k| self.algebra.components_of(k))
+            .map(|&k| self.algebra.names.components_of(k))
             .sum();
         let names = self.names(unknowns);
-        let span = self
-            .origins
-            .span(self.algebra.mechanism.loops[equations[0].loops[0]].origin);
+        let origin = self.algebra.mechanism.loops[equations[0].loops[0]].origin;
         let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
         let what = "an unknown angle may stand in `polar`, `dir`, `rotate`, `turn`, `sin`, `cos`, an unknown length may be \
                          multiplied by known quantities or by a direction";
@@ -209,12 +207,12 @@ impl Analysis<'_, '_> {
                 }
             ),
         };
-        self.diagnostics.error(span, message);
+        self.reporter.error(origin, message);
     }
 
     /// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
     /// The unknown angles of which polynomial loops contain the value.
-    fn valued(&mut self, equations: &[Equation], coordinates: &[Coordinate]) -> Vec<usize> {
+    fn valued(&mut self, equations: &[Equation<'m>], coordinates: &[Coordinate]) -> Vec<usize> {
         let polynomials: Vec<_> = equations
             .iter()
             .filter_map(|e| self.polynomials(&e.rows, coordinates))
@@ -235,7 +233,7 @@ impl Analysis<'_, '_> {
                 continue;
             };
             let of_it = coordinates.iter().filter(|c| c.unknown == Some(unknown));
-            let name = match of_it.count() == self.algebra.components_of(unknown) {
+            let name = match of_it.count() == self.algebra.names.components_of(unknown) {
                 true => self.algebra.mechanism.unknowns[unknown].name.clone(),
                 false => self.coordinate_name(coordinate),
             };
@@ -262,10 +260,10 @@ impl Analysis<'_, '_> {
     /// `theta`, or a component: `p.x`.
     fn coordinate_name(&self, coordinate: &Coordinate) -> String {
         match coordinate.kind {
-            CoordinateKind::Length(symbol) => self.algebra.graph.symbol(symbol).name.clone(),
+            CoordinateKind::Length(symbol) => self.algebra.graph.symbol(symbol).name,
             CoordinateKind::Angle(angle) => {
-                let value = self.algebra.angles[angle].value;
-                self.algebra.graph.symbol(value).name.clone()
+                let value = self.algebra.names.angles[angle].value;
+                self.algebra.graph.symbol(value).name
             }
         }
     }

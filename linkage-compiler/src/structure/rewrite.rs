@@ -1,7 +1,7 @@
 //! Bringing a coupled set of loops to known forms: distances become links, components become vectors, a sum of angles
 //! becomes an angle.
 
-use linkage_symbolic::{NodeId, SymbolId, collect};
+use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
 use crate::algebra::Atom;
 
@@ -10,13 +10,13 @@ use super::eliminate::System;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::space::Distance;
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// Two scalar loops, the components of one vector loop.
     pub(super) fn join_rows(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<System> {
+    ) -> Option<System<'m>> {
         let [a, b] = equations else { return None };
         if a.rows.len() != 1 || b.rows.len() != 1 {
             return None;
@@ -39,9 +39,9 @@ impl Analysis<'_, '_> {
     /// `distance(a, b) = l` is a link of length `l` between `a` and `b`, at an angle of its own.
     pub(super) fn distance_to_link(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<System> {
+    ) -> Option<System<'m>> {
         for (place, equation) in equations
             .iter()
             .enumerate()
@@ -56,16 +56,9 @@ impl Analysis<'_, '_> {
             }
             let mut equations = equations.to_vec();
             let mut coordinates = coordinates.to_vec();
-            let angle = self.algebra.add_angle("link", None);
-            let unit = [
-                self.algebra.angles[angle].cos_node,
-                self.algebra.angles[angle].sin_node,
-            ];
-            let graph = &mut self.algebra.graph;
-            let rows = (0..2).map(|k| {
-                let along = graph.mul(length, unit[k]);
-                graph.sub(vector[k], along)
-            });
+            let angle = self.algebra.names.add_angle("link", None);
+            let unit = self.algebra.names.angles[angle].unit;
+            let rows = (0..2).map(|k| vector[k] - length * unit[k]);
             equations[place].rows = rows.collect();
             equations[place].relation = None;
             coordinates.push(Coordinate {
@@ -80,9 +73,9 @@ impl Analysis<'_, '_> {
     /// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains the angle alone.
     pub(super) fn split_along_guide(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<System> {
+    ) -> Option<System<'m>> {
         let ([equation], [a, b]) = (equations, coordinates) else {
             return None;
         };
@@ -94,42 +87,36 @@ impl Analysis<'_, '_> {
         let [x, y] = equation.rows[..] else {
             return None;
         };
-        let graph = &mut self.algebra.graph;
-        let mut guide = [graph.zero(); 2];
-        for (row, direction) in [x, y].into_iter().zip(&mut guide) {
-            let terms = collect(graph, row, &[slide], &[])?;
+        let zero = self.algebra.zero();
+        let mut guide = Vector([zero; 2]);
+        for (row, direction) in [x, y].into_iter().zip(&mut guide.0) {
+            let terms = collect(row, &[slide], &[])?;
             if terms.keys().any(|exponents| exponents[0] > 1) {
                 return None;
             }
-            *direction = terms.get(&vec![1]).copied().unwrap_or(graph.zero());
+            *direction = terms.get(&vec![1]).copied().unwrap_or(zero);
         }
-        if guide.iter().any(|&g| self.contains(g, angle)) {
+        if guide.components().any(|g| self.contains(g, angle)) {
             return None;
         }
-        let across = self.algebra.cross(guide, [x, y]);
-        let along = self.algebra.dot(&guide, &[x, y]);
-        let clean = self.linear_part(across, slide)?;
-        let row = |node| Equation {
-            rows: vec![node],
+        let rows = Vector([x, y]);
+        let across = guide.cross(rows);
+        let along = guide.dot(rows);
+        let clean = linear_part(across, slide)?;
+        let row = |x| Equation {
+            rows: vec![x],
             relation: None,
             ..equation.clone()
         };
         Some((vec![row(clean), row(along)], coordinates.to_vec()))
     }
 
-    /// `row` without the terms in `slide`, which cancel.
-    fn linear_part(&mut self, row: NodeId, slide: SymbolId) -> Option<NodeId> {
-        let terms = collect(&mut self.algebra.graph, row, &[slide], &[])?;
-        let cancelled = terms.keys().all(|exponents| exponents[0] == 0);
-        terms.get(&vec![0]).copied().filter(|_| cancelled)
-    }
-
     /// Angles measured from link to link: their sum is the angle of the second link.
     pub(super) fn relative_angle(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<System> {
+    ) -> Option<System<'m>> {
         let ([equation], [a, b]) = (equations, coordinates) else {
             return None;
         };
@@ -138,8 +125,8 @@ impl Analysis<'_, '_> {
         };
         for (base, relative, kept) in [(first, second, a), (second, first, b)] {
             for sign in [1.0, -1.0] {
-                let sum = self.algebra.add_angle("sum", None);
-                self.algebra.angles[sum].stands_for = self.sum_of(base, relative, sign);
+                let sum = self.algebra.names.add_angle("sum", None);
+                self.algebra.names.angles[sum].stands_for = self.sum_of(base, relative, sign);
                 let mut value = self.algebra.atom(Atom::Angle(sum));
                 value.terms.insert(0, (Atom::Angle(base), -sign));
                 value.terms.sort_by_key(|(atom, _)| *atom);
@@ -165,10 +152,10 @@ impl Analysis<'_, '_> {
     }
 }
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// The sum of an angle and the one it is measured from stands for the former.
     fn sum_of(&self, base: usize, relative: usize, sign: f64) -> Option<(usize, f64)> {
-        let [base, relative] = [base, relative].map(|k| &self.algebra.angles[k]);
+        let [base, relative] = [base, relative].map(|k| &self.algebra.names.angles[k]);
         let estimate = relative.estimate(self.nominal) + sign * base.estimate(self.nominal);
         relative.meant().map(|unknown| (unknown, estimate))
     }
@@ -179,4 +166,11 @@ fn sorted(a: &[usize], b: &[usize]) -> Vec<usize> {
     all.sort_unstable();
     all.dedup();
     all
+}
+
+/// `row` without the terms in `slide`, which cancel.
+fn linear_part(row: Ex, slide: SymbolId) -> Option<Ex> {
+    let terms = collect(row, &[slide], &[])?;
+    let cancelled = terms.keys().all(|exponents| exponents[0] == 0);
+    terms.get(&vec![0]).copied().filter(|_| cancelled)
 }

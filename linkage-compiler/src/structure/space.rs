@@ -1,44 +1,48 @@
 //! Recognising groups in space: distances to a point that turns or slides, loops of three rows.
 
-use linkage_symbolic::program::{Binary, Ternary, Unary};
-use linkage_symbolic::{Node, NodeId, SymbolId, collect};
+use linkage_symbolic::program::{Binary, Unary};
+use linkage_symbolic::{Ex, Node, SymbolId, V3, Vector, Vn, collect};
 
 use super::eliminate::System;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Form};
 
 /// A row `|vector| = length`.
-pub(super) struct Distance {
-    pub(super) vector: Vec<NodeId>,
-    pub(super) length: NodeId,
+pub(super) struct Distance<'m> {
+    pub(super) vector: Vec<Ex<'m>>,
+    pub(super) length: Ex<'m>,
 }
 
-pub(super) type Vector = [NodeId; 3];
-
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// A row `|v| - l` or `v . v - l^2` (or its negative) with a known `l`.
-    pub(super) fn distance(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
+    pub(super) fn distance(
+        &mut self,
+        row: Ex<'m>,
+        coordinates: &[Coordinate],
+    ) -> Option<Distance<'m>> {
         self.measured(row, coordinates)
             .or_else(|| self.written_squares(row, coordinates))
     }
 
     /// A length or its square on one side, known numbers on the other.
-    fn measured(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
-        let mut sides = (row, self.algebra.graph.zero());
+    fn measured(&mut self, row: Ex<'m>, coordinates: &[Coordinate]) -> Option<Distance<'m>> {
+        let mut sides = (row, self.algebra.zero());
         loop {
             // Squares of what is known may belong to the vector: one term after the other.
             sides = self.without_term(sides, coordinates)?;
             let (measured, given) = self.without_factors(sides.0, sides.1, coordinates);
-            if let Some(vector) = self.algebra.norms.get(&measured).cloned() {
+            let graph = self.algebra.graph;
+            let lift = |vector: Vec<_>| vector.into_iter().map(|id| graph.ex(id)).collect();
+            if let Some(vector) = graph.vector_of_length(measured.id()) {
                 // No distance is negative.
-                let graph = &mut self.algebra.graph;
-                let nan = graph.constant(f64::NAN);
-                let length = graph.ternary(Ternary::Select, given, given, nan);
+                let length = given.select(given, given.number(f64::NAN));
+                let vector = lift(vector);
                 return Some(Distance { vector, length });
             }
-            let squared = self.algebra.squares.get(&measured).cloned();
+            let squared = graph.vector_of_square(measured.id());
             if let Some(vector) = squared.filter(|v| v.len() == 3) {
-                let length = self.algebra.graph.sqrt(given);
+                let length = given.sqrt();
+                let vector = lift(vector);
                 return Some(Distance { vector, length });
             }
         }
@@ -47,45 +51,49 @@ impl Analysis<'_, '_> {
     /// Both sides of an equation less a known term of the first.
     fn without_term(
         &mut self,
-        (side, other): (NodeId, NodeId),
+        (side, other): (Ex<'m>, Ex<'m>),
         coordinates: &[Coordinate],
-    ) -> Option<(NodeId, NodeId)> {
-        let known = |analysis: &Self, x| !coordinates.iter().any(|c| analysis.contains(x, c));
-        let node = self.algebra.graph.node(side);
-        let (knows_first, knows_second) = match node {
-            Node::Binary(_, a, b) => (known(self, a), known(self, b)),
-            _ => (false, false),
+    ) -> Option<(Ex<'m>, Ex<'m>)> {
+        let ex = |id| side.graph().ex(id);
+        if let Node::Unary(Unary::Neg, a) = side.node() {
+            return Some((ex(a), -other));
+        }
+        let Node::Binary(op, a, b) = side.node() else {
+            return None;
         };
-        let graph = &mut self.algebra.graph;
-        Some(match node {
-            Node::Unary(Unary::Neg, a) => (a, graph.neg(other)),
-            Node::Binary(Binary::Add, a, b) if knows_second => (a, graph.sub(other, b)),
-            Node::Binary(Binary::Add, a, b) if knows_first => (b, graph.sub(other, a)),
-            Node::Binary(Binary::Sub, a, b) if knows_second => (a, graph.add(other, b)),
-            Node::Binary(Binary::Sub, a, b) if knows_first => (b, graph.sub(a, other)),
-            _ => return None,
-        })
+        let [a, b] = [a, b].map(ex);
+        let known = |x| !coordinates.iter().any(|c| self.contains(x, c));
+        match (op, known(a), known(b)) {
+            (Binary::Add, _, true) => Some((a, other - b)),
+            (Binary::Add, true, _) => Some((b, other - a)),
+            (Binary::Sub, _, true) => Some((a, other + b)),
+            (Binary::Sub, true, _) => Some((b, a - other)),
+            _ => None,
+        }
     }
 
     /// Both sides divided by the known factors of the first.
     fn without_factors(
         &mut self,
-        mut measured: NodeId,
-        mut given: NodeId,
+        mut measured: Ex<'m>,
+        mut given: Ex<'m>,
         coordinates: &[Coordinate],
-    ) -> (NodeId, NodeId) {
+    ) -> (Ex<'m>, Ex<'m>) {
         loop {
-            let node = self.algebra.graph.node(measured);
-            let known = |analysis: &Self, x| !coordinates.iter().any(|c| analysis.contains(x, c));
-            match node {
-                Node::Binary(Binary::Div, a, b) if known(self, b) => {
+            let Node::Binary(op, a, b) = measured.node() else {
+                return (measured, given);
+            };
+            let [a, b] = [a, b].map(|id| measured.graph().ex(id));
+            let known = |x| !coordinates.iter().any(|c| self.contains(x, c));
+            match op {
+                Binary::Div if known(b) => {
                     measured = a;
-                    given = self.algebra.graph.mul(given, b);
+                    given = given * b;
                 }
-                Node::Binary(Binary::Mul, a, b) if a != b && (known(self, a) || known(self, b)) => {
-                    let (factor, rest) = if known(self, a) { (a, b) } else { (b, a) };
+                Binary::Mul if a != b && (known(a) || known(b)) => {
+                    let (factor, rest) = if known(a) { (a, b) } else { (b, a) };
                     measured = rest;
-                    given = self.algebra.graph.div(given, factor);
+                    given = given / factor;
                 }
                 _ => return (measured, given),
             }
@@ -93,68 +101,54 @@ impl Analysis<'_, '_> {
     }
 
     /// `x x + y y + z z - ...` with a known rest.
-    fn written_squares(&mut self, row: NodeId, coordinates: &[Coordinate]) -> Option<Distance> {
-        let unknown =
-            |analysis: &Self, node| coordinates.iter().any(|c| analysis.contains(node, c));
-        let terms = self.summands(row);
-        let sign = terms.iter().find(|(_, x)| unknown(self, *x))?.0;
+    fn written_squares(&mut self, row: Ex<'m>, coordinates: &[Coordinate]) -> Option<Distance<'m>> {
+        let unknown = |x| coordinates.iter().any(|c| self.contains(x, c));
+        let terms = summands(row);
+        let sign = terms.iter().find(|(_, x)| unknown(*x))?.0;
         let mut vector = Vec::new();
-        let mut wanted = self.algebra.graph.zero();
+        let mut wanted = self.algebra.zero();
         for (own, term) in terms {
-            match self.algebra.graph.node(term) {
-                Node::Binary(Binary::Mul, a, b) if a == b && own == sign => vector.push(a),
-                _ if unknown(self, term) => return None,
-                _ if own == sign => wanted = self.algebra.graph.sub(wanted, term),
-                _ => wanted = self.algebra.graph.add(wanted, term),
+            match term.node() {
+                Node::Binary(Binary::Mul, a, b) if a == b && own == sign => {
+                    vector.push(term.graph().ex(a));
+                }
+                _ if unknown(term) => return None,
+                _ if own == sign => wanted -= term,
+                _ => wanted += term,
             }
         }
-        let length = self.algebra.graph.sqrt(wanted);
+        let length = wanted.sqrt();
         (vector.len() == 3).then_some(Distance { vector, length })
-    }
-
-    /// The terms of a sum; false for those that are subtracted.
-    fn summands(&self, node: NodeId) -> Vec<(bool, NodeId)> {
-        let mut found = Vec::new();
-        let mut open = vec![(true, node)];
-        while let Some((sign, node)) = open.pop() {
-            match self.algebra.graph.node(node) {
-                Node::Unary(Unary::Neg, x) => open.push((!sign, x)),
-                Node::Binary(Binary::Add, a, b) => open.extend([(sign, b), (sign, a)]),
-                Node::Binary(Binary::Sub, a, b) => open.extend([(!sign, b), (sign, a)]),
-                _ => found.push((sign, node)),
-            }
-        }
-        found
     }
 
     /// A row that is a distance in space.
     pub(super) fn space_distance(
         &mut self,
-        row: NodeId,
+        row: Ex<'m>,
         coordinates: &[Coordinate],
-    ) -> Option<(Vector, NodeId)> {
+    ) -> Option<(V3<'m>, Ex<'m>)> {
         let Distance { vector, length } = self.distance(row, coordinates)?;
-        let &[x, y, z] = &vector[..] else { return None };
-        Some(([x, y, z], length))
+        let vector = vector.try_into().ok()?;
+        Some((Vector(vector), length))
     }
 
     /// A link with two ball joints to a point that turns about an axis (RSSR) or slides along a line (RSSP).
     pub(super) fn classify_distance(
         &mut self,
-        row: NodeId,
+        row: Ex<'m>,
         coordinate: &Coordinate,
-    ) -> Option<Form> {
+    ) -> Option<Form<'m>> {
         let own = std::slice::from_ref(coordinate);
         let (vector, length) = self.space_distance(row, own)?;
-        let mut rest = self.polynomials(&vector, own)?;
-        let zero = self.algebra.graph.zero();
+        let mut rest = self.polynomials(&vector.0, own)?;
+        let zero = self.algebra.zero();
         match coordinate.kind {
             CoordinateKind::Angle(angle) => {
-                let symbols = self.algebra.angles[angle].clone();
+                let symbols = self.algebra.names.angles[angle].clone();
                 let cosine = rest.take_space(&[symbols.cos], zero);
                 let sine = rest.take_space(&[symbols.sin], zero);
                 let known = rest.take_space(&[], zero);
-                let is_circle = self.algebra.is_turned(&cosine, &sine);
+                let is_circle = Vn::from(cosine).is_turned(sine.into());
                 (rest.is_exhausted() && is_circle).then_some(Form::LinkToRotor {
                     angle,
                     cosine,
@@ -179,12 +173,11 @@ impl Analysis<'_, '_> {
     /// A row that is linear in some symbols: their factors and the rest.
     pub(super) fn linear_row(
         &mut self,
-        row: NodeId,
+        row: Ex<'m>,
         symbols: &[SymbolId],
-    ) -> Option<(Vec<NodeId>, NodeId)> {
-        let graph = &mut self.algebra.graph;
-        let zero = graph.zero();
-        let mut terms = collect(graph, row, symbols, &[])?;
+    ) -> Option<(Vec<Ex<'m>>, Ex<'m>)> {
+        let zero = self.algebra.zero();
+        let mut terms = collect(row, symbols, &[])?;
         let factors = (0..symbols.len())
             .map(|k| {
                 let mut monomial = vec![0; symbols.len()];
@@ -199,9 +192,9 @@ impl Analysis<'_, '_> {
     /// A vector loop with three slides.
     pub(super) fn classify_three_slides(
         &mut self,
-        equation: &Equation,
+        equation: &Equation<'m>,
         coordinates: &[Coordinate],
-    ) -> Option<Form> {
+    ) -> Option<Form<'m>> {
         let [x, y, z] = equation.rows[..] else {
             return None;
         };
@@ -213,7 +206,7 @@ impl Analysis<'_, '_> {
             }
         }
         let slides: [SymbolId; 3] = slides.try_into().ok()?;
-        let (guides, known) = self.guides([x, y, z], &slides)?;
+        let (guides, known) = self.guides(Vector([x, y, z]), &slides)?;
         Some(Form::ThreeSlides {
             slides,
             guides: guides.try_into().ok()?,
@@ -222,15 +215,14 @@ impl Analysis<'_, '_> {
     }
 
     /// Three rows that are linear in slides: the guide of each, and the rest.
-    fn guides(&mut self, rows: Vector, slides: &[SymbolId]) -> Option<(Vec<Vector>, Vector)> {
-        let zero = self.algebra.graph.zero();
-        let mut guides = vec![[zero; 3]; slides.len()];
-        let mut known = [zero; 3];
-        for (row, node) in rows.into_iter().enumerate() {
-            let (factors, rest) = self.linear_row(node, slides)?;
-            known[row] = rest;
+    fn guides(&mut self, rows: V3<'m>, slides: &[SymbolId]) -> Option<(Vec<V3<'m>>, V3<'m>)> {
+        let mut known = Vector([self.algebra.zero(); 3]);
+        let mut guides = vec![known; slides.len()];
+        for (row, x) in rows.components().enumerate() {
+            let (factors, rest) = self.linear_row(x, slides)?;
+            known.0[row] = rest;
             for (guide, factor) in guides.iter_mut().zip(factors) {
-                guide[row] = factor;
+                guide.0[row] = factor;
             }
         }
         Some((guides, known))
@@ -240,9 +232,9 @@ impl Analysis<'_, '_> {
     /// one of them the other slide.
     pub(super) fn split_across_guides(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Option<System> {
+    ) -> Option<System<'m>> {
         let ([equation], [_, _, _]) = (equations, coordinates) else {
             return None;
         };
@@ -256,30 +248,28 @@ impl Analysis<'_, '_> {
                 CoordinateKind::Angle(_) => None,
             })
             .collect();
-        let (guides, rest) = self.guides([x, y, z], &slides)?;
+        let (guides, rest) = self.guides(Vector([x, y, z]), &slides)?;
         let &[first, second] = &guides[..] else {
             return None;
         };
-        let mut across = self.algebra.cross3(first, second);
-        let turns = |x: &NodeId| coordinates.iter().any(|c| self.contains(*x, c));
-        if !across.iter().any(turns) {
-            across = self.algebra.unit_vector(across);
+        let mut across = first.cross(second);
+        let turns = |x| coordinates.iter().any(|c| self.contains(x, c));
+        if !across.components().any(turns) {
+            across = across.unit();
         }
-        let angle_alone = self.algebra.dot(&across, &rest);
-        let mut rows = vec![angle_alone];
+        let mut rows = vec![across.dot(rest)];
         for (slide, guide, other) in [(0, first, second), (1, second, first)] {
-            let direction = self.algebra.cross3(other, across);
-            let factor = self.algebra.dot(&direction, &guide);
-            let slide = self.algebra.graph.symbol_node(slides[slide]);
-            let moved = self.algebra.graph.mul(factor, slide);
-            let known = self.algebra.dot(&direction, &rest);
-            rows.push(self.algebra.graph.add(moved, known));
+            let direction = other.cross(across);
+            let factor = direction.dot(guide);
+            let graph = self.algebra.graph;
+            let slide = graph.ex(graph.symbol_node(slides[slide]));
+            rows.push(factor * slide + direction.dot(rest));
         }
         let angle = coordinates
             .iter()
             .find(|c| matches!(c.kind, CoordinateKind::Angle(_)))?;
-        let row = |node| Equation {
-            rows: vec![node],
+        let row = |x| Equation {
+            rows: vec![x],
             relation: None,
             ..equation.clone()
         };
@@ -287,4 +277,20 @@ impl Analysis<'_, '_> {
         self.classify(&rows[0], std::slice::from_ref(angle))?;
         Some((rows, coordinates.to_vec()))
     }
+}
+
+/// The terms of a sum; false for those that are subtracted.
+fn summands(sum: Ex) -> Vec<(bool, Ex)> {
+    let ex = |id| sum.graph().ex(id);
+    let mut found = Vec::new();
+    let mut open = vec![(true, sum)];
+    while let Some((sign, x)) = open.pop() {
+        match x.node() {
+            Node::Unary(Unary::Neg, a) => open.push((!sign, ex(a))),
+            Node::Binary(Binary::Add, a, b) => open.extend([(sign, ex(b)), (sign, ex(a))]),
+            Node::Binary(Binary::Sub, a, b) => open.extend([(!sign, ex(b)), (sign, ex(a))]),
+            _ => found.push((sign, x)),
+        }
+    }
+    found
 }

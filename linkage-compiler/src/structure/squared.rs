@@ -1,27 +1,26 @@
 //! Distances in space as polynomials of low degree, for the general machinery.
 
-use linkage_symbolic::NodeId;
+use linkage_symbolic::{Ex, V3};
 
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::space::Vector;
 
 /// A distance that was squared.
-struct Link {
-    vector: Vector,
-    length: NodeId,
+struct Link<'m> {
+    vector: V3<'m>,
+    length: Ex<'m>,
 }
 
-impl Analysis<'_, '_> {
+impl<'m> Analysis<'_, 'm> {
     /// `|v| = l` becomes `(v . v / l - l)/2`, a length. Where an earlier distance is about the same point, their difference is taken: it
     /// is of the first degree in that point, which leaves fewer solutions at infinity.
     pub(super) fn squared(
         &mut self,
-        equations: &[Equation],
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
-    ) -> Vec<Equation> {
+    ) -> Vec<Equation<'m>> {
         let mut squared = equations.to_vec();
-        let mut links: Vec<Link> = Vec::new();
+        let mut links: Vec<Link<'m>> = Vec::new();
         for equation in &mut squared {
             let &[row] = &equation.rows[..] else { continue };
             let Some((vector, length)) = self.space_distance(row, coordinates) else {
@@ -32,8 +31,8 @@ impl Analysis<'_, '_> {
                 .iter()
                 .find_map(|other| Some((self.apart(&link, other, coordinates)?, other)));
             let row = match partner {
-                Some(([apart, sum], other)) => self.difference_of_links(&link, other, apart, sum),
-                None => self.square_of_link(&link),
+                Some(([apart, sum], other)) => difference_of_links(&link, other, apart, sum),
+                None => square_of_link(&link),
             };
             equation.rows = vec![row];
             equation.distance = Some(length);
@@ -46,22 +45,13 @@ impl Analysis<'_, '_> {
     /// first vector contains.
     fn apart(
         &mut self,
-        link: &Link,
-        other: &Link,
+        link: &Link<'m>,
+        other: &Link<'m>,
         coordinates: &[Coordinate],
-    ) -> Option<[Vector; 2]> {
+    ) -> Option<[V3<'m>; 2]> {
         let contained = self.lengths_in(link.vector, coordinates)?;
-        let [sum, difference] = [false, true].map(|minus| {
-            [0, 1, 2].map(|k| {
-                let (a, b) = (link.vector[k], other.vector[k]);
-                let graph = &mut self.algebra.graph;
-                if minus {
-                    graph.sub(a, b)
-                } else {
-                    graph.add(a, b)
-                }
-            })
-        });
+        let sum = link.vector + other.vector;
+        let difference = link.vector - other.vector;
         [[difference, sum], [sum, difference]]
             .into_iter()
             .find(|[apart, _]| {
@@ -71,40 +61,29 @@ impl Analysis<'_, '_> {
     }
 
     /// The unknown lengths that a vector contains.
-    fn lengths_in(&mut self, vector: Vector, coordinates: &[Coordinate]) -> Option<Vec<usize>> {
-        let polynomials = self.polynomials(&vector, coordinates)?;
+    fn lengths_in(&mut self, vector: V3<'m>, coordinates: &[Coordinate]) -> Option<Vec<usize>> {
+        let polynomials = self.polynomials(&vector.0, coordinates)?;
         let is_length = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Length(_));
         let contained = (0..coordinates.len())
             .filter(is_length)
             .filter(|&k| polynomials.mention(self.first_symbol(coordinates, k)));
         Some(contained.collect())
     }
+}
 
-    fn square_of_link(&mut self, link: &Link) -> NodeId {
-        let square = self.algebra.dot(&link.vector, &link.vector);
-        let graph = &mut self.algebra.graph;
-        let share = graph.div(square, link.length);
-        let miss = graph.sub(share, link.length);
-        let half = graph.constant(0.5);
-        graph.mul(half, miss)
-    }
+fn square_of_link<'m>(link: &Link<'m>) -> Ex<'m> {
+    let share = link.vector.square() / link.length;
+    0.5 * (share - link.length)
+}
 
-    /// `((v - w).(v + w) - (l - m)(l + m))/2 l`
-    fn difference_of_links(
-        &mut self,
-        link: &Link,
-        other: &Link,
-        apart: Vector,
-        sum: Vector,
-    ) -> NodeId {
-        let product = self.algebra.dot(&apart, &sum);
-        let graph = &mut self.algebra.graph;
-        let difference = graph.sub(link.length, other.length);
-        let total = graph.add(link.length, other.length);
-        let wanted = graph.mul(difference, total);
-        let miss = graph.sub(product, wanted);
-        let miss = graph.div(miss, link.length);
-        let half = graph.constant(0.5);
-        graph.mul(half, miss)
-    }
+/// `((v - w).(v + w) - (l - m)(l + m))/2 l`
+fn difference_of_links<'m>(
+    link: &Link<'m>,
+    other: &Link<'m>,
+    apart: V3<'m>,
+    sum: V3<'m>,
+) -> Ex<'m> {
+    let product = apart.dot(sum);
+    let wanted = link.length.difference_of_squares(other.length);
+    0.5 * ((product - wanted) / link.length)
 }

@@ -2,6 +2,9 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 
+use super::vocabulary::vocabulary;
+use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
+
 /// First and last token of a piece of source text; messages underline all that lies between.
 #[derive(Clone, Copy, Debug)]
 pub struct SourceSpan {
@@ -143,13 +146,15 @@ pub struct JointPart {
     pub span: SourceSpan,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum JointKind {
-    Pin,
-    Slide,
-    Ball,
-    Cylinder,
-    Fixed,
+vocabulary! {
+    /// What a joint lets free.
+    pub enum JointKind {
+        Pin = "pin",
+        Slide = "slide",
+        Ball = "ball",
+        Cylinder = "cylinder",
+        Fixed = "fixed",
+    }
 }
 
 /// `mass expr at expr`
@@ -305,24 +310,39 @@ impl Expr {
     }
 }
 
-impl Item {
-    /// The name of a value that it declares. Names of bodies and joints are of their own.
-    pub fn name(&self) -> Option<&Ident> {
+impl JointKind {
+    /// The clause that names its direction.
+    pub(crate) fn direction_word(self) -> ClauseWord {
         match self {
-            Item::Const(item) | Item::Unknown(item) | Item::Let(item) | Item::Argument(item) => {
-                Some(&item.name)
+            JointKind::Slide => ClauseWord::Along,
+            // Those without a direction are asked for none.
+            JointKind::Pin | JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
+                ClauseWord::About
             }
-            Item::Param(item) => Some(&item.name),
-            Item::Input(item) => Some(&item.name),
-            Item::Unit(_)
-            | Item::Loop(_)
-            | Item::Gravity(_)
-            | Item::Body(_)
-            | Item::Joint(_)
-            | Item::Force(_)
-            | Item::Torque(_)
-            | Item::Spring(_)
-            | Item::Damper(_) => None,
+        }
+    }
+}
+
+impl Item {
+    /// The word that it begins with.
+    pub(crate) fn word(&self) -> ItemWord {
+        use DeclarationWord as Declared;
+        match self {
+            Item::Unit(_) => ItemWord::Declaration(Declared::Unit),
+            Item::Const(_) => ItemWord::Declaration(Declared::Const),
+            Item::Param(_) => ItemWord::Declaration(Declared::Param),
+            Item::Input(_) => ItemWord::Declaration(Declared::Input),
+            Item::Unknown(_) => ItemWord::Declaration(Declared::Unknown),
+            Item::Let(_) => ItemWord::Declaration(Declared::Let),
+            Item::Loop(_) => ItemWord::Declaration(Declared::Loop),
+            Item::Argument(_) => ItemWord::Declaration(Declared::Argument),
+            Item::Gravity(_) => ItemWord::Declaration(Declared::Gravity),
+            Item::Body(_) => ItemWord::Declaration(Declared::Body),
+            Item::Joint(item) => ItemWord::Joint(item.joint.kind),
+            Item::Force(_) => ItemWord::Load(LoadWord::Force),
+            Item::Torque(_) => ItemWord::Load(LoadWord::Torque),
+            Item::Spring(_) => ItemWord::Load(LoadWord::Spring),
+            Item::Damper(_) => ItemWord::Load(LoadWord::Damper),
         }
     }
 }

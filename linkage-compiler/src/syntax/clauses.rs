@@ -4,13 +4,14 @@ use proc_macro2::Ident;
 
 use super::ast::{Expr, SourceSpan};
 use super::parser::{Parsed, Parser};
-use super::words;
+use super::vocabulary::Word;
+use super::words::ClauseWord;
 use crate::diagnostic::text::{list, nearest};
 
 /// A clause that an item may have.
 #[derive(Clone, Copy)]
 pub(super) struct Rule {
-    pub(super) word: &'static str,
+    pub(super) word: ClauseWord,
     content: Content,
     pub(super) point: Point,
     repeats: bool,
@@ -33,7 +34,7 @@ pub(super) enum Point {
 
 impl Rule {
     /// A word and a name; `what` is what the name is of.
-    pub(super) const fn name(word: &'static str, what: &'static str) -> Self {
+    pub(super) const fn name(word: ClauseWord, what: &'static str) -> Self {
         Rule {
             content: Content::Name(what),
             ..Self::value(word)
@@ -41,7 +42,7 @@ impl Rule {
     }
 
     /// A word and an expression.
-    pub(super) const fn value(word: &'static str) -> Self {
+    pub(super) const fn value(word: ClauseWord) -> Self {
         Rule {
             word,
             content: Content::Value,
@@ -76,18 +77,22 @@ impl Rule {
     }
 
     /// How a clause is read that belongs to other items.
-    fn foreign(word: &'static str) -> Self {
+    fn foreign(word: ClauseWord) -> Self {
         match word {
-            "on" | "from" | "to" => Self::name(word, "a name"),
-            "mass" | "inertia" => Self::value(word).with_optional_point(),
-            _ => Self::value(word),
+            ClauseWord::On | ClauseWord::From | ClauseWord::To => Self::name(word, "a name"),
+            ClauseWord::Mass | ClauseWord::Inertia => Self::value(word).with_optional_point(),
+            ClauseWord::At
+            | ClauseWord::Along
+            | ClauseWord::About
+            | ClauseWord::Turns
+            | ClauseWord::Free => Self::value(word),
         }
     }
 }
 
 /// A clause as it was read; mistakes in it have been reported.
 pub(super) struct Clause {
-    word: &'static str,
+    word: ClauseWord,
     pub(super) name: Option<Ident>,
     /// The expression, or what stands for it after a mistake.
     pub(super) value: Expr,
@@ -115,24 +120,24 @@ pub(super) struct Clauses {
 }
 
 impl Clauses {
-    pub(super) fn take(&mut self, word: &str) -> Option<Clause> {
+    pub(super) fn take(&mut self, word: ClauseWord) -> Option<Clause> {
         let index = self.found.iter().position(|clause| clause.word == word)?;
         Some(self.found.remove(index))
     }
 
-    pub(super) fn take_name(&mut self, word: &str) -> Option<Ident> {
+    pub(super) fn take_name(&mut self, word: ClauseWord) -> Option<Ident> {
         self.take(word)?.name
     }
 
-    pub(super) fn take_value(&mut self, word: &str) -> Option<Expr> {
+    pub(super) fn take_value(&mut self, word: ClauseWord) -> Option<Expr> {
         self.take(word).map(|clause| clause.value)
     }
 
-    pub(super) fn take_all(&mut self, word: &str) -> impl Iterator<Item = Clause> {
+    pub(super) fn take_all(&mut self, word: ClauseWord) -> impl Iterator<Item = Clause> {
         std::iter::from_fn(move || self.take(word))
     }
 
-    fn has(&self, word: &str) -> bool {
+    fn has(&self, word: ClauseWord) -> bool {
         self.found.iter().any(|clause| clause.word == word)
     }
 }
@@ -176,32 +181,35 @@ impl Parser<'_> {
         let Some(ident) = self.stream.ident(0).cloned() else {
             return self.unexpected_after_expression("a clause or `;`");
         };
-        let find = |word: &str| rules.iter().find(|rule| rule.word == word).copied();
+        let find = |word: &str| {
+            let mut rules = rules.iter();
+            rules.find(|rule| rule.word.word() == word).copied()
+        };
         let word = ident.to_string();
         if let Some(rule) = find(&word) {
             self.stream.skip(1);
             return Ok((rule, true));
         }
-        let words: Vec<&str> = rules.iter().map(|rule| rule.word).collect();
+        let words: Vec<&str> = rules.iter().map(|rule| rule.word.word()).collect();
         let all = format!("clauses of a {} are {}", owner.what, list(&words));
-        if let Some(word) = words::clause(&word) {
+        if let Some(foreign) = ClauseWord::from_word(&word) {
             if !clauses.broken {
                 let fact = format!("`{word}` does not belong to a {}", owner.what);
                 let span = (&ident).into();
                 self.diagnostics.error_with_help(span, &fact, &all);
             }
             self.stream.skip(1);
-            return Ok((Rule::foreign(word), false));
+            return Ok((Rule::foreign(foreign), false));
         }
         if let Some(rule) = nearest(&word, words).and_then(find) {
-            let help = format!("did you mean `{}`?", rule.word);
+            let help = format!("did you mean `{}`?", rule.word.word());
             let _ = self.expected::<()>("a clause or `;`", &help);
             self.stream.skip(1);
             return Ok((rule, true));
         }
         let first = rules[0].word;
         let is_body = !self.at_operand(1) && !self.stream.is_word(1, "on");
-        if first == "on" && clauses.found.is_empty() && !clauses.broken && is_body {
+        if first == ClauseWord::On && clauses.found.is_empty() && !clauses.broken && is_body {
             let _ = self.expected::<()>("`on`", &format!("write `on {word}`"));
             return Ok((rules[0], true));
         }
@@ -217,7 +225,7 @@ impl Parser<'_> {
     ) -> bool {
         let second = !rule.repeats && clauses.has(rule.word);
         if second && !clauses.broken {
-            let fact = format!("a second `{}`", rule.word);
+            let fact = format!("a second `{}`", rule.word.word());
             let help = format!("a {} has one", owner.what);
             self.diagnostics.error_with_help(start, &fact, &help);
         }
@@ -228,7 +236,7 @@ impl Parser<'_> {
     fn clause(&mut self, rule: &Rule, start: SourceSpan) -> Clause {
         let (name, value) = match rule.content {
             Content::Name(what) => (self.clause_name(rule.word, what), Expr::error(start)),
-            Content::Value => (None, self.clause_value(rule.word)),
+            Content::Value => (None, self.clause_value(rule.word.word())),
         };
         let lost = rule.is_named() && name.is_none();
         let point = match lost && !self.stream.is_word(0, "at") {
@@ -245,12 +253,9 @@ impl Parser<'_> {
     }
 
     /// Reports those of the words that no clause begins with.
-    pub(super) fn require(&mut self, clauses: &Clauses, owner: Owner, words: &[&str]) {
-        let missing: Vec<&str> = words
-            .iter()
-            .copied()
-            .filter(|word| !clauses.has(word))
-            .collect();
+    pub(super) fn require(&mut self, clauses: &Clauses, owner: Owner, words: &[ClauseWord]) {
+        let missing = words.iter().filter(|word| !clauses.has(**word));
+        let missing: Vec<&str> = missing.map(|word| word.word()).collect();
         if !missing.is_empty() && !clauses.broken {
             let fact = format!("the {} lacks {}", owner.what, list(&missing));
             self.lacks(owner, &fact);

@@ -4,8 +4,9 @@ use std::fmt::{self, Display, Formatter};
 
 use super::ast::{
     Between, BinaryOp, BodyItem, ElementItem, Expr, ExprKind, InputItem, Item, JointItem,
-    JointKind, LoadItem, MechanismDef, NamedItem, Toleranced,
+    JointKind, LoadItem, MechanismDef, Toleranced,
 };
+use super::vocabulary::Word;
 
 /// One line for each item and quantity, every operation in parentheses.
 pub fn dump(definition: &MechanismDef) -> String {
@@ -35,32 +36,27 @@ struct Line<'a>(&'a Item);
 
 impl Display for Line<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        let named = |f: &mut Formatter, word: &str, item: &NamedItem| {
-            write!(f, "{word} {} = {}", item.name, item.value)
-        };
+        write!(f, "{} ", self.0.word().word())?;
         match self.0 {
-            Item::Unit(item) => write!(f, "unit {}", item.unit),
-            Item::Const(item) => named(f, "const", item),
-            Item::Unknown(item) => named(f, "unknown", item),
-            Item::Let(item) => named(f, "let", item),
-            Item::Loop(item) => write!(f, "loop {} = {}", item.left, item.right),
-            Item::Param(item) => write!(f, "param {} = {}", item.name, item.value),
+            Item::Unit(item) => write!(f, "{}", item.unit),
+            Item::Const(item) | Item::Unknown(item) | Item::Let(item) | Item::Argument(item) => {
+                write!(f, "{} = {}", item.name, item.value)
+            }
+            Item::Loop(item) => write!(f, "{} = {}", item.left, item.right),
+            Item::Param(item) => write!(f, "{} = {}", item.name, item.value),
             Item::Input(item) => write!(f, "{item}"),
-            Item::Argument(item) => named(f, "argument", item),
-            Item::Gravity(item) => write!(f, "gravity = {}", item.value),
+            Item::Gravity(item) => write!(f, "= {}", item.value),
             Item::Body(item) => write!(f, "{item}"),
             Item::Joint(item) => write!(f, "{item}"),
-            Item::Force(item) => write!(f, "force {item}"),
-            Item::Torque(item) => write!(f, "torque {item}"),
-            Item::Spring(item) => write!(f, "spring {item}"),
-            Item::Damper(item) => write!(f, "damper {item}"),
+            Item::Force(item) | Item::Torque(item) => write!(f, "{item}"),
+            Item::Spring(item) | Item::Damper(item) => write!(f, "{item}"),
         }
     }
 }
 
 impl Display for InputItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        write!(f, "input {} = {}", self.name, self.value)?;
+        write!(f, "{} = {}", self.name, self.value)?;
         if let Some((low, high)) = &self.range {
             write!(f, " in {low}..{high}")?;
         }
@@ -72,7 +68,7 @@ impl Display for InputItem {
 impl Display for BodyItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let joint = &self.joint;
-        write!(f, "body {} = {}", self.name, joint.kind)?;
+        write!(f, "{} = {}", self.name, joint.kind.word())?;
         optional(f, " ", joint.name.as_ref())?;
         write!(f, " on {} at {}", joint.on, joint.at)?;
         direction(f, joint.kind, joint.direction.as_ref())?;
@@ -91,31 +87,15 @@ impl Display for BodyItem {
 impl Display for JointItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let joint = &self.joint;
-        write!(f, "{}", joint.kind)?;
-        optional(f, " ", joint.name.as_ref())?;
+        optional(f, "", joint.name.as_ref())?;
         write!(f, " = {} on {} at {}", self.body, joint.on, joint.at)?;
         direction(f, joint.kind, joint.direction.as_ref())
     }
 }
 
-impl Display for JointKind {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        f.write_str(match self {
-            JointKind::Pin => "pin",
-            JointKind::Slide => "slide",
-            JointKind::Ball => "ball",
-            JointKind::Cylinder => "cylinder",
-            JointKind::Fixed => "fixed",
-        })
-    }
-}
-
 fn direction(f: &mut Formatter, kind: JointKind, direction: Option<&Expr>) -> fmt::Result {
-    let word = match kind {
-        JointKind::Slide => " along ",
-        _ => " about ",
-    };
-    optional(f, word, direction)
+    let word = format!(" {} ", kind.direction_word().word());
+    optional(f, &word, direction)
 }
 
 impl Display for LoadItem {

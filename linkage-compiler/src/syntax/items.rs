@@ -3,12 +3,14 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{
-    Attribute, Expr, Item, LoopItem, NamedItem, ParamItem, SourceSpan, Toleranced, UnitItem,
+    Attribute, Expr, Item, JointKind, LoopItem, NamedItem, ParamItem, SourceSpan, Toleranced,
+    UnitItem,
 };
 use super::expression::PlusMinus;
 use super::joints::{Kind, other_word};
 use super::parser::{Parsed, Parser};
-use super::words::{self, ITEMS};
+use super::vocabulary::Word;
+use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
 use crate::diagnostic::text::nearest;
 
 impl Parser<'_> {
@@ -49,105 +51,107 @@ impl Parser<'_> {
         let word = self.item_word()?;
         let start = self.stream.span();
         self.stream.skip(1);
-        if word != "param" {
-            self.only_documentation(&attributes, &format!("`{word}`"));
-        }
-        if let Some(kind) = Kind::find(word, start) {
-            return self.joint_item(kind, attributes);
+        if word != ItemWord::Declaration(DeclarationWord::Param) {
+            self.only_documentation(&attributes, &format!("`{}`", word.word()));
         }
         match word {
-            "unit" => {
-                let item = Item::Unit(self.unit(start)?);
-                Ok((item, self.end_of_item().is_ok()))
-            }
-            "loop" => {
-                let item = Item::Loop(self.closure(start)?);
-                Ok((item, self.end_of_item().is_ok()))
-            }
-            "param" => {
-                let name = self.name(&format!("a name after `{word}`"))?;
-                let (value, complete) = self.value("", Self::toleranced);
-                let lost = |span| Toleranced::Single {
-                    nominal: Expr::error(span),
-                    tolerance: None,
-                };
-                let value = value.unwrap_or_else(lost);
-                Ok((
-                    Item::Param(ParamItem {
-                        attributes,
-                        name,
-                        value,
-                    }),
-                    complete,
-                ))
-            }
-            "input" => self.input_item(attributes),
-            "gravity" => {
-                let item = Item::Gravity(self.gravity(start)?);
-                Ok((item, self.end_of_item().is_ok()))
-            }
-            "body" => self.body_item(attributes),
-            "force" | "torque" => {
-                let load = self.load(word, start)?;
+            ItemWord::Declaration(word) => self.declaration(word, attributes, start),
+            ItemWord::Joint(kind) => self.joint_item(Kind { kind, span: start }, attributes),
+            ItemWord::Load(word) => {
                 let item = match word {
-                    "force" => Item::Force(load),
-                    _ => Item::Torque(load),
+                    LoadWord::Force => Item::Force(self.force_item(start)?),
+                    LoadWord::Torque => Item::Torque(self.torque_item(start)?),
+                    LoadWord::Spring => Item::Spring(self.spring_item(start)?),
+                    LoadWord::Damper => Item::Damper(self.damper_item(start)?),
                 };
                 Ok((item, self.end_of_item().is_ok()))
-            }
-            "spring" | "damper" => {
-                let element = self.element(word, start)?;
-                let item = match word {
-                    "spring" => Item::Spring(element),
-                    _ => Item::Damper(element),
-                };
-                Ok((item, self.end_of_item().is_ok()))
-            }
-            _ => {
-                let name = self.name(&format!("a name after `{word}`"))?;
-                let help = match word {
-                    "argument" => "the value says its dimension: `argument load = 100N;`",
-                    _ => "",
-                };
-                let plus_minus = match word {
-                    "let" => PlusMinus::IsSum,
-                    _ => PlusMinus::JointIsMistake,
-                };
-                let (value, complete) = self.value(help, |parser| parser.sum(plus_minus));
-                let value = value.unwrap_or_else(Expr::error);
-                let item = NamedItem {
-                    attributes,
-                    name,
-                    value,
-                };
-                let item = match word {
-                    "const" => Item::Const(item),
-                    "unknown" => Item::Unknown(item),
-                    "argument" => Item::Argument(item),
-                    _ => Item::Let(item),
-                };
-                Ok((item, complete))
             }
         }
     }
 
-    fn item_word(&mut self) -> Parsed<&'static str> {
-        let Some(word) = self.stream.ident(0).map(ToString::to_string) else {
-            return self.expected("an item", &format!("items are {}", ITEMS.join(" ")));
+    fn declaration(
+        &mut self,
+        word: DeclarationWord,
+        attributes: Vec<Attribute>,
+        start: SourceSpan,
+    ) -> Parsed<(Item, bool)> {
+        let item = match word {
+            DeclarationWord::Unit => Item::Unit(self.unit_item(start)?),
+            DeclarationWord::Loop => Item::Loop(self.loop_item(start)?),
+            DeclarationWord::Gravity => Item::Gravity(self.gravity_item(start)?),
+            DeclarationWord::Param => return self.param_item(attributes),
+            DeclarationWord::Input => return self.input_item(attributes),
+            DeclarationWord::Body => return self.body_item(attributes),
+            DeclarationWord::Const => return self.named_item(word, attributes, Item::Const),
+            DeclarationWord::Unknown => return self.named_item(word, attributes, Item::Unknown),
+            DeclarationWord::Let => return self.named_item(word, attributes, Item::Let),
+            DeclarationWord::Argument => return self.named_item(word, attributes, Item::Argument),
         };
-        if let Some(item) = ITEMS.iter().find(|item| **item == word) {
+        Ok((item, self.end_of_item().is_ok()))
+    }
+
+    /// `NAME = expr [+- tol] ;` after `param`, and whether its end has been reached.
+    fn param_item(&mut self, attributes: Vec<Attribute>) -> Parsed<(Item, bool)> {
+        let name = self.name("a name after `param`")?;
+        let (value, complete) = self.value("", Self::toleranced);
+        let lost = |span| Toleranced::Single {
+            nominal: Expr::error(span),
+            tolerance: None,
+        };
+        let item = ParamItem {
+            attributes,
+            name,
+            value: value.unwrap_or_else(lost),
+        };
+        Ok((Item::Param(item), complete))
+    }
+
+    /// `NAME = expr ;` after the item's word, and whether its end has been reached.
+    fn named_item(
+        &mut self,
+        word: DeclarationWord,
+        attributes: Vec<Attribute>,
+        make: fn(NamedItem) -> Item,
+    ) -> Parsed<(Item, bool)> {
+        let name = self.name(&format!("a name after `{}`", word.word()))?;
+        let help = match word == DeclarationWord::Argument {
+            true => "the value says its dimension: `argument load = 100N;`",
+            false => "",
+        };
+        let plus_minus = match word == DeclarationWord::Let {
+            true => PlusMinus::IsSum,
+            false => PlusMinus::JointIsMistake,
+        };
+        let (value, complete) = self.value(help, |parser| parser.sum(plus_minus));
+        let item = NamedItem {
+            attributes,
+            name,
+            value: value.unwrap_or_else(Expr::error),
+        };
+        Ok((make(item), complete))
+    }
+
+    fn item_word(&mut self) -> Parsed<ItemWord> {
+        let listed = || format!("items are {}", ItemWord::listed());
+        let Some(word) = self.stream.ident(0).map(ToString::to_string) else {
+            return self.expected("an item", &listed());
+        };
+        if let Some(item) = ItemWord::from_word(&word) {
             return Ok(item);
         }
         let help = match word.as_str() {
             "fn" => "functions belong in the `impl` block after the struct".to_owned(),
-            clause if words::clause(clause).is_some() => {
+            clause if ClauseWord::from_word(clause).is_some() => {
                 "a clause belongs before the `;` of its body, joint or load".to_owned()
             }
             "pub" => "leave `pub` out: every `param` is a public field".to_owned(),
-            _ => match other_word(&word).or_else(|| nearest(&word, ITEMS)) {
-                Some(item) => format!("did you mean `{item}`?"),
-                None => format!("items are {}", ITEMS.join(" ")),
-            },
+            _ => {
+                let joint = other_word(&word).map(JointKind::word);
+                match joint.or_else(|| nearest(&word, ItemWord::all().map(ItemWord::word))) {
+                    Some(item) => format!("did you mean `{item}`?"),
+                    None => listed(),
+                }
+            }
         };
         self.expected("an item", &help)
     }
@@ -184,7 +188,8 @@ impl Parser<'_> {
         self.expected("`=`", help)
     }
 
-    fn unit(&mut self, start: SourceSpan) -> Parsed<UnitItem> {
+    /// `NAME` after `unit`.
+    fn unit_item(&mut self, start: SourceSpan) -> Parsed<UnitItem> {
         let Some(unit) = self.stream.ident(0).cloned() else {
             return self.expected("a length unit", "write `unit mm;`");
         };
@@ -193,7 +198,8 @@ impl Parser<'_> {
         Ok(UnitItem { unit, span })
     }
 
-    fn closure(&mut self, start: SourceSpan) -> Parsed<LoopItem> {
+    /// `expr = expr` after `loop`.
+    fn loop_item(&mut self, start: SourceSpan) -> Parsed<LoopItem> {
         if self.stream.group(0, Delimiter::Brace).is_some() {
             let help = "write `loop expression = expression;`";
             return self.fail("`loop` is an equation here", help);

@@ -8,26 +8,22 @@ use super::ast::{
 };
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::parser::{Parsed, Parser, Reported};
+use super::vocabulary::Word;
+use super::words::ClauseWord;
 use crate::diagnostic::text::nearest;
 
-const KINDS: [(&str, JointKind); 5] = [
-    ("pin", JointKind::Pin),
-    ("slide", JointKind::Slide),
-    ("ball", JointKind::Ball),
-    ("cylinder", JointKind::Cylinder),
-    ("fixed", JointKind::Fixed),
-];
-
-const ON: Rule = Rule::name("on", "the name of a body");
-const AT: Rule = Rule::value("at");
-const ALONG: Rule = Rule::value("along");
-const ABOUT: Rule = Rule::value("about");
+const ON: Rule = Rule::name(ClauseWord::On, "the name of a body");
+const AT: Rule = Rule::value(ClauseWord::At);
+const ALONG: Rule = Rule::value(ClauseWord::Along);
+const ABOUT: Rule = Rule::value(ClauseWord::About);
 
 /// What a body has besides its joint.
 const BODY: [Rule; 3] = [
-    Rule::value("turns"),
-    Rule::value("mass").with_point().repeated(),
-    Rule::value("inertia").with_optional_point().repeated(),
+    Rule::value(ClauseWord::Turns),
+    Rule::value(ClauseWord::Mass).with_point().repeated(),
+    Rule::value(ClauseWord::Inertia)
+        .with_optional_point()
+        .repeated(),
 ];
 
 fn joint_rules(kind: JointKind) -> &'static [Rule] {
@@ -39,19 +35,11 @@ fn joint_rules(kind: JointKind) -> &'static [Rule] {
     }
 }
 
-/// The joint's kind, its word and its place.
+/// The joint's kind and its place.
 #[derive(Clone, Copy)]
 pub(super) struct Kind {
-    kind: JointKind,
-    word: &'static str,
-    span: SourceSpan,
-}
-
-impl Kind {
-    pub(super) fn find(word: &str, span: SourceSpan) -> Option<Self> {
-        let found = KINDS.into_iter().find(|(known, _)| *known == word);
-        found.map(|(word, kind)| Kind { kind, word, span })
-    }
+    pub(super) kind: JointKind,
+    pub(super) span: SourceSpan,
 }
 
 impl Parser<'_> {
@@ -81,7 +69,7 @@ impl Parser<'_> {
             true => self.joint_name(kind),
             false => None,
         };
-        let word = kind.word;
+        let word = kind.kind.word();
         let span = kind.span.to(self.stream.previous_span());
         let rules = [joint_rules(kind.kind), &BODY].concat();
         let of_body = Owner {
@@ -91,10 +79,10 @@ impl Parser<'_> {
         };
         let mut clauses = self.clauses(of_body, &rules);
         body.turns = clauses
-            .take_value("turns")
+            .take_value(ClauseWord::Turns)
             .or_else(|| clauses.broken.then(|| Expr::error(span)));
-        body.masses = clauses.take_all("mass").map(mass).collect();
-        body.inertias = clauses.take_all("inertia").map(inertia).collect();
+        body.masses = clauses.take_all(ClauseWord::Mass).map(mass).collect();
+        body.inertias = clauses.take_all(ClauseWord::Inertia).map(inertia).collect();
         body.joint = self.joint_part(kind, name, of_body, clauses);
         self.end_of_item()
     }
@@ -105,7 +93,7 @@ impl Parser<'_> {
         kind: Kind,
         attributes: Vec<Attribute>,
     ) -> Parsed<(Item, bool)> {
-        let word = kind.word;
+        let word = kind.kind.word();
         let form = format!("{word} NAME = BODY on BODY at POINT");
         let help = format!("write `{form}`");
         let name = match self.stream.is_punct(0, '=') {
@@ -139,14 +127,15 @@ impl Parser<'_> {
 
     /// The name of a joint; one that is none has been read over.
     fn joint_name(&mut self, kind: Kind) -> Option<Ident> {
-        let name = self.name(&format!("a name after `{}`", kind.word));
+        let name = self.name(&format!("a name after `{}`", kind.kind.word()));
         self.stream.skip(usize::from(name.is_err()));
         name.ok()
     }
 
     fn kind_ahead(&self) -> Option<Kind> {
-        let word = self.stream.ident(0)?.to_string();
-        Kind::find(&word, self.stream.span())
+        let kind = JointKind::from_word(&self.stream.ident(0)?.to_string())?;
+        let span = self.stream.span();
+        Some(Kind { kind, span })
     }
 
     /// The joint's word. One that is near is taken for it.
@@ -155,16 +144,17 @@ impl Parser<'_> {
             self.stream.skip(1);
             return Ok(kind);
         }
-        let words = KINDS.map(|(word, _)| word);
+        let words: Vec<&str> = JointKind::all().map(JointKind::word).collect();
         let word = self.stream.ident(0).map(ToString::to_string);
         let word = word.unwrap_or_default();
-        let Some(meant) = other_word(&word).or_else(|| nearest(&word, words)) else {
+        let near = || JointKind::from_word(nearest(&word, words.iter().copied())?);
+        let Some(kind) = other_word(&word).or_else(near) else {
             return self.expected("a joint", &format!("joints are {}", words.join(" ")));
         };
-        let _ = self.expected::<()>("a joint", &format!("did you mean `{meant}`?"));
+        let _ = self.expected::<()>("a joint", &format!("did you mean `{}`?", kind.word()));
         let span = self.stream.span();
         self.stream.skip(1);
-        Kind::find(meant, span).ok_or(Reported)
+        Ok(Kind { kind, span })
     }
 
     /// What the clauses say of the joint. Clauses that are missing are reported.
@@ -175,18 +165,23 @@ impl Parser<'_> {
         owner: Owner,
         mut clauses: Clauses,
     ) -> JointPart {
-        self.require(&clauses, owner, &["on", "at"]);
+        self.require(&clauses, owner, &[ClauseWord::On, ClauseWord::At]);
         let lost = lost_joint(owner.span);
-        let on = clauses.take_name("on").unwrap_or(lost.on);
-        let at = clauses.take_value("at").unwrap_or_else(|| lost.at.clone());
-        let along = clauses.take("along");
-        let about = clauses.take("about");
+        let on = clauses.take_name(ClauseWord::On).unwrap_or(lost.on);
+        let at = clauses
+            .take_value(ClauseWord::At)
+            .unwrap_or_else(|| lost.at.clone());
+        let along = clauses.take(ClauseWord::Along);
+        let about = clauses.take(ClauseWord::About);
         if let (Some(_), Some(about)) = (&along, &about) {
             let help = "both words name its axis: write one of them";
-            let fact = format!("`along` and `about` in one `{}` joint", kind.word);
+            let fact = format!("`along` and `about` in one `{}` joint", kind.kind.word());
             self.diagnostics.error_with_help(about.span, &fact, help);
         }
-        let needs_direction = matches!(kind.kind, JointKind::Slide | JointKind::Cylinder);
+        let needs_direction = match kind.kind {
+            JointKind::Slide | JointKind::Cylinder => true,
+            JointKind::Pin | JointKind::Ball | JointKind::Fixed => false,
+        };
         let direction = match along.or(about) {
             None if needs_direction && clauses.broken => Some(lost.at.clone()),
             clause => clause.map(|clause| clause.value),
@@ -202,14 +197,14 @@ impl Parser<'_> {
     }
 }
 
-/// The word here for what others call so.
-pub(super) fn other_word(word: &str) -> Option<&'static str> {
+/// The joint that others call so.
+pub(super) fn other_word(word: &str) -> Option<JointKind> {
     Some(match word {
-        "hinge" | "revolute" | "pivot" => "pin",
-        "slider" | "prismatic" | "guide" => "slide",
-        "sphere" | "spherical" | "socket" => "ball",
-        "cylindrical" => "cylinder",
-        "weld" | "rigid" => "fixed",
+        "hinge" | "revolute" | "pivot" => JointKind::Pin,
+        "slider" | "prismatic" | "guide" => JointKind::Slide,
+        "sphere" | "spherical" | "socket" => JointKind::Ball,
+        "cylindrical" => JointKind::Cylinder,
+        "weld" | "rigid" => JointKind::Fixed,
         _ => return None,
     })
 }

@@ -3,7 +3,7 @@
 use super::ast::{Expr, ExprKind, SourceSpan};
 use super::parser::{Parsed, Parser};
 use crate::model::spelling::units_within;
-use crate::model::units::{UNIT_NAMES, is_unit};
+use crate::model::units::{is_unit, unit_names};
 
 /// The type suffixes of Rust's own numbers.
 const RUST_SUFFIXES: [&str; 16] = [
@@ -65,9 +65,10 @@ impl Parser<'_> {
             return self.fail_at(span, fact, &format!("write {help}"));
         }
         let fact = format!("unknown unit `{suffix}`");
+        let names: Vec<&str> = unit_names().collect();
         let help = format!(
             "units are {}; a product is written `{text} * {suffix}`",
-            UNIT_NAMES.join(" ")
+            names.join(" ")
         );
         self.fail_at(span, fact, &help)
     }

@@ -6,93 +6,115 @@ use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem, So
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::expression::PlusMinus;
 use super::parser::{Parsed, Parser, Reported};
+use super::vocabulary::Word;
+use super::words::{ClauseWord, LoadWord};
 
 const BODY: &str = "the name of a body";
 
 const FORCE: [Rule; 3] = [
-    Rule::name("on", BODY),
-    Rule::name("from", BODY),
-    Rule::value("at"),
+    Rule::name(ClauseWord::On, BODY),
+    Rule::name(ClauseWord::From, BODY),
+    Rule::value(ClauseWord::At),
 ];
 
-const TORQUE: [Rule; 2] = [Rule::name("on", BODY), Rule::name("from", BODY)];
+const TORQUE: [Rule; 2] = [
+    Rule::name(ClauseWord::On, BODY),
+    Rule::name(ClauseWord::From, BODY),
+];
 
 const DAMPER: [Rule; 3] = [
-    Rule::name("from", BODY).with_point(),
-    Rule::name("to", BODY).with_point(),
-    Rule::name("on", "the name of a joint"),
+    Rule::name(ClauseWord::From, BODY).with_point(),
+    Rule::name(ClauseWord::To, BODY).with_point(),
+    Rule::name(ClauseWord::On, "the name of a joint"),
 ];
 
-const SPRING: [Rule; 4] = [DAMPER[0], DAMPER[1], DAMPER[2], Rule::value("free")];
+const SPRING: [Rule; 4] = [
+    DAMPER[0],
+    DAMPER[1],
+    DAMPER[2],
+    Rule::value(ClauseWord::Free),
+];
 
 impl Parser<'_> {
     /// `= expr` after `gravity`.
-    pub(super) fn gravity(&mut self, start: SourceSpan) -> Parsed<GravityItem> {
+    pub(super) fn gravity_item(&mut self, start: SourceSpan) -> Parsed<GravityItem> {
         self.equals("write `gravity = VECTOR;`")?;
         let value = self.sum(PlusMinus::JointIsMistake)?;
         let span = start.to(value.span);
         Ok(GravityItem { value, span })
     }
 
-    /// `expr on BODY [from BODY] at expr` after `force`; no `at` after `torque`.
-    pub(super) fn load(&mut self, word: &str, span: SourceSpan) -> Parsed<LoadItem> {
-        let is_force = word == "force";
-        let (what, form, rules, needed): (_, _, &[Rule], &[&str]) = match is_force {
-            true => (
-                "force",
-                "force VECTOR on BODY at POINT",
-                &FORCE,
-                &["on", "at"],
-            ),
-            false => ("torque", "torque VALUE on BODY", &TORQUE, &["on"]),
+    /// `expr on BODY [from BODY] at expr` after `force`.
+    pub(super) fn force_item(&mut self, span: SourceSpan) -> Parsed<LoadItem> {
+        let owner = Owner {
+            what: LoadWord::Force.word(),
+            form: "force VECTOR on BODY at POINT",
+            span,
         };
-        let owner = Owner { what, form, span };
-        let value = self.load_value(word, owner)?;
-        let mut clauses = self.clauses(owner, rules);
-        self.require(&clauses, owner, needed);
-        let at = clauses.take_value("at");
-        let on = clauses.take_name("on");
-        match on.filter(|_| at.is_some() == is_force) {
-            Some(on) => Ok(LoadItem {
-                value,
-                on,
-                from: clauses.take_name("from"),
-                at,
-                span: span.to(self.stream.previous_span()),
-            }),
-            None => Err(Reported),
-        }
+        let item = self.load(owner, &FORCE, &[ClauseWord::On, ClauseWord::At])?;
+        // What is missing has been reported.
+        item.at.is_some().then_some(item).ok_or(Reported)
     }
 
-    /// `expr from BODY at expr to BODY at expr` or `expr on JOINT` after `spring` or `damper`.
-    pub(super) fn element(&mut self, word: &str, span: SourceSpan) -> Parsed<ElementItem> {
-        let (what, rules): (_, &[Rule]) = match word {
-            "spring" => ("spring", &SPRING),
-            _ => ("damper", &DAMPER),
+    /// `expr on BODY [from BODY]` after `torque`.
+    pub(super) fn torque_item(&mut self, span: SourceSpan) -> Parsed<LoadItem> {
+        let owner = Owner {
+            what: LoadWord::Torque.word(),
+            form: "torque VALUE on BODY",
+            span,
         };
+        self.load(owner, &TORQUE, &[ClauseWord::On])
+    }
+
+    fn load(&mut self, owner: Owner, rules: &[Rule], needed: &[ClauseWord]) -> Parsed<LoadItem> {
+        let value = self.load_value(owner)?;
+        let mut clauses = self.clauses(owner, rules);
+        self.require(&clauses, owner, needed);
+        let on = clauses.take_name(ClauseWord::On).ok_or(Reported)?;
+        Ok(LoadItem {
+            value,
+            on,
+            from: clauses.take_name(ClauseWord::From),
+            at: clauses.take_value(ClauseWord::At),
+            span: owner.span.to(self.stream.previous_span()),
+        })
+    }
+
+    /// `expr from BODY at expr to BODY at expr [, free expr]` or `expr on JOINT [, free expr]` after `spring`.
+    pub(super) fn spring_item(&mut self, span: SourceSpan) -> Parsed<ElementItem> {
+        self.element(LoadWord::Spring, &SPRING, span)
+    }
+
+    /// `expr from BODY at expr to BODY at expr` or `expr on JOINT` after `damper`.
+    pub(super) fn damper_item(&mut self, span: SourceSpan) -> Parsed<ElementItem> {
+        self.element(LoadWord::Damper, &DAMPER, span)
+    }
+
+    fn element(&mut self, word: LoadWord, rules: &[Rule], span: SourceSpan) -> Parsed<ElementItem> {
+        let what = word.word();
         let form =
-            format!("{word} VALUE from BODY at POINT to BODY at POINT` or `{word} VALUE on JOINT");
+            format!("{what} VALUE from BODY at POINT to BODY at POINT` or `{what} VALUE on JOINT");
         let form = form.as_str();
         let owner = Owner { what, form, span };
-        let value = self.load_value(word, owner)?;
+        let value = self.load_value(owner)?;
         let mut clauses = self.clauses(owner, rules);
         let between = self.between(owner, &mut clauses)?;
         Ok(ElementItem {
             value,
             between,
-            free: clauses.take_value("free"),
+            free: clauses.take_value(ClauseWord::Free),
             span: span.to(self.stream.previous_span()),
         })
     }
 
     /// The value after the item's word; an error if nothing else is left of the item.
-    fn load_value(&mut self, word: &str, owner: Owner) -> Parsed<Expr> {
+    fn load_value(&mut self, owner: Owner) -> Parsed<Expr> {
         let named = self.stream.ident(0).is_some() && self.stream.is_punct(1, '=');
         if named || self.stream.is_punct(0, '=') {
             self.lacks(owner, &format!("a {} has no name and no `=`", owner.what));
             self.stream.skip(1 + usize::from(named));
         }
-        let value = self.clause_value(word);
+        let value = self.clause_value(owner.what);
         match value.kind {
             ExprKind::Error if self.at_end_of_clauses() => Err(Reported),
             _ => Ok(value),
@@ -101,7 +123,8 @@ impl Parser<'_> {
 
     fn between(&mut self, owner: Owner, clauses: &mut Clauses) -> Parsed<Between> {
         let what = owner.what;
-        let fact = match ["on", "from", "to"].map(|word| clauses.take(word)) {
+        let words = [ClauseWord::On, ClauseWord::From, ClauseWord::To];
+        let fact = match words.map(|word| clauses.take(word)) {
             _ if clauses.broken => return Err(Reported),
             [Some(on), None, None] => return on.name.map(Between::Joint).ok_or(Reported),
             [None, Some(from), Some(to)] => {

@@ -20,12 +20,14 @@ mod stream;
 mod tests;
 mod tolerance;
 mod unexpected;
+mod vocabulary;
 mod words;
 
 use proc_macro2::{Delimiter, Ident, TokenStream};
 
 pub use ast::*;
 pub use dump::dump;
+pub(crate) use vocabulary::{Word, vocabulary};
 
 use crate::diagnostic::Diagnostics;
 use parser::{Parsed, Parser};
@@ -95,7 +97,7 @@ impl Parser<'_> {
             items: Vec::new(),
             functions: Vec::new(),
         };
-        let body = self.body(&definition.name.to_string());
+        let body = self.braces(&definition.name.to_string());
         let items = body.map(|group| self.within(&group, |parser| parser.items()));
         let result = items.map(|items| definition.items = items);
         *mechanism = Some(definition);
@@ -103,7 +105,7 @@ impl Parser<'_> {
     }
 
     /// The braces after `struct NAME` or `impl NAME`.
-    fn body(&mut self, name: &str) -> Parsed<proc_macro2::Group> {
+    fn braces(&mut self, name: &str) -> Parsed<proc_macro2::Group> {
         if let Some(group) = self.stream.group(0, Delimiter::Brace).cloned() {
             self.stream.skip(1);
             return Ok(group);
@@ -118,7 +120,7 @@ impl Parser<'_> {
     fn implementation(&mut self) -> Parsed<Implementation> {
         self.stream.skip(1);
         let name = self.name("the name of the mechanism")?;
-        let group = self.body(&name.to_string())?;
+        let group = self.braces(&name.to_string())?;
         let functions = self.within(&group, |parser| parser.functions());
         Ok(Implementation { name, functions })
     }

@@ -6,12 +6,13 @@ use super::ast::{Expr, SourceSpan};
 use super::clauses::{Point, Rule};
 use super::expression::PlusMinus;
 use super::parser::Parser;
-use super::words;
+use super::vocabulary::Word;
+use super::words::ClauseWord;
 
 impl Parser<'_> {
     /// The name after the word of a clause; a mistake in it has been read over.
-    pub(super) fn clause_name(&mut self, word: &str, what: &str) -> Option<Ident> {
-        let wanted = format!("{what} after `{word}`");
+    pub(super) fn clause_name(&mut self, word: ClauseWord, what: &str) -> Option<Ident> {
+        let wanted = format!("{what} after `{}`", word.word());
         let name = match self.lacks_operand() {
             true => self.expected(&wanted, ""),
             false => self.name(&wanted),
@@ -48,29 +49,30 @@ impl Parser<'_> {
         if rule.point == Point::Never {
             return None;
         }
-        if self.stream.eat_word("at") {
-            return Some(self.clause_value("at"));
+        if self.stream.eat_word(ClauseWord::At.word()) {
+            return Some(self.clause_value(ClauseWord::At.word()));
         }
         if rule.point == Point::Optional {
             return None;
         }
         let span = start.to(self.stream.previous_span());
-        let fact = format!("`{}` lacks `at`", rule.word);
-        let after_comma = self.stream.is_punct(0, ',') && self.stream.is_word(1, "at");
+        let fact = format!("`{}` lacks `at`", rule.word.word());
+        let after_comma =
+            self.stream.is_punct(0, ',') && self.stream.is_word(1, ClauseWord::At.word());
         if after_comma {
             let help = "leave out the comma before `at`";
             self.diagnostics.error_with_help(span, &fact, help);
             self.stream.skip(2);
-            return Some(self.clause_value("at"));
+            return Some(self.clause_value(ClauseWord::At.word()));
         }
-        let help = format!("write `{} ... at POINT`", rule.word);
+        let help = format!("write `{} ... at POINT`", rule.word.word());
         self.diagnostics.error_with_help(span, &fact, &help);
         if !self.at_operand(0) || self.at_item() {
             return Some(Expr::error(span));
         }
         // The point, or `at` misspelt and the point.
         self.stream.skip(usize::from(self.at_operand(1)));
-        Some(self.clause_value("at"))
+        Some(self.clause_value(ClauseWord::At.word()))
     }
 
     /// A clause begins here where an operand should stand, or the item ends. A name may look like a clause's word,
@@ -82,13 +84,13 @@ impl Parser<'_> {
     }
 
     pub(super) fn at_clause_word(&self) -> bool {
-        let is_clause = |ident: &Ident| words::clause(&ident.to_string()).is_some();
+        let is_clause = |ident: &Ident| ClauseWord::from_word(&ident.to_string()).is_some();
         self.stream.ident(0).is_some_and(is_clause)
     }
 
     /// Something that cannot follow a complete expression.
     pub(super) fn at_operand(&self, ahead: usize) -> bool {
-        let is_name = |ident: &Ident| words::clause(&ident.to_string()).is_none();
+        let is_name = |ident: &Ident| ClauseWord::from_word(&ident.to_string()).is_none();
         self.stream.ident(ahead).is_some_and(is_name)
             || self.stream.literal(ahead).is_some()
             || self.stream.parenthesis(ahead).is_some()
@@ -104,7 +106,9 @@ impl Parser<'_> {
 
     /// To the next clause that the item may have, after something that is none; `at` may belong to that.
     pub(super) fn skip_to_clause(&mut self, rules: &[Rule]) {
-        let is_rule = |word: &Ident| word != "at" && rules.iter().any(|rule| word == rule.word);
+        let is_rule = |word: &Ident| {
+            word != ClauseWord::At.word() && rules.iter().any(|rule| word == rule.word.word())
+        };
         while !self.at_end_of_clause() && !self.stream.ident(0).is_some_and(is_rule) {
             self.stream.skip(1);
         }

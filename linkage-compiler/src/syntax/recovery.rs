@@ -3,7 +3,8 @@
 use proc_macro2::TokenTree;
 
 use super::parser::{Parsed, Parser};
-use super::words::{self, ITEMS, is_keyword};
+use super::vocabulary::Word;
+use super::words::{ClauseWord, DeclarationWord, ItemWord, is_keyword};
 
 impl Parser<'_> {
     /// `;`, which the last item may lack; a missing one before the next item is reported and read over.
@@ -29,24 +30,26 @@ impl Parser<'_> {
         let Some(word) = self.item_word_ahead() else {
             return false;
         };
-        if is_keyword(&word) {
+        if is_keyword(word.word()) {
             return true;
         }
         let Some(name) = self.stream.ident(1).map(ToString::to_string) else {
             return false;
         };
         // A value that lacks its `;`.
-        let is_word = is_keyword(&name) || ITEMS.contains(&name.as_str());
+        let is_word = is_keyword(&name) || ItemWord::from_word(&name).is_some();
         if is_word && self.stream.ident(2).is_some() {
             return false;
         }
-        match word.as_str() {
-            "unit" | "param" | "input" | "unknown" | "argument" | "body" => {
-                // `body at p` is a value before a clause, `body at = ` a body.
-                name != "in" && (words::clause(&name).is_none() || self.stream.is_punct(2, '='))
+        let is_clause = ClauseWord::from_word(&name).is_some();
+        let equals_follows = self.stream.is_punct(2, '=');
+        match word {
+            // `body at p` is a value before a clause, `body at = ` a body.
+            ItemWord::Declaration(word) if names_without_equals(word) => {
+                name != "in" && (!is_clause || equals_follows)
             }
-            "force" | "torque" | "spring" | "damper" => words::clause(&name).is_none(),
-            _ => self.stream.is_punct(2, '='),
+            ItemWord::Load(_) => !is_clause,
+            ItemWord::Declaration(_) | ItemWord::Joint(_) => equals_follows,
         }
     }
 
@@ -59,28 +62,30 @@ impl Parser<'_> {
         let Some(word) = self.item_word_ahead().filter(|_| !follows_operator) else {
             return false;
         };
-        match word.as_str() {
-            "force" | "torque" | "spring" | "damper" => {
+        match word {
+            ItemWord::Load(_) => {
                 let begins_value = self.stream.literal(1).is_some()
                     || self.stream.is_punct(1, '-')
                     || self.stream.parenthesis(1).is_some();
                 begins_value && self.clause_before_semicolon()
             }
-            "unit" | "param" | "input" | "unknown" | "argument" | "body" => false,
-            _ => self.stream.is_punct(1, '='),
+            ItemWord::Declaration(word) if names_without_equals(word) => false,
+            ItemWord::Declaration(_) | ItemWord::Joint(_) => self.stream.is_punct(1, '='),
         }
     }
 
-    fn item_word_ahead(&self) -> Option<String> {
-        let word = self.stream.ident(0)?.to_string();
-        ITEMS.contains(&word.as_str()).then_some(word)
+    fn item_word_ahead(&self) -> Option<ItemWord> {
+        ItemWord::from_word(&self.stream.ident(0)?.to_string())
     }
 
     fn clause_before_semicolon(&self) -> bool {
         (1..)
             .map_while(|ahead| self.stream.peek(ahead))
             .take_while(|token| !matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';'))
-            .any(|token| matches!(token, TokenTree::Ident(word) if word == "on" || word == "from"))
+            .any(|token| {
+                let ends = [ClauseWord::On, ClauseWord::From];
+                matches!(token, TokenTree::Ident(ident) if ends.iter().any(|word| ident == word.word()))
+            })
     }
 
     /// To the start of the next item, after a mistake.
@@ -91,5 +96,22 @@ impl Parser<'_> {
             }
             self.stream.skip(1);
         }
+    }
+}
+
+/// Whether the word and a name are enough to know an item, even if it lacks its `=`. The others are words that values are named with, too
+/// (`gravity`), or keywords that need no more.
+fn names_without_equals(word: DeclarationWord) -> bool {
+    match word {
+        DeclarationWord::Unit
+        | DeclarationWord::Param
+        | DeclarationWord::Input
+        | DeclarationWord::Unknown
+        | DeclarationWord::Argument
+        | DeclarationWord::Body => true,
+        DeclarationWord::Const
+        | DeclarationWord::Let
+        | DeclarationWord::Loop
+        | DeclarationWord::Gravity => false,
     }
 }

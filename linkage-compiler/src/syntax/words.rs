@@ -1,19 +1,65 @@
 //! Words with a meaning of their own.
 
-/// First words of the struct block's items.
-pub(super) const ITEMS: [&str; 19] = [
-    "unit", "const", "param", "input", "unknown", "let", "loop", "argument", "gravity", "body",
-    "pin", "slide", "ball", "cylinder", "fixed", "force", "torque", "spring", "damper",
-];
+use super::ast::JointKind;
+use super::vocabulary::{Word, vocabulary};
 
-/// Words that begin a clause of a body, a joint or a load.
-const CLAUSES: [&str; 10] = [
-    "on", "at", "along", "about", "turns", "mass", "inertia", "from", "to", "free",
-];
+vocabulary! {
+    /// The word that an item of the struct block begins with.
+    pub(crate) enum ItemWord {
+        Declaration(DeclarationWord),
+        Joint(JointKind),
+        Load(LoadWord),
+    }
+}
 
-/// The word itself if it begins clauses.
-pub(super) fn clause(word: &str) -> Option<&'static str> {
-    CLAUSES.into_iter().find(|clause| *clause == word)
+vocabulary! {
+    /// Items that declare something with `=`, and the unit.
+    pub(crate) enum DeclarationWord {
+        Unit = "unit",
+        Const = "const",
+        Param = "param",
+        Input = "input",
+        Unknown = "unknown",
+        Let = "let",
+        Loop = "loop",
+        Argument = "argument",
+        Gravity = "gravity",
+        Body = "body",
+    }
+}
+
+vocabulary! {
+    /// Items without a name and without `=`.
+    pub(crate) enum LoadWord {
+        Force = "force",
+        Torque = "torque",
+        Spring = "spring",
+        Damper = "damper",
+    }
+}
+
+vocabulary! {
+    /// The word that a clause of a body, a joint or a load begins with.
+    pub(crate) enum ClauseWord {
+        On = "on",
+        At = "at",
+        Along = "along",
+        About = "about",
+        Turns = "turns",
+        Mass = "mass",
+        Inertia = "inertia",
+        From = "from",
+        To = "to",
+        Free = "free",
+    }
+}
+
+impl ItemWord {
+    /// The words of all items, for messages.
+    pub(super) fn listed() -> String {
+        let words: Vec<&str> = Self::all().map(Self::word).collect();
+        words.join(" ")
+    }
 }
 
 /// Rust's keywords, those reserved for later included; none may name anything.

@@ -13,6 +13,9 @@ const DISTANCES: [f64; 6] = [1.0, 1.5, 2.2, 3.3, 5.0, 7.5];
 /// The first of them, as a share of the range, at least.
 const NEAREST: f64 = 1e-6;
 
+/// Turning points of two assemblies that meet are located alike: they differ by less than this share of the range.
+const TOGETHER: f64 = 1e-6;
+
 /// Times that the turning point is located anew from where it was found to be.
 const TIMES: usize = 3;
 
@@ -86,7 +89,7 @@ impl Side {
         let size = self.size.max(other.size);
         match (self.end, other.end) {
             (BranchEnd::TurningPoint(a), BranchEnd::TurningPoint(b)) => {
-                let here = self.side == other.side && (a - b).abs() <= 1e-6 * range;
+                let here = self.side == other.side && (a - b).abs() <= TOGETHER * range;
                 here && near(&self.place, &other.place, size, MEETING)
             }
             (BranchEnd::Range(_), BranchEnd::Range(_)) => {

@@ -9,6 +9,9 @@ const COMFORT: f64 = 0.8 * PI;
 /// Remainders must stay below this.
 const LIMIT: f64 = 0.95 * PI;
 
+/// A sum of middles of several inputs that is larger would leave the angle at the start too little of its half turn.
+const MOST_MIDDLE: f64 = 0.9 * PI;
+
 /// Longer walks are not begun: thousands of turns of the fastest candidate.
 const MOST_RADIANS: f64 = 16384.0;
 
@@ -128,7 +131,7 @@ impl Centre {
 
     /// The centre for all inputs together.
     pub fn value(&self) -> f64 {
-        let middle = if self.middle.abs() > 0.9 * PI {
+        let middle = if self.middle.abs() > MOST_MIDDLE {
             self.middle / f64::from(self.inputs)
         } else {
             self.middle
@@ -140,11 +143,14 @@ impl Centre {
 /// Candidate rates that are compared in one walk.
 const TOGETHER: usize = 8;
 
-/// First step of a walk: short enough that the fastest candidate turns by a quarter radian.
+/// First step of a walk: a part of the range, short enough that the fastest candidate turns by a quarter radian.
 fn step(range: f64, fastest: f64) -> f64 {
-    (range / 256.0)
-        .min(0.25 / fastest.max(1.0))
-        .max(range / 65536.0)
+    const FEWEST: f64 = 256.0;
+    const MOST: f64 = 65536.0;
+    const QUARTER: f64 = 0.25;
+    (range / FEWEST)
+        .min(QUARTER / fastest.max(1.0))
+        .max(range / MOST)
 }
 
 /// How far an angle strays from a line of a given rate.
@@ -256,6 +262,7 @@ impl<F: FnMut(f64) -> [f64; 2]> Path<'_, F> {
 
     /// Steps towards `target`, halving the step while the angle turns by much.
     fn advance(&mut self, from: (f64, f64), target: f64) -> Option<(f64, f64)> {
+        /// In radians: the nearest of the angles that fit is the one that was meant.
         const MUCH: f64 = 0.5;
         const HALVINGS: usize = 30;
 

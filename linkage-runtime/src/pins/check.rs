@@ -5,6 +5,9 @@ use super::pin::positive;
 use super::size::largest;
 use super::{Limit, Pin, PinError, Rule};
 
+/// A stress that exceeds the allowable one by this share or less does so by rounding: the diameter that is required was computed.
+const ROUNDING: f64 = 1e-12;
+
 /// A stress of a pin of known diameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stress {
@@ -52,7 +55,7 @@ impl Check {
     pub fn holds(&self) -> bool {
         let [first, second] = self.bearing;
         let stresses = [self.bending, self.shear, first, second];
-        stresses.iter().all(|s| s.utilization() <= 1.0 + 1e-12)
+        stresses.iter().all(|s| s.utilization() <= 1.0 + ROUNDING)
     }
 }
 

@@ -6,6 +6,10 @@ use std::vec::Vec;
 use super::Report;
 use crate::{Column, Meaning};
 
+/// A cycle closes if its ends differ by less: in turns, and in units of the largest value. Positions and quantities are known
+/// better than this and are never so near by chance.
+const CLOSED: f64 = 1e-9;
+
 /// Input values between which some number is not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Gap {
@@ -37,7 +41,7 @@ impl Report {
             return false;
         };
         let turns = (last - first) / TAU;
-        let whole = turns.round() != 0.0 && (turns - turns.round()).abs() < 1e-9;
+        let whole = turns.round() != 0.0 && (turns - turns.round()).abs() < CLOSED;
         let mut columns = self.tables.iter().flat_map(|table| table.columns());
         self.input.unit == "rad" && whole && columns.all(|(column, values)| closes(column, values))
     }
@@ -55,5 +59,5 @@ fn closes(column: &Column, values: &[f64]) -> bool {
         _ => last - first,
     };
     let size = values.iter().map(|x| x.abs()).filter(|x| x.is_finite());
-    step.abs() <= 1e-9 * size.fold(1.0, f64::max)
+    step.abs() <= CLOSED * size.fold(1.0, f64::max)
 }

@@ -1,6 +1,6 @@
 //! `f64` and `f32`.
 
-use super::{FUSED, Scalar};
+use super::{FUSED, ROUNDINGS, Scalar};
 use crate::{elementary, math};
 use core::hint::select_unpredictable;
 
@@ -111,7 +111,8 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn root(self, scale: Self) -> Self {
-                let slack = 8.0 * <$float>::EPSILON * <$float>::abs(scale);
+                const SLACK: $float = ROUNDINGS as $float * <$float>::EPSILON;
+                let slack = SLACK * <$float>::abs(scale);
                 // The root does not wait for the test. NaN stays, -0 does not.
                 let positive = <$float>::abs(select_unpredictable(self < 0.0, 0.0, self));
                 let root = math::$functions::sqrt(positive).to_bits();

@@ -1,7 +1,7 @@
 //! SIMD types of simba.
 
 use super::operators::operators;
-use super::{Float, Scalar};
+use super::{Float, ROUNDINGS, Scalar};
 use simba::simd::SimdRealField;
 
 /// Several numbers side by side: a SIMD type of simba, such as `WideF64x4` or `AutoF64x4`, as a
@@ -93,7 +93,8 @@ where
     fn root(self, scale: Self) -> Self {
         let q = self.0;
         let zero = S::splat(S::Element::from_f64(0.0));
-        let slack = scale.0.simd_abs() * S::splat(S::Element::from_f64(8.0) * S::Element::EPSILON);
+        let slack =
+            scale.0.simd_abs() * S::splat(S::Element::from_f64(ROUNDINGS) * S::Element::EPSILON);
         let positive = q.select(q.simd_gt(zero), zero);
         let close = (q + slack).simd_ge(slack * zero);
         Self(positive.select(close, q).simd_sqrt())

@@ -14,6 +14,9 @@ impl<const N: usize> Node<N> {
     }
 }
 
+/// Roundoffs of the range's ends: what is nearer to the seam lies at it.
+const SEAM: f64 = 8.0;
+
 /// The quantity as a function of the input.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Source<const N: usize, F> {
@@ -60,7 +63,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Source<N, F> {
         if self.advance.is_none() {
             return node;
         }
-        let seam = 8.0 * f64::EPSILON * self.low.abs().max(self.high.abs());
+        let seam = SEAM * f64::EPSILON * self.low.abs().max(self.high.abs());
         let mut node = node;
         while node.u >= self.high - seam {
             node = self.shifted(node, -1.0);

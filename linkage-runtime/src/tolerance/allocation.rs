@@ -7,6 +7,9 @@ use super::cost::{self, Term};
 use super::{Addition, Grade, Requirement, Sizes, ToleranceError, Tolerances};
 use crate::Parameter;
 
+/// The share by which tolerances stay below what the limit allows, so that rounding does not exceed it: a few roundoffs.
+const SPARE: f64 = 8.0 * f64::EPSILON;
+
 /// How an allowed error is divided among parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule<const N: usize> {
@@ -93,8 +96,7 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
             };
             return Err(first.map_or(none, |p| ToleranceError::NoEffect { name: p.name }));
         }
-        // A few roundoffs less than the quotient, so that rounding does not exceed the limit.
-        let factor = self.limit() / error * (1.0 - 8.0 * f64::EPSILON);
+        let factor = self.limit() / error * (1.0 - SPARE);
         self.analysed(parameters, &shape.map(|tolerance| factor * tolerance))
     }
 

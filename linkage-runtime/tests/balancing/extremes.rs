@@ -3,7 +3,7 @@
 use linkage_runtime::balancing::{Balance, Solution};
 
 use super::{angles, crank, near};
-use crate::random::Random;
+use linkage_random::Random;
 
 type Rows = (Vec<[f64; 2]>, Vec<[[f64; 2]; 3]>);
 

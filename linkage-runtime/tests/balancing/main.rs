@@ -6,8 +6,6 @@ mod extremes;
 mod input;
 mod known;
 mod optimal;
-#[path = "../random/mod.rs"]
-mod random;
 
 use std::f64::consts::TAU;
 

@@ -1,8 +1,8 @@
 //! Prepared states over several inputs.
 
-use crate::random::Random;
 use crate::triads::EyeNeedle;
 use crate::{TURN, range};
+use linkage_random::Random;
 use linkage_runtime::numeric::coupled::{Correction, Grid, Range, Refusal, Step};
 
 /// The four steps of evaluators at random places: how many are certified, how many of those are not solutions, how many

@@ -3,14 +3,12 @@
 mod circuits;
 mod grid;
 mod hostile;
-#[path = "../random/mod.rs"]
-mod random;
 mod start;
 mod table;
 mod triads;
 
+use linkage_random::Random;
 use linkage_runtime::numeric::coupled::{Correction, Range, Refusal, Step, Table};
-use random::Random;
 use std::f64::consts::TAU;
 use triads::EyeNeedle;
 

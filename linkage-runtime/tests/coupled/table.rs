@@ -1,8 +1,8 @@
 //! Tables over a full turn and over other ranges.
 
-use crate::random::Random;
 use crate::triads::{EyeNeedle, TwoCranks, unit};
 use crate::{TURN, build, certified, survey};
+use linkage_random::Random;
 use linkage_runtime::numeric::coupled::{Correction, End, Refusal, Table};
 use std::f64::consts::TAU;
 

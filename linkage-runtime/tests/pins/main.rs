@@ -4,8 +4,6 @@
 mod input;
 mod mountings;
 mod property;
-#[path = "../random/mod.rs"]
-mod random;
 
 use linkage_runtime::pins::{Fit, Limit, Member, Mounting, Pin, Width};
 

@@ -2,7 +2,7 @@
 
 use linkage_runtime::pins::{Fit, Limit, Member, Mounting, Pin, PinError, Width};
 
-use crate::random::Random;
+use linkage_random::Random;
 
 /// A positive number of any size from `10^-decades` to `10^decades`.
 fn any(random: &mut Random, decades: f64) -> f64 {

@@ -3,8 +3,8 @@
 use crate::groups::Twins;
 use crate::has;
 use crate::laurent::complex;
-use crate::random::Random;
 use crate::triad::Triad;
+use linkage_random::Random;
 use std::time::{Duration, Instant};
 
 /// Random cases of a kind: few without optimisation.

@@ -1,8 +1,8 @@
 //! Groups of more than one platform, and a platform in Cartesian coordinates.
 
 use crate::laurent::{Complex, Equations, Laurent, complex};
-use crate::random::Random;
 use crate::triad::{direction, point};
+use linkage_random::Random;
 use linkage_runtime::numeric::roots::Variable;
 
 /// Two platforms that share a joint, each on two legs: three loops, six links.

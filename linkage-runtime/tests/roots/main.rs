@@ -1,8 +1,5 @@
 //! Listing all solutions of polynomial systems.
 
-#[path = "../random/mod.rs"]
-mod random;
-
 mod counts;
 mod extremes;
 mod groups;

@@ -2,8 +2,8 @@
 
 use crate::has;
 use crate::laurent::{Complex, Equations, Laurent, complex, unit};
-use crate::random::Random;
 use crate::triad::direction;
+use linkage_random::Random;
 use linkage_runtime::numeric::roots::Variable;
 
 #[test]

@@ -2,7 +2,7 @@
 //! at the other.
 
 use crate::laurent::{Complex, Equations, Laurent, complex, unit};
-use crate::random::Random;
+use linkage_random::Random;
 use linkage_runtime::numeric::roots::Variable;
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! Random sums of three harmonics against a dense search.
 
 use crate::{TAU, turn};
+use linkage_random::Random;
 
 pub(crate) struct Harmonics(pub(crate) [[f64; 2]; 3]);
 
@@ -48,18 +49,6 @@ impl Harmonics {
     }
 }
 
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    /// -1 to 1, by xorshift.
-    pub(crate) fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
-
 fn compare(function: &Harmonics, k: i32, found: Vec<f64>) {
     let known = function.roots(k);
     assert_eq!(
@@ -82,9 +71,11 @@ fn compare(function: &Harmonics, k: i32, found: Vec<f64>) {
 
 #[test]
 fn all_places_of_standstill() {
-    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let mut random = Random::new(0x9E37_79B9_7F4A_7C15);
     for _ in 0..100 {
-        let function = Harmonics(std::array::from_fn(|_| [random.next(), random.next()]));
+        let function = Harmonics(std::array::from_fn(|_| {
+            [random.between(-1.0, 1.0), random.between(-1.0, 1.0)]
+        }));
         let places = |points: &[linkage_runtime::summary::Extreme]| {
             points.iter().map(|point| point.at).collect()
         };
@@ -105,14 +96,17 @@ fn all_places_of_standstill() {
 #[test]
 fn longest_dwells() {
     const STEPS: usize = 4000;
-    let mut random = Random(0xD1B5_4A32_D192_ED03);
+    let mut random = Random::new(0xD1B5_4A32_D192_ED03);
     for _ in 0..60 {
         let function = Harmonics(std::array::from_fn(|i| {
             let share = 1.0 / (1.0 + i as f64);
-            [share * random.next(), share * random.next()]
+            [
+                share * random.between(-1.0, 1.0),
+                share * random.between(-1.0, 1.0),
+            ]
         }));
         // Half of them advance over the turn, some with ways back.
-        let advance = random.next().max(0.0);
+        let advance = random.between(-1.0, 1.0).max(0.0);
         let values: Vec<f64> = (0..2 * STEPS)
             .map(|i| {
                 let x = TAU * i as f64 / STEPS as f64;

@@ -1,7 +1,8 @@
 //! Random courses with gaps, over cycles and parts of turns: everything that is said holds at dense samples.
 
 use crate::TAU;
-use crate::harmonics::{Harmonics, Random};
+use crate::harmonics::Harmonics;
+use linkage_random::Random;
 use linkage_runtime::summary::{Course, Interval};
 
 const SAMPLES: usize = 3000;
@@ -25,16 +26,24 @@ fn deepest(intervals: &[Interval], cycle: Option<f64>, x: f64) -> f64 {
 
 #[test]
 fn all_statements_hold_at_samples() {
-    let mut random = Random(0x2545_F491_4F6C_DD1D);
+    let mut random = Random::new(0x2545_F491_4F6C_DD1D);
     let mut with_gaps = 0;
     for case in 0..150 {
-        let function = Harmonics(std::array::from_fn(|_| [random.next(), random.next()]));
-        let obstacle = Harmonics(std::array::from_fn(|_| [random.next(), random.next()]));
-        let limit = 2.5 * random.next().abs();
-        let advance = if case % 3 == 0 { random.next() } else { 0.0 };
-        let low = 3.0 * random.next();
+        let function = Harmonics(std::array::from_fn(|_| {
+            [random.between(-1.0, 1.0), random.between(-1.0, 1.0)]
+        }));
+        let obstacle = Harmonics(std::array::from_fn(|_| {
+            [random.between(-1.0, 1.0), random.between(-1.0, 1.0)]
+        }));
+        let limit = 2.5 * random.between(-1.0, 1.0).abs();
+        let advance = if case % 3 == 0 {
+            random.between(-1.0, 1.0)
+        } else {
+            0.0
+        };
+        let low = 3.0 * random.between(-1.0, 1.0);
         let width = if case % 4 == 3 {
-            1.0 + 4.0 * random.next().abs()
+            1.0 + 4.0 * random.between(-1.0, 1.0).abs()
         } else {
             TAU
         };

@@ -7,7 +7,7 @@ use linkage_runtime::tolerance::{
 use super::allocation::{ADDITIONS, requirements, rules};
 use super::eye_needle::parameters;
 use super::{lengths, near};
-use crate::random::Random;
+use linkage_random::Random;
 
 #[test]
 fn least_cost_is_certified() {

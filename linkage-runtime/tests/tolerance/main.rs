@@ -9,8 +9,6 @@ mod least_cost;
 mod modulus;
 #[cfg(feature = "monte-carlo")]
 mod monte_carlo;
-#[path = "../random/mod.rs"]
-mod random;
 
 use linkage_runtime::Parameter;
 use linkage_runtime::tolerance::Tolerances;

@@ -1,7 +1,7 @@
 //! The worst case by modulus against all choices of signs.
 
 use super::{near, ones};
-use crate::random::Random;
+use linkage_random::Random;
 
 fn length(v: [f64; 3]) -> f64 {
     v[0].hypot(v[1]).hypot(v[2])

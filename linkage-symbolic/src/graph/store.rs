@@ -1,6 +1,6 @@
 //! What the graph holds.
 
-use std::collections::{HashMap, HashSet};
+use crate::unordered::{Map, Set};
 
 use crate::program::Source;
 use crate::vector::Vectors;
@@ -12,12 +12,14 @@ use super::{Binding, Node, NodeId, Symbol, SymbolId};
 pub(crate) struct Store {
     nodes: Vec<Node>,
     bindings: Vec<Binding>,
-    index: HashMap<Node, NodeId>,
+    index: Map<Node, NodeId>,
     symbols: Vec<Symbol>,
-    sources: HashMap<Source, SymbolId>,
+    sources: Map<Source, SymbolId>,
     /// The cosine that a sine belongs to.
-    cosines: HashMap<SymbolId, SymbolId>,
-    with_sine: HashSet<SymbolId>,
+    cosines: Map<SymbolId, SymbolId>,
+    with_sine: Set<SymbolId>,
+    /// How often a definition was exchanged for another.
+    revision: usize,
     /// What is known of vectors.
     pub(crate) vectors: Vectors,
 }
@@ -102,9 +104,16 @@ impl Store {
         self.symbols.len()
     }
 
-    /// Says what a symbol stands for.
+    /// Says what a symbol stands for. What was found with another definition must be found anew.
     pub(crate) fn define(&mut self, symbol: SymbolId, definition: NodeId) {
-        self.symbols[symbol.index()].definition = Some(definition);
+        let old = self.symbols[symbol.index()].definition.replace(definition);
+        if old.is_some_and(|old| old != definition) {
+            self.revision += 1;
+        }
+    }
+
+    pub(crate) fn revision(&self) -> usize {
+        self.revision
     }
 
     fn add_symbol(&mut self, symbol: Symbol) -> SymbolId {
@@ -156,7 +165,7 @@ impl Store {
 
     /// True if `root` is `part` or computed from it, without following definitions.
     pub(crate) fn contains(&self, root: NodeId, part: NodeId) -> bool {
-        let mut seen = HashSet::new();
+        let mut seen = Set::new();
         let mut open = vec![root];
         while let Some(id) = open.pop() {
             if id == part {

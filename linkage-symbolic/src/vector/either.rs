@@ -64,7 +64,8 @@ impl<'g> Vn<'g> {
         (0..self.count).map(move |k| self.at(k))
     }
 
-    pub(super) fn at(&self, component: usize) -> Ex<'g> {
+    /// One component.
+    pub fn at(&self, component: usize) -> Ex<'g> {
         self.graph.ex(self.ids()[component])
     }
 
@@ -80,7 +81,7 @@ impl<'g> Vn<'g> {
     /// Component by component; a 0 may have fewer of them.
     fn zip(self, other: Self, join: impl Fn(Ex<'g>, Ex<'g>) -> Ex<'g>) -> Self {
         let count = self.count.max(other.count);
-        let [a, b] = [self, other].map(|v| v.padded(count));
+        let [a, b] = [self, other].map(|v| v.resized(count));
         let mut sum = a;
         for k in 0..count {
             sum.components[k] = join(a.at(k), b.at(k)).id();
@@ -88,12 +89,23 @@ impl<'g> Vn<'g> {
         sum
     }
 
-    fn padded(mut self, count: usize) -> Self {
+    /// With so many components: zeros behind it, or without the last ones.
+    #[must_use]
+    pub fn resized(mut self, count: usize) -> Self {
         for k in self.count..count {
             self.components[k] = self.graph.zero();
         }
         self.count = count;
         self
+    }
+
+    /// The direction: see [`V3::unit`] and [`Vector::length_and_unit`].
+    #[must_use]
+    pub fn unit(self) -> Self {
+        match self.in_space() {
+            Some(vector) => vector.unit().into(),
+            None => Vector([self.at(0), self.at(1)]).length_and_unit().1.into(),
+        }
     }
 
     /// The vector of space that it is, if it is one.

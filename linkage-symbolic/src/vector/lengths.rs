@@ -1,6 +1,6 @@
 //! What is known of vectors: lengths and what they are the lengths of, directions.
 
-use std::collections::{HashMap, HashSet};
+use crate::unordered::{Map, Set};
 
 use crate::expression::Ex;
 use crate::graph::{Graph, NodeId, SymbolId};
@@ -16,11 +16,11 @@ const UNIT: f64 = 8.0 * f64::EPSILON;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Vectors {
     /// Vectors behind nodes that are their lengths: a loop `distance(a, b) = l` is solved by these.
-    norms: HashMap<NodeId, Vec<NodeId>>,
+    norms: Map<NodeId, Vec<NodeId>>,
     /// The same behind squares of lengths.
-    squares: HashMap<NodeId, Vec<NodeId>>,
+    squares: Map<NodeId, Vec<NodeId>>,
     /// Vectors of length 1.
-    units: HashSet<Vec<NodeId>>,
+    units: Set<Vec<NodeId>>,
 }
 
 impl Graph {
@@ -35,15 +35,18 @@ impl Graph {
     }
 
     /// Lengths in `roots` stay known as lengths of vectors when symbols are replaced.
-    pub fn substitute_lengths(&self, roots: &[NodeId], map: &HashMap<SymbolId, NodeId>) {
-        type Known = fn(&mut Vectors) -> &mut HashMap<NodeId, Vec<NodeId>>;
-        for node in self.reachable(roots) {
+    pub fn substitute_lengths<'g>(&'g self, roots: &[Ex<'g>], map: &Map<SymbolId, Ex<'g>>) {
+        type Known = fn(&mut Vectors) -> &mut Map<NodeId, Vec<NodeId>>;
+        let roots: Vec<NodeId> = roots.iter().map(|root| root.id()).collect();
+        for node in self.reachable(&roots) {
             let kinds: [Known; 2] = [|known| &mut known.norms, |known| &mut known.squares];
             for kind in kinds {
                 let vector = kind(&mut self.store_mut().vectors).get(&node).cloned();
                 if let Some(vector) = vector {
                     let all = [&[node], &vector[..]].concat();
-                    let renewed = substitute(self, &all, map);
+                    let all: Vec<Ex> = all.into_iter().map(|id| self.ex(id)).collect();
+                    let renewed = substitute(&all, map).into_iter().map(Ex::id);
+                    let renewed: Vec<NodeId> = renewed.collect();
                     kind(&mut self.store_mut().vectors).insert(renewed[0], renewed[1..].to_vec());
                 }
             }
@@ -102,8 +105,7 @@ impl<'g> Vn<'g> {
         let [first, second] = [self, other].map(Self::square);
         let whole = (self + other).square();
         let parts = first + second;
-        let equal = |a: Ex, b: Ex| agree(self.graph, a.id(), b.id());
-        equal(first, second) && equal(whole, parts)
+        agree(first, second) && agree(whole, parts)
     }
 }
 
@@ -113,7 +115,7 @@ impl V3<'_> {
     pub fn unit(self) -> Self {
         if !self.is_unit() {
             let (square, one) = (self.square(), self.0[0].number(1.0));
-            if agree_within(square.graph(), square.id(), one.id(), UNIT) {
+            if agree_within(square, one, UNIT) {
                 self.mark_unit();
             }
         }

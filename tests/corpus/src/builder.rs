@@ -1,8 +1,8 @@
 //! The mechanism under construction: its text, and the configuration that it assembles in.
 
 use crate::plane::{Vector, step};
-use crate::random::Random;
 use crate::space::Place;
+use linkage_random::Random;
 
 /// A named point of the mechanism.
 #[derive(Clone, Debug)]

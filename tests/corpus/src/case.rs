@@ -1,7 +1,7 @@
 //! A random mechanism, compiled, and how much its results may differ.
 
-use crate::random::Random;
 use crate::{Entry, Function, Position, Sample, Subject, Unknown, Variable, sample};
+use linkage_random::Random;
 
 /// A random mechanism, compiled.
 #[derive(Debug)]

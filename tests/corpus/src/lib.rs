@@ -9,7 +9,6 @@ mod code;
 mod functions;
 mod groups;
 mod plane;
-pub mod random;
 mod sample;
 mod scalars;
 mod space;

@@ -3,7 +3,8 @@
 use linkage_compiler::diagnostic::{Diagnostics, Origins};
 use linkage_compiler::model::Mechanism;
 use linkage_compiler::oracle::Oracle;
-use linkage_compiler::{Analysis, analyse, model, syntax};
+use linkage_compiler::unit::Unit;
+use linkage_compiler::{analyse, model, syntax};
 use linkage_symbolic::interpret::run;
 use linkage_symbolic::program::Source;
 use proc_macro2::TokenStream;
@@ -23,7 +24,7 @@ pub struct Subject {
     /// The resolved mechanism.
     pub mechanism: Mechanism,
     /// What the compiler found, and its programs.
-    pub analysis: Analysis,
+    pub unit: Unit,
     oracle: Oracle,
 }
 
@@ -42,32 +43,31 @@ impl Subject {
         let Some(mechanism) = mechanism else {
             return Err(messages(&diagnostics));
         };
-        let analysis = analyse(&mechanism, &origins, &mut diagnostics);
+        let unit = analyse(&mechanism, &origins, &mut diagnostics);
         if !diagnostics.is_empty() {
             return Err(messages(&diagnostics));
         }
         let oracle = Oracle::new(&mechanism, &origins);
         Ok(Self {
             mechanism,
-            analysis,
+            unit,
             oracle,
         })
     }
 
     /// Default dimensions and reference inputs.
     pub fn reference(&self) -> Position {
-        let facts = &self.analysis.facts;
+        let inputs = self.unit.inputs.iter();
         Position {
-            parameters: facts.nominal.clone(),
-            inputs: facts.inputs.iter().map(|input| input.reference).collect(),
+            parameters: self.unit.scalars().map(|own| own.nominal).collect(),
+            inputs: inputs.map(|input| input.reference).collect(),
         }
     }
 
     /// The results of a function by its program, near the reference inputs.
     pub fn by_program(&self, function: usize, at: &Position) -> Vec<f64> {
-        let lowered = &self.analysis.lowered;
-        let prepared = run(&lowered.prepare, |source| self.load(source, at, &[]));
-        let program = &lowered.evaluators[function].program;
+        let prepared = run(&self.unit.prepare, |source| self.load(source, at, &[]));
+        let program = &self.unit.functions[function].called.program;
         run(program, |source| self.load(source, at, &prepared))
     }
 
@@ -79,9 +79,8 @@ impl Subject {
 
     /// By how much each group misses closing; positive if it cannot be assembled.
     pub fn gaps(&self, at: &Position) -> Vec<f64> {
-        let lowered = &self.analysis.lowered;
-        let prepared = run(&lowered.prepare, |source| self.load(source, at, &[]));
-        run(&lowered.gaps, |source| self.load(source, at, &prepared))
+        let prepared = run(&self.unit.prepare, |source| self.load(source, at, &[]));
+        run(&self.unit.gaps, |source| self.load(source, at, &prepared))
     }
 
     fn load(&self, source: Source, at: &Position, prepared: &[f64]) -> f64 {
@@ -90,7 +89,7 @@ impl Subject {
             Source::Input(index) => at.inputs[index],
             Source::Mode(index) => self.mode(index),
             // Near the reference an angle is the one nearest to its estimate.
-            Source::Centre(angle) => self.analysis.lowered.continuous_angles[angle].estimate,
+            Source::Centre(angle) => self.unit.angles[angle].estimate,
             Source::Winding(..) => 0.0,
             Source::Prepared(slot) => prepared[slot],
             Source::Carried(_) | Source::State(..) | Source::Limit => f64::NAN,
@@ -98,7 +97,7 @@ impl Subject {
     }
 
     fn mode(&self, index: usize) -> f64 {
-        let groups = &self.analysis.facts.groups;
+        let groups = &self.unit.groups;
         match groups.iter().find(|group| group.mode == Some(index)) {
             Some(group) if !group.plus => -1.0,
             _ => 1.0,

@@ -3,8 +3,8 @@
 
 use std::f64::consts::TAU;
 
-use linkage_corpus::random::Random;
 use linkage_corpus::{Case, Entry, Function, Kind, Position, Subject, Variable};
+use linkage_random::Random;
 
 /// Mechanisms for each test; `ORACLE_COUNT=5000` in the environment takes more.
 const COUNT: u64 = 100;

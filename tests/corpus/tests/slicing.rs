@@ -41,14 +41,14 @@ fn check_use(program: &Program, name: &str) {
 fn programs_are_sliced() {
     for seed in 0..80 {
         let case = Case::new(seed).unwrap_or_else(|message| panic!("{message}"));
-        let lowered = &case.subject.analysis.lowered;
+        let unit = &case.subject.unit;
         let name = format!("seed {seed}");
-        for evaluator in &lowered.evaluators {
-            check_early_work(&evaluator.program, &name);
-            check_use(&evaluator.program, &name);
+        for function in &unit.functions {
+            check_early_work(&function.called.program, &name);
+            check_use(&function.called.program, &name);
         }
-        check_early_work(&lowered.gaps, &name);
-        check_use(&lowered.gaps, &name);
-        check_use(&lowered.prepare, &name);
+        check_early_work(&unit.gaps, &name);
+        check_use(&unit.gaps, &name);
+        check_use(&unit.prepare, &name);
     }
 }

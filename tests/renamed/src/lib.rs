@@ -1,6 +1,7 @@
 //! A library that knows linkage as `lk` only: generated code names the facade by the path from which `mechanism!` was
 //! called, not by a fixed name. A module `linkage` of its own stands in the way of any guess.
 
+/// Not the facade.
 pub mod linkage {}
 
 lk::mechanism! {

@@ -6,14 +6,10 @@ use quote::quote;
 use crate::emit::assembly::Types;
 use crate::emit::outline::Outline;
 use crate::emit::{literal, winding};
-use crate::lower::Lowered;
+use crate::unit::Unit;
 
 /// `__assemble` and what it needs: the starts are found lane by lane on plain numbers.
-pub(in crate::emit) fn assemble(
-    outline: &Outline,
-    lowered: &Lowered,
-    types: &Types,
-) -> TokenStream {
+pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -28,8 +24,8 @@ pub(in crate::emit) fn assemble(
         ..
     } = types;
     let float = quote!(::core::primitive::f64);
-    let turning = winding::turning(outline, lowered);
-    let at_estimates = winding::at_estimates(outline, lowered);
+    let turning = winding::turning(outline, unit);
+    let at_estimates = winding::at_estimates(outline, unit);
     let count = literal::index(outline.starts.len());
     let at = (0..outline.inputs.len()).map(|input| {
         let input = literal::index(input);

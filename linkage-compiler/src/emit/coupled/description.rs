@@ -5,42 +5,31 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::algebra::AXES;
-use crate::emit::facts::Facts;
 use crate::emit::literal;
 use crate::emit::outline::Outline;
-use crate::lower::Coupled;
-use crate::model::Mechanism;
+use crate::unit::{Coupled, Unit};
 
 /// The runtime's description of a group.
-pub(super) fn description(
-    outline: &Outline,
-    mechanism: &Mechanism,
-    facts: &Facts,
-    group: &Coupled,
-) -> TokenStream {
+pub(super) fn description(outline: &Outline, unit: &Unit, group: &Coupled) -> TokenStream {
     let runtime = &outline.runtime;
     let title = outline.title();
-    let own = &facts.groups[group.group];
+    let own = &unit.groups[group.group];
     let index = literal::index(group.group);
     let kind = &own.kind;
     let loops = own.loops.iter().map(|n| literal::index(*n));
     let names = &own.unknowns;
     let unknowns = group.unknowns.iter().map(|placed| {
-        let unknown = &mechanism.unknowns[placed.unknown];
+        let unknown = &unit.unknowns[placed.unknown];
         let name = match placed.component {
             None => unknown.name.clone(),
             Some(k) => format!("{}.{}", unknown.name, AXES[k]),
         };
         let estimate = literal::float(placed.estimate);
-        let dimension = unknown.ty.dimension();
-        let number = dimension.is_some_and(|d| d.half_lengths == 0);
-        let scale = literal::float(if number { 1.0 } else { facts.longest });
+        let scale = if unknown.is_number { 1.0 } else { unit.longest };
+        let scale = literal::float(scale);
         let unit = match placed.angle {
-            true => String::new(),
-            false => unknown
-                .ty
-                .dimension()
-                .map_or_else(String::new, |d| d.unit(mechanism.unit)),
+            true => "",
+            false => &unknown.unit,
         };
         let angle = placed.angle;
         quote! {
@@ -59,14 +48,12 @@ pub(super) fn description(
         quote!(#runtime::Term { equation: #equation, exponents: &[#(#exponents),*] })
     });
     let inputs = group.inputs.iter().map(|&input| {
-        let item = &mechanism.inputs[input];
-        let (name, unit) = (&item.name, item.dimension.unit(mechanism.unit));
-        let angle = item.dimension.half_lengths == 0;
+        let own = &unit.inputs[input];
+        let (name, unit, angle) = (&own.name, &own.unit, own.angle);
         let index = literal::index(input);
-        let facts = &facts.inputs[input];
-        let (low, high) = facts.followed;
+        let (low, high) = own.followed;
         let (low, high) = (literal::float(low), literal::float(high));
-        let declared = facts.range.is_some();
+        let declared = own.range.is_some();
         quote! {
             #runtime::CoupledInput {
                 name: #name, unit: #unit, index: #index, declared: #declared,

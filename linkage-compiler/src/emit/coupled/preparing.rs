@@ -4,30 +4,23 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use crate::emit::assembly::Types;
-use crate::emit::facts::Facts;
 use crate::emit::load::Places;
 use crate::emit::outline::Outline;
 use crate::emit::{attribute, literal, winding};
-use crate::lower::{Coupled, Lowered};
-use crate::model::Mechanism;
+use crate::unit::{Coupled, Unit};
 
 use super::description::description;
 use super::starts_type;
 
 /// The groups on plain numbers, as the runtime prepares them.
-pub(super) fn items(
-    outline: &Outline,
-    mechanism: &Mechanism,
-    facts: &Facts,
-    lowered: &Lowered,
-) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let Outline {
         runtime,
         name,
         assembly,
         ..
     } = outline;
-    let Types { modes, .. } = Types::new(outline, facts, lowered);
+    let Types { modes, .. } = Types::new(outline, unit);
     let float = quote!(::core::primitive::f64);
     // As plain numbers.
     let slots = literal::index(outline.prepared);
@@ -38,8 +31,8 @@ pub(super) fn items(
     let width = literal::index(Places::all(outline).width());
     let count = literal::index(outline.starts.len());
     let arms = |arm: &dyn Fn(usize, &Coupled) -> TokenStream| -> TokenStream {
-        let last = lowered.coupled.len() - 1;
-        let arms = lowered.coupled.iter().enumerate().map(|(number, group)| {
+        let last = unit.coupled.len() - 1;
+        let arms = unit.coupled.iter().enumerate().map(|(number, group)| {
             let pattern = match number == last {
                 true => quote!(_),
                 false => {
@@ -88,11 +81,11 @@ pub(super) fn items(
         let reach = literal::float(group.reach);
         quote!(#with_state #runtime::placed(&[#(#angles),*], #reach, &#call))
     });
-    let groups = lowered
+    let groups = unit
         .coupled
         .iter()
-        .map(|g| description(outline, mechanism, facts, g));
-    let turns = turns(outline, lowered);
+        .map(|group| description(outline, unit, group));
+    let turns = turns(outline, unit);
     let allow = attribute::allow();
     quote! {
         #allow
@@ -145,14 +138,14 @@ pub(super) fn items(
 }
 
 /// The turns of angles on which a coupled group depends, found with what is prepared before it.
-fn turns(outline: &Outline, lowered: &Lowered) -> TokenStream {
+fn turns(outline: &Outline, unit: &Unit) -> TokenStream {
     let runtime = &outline.runtime;
     let title = outline.title();
-    if lowered.coupled.iter().all(|group| group.turning == 0) {
-        let at_estimates = winding::at_estimates(outline, lowered);
+    if unit.coupled.iter().all(|group| group.turning == 0) {
+        let at_estimates = winding::at_estimates(outline, unit);
         return quote!(let __turns = #at_estimates;);
     }
-    let counts = lowered
+    let counts = unit
         .coupled
         .iter()
         .map(|group| literal::index(group.turning));

@@ -3,12 +3,12 @@
 mod programs;
 mod sample;
 
+use linkage_symbolic::count::Count;
 use linkage_symbolic::program::{Instruction, Program, Source, Unary, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use self::sample::{Sample, derive, slider_crank};
-use super::count::Count;
 use super::{attribute, body, emit, literal, skeleton};
 
 fn pretty(tokens: TokenStream) -> String {
@@ -17,13 +17,7 @@ fn pretty(tokens: TokenStream) -> String {
 }
 
 fn emitted(sample: &Sample) -> String {
-    let Sample {
-        def,
-        mechanism,
-        facts,
-        lowered,
-    } = sample;
-    pretty(emit(&quote!(::linkage), def, mechanism, facts, lowered))
+    pretty(emit(&quote!(::linkage), &sample.def, &sample.unit))
 }
 
 #[track_caller]
@@ -61,14 +55,9 @@ fn equal_input_gives_equal_output() {
 
 #[test]
 fn an_argument_may_be_called_columns() {
-    let Sample {
-        mut def,
-        mechanism,
-        facts,
-        lowered,
-    } = slider_crank();
+    let Sample { mut def, unit } = slider_crank();
     def.functions[0].inputs = vec![quote::format_ident!("columns")];
-    let text = emit(&quote!(::linkage), &def, &mechanism, &facts, &lowered).to_string();
+    let text = emit(&quote!(::linkage), &def, &unit).to_string();
     let arguments = quote!((&self, columns: &[T], __columns: &mut PathColumns<T>));
     assert_contains(&text, &[&arguments.to_string()]);
 }
@@ -153,7 +142,8 @@ fn derives_of_the_user_are_not_repeated() {
 
 #[test]
 fn the_skeleton_has_the_same_items() {
-    let Sample { def, mechanism, .. } = slider_crank();
+    let Sample { def, .. } = slider_crank();
+    let mechanism = sample::mechanism();
     let guessed = pretty(skeleton(&quote!(::linkage), &def, None));
     assert_contains(
         &guessed,

@@ -2,7 +2,11 @@
 
 use linkage_symbolic::program::{Binary, Instruction, Program, Source, Ternary, Unary, Value};
 
-use crate::lower::{ContinuousAngle, Evaluator, Field, Lowered, Shape};
+use linkage_symbolic::count::Count;
+use linkage_symbolic::stages::split;
+
+use crate::model::Shape;
+use crate::unit::{Body, ContinuousAngle, Field, Function, Unit};
 
 /// Appends instructions.
 #[derive(Default)]
@@ -124,69 +128,71 @@ fn turning() -> Program {
     builder.finish(outputs)
 }
 
+/// A function of the slider-crank.
+fn function(name: &str, arguments: Vec<usize>, program: Program, fields: Vec<Field>) -> Function {
+    Function {
+        name: name.to_owned(),
+        arguments,
+        states: Vec::new(),
+        called: Body {
+            count: Count::of(&program),
+            stages: split(&program),
+            program,
+        },
+        beside: None,
+        fields,
+        columns: Vec::new(),
+        sensitivities: None,
+    }
+}
+
 /// Every program of the slider-crank.
-pub(crate) fn lowered() -> Lowered {
+pub(crate) fn unit() -> Unit {
     let field = |name: &str, shape: Shape, unit: &str| Field {
         name: name.to_owned(),
         shape,
         unit: unit.to_owned(),
     };
+    let angle = |unknown, estimate| ContinuousAngle {
+        unknown,
+        inputs: vec![0],
+        estimate,
+    };
     let mut fixed = Builder::default();
     let rod2 = fixed.load(Source::Prepared(0));
-    Lowered {
-        picture: None,
+    let rates = Shape::Array(2, Box::new(Shape::Vector(2)));
+    Unit {
         prepare: prepare(),
         gaps: gaps(),
-        angles: angles(),
-        coupled: Vec::new(),
-        survey: Program::default(),
-        continuous_angles: vec![
-            ContinuousAngle {
-                unknown: 0,
-                inputs: vec![0],
-                estimate: 0.0,
-            },
-            ContinuousAngle {
-                unknown: 1,
-                inputs: vec![0],
-                estimate: 0.5,
-            },
-        ],
-        evaluators: vec![
-            Evaluator {
-                index: 0,
-                program: path(),
-                fields: vec![
+        directions: angles(),
+        angles: vec![angle(0, 0.0), angle(1, 0.5)],
+        functions: vec![
+            function(
+                "path",
+                vec![0],
+                path(),
+                vec![
                     field("a", Shape::Vector(2), "mm"),
                     field("s", Shape::Scalar, "mm"),
                 ],
-                columns: Vec::new(),
-                sensitivities: None,
-                beside: None,
-                states: Vec::new(),
-            },
-            Evaluator {
-                index: 1,
-                program: turning(),
-                fields: vec![
+            ),
+            function(
+                "modes",
+                vec![0],
+                turning(),
+                vec![
                     field("len", Shape::Scalar, "rad"),
                     field("wheel", Shape::Scalar, "rad"),
-                    field("v", Shape::Array(2, Box::new(Shape::Vector(2))), "1"),
+                    field("v", rates, "1"),
                 ],
-                columns: Vec::new(),
-                sensitivities: None,
-                beside: None,
-                states: Vec::new(),
-            },
-            Evaluator {
-                index: 2,
-                program: fixed.finish(vec![rod2]),
-                fields: vec![field("rod2", Shape::Scalar, "mm^2")],
-                columns: Vec::new(),
-                sensitivities: None,
-                beside: None,
-                states: Vec::new(),
-            },
+            ),
+            function(
+                "fixed",
+                Vec::new(),
+                fixed.finish(vec![rod2]),
+                vec![field("rod2", Shape::Scalar, "mm^2")],
+            ),
         ],
+        ..Unit::default()
     }
 }

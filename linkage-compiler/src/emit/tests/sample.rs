@@ -3,21 +3,20 @@
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::programs::lowered;
-use crate::emit::facts::{Facts, GroupFacts, InputFacts};
-use crate::lower::Lowered;
-use crate::model::{self, Dimension, LengthUnit, Mechanism, OriginId, ScalarParameterId, Type};
+use super::programs;
+use crate::model::{
+    self, Dimension, LengthUnit, Mechanism, OriginId, ScalarParameterId, Shape, Type,
+};
 use crate::syntax::{
     self, Attribute, FunctionDef, InputItem, Item, MechanismDef, NamedItem, ParamItem, QuantityDef,
     SourceSpan, Toleranced,
 };
+use crate::unit::{Group, Input, Parameter, Scalar, Unit, Unknown};
 
-/// The syntax tree, the model, the facts and the programs of one mechanism.
+/// The syntax tree and the unit of one mechanism.
 pub(crate) struct Sample {
     pub(crate) def: MechanismDef,
-    pub(crate) mechanism: Mechanism,
-    pub(crate) facts: Facts,
-    pub(crate) lowered: Lowered,
+    pub(crate) unit: Unit,
 }
 
 /// Crank about `pivot`, rod to a slider on the x axis; `theta` is the direction of the rod, `wheel` turns with the
@@ -25,9 +24,7 @@ pub(crate) struct Sample {
 pub(crate) fn slider_crank() -> Sample {
     Sample {
         def: def(),
-        mechanism: mechanism(),
-        facts: facts(),
-        lowered: lowered(),
+        unit: unit(),
     }
 }
 
@@ -188,7 +185,8 @@ fn zero() -> model::Expr {
     }
 }
 
-fn mechanism() -> Mechanism {
+/// The model, as far as a skeleton needs it.
+pub(crate) fn mechanism() -> Mechanism {
     let parameter = |name: &str, ty: Type, components: usize, first: usize| model::Parameter {
         name: name.to_owned(),
         ty,
@@ -259,30 +257,55 @@ fn mechanism() -> Mechanism {
     }
 }
 
-fn facts() -> Facts {
-    let group = |kind, unknown: &str, mode| GroupFacts {
-        class: 2,
-        order: 2,
-        kind,
-        coupled: false,
-        loops: vec![1],
-        unknowns: vec![unknown.to_owned()],
-        mode,
-        plus: mode.is_some(),
-        method: "closed form",
-        gap_unit: "mm".to_owned(),
+fn unit() -> Unit {
+    let scalar = |name: &str, nominal, tolerance| Scalar {
+        name: name.to_owned(),
+        unit: "mm".to_owned(),
+        nominal,
+        tolerance,
     };
-    Facts {
-        nominal: vec![1.0, -2.0, 10.0, 30.0],
-        tolerance: vec![0.5, 0.0, 0.0, 0.0],
-        inputs: vec![InputFacts {
+    let unknown = |name: &str| Unknown {
+        name: name.to_owned(),
+        unit: "rad".to_owned(),
+        is_number: true,
+    };
+    let alone = |own| Parameter {
+        shape: Shape::Scalar,
+        scalars: vec![own],
+    };
+    Unit {
+        parameters: vec![
+            Parameter {
+                shape: Shape::Vector(2),
+                scalars: vec![scalar("pivot.x", 1.0, 0.5), scalar("pivot.y", -2.0, 0.0)],
+            },
+            alone(scalar("crank", 10.0, 0.0)),
+            alone(scalar("Crank", 30.0, 0.0)),
+        ],
+        inputs: vec![Input {
+            name: "phi".to_owned(),
+            unit: "rad".to_owned(),
+            angle: true,
             reference: 0.5,
             range: None,
             followed: (0.0, 0.0),
             rates: vec![0.0, 1.0, -1.0],
         }],
-        groups: vec![group("RRP".into(), "theta", Some(0))],
+        unknowns: vec![unknown("theta"), unknown("wheel")],
+        groups: vec![Group {
+            class: 2,
+            order: 2,
+            kind: "RRP".to_owned(),
+            loops: vec![1],
+            unknowns: vec!["theta".to_owned()],
+            mode: Some(0),
+            coupled: false,
+            plus: true,
+            method: "closed form",
+            gap_unit: "mm".to_owned(),
+        }],
         mobility: 1,
         longest: 1.0,
+        ..programs::unit()
     }
 }

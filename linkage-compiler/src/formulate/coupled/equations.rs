@@ -1,173 +1,202 @@
 //! The equations of a core: one across each private unknown, and the rows of loops without one.
 
-use linkage_symbolic::program::Unary;
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::CoreRow;
 use crate::formulate::Solver;
-use crate::formulate::vector::Vector;
-use crate::structure::{Core, Coupled, Private};
+use crate::structure::{Block, Core, Coupled, Private};
+
+use super::vector;
 
 /// The equations of the core, in the symbols of the core alone, and all that is made of them.
-pub(super) struct Equations {
-    pub(super) reach: NodeId,
-    pub(super) scale: NodeId,
+pub(super) struct Equations<'f, 'm> {
+    pub(super) form: &'f Coupled<'m>,
+    /// The unknowns of the core as variables of derivatives.
+    pub(super) variables: Vec<SymbolId>,
+    /// The sum of the lengths of the links.
+    pub(super) reach: Ex<'m>,
+    /// A power of two near the inverse of the reach: lengths times this stand beside angles.
+    pub(super) scale: Ex<'m>,
     /// 1 over the scale.
-    pub(super) unit: NodeId,
-    pub(super) residuals: Vec<NodeId>,
-    pub(super) rows: Vec<CoreRow>,
-    pub(super) matrix: Vec<Vec<NodeId>>,
+    pub(super) unit: Ex<'m>,
+    pub(super) residuals: Vec<Ex<'m>>,
+    pub(super) rows: Vec<CoreRow<'m>>,
+    /// The derivatives of the residuals by the scaled unknowns.
+    pub(super) matrix: Vec<Vec<Ex<'m>>>,
 }
 
-impl Solver<'_, '_> {
-    pub(super) fn core_equations(&mut self, form: &Coupled, variables: &[SymbolId]) -> Equations {
+/// A loop and where it stands.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'f, 'm> {
+    pub(super) block: &'f Block<'m>,
+    /// Its first row among those of all loops.
+    pub(super) first: usize,
+}
+
+impl<'m> Place<'_, 'm> {
+    /// The rows of a vector loop without its private unknown.
+    pub(super) fn rest(self) -> V2<'m> {
+        Vector([self.block.rest[0], self.block.rest[1]])
+    }
+}
+
+/// An unknown of the core as a column of a loop.
+#[derive(Clone, Copy)]
+struct Column<'m> {
+    variable: SymbolId,
+    /// What derivatives by it are multiplied by.
+    scale: Ex<'m>,
+}
+
+impl<'f, 'm> Equations<'f, 'm> {
+    /// The loops in order.
+    pub(super) fn places(&self) -> impl Iterator<Item = Place<'f, 'm>> + use<'f, 'm> {
+        let mut next = 0;
+        self.form.blocks.iter().map(move |block| {
+            let first = next;
+            next += block.rows.len();
+            Place { block, first }
+        })
+    }
+
+    /// An unknown of the core over its scaled value.
+    pub(super) fn unit_of(&self, core: Core) -> Ex<'m> {
+        match core {
+            Core::Angle(_) => self.one(),
+            Core::Length { .. } => self.unit,
+        }
+    }
+
+    /// What the rows of a loop are multiplied by. Vector loops and distances are lengths; what a scalar loop is, nobody knows.
+    pub(super) fn row_scale(&self, block: &Block<'m>) -> Ex<'m> {
+        match block.is_length() {
+            true => self.scale,
+            false => self.one(),
+        }
+    }
+
+    /// What the derivatives of a loop by an unknown of the core are multiplied by.
+    pub(super) fn column_scale(&self, block: &Block<'m>, core: Core) -> Ex<'m> {
+        match (core, block.is_length()) {
+            (Core::Angle(_), _) => self.row_scale(block),
+            (Core::Length { .. }, true) => self.one(),
+            (Core::Length { .. }, false) => self.unit,
+        }
+    }
+
+    fn columns(&self, block: &Block<'m>) -> Vec<Column<'m>> {
+        let columns = self.variables.iter().zip(&self.form.core);
+        let columns = columns.map(|(&variable, &core)| Column {
+            variable,
+            scale: self.column_scale(block, core),
+        });
+        columns.collect()
+    }
+
+    fn one(&self) -> Ex<'m> {
+        self.scale.number(1.0)
+    }
+}
+
+impl<'m> Solver<'_, 'm> {
+    /// The equations of the core and their derivatives.
+    pub(super) fn core_equations<'f>(&mut self, form: &'f Coupled<'m>) -> Equations<'f, 'm> {
+        let positions = 0..form.core.len();
+        let variables = positions.map(|k| self.algebra.unknown_variable(self.index, k));
+        let variables = variables.collect();
         let reach = self.reach(form);
-        let graph = &mut self.algebra.graph;
-        let scale = graph.unary(Unary::InverseScale, reach);
-        let one = graph.one();
-        let unit = graph.div(one, scale);
-        let column_scales: Vec<NodeId> = form
-            .core
-            .iter()
-            .map(|core| match core {
-                Core::Angle(_) => scale,
-                Core::Length { .. } => one,
-            })
-            .collect();
-        let units: Vec<NodeId> = form
-            .core
-            .iter()
-            .map(|core| match core {
-                Core::Angle(_) => one,
-                Core::Length { .. } => unit,
-            })
-            .collect();
+        let scale = reach.inverse_scale();
         let mut equations = Equations {
+            form,
+            variables,
             reach,
             scale,
-            unit,
+            unit: 1.0 / scale,
             residuals: Vec::new(),
             rows: Vec::new(),
             matrix: Vec::new(),
         };
-        let mut first = 0;
-        for block in &form.blocks {
-            match (&block.private, &block.rest[..]) {
-                (Some(private), &[x, y]) => {
-                    self.across_private(
-                        &mut equations,
-                        private,
-                        [x, y],
-                        first,
-                        (variables, &column_scales),
-                    );
-                }
-                _ => {
-                    for (row, &node) in block.rows.iter().enumerate() {
-                        // Vector loops and distances are lengths; what a scalar loop is, nobody knows.
-                        let (factor, scales): (NodeId, Vec<NodeId>) = match block.is_length() {
-                            true => (scale, column_scales.clone()),
-                            false => (one, units.clone()),
-                        };
-                        let residual = self.algebra.graph.mul(factor, node);
-                        let entries = variables.iter().zip(&scales).map(|(&variable, &scale)| {
-                            let slope = self.algebra.partial(node, variable);
-                            self.algebra.graph.mul(scale, slope)
-                        });
-                        let entries = entries.collect();
-                        equations.residuals.push(residual);
-                        equations.matrix.push(entries);
-                        equations.rows.push(CoreRow {
-                            first: first + row,
-                            factors: vec![factor],
-                        });
-                    }
-                }
+        for place in equations.places() {
+            match &place.block.private {
+                Some(private) => self.across_private(&mut equations, place, private),
+                None => self.row_by_row(&mut equations, place),
             }
-            first += block.rows.len();
         }
         equations
+    }
+
+    /// The sum of the lengths of the links that do not depend on inputs.
+    fn reach(&self, form: &Coupled<'m>) -> Ex<'m> {
+        let angles = &self.algebra.names.angles;
+        let turns = |symbol| angles.iter().any(|angle| angle.cos == symbol);
+        let vector_loops = form.blocks.iter().filter(|block| block.rows.len() > 1);
+        let products = vector_loops.flat_map(|block| &block.terms);
+        let links = products
+            .filter(|product| matches!(product.powers[..], [(symbol, 1)] if turns(symbol)))
+            .map(|product| product.coefficient.clone());
+        let distances = form.blocks.iter().filter_map(|block| block.distance);
+        let fixed = links
+            .chain(distances.map(|distance| vec![distance]))
+            .filter(|link| link.iter().all(|x| x.is_fixed()));
+        let zero = self.algebra.zero();
+        fixed.fold(zero, |sum, link| sum + vector(&link).length())
+    }
+
+    /// The equations of a loop without a private unknown.
+    fn row_by_row(&mut self, equations: &mut Equations<'_, 'm>, place: Place<'_, 'm>) {
+        let Place { block, first } = place;
+        let scale = equations.row_scale(block);
+        let columns = equations.columns(block);
+        for (row, &x) in block.rows.iter().enumerate() {
+            equations.residuals.push(scale * x);
+            let slope =
+                |column: &Column<'m>| column.scale * self.algebra.partial(x, column.variable);
+            equations.matrix.push(columns.iter().map(slope).collect());
+            equations.rows.push(CoreRow {
+                first: first + row,
+                factors: vec![scale],
+            });
+        }
     }
 
     /// The equation of a loop across its private unknown.
     fn across_private(
         &mut self,
-        equations: &mut Equations,
-        private: &Private,
-        rest: Vector,
-        first: usize,
-        (variables, column_scales): (&[SymbolId], &[NodeId]),
+        equations: &mut Equations<'_, 'm>,
+        place: Place<'_, 'm>,
+        private: &Private<'m>,
     ) {
         let scale = equations.scale;
-        let slopes: Vec<Vector> = variables
+        let rest = place.rest();
+        let columns = equations.columns(place.block);
+        let slopes: Vec<V2> = columns
             .iter()
-            .map(|&variable| rest.map(|x| self.algebra.partial(x, variable)))
+            .map(|column| rest.map(|x| self.algebra.partial(x, column.variable)))
             .collect();
-        let (multiplier, residual, entries): (Vector, NodeId, Vec<NodeId>) = match private {
+        let columns = columns.into_iter().zip(slopes);
+        let (residual, entries, multiplier): (_, Vec<Ex>, _) = match private {
             Private::Rotor(rotor) => {
-                let link = self.negative(rest);
-                let link = link.map(|x| self.algebra.graph.mul(scale, x));
-                let length = self.algebra.length(&rotor.z);
-                let graph = &mut self.algebra.graph;
-                let length = graph.mul(scale, length);
-                let wanted = graph.square(length);
-                let square = self.square(link);
-                let miss = self.algebra.graph.sub(wanted, square);
-                let residual = self.half(miss);
-                let entries = slopes.iter().zip(column_scales).map(|(slope, &scale)| {
-                    let slope = slope.map(|x| self.algebra.graph.mul(scale, x));
-                    self.algebra.dot(&link, &slope)
-                });
-                let entries = entries.collect();
-                (link, residual, entries)
+                let link = scale * -rest;
+                let length = scale * rotor.z.length();
+                let residual = 0.5 * (length.square() - link.square());
+                let entries = columns.map(|(column, slope)| link.dot(column.scale * slope));
+                (residual, entries.collect(), link)
             }
             Private::Slide { guide, .. } => {
-                let scaled = rest.map(|x| self.algebra.graph.mul(scale, x));
-                let residual = self.algebra.cross(*guide, scaled);
-                let entries = variables.iter().zip(&slopes).zip(column_scales);
-                let entries = entries.map(|((&variable, slope), &scale)| {
-                    let slope = slope.map(|x| self.algebra.graph.mul(scale, x));
+                let residual = guide.cross(scale * rest);
+                let entries = columns.map(|(Column { variable, scale }, slope)| {
+                    let slope = scale * slope;
                     let turning = guide.map(|x| self.algebra.partial(x, variable));
-                    let moved = self.algebra.cross(*guide, slope);
-                    let rest = rest.map(|x| self.algebra.graph.mul(scale, x));
-                    let turned = self.algebra.cross(turning, rest);
-                    self.algebra.graph.add(moved, turned)
+                    guide.cross(slope) + turning.cross(scale * rest)
                 });
-                let entries = entries.collect();
-                (self.perp(*guide), residual, entries)
+                (residual, entries.collect(), guide.perp())
             }
         };
-        let factors = multiplier.map(|x| self.algebra.graph.mul(scale, x));
         equations.residuals.push(residual);
         equations.matrix.push(entries);
         equations.rows.push(CoreRow {
-            first,
-            factors: factors.to_vec(),
+            first: place.first,
+            factors: (scale * multiplier).0.to_vec(),
         });
-    }
-
-    /// The sum of the lengths of the links that do not depend on inputs. A power of two near its inverse scales the equations.
-    fn reach(&mut self, form: &Coupled) -> NodeId {
-        let mut vectors: Vec<Vec<NodeId>> = Vec::new();
-        for block in form.blocks.iter().filter(|block| block.rows.len() > 1) {
-            for product in &block.terms {
-                let turns = |symbol| self.algebra.angles.iter().any(|a| a.cos == symbol);
-                let fixed = |x: &NodeId| self.algebra.is_fixed(*x);
-                if let [(symbol, 1)] = product.powers[..]
-                    && turns(symbol)
-                    && product.coefficient.iter().all(fixed)
-                {
-                    vectors.push(product.coefficient.clone());
-                }
-            }
-        }
-        let distances = form.blocks.iter().filter_map(|block| block.distance);
-        let distances = distances.filter(|length| self.algebra.is_fixed(*length));
-        vectors.extend(distances.map(|length| vec![length]));
-        let zero = self.algebra.graph.zero();
-        vectors.iter().fold(zero, |sum, vector| {
-            let length = self.algebra.length(vector);
-            self.algebra.graph.add(sum, length)
-        })
     }
 }

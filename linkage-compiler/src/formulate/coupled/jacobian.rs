@@ -1,59 +1,47 @@
 //! What differentiation needs of a coupled group: private unknowns, terms, columns and how they are eliminated.
 
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, V2};
 
 use crate::algebra::{Elimination, PrivateColumn, Solution, Term};
 use crate::formulate::Solver;
-use crate::formulate::vector::Vector;
-use crate::structure::{Block, Core, Coupled, Private};
+use crate::structure::Private;
 
-use super::equations::Equations;
+use super::equations::{Equations, Place};
 
-impl Solver<'_, '_> {
+impl<'m> Solver<'_, 'm> {
     /// Defines the private unknowns and records what differentiation needs.
-    pub(super) fn push_coupled(
-        &mut self,
-        form: &Coupled,
-        variables: &[SymbolId],
-        equations: &Equations,
-        determinant: NodeId,
-    ) {
+    pub(super) fn push_coupled(&mut self, equations: &Equations<'_, 'm>, determinant: Ex<'m>) {
+        let form = equations.form;
         let rows: usize = form.blocks.iter().map(|block| block.rows.len()).sum();
-        let zero = self.algebra.graph.zero();
-        let mut jacobian = vec![vec![zero; rows]; variables.len()];
+        let nothing = vec![self.algebra.zero(); rows];
+        let mut jacobian = vec![nothing.clone(); form.core.len()];
         let mut privates = Vec::new();
         let mut terms = Vec::new();
-        let mut first = 0;
-        for block in &form.blocks {
-            let position = jacobian.len();
+        for place in equations.places() {
+            let Place { block, first } = place;
             if let Some(private) = &block.private {
-                let own = self.define_private(private, [block.rest[0], block.rest[1]], position);
+                let own = self.define_private(private, place.rest(), jacobian.len());
                 let square = match private {
-                    Private::Rotor(rotor) => self.square(rotor.z),
-                    Private::Slide { guide, .. } => self.square_of_guide(*guide),
+                    Private::Rotor(rotor) => rotor.z.square(),
+                    Private::Slide { guide, .. } => square_of_guide(*guide),
                 };
-                let mut column = vec![zero; rows];
-                column[first..first + 2].copy_from_slice(&own);
+                let mut column = nothing.clone();
+                column[first..first + 2].copy_from_slice(&own.0);
                 jacobian.push(column);
                 privates.push(PrivateColumn { first, square });
             }
-            for (position, &variable) in variables.iter().enumerate() {
-                for (row, &node) in block.rows.iter().enumerate() {
-                    jacobian[position][first + row] = self.algebra.partial(node, variable);
+            for (column, &variable) in jacobian.iter_mut().zip(&equations.variables) {
+                for (entry, &x) in column[first..].iter_mut().zip(&block.rows) {
+                    *entry = self.algebra.partial(x, variable);
                 }
             }
-            terms.extend(self.block_terms(block, first, rows));
-            first += block.rows.len();
+            terms.extend(self.terms_of(place, &nothing));
         }
-        let one = self.algebra.graph.one();
-        let units = form.core.iter().map(|core| match core {
-            Core::Angle(_) => one,
-            Core::Length { .. } => equations.unit,
-        });
+        let core = form.core.iter();
         let elimination = Elimination {
             rows: equations.rows.clone(),
             matrix: equations.matrix.clone(),
-            units: units.collect(),
+            units: core.map(|&core| equations.unit_of(core)).collect(),
             privates,
         };
         self.push_solution(Solution {
@@ -64,48 +52,35 @@ impl Solver<'_, '_> {
         });
     }
 
-    /// Defines a private unknown; returns its column.
-    fn define_private(&mut self, private: &Private, rest: Vector, position: usize) -> Vector {
+    /// Defines the private unknown of a loop; returns its column.
+    fn define_private(&mut self, private: &Private<'m>, rest: V2<'m>, position: usize) -> V2<'m> {
         match private {
             Private::Rotor(rotor) => {
                 let unit = self.unit_of(rotor);
-                let value = self.negative(rest);
-                let vector = self.turning(value, rotor.z, unit, position);
-                let quotient = self.complex_quotient(vector, rotor.z);
-                self.define_angle(rotor.angle, rotor.sense, quotient, position);
-                self.perp(vector)
+                let link = self.turning(-rest, rotor.z, unit, position);
+                let direction = link.turned_back(rotor.z);
+                self.define_angle(rotor.angle, rotor.sense, direction, position);
+                link.perp()
             }
             Private::Slide { slide, guide } => {
-                let along = self.algebra.dot(guide, &rest);
-                let square = self.square_of_guide(*guide);
-                let graph = &mut self.algebra.graph;
-                let quotient = graph.div(along, square);
-                let value = graph.neg(quotient);
+                let value = -(guide.dot(rest) / square_of_guide(*guide));
                 self.define_length(*slide, value, position);
                 *guide
             }
         }
     }
 
-    fn square_of_guide(&mut self, guide: Vector) -> NodeId {
-        match self.algebra.is_unit(&guide) {
-            true => self.algebra.graph.one(),
-            false => self.square(guide),
-        }
-    }
-
     /// The terms of one loop among all rows.
-    fn block_terms(&mut self, block: &Block, first: usize, rows: usize) -> Vec<Term> {
-        let graph = &mut self.algebra.graph;
-        let zero = graph.zero();
+    fn terms_of(&self, place: Place<'_, 'm>, nothing: &[Ex<'m>]) -> Vec<Term<'m>> {
+        let Place { block, first } = place;
+        let graph = self.algebra.graph;
         let terms = block.terms.iter().map(|product| {
-            let mut coefficient = vec![zero; rows];
+            let mut coefficient = nothing.to_vec();
             coefficient[first..first + block.rows.len()].copy_from_slice(&product.coefficient);
-            let mut factor = graph.one();
+            let mut factor = self.algebra.one();
             for &(symbol, power) in &product.powers {
                 for _ in 0..power {
-                    let own = graph.symbol_node(symbol);
-                    factor = graph.mul(factor, own);
+                    factor = factor * graph.ex(graph.symbol_node(symbol));
                 }
             }
             Term {
@@ -114,5 +89,12 @@ impl Solver<'_, '_> {
             }
         });
         terms.collect()
+    }
+}
+
+fn square_of_guide(guide: V2) -> Ex {
+    match guide.is_unit() {
+        true => guide[0].number(1.0),
+        false => guide.square(),
     }
 }

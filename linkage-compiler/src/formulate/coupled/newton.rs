@@ -1,166 +1,145 @@
 //! Newton steps of a core, from a state to the next, and what a solution must stand.
 
-use std::collections::HashMap;
-
-use linkage_symbolic::program::{Binary, Source, Ternary};
-use linkage_symbolic::{NodeId, substitute};
+use linkage_symbolic::program::Source;
+use linkage_symbolic::{Ex, substitute};
 
 use crate::formulate::Solver;
-use crate::structure::Core;
 
 use super::equations::Equations;
+use super::state::Part;
+
+/// Newton steps from a state of another position: the runtime divides a grid into cells from whose centres so many are enough.
+const STEPS: usize = 4;
+
+/// The largest first correction for other dimensions, in radians or scaled lengths: what moves the solution by more might lead to
+/// another assembly than a gradual change would.
+const FIRST_CORRECTION: f64 = 0.05;
+
+/// The square of a correction over that of the one before, at most. Where Newton's method is certain to find the nearest solution,
+/// each correction is below a quarter of the one before.
+const CONTRACTION: f64 = 1.0 / 16.0;
 
 /// How a solution is reached.
 #[derive(Clone, Copy)]
 pub(super) struct Plan {
-    pub(super) steps: usize,
+    steps: usize,
     /// The largest first correction.
-    pub(super) first: Option<f64>,
+    first: Option<f64>,
+    /// The determinant must keep half of its least size near the state, beside its sign.
+    half: bool,
+}
+
+impl Plan {
+    /// From a table over one input, whose error is known.
+    const FROM_TABLE: Self = Self {
+        steps: 1,
+        first: None,
+        half: true,
+    };
+
+    /// From such a table for dimensions, derivatives or digits that it does not know.
+    const BESIDE_TABLE: Self = Self {
+        steps: STEPS,
+        first: Some(FIRST_CORRECTION),
+        half: false,
+    };
+
+    /// From the nearest of prepared states over several inputs.
+    const FROM_GRID: Self = Self {
+        steps: STEPS,
+        first: None,
+        half: false,
+    };
+
+    /// For calls and for sweeps over dimensions, if the group depends on so many inputs.
+    pub(super) fn of(inputs: usize) -> [Self; 2] {
+        match inputs {
+            1 => [Self::FROM_TABLE, Self::BESIDE_TABLE],
+            _ => [Self::FROM_GRID, Self::FROM_GRID],
+        }
+    }
 }
 
 /// A step from a state.
-pub(super) struct Step {
-    pub(super) corrections: Vec<NodeId>,
-    /// Unit vectors of length 1 and lengths, as the corrections apply to them.
-    start: Vec<Vec<NodeId>>,
-    pub(super) size2: NodeId,
-    pub(super) determinant: NodeId,
+pub(super) struct Step<'m> {
+    /// The state with unit vectors of length 1, as the corrections apply to it.
+    start: Vec<Part<'m>>,
+    pub(super) corrections: Vec<Ex<'m>>,
+    /// The sum of the squares of the corrections.
+    pub(super) size2: Ex<'m>,
+    pub(super) determinant: Ex<'m>,
 }
 
-impl Solver<'_, '_> {
+impl<'m> Step<'m> {
+    /// The next state, by these corrections.
+    pub(super) fn corrected(&self, corrections: &[Ex<'m>]) -> Vec<Part<'m>> {
+        let parts = self.start.iter().zip(corrections);
+        parts.map(|(part, &own)| part.corrected(own)).collect()
+    }
+}
+
+impl<'m> Solver<'_, 'm> {
     /// The correction of a state.
-    pub(super) fn step(
-        &mut self,
-        equations: &Equations,
-        core: &[Core],
-        state: &[Vec<NodeId>],
-    ) -> Step {
-        let start: Vec<Vec<NodeId>> = state
-            .iter()
-            .map(|numbers| self.unit_length(numbers))
-            .collect();
-        let mut map = HashMap::new();
-        for (core, numbers) in core.iter().zip(&start) {
-            match *core {
-                Core::Angle(angle) => {
-                    let angle = &self.algebra.angles[angle];
-                    map.extend([(angle.cos, numbers[0]), (angle.sin, numbers[1])]);
-                }
-                Core::Length { symbol, .. } => {
-                    let length = self.algebra.graph.mul(equations.unit, numbers[0]);
-                    map.insert(symbol, length);
-                }
-            }
-        }
-        let roots: Vec<NodeId> = equations.matrix.concat();
-        let roots = [&equations.residuals[..], &roots].concat();
-        let here = substitute(&mut self.algebra.graph, &roots, &map);
-        let (residuals, entries) = here.split_at(core.len());
-        let matrix: Vec<Vec<NodeId>> = entries.chunks(core.len()).map(<[_]>::to_vec).collect();
+    pub(super) fn step(&self, equations: &Equations<'_, 'm>, state: &[Part<'m>]) -> Step<'m> {
+        let start: Vec<Part> = state.iter().map(|part| part.unit_length()).collect();
+        let meanings = self.meanings(&start, equations.unit).into_iter();
+        let here = meanings.map(|own| (own.symbol, own.value)).collect();
+        let all = [&equations.residuals[..], &equations.matrix.concat()].concat();
+        let all = substitute(&all, &here);
+        let (residuals, entries) = all.split_at(start.len());
+        let matrix: Vec<Vec<Ex>> = entries.chunks(start.len()).map(<[_]>::to_vec).collect();
+
         let determinant = self.algebra.determinant(&matrix);
         let numerators = self.algebra.cofactor_products(&matrix, residuals);
-        let graph = &mut self.algebra.graph;
-        let corrections: Vec<NodeId> = numerators
-            .into_iter()
-            .map(|numerator| {
-                let quotient = graph.div(numerator, determinant);
-                graph.neg(quotient)
-            })
-            .collect();
-        let size2 = self.algebra.dot(&corrections, &corrections);
+        let corrections = numerators.into_iter().map(|own| -(own / determinant));
+        let corrections: Vec<Ex> = corrections.collect();
         Step {
-            corrections,
             start,
-            size2,
+            size2: self.algebra.product_sum(&corrections, &corrections),
+            corrections,
             determinant,
         }
     }
 
-    /// A prepared unit vector has the length 1 to about ten digits: one step of the inverse root makes it exact.
-    fn unit_length(&mut self, numbers: &[NodeId]) -> Vec<NodeId> {
-        if numbers.len() == 1 {
-            return numbers.to_vec();
-        }
-        let square = self.algebra.dot(numbers, numbers);
-        let half = self.half(square);
-        let graph = &mut self.algebra.graph;
-        let bound = graph.constant(1.5);
-        let factor = graph.sub(bound, half);
-        numbers.iter().map(|&x| graph.mul(factor, x)).collect()
-    }
-
-    /// A state after corrections: unit vectors turn to second order.
-    pub(super) fn corrected(&mut self, step: &Step, corrections: &[NodeId]) -> Vec<Vec<NodeId>> {
-        let all = step.start.iter().zip(corrections);
-        all.map(|(numbers, &correction)| match numbers[..] {
-            [cos, sin] => {
-                let square = self.algebra.graph.square(correction);
-                let versine = self.half(square);
-                let graph = &mut self.algebra.graph;
-                let [across, back] = [graph.mul(sin, correction), graph.mul(cos, versine)];
-                let fall = graph.add(across, back);
-                let [along, down] = [graph.mul(cos, correction), graph.mul(sin, versine)];
-                let rise = graph.sub(along, down);
-                vec![graph.sub(cos, fall), graph.add(sin, rise)]
-            }
-            _ => vec![self.algebra.graph.add(numbers[0], correction)],
-        })
-        .collect()
-    }
-
     /// The state after some steps, NaN unless the first correction is within the plan's limit, the last one tiny, every one much
-    /// smaller than the one before, and the determinant keeps its sign and, from a table, half of its size.
+    /// smaller than the one before, and the determinant keeps its sign and, from a table, half of its size. `floor` is half of its
+    /// least value near the state.
     pub(super) fn solution(
-        &mut self,
-        equations: &Equations,
-        core: &[Core],
-        state: &[Vec<NodeId>],
-        floor: NodeId,
+        &self,
+        equations: &Equations<'_, 'm>,
+        state: &[Part<'m>],
+        floor: Ex<'m>,
         plan: Plan,
-    ) -> Vec<Vec<NodeId>> {
-        let Plan { steps, first } = plan;
-        let limit = self.algebra.graph.source(Source::Limit);
-        let limit2 = self.algebra.graph.square(limit);
+    ) -> Vec<Part<'m>> {
+        let tiny = self.algebra.source(Source::Limit).square();
         let mut state = state.to_vec();
-        let mut guard: Option<NodeId> = None;
-        let mut before: Option<NodeId> = None;
-        for index in 0..steps {
-            let step = self.step(equations, core, &state);
-            let graph = &mut self.algebra.graph;
-            let mut sound = graph.mul(step.determinant, floor);
-            if steps == 1 {
-                let floor2 = graph.square(floor);
-                sound = graph.sub(sound, floor2);
-            }
-            let last = index + 1 == steps;
-            let first = before.is_none().then_some(first).flatten();
-            let first = first.map(|first| graph.constant(first * first));
-            let allowed = before.map(|before| {
-                let share = graph.constant(1.0 / 16.0);
-                let share = graph.mul(share, before);
-                graph.binary(Binary::Max, share, limit2)
-            });
-            let allowed = if last {
-                Some(limit2)
-            } else {
-                allowed.or(first)
+        let mut guard: Option<Ex> = None;
+        let mut before: Option<Ex> = None;
+        for index in 0..plan.steps {
+            let step = self.step(equations, &state);
+            let last = index + 1 == plan.steps;
+            let sound = match plan.half {
+                true => step.determinant * floor - floor.square(),
+                false => step.determinant * floor,
             };
-            let small = allowed.map(|allowed| graph.sub(allowed, step.size2));
-            for condition in [Some(sound), small].into_iter().flatten() {
-                guard = Some(match guard {
-                    Some(guard) => graph.binary(Binary::Min, guard, condition),
-                    None => condition,
-                });
-            }
-            before = Some(step.size2);
-            let mut corrections = step.corrections.clone();
-            if let (true, Some(guard)) = (last, guard) {
-                let nan = graph.constant(f64::NAN);
-                for correction in &mut corrections {
-                    *correction = graph.ternary(Ternary::Select, guard, *correction, nan);
+            let allowed = match before {
+                _ if last => Some(tiny),
+                Some(before) => Some((CONTRACTION * before).max(tiny)),
+                None => plan.first.map(|first| tiny.number(first * first)),
+            };
+            let small = allowed.map(|allowed| allowed - step.size2);
+            let conditions = [guard, Some(sound), small].into_iter().flatten();
+            guard = conditions.reduce(Ex::min);
+            let corrections = match guard.filter(|_| last) {
+                Some(guard) => {
+                    let nan = guard.number(f64::NAN);
+                    let own = step.corrections.iter();
+                    own.map(|&own| guard.select(own, nan)).collect()
                 }
-            }
-            state = self.corrected(&step, &corrections);
+                None => step.corrections.clone(),
+            };
+            state = step.corrected(&corrections);
+            before = Some(step.size2);
         }
         state
     }

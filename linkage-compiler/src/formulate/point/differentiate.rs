@@ -1,18 +1,18 @@
 //! What differentiation needs of a point on spheres and planes.
 
-use linkage_symbolic::{NodeId, SymbolId};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
 use crate::algebra::{CoreRow, Elimination, Solution, Term};
 use crate::formulate::Solver;
-use crate::formulate::space::Space;
+use crate::formulate::plane::guarded;
 use crate::structure::Plane;
 
 use super::{Ball, Place};
 
 /// Coefficients and factors of one equation.
-type Row = Vec<(NodeId, NodeId)>;
+type Row<'m> = Vec<(Ex<'m>, Ex<'m>)>;
 
-impl Solver<'_, '_> {
+impl<'m> Solver<'_, 'm> {
     /// Records what differentiation needs. `volume` is the determinant of the first sphere's arm and the normals, scaled.
     ///
     /// The equations are the first sphere's and how the others differ from it: three nearly equal rows would cancel. They are
@@ -20,30 +20,25 @@ impl Solver<'_, '_> {
     pub(super) fn push_point(
         &mut self,
         coordinates: &[(SymbolId, usize)],
-        planes: &[Plane],
-        balls: &[Ball],
-        place: &Place,
-        volume: NodeId,
+        planes: &[Plane<'m>],
+        balls: &[Ball<'m>],
+        place: &Place<'m>,
+        volume: Ex<'m>,
     ) {
         let count = coordinates.len();
-        let (zero, one) = (self.algebra.graph.zero(), self.algebra.graph.one());
-        let point: Vec<NodeId> = coordinates
-            .iter()
-            .map(|(symbol, _)| self.algebra.graph.symbol_node(*symbol))
-            .collect();
-        let first = [0, 1, 2].map(|k| {
-            let value = self.guarded(place.arm[k], place.h);
+        let (zero, one) = (self.algebra.zero(), self.algebra.one());
+        let symbols = coordinates.iter().map(|(symbol, _)| self.unknown(*symbol));
+        let point: Vec<Ex> = symbols.collect();
+        let first = Vector([0, 1, 2].map(|k| {
+            let value = guarded(place.arm[k], place.h);
             let moved = coordinates.iter().zip(&point).find(|((_, c), _)| *c == k);
             let moved = moved.map_or(zero, |(_, &p)| p);
-            let graph = &mut self.algebra.graph;
-            let equal = graph.sub(moved, balls[0].centre[k]);
-            let equal = graph.mul(place.scale, equal);
+            let equal = place.scale * (moved - balls[0].centre[k]);
             self.alias("leg", value, equal)
-        });
-        let mut rows = vec![(self.sphere_terms(first, &balls[0]), first, one)];
+        }));
+        let mut rows = vec![(sphere_terms(first, &balls[0]), first, one)];
         for ball in &balls[1..] {
-            let leg = [0, 1, 2].map(|k| self.algebra.graph.sub(first[k], ball.apart[k]));
-            let terms = self.difference_terms(leg, &balls[0], ball);
+            let terms = difference_terms(first - ball.apart, &balls[0], ball);
             rows.push((terms, ball.apart, one));
         }
         for plane in planes {
@@ -51,9 +46,8 @@ impl Solver<'_, '_> {
             for (&(_, k), &coordinate) in coordinates.iter().zip(&point) {
                 terms.push((plane.normal[k], coordinate));
             }
-            let (length, _) = self.algebra.length_and_unit(plane.normal);
-            let factor = self.algebra.graph.div(one, length);
-            rows.push((terms, plane.normal, factor));
+            let (length, _) = plane.normal.length_and_unit();
+            rows.push((terms, plane.normal, one / length));
         }
 
         let mut terms = Vec::new();
@@ -61,9 +55,9 @@ impl Solver<'_, '_> {
         let mut core = Vec::new();
         let mut matrix = Vec::new();
         for (row, (own, slope, factor)) in rows.into_iter().enumerate() {
-            terms.extend(own.into_iter().map(|(node, factor)| {
+            terms.extend(own.into_iter().map(|(own, factor)| {
                 let mut coefficient = vec![zero; count];
-                coefficient[row] = node;
+                coefficient[row] = own;
                 Term {
                     coefficient,
                     factor,
@@ -72,12 +66,8 @@ impl Solver<'_, '_> {
             for (column, &(_, k)) in coordinates.iter().enumerate() {
                 jacobian[column][row] = slope[k];
             }
-            let entries = coordinates.iter();
-            matrix.push(
-                entries
-                    .map(|&(_, k)| self.algebra.graph.mul(factor, slope[k]))
-                    .collect(),
-            );
+            let entries = coordinates.iter().map(|&(_, k)| factor * slope[k]);
+            matrix.push(entries.collect());
             core.push(CoreRow {
                 first: row,
                 factors: vec![factor],
@@ -86,7 +76,7 @@ impl Solver<'_, '_> {
         // With two coordinates the third row is an axis.
         let missing = (0..3).find(|k| coordinates.iter().all(|(_, component)| component != k));
         let value = match missing {
-            Some(1) => self.algebra.graph.neg(volume),
+            Some(1) => -volume,
             _ => volume,
         };
         let product = self.algebra.determinant(&matrix);
@@ -103,26 +93,23 @@ impl Solver<'_, '_> {
             }),
         });
     }
+}
 
-    /// `((p - c).(p - c) - r^2)/2`
-    fn sphere_terms(&mut self, leg: Space, ball: &Ball) -> Row {
-        let mut terms: Row = (0..3)
-            .map(|k| (ball.centre[k], self.algebra.graph.neg(leg[k])))
-            .collect();
-        terms.push((ball.radius, self.algebra.graph.neg(ball.scaled)));
-        terms
-    }
+/// `((p - c).(p - c) - r^2)/2`
+fn sphere_terms<'m>(leg: V3<'m>, ball: &Ball<'m>) -> Row<'m> {
+    let mut terms: Row = (0..3).map(|k| (ball.centre[k], -leg[k])).collect();
+    terms.push((ball.radius, -ball.scaled));
+    terms
+}
 
-    /// `a . (p - c) - (a . a + r^2 - r'^2)/2`, where `a` leads from the first sphere's centre `c` to that of the other.
-    fn difference_terms(&mut self, leg: Space, base: &Ball, ball: &Ball) -> Row {
-        let graph = &mut self.algebra.graph;
-        let mut terms = Row::new();
-        for (k, leg) in leg.into_iter().enumerate() {
-            terms.push((graph.sub(ball.centre[k], base.centre[k]), leg));
-            terms.push((base.centre[k], graph.neg(ball.apart[k])));
-        }
-        terms.push((base.radius, graph.neg(base.scaled)));
-        terms.push((ball.radius, ball.scaled));
-        terms
+/// `a . (p - c) - (a . a + r^2 - r'^2)/2`, where `a` leads from the first sphere's centre `c` to that of the other.
+fn difference_terms<'m>(leg: V3<'m>, base: &Ball<'m>, ball: &Ball<'m>) -> Row<'m> {
+    let mut terms = Row::new();
+    for k in 0..3 {
+        terms.push((ball.centre[k] - base.centre[k], leg[k]));
+        terms.push((base.centre[k], -ball.apart[k]));
     }
+    terms.push((base.radius, -base.scaled));
+    terms.push((ball.radius, ball.scaled));
+    terms
 }

@@ -7,7 +7,7 @@ use crate::syntax::{self, BodyItem, JointKind, SourceSpan};
 
 impl Resolver<'_> {
     /// A body and the joint that it hangs on, both of the same number.
-    pub(super) fn body(&mut self, item: &BodyItem, index: usize) -> (Body, Joint) {
+    pub(super) fn body_item(&mut self, item: &BodyItem, index: usize) -> (Body, Joint) {
         let joint = self.joint(&item.joint, index);
         let turns = match &item.turns {
             Some(turns) => Some(self.turns(turns, item.joint.kind)),
@@ -75,7 +75,9 @@ impl Resolver<'_> {
                 "a frame or the vector along a slender rod",
                 "turns q - p",
             ),
-            _ => (value.ty == Type::Frame, "a frame", "turns frame(p, x, z)"),
+            (_, JointKind::Slide | JointKind::Fixed) => {
+                (value.ty == Type::Frame, "a frame", "turns frame(p, x, z)")
+            }
         };
         match fits {
             true => value,
@@ -85,7 +87,7 @@ impl Resolver<'_> {
 
     /// A body can leave out how it turns if it turns with the body that it hangs on.
     fn check_turning(&mut self, item: &BodyItem) {
-        if matches!(item.joint.kind, JointKind::Slide | JointKind::Fixed) {
+        if !item.joint.kind.turns() {
             return;
         }
         let help = match (self.mechanics.components, item.joint.kind) {
@@ -93,7 +95,7 @@ impl Resolver<'_> {
             (_, JointKind::Ball) => {
                 "name the vector along it if it is a slender rod, `turns q - p`, or its frame: `turns frame(p, x, z)`"
             }
-            _ => {
+            (_, JointKind::Pin | JointKind::Slide | JointKind::Cylinder | JointKind::Fixed) => {
                 "name its angle about the joint's axis, `turns phi`, or its frame: `turns frame(p, x, z)`"
             }
         };

@@ -3,9 +3,8 @@
 use std::fmt::{self, Formatter, Write};
 
 use super::super::dump::{Show, separated};
-use super::super::types::{
-    Between, Body, ElementKind, Expr, Inertia, Joint, Load, Mechanics, Mechanism,
-};
+use super::super::types::{Between, Body, Expr, Inertia, Joint, Load, Mechanics, Mechanism};
+use crate::syntax::Word;
 
 /// One line for each body, joint and load.
 pub(in crate::model) fn write_mechanics(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
@@ -25,10 +24,7 @@ pub(in crate::model) fn write_mechanics(out: &mut String, mechanism: &Mechanism)
         write_load(out, load, mechanism)?;
     }
     for element in &mechanism.elements {
-        let word = match element.kind {
-            ElementKind::Spring => "spring",
-            ElementKind::Damper => "damper",
-        };
+        let word = element.kind.word();
         write!(out, "{word} {}", show(&element.value))?;
         match &element.between {
             Between::Points(ends) => {
@@ -85,7 +81,7 @@ fn write_joint(out: &mut String, joint: &Joint, mechanism: &Mechanism) -> fmt::R
     }
     let on = body_name(mechanism, joint.on);
     write!(out, " on {on} at {}", show(&joint.at))?;
-    let word = joint.kind.direction_word();
+    let word = joint.kind.direction_word().word();
     match &joint.direction {
         Some(direction) => write!(out, " {word} {}", show(direction)),
         None => Ok(()),

@@ -131,6 +131,7 @@ fn same(left: &Expr, right: &Expr) -> bool {
         (ExprKind::Negate(_), ExprKind::Negate(_)) | (ExprKind::Vector(_), ExprKind::Vector(_)) => {
             true
         }
+        // Written in another way, even if it means the same.
         _ => false,
     };
     alike && operands().all(|(left, right)| same(left, right))

@@ -2,11 +2,11 @@
 
 use super::super::names::Resolver;
 use super::super::types::{Expr, Joint};
-use crate::syntax::{JointItem, JointKind, JointPart};
+use crate::syntax::{JointItem, JointKind, JointPart, Word};
 
 impl Resolver<'_> {
     /// `pin NAME = BODY on BODY at point;`
-    pub(super) fn closing_joint(&mut self, item: &JointItem) -> Joint {
+    pub(super) fn joint_item(&mut self, item: &JointItem) -> Joint {
         let body = self.body_named(&item.body);
         if body == Some(None) {
             let fact = "the body of a joint moves, `frame` does not";
@@ -28,7 +28,7 @@ impl Resolver<'_> {
     pub(super) fn joint(&mut self, part: &JointPart, body: usize) -> Joint {
         let on = self.body_named(&part.on).flatten();
         let at = self.point_clause(&part.at);
-        let word = part.kind.direction_word();
+        let word = part.kind.direction_word().word();
         let direction = part
             .direction
             .as_ref()
@@ -77,7 +77,11 @@ impl Resolver<'_> {
                 format!("a `{kind}` has no direction"),
                 "leave it out".to_owned(),
             ),
-            _ => return,
+            (JointKind::Pin, true, None)
+            | (JointKind::Pin | JointKind::Cylinder, false, Some(_))
+            | (JointKind::Slide, _, Some(_))
+            | (JointKind::Ball, false, None)
+            | (JointKind::Fixed, _, None) => return,
         };
         self.diagnostics.error_with_help(part.span, fact, help);
     }

@@ -5,11 +5,11 @@ use proc_macro2::Ident;
 use super::super::names::Resolver;
 use super::super::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use super::CONTEXT;
-use crate::syntax::{self, ElementItem, JointKind, LoadItem, SourceSpan};
+use crate::syntax::{self, ElementItem, JointKind, LoadItem, SourceSpan, Word};
 
 impl Resolver<'_> {
     /// `force vector on BODY [from BODY] at point;`
-    pub(super) fn force(&mut self, item: &LoadItem) -> Load {
+    pub(super) fn force_item(&mut self, item: &LoadItem) -> Load {
         let [on, from] = self.two_bodies(item);
         let at = item.at.as_ref().map(|at| self.point_clause(at));
         if at.is_none() {
@@ -22,7 +22,7 @@ impl Resolver<'_> {
     }
 
     /// `torque moment on BODY [from BODY];`
-    pub(super) fn torque(&mut self, item: &LoadItem) -> Load {
+    pub(super) fn torque_item(&mut self, item: &LoadItem) -> Load {
         let bodies = self.two_bodies(item);
         if let Some(at) = &item.at {
             let fact = "a `torque` acts on a body, wherever";
@@ -87,7 +87,7 @@ impl Resolver<'_> {
     }
 
     /// `spring stiffness BETWEEN [, free length];`
-    pub(super) fn spring(&mut self, item: &ElementItem, bodies: &[Body]) -> Element {
+    pub(super) fn spring_item(&mut self, item: &ElementItem, bodies: &[Body]) -> Element {
         let before = self.diagnostics.len();
         let (between, turning) = self.between(item);
         if turning == Some(true) && self.diagnostics.len() == before {
@@ -129,7 +129,7 @@ impl Resolver<'_> {
     }
 
     /// `damper damping BETWEEN;`
-    pub(super) fn damper(&mut self, item: &ElementItem) -> Element {
+    pub(super) fn damper_item(&mut self, item: &ElementItem) -> Element {
         let (between, turning) = self.between(item);
         let damping = match turning.unwrap_or_default() {
             true => (Dimension::of(1, 1, 1), "5N*mm*s"),
@@ -179,18 +179,17 @@ impl Resolver<'_> {
             syntax::Between::Joint(ident) => {
                 let joint = self.joint_named(ident);
                 let kind = joint.map(|joint| self.mechanics.joints[joint]);
-                if let Some(kind) = kind
-                    && !matches!(kind, JointKind::Pin | JointKind::Slide)
-                {
-                    let fact = format!("`{ident}` is a `{}`", kind.word());
-                    let help =
-                        "springs and dampers act on a `pin`, on a `slide`, or between two points";
-                    self.diagnostics.error_with_help(ident.into(), fact, help);
-                }
-                (
-                    Between::Joint(joint.unwrap_or_default()),
-                    kind.map(|kind| kind != JointKind::Slide),
-                )
+                let turning = kind.map(|kind| match kind {
+                    JointKind::Pin => true,
+                    JointKind::Slide => false,
+                    JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
+                        let fact = format!("`{ident}` is a `{}`", kind.word());
+                        let help = "springs and dampers act on a `pin`, on a `slide`, or between two points";
+                        self.diagnostics.error_with_help(ident.into(), fact, help);
+                        true
+                    }
+                });
+                (Between::Joint(joint.unwrap_or_default()), turning)
             }
         }
     }

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use proc_macro2::Ident;
 
 use super::super::names::Resolver;
+use super::super::passes::Mechanical;
 use crate::diagnostic::text::nearest;
-use crate::syntax::{Item, JointKind, MechanismDef, SourceSpan};
+use crate::syntax::{BodyItem, JointKind, SourceSpan, Word};
 
 /// The fixed link.
 const FRAME: &str = "frame";
@@ -37,19 +38,19 @@ impl Scope {
 
 impl Resolver<'_> {
     /// Declares all bodies and joints.
-    pub(super) fn declare_members(&mut self, definition: &MechanismDef) {
-        let parts = || {
-            definition.items.iter().filter_map(|item| match item {
-                Item::Body(item) => Some((Some(&item.name), &item.joint)),
-                _ => None,
-            })
-        };
-        let closing = definition.items.iter().filter_map(|item| match item {
-            Item::Joint(item) => Some((None, &item.joint)),
-            _ => None,
+    pub(super) fn declare_members(&mut self, bodies: &[&BodyItem], others: &[Mechanical]) {
+        self.mechanics.bodies = bodies.len();
+        let hanging = bodies.iter().map(|item| (Some(&item.name), &item.joint));
+        let closing = others.iter().filter_map(|item| match item {
+            Mechanical::Joint(item) => Some((None, &item.joint)),
+            // They have no names.
+            Mechanical::Gravity(_)
+            | Mechanical::Force(_)
+            | Mechanical::Torque(_)
+            | Mechanical::Spring(_)
+            | Mechanical::Damper(_) => None,
         });
-        self.mechanics.bodies = parts().count();
-        for (index, (body, joint)) in parts().chain(closing).enumerate() {
+        for (index, (body, joint)) in hanging.chain(closing).enumerate() {
             if let Some(body) = body {
                 self.declare_member(body, Member::Body(index));
             }
@@ -145,26 +146,5 @@ impl Resolver<'_> {
             .filter(|(_, (member, _))| wanted(*member))
             .map(|(name, _)| name.as_str())
             .collect()
-    }
-}
-
-impl JointKind {
-    /// As it is written.
-    pub(in crate::model) fn word(self) -> &'static str {
-        match self {
-            JointKind::Pin => "pin",
-            JointKind::Slide => "slide",
-            JointKind::Ball => "ball",
-            JointKind::Cylinder => "cylinder",
-            JointKind::Fixed => "fixed",
-        }
-    }
-
-    /// What its direction is called.
-    pub(super) fn direction_word(self) -> &'static str {
-        match self {
-            JointKind::Slide => "along",
-            _ => "about",
-        }
     }
 }

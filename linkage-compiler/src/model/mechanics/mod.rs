@@ -10,12 +10,12 @@ mod members;
 mod quantities;
 
 use super::names::{Context, Place, Resolver};
+use super::passes::Mechanical;
 use super::types::{Dimension, Expr, Mechanism};
-use crate::syntax::{GravityItem, Item, MechanismDef};
+use crate::syntax::{BodyItem, GravityItem};
 
 pub(super) use dump::write_mechanics;
 pub(super) use members::Scope;
-pub(super) use quantities::MECHANICS;
 
 /// Clauses may use all names.
 const CONTEXT: Context = Context {
@@ -25,42 +25,43 @@ const CONTEXT: Context = Context {
 
 impl Resolver<'_> {
     /// Everything about masses and forces. Bodies come first: they tell whether the mechanism is one of the plane or of space.
-    pub(super) fn mechanics(&mut self, definition: &MechanismDef, mechanism: &mut Mechanism) {
-        self.declare_members(definition);
-        for item in &definition.items {
-            if let Item::Body(item) = item {
-                let index = mechanism.bodies.len();
-                let (body, joint) = self.body(item, index);
-                mechanism.bodies.push(body);
-                mechanism.joints.push(joint);
-            }
+    pub(super) fn mechanics(
+        &mut self,
+        bodies: &[&BodyItem],
+        others: &[Mechanical],
+        mechanism: &mut Mechanism,
+    ) {
+        self.declare_members(bodies, others);
+        for (index, item) in bodies.iter().enumerate() {
+            let (body, joint) = self.body_item(item, index);
+            mechanism.bodies.push(body);
+            mechanism.joints.push(joint);
         }
         self.refuse_circles(mechanism);
         let mut gravity = None;
-        for item in &definition.items {
-            match item {
-                Item::Gravity(item) => {
-                    let value = self.gravity(item, gravity);
+        for item in others {
+            match *item {
+                Mechanical::Gravity(item) => {
+                    let value = self.gravity_item(item, gravity);
                     gravity = gravity.or(Some(item));
                     mechanism.gravity.get_or_insert(value);
                 }
-                Item::Joint(item) => {
-                    let joint = self.closing_joint(item);
+                Mechanical::Joint(item) => {
+                    let joint = self.joint_item(item);
                     mechanism.joints.push(joint);
                 }
-                Item::Force(item) => mechanism.loads.push(self.force(item)),
-                Item::Torque(item) => mechanism.loads.push(self.torque(item)),
-                Item::Spring(item) => {
-                    let spring = self.spring(item, &mechanism.bodies);
+                Mechanical::Force(item) => mechanism.loads.push(self.force_item(item)),
+                Mechanical::Torque(item) => mechanism.loads.push(self.torque_item(item)),
+                Mechanical::Spring(item) => {
+                    let spring = self.spring_item(item, &mechanism.bodies);
                     mechanism.elements.push(spring);
                 }
-                Item::Damper(item) => mechanism.elements.push(self.damper(item)),
-                _ => {}
+                Mechanical::Damper(item) => mechanism.elements.push(self.damper_item(item)),
             }
         }
     }
 
-    fn gravity(&mut self, item: &GravityItem, first: Option<&GravityItem>) -> Expr {
+    fn gravity_item(&mut self, item: &GravityItem, first: Option<&GravityItem>) -> Expr {
         if let Some(first) = first {
             let help = "leave one of them out";
             self.diagnostics

@@ -2,32 +2,22 @@
 
 use proc_macro2::Ident;
 
+use super::super::functions::MechanicsWord;
 use super::super::names::{Context, Place, Resolver};
 use super::super::types::{Dimension, Expr, ExprKind, Mechanics, Name, Type};
 use crate::diagnostic::text::list;
-use crate::syntax::{self, JointKind, SourceSpan};
-
-pub(in crate::model) const MECHANICS: [&str; 9] = [
-    "reaction",
-    "moment",
-    "torque",
-    "force",
-    "power",
-    "kinetic_energy",
-    "potential_energy",
-    "shaking_force",
-    "shaking_moment",
-];
+use crate::syntax::{self, JointKind, SourceSpan, Word};
 
 impl Resolver<'_> {
     /// A quantity of the mechanics, in a function of these inputs and arguments.
     pub(in crate::model) fn mechanics_call(
         &mut self,
-        name: &str,
+        word: MechanicsWord,
         arguments: &[syntax::Expr],
         context: Context,
         span: SourceSpan,
     ) -> Expr {
+        let name = word.word();
         if self.mechanics.bodies == 0 {
             let fact = format!("`{name}` in a mechanism without bodies");
             let help = "declare what moves: `body crank = pin b1 on frame at pivot, turns phi, mass 100g at c;`";
@@ -42,25 +32,32 @@ impl Resolver<'_> {
             2 => Type::Scalar(Dimension::MOMENT),
             _ => vector(Dimension::MOMENT),
         };
-        let asked = match name {
-            "reaction" => self
-                .joint_asked(name, arguments, span)
+        let scalar = |quantity, dimension| (quantity, Type::Scalar(dimension));
+        let asked = match word {
+            MechanicsWord::Reaction => self
+                .joint_asked(word, arguments, span)
                 .map(|joint| (Mechanics::Reaction(joint), vector(Dimension::FORCE))),
-            "moment" => self
+            MechanicsWord::Moment => self
                 .moment_asked(arguments, span)
                 .map(|joint| (Mechanics::Moment(joint), moment)),
-            "torque" | "force" => self.drive_asked(name, arguments, span),
-            "shaking_moment" => self
+            MechanicsWord::Torque | MechanicsWord::Force => self.drive_asked(word, arguments, span),
+            MechanicsWord::ShakingMoment => self
                 .moment_about(arguments, context, span)
                 .map(|point| (Mechanics::ShakingMoment(point), moment)),
-            _ => self.none_asked(name, arguments, span).map(|()| match name {
-                "power" => (Mechanics::Power, Type::Scalar(Dimension::POWER)),
-                "kinetic_energy" => (Mechanics::KineticEnergy, Type::Scalar(Dimension::MOMENT)),
-                "potential_energy" => (Mechanics::PotentialEnergy, Type::Scalar(Dimension::MOMENT)),
-                _ => (Mechanics::ShakingForce, vector(Dimension::FORCE)),
-            }),
+            MechanicsWord::Power => self
+                .none_asked(word, arguments, span)
+                .map(|()| scalar(Mechanics::Power, Dimension::POWER)),
+            MechanicsWord::KineticEnergy => self
+                .none_asked(word, arguments, span)
+                .map(|()| scalar(Mechanics::KineticEnergy, Dimension::MOMENT)),
+            MechanicsWord::PotentialEnergy => self
+                .none_asked(word, arguments, span)
+                .map(|()| scalar(Mechanics::PotentialEnergy, Dimension::MOMENT)),
+            MechanicsWord::ShakingForce => self
+                .none_asked(word, arguments, span)
+                .map(|()| (Mechanics::ShakingForce, vector(Dimension::FORCE))),
         };
-        let moving = self.check_moving(name, context.place, span);
+        let moving = self.check_moving(word, context.place, span);
         match asked {
             Some((quantity, ty)) if moving => self.make(ExprKind::Mechanics(quantity), ty, span),
             _ => self.failed(span),
@@ -69,12 +66,12 @@ impl Resolver<'_> {
 
     fn none_asked(
         &mut self,
-        name: &str,
+        word: MechanicsWord,
         arguments: &[syntax::Expr],
         span: SourceSpan,
     ) -> Option<()> {
         if !arguments.is_empty() {
-            self.wrong_count(name, &[], arguments.len(), span);
+            self.wrong_count(word.word(), &[], arguments.len(), span);
         }
         arguments.is_empty().then_some(())
     }
@@ -82,11 +79,12 @@ impl Resolver<'_> {
     /// The one argument of a call, a name.
     fn name_asked<'e>(
         &mut self,
-        name: &str,
+        word: MechanicsWord,
         what: &str,
         arguments: &'e [syntax::Expr],
         span: SourceSpan,
     ) -> Option<&'e Ident> {
+        let name = word.word();
         let [argument] = arguments else {
             self.wrong_count(name, &[what], arguments.len(), span);
             return None;
@@ -105,21 +103,23 @@ impl Resolver<'_> {
 
     fn joint_asked(
         &mut self,
-        name: &str,
+        word: MechanicsWord,
         arguments: &[syntax::Expr],
         span: SourceSpan,
     ) -> Option<usize> {
-        let ident = self.name_asked(name, "joint", arguments, span)?;
+        let ident = self.name_asked(word, "joint", arguments, span)?;
         self.joint_named(ident)
     }
 
     /// A joint that takes a moment.
     fn moment_asked(&mut self, arguments: &[syntax::Expr], span: SourceSpan) -> Option<usize> {
-        let joint = self.joint_asked("moment", arguments, span)?;
+        let joint = self.joint_asked(MechanicsWord::Moment, arguments, span)?;
         let kind = self.mechanics.joints[joint];
-        let free = match self.mechanics.components {
-            Some(2) => kind == JointKind::Pin,
-            _ => kind == JointKind::Ball,
+        let free = match kind {
+            JointKind::Pin => self.mechanics.components == Some(2),
+            // In the plane there is none.
+            JointKind::Ball => self.mechanics.components != Some(2),
+            JointKind::Slide | JointKind::Cylinder | JointKind::Fixed => false,
         };
         if free {
             let fact = format!("a `{}` takes no moment", kind.word());
@@ -132,11 +132,12 @@ impl Resolver<'_> {
     /// `torque(input)` of an angle, `force(input)` of a length.
     fn drive_asked(
         &mut self,
-        name: &str,
+        word: MechanicsWord,
         arguments: &[syntax::Expr],
         span: SourceSpan,
     ) -> Option<(Mechanics, Type)> {
-        let ident = self.name_asked(name, "input", arguments, span)?;
+        let name = word.word();
+        let ident = self.name_asked(word, "input", arguments, span)?;
         let text = ident.to_string();
         let input = self.find(&text).and_then(|symbol| match symbol.name {
             Name::Input(input) => Some((input, symbol.ty.dimension()?)),
@@ -156,10 +157,11 @@ impl Resolver<'_> {
             return None;
         };
         let (right, ty) = match dimension.is_number_or_angle() {
-            true => ("torque", Dimension::MOMENT),
-            false => ("force", Dimension::FORCE),
+            true => (MechanicsWord::Torque, Dimension::MOMENT),
+            false => (MechanicsWord::Force, Dimension::FORCE),
         };
-        if right != name {
+        if right != word {
+            let right = right.word();
             let fact = format!("the input `{text}` is {dimension}, it is driven by a {right}");
             let help = format!("write `{right}({text})`");
             self.diagnostics.error_with_help(span, fact, help);
@@ -175,29 +177,35 @@ impl Resolver<'_> {
         context: Context,
         span: SourceSpan,
     ) -> Option<Option<Box<Expr>>> {
+        let name = MechanicsWord::ShakingMoment.word();
         let point = match arguments {
             [] => return Some(None),
             [point] => point,
             _ => {
-                self.wrong_count("shaking_moment", &["point"], arguments.len(), span);
+                self.wrong_count(name, &["point"], arguments.len(), span);
                 return None;
             }
         };
         let value = self.expression(point, context);
         let length = Some(Dimension::LENGTH);
-        let value = self.vector_value(value, length, "shaking_moment", "(0, 0)");
+        let value = self.vector_value(value, length, name, "(0, 0)");
         (!value.ty.is_error()).then(|| Some(Box::new(value)))
     }
 
     /// Reports quantities that are zero at rest in a function without a speed.
-    fn check_moving(&mut self, name: &str, place: Place, span: SourceSpan) -> bool {
+    fn check_moving(&mut self, word: MechanicsWord, place: Place, span: SourceSpan) -> bool {
         let Place::Function(listed) = place else {
             return true;
         };
-        let orders = match name {
-            "power" | "kinetic_energy" => 1,
-            "shaking_force" | "shaking_moment" => 2,
-            _ => return true,
+        let name = word.word();
+        let orders = match word {
+            MechanicsWord::Power | MechanicsWord::KineticEnergy => 1,
+            MechanicsWord::ShakingForce | MechanicsWord::ShakingMoment => 2,
+            MechanicsWord::Reaction
+            | MechanicsWord::Moment
+            | MechanicsWord::Torque
+            | MechanicsWord::Force
+            | MechanicsWord::PotentialEnergy => return true,
         };
         // A mistake in the list of inputs has been reported.
         let Some(listed) = listed else {

@@ -1,6 +1,7 @@
 //! Bodies, joints, loads, and what they give.
 
 use super::{Expr, OriginId};
+use crate::syntax::vocabulary;
 
 /// What bodies, joints and loads give.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,6 +62,24 @@ pub struct Joint {
 
 pub use crate::syntax::JointKind;
 
+impl JointKind {
+    /// Whether its bodies turn against each other.
+    pub(crate) fn turns(self) -> bool {
+        match self {
+            JointKind::Pin | JointKind::Ball | JointKind::Cylinder => true,
+            JointKind::Slide | JointKind::Fixed => false,
+        }
+    }
+
+    /// Whether its bodies slide along each other.
+    pub(crate) fn slides(self) -> bool {
+        match self {
+            JointKind::Slide | JointKind::Cylinder => true,
+            JointKind::Pin | JointKind::Ball | JointKind::Fixed => false,
+        }
+    }
+}
+
 /// A force at a point or a torque on a body, the opposite on another; `None` is the frame.
 #[derive(Clone, Debug)]
 pub struct Load {
@@ -82,10 +101,12 @@ pub struct Element {
     pub origin: OriginId,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ElementKind {
-    Spring,
-    Damper,
+vocabulary! {
+    /// What acts between two bodies by itself.
+    pub enum ElementKind {
+        Spring = "spring",
+        Damper = "damper",
+    }
 }
 
 #[derive(Clone, Debug)]

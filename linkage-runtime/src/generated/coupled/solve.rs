@@ -2,14 +2,12 @@
 //! taken.
 
 use crate::numeric::coupled::{Correction, Range, Refusal, states};
+use crate::numeric::nearest::{Ambiguity, nearest};
 use crate::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
 use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value, math};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
-
-/// Two distances from the estimates that differ by less of their size are equal.
-const AMBIGUOUS: f64 = 1e-6;
 
 /// A group without a closed form.
 #[derive(Clone, Copy, Debug)]
@@ -242,9 +240,9 @@ pub fn couple(
         return Err(group.error(CoupledCause::Singular));
     }
     let mut solutions = group.solutions(&listing, programs, x)?;
-    if let [first, second, ..] = &solutions[..]
-        && second.distance - first.distance <= AMBIGUOUS * second.distance
-    {
+    let distances = solutions.iter().map(|one| one.distance);
+    let chosen = nearest(distances, Ambiguity::AT_RUN_TIME);
+    if chosen.is_some_and(|chosen| chosen.ambiguous) {
         let assemblies = solutions.iter().map(|one| group.placed(&one.values));
         return Err(group.error(CoupledCause::Ambiguous {
             assemblies: assemblies.collect(),

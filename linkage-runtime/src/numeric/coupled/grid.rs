@@ -165,6 +165,9 @@ impl Grid {
     }
 }
 
+/// A range that misses a full turn by this share or less is one: users write 360 degrees.
+const TURN: f64 = 1e-9;
+
 /// The range of an input that includes the place to start from, and whether it is a full turn.
 fn frame(at: f64, range: Range) -> Option<(Frame, bool)> {
     let low = range.low.min(range.high).min(at);
@@ -173,7 +176,7 @@ fn frame(at: f64, range: Range) -> Option<(Frame, bool)> {
     if !finite.iter().all(|x| x.is_finite()) {
         return None;
     }
-    let closed = range.turn && high - low >= TAU * (1.0 - 1e-9);
+    let closed = range.turn && high - low >= TAU * (1.0 - TURN);
     let frame = if closed {
         Frame::new(at - 0.5 * TAU, at + 0.5 * TAU)
     } else {

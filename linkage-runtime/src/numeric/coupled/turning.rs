@@ -10,8 +10,14 @@ use alloc::vec::Vec;
 /// Positions that the functions of the determinant are interpolated from.
 const POINTS: usize = 4;
 
-/// Approaches; each halves the determinant.
+/// Approaches.
 const APPROACHES: usize = 24;
+
+/// The part of the determinant that each approach aims at, and where that leads nowhere, a more careful one.
+const SHARES: [f64; 2] = [0.5, 0.8];
+
+/// An approach that leaves more of the determinant than this has not come nearer.
+const NEARER: f64 = 0.95;
 
 /// Estimates of the place that agree so well are taken, and not worse than this when the approach has to end.
 const AGREEMENT: (f64, f64) = (1e-13, 1e-10);
@@ -38,8 +44,9 @@ pub(super) fn locate<C: Correction>(
     let mut estimate = at_determinant(&points, 0.0, |point| point.place);
     let mut agreement = f64::INFINITY;
     for _ in 0..APPROACHES {
-        let Some(next) = approach(follower, frame, &points, 0.5)
-            .or_else(|| approach(follower, frame, &points, 0.8))
+        let Some(next) = SHARES
+            .into_iter()
+            .find_map(|share| approach(follower, frame, &points, share))
         else {
             break;
         };
@@ -94,7 +101,7 @@ fn approach<C: Correction>(
         *number = at_determinant(points, target, |point| point.state[index]);
     }
     let determinant = settle(follower, &[frame.x(place)], &mut state)?;
-    let nearer = determinant.abs() < 0.95 * last.determinant.abs();
+    let nearer = determinant.abs() < NEARER * last.determinant.abs();
     nearer.then_some(Point {
         determinant,
         place,

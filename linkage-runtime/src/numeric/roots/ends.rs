@@ -31,6 +31,26 @@ pub(super) struct Root<const N: usize> {
 const LAST: f64 = 1e-13;
 /// Rounding errors of an equation.
 const NOISE: f64 = 1e-15;
+/// So many roundings of an equation are amply more than it can have: below, nothing is known of where a path leads.
+const BLURRED: f64 = 10.0 * NOISE;
+/// Pivots below this may be those of a singular matrix but for rounding errors.
+const UNCERTAIN: f64 = 100.0 * NOISE;
+/// Shorter steps, as a part of `t`, lead nowhere.
+const SHORT: f64 = 1e-6;
+/// The last correction at a solution is shorter than this part of how far Newton's method may start from it.
+const SETTLED: f64 = 0.01;
+/// A path ends in a singular solution if its end is nearer than this, and Newton's method would have to start nearer than
+/// so many times the way.
+const NEAR: f64 = 0.01;
+const SINGULAR_REACH: f64 = 1000.0;
+/// A coordinate that vanishes is smaller than this and falls with a higher power of `t`. The powers are fractions with small
+/// denominators.
+const VANISHED: f64 = 0.01;
+const LEAST_RATE: f64 = 0.05;
+/// Exponents that differ by less than this part are the same.
+const SAME_RATE: f64 = 0.01;
+/// Equations that some way off a solution are missed by less hold there too.
+const HOLDS: f64 = 1e-10;
 /// Paths that cannot be followed any further earlier than this are lost.
 const LATE: f64 = 1e-4;
 
@@ -46,8 +66,8 @@ pub(super) fn find<const N: usize>(walker: &mut Walker<'_, N>, most_steps: usize
             }
             next_try = 0.2 * t;
         }
-        let precise = walker.pivot * way_left(walker) > 10.0 * NOISE;
-        if t < LAST || !precise || walker.step() < 1e-6 * t {
+        let precise = walker.pivot * way_left(walker) > BLURRED;
+        if t < LAST || !precise || walker.step() < SHORT * t {
             return conclude(walker);
         }
         if rates.are_settled(walker) {
@@ -71,7 +91,7 @@ fn arrive<const N: usize>(walker: &mut Walker<'_, N>) -> Option<Root<N>> {
     let reach = reach(walker.homotopy, &x)?;
     let way: Vector<N> = core::array::from_fn(|j| x[j] - predicted[j]);
     let near = size(&way) < reach * reach;
-    (near && last < 0.01 * reach).then(|| Root {
+    (near && last < SETTLED * reach).then(|| Root {
         place: walker.homotopy.place(x),
         reach,
     })
@@ -125,7 +145,7 @@ fn reach<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) -> Option<f6
             core::array::from_fn(|row| shifted[row][column] - matrix[row][column])
         });
         // Derivatives of a matrix that is singular but for rounding errors prove nothing.
-        if solve(&mut matrix.clone(), &mut columns) < (100.0 * NOISE) * (100.0 * NOISE) {
+        if solve(&mut matrix.clone(), &mut columns) < UNCERTAIN * UNCERTAIN {
             return None;
         }
         bend += columns
@@ -150,8 +170,8 @@ fn conclude<const N: usize>(walker: &mut Walker<'_, N>) -> End<N> {
     }
     let vanishes = |j: usize| {
         place.is_outer(j, walker.variables)
-            && place.x[j].square() < 0.01 * 0.01
-            && rate(walker, j) > 0.05
+            && place.x[j].square() < VANISHED * VANISHED
+            && rate(walker, j) > LEAST_RATE
     };
     if (0..N).any(vanishes) {
         return End::Outside;
@@ -159,8 +179,8 @@ fn conclude<const N: usize>(walker: &mut Walker<'_, N>) -> End<N> {
     // Newton's method cannot reach the end because it is singular, not because it is far.
     let left = way_left(walker);
     let x = walker.now().x;
-    let singular = reach(walker.homotopy, &x).is_none_or(|reach| reach < 1000.0 * left);
-    if singular && left < 0.01 && place.is_inside(walker.variables) {
+    let singular = reach(walker.homotopy, &x).is_none_or(|reach| reach < SINGULAR_REACH * left);
+    if singular && left < NEAR && place.is_inside(walker.variables) {
         return End::Multiple(place);
     }
     End::Lost
@@ -202,7 +222,7 @@ impl<const N: usize> Rates<N> {
         let place = walker.homotopy.place(walker.now().x);
         for j in 0..N {
             let rate = rate(walker, j);
-            let same = rate > 0.05 && (rate - self.rates[j]).abs() < 0.01 * rate;
+            let same = rate > LEAST_RATE && (rate - self.rates[j]).abs() < SAME_RATE * rate;
             self.same[j] = if same { self.same[j] + 1 } else { 0 };
             self.rates[j] = rate;
         }
@@ -223,7 +243,7 @@ pub(super) fn is_continuum<const N: usize>(homotopy: &mut Homotopy<N>, place: &P
     };
     [Complex::new(0.02, 0.01), Complex::new(-0.01, 0.02)]
         .into_iter()
-        .all(|offset| slack(homotopy, &place.x, along, offset).is_none_or(|s| s < 1e-10))
+        .all(|offset| slack(homotopy, &place.x, along, offset).is_none_or(|s| s < HOLDS))
 }
 
 /// Pivots below this are those of a singular matrix.

@@ -44,6 +44,15 @@ pub(super) struct Walker<'a, const N: usize> {
 const WAYPOINT: f64 = 0.1;
 const FIRST_STEP: f64 = 0.02;
 const MOST_STEPS: usize = 500;
+/// Ways and steps in `t` below this are nothing: the waypoint is reached, or a path sticks.
+const SHORT: f64 = 1e-9;
+/// A step is at least and at most this part of the one before: where it was refused, and where it was made.
+const SHORTER: [f64; 2] = [0.1, 0.6];
+const LONGER: [f64; 2] = [0.2, 3.0];
+/// Less of the correction aimed at (its square) makes a step no longer: `LONGER` limits it before.
+const LEAST_EXCESS: f64 = 1e-8;
+/// Coordinates with a larger square are followed as their inverses. Above 1, so that they do not change to and fro.
+const LARGE: f64 = 2.0;
 /// By how much corrections may be longer than what is aimed at.
 const TOO_MUCH: f64 = 4.0;
 /// Rounding errors of an equation, amply.
@@ -68,14 +77,14 @@ pub(super) fn follow<const N: usize>(
     let mut steps = 0;
     loop {
         let rest = walker.now().t - WAYPOINT;
-        if rest < 1e-9 {
+        if rest < SHORT {
             break;
         }
         // Not one long and one tiny step.
         let longest = if walker.step < rest { 0.5 * rest } else { rest };
         walker.advance(longest);
         steps += 1;
-        if steps > MOST_STEPS || walker.step < 1e-9 {
+        if steps > MOST_STEPS || walker.step < SHORT {
             return lost;
         }
     }
@@ -144,17 +153,17 @@ impl<'a, const N: usize> Walker<'a, N> {
         let (next, excess) = self.corrected(t);
         // Errors of the prediction grow with the square of the span; this one would give half of
         // the correction that is aimed at.
-        let factor = rough_root(rough_root(0.25 / excess.max(1e-8)));
+        let factor = rough_root(rough_root(0.25 / excess.max(LEAST_EXCESS)));
         let span = factor * self.past.span(t);
         let Some((knot, pivot)) = next else {
             let shorter = self.past.length_of_span(span, length);
-            self.step = shorter.max(0.1 * length).min(0.6 * length);
+            self.step = shorter.max(SHORTER[0] * length).min(SHORTER[1] * length);
             return;
         };
         self.past.add(knot);
         self.pivot = pivot;
         let longer = self.past.length_of_span(span, length);
-        self.step = longer.max(0.2 * length).min(3.0 * length);
+        self.step = longer.max(LONGER[0] * length).min(LONGER[1] * length);
         if length < wanted {
             self.step = self.step.max(wanted);
         }
@@ -211,7 +220,7 @@ impl<'a, const N: usize> Walker<'a, N> {
     #[inline(always)]
     fn keep_small(&mut self) {
         for j in 0..N {
-            if self.now().x[j].square() > 2.0 {
+            if self.now().x[j].square() > LARGE {
                 self.homotopy.flip(j);
                 self.past.flip(j);
             }

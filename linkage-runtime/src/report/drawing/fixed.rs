@@ -14,6 +14,8 @@ pub(super) const FOOT: [f64; 2] = [4.2, 2.8];
 const HATCH: [f64; 2] = [1.5, 2.0];
 /// Half the length of an axis.
 const AXIS: f64 = 9.0;
+/// A direction is vertical, but for rounding, if it goes less to the side.
+const VERTICAL: f64 = 1e-9;
 
 impl Drawing<'_> {
     /// A line with hatching beside it, and the slider's way above.
@@ -130,6 +132,6 @@ fn hatched(svg: &mut Svg, from: [f64; 2], to: [f64; 2], direction: [f64; 2]) {
 /// A line's direction, turned so that what is to its right is below it on paper.
 pub(super) fn rightwards(direction: Option<[f64; 2]>) -> Option<[f64; 2]> {
     let [x, y] = direction?;
-    let turned = x < -1e-9 || (x.abs() <= 1e-9 && y > 0.0);
+    let turned = x < -VERTICAL || (x.abs() <= VERTICAL && y > 0.0);
     Some(if turned { [-x, -y] } else { [x, y] })
 }

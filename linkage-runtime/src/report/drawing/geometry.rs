@@ -2,6 +2,9 @@
 
 use std::vec::Vec;
 
+/// Twice the area, in square millimetres, of three points that are on one line but for rounding.
+const STRAIGHT: f64 = 1e-9;
+
 /// The point at a distance along a direction.
 pub(super) fn along(origin: [f64; 3], direction: [f64; 3], distance: f64) -> [f64; 3] {
     core::array::from_fn(|k| origin[k] + distance * direction[k])
@@ -33,7 +36,7 @@ fn half(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
     let mut corners: Vec<[f64; 2]> = Vec::new();
     for point in points {
         while let [.., a, b] = corners.as_slice()
-            && turn(*a, *b, point) <= 1e-9
+            && turn(*a, *b, point) <= STRAIGHT
         {
             corners.pop();
         }

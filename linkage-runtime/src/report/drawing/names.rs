@@ -133,6 +133,9 @@ impl Drawing<'_> {
     }
 }
 
+/// Millimetres: what is less is rounding, and the place before stays the best.
+const BETTER: f64 = 1e-6;
+
 /// The first of the places with the most room around it.
 fn freest(candidates: &[Stretch], taken: &[Stretch], size: [f64; 2]) -> Option<Stretch> {
     let room = |[left, right]: &Stretch| {
@@ -148,6 +151,6 @@ fn freest(candidates: &[Stretch], taken: &[Stretch], size: [f64; 2]) -> Option<S
     let rooms = candidates
         .iter()
         .map(|candidate| (room(candidate), candidate));
-    let best = rooms.reduce(|best, next| if next.0 > best.0 + 1e-6 { next } else { best });
+    let best = rooms.reduce(|best, next| if next.0 > best.0 + BETTER { next } else { best });
     best.map(|(_, place)| *place)
 }

@@ -20,6 +20,8 @@ const LETTER: f64 = 2.8;
 const LARGEST: [f64; 2] = [160.0, 180.0];
 /// How far guides go on beyond the slider, on paper.
 pub(super) const BEYOND: f64 = 8.0;
+/// A direction that is shorter on paper points at the reader but for rounding.
+const VISIBLE: f64 = 1e-6;
 
 /// Two directions of space that are the paper's right and up.
 #[derive(Clone, Copy, Debug)]
@@ -126,7 +128,7 @@ impl<'a> Sheet<'a> {
     pub(super) fn direction(&self, index: usize, row: usize) -> Option<[f64; 2]> {
         let [x, y] = self.view.project(self.shown.way(index, row));
         let length = x.hypot(y);
-        (length > 1e-6).then_some([x / length, -y / length])
+        (length > VISIBLE).then_some([x / length, -y / length])
     }
 
     pub(super) fn nearness(&self, index: usize, row: usize) -> f64 {

@@ -18,6 +18,21 @@ pub(super) struct Scale {
 /// Steps between ticks of angles, in degrees.
 const DEGREES: [f64; 9] = [5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0];
 
+/// An end of the axis that misses a tick by this share of a step, by rounding, still has it.
+const BESIDE: f64 = 1e-6;
+
+/// Numbers smaller than this are zero: steps between them could not be computed.
+const NOTHING: f64 = 1e-280;
+
+/// Differences of numbers, as a share of their size, that are roundoff: shown large they would be noise.
+const NOISE: f64 = 1e-12;
+
+/// A number is whole if it is off by less than this share of it, which is rounding of powers of ten.
+const WHOLE: f64 = 1e-6;
+
+/// By this share a step may be too short, so that rounding does not take the next longer one.
+const ENOUGH: f64 = 1e-9;
+
 impl Scale {
     /// About `count` ticks in just these limits.
     pub(super) fn within(low: f64, high: f64, count: usize) -> Self {
@@ -50,7 +65,7 @@ impl Scale {
     }
 
     fn stepped(low: f64, high: f64, step: f64) -> Self {
-        let (first, last) = ((low / step - 1e-6).ceil(), (high / step + 1e-6).floor());
+        let (first, last) = ((low / step - BESIDE).ceil(), (high / step + BESIDE).floor());
         let count = (last - first).max(0.0) as usize;
         let ticks: Vec<f64> = (0..=count).map(|i| (first + i as f64) * step).collect();
         let largest = ticks.iter().fold(step, |size, tick| size.max(tick.abs()));
@@ -89,17 +104,15 @@ impl Scale {
 fn with_air(low: f64, high: f64) -> (f64, f64) {
     let size = low.abs().max(high.abs());
     let air = match high - low {
-        // Nothing, as far as steps can be computed.
-        _ if size < 1e-280 => 1.0,
-        // Differences that are roundoff would show as noise.
-        width if width > 1e-12 * size => 0.06 * width,
+        _ if size < NOTHING => 1.0,
+        width if width > NOISE * size => 0.06 * width,
         _ => 0.1 * size,
     };
     (low - air, high + air)
 }
 
 fn whole(x: f64) -> bool {
-    x.round() != 0.0 && (x - x.round()).abs() < 1e-6 * x.abs()
+    x.round() != 0.0 && (x - x.round()).abs() < WHOLE * x.abs()
 }
 
 /// The next of 1, 2, 2.5, 5 times a power of ten.
@@ -108,7 +121,7 @@ fn round_step(least: f64) -> f64 {
     let factors = [1.0, 2.0, 2.5, 5.0];
     let factor = factors
         .into_iter()
-        .find(|f| f * power >= least * (1.0 - 1e-9));
+        .find(|f| f * power >= least * (1.0 - ENOUGH));
     factor.unwrap_or(10.0) * power
 }
 

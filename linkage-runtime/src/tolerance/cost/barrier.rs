@@ -16,6 +16,12 @@ const REDUCTIONS: usize = 9;
 const REDUCTION: f64 = 0.1;
 /// The last step at a value of `mu`: what it gains, in units of `mu`.
 const CENTRED: f64 = 1e-9;
+/// Below this gain, in units of `mu`, the merit's own rounding hides how much it falls: any finite merit is taken.
+const HIDDEN: f64 = 1e-3;
+/// The part of the gain foretold that a step must bring, Armijo's usual one.
+const SUFFICIENT: f64 = 1e-4;
+/// Steps are not shortened further than to this part: no progress is left to make.
+const SHORTEST: f64 = 1e-12;
 
 /// The cheapest values that hold `conditions`; `start` need not hold them, but has the right order of
 /// size.
@@ -99,8 +105,7 @@ impl Problem {
                 return;
             };
             let decrement: f64 = -step.iter().zip(&gradient).map(|(s, g)| s * g).sum::<f64>();
-            // So near the end the merit's own rounding hides how much it falls.
-            let close = decrement <= 1e-3 * mu;
+            let close = decrement <= HIDDEN * mu;
             let mut factor = 1.0;
             let next = loop {
                 let moved: Vec<f64> = point
@@ -114,11 +119,12 @@ impl Problem {
                 } else {
                     f64::INFINITY
                 };
-                if value <= merit - 1e-4 * factor * decrement || (close && value.is_finite()) {
+                if value <= merit - SUFFICIENT * factor * decrement || (close && value.is_finite())
+                {
                     break (moved, value);
                 }
                 factor *= 0.5;
-                if factor < 1e-12 {
+                if factor < SHORTEST {
                     return;
                 }
             };

@@ -5,8 +5,8 @@
 use std::path::Path;
 
 use linkage::{Vector2, Vector3};
-use linkage_corpus::random::Random;
 use linkage_corpus::{Case, Kind, code};
+use linkage_random::Random;
 
 mod mechanisms;
 
@@ -138,7 +138,7 @@ fn generated_code_agrees_with_the_interpreter() {
 fn the_corpus_has_all_kinds_of_groups() {
     let cases = (0..mechanisms::ALL.len()).map(|seed| Case::new(seed as u64).expect("it compiles"));
     let mut kinds: Vec<String> = cases
-        .flat_map(|case| case.subject.analysis.facts.groups)
+        .flat_map(|case| case.subject.unit.groups)
         .map(|group| group.kind)
         .collect();
     kinds.sort_unstable();

@@ -1,0 +1,23 @@
+//! What is known of derivatives already.
+
+use linkage_symbolic::unordered::Map;
+
+use linkage_symbolic::{DerivativeMemo, NodeId, SymbolId};
+
+use super::adjoint::Adjoints;
+use super::dependence::Dependence;
+use super::implicit::Rates;
+use super::partial::Partials;
+use super::reverse::Gradient;
+
+/// Derivatives found already: total ones, those of the unknowns of groups, and what the sweeps backwards left.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Derivatives<'m> {
+    pub(super) memo: DerivativeMemo,
+    /// By group and variables.
+    pub(super) rates: Map<(usize, Vec<SymbolId>), Rates<'m>>,
+    pub(super) partials: Partials,
+    pub(super) adjoints: Adjoints<'m>,
+    pub(super) gradients: Map<NodeId, Gradient<'m>>,
+    pub(super) dependence: Dependence,
+}

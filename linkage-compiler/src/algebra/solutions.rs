@@ -1,0 +1,100 @@
+//! How the unknowns are found: the equations of each group, and the rules by which symbols are differentiated.
+
+use linkage_symbolic::unordered::Map;
+
+use linkage_symbolic::{Ex, SymbolId, V2};
+
+use super::Elimination;
+
+/// How a symbol that lives by its definition is differentiated.
+#[derive(Clone, Debug)]
+pub(crate) enum Rule<'m> {
+    /// Like this expression, which is equal to the definition.
+    Follow(Ex<'m>),
+    /// The cosine, sine or value of an angle that a group solves for.
+    Cosine(AngleRule<'m>),
+    Sine(AngleRule<'m>),
+    Value(AngleRule<'m>),
+    /// A component of `z u`, a vector that turns with unknown `position` of a group.
+    Turning(Box<Turning<'m>>),
+    /// Unknown `position` of a group.
+    Unknown {
+        group: usize,
+        position: usize,
+    },
+    /// A derivative of unknown `position` of a group.
+    Rate {
+        group: usize,
+        position: usize,
+        by: Vec<SymbolId>,
+    },
+}
+
+/// An angle that is an unknown of a group.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AngleRule<'m> {
+    pub(crate) group: usize,
+    pub(crate) position: usize,
+    /// -1 if the group works with its negative.
+    pub(crate) sense: f64,
+    /// Cosine and sine.
+    pub(crate) unit: V2<'m>,
+}
+
+impl AngleRule<'_> {
+    /// Something about the group's own angle as of this one, or the other way round.
+    pub(super) fn sensed<'g>(&self, x: Ex<'g>) -> Ex<'g> {
+        if self.sense < 0.0 { -x } else { x }
+    }
+}
+
+/// See [`Rule::Turning`].
+#[derive(Clone, Debug)]
+pub(crate) struct Turning<'m> {
+    pub(crate) group: usize,
+    pub(crate) position: usize,
+    pub(crate) component: usize,
+    /// The vector itself.
+    pub(crate) vector: V2<'m>,
+    pub(crate) z: V2<'m>,
+    pub(crate) unit: V2<'m>,
+}
+
+/// One term of a group's equations.
+#[derive(Clone, Debug)]
+pub(crate) struct Term<'m> {
+    /// One for each equation.
+    pub(crate) coefficient: Vec<Ex<'m>>,
+    pub(crate) factor: Ex<'m>,
+}
+
+/// What differentiation needs to know of a solved group.
+#[derive(Clone, Debug)]
+pub(crate) struct Solution<'m> {
+    pub(crate) terms: Vec<Term<'m>>,
+    /// Columns: the derivatives of the equations by each unknown.
+    pub(crate) jacobian: Vec<Vec<Ex<'m>>>,
+    pub(crate) determinant: Ex<'m>,
+    /// For a coupled group; closed forms have one or two equations.
+    pub(crate) elimination: Option<Elimination<'m>>,
+}
+
+/// The groups that are solved, and what follows for symbols.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Solutions<'m> {
+    rules: Map<SymbolId, Rule<'m>>,
+    /// By group.
+    pub(crate) groups: Vec<Solution<'m>>,
+}
+
+impl<'m> Solutions<'m> {
+    /// Says how a symbol is differentiated.
+    pub(crate) fn set_rule(&mut self, symbol: SymbolId, rule: Rule<'m>) {
+        self.rules.insert(symbol, rule);
+    }
+
+    /// How a symbol is differentiated; `None` for what is given.
+    pub(super) fn rule(&self, symbol: SymbolId) -> Option<&Rule<'m>> {
+        self.rules.get(&symbol)
+    }
+}

@@ -1,0 +1,261 @@
+//! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken.
+
+use std::f64::consts::TAU;
+
+use linkage_runtime::numeric::coupled::{Correction, Grid, Range, Refusal, Step, Table};
+use linkage_runtime::numeric::nearest::{Ambiguity, nearest};
+use linkage_runtime::numeric::roots::{self, Term, Unlisted};
+use linkage_symbolic::program::Program;
+
+use crate::algebra::Algebra;
+use crate::formulate::{Prepared, Solved};
+use crate::structure::report::loop_list;
+use crate::unit::Coupled;
+
+use super::follow::followed_range;
+use super::machine::{Machine, Start};
+use super::reference::Assembly;
+
+/// So many assemblies are listed in a message: all of a triad.
+const LISTED: usize = 6;
+
+/// A coupled group on numbers.
+struct Numbers<'a> {
+    machine: &'a Machine,
+    number: usize,
+    inputs: Vec<f64>,
+}
+
+impl Numbers<'_> {
+    fn group(&self) -> &Coupled {
+        &self.machine.closing.coupled[self.number]
+    }
+
+    /// All inputs of the mechanism; the group's own are `x`.
+    fn at(&mut self, x: &[f64]) {
+        let machine = self.machine;
+        let own = &machine.closing.coupled[self.number].inputs;
+        for (&input, &value) in own.iter().zip(x) {
+            self.inputs[input] = value;
+        }
+    }
+
+    fn run(&self, program: &Program, state: &[f64]) -> Vec<f64> {
+        self.machine
+            .run_coupled(self.number, program, &self.inputs, state)
+    }
+}
+
+impl Correction for Numbers<'_> {
+    fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step {
+        self.at(x);
+        let outputs = self.run(&self.group().correct, state);
+        let (next, rest) = outputs.split_at(state.len());
+        state.copy_from_slice(next);
+        Step {
+            size: rest[0].sqrt(),
+            determinant: rest[1],
+        }
+    }
+}
+
+/// An assembly of a coupled group.
+struct Candidate {
+    state: Vec<f64>,
+    distance: f64,
+    /// The unknowns in words.
+    position: String,
+}
+
+impl<'m> Assembly<'_, 'm> {
+    /// Closes a coupled group; false if that was not possible.
+    pub(super) fn close_coupled(&mut self, solved: &Solved<'m>, prepared: &Prepared<'m>) -> bool {
+        let loops = loop_list(&solved.group.loops);
+        let unknowns = self.words.unknowns(&solved.group.unknowns);
+        let place = self.words.at_reference(&self.nominal.inputs);
+        let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
+        let candidates = match self.candidates(prepared.number) {
+            Ok(Some(candidates)) => candidates,
+            Ok(None) => {
+                self.refused(solved, prepared, Refusal::NotASolution);
+                return false;
+            }
+            Err(reason) => {
+                let why = match reason {
+                    Unlisted::NotFinite => {
+                        "what is known of it is not a finite number\n\
+                         help: look for a division by zero, or a root or an arc function out of its range"
+                            .to_owned()
+                    }
+                    Unlisted::Degenerate => {
+                        "some of its solutions can move, so that the assemblies cannot be listed: links that coincide, guides \
+                         that are parallel, or a loop that repeats another\n\
+                         help: look for lengths that are zero and joints that coincide"
+                            .to_owned()
+                    }
+                    other => format!(
+                        "the assemblies cannot be listed: {other}\n\
+                         help: check that the loops need to be coupled"
+                    ),
+                };
+                self.reporter.error(
+                    origin,
+                    format!("{loops} ({unknowns}) cannot be solved{place}: {why}"),
+                );
+                return false;
+            }
+        };
+        let listed = candidates
+            .iter()
+            .take(LISTED)
+            .map(|c| format!("`{}` at distance {:.4}", c.position, c.distance))
+            .collect::<Vec<_>>()
+            .join(", ");
+        let distances = candidates.iter().map(|one| one.distance);
+        let Some(chosen) = nearest(distances, Ambiguity::AS_WRITTEN) else {
+            self.reporter.error(
+                origin,
+                format!(
+                    "{loops} ({unknowns}) cannot close{place}: no assembly is real\n\
+                     help: change a length, or give a reference input at which the links reach each other"
+                ),
+            );
+            return false;
+        };
+        if chosen.ambiguous {
+            let unknown = solved.group.unknowns.first();
+            let own = unknown.map(|&u| self.algebra.mechanism.unknowns[u].origin);
+            self.reporter.error(
+                own.unwrap_or(origin),
+                format!(
+                    "the start estimates of {unknowns} lie equally near to two assemblies of {loops}{place}; there are {}{}: \
+                     {listed}\n\
+                     help: move the estimates towards the assembly that is meant",
+                    candidates.len(),
+                    if candidates.len() > LISTED { ", the nearest" } else { "" }
+                ),
+            );
+            return false;
+        }
+        match self.start(prepared, &candidates[chosen.index].state) {
+            Ok(start) => {
+                self.machine.starts[prepared.number] = Some(start);
+                true
+            }
+            Err(refusal) => {
+                self.refused(solved, prepared, refusal);
+                false
+            }
+        }
+    }
+
+    /// A coupled group at the reference inputs, and those of them that are its own.
+    fn numbers(&self, number: usize) -> (Numbers<'_>, Vec<f64>) {
+        let inputs = &self.nominal.inputs;
+        let own = &self.machine.closing.coupled[number].inputs;
+        let numbers = Numbers {
+            machine: &self.machine,
+            number,
+            inputs: inputs.clone(),
+        };
+        (numbers, own.iter().map(|&input| inputs[input]).collect())
+    }
+
+    /// All real assemblies, the nearest to the estimates first; `None` if some meet at a turning point.
+    fn candidates(&mut self, number: usize) -> Result<Option<Vec<Candidate>>, Unlisted> {
+        let (mut numbers, own) = self.numbers(number);
+        let group = &self.machine.closing.coupled[number];
+        let coefficients = numbers.run(&group.system, &[]);
+        let coefficients: Vec<[f64; 2]> = coefficients.chunks(2).map(|c| [c[0], c[1]]).collect();
+        let terms: Vec<Term> = group
+            .terms
+            .iter()
+            .map(|(equation, exponents)| Term {
+                equation: *equation,
+                exponents,
+            })
+            .collect();
+        let system = roots::System {
+            variables: &group.variables,
+            terms: &terms,
+        };
+        let listing = roots::solve(&system, &coefficients)?;
+        if listing.multiple > 0 {
+            return Ok(None);
+        }
+        let states = linkage_runtime::numeric::coupled::states(
+            &group.variables,
+            &listing,
+            &own,
+            &mut numbers,
+        );
+        let mut candidates = Vec::new();
+        for state in states {
+            let placed = numbers.run(&group.placed, &state);
+            candidates.push(self.candidate_of(group, state, &placed));
+        }
+        candidates.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        Ok(Some(candidates))
+    }
+
+    fn candidate_of(&self, group: &Coupled, state: Vec<f64>, placed: &[f64]) -> Candidate {
+        let mut next = placed.iter().copied();
+        let mut square: f64 = 0.0;
+        let mut values: Vec<(usize, Vec<f64>)> = Vec::new();
+        for unknown in &group.unknowns {
+            let mut number = || next.next().unwrap_or(f64::NAN);
+            let (value, difference) = match unknown.angle {
+                true => {
+                    let (cos, sin) = (number(), number());
+                    let difference = turned(sin.atan2(cos) - unknown.estimate);
+                    (unknown.estimate + difference, difference)
+                }
+                false => {
+                    let value = number();
+                    let unit = self.yardstick(unknown.unknown);
+                    (value, (value - unknown.estimate) / unit)
+                }
+            };
+            square += difference * difference;
+            match values.last_mut() {
+                Some((last, components)) if *last == unknown.unknown => components.push(value),
+                _ => values.push((unknown.unknown, vec![value])),
+            }
+        }
+        let words = values
+            .iter()
+            .map(|(unknown, value)| self.words.unknown_value(*unknown, value));
+        Candidate {
+            state,
+            distance: square.sqrt(),
+            position: words.collect::<Vec<_>>().join(", "),
+        }
+    }
+
+    /// Prepares the group over the declared ranges. Where none is declared, as far as the assembly goes.
+    fn start(&self, prepared: &Prepared<'m>, state: &[f64]) -> Result<Start, Refusal> {
+        let (mut numbers, at) = self.numbers(prepared.number);
+        let ranges = prepared.inputs.iter().map(|&input| {
+            let (low, high) = followed_range(self.algebra, self.nominal, input);
+            let turn = is_angle(self.algebra, input);
+            Range { low, high, turn }
+        });
+        let ranges: Vec<Range> = ranges.collect();
+        match (&ranges[..], prepared.has_table()) {
+            ([range], true) => {
+                let partial = self.nominal.ranges[prepared.inputs[0]].is_none();
+                Table::build(&mut numbers, at[0], state, *range, partial).map(Start::Table)
+            }
+            _ => Grid::build(&mut numbers, &at, state, &ranges).map(Start::Grid),
+        }
+    }
+}
+
+fn is_angle(algebra: &Algebra, input: usize) -> bool {
+    algebra.mechanism.inputs[input].dimension.half_lengths == 0
+}
+
+/// An angle between -pi and pi.
+fn turned(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}

@@ -1,0 +1,24 @@
+//! The mechanism on numbers: closing the loops at the reference inputs, following its angles, running through its ranges.
+//!
+//! Runs the programs of a [`Closing`](crate::unit::Closing) by the interpreter. Ends with a [`Reference`]: the assembly that the start
+//! estimates choose.
+
+mod check;
+mod degenerate;
+mod directions;
+mod follow;
+mod listing;
+mod machine;
+mod places;
+mod ranges;
+mod reference;
+mod refusal;
+mod unfollowed;
+mod words;
+
+pub(crate) use check::check_ranges;
+pub(crate) use directions::check_directions;
+pub(crate) use follow::{candidate_rates, followed_range};
+pub(crate) use places::places;
+pub(crate) use reference::{Reference, assemble_reference};
+pub(crate) use words::{Words, numbers};

@@ -1,0 +1,279 @@
+//! Closing the loops at the reference input: the assembly mode of each group, chosen by the start estimates.
+
+use std::f64::consts::PI;
+
+use linkage_runtime::numeric::nearest::{Ambiguity, nearest};
+use linkage_symbolic::Ex;
+use linkage_symbolic::program::Ternary;
+
+use crate::algebra::{Algebra, Bound, Nominal};
+use crate::diagnostic::Reporter;
+use crate::formulate::{Formulation, Prepared, Solved};
+use crate::model::Dimension;
+use crate::structure::report::loop_list;
+use crate::unit::{Closing, Outputs};
+
+use super::check::report_unfollowed;
+use super::follow::follow_angles;
+use super::machine::Machine;
+use super::refusal::Verdict;
+use super::words::Words;
+
+/// Below this margin a position cannot be told from a dead point.
+pub(super) const SINGULAR: f64 = 1e-6;
+
+/// The mechanism assembled at the reference input.
+#[derive(Debug)]
+pub(crate) struct Reference {
+    pub(crate) machine: Machine,
+    /// Factors that make the slack of each group positive and about 1 at the reference.
+    pub(crate) scales: Vec<f64>,
+    /// True if all groups closed.
+    pub(crate) closed: bool,
+    /// The length that counts like a radian where assemblies are compared with estimates.
+    pub(crate) longest: f64,
+}
+
+/// Chooses the modes; what does not close, is singular or ambiguous is reported.
+pub(crate) fn assemble_reference<'m>(
+    algebra: &Algebra<'m>,
+    formulation: &Formulation<'m>,
+    closing: Closing,
+    nominal: &Nominal,
+    reporter: Reporter,
+) -> Reference {
+    let machine = Machine::new(closing, formulation, nominal);
+    let longest = longest_link(algebra, formulation, nominal);
+    let mut assembly = Assembly {
+        words: Words::new(algebra.mechanism),
+        algebra,
+        nominal,
+        reporter,
+        machine,
+        longest,
+        values: Vec::new(),
+    };
+    assembly.centre_estimates();
+    let mut scales = Vec::new();
+    let mut closed = true;
+    let mut start = 0;
+    for (index, solved) in formulation.groups.iter().enumerate() {
+        let stage = assembly.machine.closing.groups[index].clone();
+        closed &= assembly.close(solved, &stage, start, closed);
+        let slack = assembly.output(stage.slack);
+        let scale = assembly.output(stage.slack_scale);
+        scales.push(1.0 / if slack < 0.0 { -scale } else { scale });
+        start = stage.end;
+    }
+    Reference {
+        machine: assembly.machine,
+        scales,
+        closed,
+        longest,
+    }
+}
+
+pub(super) struct Assembly<'a, 'm> {
+    pub(super) algebra: &'a Algebra<'m>,
+    pub(super) words: Words<'m>,
+    pub(super) nominal: &'a Nominal,
+    pub(super) reporter: Reporter<'a>,
+    pub(super) machine: Machine,
+    pub(super) longest: f64,
+    values: Vec<f64>,
+}
+
+/// One candidate solution of a group.
+struct Candidate {
+    sign: f64,
+    gap: f64,
+    margin: f64,
+    distance: f64,
+    /// The unknowns in words.
+    position: String,
+}
+
+impl<'m> Assembly<'_, 'm> {
+    fn output(&self, output: usize) -> f64 {
+        self.machine.output(&self.values, output)
+    }
+
+    /// At the reference every angle is the one nearest to its estimate.
+    fn centre_estimates(&mut self) {
+        for (index, angle) in self.algebra.names.angles.iter().enumerate() {
+            let estimate = angle.estimate(self.nominal);
+            self.machine.centres.insert(index, estimate);
+        }
+    }
+
+    /// Closes one group; false if that was not possible. `closed` says whether all groups before it closed.
+    fn close(&mut self, solved: &Solved<'m>, stage: &Outputs, start: usize, closed: bool) -> bool {
+        if let Some(prepared) = &solved.prepared {
+            // What is known of it comes from groups before this one.
+            if !closed || !self.follow_before(prepared) || !self.close_coupled(solved, prepared) {
+                self.advance(solved, stage, start, 1.0);
+                return false;
+            }
+        }
+        let candidates: Vec<Candidate> = match solved.mode {
+            None => vec![self.candidate(solved, stage, start, 1.0)],
+            Some(_) => [1.0, -1.0]
+                .map(|sign| self.candidate(solved, stage, start, sign))
+                .into(),
+        };
+        let distances = candidates.iter().map(|one| one.distance);
+        let nearest = nearest(distances, Ambiguity::AS_WRITTEN).expect("there is a candidate");
+        let chosen = &candidates[nearest.index];
+        let (gap, margin, sign) = (chosen.gap, chosen.margin, chosen.sign);
+        if solved.mode.is_some() {
+            self.advance(solved, stage, start, sign);
+        }
+        let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
+        let undefined = gap.is_nan() || margin.is_nan();
+        if undefined && !closed {
+            // A group before this one did not close and has been reported.
+            return false;
+        }
+        let verdict = if gap.is_nan() && solved.closed.two_modes {
+            Some(Verdict::NotFinite)
+        } else if gap > 0.0 {
+            Some(Verdict::Open(gap))
+        } else if undefined || margin < SINGULAR {
+            Some(Verdict::Singular)
+        } else {
+            None
+        };
+        if let Some(verdict) = verdict {
+            self.refuse(solved, verdict);
+            return false;
+        }
+        let loops = loop_list(&solved.group.loops);
+        let unknowns = self.words.unknowns(&solved.group.unknowns);
+        let place = self.words.at_reference(&self.nominal.inputs);
+        if let [a, b] = &candidates[..]
+            && nearest.ambiguous
+        {
+            let message = format!(
+                "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
+                 `{}` at distance {:.4} and `{}` at distance {:.4}\n\
+                 help: move the estimates towards the assembly that is meant",
+                a.position, a.distance, b.position, b.distance
+            );
+            let unknown = solved.group.unknowns.first();
+            let own = unknown.map(|&u| self.algebra.mechanism.unknowns[u].origin);
+            self.reporter.error(own.unwrap_or(origin), message);
+            return false;
+        }
+        true
+    }
+
+    /// Finds the turns of angles on which a coupled group depends; false if that was not possible.
+    fn follow_before(&mut self, prepared: &Prepared) -> bool {
+        let closing = &self.machine.closing;
+        let count = closing.coupled[prepared.number].turning;
+        let angles = closing.valued[..count].to_vec();
+        let unfollowed = follow_angles(self.algebra, self.nominal, &mut self.machine, &angles);
+        if let Some((angle, input)) = unfollowed {
+            report_unfollowed(self.algebra, (angle, input), &mut self.reporter);
+        }
+        unfollowed.is_none()
+    }
+
+    fn advance(&mut self, solved: &Solved<'m>, stage: &Outputs, start: usize, sign: f64) {
+        if let Some(mode) = solved.mode {
+            self.machine.modes[mode] = sign;
+        }
+        // The mode is loaded anew: loads of earlier groups' modes do not change.
+        let inputs = self.nominal.inputs.clone();
+        self.machine
+            .advance(&mut self.values, start, stage.end, &inputs);
+    }
+
+    /// What distances from the estimate of an unknown length or vector are measured by.
+    pub(super) fn yardstick(&self, unknown: usize) -> f64 {
+        match self.algebra.mechanism.unknowns[unknown].ty.dimension() {
+            Some(dimension) if dimension.half_lengths == 0 => 1.0,
+            _ => self.longest,
+        }
+    }
+
+    fn candidate(
+        &mut self,
+        solved: &Solved<'m>,
+        stage: &Outputs,
+        start: usize,
+        sign: f64,
+    ) -> Candidate {
+        self.advance(solved, stage, start, sign);
+        let mut square = 0.0;
+        let mut position = Vec::new();
+        for &(unknown, output) in &stage.unknowns {
+            let estimate = &self.nominal.estimates[unknown];
+            let value: Vec<f64> = match self.algebra.names.bound[unknown] {
+                Bound::Angle(_) => {
+                    let (sin, cos) = (self.output(output + 1), self.output(output));
+                    let angle = Ternary::AngleNear.apply([sin, cos, estimate[0]]);
+                    square += (angle - estimate[0]).clamp(-PI, PI).powi(2);
+                    vec![angle]
+                }
+                Bound::Lengths(_) => {
+                    let value: Vec<f64> = (0..estimate.len())
+                        .map(|k| self.output(output + k))
+                        .collect();
+                    let pairs = value.iter().zip(estimate);
+                    let unit = self.yardstick(unknown);
+                    square += pairs.map(|(x, e)| ((x - e) / unit).powi(2)).sum::<f64>();
+                    value
+                }
+            };
+            position.push(self.words.unknown_value(unknown, &value));
+        }
+        let distance = square.sqrt();
+        Candidate {
+            sign,
+            gap: self.output(stage.gap),
+            margin: self.output(stage.margin),
+            distance: if distance.is_nan() {
+                f64::INFINITY
+            } else {
+                distance
+            },
+            position: position.join(", "),
+        }
+    }
+}
+
+/// The unit in which lengths are compared with angles: the longest link that turns with an unknown angle, else the
+/// largest length among the parameters and estimates.
+fn longest_link<'m>(
+    algebra: &Algebra<'m>,
+    formulation: &Formulation<'m>,
+    nominal: &Nominal,
+) -> f64 {
+    let groups = formulation.groups.iter();
+    let vectors: Vec<Vec<Ex>> = groups.flat_map(|s| s.group.form.links()).collect();
+    let values = nominal.evaluate(&vectors.concat());
+    let mut values = values.into_iter();
+    let links = vectors.iter().map(|vector| {
+        let components = values.by_ref().take(vector.len());
+        components.fold(0.0, |length: f64, x| length.hypot(x))
+    });
+    let parameters = algebra
+        .mechanism
+        .scalar_parameters
+        .iter()
+        .zip(&nominal.parameters);
+    let lengths = parameters
+        .filter(|(p, _)| p.dimension.fits(Dimension::LENGTH))
+        .map(|(_, x)| x.abs());
+    let unknowns = algebra.names.bound.iter().zip(&nominal.estimates);
+    let slides = unknowns.filter(|(bound, _)| matches!(bound, Bound::Lengths(_)));
+    let slides = slides.flat_map(|(_, estimate)| estimate).map(|x| x.abs());
+    let largest = |values: &mut dyn Iterator<Item = f64>| {
+        Some(values.fold(0.0, f64::max)).filter(|&longest| longest > 0.0)
+    };
+    let mut links = links;
+    largest(&mut links)
+        .or_else(|| largest(&mut lengths.chain(slides)))
+        .unwrap_or(1.0)
+}

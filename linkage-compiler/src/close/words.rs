@@ -1,0 +1,119 @@
+//! Positions in the words of a message.
+
+use crate::formulate::Solved;
+use crate::model::{Dimension, Mechanism, Type};
+
+/// Prints quantities of one mechanism.
+pub(crate) struct Words<'m> {
+    mechanism: &'m Mechanism,
+}
+
+impl<'m> Words<'m> {
+    pub(crate) fn new(mechanism: &'m Mechanism) -> Self {
+        Self { mechanism }
+    }
+
+    /// `theta`, `psi` in back-ticks.
+    pub(crate) fn unknowns(&self, unknowns: &[usize]) -> String {
+        let name = |&k: &usize| format!("`{}`", self.mechanism.unknowns[k].name);
+        unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+
+    /// `phi = 30deg, s = 12mm` for the inputs `among` all.
+    pub(crate) fn inputs(&self, values: &[f64], among: &[usize]) -> String {
+        let word = |&k: &usize| {
+            let input = &self.mechanism.inputs[k];
+            format!(
+                "`{} = {}`",
+                input.name,
+                self.scalar(input.dimension, values[k])
+            )
+        };
+        among.iter().map(word).collect::<Vec<_>>().join(", ")
+    }
+
+    /// ` at the reference input phi = 30deg`; nothing for a structure.
+    pub(crate) fn at_reference(&self, values: &[f64]) -> String {
+        match values {
+            [] => String::new(),
+            _ => {
+                let all: Vec<usize> = (0..values.len()).collect();
+                format!(" at the reference input {}", self.inputs(values, &all))
+            }
+        }
+    }
+
+    pub(crate) fn unknown_value(&self, unknown: usize, value: &[f64]) -> String {
+        let item = &self.mechanism.unknowns[unknown];
+        let value = match (&item.ty, value) {
+            (Type::Scalar(dimension), [x]) => self.scalar(*dimension, *x),
+            (ty, components) => self.vector(ty, components),
+        };
+        format!("{} = {value}", item.name)
+    }
+
+    /// `(10mm, 0mm, 0mm)`, `(0, 0, 1)`
+    pub(crate) fn vector(&self, ty: &Type, components: &[f64]) -> String {
+        let dimension = ty.dimension().unwrap_or(Dimension::NUMBER);
+        let parts: Vec<String> = match dimension {
+            Dimension::NUMBER => numbers(components),
+            _ => without_noise(components)
+                .map(|x| self.scalar(dimension, x))
+                .collect(),
+        };
+        format!("({})", parts.join(", "))
+    }
+
+    pub(crate) fn gap(&self, solved: &Solved, gap: f64) -> String {
+        let dimension = solved.gap_dimension(self.mechanism);
+        format!(
+            "{}{}",
+            significant(gap),
+            dimension.unit(self.mechanism.unit)
+        )
+    }
+
+    pub(crate) fn scalar(&self, dimension: Dimension, x: f64) -> String {
+        match dimension.half_lengths {
+            0 => format!("{}deg", significant(x.to_degrees())),
+            2 => format!("{}{}", significant(x), self.mechanism.unit.name()),
+            _ => significant(x),
+        }
+    }
+}
+
+/// Components below this share of the largest one are roundoff.
+const NOISE: f64 = 1e-12;
+
+/// Components of a vector.
+pub(crate) fn numbers(components: &[f64]) -> Vec<String> {
+    without_noise(components).map(significant).collect()
+}
+
+/// Components that are nothing but roundoff of the largest one become 0.
+fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
+    let largest = components.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+    components
+        .iter()
+        .map(move |&x| match x.abs() <= NOISE * largest {
+            true => 0.0,
+            false => x,
+        })
+}
+
+/// Up to seven significant digits, without trailing zeros.
+fn significant(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return format!("{x}");
+    }
+    let digits = (6 - x.abs().log10().floor() as i32).clamp(0, 17) as usize;
+    if !(1e-6..1e12).contains(&x.abs()) {
+        return format!("{x:.6e}");
+    }
+    let text = format!("{x:.digits$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}

@@ -1,0 +1,85 @@
+//! The positions at which bodies and joints are looked at on numbers.
+
+use linkage_symbolic::{Ex, Vn};
+
+use crate::algebra::Nominal;
+use crate::close::{Reference, Words, places};
+use crate::model::Mechanism;
+
+/// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is written wrongly is
+/// wrong by far more.
+pub(super) const EQUAL: f64 = 1e-7;
+
+/// Where velocities are compared, smaller ones count as so large: per unit of an input a turn in radians, a shift in lengths of the
+/// mechanism.
+pub(super) const SLOW: f64 = 1e-3;
+
+/// The reference position and a few others.
+pub(super) struct Positions<'a> {
+    reference: &'a Reference,
+    inputs: Vec<Vec<f64>>,
+}
+
+/// One of them.
+#[derive(Clone, Copy)]
+pub(super) struct Position<'a> {
+    reference: &'a Reference,
+    inputs: &'a [f64],
+}
+
+impl<'a> Positions<'a> {
+    /// Those at which other phases look at numbers, too.
+    pub(super) fn new(mechanism: &Mechanism, reference: &'a Reference, nominal: &Nominal) -> Self {
+        Self {
+            reference,
+            inputs: places(nominal, mechanism, reference.longest),
+        }
+    }
+
+    /// Each of them, the reference first.
+    pub(super) fn iter(&self) -> impl Iterator<Item = Position<'_>> {
+        self.inputs.iter().map(|inputs| Position {
+            reference: self.reference,
+            inputs,
+        })
+    }
+
+    /// Numbers at the positions where the mechanism closes.
+    pub(super) fn numbers(&self, all: &[Ex]) -> Vec<Vec<f64>> {
+        let numbers = self.iter().map(|position| position.numbers(all));
+        numbers
+            .filter(|numbers| numbers.iter().all(|x| x.is_finite()))
+            .collect()
+    }
+}
+
+impl Position<'_> {
+    /// Values of expressions; NaN where the mechanism does not close.
+    pub(super) fn numbers(self, all: &[Ex]) -> Vec<f64> {
+        self.reference.machine.evaluate(all, self.inputs)
+    }
+
+    /// The components of a vector.
+    pub(super) fn vector(self, v: Vn) -> Vec<f64> {
+        self.numbers(&v.iter().collect::<Vec<_>>())
+    }
+
+    /// The length that lengths of the mechanism are compared with.
+    pub(super) fn longest(self) -> f64 {
+        self.reference.longest
+    }
+
+    /// `at phi = 30deg `; nothing without inputs.
+    pub(super) fn words(self, mechanism: &Mechanism) -> String {
+        let all: Vec<usize> = (0..self.inputs.len()).collect();
+        match all.is_empty() {
+            true => String::new(),
+            false => format!("at {} ", Words::new(mechanism).inputs(self.inputs, &all)),
+        }
+    }
+}
+
+/// The length of a vector.
+pub(super) fn size(v: &[f64]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}

@@ -1,0 +1,84 @@
+//! What the closed forms of the plane share: gaps, guards, terms of their equations.
+
+use linkage_symbolic::{Ex, V2};
+
+use crate::algebra::{Solution, Term};
+
+use super::Solver;
+
+/// Roundoffs of a discriminant's scale by which it may be negative and still closes: as
+/// [`Binary::Root`](linkage_symbolic::program::Binary::Root) has it.
+const DEAD_POINT: f64 = 8.0 * f64::EPSILON;
+
+/// A value that is NaN where the root `h` is, also where `h` drops out of its formula: a guide along an axis leaves
+/// the other component of a link free of the root, but not of the assembly. Whether `h` stays is known only
+/// when definitions are gone (a direction may turn out to be constant): the inliner removes a guard without use.
+pub(super) fn guarded<'m>(value: Ex<'m>, h: Ex<'m>) -> Ex<'m> {
+    h.select(value, h)
+}
+
+/// 0 where the root of `q` is a number (see [`Ex::root`]), else `miss`, which is then made positive.
+pub(super) fn gap<'m>(q: Ex<'m>, scale: Ex<'m>, miss: Ex<'m>) -> Ex<'m> {
+    let closes = q + DEAD_POINT * scale.abs();
+    let miss = miss.max(q.number(f64::MIN_POSITIVE));
+    closes.select(q.number(0.0), miss)
+}
+
+/// 0 where `determinant` is not 0, else NaN: a linear group has nothing to measure a gap by.
+pub(super) fn linear_gap(determinant: Ex) -> Ex {
+    defined_gap(determinant.number(0.0), determinant)
+}
+
+/// A gap that is NaN where `size` is 0: parallel guides, or pivots that coincide, which any angle would suit.
+pub(super) fn defined_gap<'m>(gap: Ex<'m>, size: Ex<'m>) -> Ex<'m> {
+    let regular = size.abs() - f64::MIN_POSITIVE;
+    regular.select(gap, gap.number(f64::NAN))
+}
+
+/// The terms `z (c, s')` of a rotating vector.
+pub(super) fn rotor_terms<'m>(z: V2<'m>, factors: V2<'m>) -> Vec<Term<'m>> {
+    let coefficients = [z, z.perp()].into_iter().zip(factors.components());
+    coefficients
+        .map(|(coefficient, factor)| Term {
+            coefficient: coefficient.0.to_vec(),
+            factor,
+        })
+        .collect()
+}
+
+/// What a group's equations contain of what was known before.
+pub(super) fn known_term<'m>(known: &[Ex<'m>]) -> Term<'m> {
+    Term {
+        coefficient: known.to_vec(),
+        factor: known[0].number(1.0),
+    }
+}
+
+impl<'m> Solver<'_, 'm> {
+    /// Records a group of two equations. The determinant's closed value is `determinant`.
+    pub(super) fn push_pair(
+        &mut self,
+        terms: Vec<Term<'m>>,
+        columns: [V2<'m>; 2],
+        determinant: Ex<'m>,
+    ) {
+        let product = columns[0].cross(columns[1]);
+        let determinant = self.alias("det", determinant, product);
+        self.push_solution(Solution {
+            terms,
+            jacobian: columns.map(|column| column.0.to_vec()).to_vec(),
+            determinant,
+            elimination: None,
+        });
+    }
+
+    /// Records a group of one equation with one unknown.
+    pub(super) fn push_single(&mut self, terms: Vec<Term<'m>>, determinant: Ex<'m>) {
+        self.push_solution(Solution {
+            terms,
+            jacobian: vec![vec![determinant]],
+            determinant,
+            elimination: None,
+        });
+    }
+}

@@ -1,0 +1,70 @@
+//! One program for all groups, and those of coupled groups: what closes the loops at compile time.
+
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::schedule::{schedule_stages, schedule_whole};
+use linkage_symbolic::{Ex, NodeId};
+
+use crate::algebra::{Algebra, Nominal};
+use crate::formulate::Formulation;
+use crate::unit::{Closing, Outputs};
+
+use super::{group_nodes, groups, plain, valued_angles};
+
+/// See [`Closing`].
+pub(crate) fn closing<'m>(
+    algebra: &mut Algebra<'m>,
+    formulation: &Formulation<'m>,
+    nominal: &Nominal,
+) -> Closing {
+    let mut inliner = Inliner::default();
+    let own = group_nodes(algebra, formulation, &mut inliner);
+    let mut lists: Vec<Vec<NodeId>> = Vec::new();
+    let mut all = Vec::new();
+    let mut next = 0;
+    for (index, solved) in formulation.groups.iter().enumerate() {
+        let mut outputs = Outputs::default();
+        let mut numbers: Vec<Ex> = Vec::new();
+        for &unknown in &solved.group.unknowns {
+            if formulation.last_group_with(unknown) != Some(index) {
+                continue;
+            }
+            outputs.unknowns.push((unknown, next + numbers.len()));
+            numbers.extend(algebra.names.numbers_of(unknown));
+        }
+        outputs.gap = next + numbers.len();
+        outputs.slack = outputs.gap + 1;
+        outputs.margin = outputs.gap + 2;
+        outputs.slack_scale = outputs.gap + 3;
+        let closed = &solved.closed;
+        numbers.extend([closed.gap, closed.slack, closed.margin, closed.slack_scale]);
+        next += numbers.len();
+        lists.push(plain(&mut inliner, &numbers));
+        all.push(outputs);
+    }
+    let mut closing = Closing {
+        groups: all,
+        coupled: groups(algebra, formulation, nominal, &own, |nodes| {
+            schedule_whole(&inliner.target, nodes)
+        }),
+        ..Closing::default()
+    };
+    let mut units: Vec<Ex> = Vec::new();
+    let valued = valued_angles(&inliner.target, &lists.concat());
+    for angle in formulation.in_order(algebra, valued) {
+        closing.valued.push((angle, next + units.len()));
+        units.extend(algebra.names.angles[angle].unit.components());
+    }
+    for (group, own) in closing.coupled.iter_mut().zip(&own) {
+        let needed = valued_angles(&inliner.target, &own.all());
+        let angles = &closing.valued;
+        let last = angles.iter().rposition(|(angle, _)| needed.contains(angle));
+        group.turning = last.map_or(0, |last| last + 1);
+    }
+    lists.push(plain(&mut inliner, &units));
+    let (program, ends) = schedule_stages(&inliner.target, &lists);
+    closing.program = program;
+    for (outputs, end) in closing.groups.iter_mut().zip(ends) {
+        outputs.end = end;
+    }
+    closing
+}

@@ -1,0 +1,117 @@
+//! The programs by which coupled groups are prepared: in `assemble()`, and at compile time by the interpreter.
+
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::program::Program;
+use linkage_symbolic::{Ex, NodeId};
+
+use crate::algebra::{Algebra, Bound, Nominal};
+use crate::formulate::{Formulation, Version};
+use crate::unit::{Coupled, Placed};
+
+use super::plain;
+
+/// The programs of a coupled group before they are scheduled: nodes of a plain graph.
+#[derive(Clone, Debug)]
+pub(crate) struct GroupNodes {
+    system: Vec<NodeId>,
+    correct: Vec<NodeId>,
+    placed: Vec<NodeId>,
+}
+
+impl GroupNodes {
+    pub(crate) fn all(&self) -> Vec<NodeId> {
+        [&self.system[..], &self.correct, &self.placed].concat()
+    }
+}
+
+/// The programs of all coupled groups as nodes.
+pub(crate) fn group_nodes<'m>(
+    algebra: &Algebra<'m>,
+    formulation: &Formulation<'m>,
+    inliner: &mut Inliner,
+) -> Vec<GroupNodes> {
+    let mut all: Vec<GroupNodes> = Vec::new();
+    for prepared in formulation.prepared() {
+        let coefficients = prepared.system.coefficients.iter();
+        let system: Vec<Ex> = coefficients.flat_map(|x| x.components()).collect();
+        all.push(GroupNodes {
+            system: plain(inliner, &system),
+            correct: plain(inliner, &prepared.step),
+            placed: Vec::new(),
+        });
+    }
+    for (index, solved) in formulation.groups.iter().enumerate() {
+        let Some(prepared) = &solved.prepared else {
+            continue;
+        };
+        // Where its unknowns are in a given state, not after the steps of a call.
+        prepared.define(algebra.graph, Version::Raw);
+        let own = placed_unknowns(algebra, formulation, index).into_iter();
+        let own = own.flat_map(|unknown| algebra.names.numbers_of(unknown));
+        let own: Vec<Ex> = own.chain([prepared.reach]).collect();
+        all[prepared.number].placed = plain(inliner, &own);
+        prepared.define(algebra.graph, Version::Called);
+    }
+    all
+}
+
+/// The unknowns that a group is the last to find.
+fn placed_unknowns<'m>(
+    algebra: &Algebra<'m>,
+    formulation: &Formulation<'m>,
+    group: usize,
+) -> Vec<usize> {
+    let unknowns = 0..algebra.names.bound.len();
+    unknowns
+        .filter(|&unknown| formulation.last_group_with(unknown) == Some(group))
+        .collect()
+}
+
+/// What else is known of the coupled groups; `program` schedules nodes.
+pub(crate) fn groups<'m>(
+    algebra: &Algebra<'m>,
+    formulation: &Formulation<'m>,
+    nominal: &Nominal,
+    nodes: &[GroupNodes],
+    mut program: impl FnMut(&[NodeId]) -> Program,
+) -> Vec<Coupled> {
+    let mut groups = Vec::new();
+    for (index, solved) in formulation.groups.iter().enumerate() {
+        let Some(prepared) = &solved.prepared else {
+            continue;
+        };
+        let own = &nodes[prepared.number];
+        groups.push(Coupled {
+            group: index,
+            inputs: prepared.inputs.clone(),
+            size: prepared.size,
+            variables: prepared.system.variables.clone(),
+            terms: prepared.system.terms.clone(),
+            system: program(&own.system),
+            correct: program(&own.correct),
+            placed: program(&own.placed),
+            turning: 0,
+            reach: nominal.evaluate(&[prepared.reach])[0],
+            unknowns: placed_unknowns(algebra, formulation, index)
+                .into_iter()
+                .flat_map(|unknown| placed(algebra, nominal, unknown))
+                .collect(),
+        });
+    }
+    groups
+}
+
+fn placed(algebra: &Algebra, nominal: &Nominal, unknown: usize) -> Vec<Placed> {
+    let estimates = &nominal.estimates[unknown];
+    let angle = matches!(algebra.names.bound[unknown], Bound::Angle(_));
+    let several = estimates.len() > 1;
+    let numbers = estimates.iter().enumerate();
+    numbers
+        .map(|(component, &estimate)| Placed {
+            unknown,
+            component: several.then_some(component),
+            angle,
+            estimate,
+        })
+        .collect()
+}

@@ -1,0 +1,86 @@
+//! The items of the struct block by the pass that resolves them.
+//!
+//! Kinds are resolved one after the other, so that only `let` and `const` depend on the order. Items of one pass stay in the order in
+//! which they are written.
+
+use crate::syntax::{
+    BodyItem, ElementItem, GravityItem, InputItem, Item, JointItem, LoadItem, LoopItem,
+    MechanismDef, NamedItem, ParamItem, UnitItem,
+};
+
+/// Items with their positions in the struct block, in the order of the passes.
+#[derive(Default)]
+pub(super) struct Passes<'a> {
+    pub(super) units: Vec<&'a UnitItem>,
+    pub(super) constants: Vec<(usize, &'a NamedItem)>,
+    pub(super) parameters: Vec<(usize, &'a ParamItem)>,
+    pub(super) coordinates: Vec<(usize, Coordinate<'a>)>,
+    pub(super) arguments: Vec<(usize, Taken<'a>)>,
+    pub(super) definitions: Vec<(usize, Definition<'a>)>,
+    pub(super) bodies: Vec<&'a BodyItem>,
+    pub(super) mechanics: Vec<Mechanical<'a>>,
+}
+
+/// What the mechanism moves with.
+pub(super) enum Coordinate<'a> {
+    Input(&'a InputItem),
+    Unknown(&'a NamedItem),
+}
+
+/// What functions take besides inputs.
+pub(super) enum Taken<'a> {
+    Argument(&'a NamedItem),
+    /// The speed and acceleration of an input.
+    Rates(&'a InputItem),
+}
+
+/// What is said about the coordinates.
+pub(super) enum Definition<'a> {
+    Let(&'a NamedItem),
+    Loop(&'a LoopItem),
+}
+
+/// What acts between bodies.
+pub(super) enum Mechanical<'a> {
+    Gravity(&'a GravityItem),
+    Joint(&'a JointItem),
+    Force(&'a LoadItem),
+    Torque(&'a LoadItem),
+    Spring(&'a ElementItem),
+    Damper(&'a ElementItem),
+}
+
+impl<'a> Passes<'a> {
+    pub(super) fn of(definition: &'a MechanismDef) -> Self {
+        let mut passes = Self::default();
+        for (position, item) in definition.items.iter().enumerate() {
+            match item {
+                Item::Unit(item) => passes.units.push(item),
+                Item::Const(item) => passes.constants.push((position, item)),
+                Item::Param(item) => passes.parameters.push((position, item)),
+                Item::Input(item) => {
+                    passes.coordinates.push((position, Coordinate::Input(item)));
+                    passes.arguments.push((position, Taken::Rates(item)));
+                }
+                Item::Unknown(item) => {
+                    passes
+                        .coordinates
+                        .push((position, Coordinate::Unknown(item)));
+                }
+                Item::Argument(item) => {
+                    passes.arguments.push((position, Taken::Argument(item)));
+                }
+                Item::Let(item) => passes.definitions.push((position, Definition::Let(item))),
+                Item::Loop(item) => passes.definitions.push((position, Definition::Loop(item))),
+                Item::Body(item) => passes.bodies.push(item),
+                Item::Gravity(item) => passes.mechanics.push(Mechanical::Gravity(item)),
+                Item::Joint(item) => passes.mechanics.push(Mechanical::Joint(item)),
+                Item::Force(item) => passes.mechanics.push(Mechanical::Force(item)),
+                Item::Torque(item) => passes.mechanics.push(Mechanical::Torque(item)),
+                Item::Spring(item) => passes.mechanics.push(Mechanical::Spring(item)),
+                Item::Damper(item) => passes.mechanics.push(Mechanical::Damper(item)),
+            }
+        }
+        passes
+    }
+}

@@ -1,0 +1,42 @@
+//! How many numbers a value has, and how they are put together.
+
+use super::frame::PARTS;
+use super::types::Type;
+
+/// What a value of a function's result looks like, without dimensions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// One number.
+    Scalar,
+    /// 2 or 3 components.
+    Vector(usize),
+    /// So many entries of one shape.
+    Array(usize, Box<Shape>),
+    /// Origin and axes x, y, z: four vectors of space.
+    Frame,
+}
+
+impl Shape {
+    /// The shape of a checked type; a type spoilt by a mistake counts as a scalar.
+    pub fn of(ty: &Type) -> Self {
+        match ty {
+            Type::Scalar(_) | Type::Zero(1) | Type::Error => Self::Scalar,
+            Type::Vector(count, _) | Type::Zero(count) => Self::Vector(*count),
+            Type::Frame => Self::Frame,
+            Type::Array(entries) => {
+                let entry = entries.first().map_or(Self::Scalar, Self::of);
+                Self::Array(entries.len(), Box::new(entry))
+            }
+        }
+    }
+
+    /// How many scalars it holds.
+    pub fn width(&self) -> usize {
+        match self {
+            Self::Scalar => 1,
+            Self::Vector(n) => *n,
+            Self::Array(n, entry) => n * entry.width(),
+            Self::Frame => 3 * PARTS.len(),
+        }
+    }
+}

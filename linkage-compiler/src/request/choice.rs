@@ -1,0 +1,79 @@
+//! The direction of sensitivities: every function takes the one that costs it least.
+
+use linkage_symbolic::count::time;
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::schedule::{Slots, schedule};
+use linkage_symbolic::{Ex, Graph, NodeId, share_multiples};
+
+use crate::algebra::Direction;
+use crate::lower;
+use crate::model::EvaluatorDef;
+
+use super::State;
+use super::quantity::{Requested, request};
+
+/// The results of a function in the plain graph, and how derivatives by parameters among them are found.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Choice<'m> {
+    /// As requested.
+    scalars: Vec<Ex<'m>>,
+    pub(super) outputs: Vec<NodeId>,
+    /// `None` if there are none.
+    pub(super) direction: Option<Direction>,
+}
+
+impl<'m> Choice<'m> {
+    /// What was requested, forward.
+    pub(super) fn forward(inliner: &mut Inliner, requested: Requested<'m>) -> Self {
+        Self {
+            outputs: plain(inliner, &requested.scalars),
+            scalars: requested.scalars,
+            direction: requested.by_parameters.then_some(Direction::Forward),
+        }
+    }
+
+    /// The results with the definitions as they are now.
+    pub(super) fn renewed(&self, inliner: &mut Inliner) -> Vec<NodeId> {
+        plain(inliner, &self.scalars)
+    }
+
+    /// Tries the other directions; the first of equals stays.
+    pub(super) fn improve(
+        &mut self,
+        state: &mut State<'_, 'm>,
+        inliner: &mut Inliner,
+        definition: &EvaluatorDef,
+    ) {
+        if self.direction.is_none() {
+            return;
+        }
+        let mut least = time_of(&inliner.target, &self.outputs);
+        for direction in [
+            Direction::FromResults,
+            Direction::FromUnknowns,
+            Direction::Gradient,
+        ] {
+            let scalars = request(state, definition, direction).scalars;
+            let outputs = plain(inliner, &scalars);
+            let time = time_of(&inliner.target, &outputs);
+            if time < least {
+                least = time;
+                *self = Self {
+                    scalars,
+                    outputs,
+                    direction: Some(direction),
+                };
+            }
+        }
+    }
+}
+
+fn plain(inliner: &mut Inliner, scalars: &[Ex]) -> Vec<NodeId> {
+    let outputs = lower::plain(inliner, scalars);
+    share_multiples(&inliner.target, &outputs)
+}
+
+/// What a call costs; what `assemble()` computes is free.
+fn time_of(graph: &Graph, outputs: &[NodeId]) -> u32 {
+    time(&schedule(graph, outputs, &mut Slots::default()))
+}

@@ -1,0 +1,100 @@
+//! What a unit says beside its programs: what goes in, and what was found out about the groups.
+
+use crate::algebra::Algebra;
+use crate::close::{Reference, candidate_rates, followed_range};
+use crate::formulate::{Formulation, Solved};
+use crate::model::{Mechanism, Shape};
+use crate::unit::{Argument, Group, Input, Parameter, Role, Scalar, Unit, Unknown};
+
+use super::AtReference;
+
+/// A unit without programs.
+pub(super) fn signature<'m>(
+    algebra: &Algebra<'m>,
+    formulation: &Formulation<'m>,
+    at: AtReference,
+) -> Unit {
+    let AtReference { reference, nominal } = at;
+    let mechanism = algebra.mechanism;
+    let parameters = mechanism.parameters.iter().map(|parameter| {
+        let shape = Shape::of(&parameter.ty);
+        let first = parameter.first_scalar.0;
+        let scalars = (first..first + shape.width()).map(|index| {
+            let scalar = &mechanism.scalar_parameters[index];
+            Scalar {
+                name: scalar.name.clone(),
+                unit: scalar.dimension.unit(mechanism.unit),
+                nominal: nominal.parameters[index],
+                tolerance: nominal.tolerances[index],
+            }
+        });
+        Parameter {
+            scalars: scalars.collect(),
+            shape,
+        }
+    });
+    let inputs = mechanism.inputs.iter().enumerate();
+    let inputs = inputs.map(|(index, input)| Input {
+        name: input.name.clone(),
+        unit: input.dimension.unit(mechanism.unit),
+        angle: input.dimension.half_lengths == 0,
+        reference: nominal.inputs[index],
+        range: nominal.ranges[index],
+        followed: followed_range(algebra, nominal, index),
+        rates: candidate_rates(algebra, index),
+    });
+    let arguments = mechanism.arguments.iter().enumerate();
+    let arguments = arguments.map(|(index, argument)| Argument {
+        name: argument.name.clone(),
+        unit: argument.dimension.unit(mechanism.unit),
+        role: role(mechanism, index),
+    });
+    let unknowns = mechanism.unknowns.iter().map(|unknown| {
+        let dimension = unknown.ty.dimension();
+        Unknown {
+            name: unknown.name.clone(),
+            unit: dimension.map_or_else(String::new, |own| own.unit(mechanism.unit)),
+            is_number: dimension.is_some_and(|own| own.half_lengths == 0),
+        }
+    });
+    let groups = formulation.groups.iter();
+    Unit {
+        parameters: parameters.collect(),
+        inputs: inputs.collect(),
+        arguments: arguments.collect(),
+        unknowns: unknowns.collect(),
+        groups: groups
+            .map(|solved| group(mechanism, solved, reference))
+            .collect(),
+        mobility: formulation.mobility,
+        longest: reference.longest,
+        ..Unit::default()
+    }
+}
+
+fn role(mechanism: &Mechanism, argument: usize) -> Role {
+    let mut inputs = mechanism.inputs.iter().enumerate();
+    let found = inputs.find_map(|(index, input)| match () {
+        () if input.speed == Some(argument) => Some(Role::Speed(index)),
+        () if input.acceleration == Some(argument) => Some(Role::Acceleration(index)),
+        () => None,
+    });
+    found.unwrap_or(Role::Load)
+}
+
+fn group(mechanism: &Mechanism, solved: &Solved, reference: &Reference) -> Group {
+    let unknown = |&k: &usize| mechanism.unknowns[k].name.clone();
+    let modes = &reference.machine.modes;
+    Group {
+        class: solved.closed.class,
+        order: solved.closed.order,
+        kind: solved.closed.kind.to_string(),
+        loops: solved.group.loops.iter().map(|k| k + 1).collect(),
+        unknowns: solved.group.unknowns.iter().map(unknown).collect(),
+        mode: solved.mode,
+        coupled: solved.prepared.is_some(),
+        plus: solved.mode.is_none_or(|mode| modes[mode] > 0.0),
+        method: solved.closed.method,
+        gap_unit: solved.gap_dimension(mechanism).unit(mechanism.unit),
+    }
+}

@@ -1,0 +1,280 @@
+//! Loops that must be solved together: class III and higher.
+//!
+//! A loop that alone contains some angle or slide gives that *private* unknown once the others are known, and one
+//! equation without it: a link keeps its length, or a point stays on its guide. What remains are the *core* unknowns, two for a
+//! triad, whatever its joints.
+
+use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
+
+use super::classify::Polynomials;
+use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::{Analysis, Form, Rotor};
+
+/// More core unknowns than this are refused: the work of listing their assemblies grows without bound.
+pub(super) const MOST_CORE: usize = 6;
+
+/// A coupled group.
+#[derive(Clone, Debug)]
+pub(crate) struct Coupled<'m> {
+    /// `RR-RR-PR`, or a general word.
+    pub(crate) kind: String,
+    pub(crate) class: u8,
+    pub(crate) order: u8,
+    pub(crate) blocks: Vec<Block<'m>>,
+    pub(crate) core: Vec<Core>,
+}
+
+/// One loop of a coupled group.
+#[derive(Clone, Debug)]
+pub(crate) struct Block<'m> {
+    /// Each row is 0.
+    pub(crate) rows: Vec<Ex<'m>>,
+    /// The rows without the private unknown.
+    pub(crate) rest: Vec<Ex<'m>>,
+    pub(crate) private: Option<Private<'m>>,
+    /// The rows as polynomials.
+    pub(crate) terms: Vec<Product<'m>>,
+    /// The length of a link in space, if the row is about the square of its vector.
+    pub(crate) distance: Option<Ex<'m>>,
+}
+
+impl Block<'_> {
+    /// True if its rows are lengths: what a scalar loop is, nobody knows.
+    pub(crate) fn is_length(&self) -> bool {
+        self.rows.len() > 1 || self.distance.is_some()
+    }
+}
+
+/// A product of unknowns with one coefficient for each row.
+#[derive(Clone, Debug)]
+pub(crate) struct Product<'m> {
+    pub(crate) coefficient: Vec<Ex<'m>>,
+    /// Symbols and their exponents, which are not 0.
+    pub(crate) powers: Vec<(SymbolId, u8)>,
+}
+
+/// The unknown that a loop of two rows contains alone.
+#[derive(Clone, Debug)]
+pub(crate) enum Private<'m> {
+    /// A link of fixed length.
+    Rotor(Rotor<'m>),
+    /// A slide; the guide may turn with unknowns of the core.
+    Slide { slide: SymbolId, guide: V2<'m> },
+}
+
+/// An unknown of the core.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Core {
+    Angle(usize),
+    /// A slide or a component of a point.
+    Length {
+        symbol: SymbolId,
+        /// 0 or 1 if both components of a point are in the core.
+        component: Option<usize>,
+    },
+}
+
+/// What is known of one coordinate in one loop.
+struct Place<'p, 'm> {
+    polynomials: &'p Polynomials<'m>,
+    /// The first symbol of the coordinate among those of the polynomials.
+    first: usize,
+    coordinate: &'p Coordinate,
+}
+
+impl<'m> Analysis<'_, 'm> {
+    /// The form of loops that remain coupled, if they are polynomials in their unknowns.
+    pub(super) fn coupled(
+        &mut self,
+        equations: &[Equation<'m>],
+        coordinates: &[Coordinate],
+    ) -> Option<Form<'m>> {
+        let polynomials = equations
+            .iter()
+            .map(|equation| self.polynomials(&equation.rows, coordinates))
+            .collect::<Option<Vec<_>>>()?;
+        let values_free = coordinates.iter().enumerate().all(|(k, coordinate)| {
+            let first = self.first_symbol(coordinates, k);
+            !matches!(coordinate.kind, CoordinateKind::Angle(_))
+                || polynomials.iter().all(|p| !p.mention(first + 2))
+        });
+        if !values_free {
+            return None;
+        }
+        let mut private = vec![None; equations.len()];
+        let mut core = Vec::new();
+        for (k, coordinate) in coordinates.iter().enumerate() {
+            let first = self.first_symbol(coordinates, k);
+            let width = self.symbols(coordinate).len();
+            let with: Vec<usize> = (0..equations.len())
+                .filter(|&e| (first..first + width).any(|s| polynomials[e].mention(s)))
+                .collect();
+            if let [only] = with[..]
+                && private[only].is_none()
+                && let Some(found) = self.private(Place {
+                    polynomials: &polynomials[only],
+                    first,
+                    coordinate,
+                })
+            {
+                private[only] = Some((found, k));
+                continue;
+            }
+            core.push(k);
+        }
+        if core.len() > MOST_CORE {
+            return None;
+        }
+        let (class, order, contour) = self.class_and_order(&polynomials, coordinates);
+        let mut kind = self.kind(&private, &polynomials, coordinates, &core, class, contour);
+        let in_space = equations
+            .iter()
+            .any(|e| e.rows.len() == 3 || e.distance.is_some());
+        // Class and order are notions of the plane.
+        let (class, order) = if in_space { (0, 0) } else { (class, order) };
+        if in_space {
+            kind = match equations.len() {
+                1 => "loop in space".to_owned(),
+                count => format!("{count} loops in space"),
+            };
+        }
+        let blocks = equations.iter().zip(&polynomials).zip(private);
+        let blocks = blocks.map(|((equation, polynomials), private)| {
+            self.block(equation, polynomials, private.map(|(private, _)| private))
+        });
+        let blocks = blocks.collect();
+        let core = core.into_iter().map(|k| core_of(coordinates, k)).collect();
+        Some(Form::Coupled(Box::new(Coupled {
+            kind,
+            class,
+            order,
+            blocks,
+            core: paired(core),
+        })))
+    }
+
+    /// The place of a coordinate's first symbol among the symbols of polynomials.
+    pub(super) fn first_symbol(&self, coordinates: &[Coordinate], index: usize) -> usize {
+        let before = coordinates[..index].iter();
+        before.map(|c| self.symbols(c).len()).sum()
+    }
+
+    /// A coordinate as the private unknown of a loop, if the loop can be solved for it.
+    fn private(&mut self, place: Place<'_, 'm>) -> Option<Private<'m>> {
+        let Place {
+            polynomials,
+            first,
+            coordinate,
+        } = place;
+        if polynomials.rows.len() != 2 {
+            return None;
+        }
+        match coordinate.kind {
+            CoordinateKind::Angle(angle) => {
+                let mut rest = polynomials.clone();
+                let rotor = self.take_rotor(&mut rest, angle, &[])?;
+                let gone = !rest.mention(first) && !rest.mention(first + 1);
+                (gone && !rotor.z.is_zero()).then_some(Private::Rotor(rotor))
+            }
+            CoordinateKind::Length(slide) => {
+                let mut guide = Vector([self.algebra.zero(); 2]);
+                for (row, sum) in polynomials.rows.iter().zip(&mut guide.0) {
+                    for (monomial, &coefficient) in row {
+                        match monomial[first] {
+                            0 => continue,
+                            1 => {}
+                            _ => return None,
+                        }
+                        let mut others = monomial.clone();
+                        others[first] = 0;
+                        let factor = self.monomial(polynomials.powers(&others));
+                        *sum += coefficient * factor;
+                    }
+                }
+                (!guide.is_zero()).then_some(Private::Slide { slide, guide })
+            }
+        }
+    }
+
+    fn monomial(&self, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
+        let graph = self.algebra.graph;
+        let mut product = self.algebra.one();
+        for (symbol, power) in powers {
+            for _ in 0..power {
+                let factor = graph.ex(graph.symbol_node(symbol));
+                product = product * factor;
+            }
+        }
+        product
+    }
+
+    fn block(
+        &mut self,
+        equation: &Equation<'m>,
+        polynomials: &Polynomials<'m>,
+        private: Option<Private<'m>>,
+    ) -> Block<'m> {
+        let zero = self.algebra.zero();
+        let mut monomials: Vec<_> = polynomials.rows.iter().flat_map(|row| row.keys()).collect();
+        monomials.sort();
+        monomials.dedup();
+        let terms = monomials.into_iter().map(|monomial| Product {
+            coefficient: polynomials
+                .rows
+                .iter()
+                .map(|row| row.get(monomial).copied().unwrap_or(zero))
+                .collect(),
+            powers: polynomials.powers(monomial),
+        });
+        let own: Vec<SymbolId> = match &private {
+            Some(Private::Rotor(rotor)) => {
+                let angle = &self.algebra.names.angles[rotor.angle];
+                vec![angle.cos, angle.sin]
+            }
+            Some(Private::Slide { slide, .. }) => vec![*slide],
+            None => Vec::new(),
+        };
+        let removed = own.into_iter().map(|symbol| (symbol, zero)).collect();
+        Block {
+            terms: terms.collect(),
+            rest: substitute(&equation.rows, &removed),
+            rows: equation.rows.clone(),
+            private,
+            distance: equation.distance,
+        }
+    }
+}
+
+fn core_of(coordinates: &[Coordinate], index: usize) -> (Core, Option<usize>) {
+    let coordinate = &coordinates[index];
+    match coordinate.kind {
+        CoordinateKind::Angle(angle) => (Core::Angle(angle), None),
+        CoordinateKind::Length(symbol) => (
+            Core::Length {
+                symbol,
+                component: None,
+            },
+            coordinate.unknown,
+        ),
+    }
+}
+
+/// Marks neighbours that are the components of one point of the plane.
+fn paired(core: Vec<(Core, Option<usize>)>) -> Vec<Core> {
+    let mut marked: Vec<Core> = core.iter().map(|(core, _)| *core).collect();
+    for k in 1..core.len() {
+        let together = core.iter().filter(|(_, unknown)| *unknown == core[k].1);
+        if core[k].1.is_none() || core[k].1 != core[k - 1].1 || together.count() != 2 {
+            continue;
+        }
+        for (component, place) in [k - 1, k].into_iter().enumerate() {
+            if let Core::Length { symbol, .. } = marked[place] {
+                marked[place] = Core::Length {
+                    symbol,
+                    component: Some(component),
+                };
+            }
+        }
+    }
+    marked
+}

@@ -1,0 +1,47 @@
+//! A unit as text.
+
+use std::fmt::Write;
+
+use super::Unit;
+
+/// All programs, as golden files show them.
+pub fn dump(unit: &Unit) -> String {
+    let mut text = format!("prepare\n{}\ngaps\n{}", unit.prepare, unit.gaps);
+    let _ = write!(text, "\nsurvey\n{}", unit.survey);
+    if !unit.angles.is_empty() {
+        let _ = write!(text, "\nangles\n{}", unit.directions);
+    }
+    for (number, group) in unit.coupled.iter().enumerate() {
+        let _ = write!(text, "\nterms of coupled group {number}\n");
+        for (equation, exponents) in &group.terms {
+            let _ = writeln!(text, "equation {equation}: {exponents:?}");
+        }
+        for (what, program) in [
+            ("coefficients", &group.system),
+            ("correction", &group.correct),
+            ("unknowns", &group.placed),
+        ] {
+            let _ = write!(text, "\n{what} of coupled group {number}\n{program}");
+        }
+    }
+    for function in &unit.functions {
+        let name = &function.name;
+        let fields = function.fields.iter();
+        let fields: Vec<String> = fields
+            .map(|f| format!("{}: {:?} {}", f.name, f.shape, f.unit))
+            .collect();
+        let program = &function.called.program;
+        let _ = write!(text, "\n{name} ({})\n{program}", fields.join(", "));
+        if let Some(beside) = &function.beside {
+            let program = &beside.program;
+            let _ = write!(
+                text,
+                "\n{name}, for what the table does not know\n{program}"
+            );
+        }
+    }
+    if let Some(picture) = &unit.picture {
+        let _ = write!(text, "\npicture\n{picture}");
+    }
+    text
+}

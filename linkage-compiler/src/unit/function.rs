@@ -1,0 +1,80 @@
+//! One function of a mechanism: its programs and the numbers of its result.
+
+use linkage_symbolic::count::Count;
+use linkage_symbolic::program::Program;
+use linkage_symbolic::stages::Stage;
+
+use crate::model::Shape;
+
+pub use linkage_runtime::Meaning;
+
+/// A function of the `impl` block.
+#[derive(Clone, Debug)]
+pub struct Function {
+    /// As declared.
+    pub name: String,
+    /// What it takes, as places among inputs and arguments.
+    pub arguments: Vec<usize>,
+    /// The coupled groups whose prepared states it loads.
+    pub states: Vec<usize>,
+    /// What a call runs: loads prepared slots, parameters, inputs and states; outputs are the fields' scalars in order, each
+    /// field flattened outermost index first, vector components innermost.
+    pub called: Body,
+    /// The same from a table that was prepared for other dimensions, or for derivatives and digits that the table does not
+    /// have; `None` if that is no different.
+    pub beside: Option<Body>,
+    /// The fields of the result.
+    pub fields: Vec<Field>,
+    /// What each output is.
+    pub columns: Vec<Column>,
+    /// In which direction derivatives by parameters were found, if there are any.
+    pub sensitivities: Option<&'static str>,
+}
+
+impl Function {
+    /// Its programs, to be changed.
+    pub(super) fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
+        let bodies = [Some(&mut self.called), self.beside.as_mut()];
+        bodies.into_iter().flatten().map(|body| &mut body.program)
+    }
+
+    /// A sentence for the docs, a space in front, if there are derivatives by parameters.
+    pub(crate) fn direction_note(&self) -> String {
+        self.sensitivities.map_or_else(String::new, |direction| {
+            format!(" Derivatives by parameters are computed {direction}.")
+        })
+    }
+}
+
+/// A program and what passes made of it.
+#[derive(Clone, Debug, Default)]
+pub struct Body {
+    /// As a whole.
+    pub program: Program,
+    /// Cut into stages, for loops over many positions.
+    pub stages: Vec<Stage>,
+    /// What it costs.
+    pub count: Count,
+}
+
+/// A field of a function's result.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// As declared.
+    pub name: String,
+    /// How its scalars are put together.
+    pub shape: Shape,
+    /// Words for the docs: `mm`, `rad`, `mm/rad`, `1`, ...
+    pub unit: String,
+}
+
+/// One number of a result.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// `p.x`, `e[crank].y`
+    pub name: String,
+    /// `mm`, `rad/mm^2`, nothing for a number.
+    pub unit: String,
+    /// What it was derived from.
+    pub meaning: Meaning,
+}

@@ -1,0 +1,76 @@
+//! The groups of a mechanism: what is said of them, and what is prepared of coupled ones.
+
+use linkage_runtime::numeric::roots::Variable;
+use linkage_symbolic::program::Program;
+
+/// What is known of a group.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// 0 where the word does not apply (an angle relation).
+    pub class: u8,
+    /// 0 where the word does not apply.
+    pub order: u8,
+    /// `RRR`, `RRP`, ...
+    pub kind: String,
+    /// Numbers of its loops, the first loop of the mechanism being 1.
+    pub loops: Vec<usize>,
+    /// Names of what it finds.
+    pub unknowns: Vec<String>,
+    /// Index among the assembly modes; `None` for a group with one solution.
+    pub mode: Option<usize>,
+    /// Whether its assemblies are listed and one is prepared.
+    pub coupled: bool,
+    /// The mode that the start estimates choose: true for `+1`.
+    pub plus: bool,
+    /// A sentence for `STRUCTURE`: which solution is used.
+    pub method: &'static str,
+    /// `mm`, `rad`: what the group's gap is measured in.
+    pub gap_unit: String,
+}
+
+/// What `assemble()` prepares of a coupled group.
+#[derive(Clone, Debug)]
+pub struct Coupled {
+    /// Index among all groups.
+    pub group: usize,
+    /// The inputs that it depends on.
+    pub inputs: Vec<usize>,
+    /// Numbers in a state.
+    pub size: usize,
+    /// What the variables of its polynomials are.
+    pub variables: Vec<Variable>,
+    /// Equation and exponents of each term of the polynomials.
+    pub terms: Vec<(usize, Vec<i8>)>,
+    /// Real and imaginary part of each term's coefficient.
+    pub system: Program,
+    /// From a state: the state after one Newton step, the square of the correction, the determinant before it.
+    pub correct: Program,
+    /// From a state: cosine and sine, or length, of each of `unknowns`, then the reach of the links.
+    pub placed: Program,
+    /// The reach of the default mechanism.
+    pub reach: f64,
+    /// What its assemblies are told apart by.
+    pub unknowns: Vec<Placed>,
+    /// How many continuous angles, the first ones, must be followed before its programs can be run.
+    pub turning: usize,
+}
+
+impl Coupled {
+    /// Its programs, to be changed.
+    pub(super) fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
+        [&mut self.system, &mut self.correct, &mut self.placed].into_iter()
+    }
+}
+
+/// A number that assemblies are told apart by.
+#[derive(Clone, Debug)]
+pub struct Placed {
+    /// Index in the model.
+    pub unknown: usize,
+    /// Of a point.
+    pub component: Option<usize>,
+    /// Whether it is an angle.
+    pub angle: bool,
+    /// Start estimate at the reference inputs.
+    pub estimate: f64,
+}

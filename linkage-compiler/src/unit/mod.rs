@@ -1,0 +1,95 @@
+//! A mechanism after lowering: programs, what goes in and out of them, what is known of the groups. No token and no node of a graph.
+//!
+//! `emit` prints it as Rust, the interpreter runs it, golden files show it ([`dump`]); whatever one of them must know of a
+//! mechanism is here. What only Rust needs (visibility, attributes, spans) stays in `syntax` and is joined by index.
+
+mod closing;
+mod dump;
+mod function;
+mod group;
+mod picture;
+mod picture_words;
+mod signature;
+
+use linkage_symbolic::program::Program;
+
+pub use closing::{Closing, Outputs};
+pub use dump::dump;
+pub use function::{Body, Column, Field, Function, Meaning};
+pub use group::{Coupled, Group, Placed};
+pub use picture::{Guide, GuideOn, Link, Picture, Point, PointKind};
+pub use signature::{Argument, ContinuousAngle, Input, Parameter, Role, Scalar, Unknown};
+
+/// What a mechanism is after lowering.
+#[derive(Clone, Debug, Default)]
+pub struct Unit {
+    /// The parameters, in order.
+    pub parameters: Vec<Parameter>,
+    /// The driving coordinates, in order.
+    pub inputs: Vec<Input>,
+    /// What functions may take behind the inputs: speeds, accelerations, loads.
+    pub arguments: Vec<Argument>,
+    /// The unknowns of the model, in order.
+    pub unknowns: Vec<Unknown>,
+    /// The unknown angles whose values some program uses; centres and windings count these.
+    pub angles: Vec<ContinuousAngle>,
+    /// In the order in which they are solved.
+    pub groups: Vec<Group>,
+    /// Inputs + unknowns - equations.
+    pub mobility: usize,
+    /// The length that counts like a radian where assemblies are compared with estimates, in the mechanism's unit.
+    pub longest: f64,
+    /// Computes all prepared slots in `assemble()`: loads parameters, modes, centres and windings; output `k` is slot
+    /// `k`.
+    pub prepare: Program,
+    /// For each group in order, by how much it misses closing at given inputs: a length (or a number for an angle relation), positive if
+    /// the group cannot be assembled, at most 0 if it can. Loads prepared slots and inputs (all inputs of the mechanism).
+    pub gaps: Program,
+    /// For each continuous angle `a`: outputs `2 a` and `2 a + 1` are its cosine and sine. Loads prepared slots and
+    /// inputs. The centre and winding of angle `a` are not needed for its own outputs, only for later ones.
+    pub directions: Program,
+    /// The smallest margin of all groups, then what their assemblies are told apart by: cosine and sine, or length, of every
+    /// unknown. Loads prepared slots and inputs.
+    pub survey: Program,
+    /// What `assemble()` prepares of the coupled groups, in order.
+    pub coupled: Vec<Coupled>,
+    /// One for each function of the `impl` block, in order.
+    pub functions: Vec<Function>,
+    /// What the function shows that asks for a picture.
+    pub picture: Option<Picture>,
+}
+
+impl Unit {
+    /// The scalars of all parameters, as programs count them.
+    pub fn scalars(&self) -> impl Iterator<Item = &Scalar> {
+        self.parameters.iter().flat_map(|own| &own.scalars)
+    }
+
+    /// The assembly modes that the start estimates choose, in order; true for `+1`.
+    pub fn modes(&self) -> Vec<bool> {
+        let groups = self.groups.iter();
+        let mut modes: Vec<(usize, bool)> = groups
+            .filter_map(|group| Some((group.mode?, group.plus)))
+            .collect();
+        modes.sort_unstable();
+        modes.into_iter().map(|(_, plus)| plus).collect()
+    }
+
+    /// How many slots `assemble()` prepares.
+    pub fn slots(&self) -> usize {
+        self.prepare.outputs.len()
+    }
+
+    /// Every program, to be changed.
+    pub(crate) fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
+        let functions = self.functions.iter_mut().flat_map(Function::programs_mut);
+        let groups = self.coupled.iter_mut().flat_map(Coupled::programs_mut);
+        let whole = [
+            &mut self.prepare,
+            &mut self.gaps,
+            &mut self.directions,
+            &mut self.survey,
+        ];
+        functions.chain(groups).chain(whole)
+    }
+}

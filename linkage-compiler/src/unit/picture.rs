@@ -1,0 +1,66 @@
+//! What is drawn.
+
+pub use linkage_runtime::{GuideOn, PointKind};
+
+/// What the vectors of the quantity `picture()` are: points first, then directions.
+#[derive(Clone, Debug, Default)]
+pub struct Picture {
+    /// 2 in the plane, 3 in space.
+    pub dimension: usize,
+    /// In the order of the quantity's vectors.
+    pub points: Vec<Point>,
+    /// Names of unit vectors, which follow the points.
+    pub directions: Vec<String>,
+    /// Points that keep their distances.
+    pub links: Vec<Link>,
+    /// Lines along which points slide.
+    pub guides: Vec<Guide>,
+    /// In space: points and directions of axes.
+    pub axes: Vec<(usize, usize)>,
+}
+
+/// A point that is drawn.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// From the program, or after the links that meet in it.
+    pub name: String,
+    /// What it is in the drawing.
+    pub kind: PointKind,
+}
+
+/// A rigid link.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// From the program, or after its points.
+    pub name: String,
+    /// By index.
+    pub points: Vec<usize>,
+}
+
+/// A line along which a point slides.
+#[derive(Clone, Debug)]
+pub struct Guide {
+    /// Of the slide.
+    pub name: String,
+    /// A point of the line, by index.
+    pub origin: usize,
+    /// Its direction, by index.
+    pub direction: usize,
+    /// The point that slides, by index.
+    pub slider: usize,
+    /// What carries it.
+    pub on: GuideOn,
+}
+
+impl Picture {
+    /// How many vectors the quantity consists of.
+    pub fn vectors(&self) -> usize {
+        self.points.len() + self.directions.len()
+    }
+
+    /// Their names, in the same order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let points = self.points.iter().map(|point| &point.name[..]);
+        points.chain(self.directions.iter().map(String::as_str))
+    }
+}

@@ -1,0 +1,88 @@
+//! What goes into the programs of a mechanism: names, units, numbers as they were declared.
+
+use crate::model::Shape;
+
+/// A parameter as the user declared it.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// A number or a vector.
+    pub shape: Shape,
+    /// Its scalars; programs count these through all parameters.
+    pub scalars: Vec<Scalar>,
+}
+
+/// A scalar of a parameter.
+#[derive(Clone, Debug)]
+pub struct Scalar {
+    /// `crank`, `pivot.x`
+    pub name: String,
+    /// Of the field: `mm`, `rad`, `kg`, nothing for a number.
+    pub unit: String,
+    /// The default value, in that unit.
+    pub nominal: f64,
+    /// In that unit; 0 where none is declared.
+    pub tolerance: f64,
+}
+
+/// A driving coordinate.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// As declared.
+    pub name: String,
+    /// Its unit as programs count it.
+    pub unit: String,
+    /// True for an angle, of which a turn leads back.
+    pub angle: bool,
+    /// Where the loops are closed at compile time.
+    pub reference: f64,
+    /// As declared, lower end first.
+    pub range: Option<(f64, f64)>,
+    /// The range over which angles are followed, the reference twice if over none.
+    pub followed: (f64, f64),
+    /// Candidates for the turns that an unknown angle makes for each turn of this input.
+    pub rates: Vec<f64>,
+}
+
+/// What functions may take behind the inputs.
+#[derive(Clone, Debug)]
+pub struct Argument {
+    /// As declared.
+    pub name: String,
+    /// Of the value that a call is given.
+    pub unit: String,
+    /// What it says.
+    pub role: Role,
+}
+
+/// What an argument says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// How fast an input moves, by index.
+    Speed(usize),
+    /// How fast that grows.
+    Acceleration(usize),
+    /// Something that the user declared.
+    Load,
+}
+
+/// An unknown of the model.
+#[derive(Clone, Debug)]
+pub struct Unknown {
+    /// As declared.
+    pub name: String,
+    /// `mm`, `rad`, nothing for a number.
+    pub unit: String,
+    /// True for an angle or a number, false for a length or a point.
+    pub is_number: bool,
+}
+
+/// An unknown angle whose value (not only its direction) is used by some function.
+#[derive(Clone, Debug)]
+pub struct ContinuousAngle {
+    /// Index among the unknowns.
+    pub unknown: usize,
+    /// The inputs it depends on.
+    pub inputs: Vec<usize>,
+    /// Start estimate at the reference inputs, radians.
+    pub estimate: f64,
+}

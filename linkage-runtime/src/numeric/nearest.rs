@@ -1,0 +1,101 @@
+//! Which of several assemblies start estimates mean.
+
+/// When estimates do not choose: the two least distances differ by at most this share of the second.
+///
+/// The compiler and `assemble()` ask for different shares on purpose.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Ambiguity(f64);
+
+impl Ambiguity {
+    /// At the defaults, while compiling. Estimates are read off a drawing, so what they hardly choose may not be what is
+    /// meant; it is refused while the user can still move them.
+    pub const AS_WRITTEN: Self = Self(0.01);
+
+    /// At run time, for a coupled group with other dimensions. Nobody can move the estimates there, so what they choose is
+    /// taken, however narrowly; only a choice that rounding would make, as between mirror images, is refused.
+    pub const AT_RUN_TIME: Self = Self(1e-6);
+}
+
+/// The assembly nearest to the estimates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Nearest {
+    /// Its index; that of the first one if several are equally near.
+    pub index: usize,
+    /// Whether another one is so near that the estimates do not choose.
+    pub ambiguous: bool,
+}
+
+/// Chooses among assemblies by their distances from the estimates; `None` if there is none. A distance that is NaN is the
+/// largest of all.
+///
+/// ```
+/// use linkage_runtime::numeric::nearest::{Ambiguity, Nearest, nearest};
+///
+/// let clear = nearest([3.0, 0.2, 1.5], Ambiguity::AS_WRITTEN);
+/// assert_eq!(clear, Some(Nearest { index: 1, ambiguous: false }));
+/// // Half a percent apart.
+/// let close = |share| nearest([1.0, 1.005], share).unwrap().ambiguous;
+/// assert!(close(Ambiguity::AS_WRITTEN) && !close(Ambiguity::AT_RUN_TIME));
+/// ```
+pub fn nearest(
+    distances: impl IntoIterator<Item = f64>,
+    Ambiguity(share): Ambiguity,
+) -> Option<Nearest> {
+    let mut candidates = distances.into_iter().enumerate();
+    let mut first = candidates.next()?;
+    let mut second: Option<f64> = None;
+    for next in candidates {
+        let farther = match next.1.total_cmp(&first.1).is_lt() {
+            true => core::mem::replace(&mut first, next).1,
+            false => next.1,
+        };
+        second = match second {
+            Some(second) if second.total_cmp(&farther).is_le() => Some(second),
+            _ => Some(farther),
+        };
+    }
+    let ambiguous = second.is_some_and(|second| second - first.1 <= share * second);
+    Some(Nearest {
+        index: first.0,
+        ambiguous,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Ambiguity, Nearest, nearest};
+
+    const NAN: f64 = f64::NAN;
+
+    fn choice(distances: &[f64]) -> Option<(usize, bool)> {
+        let nearest = nearest(distances.iter().copied(), Ambiguity::AS_WRITTEN);
+        nearest.map(|Nearest { index, ambiguous }| (index, ambiguous))
+    }
+
+    #[test]
+    fn the_nearest_is_taken() {
+        assert_eq!(choice(&[]), None);
+        assert_eq!(choice(&[7.0]), Some((0, false)));
+        assert_eq!(choice(&[7.0, 2.0, 3.0, 2.5]), Some((1, false)));
+        assert_eq!(choice(&[2.0, 3.0, 7.0]), Some((0, false)));
+        assert_eq!(choice(&[3.0, 7.0, 0.0]), Some((2, false)));
+    }
+
+    #[test]
+    fn distances_that_hardly_differ_choose_nothing() {
+        assert_eq!(choice(&[1.0, 1.0]), Some((0, true)));
+        assert_eq!(choice(&[1.0, 9.0, 0.995]), Some((2, true)));
+        assert_eq!(choice(&[0.995, 9.0, 1.0]), Some((0, true)));
+        assert_eq!(choice(&[0.98, 9.0, 1.0]), Some((0, false)));
+        assert_eq!(choice(&[0.0, 0.0]), Some((0, true)));
+        let rounding = nearest([1.0, 1.0 - 1e-9], Ambiguity::AT_RUN_TIME);
+        assert!(rounding.is_some_and(|nearest| nearest.index == 1 && nearest.ambiguous));
+    }
+
+    #[test]
+    fn what_has_no_distance_is_not_chosen() {
+        assert_eq!(choice(&[NAN, 2.0]), Some((1, false)));
+        assert_eq!(choice(&[2.0, NAN]), Some((0, false)));
+        assert_eq!(choice(&[NAN, NAN]), Some((0, false)));
+    }
+}

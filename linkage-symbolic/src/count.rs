@@ -1,0 +1,79 @@
+//! How many operations a program costs, and how long they take.
+
+use crate::operation::Class;
+use crate::program::{Instruction, Program, Unary, Value};
+
+/// Operation counts by class. A multiply-add is a multiplication and an addition; equal products count once.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Count {
+    /// Additions and subtractions.
+    pub add: u32,
+    /// Multiplications.
+    pub mul: u32,
+    /// Divisions.
+    pub div: u32,
+    /// Square roots, alone and within lengths.
+    pub sqrt: u32,
+    /// Angles of which sine or cosine is taken.
+    pub sin_cos: u32,
+    /// Arc tangents of two operands.
+    pub atan2: u32,
+    /// All else: signs, minima, choices, other functions.
+    pub other: u32,
+}
+
+impl Count {
+    /// What a program costs.
+    pub fn of(program: &Program) -> Self {
+        let mut count = Self::default();
+        let mut turned: Vec<Value> = Vec::new();
+        let mut products: Vec<[Value; 2]> = Vec::new();
+        for instruction in &program.instructions {
+            let Some(class) = instruction.class() else {
+                continue;
+            };
+            let mut operands = instruction.operands();
+            let mut factors = || [(); 2].map(|()| operands.next().expect("a product has factors"));
+            match class {
+                Class::Addition => count.add += 1,
+                Class::Multiplication => products.push(sorted(factors())),
+                Class::MultiplyAdd => {
+                    products.push(sorted(factors()));
+                    count.add += 1;
+                }
+                Class::Division => count.div += 1,
+                Class::Root => count.sqrt += 1,
+                Class::SineCosine => turned.extend(operands),
+                Class::ArcTangent => count.atan2 += 1,
+                Class::Other => count.other += 1,
+            }
+        }
+        count.sin_cos = distinct(turned);
+        count.mul = distinct(products);
+        count
+    }
+}
+
+fn sorted([a, b]: [Value; 2]) -> [Value; 2] {
+    [a.min(b), a.max(b)]
+}
+
+fn distinct<V: Ord>(mut values: Vec<V>) -> u32 {
+    values.sort_unstable();
+    values.dedup();
+    values.len() as u32
+}
+
+/// What a program costs at a call, by throughput, an addition being 1: the measure by which lowering chooses between equal
+/// programs. Sine and cosine of one angle cost what one of them does.
+pub fn time(program: &Program) -> u32 {
+    let mut turned: Vec<Value> = Vec::new();
+    let mut sum = 0;
+    for instruction in &program.instructions {
+        match *instruction {
+            Instruction::Unary(Unary::Sin | Unary::Cos, operand) => turned.push(operand),
+            _ => sum += instruction.time(),
+        }
+    }
+    sum + Unary::Sin.row().time * distinct(turned)
+}
