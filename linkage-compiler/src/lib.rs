@@ -21,6 +21,7 @@ pub mod syntax;
 pub mod trace;
 pub mod unit;
 mod vector;
+mod watch;
 
 use linkage_symbolic::Graph;
 use proc_macro2::{Group, TokenStream, TokenTree};
@@ -29,11 +30,10 @@ use quote::quote;
 use algebra::{Algebra, Nominal};
 use diagnostic::{Diagnostics, Origins, Reporter};
 use forces::Forces;
-use formulate::Formulation;
 use model::Mechanism;
 use request::{AtReference, State};
-use structure::Structure;
 use unit::Unit;
+use watch::Watch;
 
 /// Compiles the macro's input: the path of the facade in brackets, then the mechanism. Mistakes become `compile_error!`s
 /// beside a skeleton of the generated items.
@@ -64,17 +64,7 @@ pub fn analyse(mechanism: &Mechanism, origins: &Origins, diagnostics: &mut Diagn
     analyse_watched(mechanism, origins, diagnostics, &mut ())
 }
 
-/// Who wants to see what the middle phases hand to each other. The order of phases stands in [`analyse_watched`] alone.
-trait Watch {
-    /// The groups, before they are solved.
-    fn structure(&mut self, _: &Algebra, _: &Structure) {}
-
-    /// Every unknown expressed, before anything is asked for.
-    fn formulated<'m>(&mut self, _: &mut Algebra<'m>, _: &Formulation<'m>, _: &Nominal) {}
-}
-
-impl Watch for () {}
-
+/// The order of the phases: it stands here alone.
 fn analyse_watched(
     mechanism: &Mechanism,
     origins: &Origins,
@@ -130,7 +120,7 @@ fn analyse_watched(
         reference: &reference,
         nominal: &nominal,
     };
-    let unit = request::unit(state, at, &mut reporter);
+    let unit = request::unit(state, at, &mut reporter, watch);
     if reference.closed {
         close::check_ranges(
             &mut algebra,

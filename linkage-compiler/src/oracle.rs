@@ -5,12 +5,13 @@ use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, NodeId, evaluate};
 
 use crate::algebra::{Algebra, Angle, Nominal};
+use crate::analyse_watched;
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::forces::Forces;
 use crate::formulate::Formulation;
 use crate::model::Mechanism;
 use crate::request::{State, requested};
-use crate::{Watch, analyse_watched};
+use crate::watch::Watch;
 
 /// The expression graph of a mechanism, unknowns still being symbols with definitions.
 #[derive(Debug, Default)]

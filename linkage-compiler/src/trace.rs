@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 
 use crate::algebra::{Algebra, Nominal};
@@ -9,7 +10,8 @@ use crate::diagnostic::{Diagnostics, Origins};
 use crate::formulate::Formulation;
 use crate::structure::Structure;
 use crate::unit::{self, Unit};
-use crate::{Watch, analyse_watched, forces, model, syntax};
+use crate::watch::Watch;
+use crate::{analyse_watched, forces, model, syntax};
 
 /// The phases of one mechanism, as text.
 #[derive(Clone, Debug, Default)]
@@ -24,6 +26,8 @@ pub struct Trace {
     pub formulate: String,
     /// All programs.
     pub lower: String,
+    /// The functions after each pass that changed something: the number of the function, the pass, the program.
+    pub passes: Vec<(usize, &'static str, String)>,
     /// The generated items.
     pub emit: TokenStream,
     /// Messages, if there are any.
@@ -41,6 +45,7 @@ pub fn trace(body: TokenStream) -> Trace {
             trace.model = model::dump(&mechanism);
             let mut middle = Middle::default();
             let unit = analyse_watched(&mechanism, &origins, &mut diagnostics, &mut middle);
+            trace.passes = middle.passes;
             trace.structure = middle.structure;
             trace.formulate = formulate_text(&unit) + &middle.forces;
             trace.lower = unit::dump(&unit);
@@ -57,6 +62,7 @@ struct Middle {
     structure: String,
     /// How reactions are found; nothing for a mechanism without bodies.
     forces: String,
+    passes: Vec<(usize, &'static str, String)>,
 }
 
 impl Watch for Middle {
@@ -66,6 +72,17 @@ impl Watch for Middle {
 
     fn formulated<'m>(&mut self, algebra: &mut Algebra<'m>, _: &Formulation<'m>, _: &Nominal) {
         self.forces = algebra.tried(forces::describe);
+    }
+
+    fn pass(&mut self, name: &'static str, function: usize, program: &dyn Fn() -> Program) {
+        let text = program().to_string();
+        let mut before = self.passes.iter().rev();
+        if before
+            .find(|(own, ..)| *own == function)
+            .is_none_or(|(.., last)| *last != text)
+        {
+            self.passes.push((function, name, text));
+        }
     }
 }
 

@@ -44,6 +44,7 @@ fn check(name: &str) {
         structure,
         formulate,
         lower,
+        passes: _,
         emit,
         messages,
     } = trace(read(name));
@@ -89,6 +90,16 @@ fn loader() {
 #[test]
 fn rssr() {
     check("rssr");
+}
+
+/// What each pass makes of each function: programs are written where a pass changed something.
+#[test]
+fn passes() {
+    let passes = trace(read("crank_rocker")).passes;
+    let texts = passes
+        .iter()
+        .map(|(function, pass, program)| format!("function {function}, {pass}\n{program}\n"));
+    compare("crank_rocker", "5-passes", &texts.collect::<String>());
 }
 
 /// Equal input gives equal output, whatever ran before in this process.

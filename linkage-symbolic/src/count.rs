@@ -1,7 +1,7 @@
 //! How many operations a program costs, and how long they take.
 
 use crate::operation::Class;
-use crate::program::{Instruction, Program, Unary, Value};
+use crate::program::{Instruction, Program, Value};
 
 /// Operation counts by class. A multiply-add is a multiplication and an addition; equal products count once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,7 +26,6 @@ impl Count {
     /// What a program costs.
     pub fn of(program: &Program) -> Self {
         let mut count = Self::default();
-        let mut turned: Vec<Value> = Vec::new();
         let mut products: Vec<[Value; 2]> = Vec::new();
         for instruction in &program.instructions {
             let Some(class) = instruction.class() else {
@@ -43,12 +42,11 @@ impl Count {
                 }
                 Class::Division => count.div += 1,
                 Class::Root => count.sqrt += 1,
-                Class::SineCosine => turned.extend(operands),
+                Class::SineCosine => count.sin_cos += 1,
                 Class::ArcTangent => count.atan2 += 1,
                 Class::Other => count.other += 1,
             }
         }
-        count.sin_cos = distinct(turned);
         count.mul = distinct(products);
         count
     }
@@ -65,15 +63,7 @@ fn distinct<V: Ord>(mut values: Vec<V>) -> u32 {
 }
 
 /// What a program costs at a call, by throughput, an addition being 1: the measure by which lowering chooses between equal
-/// programs. Sine and cosine of one angle cost what one of them does.
+/// programs.
 pub fn time(program: &Program) -> u32 {
-    let mut turned: Vec<Value> = Vec::new();
-    let mut sum = 0;
-    for instruction in &program.instructions {
-        match *instruction {
-            Instruction::Unary(Unary::Sin | Unary::Cos, operand) => turned.push(operand),
-            _ => sum += instruction.time(),
-        }
-    }
-    sum + Unary::Sin.row().time * distinct(turned)
+    program.instructions.iter().map(Instruction::time).sum()
 }

@@ -35,6 +35,8 @@ impl fmt::Display for Instruction {
             Self::Ternary(op, a, b, c) => {
                 write!(f, "{} v{} v{} v{}", op.row().name, a.0, b.0, c.0)
             }
+            Self::SinCos(a) => write!(f, "sin_cos v{}", a.0),
+            Self::Second(a) => write!(f, "second v{}", a.0),
             Self::Fused(Fused::MulAdd, a, b, c) => write!(f, "v{} * v{} + v{}", a.0, b.0, c.0),
             Self::Fused(Fused::MulSub, a, b, c) => write!(f, "v{} * v{} - v{}", a.0, b.0, c.0),
             Self::Fused(Fused::SubMul, a, b, c) => write!(f, "v{} - v{} * v{}", c.0, a.0, b.0),

@@ -30,6 +30,11 @@ pub fn run_steps(
             Instruction::Binary(op, a, b) => op.apply([values[a.0], values[b.0]]),
             Instruction::Ternary(op, a, b, c) => op.apply([values[a.0], values[b.0], values[c.0]]),
             Instruction::Fused(op, a, b, c) => op.apply([values[a.0], values[b.0], values[c.0]]),
+            Instruction::SinCos(a) => values[a.0].sin(),
+            Instruction::Second(pair) => match program.instructions[pair.0] {
+                Instruction::SinCos(a) => values[a.0].cos(),
+                _ => unreachable!("nothing else has two results"),
+            },
         };
         values.push(value);
     }

@@ -4,16 +4,14 @@
 //! have a definition (another node), which is how the solution of a loop enters: derivatives of such a symbol come from
 //! [`Calculus::symbol_derivative`], its value from the definition. [`inline`] removes the definitions and
 //! leaves a plain graph of parameters and inputs, [`schedule`] slices and orders it as a
-//! [`Program`](program::Program), and [`interpret`] runs that. [`Ex`] and [`Vector`] are what formulas are written with.
+//! [`Program`](program::Program), [`passes`] polish that, and [`interpret`] runs it. [`Ex`] and [`Vector`] are what formulas are written with.
 //!
 //! No tokens, spans or syntax here.
 
 mod build;
-mod contract;
 pub mod count;
 mod differentiate;
 mod display;
-mod double_angles;
 mod evaluate;
 mod expression;
 mod graph;
@@ -21,12 +19,12 @@ pub mod inline;
 pub mod interpret;
 mod multiples;
 mod operation;
+pub mod passes;
 mod polynomial;
 mod probe;
 mod products;
 pub mod program;
 pub mod schedule;
-pub mod stages;
 mod substitute;
 mod sums;
 pub mod unordered;

@@ -49,13 +49,22 @@ pub struct Value(pub usize);
 /// One operation. Operands are results of earlier instructions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Instruction {
+    /// A number.
     Constant(f64),
+    /// A number from elsewhere.
     Load(Source),
+    /// An operation of one operand.
     Unary(Unary, Value),
+    /// An operation of two operands.
     Binary(Binary, Value, Value),
+    /// An operation of three operands.
     Ternary(Ternary, Value, Value, Value),
     /// A product and a sum, rounded once or twice as the machine can.
     Fused(Fused, Value, Value, Value),
+    /// Sine and cosine of an angle. Its value is the sine; the cosine is the [`Second`](Self::Second) result, right behind it.
+    SinCos(Value),
+    /// The second result of an instruction that has two.
+    Second(Value),
 }
 
 impl Instruction {
@@ -63,7 +72,7 @@ impl Instruction {
     pub fn operands(&self) -> impl Iterator<Item = Value> + use<> {
         let operands = match *self {
             Self::Constant(_) | Self::Load(_) => [None; 3],
-            Self::Unary(_, a) => [Some(a), None, None],
+            Self::Unary(_, a) | Self::SinCos(a) | Self::Second(a) => [Some(a), None, None],
             Self::Binary(_, a, b) => [Some(a), Some(b), None],
             Self::Ternary(_, a, b, c) | Self::Fused(_, a, b, c) => [Some(a), Some(b), Some(c)],
         };
@@ -78,6 +87,8 @@ impl Instruction {
             Self::Binary(op, ..) => op.row().latency,
             Self::Ternary(op, ..) => op.row().latency,
             Self::Fused(op, ..) => op.row().latency,
+            Self::SinCos(_) => Unary::Sin.row().latency,
+            Self::Second(_) => 0,
         }
     }
 
@@ -89,6 +100,8 @@ impl Instruction {
             Self::Binary(op, ..) => op.row().size,
             Self::Ternary(op, ..) => op.row().size,
             Self::Fused(op, ..) => op.row().size,
+            Self::SinCos(_) => Unary::Sin.row().size,
+            Self::Second(_) => Unary::Cos.row().size,
         }
     }
 
@@ -100,17 +113,20 @@ impl Instruction {
             Self::Binary(op, ..) => op.row().time,
             Self::Ternary(op, ..) => op.row().time,
             Self::Fused(op, ..) => op.row().time,
+            Self::SinCos(_) => Unary::Sin.row().time,
+            Self::Second(_) => 0,
         }
     }
 
-    /// As what it is counted; `None` for a load or a constant.
+    /// As what it is counted; `None` for what costs nothing.
     pub fn class(&self) -> Option<Class> {
         Some(match self {
-            Self::Constant(_) | Self::Load(_) => return None,
+            Self::Constant(_) | Self::Load(_) | Self::Second(_) => return None,
             Self::Unary(op, _) => op.row().class,
             Self::Binary(op, ..) => op.row().class,
             Self::Ternary(op, ..) => op.row().class,
             Self::Fused(op, ..) => op.row().class,
+            Self::SinCos(_) => Class::SineCosine,
         })
     }
 
@@ -125,6 +141,8 @@ impl Instruction {
                 Self::Ternary(operation, other(a), other(b), other(c))
             }
             Self::Fused(operation, a, b, c) => Self::Fused(operation, other(a), other(b), other(c)),
+            Self::SinCos(a) => Self::SinCos(other(a)),
+            Self::Second(a) => Self::Second(other(a)),
         }
     }
 }
@@ -132,6 +150,81 @@ impl Instruction {
 /// A straight-line program: instructions in order of execution, results by index.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
+    /// Each computes one value, from those before it.
     pub instructions: Vec<Instruction>,
+    /// The values that are results, in order.
     pub outputs: Vec<Value>,
+}
+
+impl Program {
+    /// Appends an instruction; returns its value.
+    pub fn push(&mut self, instruction: Instruction) -> Value {
+        self.instructions.push(instruction);
+        Value(self.instructions.len() - 1)
+    }
+
+    /// When each value is known.
+    pub fn bindings(&self) -> Vec<Binding> {
+        let mut bindings: Vec<Binding> = Vec::with_capacity(self.instructions.len());
+        for instruction in &self.instructions {
+            let binding = match instruction {
+                Instruction::Load(source) => source.binding(),
+                _ => {
+                    let operands = instruction.operands().map(|x| bindings[x.0]);
+                    operands.max().unwrap_or(Binding::Constant)
+                }
+            };
+            bindings.push(binding);
+        }
+        bindings
+    }
+
+    /// The program without values that no output depends on.
+    #[must_use]
+    pub fn without_unused(self) -> Self {
+        let mut used = vec![false; self.instructions.len()];
+        for output in &self.outputs {
+            used[output.0] = true;
+        }
+        for (index, instruction) in self.instructions.iter().enumerate().rev() {
+            if used[index] {
+                instruction.operands().for_each(|x| used[x.0] = true);
+            }
+        }
+        let mut places = Vec::with_capacity(used.len());
+        let mut kept = Self::default();
+        for (instruction, used) in self.instructions.into_iter().zip(used) {
+            places.push(Value(kept.instructions.len()));
+            if used {
+                kept.push(instruction.with_operands(|x| places[x.0]));
+            }
+        }
+        kept.outputs = self.outputs.iter().map(|x| places[x.0]).collect();
+        kept
+    }
+
+    /// What is wrong with the program; nothing if every pass kept to the rules: operands stand before their operations, outputs are
+    /// there, a second result stands right behind what computes it.
+    pub fn mistake(&self) -> Option<String> {
+        for (index, instruction) in self.instructions.iter().enumerate() {
+            if let Some(late) = instruction.operands().find(|x| x.0 >= index) {
+                return Some(format!(
+                    "v{index} = {instruction} stands before v{}",
+                    late.0
+                ));
+            }
+            if let Instruction::Second(of) = instruction {
+                let pair = self.instructions[of.0];
+                if of.0 + 1 != index || !matches!(pair, Instruction::SinCos(_)) {
+                    return Some(format!(
+                        "v{index} is no second result of v{} = {pair}",
+                        of.0
+                    ));
+                }
+            }
+        }
+        let count = self.instructions.len();
+        let missing = self.outputs.iter().find(|output| output.0 >= count)?;
+        Some(format!("there is no v{}", missing.0))
+    }
 }

@@ -1,22 +1,20 @@
 //! A straight-line program as a flat list of statements.
 
-use std::collections::BTreeMap;
-
 use linkage_symbolic::program::{
     Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
 };
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::literal;
 
 /// The statements of `program` over the scalar type `T`, where `__FUSED` says whether multiply-adds are fused; `load`
 /// prints where a number comes from.
 pub(super) fn statements(program: &Program, load: &dyn Fn(Source) -> TokenStream) -> TokenStream {
-    let pairs = sine_pairs(program);
+    let read = read(program);
     let long = program.instructions.len() > LONG;
     let mut out = if long {
-        declarations(program)
+        declarations(program, &read)
     } else {
         TokenStream::new()
     };
@@ -26,10 +24,30 @@ pub(super) fn statements(program: &Program, load: &dyn Fn(Source) -> TokenStream
         quote!(let)
     };
     for (index, instruction) in program.instructions.iter().enumerate() {
-        let statement = statement(Value(index), *instruction, &pairs, load);
-        if !statement.is_empty() {
-            out.extend([keyword.clone(), statement]);
-        }
+        let value = Value(index);
+        let expression = match *instruction {
+            Instruction::Constant(x) => {
+                let x = literal::float(x);
+                quote!(T::from_f64(#x))
+            }
+            Instruction::Load(source) => load(source),
+            Instruction::Unary(operation, x) => unary(operation, &name(x)),
+            Instruction::Binary(operation, a, b) => binary(operation, &name(a), &name(b)),
+            Instruction::Ternary(operation, a, b, c) => {
+                ternary(operation, &name(a), &name(b), &name(c))
+            }
+            Instruction::Fused(operation, a, b, c) => {
+                fused(operation, &name(a), &name(b), &name(c))
+            }
+            Instruction::SinCos(x) => {
+                let x = name(x);
+                quote!(T::sin_cos_with::<__FUSED>(#x))
+            }
+            // Its pattern stands with what computes it.
+            Instruction::Second(_) => continue,
+        };
+        let pattern = pattern(program, value, &read);
+        out.extend(quote!(#keyword #pattern = #expression;));
     }
     out
 }
@@ -41,10 +59,11 @@ const LONG: usize = 1000;
 /// Temporaries in one declaration.
 const TOGETHER: usize = 200;
 
-fn declarations(program: &Program) -> TokenStream {
-    let names: Vec<Ident> = (0..program.instructions.len())
-        .map(|k| name(Value(k)))
-        .collect();
+fn declarations(program: &Program, read: &[bool]) -> TokenStream {
+    let is_bound =
+        |k: &usize| read[*k] || !matches!(program.instructions[*k], Instruction::SinCos(_));
+    let bound = (0..program.instructions.len()).filter(is_bound);
+    let names: Vec<Ident> = bound.map(|k| name(Value(k))).collect();
     names
         .chunks(TOGETHER)
         .map(|names| quote!(let (#(#names,)*);))
@@ -62,88 +81,36 @@ pub(super) fn name(value: Value) -> Ident {
     format_ident!("__v{}", value.0, span = Span::mixed_site())
 }
 
-/// The first sine and the first cosine of an operand; the earlier of the two computes both.
-#[derive(Clone, Copy, Default)]
-struct SinePair {
-    sine: Option<Value>,
-    cosine: Option<Value>,
-}
-
-fn sine_pairs(program: &Program) -> BTreeMap<Value, SinePair> {
-    let mut pairs: BTreeMap<Value, SinePair> = BTreeMap::new();
-    for (index, instruction) in program.instructions.iter().enumerate() {
-        match *instruction {
-            Instruction::Unary(Unary::Sin, x) => {
-                pairs.entry(x).or_default().sine.get_or_insert(Value(index));
-            }
-            Instruction::Unary(Unary::Cos, x) => {
-                pairs
-                    .entry(x)
-                    .or_default()
-                    .cosine
-                    .get_or_insert(Value(index));
-            }
-            _ => {}
+/// Which values something is computed from, or are results.
+fn read(program: &Program) -> Vec<bool> {
+    let mut read = vec![false; program.instructions.len()];
+    for instruction in &program.instructions {
+        // A second result comes with the first and is not computed from it.
+        if !matches!(instruction, Instruction::Second(_)) {
+            instruction.operands().for_each(|x| read[x.0] = true);
         }
     }
-    pairs
+    program.outputs.iter().for_each(|x| read[x.0] = true);
+    read
 }
 
-/// `name = expression;`, without `let`.
-fn statement(
-    value: Value,
-    instruction: Instruction,
-    pairs: &BTreeMap<Value, SinePair>,
-    load: &dyn Fn(Source) -> TokenStream,
-) -> TokenStream {
-    let result = name(value);
-    let expression = match instruction {
-        Instruction::Constant(x) => {
-            let x = literal::float(x);
-            quote!(T::from_f64(#x))
-        }
-        Instruction::Load(source) => load(source),
-        Instruction::Unary(operation @ (Unary::Sin | Unary::Cos), x) => {
-            return sine_statement(value, operation, x, pairs[&x]);
-        }
-        Instruction::Unary(operation, x) => unary(operation, &name(x)),
-        Instruction::Binary(operation, a, b) => binary(operation, &name(a), &name(b)),
-        Instruction::Ternary(operation, a, b, c) => {
-            ternary(operation, &name(a), &name(b), &name(c))
-        }
-        Instruction::Fused(operation, a, b, c) => fused(operation, &name(a), &name(b), &name(c)),
-    };
-    quote!(#result = #expression;)
-}
-
-fn sine_statement(value: Value, operation: Unary, operand: Value, pair: SinePair) -> TokenStream {
-    let first = [pair.sine, pair.cosine].into_iter().flatten().min();
-    let own = if operation == Unary::Sin {
-        pair.sine
+/// What an instruction's result is bound to: sine and cosine come together, and what nobody reads has no name.
+fn pattern(program: &Program, value: Value, read: &[bool]) -> TokenStream {
+    let first = name(value);
+    if !matches!(program.instructions[value.0], Instruction::SinCos(_)) {
+        return quote!(#first);
+    }
+    let behind = Value(value.0 + 1);
+    let sine = if read[value.0] {
+        quote!(#first)
     } else {
-        pair.cosine
+        quote!(_)
     };
-    if first == Some(value) {
-        let operand = name(operand);
-        let pattern = |value: Option<Value>| {
-            value.map_or_else(
-                || quote!(_),
-                |v| {
-                    let name = name(v);
-                    quote!(#name)
-                },
-            )
-        };
-        let (sine, cosine) = (pattern(pair.sine), pattern(pair.cosine));
-        return quote!((#sine, #cosine) = T::sin_cos_with::<__FUSED>(#operand););
-    }
-    match own {
-        Some(own) if own != value => {
-            let (result, own) = (name(value), name(own));
-            quote!(#result = #own;)
-        }
-        _ => TokenStream::new(),
-    }
+    let cosine = match program.instructions.get(behind.0) {
+        Some(Instruction::Second(_)) => name(behind).into_token_stream(),
+        _ => quote!(_),
+    };
+    quote!((#sine, #cosine))
 }
 
 fn unary(operation: Unary, x: &Ident) -> TokenStream {
@@ -151,6 +118,7 @@ fn unary(operation: Unary, x: &Ident) -> TokenStream {
         Unary::Neg => quote!(-#x),
         Unary::Abs => quote!(T::abs(#x)),
         Unary::Sqrt => quote!(T::sqrt(#x)),
+        // Programs are paired before they are printed; alone they are right all the same.
         Unary::Sin => quote!(T::sin_cos_with::<__FUSED>(#x).0),
         Unary::Cos => quote!(T::sin_cos_with::<__FUSED>(#x).1),
         Unary::Tan => quote!(T::tan(#x)),

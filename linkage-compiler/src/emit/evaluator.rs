@@ -1,6 +1,6 @@
 //! One function of the `impl` block: its result type, the method, and the program behind it.
 
-use linkage_symbolic::stages::Stage;
+use linkage_symbolic::passes::stages::Stage;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use linkage_symbolic::passes::stages::Stage;
 use linkage_symbolic::program::{Instruction, Source};
-use linkage_symbolic::stages::Stage;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 

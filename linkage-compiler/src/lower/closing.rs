@@ -1,7 +1,8 @@
 //! One program for all groups, and those of coupled groups: what closes the loops at compile time.
 
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::schedule::{schedule_stages, schedule_whole};
+use linkage_symbolic::passes::reciprocals;
+use linkage_symbolic::schedule::schedule_whole;
 use linkage_symbolic::{Ex, NodeId};
 
 use crate::algebra::{Algebra, Nominal};
@@ -44,7 +45,7 @@ pub(crate) fn closing<'m>(
     let mut closing = Closing {
         groups: all,
         coupled: groups(algebra, formulation, nominal, &own, |nodes| {
-            schedule_whole(&inliner.target, nodes)
+            reciprocals::share(schedule_whole(&inliner.target, nodes))
         }),
         ..Closing::default()
     };
@@ -61,10 +62,15 @@ pub(crate) fn closing<'m>(
         group.turning = last.map_or(0, |last| last + 1);
     }
     lists.push(plain(&mut inliner, &units));
-    let (program, ends) = schedule_stages(&inliner.target, &lists);
-    closing.program = program;
-    for (outputs, end) in closing.groups.iter_mut().zip(ends) {
+    closing.program = reciprocals::share(schedule_whole(&inliner.target, &lists.concat()));
+    let mut next = 0;
+    let mut end = 0;
+    for (own, outputs) in lists.iter().zip(&mut closing.groups) {
+        // What computes a list stands before what later lists need beside it.
+        let last = closing.program.outputs[next..].iter().take(own.len()).max();
+        end = end.max(last.map_or(0, |value| value.0 + 1));
         outputs.end = end;
+        next += own.len();
     }
     closing
 }

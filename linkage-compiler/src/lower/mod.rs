@@ -4,6 +4,7 @@
 
 mod closing;
 mod groups;
+mod passes;
 
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::program::Source;
@@ -11,6 +12,7 @@ use linkage_symbolic::{Ex, Graph, NodeId};
 
 pub(crate) use closing::closing;
 pub(crate) use groups::{GroupNodes, group_nodes, groups};
+pub(crate) use passes::{Formulas, polish};
 
 /// Expressions without definitions, as nodes of the inliner's plain graph.
 pub(crate) fn plain(inliner: &mut Inliner, all: &[Ex]) -> Vec<NodeId> {

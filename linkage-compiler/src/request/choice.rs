@@ -2,11 +2,12 @@
 
 use linkage_symbolic::count::time;
 use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::passes::polished;
 use linkage_symbolic::schedule::{Slots, schedule};
-use linkage_symbolic::{Ex, Graph, NodeId, share_multiples};
+use linkage_symbolic::{Ex, Graph, NodeId};
 
 use crate::algebra::Direction;
-use crate::lower;
+use crate::lower::Formulas;
 use crate::model::EvaluatorDef;
 
 use super::State;
@@ -17,7 +18,7 @@ use super::quantity::{Requested, request};
 pub(super) struct Choice<'m> {
     /// As requested.
     scalars: Vec<Ex<'m>>,
-    pub(super) outputs: Vec<NodeId>,
+    pub(super) formulas: Formulas,
     /// `None` if there are none.
     pub(super) direction: Option<Direction>,
 }
@@ -26,7 +27,7 @@ impl<'m> Choice<'m> {
     /// What was requested, forward.
     pub(super) fn forward(inliner: &mut Inliner, requested: Requested<'m>) -> Self {
         Self {
-            outputs: plain(inliner, &requested.scalars),
+            formulas: Formulas::new(inliner, &requested.scalars),
             scalars: requested.scalars,
             direction: requested.by_parameters.then_some(Direction::Forward),
         }
@@ -34,7 +35,7 @@ impl<'m> Choice<'m> {
 
     /// The results with the definitions as they are now.
     pub(super) fn renewed(&self, inliner: &mut Inliner) -> Vec<NodeId> {
-        plain(inliner, &self.scalars)
+        Formulas::new(inliner, &self.scalars).shared
     }
 
     /// Tries the other directions; the first of equals stays.
@@ -47,20 +48,20 @@ impl<'m> Choice<'m> {
         if self.direction.is_none() {
             return;
         }
-        let mut least = time_of(&inliner.target, &self.outputs);
+        let mut least = time_of(&inliner.target, &self.formulas.shared);
         for direction in [
             Direction::FromResults,
             Direction::FromUnknowns,
             Direction::Gradient,
         ] {
             let scalars = request(state, definition, direction).scalars;
-            let outputs = plain(inliner, &scalars);
-            let time = time_of(&inliner.target, &outputs);
+            let formulas = Formulas::new(inliner, &scalars);
+            let time = time_of(&inliner.target, &formulas.shared);
             if time < least {
                 least = time;
                 *self = Self {
                     scalars,
-                    outputs,
+                    formulas,
                     direction: Some(direction),
                 };
             }
@@ -68,12 +69,7 @@ impl<'m> Choice<'m> {
     }
 }
 
-fn plain(inliner: &mut Inliner, scalars: &[Ex]) -> Vec<NodeId> {
-    let outputs = lower::plain(inliner, scalars);
-    share_multiples(&inliner.target, &outputs)
-}
-
 /// What a call costs; what `assemble()` computes is free.
 fn time_of(graph: &Graph, outputs: &[NodeId]) -> u32 {
-    time(&schedule(graph, outputs, &mut Slots::default()))
+    time(&polished(schedule(graph, outputs, &mut Slots::default())))
 }

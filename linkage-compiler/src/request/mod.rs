@@ -9,11 +9,9 @@ mod signature;
 #[cfg(test)]
 mod tests;
 
-use linkage_symbolic::count::Count;
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::program::{Instruction, Program, Source};
 use linkage_symbolic::schedule::{Slots, schedule};
-use linkage_symbolic::stages::split;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
 use crate::algebra::{Algebra, Direction, Nominal};
@@ -21,10 +19,11 @@ use crate::close::Reference;
 use crate::diagnostic::Reporter;
 use crate::forces::Forces;
 use crate::formulate::{Formulation, Prepared, Version};
-use crate::lower::{GroupNodes, group_nodes, groups, plain, valued_angles};
+use crate::lower::{self, GroupNodes, group_nodes, groups, plain, valued_angles};
 use crate::model::EvaluatorDef;
 use crate::picture;
 use crate::unit::{Body, ContinuousAngle, Function, Picture, Unit};
+use crate::watch::Watch;
 
 use choice::Choice;
 
@@ -46,7 +45,12 @@ pub(crate) struct AtReference<'a> {
 
 /// Lowers all functions of the mechanism. An argument list that does not fit its quantities is reported, and a picture that
 /// cannot be drawn.
-pub(crate) fn unit<'m>(mut state: State<'_, 'm>, at: AtReference, reporter: &mut Reporter) -> Unit {
+pub(crate) fn unit<'m>(
+    mut state: State<'_, 'm>,
+    at: AtReference,
+    reporter: &mut Reporter,
+    watch: &mut dyn Watch,
+) -> Unit {
     let mechanism = state.algebra.mechanism;
     let formulation = state.formulation;
     let mut inliner = Inliner::default();
@@ -87,7 +91,7 @@ pub(crate) fn unit<'m>(mut state: State<'_, 'm>, at: AtReference, reporter: &mut
     let nodes = group_nodes(algebra, formulation, &mut inliner);
     let beside = beside(algebra, formulation, &mut inliner, &choices);
 
-    let outputs = choices.iter().flat_map(|choice| &choice.outputs);
+    let outputs = choices.iter().flat_map(|choice| &choice.formulas.shared);
     let outputs = outputs.chain(beside.iter().flatten().flatten());
     let of_groups: Vec<NodeId> = nodes.iter().flat_map(GroupNodes::all).collect();
     let others = gaps.iter().chain(&survey).chain(&of_groups);
@@ -101,7 +105,8 @@ pub(crate) fn unit<'m>(mut state: State<'_, 'm>, at: AtReference, reporter: &mut
     let graph = &inliner.target;
     let functions = choices.iter().enumerate().map(|(index, choice)| {
         let definition = &mechanism.evaluators[index];
-        let program = schedule(graph, &choice.outputs, &mut slots);
+        choice.formulas.show(graph, index, watch);
+        let program = schedule(graph, &choice.formulas.shared, &mut slots);
         let beside = beside[index].as_ref();
         let beside = beside.map(|outputs| schedule(graph, outputs, &mut slots));
         Function {
@@ -139,23 +144,14 @@ pub(crate) fn unit<'m>(mut state: State<'_, 'm>, at: AtReference, reporter: &mut
         ..signature::signature(algebra, formulation, at)
     };
     renumber(&mut unit, &angles);
-    // The loops of sweeps run stages.
-    for function in &mut unit.functions {
-        for body in [Some(&mut function.called), function.beside.as_mut()]
-            .into_iter()
-            .flatten()
-        {
-            body.stages = split(&body.program);
-        }
-    }
+    lower::polish(&mut unit, watch);
     unit
 }
 
 fn body(program: Program) -> Body {
     Body {
-        count: Count::of(&program),
-        stages: Vec::new(),
         program,
+        ..Body::default()
     }
 }
 
@@ -190,7 +186,7 @@ fn beside<'m>(
     define(Version::Beside);
     let renewed = choices.iter().map(|choice| {
         let own = choice.renewed(inliner);
-        Some(own).filter(|own| *own != choice.outputs)
+        Some(own).filter(|own| *own != choice.formulas.shared)
     });
     let outputs = renewed.collect();
     define(Version::Called);

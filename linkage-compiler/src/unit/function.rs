@@ -1,8 +1,8 @@
 //! One function of a mechanism: its programs and the numbers of its result.
 
 use linkage_symbolic::count::Count;
+use linkage_symbolic::passes::stages::Stage;
 use linkage_symbolic::program::Program;
-use linkage_symbolic::stages::Stage;
 
 use crate::model::Shape;
 
@@ -32,10 +32,11 @@ pub struct Function {
 }
 
 impl Function {
-    /// Its programs, to be changed.
-    pub(super) fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
-        let bodies = [Some(&mut self.called), self.beside.as_mut()];
-        bodies.into_iter().flatten().map(|body| &mut body.program)
+    /// What its calls run, to be changed.
+    pub(super) fn bodies_mut(&mut self) -> impl Iterator<Item = &mut Body> {
+        [Some(&mut self.called), self.beside.as_mut()]
+            .into_iter()
+            .flatten()
     }
 
     /// A sentence for the docs, a space in front, if there are derivatives by parameters.

@@ -80,9 +80,15 @@ impl Unit {
         self.prepare.outputs.len()
     }
 
+    /// What the calls of all functions run, to be changed.
+    pub(crate) fn bodies_mut(&mut self) -> impl Iterator<Item = &mut Body> {
+        self.functions.iter_mut().flat_map(Function::bodies_mut)
+    }
+
     /// Every program, to be changed.
     pub(crate) fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
-        let functions = self.functions.iter_mut().flat_map(Function::programs_mut);
+        let functions = self.functions.iter_mut().flat_map(Function::bodies_mut);
+        let functions = functions.map(|body| &mut body.program);
         let groups = self.coupled.iter_mut().flat_map(Coupled::programs_mut);
         let whole = [
             &mut self.prepare,

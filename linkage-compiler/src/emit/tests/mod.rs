@@ -80,24 +80,23 @@ fn a_user_function_takes_the_name_of_an_accessor() {
 
 #[test]
 fn sine_and_cosine_share_a_call() {
-    let sine = Instruction::Unary(Unary::Sin, Value(0));
-    let cosine = Instruction::Unary(Unary::Cos, Value(0));
-    let input = Instruction::Load(Source::Input(0));
-    let printed = |instructions: Vec<Instruction>| {
-        let program = Program {
-            instructions,
-            outputs: vec![],
-        };
+    let printed = |second: bool, outputs: &[usize]| {
+        let mut program = Program::default();
+        let angle = program.push(Instruction::Load(Source::Input(0)));
+        let sine = program.push(Instruction::SinCos(angle));
+        if second {
+            program.push(Instruction::Second(sine));
+        }
+        program.outputs = outputs.iter().map(|&k| Value(k)).collect();
         assert_eq!(Count::of(&program).sin_cos, 1);
         body::statements(&program, &|_| quote!(x)).to_string()
     };
-    let both = quote!(let __v0 = x; let (__v2, __v1) = T::sin_cos_with::<__FUSED>(__v0););
-    assert_eq!(printed(vec![input, cosine, sine]), both.to_string());
-    let one = quote!(let __v0 = x; let (_, __v1) = T::sin_cos_with::<__FUSED>(__v0););
-    assert_eq!(printed(vec![input, cosine]), one.to_string());
-    let twice =
-        quote!(let __v0 = x; let (__v1, _) = T::sin_cos_with::<__FUSED>(__v0); let __v2 = __v1;);
-    assert_eq!(printed(vec![input, sine, sine]), twice.to_string());
+    let both = quote!(let __v0 = x; let (__v1, __v2) = T::sin_cos_with::<__FUSED>(__v0););
+    assert_eq!(printed(true, &[1, 2]), both.to_string());
+    let cosine = quote!(let __v0 = x; let (_, __v2) = T::sin_cos_with::<__FUSED>(__v0););
+    assert_eq!(printed(true, &[2]), cosine.to_string());
+    let sine = quote!(let __v0 = x; let (__v1, _) = T::sin_cos_with::<__FUSED>(__v0););
+    assert_eq!(printed(false, &[1]), sine.to_string());
 }
 
 #[test]

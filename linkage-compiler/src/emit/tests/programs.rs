@@ -3,7 +3,7 @@
 use linkage_symbolic::program::{Binary, Instruction, Program, Source, Ternary, Unary, Value};
 
 use linkage_symbolic::count::Count;
-use linkage_symbolic::stages::split;
+use linkage_symbolic::passes::stages::split;
 
 use crate::model::Shape;
 use crate::unit::{Body, ContinuousAngle, Field, Function, Unit};

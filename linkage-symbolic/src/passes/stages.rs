@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::program::{Instruction, Program, Source, Unary, Value};
+use crate::program::{Instruction, Program, Source, Value};
 
 /// A part of a program.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +31,7 @@ const LOOP: usize = 8;
 
 /// Cuts `program` into stages, one if it is short.
 pub fn split(program: &Program) -> Vec<Stage> {
-    let program = together(program);
+    let program = loads_first(program);
     let last_uses = last_uses(&program);
     let mut stages = Vec::new();
     let mut carried = Vec::new();
@@ -124,25 +124,11 @@ impl Builder<'_> {
     }
 }
 
-/// The program with sine and cosine of an angle next to each other, the first of its loads and constants.
-fn together(program: &Program) -> Program {
-    let mut partners: BTreeMap<Value, Vec<usize>> = BTreeMap::new();
-    for (index, instruction) in program.instructions.iter().enumerate() {
-        if let Instruction::Unary(Unary::Sin | Unary::Cos, x) = instruction {
-            partners.entry(*x).or_default().push(index);
-        }
-    }
-    let free = (0..program.instructions.len()).filter(|&k| is_free(&program.instructions[k]));
-    let mut order: Vec<usize> = free.collect();
-    for (index, instruction) in program.instructions.iter().enumerate() {
-        match instruction {
-            Instruction::Unary(Unary::Sin | Unary::Cos, x) => {
-                order.extend(partners.remove(x).unwrap_or_default());
-            }
-            _ if !is_free(instruction) => order.push(index),
-            _ => {}
-        }
-    }
+/// The program with its loads and constants first.
+fn loads_first(program: &Program) -> Program {
+    let (free, others): (Vec<usize>, Vec<usize>) =
+        (0..program.instructions.len()).partition(|&k| is_free(&program.instructions[k]));
+    let order = [free, others].concat();
     let mut places = vec![Value(0); order.len()];
     for (place, &index) in order.iter().enumerate() {
         places[index] = Value(place);
@@ -208,20 +194,20 @@ fn alive(program: &Program, last_uses: &[usize]) -> Vec<usize> {
     alive
 }
 
-/// Whether a cut before `place` would separate a sine from its cosine.
+/// Whether a cut before `place` would separate a result from what computes it.
 fn splits_pair(program: &Program, place: usize) -> bool {
-    let angle = |index: usize| match program.instructions.get(index) {
-        Some(Instruction::Unary(Unary::Sin | Unary::Cos, x)) => Some(*x),
-        _ => None,
-    };
-    place > 0 && angle(place).is_some() && angle(place) == angle(place - 1)
+    matches!(
+        program.instructions.get(place),
+        Some(Instruction::Second(_))
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::interpret::run;
-    use crate::program::Binary;
+    use crate::passes::sine_pairs::pair;
+    use crate::program::{Binary, Unary};
 
     /// `x_(k+1) = x_k * x_k + x_(k-1)`, with a sine in between; every tenth value is a result.
     fn chain(length: usize) -> Program {
@@ -242,10 +228,10 @@ mod tests {
                 outputs.push(Value(index));
             }
         }
-        Program {
+        pair(Program {
             instructions,
             outputs,
-        }
+        })
     }
 
     /// All results, stage after stage.

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::program::{Binary, Instruction, Program, Unary, Value};
+use crate::program::{Binary, Instruction, Program, Value};
 
-/// Replaces the sine and cosine of an angle by `2 s c` and `1 - 2 s^2` where those of half the angle are computed anyway.
-pub(crate) fn share(program: Program) -> Program {
+/// Replaces the sine and cosine of an angle by `2 s c` and `1 - 2 s^2` where those of half the angle are computed anyway. They are
+/// rounded twice more.
+pub fn share(program: Program) -> Program {
     let halves = halves(&program);
     if halves.is_empty() {
         return program;
@@ -22,7 +23,7 @@ pub(crate) fn share(program: Program) -> Program {
     }
     let outputs = program.outputs.iter().map(|&x| builder.place(x));
     builder.program.outputs = outputs.collect();
-    builder.program
+    builder.program.without_unused()
 }
 
 /// An angle and what it is the double of: `-1` or `+1`, and the half.
@@ -34,12 +35,11 @@ fn halves(program: &Program) -> Halves {
         .instructions
         .iter()
         .filter_map(|instruction| match *instruction {
-            Instruction::Unary(Unary::Sin | Unary::Cos, x) => Some(x),
+            Instruction::SinCos(x) => Some(x),
             _ => None,
         })
         .collect();
     angles.sort_unstable();
-    angles.dedup();
     // `k` and `x` of `k x`.
     let multiple = |angle: Value| match program.instructions[angle.0] {
         Instruction::Binary(Binary::Mul, k, x) => match program.instructions[k.0] {
@@ -71,7 +71,7 @@ struct Builder<'a> {
     program: Program,
     /// Where values of the whole program are now.
     places: Vec<Option<Value>>,
-    /// Sine and cosine of angles that have a double.
+    /// Sine and cosine of angles, by angle of the whole program.
     pairs: BTreeMap<Value, [Value; 2]>,
 }
 
@@ -80,61 +80,68 @@ impl Builder<'_> {
         if let Some(place) = self.places[value.0] {
             return place;
         }
-        let instruction = self.whole.instructions[value.0];
-        let operands: Vec<Value> = instruction.operands().map(|x| self.place(x)).collect();
-        let place = match instruction {
-            Instruction::Unary(operation @ (Unary::Sin | Unary::Cos), angle)
-                if self.halves.contains_key(&angle) =>
-            {
-                self.double(operation, self.halves[&angle])
+        let place = match self.whole.instructions[value.0] {
+            Instruction::SinCos(angle) => self.pair(angle)[0],
+            Instruction::Second(pair) => {
+                let Instruction::SinCos(angle) = self.whole.instructions[pair.0] else {
+                    unreachable!("nothing else has two results");
+                };
+                self.pair(angle)[1]
             }
-            Instruction::Unary(operation @ (Unary::Sin | Unary::Cos), angle) => {
-                let is_half = self.halves.values().any(|(_, half)| *half == angle);
-                match is_half {
-                    true => self.pair(angle)[usize::from(operation == Unary::Cos)],
-                    false => self.push(Instruction::Unary(operation, operands[0])),
-                }
-            }
-            _ => {
+            instruction => {
+                let operands: Vec<Value> = instruction.operands().collect();
+                operands.iter().for_each(|&x| {
+                    self.place(x);
+                });
                 let places = &self.places;
                 let moved = instruction.with_operands(|x| places[x.0].unwrap_or(x));
-                self.push(moved)
+                self.program.push(moved)
             }
         };
         self.places[value.0] = Some(place);
         place
     }
 
-    /// Sine and cosine of an angle, each once.
+    /// Sine and cosine of an angle.
     fn pair(&mut self, angle: Value) -> [Value; 2] {
         if let Some(&pair) = self.pairs.get(&angle) {
             return pair;
         }
-        let operand = self.place(angle);
-        let pair = [Unary::Sin, Unary::Cos]
-            .map(|operation| self.push(Instruction::Unary(operation, operand)));
+        let pair = match self.halves.get(&angle) {
+            Some(&(sign, half)) => self.doubled(sign, half),
+            None => {
+                let operand = self.place(angle);
+                let sine = self.program.push(Instruction::SinCos(operand));
+                [sine, self.program.push(Instruction::Second(sine))]
+            }
+        };
         self.pairs.insert(angle, pair);
         pair
     }
 
-    fn double(&mut self, operation: Unary, (sign, half): (f64, Value)) -> Value {
+    /// Sine and cosine of the double of an angle, or of its opposite.
+    fn doubled(&mut self, sign: f64, half: Value) -> [Value; 2] {
         let [sin, cos] = self.pair(half);
-        let two = self.push(Instruction::Constant(match operation {
-            Unary::Sin => 2.0 * sign,
-            _ => 2.0,
-        }));
-        let twice = self.push(Instruction::Binary(Binary::Mul, two, sin));
-        if operation == Unary::Sin {
-            return self.push(Instruction::Binary(Binary::Mul, twice, cos));
-        }
-        let square = self.push(Instruction::Binary(Binary::Mul, twice, sin));
-        let one = self.push(Instruction::Constant(1.0));
-        self.push(Instruction::Binary(Binary::Sub, one, square))
+        let two = self.program.push(Instruction::Constant(2.0));
+        let twice = self.times(two, sin);
+        let signed = match sign < 0.0 {
+            false => twice,
+            true => {
+                let minus = self.program.push(Instruction::Constant(-2.0));
+                self.times(minus, sin)
+            }
+        };
+        let sine = self.times(signed, cos);
+        let square = self.times(twice, sin);
+        let one = self.program.push(Instruction::Constant(1.0));
+        let cosine = self
+            .program
+            .push(Instruction::Binary(Binary::Sub, one, square));
+        [sine, cosine]
     }
 
-    fn push(&mut self, instruction: Instruction) -> Value {
-        self.program.instructions.push(instruction);
-        Value(self.program.instructions.len() - 1)
+    fn times(&mut self, a: Value, b: Value) -> Value {
+        self.program.push(Instruction::Binary(Binary::Mul, a, b))
     }
 }
 
@@ -142,12 +149,13 @@ impl Builder<'_> {
 mod tests {
     use super::*;
     use crate::interpret::run;
-    use crate::program::Source;
+    use crate::passes::sine_pairs::pair;
+    use crate::program::{Source, Unary};
 
     /// Sines and cosines of `x` and of `k x`.
     fn program(k: f64) -> Program {
         let unary = |operation, x| Instruction::Unary(operation, Value(x));
-        Program {
+        pair(Program {
             instructions: vec![
                 Instruction::Load(Source::Input(0)),
                 unary(Unary::Cos, 0),
@@ -158,21 +166,12 @@ mod tests {
                 unary(Unary::Sin, 0),
             ],
             outputs: [1, 4, 5, 6].map(Value).to_vec(),
-        }
+        })
     }
 
     fn angles(program: &Program) -> usize {
-        let mut angles: Vec<Value> = program
-            .instructions
-            .iter()
-            .filter_map(|instruction| match instruction {
-                Instruction::Unary(Unary::Sin | Unary::Cos, x) => Some(*x),
-                _ => None,
-            })
-            .collect();
-        angles.sort_unstable();
-        angles.dedup();
-        angles.len()
+        let is_pair = |own: &&Instruction| matches!(own, Instruction::SinCos(_));
+        program.instructions.iter().filter(is_pair).count()
     }
 
     #[test]

@@ -4,7 +4,7 @@
 use crate::program::{Binary, Fused, Instruction, Program, Unary, Value};
 
 /// Replaces `a * b + c`, `a * b - c` and `c - a * b`, and removes the products that nobody uses any more.
-pub(crate) fn contract(mut program: Program) -> Program {
+pub fn contract(mut program: Program) -> Program {
     let known = arrival_times(&program);
     let exact = compared_with_zero(&program);
     for (index, exact) in exact.into_iter().enumerate() {
@@ -13,7 +13,7 @@ pub(crate) fn contract(mut program: Program) -> Program {
             program.instructions[index] = fused;
         }
     }
-    without_unused(program)
+    program.without_unused()
 }
 
 /// Divisors, and what only its size counts of: a determinant of parallel directions is 0 if both of its products are
@@ -75,32 +75,6 @@ fn arrival_times(program: &Program) -> Vec<u32> {
         known.push(latest.unwrap_or(0) + instruction.latency());
     }
     known
-}
-
-/// The program without values that no output depends on.
-fn without_unused(program: Program) -> Program {
-    let mut used = vec![false; program.instructions.len()];
-    for output in &program.outputs {
-        used[output.0] = true;
-    }
-    for (index, instruction) in program.instructions.iter().enumerate().rev() {
-        if used[index] {
-            instruction.operands().for_each(|x| used[x.0] = true);
-        }
-    }
-    let mut places = Vec::with_capacity(used.len());
-    let mut instructions = Vec::new();
-    for (instruction, used) in program.instructions.into_iter().zip(used) {
-        places.push(Value(instructions.len()));
-        if used {
-            instructions.push(instruction.with_operands(|x| places[x.0]));
-        }
-    }
-    let outputs = program.outputs.iter().map(|x| places[x.0]).collect();
-    Program {
-        instructions,
-        outputs,
-    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,91 @@
+//! The passes of lowering by name, in order: on formulas, on the programs of the whole unit, on the functions.
+//!
+//! Formulas become programs between the first and the second list ([`schedule`](linkage_symbolic::schedule)).
+
+use linkage_symbolic::count::Count;
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::passes::{PASSES, stages};
+use linkage_symbolic::schedule::schedule_whole;
+use linkage_symbolic::{Ex, Graph, NodeId, share_multiples};
+
+use crate::unit::Unit;
+use crate::watch::Watch;
+
+use super::plain;
+
+/// The values of a function in a plain graph, after each pass of formulas.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Formulas {
+    inlined: Vec<NodeId>,
+    /// What is scheduled.
+    pub(crate) shared: Vec<NodeId>,
+}
+
+impl Formulas {
+    /// `inline`, then `share multiples`, in the inliner's plain graph.
+    pub(crate) fn new(inliner: &mut Inliner, scalars: &[Ex]) -> Self {
+        let inlined = plain(inliner, scalars);
+        let shared = share_multiples(&inliner.target, &inlined);
+        Self { inlined, shared }
+    }
+
+    /// Shows them as programs.
+    pub(crate) fn show(&self, graph: &Graph, function: usize, watch: &mut dyn Watch) {
+        for (name, nodes) in [("inline", &self.inlined), ("share multiples", &self.shared)] {
+            watch.pass(name, function, &|| schedule_whole(graph, nodes));
+        }
+    }
+}
+
+/// A step from unit to unit.
+struct Pass {
+    name: &'static str,
+    run: fn(&mut Unit),
+}
+
+/// What only the bodies of functions are made to: behind the passes of programs.
+const OF_FUNCTIONS: [Pass; 2] = [
+    // The loops of sweeps run stages.
+    Pass {
+        name: "split",
+        run: |unit| {
+            for body in unit.bodies_mut() {
+                body.stages = stages::split(&body.program);
+            }
+        },
+    },
+    Pass {
+        name: "count",
+        run: |unit| {
+            for body in unit.bodies_mut() {
+                body.count = Count::of(&body.program);
+            }
+        },
+    },
+];
+
+/// Runs all passes on all programs.
+pub(crate) fn polish(unit: &mut Unit, watch: &mut dyn Watch) {
+    look(unit, "schedule", watch);
+    for pass in PASSES {
+        for program in unit.programs_mut() {
+            *program = (pass.run)(std::mem::take(program));
+        }
+        look(unit, pass.name, watch);
+    }
+    for pass in OF_FUNCTIONS {
+        (pass.run)(unit);
+        look(unit, pass.name, watch);
+    }
+}
+
+/// Shows the functions, and in debug builds checks all programs.
+fn look(unit: &mut Unit, name: &'static str, watch: &mut dyn Watch) {
+    if cfg!(debug_assertions) {
+        let mistake = unit.programs_mut().find_map(|program| program.mistake());
+        assert!(mistake.is_none(), "after {name}: {mistake:?}");
+    }
+    for (index, function) in unit.functions.iter().enumerate() {
+        watch.pass(name, index, &|| function.called.program.clone());
+    }
+}

@@ -1,0 +1,46 @@
+//! What is made of a scheduled program, step by step. Each pass keeps what the program computes; its name stands in dumps.
+
+pub mod contract;
+pub mod double_angles;
+pub mod reciprocals;
+pub mod sine_pairs;
+pub mod stages;
+
+use crate::program::Program;
+
+/// A step from program to program.
+#[derive(Clone, Copy, Debug)]
+pub struct Pass {
+    /// For dumps.
+    pub name: &'static str,
+    /// The program that computes the same.
+    pub run: fn(Program) -> Program,
+}
+
+/// All passes, in order: what a program is polished by before it is printed.
+pub const PASSES: &[Pass] = &[
+    Pass {
+        name: "reciprocals",
+        run: reciprocals::share,
+    },
+    Pass {
+        name: "sine pairs",
+        run: sine_pairs::pair,
+    },
+    Pass {
+        name: "double angles",
+        run: double_angles::share,
+    },
+    // Last: the others look at products and sums.
+    Pass {
+        name: "contract",
+        run: contract::contract,
+    },
+];
+
+/// A program after all passes.
+pub fn polished(program: Program) -> Program {
+    PASSES
+        .iter()
+        .fold(program, |program, pass| (pass.run)(program))
+}
