@@ -8,7 +8,7 @@ use crate::program::{Binary, Ternary};
 
 /// Copies nodes of one graph into another without definitions, simplifying anew: factors of a link's length that
 /// cancel against the solution for that link do so here.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Inliner {
     /// The plain graph: its symbols all have sources.
     pub target: Graph,

@@ -4,29 +4,74 @@ use crate::graph::{Binding, Graph, Node, NodeId};
 use crate::program::{Binary, Instruction, Program, Source, Unary, Value};
 use crate::unordered::Map;
 
-/// The values that `assemble()` computes for all evaluators of a mechanism.
+/// The values that `assemble()` computes for all evaluators of a mechanism, in a graph of their own: equal values of different graphs
+/// are one slot.
 #[derive(Debug, Default)]
 pub struct Slots {
+    graph: Graph,
     nodes: Vec<NodeId>,
     index: Map<NodeId, usize>,
+    /// Where values of the graph that is scheduled now are in the own one.
+    copied: Map<NodeId, NodeId>,
 }
 
 impl Slots {
-    fn slot(&mut self, node: NodeId) -> usize {
-        *self.index.entry(node).or_insert_with(|| {
-            self.nodes.push(node);
+    fn slot(&mut self, source: &Graph, node: NodeId) -> usize {
+        let own = self.copy(source, node);
+        *self.index.entry(own).or_insert_with(|| {
+            self.nodes.push(own);
             self.nodes.len() - 1
         })
     }
 
+    /// The same operations in the own graph, as they are: to simplify anew would round differently beside other values.
+    fn copy(&mut self, source: &Graph, root: NodeId) -> NodeId {
+        let mut stack = vec![root];
+        while let Some(&id) = stack.last() {
+            let node = source.node(id);
+            let waiting = stack.len();
+            stack.extend(node.operands().filter(|x| !self.copied.contains_key(x)));
+            if stack.len() == waiting {
+                let copy = self.copy_operation(source, node);
+                self.copied.insert(id, copy);
+                stack.pop();
+            }
+        }
+        self.copied[&root]
+    }
+
+    /// An operation of values that are copied already.
+    fn copy_operation(&self, source: &Graph, node: Node) -> NodeId {
+        let new = |x: NodeId| self.copied[&x];
+        let mut own = self.graph.store_mut();
+        match node {
+            Node::Constant(_) => own.intern(node),
+            Node::Symbol(symbol) => {
+                let place = source.symbol(symbol).source;
+                own.source(place.expect("symbols of a plain graph have sources"))
+            }
+            Node::Unary(op, a) => own.intern(Node::Unary(op, new(a))),
+            Node::Binary(op, a, b) => {
+                let (mut a, mut b) = (new(a), new(b));
+                // Which operand is first follows from the graph; equal values must be one slot.
+                if matches!(op, Binary::Add | Binary::Mul) && b < a {
+                    (a, b) = (b, a);
+                }
+                own.intern(Node::Binary(op, a, b))
+            }
+            Node::Ternary(op, a, b, c) => own.intern(Node::Ternary(op, new(a), new(b), new(c))),
+        }
+    }
+
     /// The program that computes all slots.
-    pub fn prepare(&self, graph: &Graph) -> Program {
-        schedule_whole(graph, &self.nodes)
+    pub fn prepare(&self) -> Program {
+        schedule_whole(&self.graph, &self.nodes)
     }
 }
 
 /// The program for `outputs` at a call: what is known earlier comes from slots, what no output needs is not in it.
 pub fn schedule(graph: &Graph, outputs: &[NodeId], slots: &mut Slots) -> Program {
+    slots.copied.clear();
     Scheduler::new(graph, Some(slots)).run(outputs)
 }
 
@@ -111,7 +156,7 @@ impl<'a> Scheduler<'a> {
         if self.is_slot(id)
             && let Some(slots) = self.slots.as_mut()
         {
-            let slot = slots.slot(id);
+            let slot = slots.slot(self.graph, id);
             return self.program.push(Instruction::Load(Source::Prepared(slot)));
         }
         let instruction = match self.operation(id) {

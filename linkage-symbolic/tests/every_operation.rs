@@ -128,7 +128,7 @@ fn programs_compute_what_graphs_say() {
     let target = &inliner.target;
     let mut slots = Slots::default();
     let program = schedule(target, &copies, &mut slots);
-    let prepare = slots.prepare(target);
+    let prepare = slots.prepare();
     for (x, p) in [(0.4, 0.7), (0.1, -0.3), (-0.2, 0.9)] {
         let expected = evaluate(&own, load(x, p));
         let whole = run(&schedule_whole(target, &copies), load(x, p));

@@ -94,7 +94,7 @@ fn a_slice_contains_what_its_outputs_need() {
             .instructions
             .contains(&Instruction::Load(Source::Input(1)))
     );
-    assert_eq!(slots.prepare(&g).outputs.len(), 1);
+    assert_eq!(slots.prepare().outputs.len(), 1);
     let staged = schedule_whole(&g, &[first, second]);
     // A prefix computes the first output.
     assert_eq!(staged.outputs, [Value(2), Value(4)]);

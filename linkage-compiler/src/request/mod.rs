@@ -1,5 +1,6 @@
 //! What functions ask for, and the unit that computes it: quantities as expressions, directions of sensitivities, programs.
 
+mod alone;
 mod choice;
 mod columns;
 mod fields;
@@ -10,7 +11,7 @@ mod signature;
 mod tests;
 
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::program::{Instruction, Program, Source};
+use linkage_symbolic::program::{Instruction, Source};
 use linkage_symbolic::schedule::{Slots, schedule};
 use linkage_symbolic::{Ex, NodeId, Vn};
 
@@ -18,14 +19,13 @@ use crate::algebra::{Algebra, Direction, Nominal};
 use crate::close::Reference;
 use crate::diagnostic::Reporter;
 use crate::forces::Forces;
-use crate::formulate::{Formulation, Prepared, Version};
+use crate::formulate::Formulation;
 use crate::lower::{self, GroupNodes, group_nodes, groups, plain, valued_angles};
 use crate::model::EvaluatorDef;
-use crate::picture;
-use crate::unit::{Body, ContinuousAngle, Function, Picture, Unit};
+use crate::unit::{ContinuousAngle, Function, Unit};
 use crate::watch::Watch;
 
-use choice::Choice;
+use alone::Alone;
 
 /// A formulated mechanism, in which functions are asked for.
 pub(crate) struct State<'a, 'm> {
@@ -51,76 +51,49 @@ pub(crate) fn unit<'m>(
     reporter: &mut Reporter,
     watch: &mut dyn Watch,
 ) -> Unit {
-    let mechanism = state.algebra.mechanism;
-    let formulation = state.formulation;
     let mut inliner = Inliner::default();
-    let functions = &mechanism.evaluators;
-    let drawn = functions
-        .iter()
-        .position(|own| own.asked_picture().is_some());
-    let mut choices = vec![Choice::default(); functions.len()];
-    let others = (0..choices.len()).filter(|index| Some(*index) != drawn);
-    for index in others.clone() {
-        let definition = &functions[index];
-        let requested = quantity::request(&mut state, definition, Direction::Forward);
-        needs::check_inputs(state.algebra, definition, &requested, reporter);
-        choices[index] = Choice::forward(&mut inliner, requested);
-    }
+    let closed = state.formulation.groups.iter().flat_map(|group| {
+        let all = group.group.unknowns.iter();
+        let all = all.flat_map(|&unknown| state.algebra.names.numbers_of(unknown));
+        all.chain([group.closed.gap]).collect::<Vec<_>>()
+    });
+    plain(&mut inliner, &closed.collect::<Vec<_>>());
+    let functions = state.algebra.mechanism.evaluators.iter();
+    let all: Vec<Alone> = functions
+        .map(|definition| Alone::new(&mut state, at, &inliner, definition, reporter))
+        .collect();
+    let State {
+        algebra,
+        formulation,
+        ..
+    } = state;
     let gaps = formulation.groups.iter().map(|group| group.closed.gap);
     let gaps = plain(&mut inliner, &gaps.collect::<Vec<_>>());
-    let survey = plain(&mut inliner, &survey(state.algebra, formulation));
-    // Late, so that one function's other directions change nothing for the others.
-    for index in others {
-        choices[index].improve(&mut state, &mut inliner, &functions[index]);
-    }
-    // Last, so that a picture changes nothing for the functions beside it.
-    let mut picture = None;
-    if let Some(index) = drawn {
-        let definition = &functions[index];
-        picture = draw(&mut state, at, definition, reporter);
-        let requested = quantity::request(&mut state, definition, Direction::Forward);
-        // What a picture needs that could not be found is not known.
-        if !state.drawn.is_empty() {
-            needs::check_inputs(state.algebra, definition, &requested, reporter);
-        }
-        choices[index] = Choice::forward(&mut inliner, requested);
-        choices[index].improve(&mut state, &mut inliner, definition);
-    }
-
-    let algebra = state.algebra;
+    let survey = plain(&mut inliner, &survey(algebra, formulation));
     let nodes = group_nodes(algebra, formulation, &mut inliner);
-    let beside = beside(algebra, formulation, &mut inliner, &choices);
 
-    let outputs = choices.iter().flat_map(|choice| &choice.formulas.shared);
-    let outputs = outputs.chain(beside.iter().flatten().flatten());
-    let of_groups: Vec<NodeId> = nodes.iter().flat_map(GroupNodes::all).collect();
-    let others = gaps.iter().chain(&survey).chain(&of_groups);
-    let all: Vec<NodeId> = outputs.chain(others).copied().collect();
-    let angles = formulation.in_order(algebra, valued_angles(&inliner.target, &all));
+    let of_groups = nodes.iter().flat_map(GroupNodes::all);
+    let own: Vec<NodeId> = gaps
+        .iter()
+        .chain(&survey)
+        .copied()
+        .chain(of_groups)
+        .collect();
+    let mut angles = valued_angles(&inliner.target, &own);
+    angles.extend(all.iter().flat_map(Alone::valued_angles));
+    angles.sort_unstable();
+    angles.dedup();
+    let angles = formulation.in_order(algebra, angles);
     let units = angles.iter().map(|&angle| algebra.names.angles[angle].unit);
     let units: Vec<Ex> = units.flat_map(|unit| unit.components()).collect();
     let units = plain(&mut inliner, &units);
 
     let mut slots = Slots::default();
     let graph = &inliner.target;
-    let functions = choices.iter().enumerate().map(|(index, choice)| {
-        let definition = &mechanism.evaluators[index];
-        choice.formulas.show(graph, index, watch);
-        let program = schedule(graph, &choice.formulas.shared, &mut slots);
-        let beside = beside[index].as_ref();
-        let beside = beside.map(|outputs| schedule(graph, outputs, &mut slots));
-        Function {
-            name: definition.name.clone(),
-            arguments: definition.inputs.clone(),
-            states: states(&program),
-            called: body(program),
-            beside: beside.map(body),
-            fields: fields::fields(mechanism, definition, picture.as_ref()),
-            columns: columns::columns(mechanism, definition, picture.as_ref()),
-            sensitivities: choice.direction.map(Direction::words),
-        }
-    });
-    let functions = functions.collect();
+    let picture = all.iter().find_map(|own| own.picture.clone());
+    let functions = all.into_iter().enumerate();
+    let functions = functions.map(|(index, own)| own.function(algebra, index, &mut slots, watch));
+    let functions: Vec<Function> = functions.collect();
     let mut coupled = groups(algebra, formulation, at.nominal, &nodes, |nodes| {
         schedule(graph, nodes, &mut slots)
     });
@@ -135,7 +108,7 @@ pub(crate) fn unit<'m>(
         gaps: schedule(graph, &gaps, &mut slots),
         survey: schedule(graph, &survey, &mut slots),
         directions: schedule(graph, &units, &mut slots),
-        prepare: slots.prepare(graph),
+        prepare: slots.prepare(),
         angles: angles
             .iter()
             .map(|&k| continuous(algebra, at.nominal, k))
@@ -148,51 +121,6 @@ pub(crate) fn unit<'m>(
     unit
 }
 
-fn body(program: Program) -> Body {
-    Body {
-        program,
-        ..Body::default()
-    }
-}
-
-/// What a function's picture shows; a mechanism that does not close has none.
-fn draw<'m>(
-    state: &mut State<'_, 'm>,
-    at: AtReference,
-    definition: &'m EvaluatorDef,
-    reporter: &mut Reporter,
-) -> Option<Picture> {
-    let asked = definition.asked_picture().filter(|_| at.reference.closed)?;
-    let found = picture::find(state.algebra, at.reference, at.nominal, asked, reporter);
-    state.drawn = found.vectors;
-    Some(found.picture)
-}
-
-/// The results of functions that use a table, for dimensions, derivatives or digits that the table does not know.
-fn beside<'m>(
-    algebra: &Algebra<'m>,
-    formulation: &Formulation<'m>,
-    inliner: &mut Inliner,
-    choices: &[Choice<'m>],
-) -> Vec<Option<Vec<NodeId>>> {
-    if !formulation.prepared().any(Prepared::has_table) {
-        return vec![None; choices.len()];
-    }
-    let define = |version| {
-        for prepared in formulation.prepared() {
-            prepared.define(algebra.graph, version);
-        }
-    };
-    define(Version::Beside);
-    let renewed = choices.iter().map(|choice| {
-        let own = choice.renewed(inliner);
-        Some(own).filter(|own| *own != choice.formulas.shared)
-    });
-    let outputs = renewed.collect();
-    define(Version::Called);
-    outputs
-}
-
 /// See [`Unit::survey`].
 fn survey<'m>(algebra: &Algebra<'m>, formulation: &Formulation<'m>) -> Vec<Ex<'m>> {
     let margins = formulation.groups.iter().map(|group| group.closed.margin);
@@ -201,20 +129,6 @@ fn survey<'m>(algebra: &Algebra<'m>, formulation: &Formulation<'m>) -> Vec<Ex<'m
     let found = unknowns.filter(|&k| formulation.last_group_with(k).is_some());
     let places = found.flat_map(|unknown| algebra.names.numbers_of(unknown));
     std::iter::once(least).chain(places).collect()
-}
-
-/// The coupled groups whose prepared states a program loads.
-fn states(program: &Program) -> Vec<usize> {
-    let loads = program.instructions.iter();
-    let mut groups: Vec<usize> = loads
-        .filter_map(|instruction| match instruction {
-            Instruction::Load(Source::State(group, _)) => Some(*group),
-            _ => None,
-        })
-        .collect();
-    groups.sort_unstable();
-    groups.dedup();
-    groups
 }
 
 /// The results of one function as expressions of the undigested graph.

@@ -1,5 +1,6 @@
 //! Sensitivities are the same in every direction, for every kind of group.
 
+mod alone;
 mod forces;
 mod space;
 mod units;

@@ -1,0 +1,146 @@
+//! One function in a plain graph of its own, as if no other stood beside it: what others ask for changes nothing in its code.
+
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::program::{Instruction, Program, Source};
+use linkage_symbolic::schedule::{Slots, schedule};
+use linkage_symbolic::{Graph, NodeId};
+
+use crate::algebra::{Algebra, Direction};
+use crate::diagnostic::Reporter;
+use crate::formulate::{Formulation, Prepared, Version};
+use crate::lower::{Formulas, valued_angles};
+use crate::model::EvaluatorDef;
+use crate::picture;
+use crate::unit::{Body, Function, Picture};
+use crate::watch::Watch;
+
+use super::choice::Choice;
+use super::{AtReference, State, columns, fields, needs, quantity};
+
+/// A function before it is scheduled.
+#[derive(Debug, Default)]
+pub(super) struct Alone {
+    graph: Graph,
+    formulas: Formulas,
+    /// The results for dimensions, derivatives or digits that a table does not know, if they differ.
+    beside: Option<Vec<NodeId>>,
+    direction: Option<Direction>,
+    /// What it shows, if it asks for a picture.
+    pub(super) picture: Option<Picture>,
+}
+
+impl Alone {
+    /// Finds the values of a function. An argument list that does not fit them is reported, and a picture that cannot be drawn.
+    pub(super) fn new<'m>(
+        state: &mut State<'_, 'm>,
+        at: AtReference,
+        inliner: &Inliner,
+        definition: &'m EvaluatorDef,
+        reporter: &mut Reporter,
+    ) -> Self {
+        let formulation = state.formulation;
+        let mut forces = state.forces.clone();
+        state.algebra.tried(|algebra| {
+            let own = &mut State {
+                algebra,
+                forces: &mut forces,
+                formulation,
+                drawn: Vec::new(),
+            };
+            let asked = definition.asked_picture();
+            // A mechanism that does not close has no picture.
+            let picture = asked.filter(|_| at.reference.closed).map(|asked| {
+                let found = picture::find(own.algebra, at.reference, at.nominal, asked, reporter);
+                own.drawn = found.vectors;
+                found.picture
+            });
+            let requested = quantity::request(own, definition, Direction::Forward);
+            // What a picture needs that could not be found is not known.
+            if asked.is_none() || !own.drawn.is_empty() {
+                needs::check_inputs(own.algebra, definition, &requested, reporter);
+            }
+            let mut inliner = inliner.clone();
+            let mut choice = Choice::forward(&mut inliner, requested);
+            choice.improve(own, &mut inliner, definition);
+            let beside = beside(own.algebra, formulation, &mut inliner, &choice);
+            Self {
+                beside,
+                picture,
+                formulas: choice.formulas,
+                direction: choice.direction,
+                graph: inliner.target,
+            }
+        })
+    }
+
+    /// The angles whose values it is computed from.
+    pub(super) fn valued_angles(&self) -> Vec<usize> {
+        let beside = self.beside.iter().flatten();
+        let all: Vec<NodeId> = self.formulas.shared.iter().chain(beside).copied().collect();
+        valued_angles(&self.graph, &all)
+    }
+
+    /// The function, which shares prepared slots with others.
+    pub(super) fn function(
+        self,
+        algebra: &Algebra,
+        index: usize,
+        slots: &mut Slots,
+        watch: &mut dyn Watch,
+    ) -> Function {
+        let definition = &algebra.mechanism.evaluators[index];
+        self.formulas.show(&self.graph, index, watch);
+        let program = schedule(&self.graph, &self.formulas.shared, slots);
+        let beside = self.beside.as_ref();
+        let beside = beside.map(|outputs| schedule(&self.graph, outputs, slots));
+        let picture = self.picture.as_ref();
+        Function {
+            name: definition.name.clone(),
+            arguments: definition.inputs.clone(),
+            states: states(&program),
+            called: body(program),
+            beside: beside.map(body),
+            fields: fields::fields(algebra.mechanism, definition, picture),
+            columns: columns::columns(algebra.mechanism, definition, picture),
+            sensitivities: self.direction.map(Direction::words),
+        }
+    }
+}
+
+fn body(program: Program) -> Body {
+    Body {
+        program,
+        ..Body::default()
+    }
+}
+
+/// The results for dimensions, derivatives or digits that the tables do not know.
+fn beside<'m>(
+    algebra: &Algebra<'m>,
+    formulation: &Formulation<'m>,
+    inliner: &mut Inliner,
+    choice: &Choice<'m>,
+) -> Option<Vec<NodeId>> {
+    if !formulation.prepared().any(Prepared::has_table) {
+        return None;
+    }
+    for prepared in formulation.prepared() {
+        prepared.define(algebra.graph, Version::Beside);
+    }
+    let own = choice.renewed(inliner);
+    Some(own).filter(|own| *own != choice.formulas.shared)
+}
+
+/// The coupled groups whose prepared states a program loads.
+fn states(program: &Program) -> Vec<usize> {
+    let loads = program.instructions.iter();
+    let mut groups: Vec<usize> = loads
+        .filter_map(|instruction| match instruction {
+            Instruction::Load(Source::State(group, _)) => Some(*group),
+            _ => None,
+        })
+        .collect();
+    groups.sort_unstable();
+    groups.dedup();
+    groups
+}
