@@ -23,12 +23,12 @@ mod multiples;
 mod operation;
 mod polynomial;
 mod probe;
-mod products;
 pub mod program;
+pub mod rules;
 pub mod schedule;
 pub mod stages;
 mod substitute;
-mod sums;
+mod terms;
 pub mod unordered;
 mod vector;
 
