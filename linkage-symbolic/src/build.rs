@@ -1,10 +1,8 @@
-//! Constructors: every operation is simplified where that is certain and cheap, then interned.
-//!
-//! The rules keep results exact or more exact: they fold constants, drop neutral elements, cancel equal terms, pull signs
-//! outwards and gather what depends on parameters alone, so that it moves to `assemble()`.
+//! Constructors: every operation is simplified where a rule of [`rules`] says how, then interned.
 
 use crate::graph::{Node, NodeId, Store};
-use crate::program::{Binary, Ternary, Unary};
+use crate::operation::{Binary, Ternary, Unary};
+use crate::rules;
 
 impl Store {
     /// A number.
@@ -24,120 +22,98 @@ impl Store {
         self.constant(1.0)
     }
 
-    /// True for the constant 0.
-    pub(crate) fn is_zero(&self, id: NodeId) -> bool {
-        self.constant_value(id) == Some(0.0)
-    }
-
-    pub(crate) fn is_one(&self, id: NodeId) -> bool {
-        self.constant_value(id) == Some(1.0)
-    }
-
-    /// `x` of `-x`, also of a negative constant.
-    pub(crate) fn negated(&mut self, id: NodeId) -> Option<NodeId> {
-        match self.node(id) {
-            Node::Unary(Unary::Neg, x) => Some(x),
-            Node::Constant(bits) if f64::from_bits(bits) < 0.0 => {
-                Some(self.constant(-f64::from_bits(bits)))
-            }
-            _ => None,
-        }
-    }
-
-    pub(crate) fn product(&self, id: NodeId) -> Option<(NodeId, NodeId)> {
-        match self.node(id) {
-            Node::Binary(Binary::Mul, a, b) => Some((a, b)),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn quotient(&self, id: NodeId) -> Option<(NodeId, NodeId)> {
-        match self.node(id) {
-            Node::Binary(Binary::Div, a, b) => Some((a, b)),
-            _ => None,
-        }
-    }
-
     /// Any unary operation.
     pub(crate) fn unary(&mut self, op: Unary, a: NodeId) -> NodeId {
-        if let Some(value) = self.constant_value(a) {
-            return self.constant(op.apply([value]));
-        }
-        match op {
-            Unary::Neg => self.neg(a),
-            Unary::Abs => self.abs(a),
-            Unary::Sin | Unary::Tan | Unary::Asin | Unary::Atan => match self.negated(a) {
-                Some(x) => {
-                    let value = self.intern(Node::Unary(op, x));
-                    self.neg(value)
-                }
-                None => self.intern(Node::Unary(op, a)),
-            },
-            Unary::Cos => {
-                let x = self.negated(a).unwrap_or(a);
-                self.intern(Node::Unary(op, x))
-            }
-            Unary::Sqrt => match self.product(a) {
-                Some((x, y)) if x == y => self.abs(x),
-                _ => self.intern(Node::Unary(op, a)),
-            },
-            _ => self.intern(Node::Unary(op, a)),
+        match rules::first(rules::of_unary(op), self, op, [a]) {
+            Some(simpler) => simpler,
+            None => self.intern(Node::Unary(op, a)),
         }
     }
 
     /// Any binary operation.
     pub(crate) fn binary(&mut self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
-        match op {
-            Binary::Add => self.add(a, b),
-            Binary::Sub => self.sub(a, b),
-            Binary::Mul => self.mul(a, b),
-            Binary::Div => self.div(a, b),
-            Binary::Hypot => self.hypot(a, b),
-            _ => self.fold(op, a, b),
+        // Rules of products find the factor that is known earlier in front.
+        let operands = match op {
+            Binary::Mul if self.binding(b) < self.binding(a) => [b, a],
+            _ => [a, b],
+        };
+        match rules::first(rules::of_binary(op), self, op, operands) {
+            Some(simpler) => simpler,
+            None => self.plain_binary(op, operands),
         }
     }
 
     /// Any ternary operation.
     pub(crate) fn ternary(&mut self, op: Ternary, a: NodeId, b: NodeId, c: NodeId) -> NodeId {
-        let values = [a, b, c].map(|x| self.constant_value(x));
-        match (op, values) {
-            (_, [Some(x), Some(y), Some(z)]) => self.constant(op.apply([x, y, z])),
-            (Ternary::Select, [Some(s), ..]) => {
-                if s.is_nan() {
-                    a
-                } else if s >= 0.0 {
-                    b
-                } else {
-                    c
-                }
-            }
-            (Ternary::Select, _) if b == c => b,
-            _ => self.intern(Node::Ternary(op, a, b, c)),
+        match rules::first(rules::of_ternary(op), self, op, [a, b, c]) {
+            Some(simpler) => simpler,
+            None => self.intern(Node::Ternary(op, a, b, c)),
         }
     }
 
-    pub(crate) fn fold(&mut self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
-        match (self.constant_value(a), self.constant_value(b)) {
-            (Some(x), Some(y)) => self.constant(op.apply([x, y])),
+    /// A sum or product of rates.
+    pub(crate) fn of_rates(&mut self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
+        match rules::first(rules::of_rates(op), self, op, [a, b]) {
+            Some(simpler) => simpler,
+            None => self.binary(op, a, b),
+        }
+    }
+
+    /// A choice between values whose definitions are known.
+    pub(crate) fn inlined_ternary(&mut self, op: Ternary, [a, b, c]: [NodeId; 3]) -> NodeId {
+        match rules::first(rules::of_inlined(op), self, op, [a, b, c]) {
+            Some(simpler) => simpler,
+            None => self.ternary(op, a, b, c),
+        }
+    }
+
+    /// The operation itself; operands that may change places stand in one order.
+    fn plain_binary(&mut self, op: Binary, [a, b]: [NodeId; 2]) -> NodeId {
+        match op {
+            Binary::Mul => self.plain_product(a, b),
+            Binary::Add | Binary::Hypot => self.intern(Node::Binary(op, a.min(b), a.max(b))),
             _ => self.intern(Node::Binary(op, a, b)),
         }
     }
 
-    /// Interns a commutative operation with its operands in canonical order.
-    pub(crate) fn commute(&mut self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
-        self.fold(op, a.min(b), a.max(b))
+    /// `a * b` as it is. Products keep the factor that is known earlier in front.
+    pub(crate) fn plain_product(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        let key = |g: &Store, x: NodeId| (g.binding(x), x);
+        let (a, b) = if key(self, b) < key(self, a) {
+            (b, a)
+        } else {
+            (a, b)
+        };
+        self.intern(Node::Binary(Binary::Mul, a, b))
     }
 
-    /// `sqrt(a^2 + b^2)`
-    pub(crate) fn hypot(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        if self.is_zero(a) {
-            return self.abs(b);
-        }
-        if self.is_zero(b) {
-            return self.abs(a);
-        }
-        let a = self.negated(a).unwrap_or(a);
-        let b = self.negated(b).unwrap_or(b);
-        self.commute(Binary::Hypot, a, b)
+    /// `-a`
+    pub(crate) fn neg(&mut self, a: NodeId) -> NodeId {
+        self.unary(Unary::Neg, a)
+    }
+
+    /// `|a|`
+    pub(crate) fn abs(&mut self, a: NodeId) -> NodeId {
+        self.unary(Unary::Abs, a)
+    }
+
+    /// `a + b`
+    pub(crate) fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Add, a, b)
+    }
+
+    /// `a - b`
+    pub(crate) fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Sub, a, b)
+    }
+
+    /// `a * b`
+    pub(crate) fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Mul, a, b)
+    }
+
+    /// `a / b`
+    pub(crate) fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Div, a, b)
     }
 }

@@ -3,7 +3,7 @@
 use crate::unordered::Map;
 
 use crate::expression::Ex;
-use crate::graph::{Binding, Graph, Node, NodeId, SymbolId};
+use crate::graph::{Graph, Node, NodeId, SymbolId};
 use crate::operation::{Binary, Ternary, Unary};
 
 /// Derivatives already known: of a node, by a symbol.
@@ -117,8 +117,8 @@ fn arc_rule<'g>(a: Ex<'g>, da: Ex<'g>) -> Ex<'g> {
 /// The rate of `y`, an operation of `a` and `b`.
 fn binary_rule<'g>(op: Binary, y: Ex<'g>, [a, b]: [Ex<'g>; 2], [da, db]: [Ex<'g>; 2]) -> Ex<'g> {
     match op {
-        Binary::Add | Binary::Sub => rate_times_sum(op, da, db),
-        Binary::Mul => times_rate(b, da) + times_rate(a, db),
+        Binary::Add | Binary::Sub => of_rates(op, da, db),
+        Binary::Mul => of_rates(op, b, da) + of_rates(op, a, db),
         Binary::Div => (da - y * db) / b,
         Binary::Atan2 => argument_rule([a, b], [da, db]),
         Binary::Hypot => (a * da + b * db) / y,
@@ -142,61 +142,9 @@ fn argument_rule<'g>([y, x]: [Ex<'g>; 2], [dy, dx]: [Ex<'g>; 2]) -> Ex<'g> {
     numerator / (x.square() + y.square())
 }
 
-/// `p (r x)` as `r (p x)` where `p x` is known already: the vector of a link, whose direction `x` is.
-fn times_rate<'g>(p: Ex<'g>, rate: Ex<'g>) -> Ex<'g> {
-    let graph = p.graph();
-    let mut factors = factors(rate);
-    let known = factors.iter().enumerate().find_map(|(place, x)| {
-        let product = graph.store().known_product(p.id(), x.id());
-        Some((place, graph.ex(product?)))
-    });
-    match known {
-        Some((place, vector)) if factors.len() > 1 => {
-            factors[place] = vector;
-            product(graph, factors)
-        }
-        _ => p * rate,
-    }
-}
-
-fn product<'g>(graph: &'g Graph, factors: Vec<Ex<'g>>) -> Ex<'g> {
-    let one = graph.number(1.0);
-    let factors = factors.into_iter().rev();
-    factors.fold(one, |product, x| x * product)
-}
-
-/// `r x + r y` as `r (x + y)`: where vectors turn with one angle, `x + y` is mostly a component of their sum that is
-/// known already.
-fn rate_times_sum<'g>(op: Binary, a: Ex<'g>, b: Ex<'g>) -> Ex<'g> {
-    let (mut left, mut right) = (factors(a), factors(b));
-    let is_common = |x: &&Ex| x.binding() == Binding::Call && right.contains(x);
-    let Some(rate) = left.iter().find(is_common).copied() else {
-        return a.binary(op, b);
-    };
-    for list in [&mut left, &mut right] {
-        let place = list.iter().position(|&x| x == rate);
-        place.map(|place| list.remove(place));
-    }
-    let [left, right] = [left, right].map(|factors| product(a.graph(), factors));
-    let sum = rate_times_sum(op, left, right);
-    rate * sum
-}
-
-/// The factors of nested products, signs as -1.
-fn factors(x: Ex) -> Vec<Ex> {
-    let ex = |id| x.graph().ex(id);
-    match x.node() {
-        Node::Unary(Unary::Neg, inner) => {
-            let sign = x.number(-1.0);
-            let mut factors = factors(ex(inner));
-            factors.push(sign);
-            factors
-        }
-        Node::Binary(Binary::Mul, a, b) => {
-            let mut factors = factors(ex(a));
-            factors.extend(self::factors(ex(b)));
-            factors
-        }
-        _ => vec![x],
-    }
+/// A sum or product with rates: see [`crate::rules::of_rates`].
+fn of_rates<'g>(op: Binary, a: Ex<'g>, b: Ex<'g>) -> Ex<'g> {
+    let graph = a.graph();
+    let value = graph.store_mut().of_rates(op, a.id(), b.id());
+    graph.ex(value)
 }

@@ -4,7 +4,6 @@ use crate::unordered::Map;
 
 use crate::evaluate::dependencies;
 use crate::graph::{Graph, Node, NodeId};
-use crate::program::{Binary, Ternary};
 
 /// Copies nodes of one graph into another without definitions, simplifying anew: factors of a link's length that
 /// cancel against the solution for that link do so here.
@@ -63,20 +62,9 @@ impl Inliner {
             Node::Unary(op, a) => target.unary(op, new(a)),
             Node::Binary(op, a, b) => target.binary(op, new(a), new(b)),
             Node::Ternary(op, a, b, c) => {
-                let [a, b, c] = [new(a), new(b), new(c)];
-                match op == Ternary::Select && is_idle_guard(target, a, b, c) {
-                    true => b,
-                    false => target.ternary(op, a, b, c),
-                }
+                let operands = [new(a), new(b), new(c)];
+                target.store_mut().inlined_ternary(op, operands)
             }
         }
     }
-}
-
-/// `select(h, value, h)` with a root `h`, which is never negative, makes `value` NaN where `h` is; a value that is
-/// computed from `h` is that by itself.
-fn is_idle_guard(graph: &Graph, h: NodeId, value: NodeId, otherwise: NodeId) -> bool {
-    h == otherwise
-        && matches!(graph.node(h), Node::Binary(Binary::Root, ..))
-        && graph.contains(value, h)
 }

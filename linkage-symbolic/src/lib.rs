@@ -22,11 +22,11 @@ mod operation;
 pub mod passes;
 mod polynomial;
 mod probe;
-mod products;
 pub mod program;
+pub mod rules;
 pub mod schedule;
 mod substitute;
-mod sums;
+mod terms;
 pub mod unordered;
 mod vector;
 

@@ -152,7 +152,7 @@ impl Factors {
         if graph.constant_value(factor).is_some_and(|x| x.abs() == 1.0) {
             return graph.mul(factor, sum);
         }
-        graph.store_mut().commute_product(factor, sum)
+        graph.store_mut().plain_product(factor, sum)
     }
 }
 
