@@ -128,10 +128,10 @@ table! {
         Atan2 => Row { latency: 15, class: Class::ArcTangent, splits: true, ..arc("atan2", |[y, x]| y.atan2(x)) },
         /// `sqrt(x^2 + y^2)` without overflow.
         Hypot => Row { latency: 15, time: 6, size: 20, class: Class::Root, ..row("hypot", |[a, b]| a.hypot(b)) },
-        /// NaN if an operand is.
-        Min => Row { latency: 15, size: 3, splits: true, ..row("min", |[a, b]| numbers(a, b, f64::min)) },
-        /// NaN if an operand is.
-        Max => Row { latency: 15, size: 3, splits: true, ..row("max", |[a, b]| numbers(a, b, f64::max)) },
+        /// NaN if an operand is; of two zeros the negative one.
+        Min => Row { latency: 15, size: 3, splits: true, ..row("min", |[a, b]| one_of(a, b, a < b, b < a)) },
+        /// NaN if an operand is; of two zeros the negative one.
+        Max => Row { latency: 15, size: 3, splits: true, ..row("max", |[a, b]| one_of(a, b, a > b, b > a)) },
         /// `root(q, scale)`: the square root of `q`; 0 where `q` is negative by no more than 8 roundoffs of `scale`;
         /// NaN below that. It closes a group up to the dead point and refuses beyond.
         Root => Row { latency: 15, time: 6, size: 8, class: Class::Root, ..row("root", |[q, scale]| root(q, scale)) },
@@ -210,11 +210,19 @@ fn inverse_scale(x: f64) -> f64 {
     f64::from_bits((2046 - exponent.clamp(1, 2045)) << 52)
 }
 
-fn numbers(a: f64, b: f64, choose: fn(f64, f64) -> f64) -> f64 {
+/// The one that is to be taken. Of two zeros the standard library may take either, and does so by machine; this is what generated
+/// code takes.
+fn one_of(a: f64, b: f64, first: bool, second: bool) -> f64 {
     if a.is_nan() || b.is_nan() {
-        return f64::NAN;
+        f64::NAN
+    } else if first {
+        a
+    } else if second {
+        b
+    } else {
+        // Equal: they differ in the sign at most.
+        f64::from_bits(a.to_bits() | b.to_bits())
     }
-    choose(a, b)
 }
 
 fn root(q: f64, scale: f64) -> f64 {

@@ -20,4 +20,4 @@ pub use case::Case;
 pub use code::code;
 pub use functions::{Entry, Function, Kind, Variable};
 pub use sample::{Sample, sample};
-pub use subject::{Position, Subject};
+pub use subject::{Position, Subject, unit};

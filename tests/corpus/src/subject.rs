@@ -18,6 +18,31 @@ pub struct Position {
     pub inputs: Vec<f64>,
 }
 
+/// What a mechanism's text is after lowering.
+///
+/// # Errors
+/// The compiler's messages.
+pub fn unit(text: &str) -> Result<Unit, Vec<String>> {
+    compile(text, &mut Origins::default()).map(|(_, unit)| unit)
+}
+
+fn compile(text: &str, origins: &mut Origins) -> Result<(Mechanism, Unit), Vec<String>> {
+    let tokens: TokenStream = text.parse().map_err(|error| vec![format!("{error}")])?;
+    let mut diagnostics = Diagnostics::default();
+    let messages = |list: &Diagnostics| list.iter().map(|d| d.message.clone()).collect();
+    let mechanism = syntax::parse(tokens, &mut diagnostics)
+        .and_then(|definition| model::resolve(&definition, origins, &mut diagnostics));
+    let Some(mechanism) = mechanism else {
+        return Err(messages(&diagnostics));
+    };
+    let unit = analyse(&mechanism, origins, &mut diagnostics);
+    if diagnostics.is_empty() {
+        Ok((mechanism, unit))
+    } else {
+        Err(messages(&diagnostics))
+    }
+}
+
 /// A mechanism that the compiler accepts.
 #[derive(Debug)]
 pub struct Subject {
@@ -34,19 +59,8 @@ impl Subject {
     /// # Errors
     /// The compiler's messages.
     pub fn new(text: &str) -> Result<Self, Vec<String>> {
-        let tokens: TokenStream = text.parse().map_err(|error| vec![format!("{error}")])?;
-        let mut diagnostics = Diagnostics::default();
         let mut origins = Origins::default();
-        let mechanism = syntax::parse(tokens, &mut diagnostics)
-            .and_then(|definition| model::resolve(&definition, &mut origins, &mut diagnostics));
-        let messages = |list: &Diagnostics| list.iter().map(|d| d.message.clone()).collect();
-        let Some(mechanism) = mechanism else {
-            return Err(messages(&diagnostics));
-        };
-        let unit = analyse(&mechanism, &origins, &mut diagnostics);
-        if !diagnostics.is_empty() {
-            return Err(messages(&diagnostics));
-        }
+        let (mechanism, unit) = compile(text, &mut origins)?;
         let oracle = Oracle::new(&mechanism, &origins);
         Ok(Self {
             mechanism,
