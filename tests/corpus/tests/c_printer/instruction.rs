@@ -14,6 +14,11 @@ pub(crate) fn expression(program: &Program, index: usize) -> String {
         Instruction::Binary(op, a, b) => binary(op, &name(a), &name(b)),
         Instruction::Ternary(op, a, b, c) => ternary(op, &name(a), &name(b), &name(c)),
         Instruction::Fused(op, a, b, c) => fused(op, &name(a), &name(b), &name(c)),
+        Instruction::SinCos(a) => unary(Unary::Sin, &name(a)),
+        Instruction::Second(pair) => match program.instructions[pair.0] {
+            Instruction::SinCos(a) => unary(Unary::Cos, &name(a)),
+            _ => unreachable!("nothing else has two results"),
+        },
     }
 }
 
