@@ -5,33 +5,16 @@ use std::fmt::Display;
 use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
-use crate::model::OriginId;
-use crate::syntax::SourceSpan;
-
+mod place;
 pub(crate) mod text;
+
+pub use place::{OriginId, Origins, SourceSpan};
 
 /// One message at one place.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
     pub span: SourceSpan,
     pub message: String,
-}
-
-/// The source spans behind the model's [`OriginId`]s.
-#[derive(Debug, Default)]
-pub struct Origins {
-    spans: Vec<SourceSpan>,
-}
-
-impl Origins {
-    pub fn add(&mut self, span: SourceSpan) -> OriginId {
-        self.spans.push(span);
-        OriginId(self.spans.len() as u32 - 1)
-    }
-
-    pub fn span(&self, origin: OriginId) -> SourceSpan {
-        self.spans[origin.0 as usize]
-    }
 }
 
 /// Where phases without spans report: messages at the places that [`OriginId`]s lead back to.

@@ -5,6 +5,7 @@ use super::passes::{Coordinate, Definition, Passes};
 use super::types::{
     Constant, Dimension, Expr, Input, LengthUnit, Let, Loop, Mechanism, Name, Type, Unknown,
 };
+use crate::diagnostic::OriginId;
 use crate::diagnostic::text::nearest;
 use crate::syntax::{InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, Word};
 
@@ -119,7 +120,7 @@ impl Resolver<'_> {
         })
     }
 
-    fn name_origin(&mut self, item: &NamedItem) -> super::OriginId {
+    fn name_origin(&mut self, item: &NamedItem) -> OriginId {
         self.origins.add((&item.name).into())
     }
 

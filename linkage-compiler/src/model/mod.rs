@@ -25,11 +25,10 @@ mod plane_and_space;
 mod presentation;
 mod refused;
 mod shape;
-pub(crate) mod spelling;
 #[cfg(test)]
 mod tests;
 mod types;
-pub(crate) mod units;
+mod units;
 mod usage;
 mod variable;
 mod walk;

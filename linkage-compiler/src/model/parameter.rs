@@ -4,7 +4,8 @@ use super::names::{Context, Place, Resolver};
 use super::types::{
     Dimension, Expr, ExprKind, Name, Parameter, ScalarParameter, ScalarParameterId, Type,
 };
-use crate::syntax::{self, ParamItem, SourceSpan, Toleranced};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::{self, ParamItem, Toleranced};
 
 /// Names of the components of a vector.
 pub(super) const COMPONENTS: [&str; 3] = ["x", "y", "z"];

@@ -8,9 +8,7 @@ pub use super::functions::Function;
 pub use super::units::LengthUnit;
 pub use mechanics::*;
 
-/// Index into [`Origins`](crate::diagnostic::Origins): where in the source something was written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct OriginId(pub u32);
+use crate::diagnostic::OriginId;
 
 /// Powers of length, force and time of a quantity, in halves so that square roots stay exact (`2` is a length, `4` an
 /// area). A mass is force times time squared over length. Numbers and angles convert freely, so all powers of both are 0;

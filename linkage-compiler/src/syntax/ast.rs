@@ -1,16 +1,10 @@
 //! The syntax tree: one type per grammar rule, names with their spans, numbers as written.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 
 use super::vocabulary::vocabulary;
 use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
-
-/// First and last token of a piece of source text; messages underline all that lies between.
-#[derive(Clone, Copy, Debug)]
-pub struct SourceSpan {
-    pub first: Span,
-    pub last: Span,
-}
+use crate::diagnostic::SourceSpan;
 
 /// The whole macro input: the struct block and the `impl` block.
 #[derive(Debug)]
@@ -268,36 +262,6 @@ pub struct QuantityDef {
     pub attributes: Vec<Attribute>,
     pub field: Ident,
     pub value: Expr,
-}
-
-impl SourceSpan {
-    /// One token, or a group with its delimiters.
-    pub fn single(span: Span) -> Self {
-        SourceSpan {
-            first: span,
-            last: span,
-        }
-    }
-
-    /// From the start of `self` to the end of `last`.
-    pub fn to(self, last: SourceSpan) -> Self {
-        SourceSpan {
-            first: self.first,
-            last: last.last,
-        }
-    }
-}
-
-impl From<Span> for SourceSpan {
-    fn from(span: Span) -> Self {
-        SourceSpan::single(span)
-    }
-}
-
-impl From<&Ident> for SourceSpan {
-    fn from(ident: &Ident) -> Self {
-        SourceSpan::single(ident.span())
-    }
 }
 
 impl Expr {

@@ -3,14 +3,14 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{
-    Attribute, Expr, Item, JointKind, LoopItem, NamedItem, ParamItem, SourceSpan, Toleranced,
-    UnitItem,
+    Attribute, Expr, Item, JointKind, LoopItem, NamedItem, ParamItem, Toleranced, UnitItem,
 };
 use super::expression::PlusMinus;
 use super::joints::{Kind, other_word};
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 
 impl Parser<'_> {

@@ -4,12 +4,12 @@ use proc_macro2::{Ident, Span};
 
 use super::ast::{
     Attribute, BodyItem, Expr, InertiaPart, Item, JointItem, JointKind, JointPart, MassPart,
-    SourceSpan,
 };
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
 use super::words::ClauseWord;
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 
 const ON: Rule = Rule::name(ClauseWord::On, "the name of a body");

@@ -15,11 +15,13 @@ mod operands;
 mod parser;
 mod power;
 mod recovery;
+mod spelling;
 mod stream;
 #[cfg(test)]
 mod tests;
 mod tolerance;
 mod unexpected;
+mod units;
 mod vocabulary;
 mod words;
 
@@ -27,6 +29,8 @@ use proc_macro2::{Delimiter, Ident, TokenStream};
 
 pub use ast::*;
 pub use dump::dump;
+pub(crate) use spelling::units_within;
+pub(crate) use units::{Scale, Unit, find_unit, first_spelling, is_unit};
 pub(crate) use vocabulary::{Word, vocabulary};
 
 use crate::diagnostic::Diagnostics;

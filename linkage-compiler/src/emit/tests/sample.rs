@@ -4,12 +4,11 @@ use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::programs;
-use crate::model::{
-    self, Dimension, LengthUnit, Mechanism, OriginId, ScalarParameterId, Shape, Type,
-};
+use crate::diagnostic::{OriginId, SourceSpan};
+use crate::model::{self, Dimension, LengthUnit, Mechanism, ScalarParameterId, Shape, Type};
 use crate::syntax::{
     self, Attribute, FunctionDef, InputItem, Item, MechanismDef, NamedItem, ParamItem, QuantityDef,
-    SourceSpan, Toleranced,
+    Toleranced,
 };
 use crate::unit::{Group, Input, Parameter, Scalar, Unit, Unknown};
 

@@ -5,7 +5,8 @@ use proc_macro2::Ident;
 use super::super::names::Resolver;
 use super::super::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use super::CONTEXT;
-use crate::syntax::{self, ElementItem, JointKind, LoadItem, SourceSpan, Word};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::{self, ElementItem, JointKind, LoadItem, Word};
 
 impl Resolver<'_> {
     /// `force vector on BODY [from BODY] at point;`

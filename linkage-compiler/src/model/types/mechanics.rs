@@ -1,6 +1,7 @@
 //! Bodies, joints, loads, and what they give.
 
-use super::{Expr, OriginId};
+use super::Expr;
+use crate::diagnostic::OriginId;
 use crate::syntax::vocabulary;
 
 /// What bodies, joints and loads give.
