@@ -253,7 +253,8 @@ impl File {
         if let [.., key, name] = &words[..]
             && key == "mod"
         {
-            self.tests.push([module, &[name.clone()]].concat());
+            self.tests
+                .push([module, std::slice::from_ref(name)].concat());
         }
     }
 

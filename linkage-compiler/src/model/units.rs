@@ -5,7 +5,7 @@ use crate::syntax::{Unit, Word, first_spelling, vocabulary};
 
 vocabulary! {
     /// The length unit of fields and results.
-    pub enum LengthUnit {
+    pub(crate) enum LengthUnit {
         Metre = "m",
         Millimetre = "mm",
         Centimetre = "cm",
@@ -31,12 +31,12 @@ impl Unit {
 
 impl LengthUnit {
     /// The unit of `unit NAME;`, in any spelling.
-    pub fn from_name(name: &str) -> Option<LengthUnit> {
+    pub(crate) fn from_name(name: &str) -> Option<LengthUnit> {
         LengthUnit::from_word(first_spelling(name)?)
     }
 
     /// `m`, `mm`, ...
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         self.word()
     }
 }

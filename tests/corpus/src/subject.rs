@@ -1,10 +1,7 @@
 //! A compiled mechanism on plain numbers: by its programs, and by the expression graph behind them.
 
-use linkage_compiler::diagnostic::{Diagnostics, Origins};
-use linkage_compiler::model::Mechanism;
-use linkage_compiler::oracle::Oracle;
 use linkage_compiler::unit::Unit;
-use linkage_compiler::{analyse, model, syntax};
+use linkage_compiler::{Checked, Oracle};
 use linkage_symbolic::interpret::run;
 use linkage_symbolic::program::Source;
 use proc_macro2::TokenStream;
@@ -21,8 +18,6 @@ pub struct Position {
 /// A mechanism that the compiler accepts.
 #[derive(Debug)]
 pub struct Subject {
-    /// The resolved mechanism.
-    pub mechanism: Mechanism,
     /// What the compiler found, and its programs.
     pub unit: Unit,
     oracle: Oracle,
@@ -35,24 +30,11 @@ impl Subject {
     /// The compiler's messages.
     pub fn new(text: &str) -> Result<Self, Vec<String>> {
         let tokens: TokenStream = text.parse().map_err(|error| vec![format!("{error}")])?;
-        let mut diagnostics = Diagnostics::default();
-        let mut origins = Origins::default();
-        let mechanism = syntax::parse(tokens, &mut diagnostics)
-            .and_then(|definition| model::resolve(&definition, &mut origins, &mut diagnostics));
-        let messages = |list: &Diagnostics| list.iter().map(|d| d.message.clone()).collect();
-        let Some(mechanism) = mechanism else {
-            return Err(messages(&diagnostics));
-        };
-        let unit = analyse(&mechanism, &origins, &mut diagnostics);
-        if !diagnostics.is_empty() {
-            return Err(messages(&diagnostics));
+        let (oracle, Checked { unit, messages }) = Oracle::new(tokens);
+        match unit {
+            Some(unit) => Ok(Self { unit, oracle }),
+            None => Err(messages.into_iter().map(|message| message.text).collect()),
         }
-        let oracle = Oracle::new(&mechanism, &origins);
-        Ok(Self {
-            mechanism,
-            unit,
-            oracle,
-        })
     }
 
     /// Default dimensions and reference inputs.
