@@ -5,33 +5,19 @@ use std::fmt::Display;
 use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
-use crate::model::OriginId;
-use crate::syntax::SourceSpan;
-
+mod place;
 pub(crate) mod text;
 
-/// One message at one place.
+pub use place::SourceSpan;
+pub(crate) use place::{OriginId, Origins};
+
+/// What is wrong, and where.
 #[derive(Clone, Debug)]
-pub struct Diagnostic {
+pub struct Message {
+    /// The words at fault.
     pub span: SourceSpan,
-    pub message: String,
-}
-
-/// The source spans behind the model's [`OriginId`]s.
-#[derive(Debug, Default)]
-pub struct Origins {
-    spans: Vec<SourceSpan>,
-}
-
-impl Origins {
-    pub fn add(&mut self, span: SourceSpan) -> OriginId {
-        self.spans.push(span);
-        OriginId(self.spans.len() as u32 - 1)
-    }
-
-    pub fn span(&self, origin: OriginId) -> SourceSpan {
-        self.spans[origin.0 as usize]
-    }
+    /// The fact, in lower case, names in back-ticks; where something can be said about it, a second line `help: ...` with what to write.
+    pub text: String,
 }
 
 /// Where phases without spans report: messages at the places that [`OriginId`]s lead back to.
@@ -84,50 +70,61 @@ impl Reporter<'_> {
 
 /// The sink that every phase writes to.
 #[derive(Debug, Default)]
-pub struct Diagnostics {
-    list: Vec<Diagnostic>,
+pub(crate) struct Diagnostics {
+    list: Vec<Message>,
 }
 
 impl Diagnostics {
     /// Fact first, lower case, names in back-ticks; a second line `help: ...` says what to write.
-    pub fn error(&mut self, span: SourceSpan, message: impl Into<String>) {
-        self.list.push(Diagnostic {
+    pub(crate) fn error(&mut self, span: SourceSpan, message: impl Into<String>) {
+        self.list.push(Message {
             span,
-            message: message.into(),
+            text: message.into(),
         });
     }
 
     /// As [`error`](Self::error), with the second line given apart.
-    pub fn error_with_help(&mut self, span: SourceSpan, fact: impl Display, help: impl Display) {
+    pub(crate) fn error_with_help(
+        &mut self,
+        span: SourceSpan,
+        fact: impl Display,
+        help: impl Display,
+    ) {
         self.error(span, format!("{fact}\nhelp: {help}"));
     }
 
     /// Adds the messages of another sink behind those of this one.
-    pub fn append(&mut self, other: Diagnostics) {
+    pub(crate) fn append(&mut self, other: Diagnostics) {
         self.list.extend(other.list);
     }
 
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.list.len()
     }
 
-    pub fn iter(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.list.iter()
+    /// What is wrong, without the places.
+    pub(crate) fn texts(&self) -> Vec<String> {
+        self.list.iter().map(|own| own.text.clone()).collect()
+    }
+
+    /// In the order in which they were found.
+    pub(crate) fn into_messages(self) -> Vec<Message> {
+        self.list
     }
 
     /// One `compile_error!` for each message, underlining the words at fault.
-    pub fn to_tokens(&self) -> TokenStream {
+    pub(crate) fn to_tokens(&self) -> TokenStream {
         self.list.iter().map(compile_error).collect()
     }
 }
 
-fn compile_error(diagnostic: &Diagnostic) -> TokenStream {
-    let SourceSpan { first, last } = diagnostic.span;
-    let message = &diagnostic.message;
+fn compile_error(message: &Message) -> TokenStream {
+    let SourceSpan { first, last } = message.span;
+    let message = &message.text;
     let path = [
         Ident::new("core", first),
         Ident::new("compile_error", first),

@@ -2,22 +2,66 @@
 //!
 //! The phases, each in a folder of its own: `syntax` parses, `model` resolves names and checks dimensions, `structure`
 //! finds the Assur groups, `formulate` expresses every unknown, `lower` makes programs of expressions, `close` runs them to check
-//! assembly and range, `request` puts the programs of all functions into one `unit`, `emit` prints that. `algebra` is what the
+//! assembly and range, `request` puts the programs of all functions into one [`unit`], `emit` prints that. `algebra` is what the
 //! middle phases share; `forces` and `picture` make expressions of what functions ask for.
+//!
+//! [`compile`] is the macro. Without Rust at the end, [`check`] gives a mechanism's programs, or messages with their places:
+//!
+//! ```
+//! use linkage_compiler::check;
+//! use linkage_symbolic::interpret::run;
+//! use linkage_symbolic::program::Source;
+//!
+//! let text = "
+//!     pub struct SliderCrank {
+//!         unit mm;
+//!         param crank = 30mm;
+//!         param rod = 80mm;
+//!         input phi = 60deg;
+//!         unknown theta = -20deg;
+//!         unknown s = 90mm;
+//!         loop polar(crank, phi) + polar(rod, theta) = (s, 0);
+//!     }
+//!     impl SliderCrank {
+//!         pub fn motion(phi) -> Motion { s, speed: velocity(s) }
+//!     }";
+//! let checked = check(text.parse().expect("brackets have partners"));
+//! let unit = checked.unit.expect("a mechanism without a mistake");
+//!
+//! let dimensions: Vec<f64> = unit.scalars().map(|scalar| scalar.nominal).collect();
+//! let modes = unit.modes();
+//! let phi = std::f64::consts::FRAC_PI_2;
+//! let load = |source, prepared: &[f64]| match source {
+//!     Source::Parameter(index) => dimensions[index],
+//!     Source::Input(_) => phi,
+//!     Source::Mode(index) => if modes[index] { 1.0 } else { -1.0 },
+//!     Source::Prepared(slot) => prepared[slot],
+//!     // Angles that are followed, and coupled groups: there are none here.
+//!     _ => f64::NAN,
+//! };
+//! let prepared = run(&unit.prepare, |source| load(source, &[]));
+//! let motion = run(&unit.functions[0].called.program, |source| load(source, &prepared));
+//! assert!((motion[0] - (80.0f64.powi(2) - 30.0f64.powi(2)).sqrt()).abs() < 1e-12);
+//! assert!((motion[1] + 30.0).abs() < 1e-12);
+//!
+//! let checked = check(text.replace("rod, theta", "rod, teta").parse().expect("brackets"));
+//! assert!(checked.unit.is_none());
+//! assert!(checked.messages[0].text.starts_with("unknown name `teta`"));
+//! ```
 
 mod algebra;
 mod close;
-pub mod diagnostic;
-pub mod emit;
+mod diagnostic;
+mod emit;
 mod forces;
 mod formulate;
 mod lower;
-pub mod model;
-pub mod oracle;
+mod model;
+mod oracle;
 mod picture;
 mod request;
 mod structure;
-pub mod syntax;
+mod syntax;
 pub mod trace;
 pub mod unit;
 mod vector;
@@ -32,40 +76,81 @@ use diagnostic::{Diagnostics, Origins, Reporter};
 use forces::Forces;
 use model::Mechanism;
 use request::{AtReference, State};
+use syntax::MechanismDef;
 use unit::Unit;
 use watch::Watch;
+
+pub use diagnostic::{Message, SourceSpan};
+pub use oracle::Oracle;
 
 /// Compiles the macro's input: the path of the facade in brackets, then the mechanism. Mistakes become `compile_error!`s
 /// beside a skeleton of the generated items.
 pub fn compile(input: TokenStream) -> TokenStream {
     let (krate, body) = split_crate_path(input);
-    let mut diagnostics = Diagnostics::default();
-    let Some(definition) = syntax::parse(body, &mut diagnostics) else {
-        return diagnostics.to_tokens();
-    };
-    let mut origins = Origins::default();
-    let mechanism = model::resolve(&definition, &mut origins, &mut diagnostics);
-    let unit = mechanism
-        .as_ref()
-        .filter(|_| diagnostics.is_empty())
-        .map(|mechanism| analyse(mechanism, &origins, &mut diagnostics));
-    match (&mechanism, &unit) {
-        (Some(_), Some(unit)) if diagnostics.is_empty() => emit::emit(&krate, &definition, unit),
-        _ => {
-            let errors = diagnostics.to_tokens();
-            let skeleton = emit::skeleton(&krate, &definition, mechanism.as_ref());
-            quote!(#errors #skeleton)
+    Analysed::new(body, &mut ()).emitted(&krate)
+}
+
+/// Analyses a mechanism, the macro's input without the path of the facade.
+pub fn check(body: TokenStream) -> Checked {
+    Analysed::new(body, &mut ()).checked()
+}
+
+/// What [`check`] says of a mechanism.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// Its programs, if there is no mistake.
+    pub unit: Option<Unit>,
+    /// The mistakes, in the order in which phases found them.
+    pub messages: Vec<Message>,
+}
+
+/// What the phases before emission made of a mechanism, as far as mistakes let them.
+#[derive(Default)]
+struct Analysed {
+    definition: Option<MechanismDef>,
+    mechanism: Option<Mechanism>,
+    unit: Option<Unit>,
+    diagnostics: Diagnostics,
+}
+
+impl Analysed {
+    fn new(body: TokenStream, watch: &mut dyn Watch) -> Self {
+        let mut own = Self::default();
+        let diagnostics = &mut own.diagnostics;
+        own.definition = syntax::parse(body, diagnostics);
+        let mut origins = Origins::default();
+        let definition = own.definition.as_ref();
+        own.mechanism = definition.and_then(|own| model::resolve(own, &mut origins, diagnostics));
+        let mechanism = own.mechanism.as_ref();
+        own.unit = mechanism.map(|own| analyse(own, &origins, diagnostics, watch));
+        own
+    }
+
+    fn emitted(&self, krate: &TokenStream) -> TokenStream {
+        let errors = self.diagnostics.to_tokens();
+        match (&self.definition, &self.unit) {
+            (None, _) => errors,
+            (Some(definition), Some(unit)) if self.diagnostics.is_empty() => {
+                emit::emit(krate, definition, unit)
+            }
+            (Some(definition), _) => {
+                let skeleton = emit::skeleton(krate, definition, self.mechanism.as_ref());
+                quote!(#errors #skeleton)
+            }
+        }
+    }
+
+    fn checked(self) -> Checked {
+        let messages = self.diagnostics.into_messages();
+        Checked {
+            unit: self.unit.filter(|_| messages.is_empty()),
+            messages,
         }
     }
 }
 
-/// The middle phases of a resolved mechanism: structure, formulation, checks and lowering.
-pub fn analyse(mechanism: &Mechanism, origins: &Origins, diagnostics: &mut Diagnostics) -> Unit {
-    analyse_watched(mechanism, origins, diagnostics, &mut ())
-}
-
-/// The order of the phases: it stands here alone.
-fn analyse_watched(
+/// The middle phases of a resolved mechanism: structure, formulation, checks and lowering. Their order stands here alone.
+fn analyse(
     mechanism: &Mechanism,
     origins: &Origins,
     diagnostics: &mut Diagnostics,

@@ -3,15 +3,14 @@
 
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, NodeId, evaluate};
+use proc_macro2::TokenStream;
 
 use crate::algebra::{Algebra, Angle, Nominal};
-use crate::analyse_watched;
-use crate::diagnostic::{Diagnostics, Origins};
 use crate::forces::Forces;
 use crate::formulate::Formulation;
-use crate::model::Mechanism;
 use crate::request::{State, requested};
 use crate::watch::Watch;
+use crate::{Analysed, Checked};
 
 /// The expression graph of a mechanism, unknowns still being symbols with definitions.
 #[derive(Debug, Default)]
@@ -23,15 +22,18 @@ pub struct Oracle {
 }
 
 impl Oracle {
-    /// The graph of a mechanism that compiles without a message.
-    pub fn new(mechanism: &Mechanism, origins: &Origins) -> Self {
+    /// The graph of a mechanism, beside what [`check`](crate::check) says of it. With a mistake there are no functions in it.
+    pub fn new(body: TokenStream) -> (Self, Checked) {
         let mut oracle = Self::default();
-        analyse_watched(mechanism, origins, &mut Diagnostics::default(), &mut oracle);
-        oracle
+        let checked = Analysed::new(body, &mut oracle).checked();
+        (oracle, checked)
     }
 
-    /// The results of a function near the reference inputs, where angles are nearest to their estimates. `load`
-    /// supplies parameters, inputs and modes.
+    /// The results of a function, by its number, near the reference inputs, where angles are nearest to their estimates.
+    /// `load` supplies parameters, inputs and modes.
+    ///
+    /// # Panics
+    /// If there is no such function.
     pub fn evaluate(&self, function: usize, load: impl Fn(Source) -> f64) -> Vec<f64> {
         let outputs = self.functions[function].iter();
         let outputs: Vec<Ex> = outputs.map(|&id| self.graph.ex(id)).collect();

@@ -4,14 +4,14 @@ use std::fmt::Write;
 
 use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
+use quote::quote;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::diagnostic::{Diagnostics, Origins};
 use crate::formulate::Formulation;
 use crate::structure::Structure;
 use crate::unit::{self, Unit};
 use crate::watch::Watch;
-use crate::{analyse_watched, forces, model, syntax};
+use crate::{Analysed, forces, model, syntax};
 
 /// The phases of one mechanism, as text.
 #[derive(Clone, Debug, Default)]
@@ -36,23 +36,29 @@ pub struct Trace {
 
 /// Runs all phases on a mechanism without the facade's path in front.
 pub fn trace(body: TokenStream) -> Trace {
-    let mut trace = Trace::default();
-    let mut diagnostics = Diagnostics::default();
-    let mut origins = Origins::default();
-    if let Some(definition) = syntax::parse(body.clone(), &mut diagnostics) {
-        trace.syntax = syntax::dump(&definition);
-        if let Some(mechanism) = model::resolve(&definition, &mut origins, &mut diagnostics) {
-            trace.model = model::dump(&mechanism);
-            let mut middle = Middle::default();
-            let unit = analyse_watched(&mechanism, &origins, &mut diagnostics, &mut middle);
-            trace.passes = middle.passes;
-            trace.structure = middle.structure;
-            trace.formulate = formulate_text(&unit) + &middle.forces;
-            trace.lower = unit::dump(&unit);
-        }
+    let mut middle = Middle::default();
+    let analysed = Analysed::new(body, &mut middle);
+    let mut trace = Trace {
+        syntax: analysed
+            .definition
+            .as_ref()
+            .map(syntax::dump)
+            .unwrap_or_default(),
+        model: analysed
+            .mechanism
+            .as_ref()
+            .map(model::dump)
+            .unwrap_or_default(),
+        structure: middle.structure,
+        passes: middle.passes,
+        emit: analysed.emitted(&quote!(::linkage)),
+        messages: analysed.diagnostics.texts(),
+        ..Trace::default()
+    };
+    if let Some(unit) = &analysed.unit {
+        trace.formulate = formulate_text(unit) + &middle.forces;
+        trace.lower = unit::dump(unit);
     }
-    trace.messages = diagnostics.iter().map(|d| d.message.clone()).collect();
-    trace.emit = crate::compile(quote::quote!([::linkage] #body));
     trace
 }
 

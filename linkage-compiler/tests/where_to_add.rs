@@ -191,9 +191,12 @@ fn names_all(text: &str, name: &str, variants: &BTreeSet<&str>) -> bool {
 
 /// The variants of an enum: the first words after its brace and after each comma at that depth.
 fn variants<'t>(text: &'t str, name: &str) -> BTreeSet<&'t str> {
-    let head = format!("enum {name} {{");
-    let start = text.find(&head).map(|start| start + head.len());
-    let body = &text[start.unwrap_or_else(|| panic!("`{head}` is not where the table says"))..];
+    // Braces, or parameters before them.
+    let heads = [" {", "<"].map(|next| format!("enum {name}{next}"));
+    let start = heads.iter().find_map(|head| text.find(head));
+    let start = start.unwrap_or_else(|| panic!("`enum {name}` is not where the table says"));
+    let open = text[start..].find('{').expect("an enum has braces");
+    let body = &text[start + open + 1..];
     let (mut depth, mut awaited) = (0, true);
     let mut variants = BTreeSet::new();
     for (index, letter) in body.char_indices() {

@@ -1,9 +1,9 @@
 //! The range check: can the declared ranges be run through in the chosen assembly?
 
 use crate::algebra::{Algebra, Nominal};
-use crate::diagnostic::Reporter;
+use crate::diagnostic::{OriginId, Reporter};
 use crate::formulate::Formulation;
-use crate::model::{Input, OriginId};
+use crate::model::Input;
 use crate::structure::report::loop_list;
 use crate::unit::ContinuousAngle;
 

@@ -33,7 +33,7 @@ mod winding;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-pub use self::skeleton::skeleton;
+pub(crate) use self::skeleton::skeleton;
 
 use self::evaluator::Version;
 use self::outline::{Function, Outline};
@@ -41,7 +41,7 @@ use crate::syntax::MechanismDef;
 use crate::unit::{self, Unit};
 
 /// All items for a mechanism without mistakes. `krate` is the path of the facade.
-pub fn emit(krate: &TokenStream, def: &MechanismDef, unit: &Unit) -> TokenStream {
+pub(crate) fn emit(krate: &TokenStream, def: &MechanismDef, unit: &Unit) -> TokenStream {
     let outline = Outline::complete(krate, def, unit);
     let mut items = mechanism::items(&outline);
     items.extend(mechanism::constants(

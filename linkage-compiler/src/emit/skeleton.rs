@@ -16,7 +16,7 @@ use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
 use crate::unit::Picture;
 
 /// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
-pub fn skeleton(
+pub(crate) fn skeleton(
     krate: &TokenStream,
     def: &MechanismDef,
     mechanism: Option<&Mechanism>,

@@ -3,8 +3,8 @@
 use linkage_symbolic::Vn;
 
 use crate::close::numbers;
-use crate::diagnostic::Reporter;
-use crate::model::{Between, ElementKind, Expr, Mechanism, OriginId};
+use crate::diagnostic::{OriginId, Reporter};
+use crate::model::{Between, ElementKind, Expr, Mechanism};
 
 use super::Mechanics;
 use super::geometry::{Turns, slides_along, turns_of};

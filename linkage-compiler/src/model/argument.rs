@@ -31,7 +31,6 @@ impl Resolver<'_> {
                             name: ident.to_string(),
                             dimension,
                             reference: None,
-                            origin: self.origins.add(ident.into()),
                         });
                     }
                     input += 1;
@@ -65,7 +64,6 @@ impl Resolver<'_> {
             name: item.name.to_string(),
             dimension,
             reference: Some(reference),
-            origin: self.origins.add((&item.name).into()),
         }
     }
 

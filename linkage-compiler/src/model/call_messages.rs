@@ -5,8 +5,9 @@ use proc_macro2::Ident;
 use super::functions::QuantityWord;
 use super::names::{Resolver, kind};
 use super::types::{Expr, Function};
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{count, nearest};
-use crate::syntax::{SourceSpan, Word};
+use crate::syntax::Word;
 
 impl Resolver<'_> {
     pub(super) fn unknown_function(&mut self, ident: &Ident) {

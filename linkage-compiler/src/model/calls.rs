@@ -6,7 +6,8 @@ use super::functions::QuantityWord;
 use super::names::{Context, Resolver};
 use super::operators::settle_alone;
 use super::types::{Dimension, Expr, ExprKind, Function, Type};
-use crate::syntax::{self, SourceSpan, Word};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::{self, Word};
 
 impl Resolver<'_> {
     pub(super) fn call(

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::decimal::Decimal;
 use super::types::{Dimension, LengthUnit};
-use super::units::{Scale, find, is_unit};
+use crate::syntax::{Scale, find_unit, is_unit};
 
 /// How many digits of pi are multiplied: far more than a double's literal can tell apart.
 const PI: &str = "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899\
@@ -73,12 +73,12 @@ impl Factor {
         let mut dimension = Dimension::NUMBER;
         let mut metres = 0;
         for (name, power) in units {
-            let unit = find(name)?;
+            let unit = find_unit(name)?;
             dimension = dimension.times(unit.dimension().to_the(*power)?)?;
             factor.include(unit.scale, *power)?;
             metres += unit.metres * power;
         }
-        factor.include(find(length.name())?.scale, -metres)?;
+        factor.include(find_unit(length.name())?.scale, -metres)?;
         Some((factor, dimension))
     }
 

@@ -5,8 +5,9 @@ use proc_macro2::Ident;
 use super::functions::{MotionWord, QuantityWord};
 use super::names::{Context, Place, Resolver};
 use super::types::{Dimension, Expr, ExprKind, Name, Type, Variable};
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::count;
-use crate::syntax::{self, SourceSpan, Word};
+use crate::syntax::{self, Word};
 
 /// Most entries of an array, those of inner arrays counted.
 const ENTRY_LIMIT: usize = 10_000;

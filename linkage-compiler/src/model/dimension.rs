@@ -7,7 +7,7 @@ const LIMIT: i32 = 64;
 
 impl Dimension {
     /// A bare number.
-    pub const NUMBER: Dimension = Dimension {
+    pub(crate) const NUMBER: Dimension = Dimension {
         half_lengths: 0,
         half_forces: 0,
         half_times: 0,
@@ -15,29 +15,27 @@ impl Dimension {
         angle: false,
     };
     /// An angle; converts freely to and from a number.
-    pub const ANGLE: Dimension = Dimension {
+    pub(crate) const ANGLE: Dimension = Dimension {
         angle: true,
         ..Dimension::NUMBER
     };
     /// A length.
-    pub const LENGTH: Dimension = Dimension::of(1, 0, 0);
+    pub(crate) const LENGTH: Dimension = Dimension::of(1, 0, 0);
     /// A force.
-    pub const FORCE: Dimension = Dimension::of(0, 1, 0);
-    /// A time.
-    pub const TIME: Dimension = Dimension::of(0, 0, 1);
+    pub(crate) const FORCE: Dimension = Dimension::of(0, 1, 0);
     /// A moment; energy is of the same dimension.
-    pub const MOMENT: Dimension = Dimension::of(1, 1, 0);
+    pub(crate) const MOMENT: Dimension = Dimension::of(1, 1, 0);
     /// Work in a time.
-    pub const POWER: Dimension = Dimension::of(1, 1, -1);
+    pub(crate) const POWER: Dimension = Dimension::of(1, 1, -1);
     /// Length over time squared.
-    pub const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
+    pub(crate) const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
     /// In kilograms.
-    pub const MASS: Dimension = Dimension {
+    pub(crate) const MASS: Dimension = Dimension {
         half_kilograms: 2,
         ..Dimension::of(-1, 1, 2)
     };
     /// In kilograms times the length unit squared.
-    pub const INERTIA: Dimension = Dimension {
+    pub(crate) const INERTIA: Dimension = Dimension {
         half_kilograms: 2,
         ..Dimension::of(1, 1, 2)
     };
@@ -54,7 +52,7 @@ impl Dimension {
     }
 
     /// Whether the two may be added: numbers and angles are alike, and units do not matter.
-    pub fn fits(self, other: Dimension) -> bool {
+    pub(crate) fn fits(self, other: Dimension) -> bool {
         self.powers() == other.powers()
     }
 
@@ -150,7 +148,7 @@ impl Type {
     }
 
     /// Number of components; `None` for arrays, frames and errors.
-    pub fn components(&self) -> Option<usize> {
+    pub(crate) fn components(&self) -> Option<usize> {
         match self {
             Type::Scalar(_) => Some(1),
             Type::Vector(count, _) | Type::Zero(count) => Some(*count),
@@ -159,7 +157,7 @@ impl Type {
     }
 
     /// Dimension of a scalar or of each component; zero counts as a number.
-    pub fn dimension(&self) -> Option<Dimension> {
+    pub(crate) fn dimension(&self) -> Option<Dimension> {
         match self {
             Type::Scalar(dimension) | Type::Vector(_, dimension) => Some(*dimension),
             Type::Zero(_) => Some(Dimension::NUMBER),

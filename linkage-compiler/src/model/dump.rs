@@ -8,7 +8,7 @@ use super::types::{BinaryOp, Expr, ExprKind, Mechanism, Type, Variable};
 use crate::syntax::Word;
 
 /// One line for each item and quantity; every operation in parentheses, numbers in the mechanism's unit and radians.
-pub fn dump(mechanism: &Mechanism) -> String {
+pub(crate) fn dump(mechanism: &Mechanism) -> String {
     let mut text = String::new();
     write_items(&mut text, mechanism)
         .and_then(|()| write_functions(&mut text, mechanism))

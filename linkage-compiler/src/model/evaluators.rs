@@ -9,7 +9,8 @@ use super::names::{Context, Place, Resolver, kind};
 use super::operators::settle_alone;
 use super::types::{EvaluatorDef, Name, Quantity};
 use crate::diagnostic::text::{list, nearest};
-use crate::syntax::{FunctionDef, MechanismDef, QuantityDef, SourceSpan, Word};
+use crate::diagnostic::{OriginId, SourceSpan};
+use crate::syntax::{FunctionDef, MechanismDef, QuantityDef, Word};
 
 /// Names taken so far: where, and by what if not by the user's own word.
 type Taken = BTreeMap<String, (SourceSpan, Option<String>)>;
@@ -124,7 +125,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn argument_origins(&mut self, function: &FunctionDef) -> Vec<super::OriginId> {
+    fn argument_origins(&mut self, function: &FunctionDef) -> Vec<OriginId> {
         function
             .inputs
             .iter()

@@ -5,7 +5,8 @@ use super::frame::PARTS_HELP;
 use super::names::{Context, Resolver};
 use super::parameter::COMPONENTS;
 use super::types::{BinaryOp, Expr, ExprKind, Type};
-use crate::syntax::{self, SourceSpan};
+use crate::diagnostic::SourceSpan;
+use crate::syntax;
 
 impl Resolver<'_> {
     pub(super) fn expression(&mut self, expr: &syntax::Expr, context: Context) -> Expr {

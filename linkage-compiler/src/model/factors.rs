@@ -3,8 +3,8 @@
 use super::conversion::convert_product;
 use super::names::{Context, Resolver, kind};
 use super::types::{self, BinaryOp, Dimension, Expr, Type};
-use super::units::is_unit;
-use crate::syntax::{self, ExprKind, SourceSpan};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::{self, ExprKind, is_unit};
 
 /// A number with units, or units alone.
 #[derive(Default)]

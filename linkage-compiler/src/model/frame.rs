@@ -5,7 +5,8 @@ use proc_macro2::Ident;
 use super::names::Resolver;
 use super::operators::settle_alone;
 use super::types::{Dimension, Expr, ExprKind, Function, Type};
-use crate::syntax::{SourceSpan, Word};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::Word;
 
 /// What a frame consists of, in this order.
 pub(crate) const PARTS: [&str; 4] = ["origin", "x", "y", "z"];

@@ -4,7 +4,7 @@ use crate::syntax::{Word, vocabulary};
 
 vocabulary! {
     /// A function of expressions.
-    pub enum Function {
+    pub(crate) enum Function {
         Polar = "polar",
         Dir = "dir",
         Rotate = "rotate",

@@ -5,6 +5,7 @@ use super::passes::{Coordinate, Definition, Passes};
 use super::types::{
     Constant, Dimension, Expr, Input, LengthUnit, Let, Loop, Mechanism, Name, Type, Unknown,
 };
+use crate::diagnostic::OriginId;
 use crate::diagnostic::text::nearest;
 use crate::syntax::{InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, Word};
 
@@ -38,13 +39,9 @@ impl Resolver<'_> {
                 item: position,
             };
             let name = Name::Const(mechanism.constants.len());
-            let (value, origin) = (self.named(item, name, context), self.name_origin(item));
+            let value = self.named(item, name, context);
             let name = item.name.to_string();
-            mechanism.constants.push(Constant {
-                name,
-                value,
-                origin,
-            });
+            mechanism.constants.push(Constant { name, value });
         }
         for (index, (position, item)) in passes.parameters.into_iter().enumerate() {
             let parameter = self.param_item(item, index, position);
@@ -77,12 +74,8 @@ impl Resolver<'_> {
                     let value = self.named(item, name, context);
                     let argument = self.argument_below(&value);
                     self.arguments_of_lets.push(argument);
-                    let (name, origin) = (item.name.to_string(), self.name_origin(item));
-                    mechanism.lets.push(Let {
-                        name,
-                        value,
-                        origin,
-                    });
+                    let name = item.name.to_string();
+                    mechanism.lets.push(Let { name, value });
                 }
                 Definition::Loop(item) => mechanism.loops.push(self.loop_item(item, context)),
             }
@@ -119,7 +112,7 @@ impl Resolver<'_> {
         })
     }
 
-    fn name_origin(&mut self, item: &NamedItem) -> super::OriginId {
+    fn name_origin(&mut self, item: &NamedItem) -> OriginId {
         self.origins.add((&item.name).into())
     }
 

@@ -25,30 +25,29 @@ mod plane_and_space;
 mod presentation;
 mod refused;
 mod shape;
-pub(crate) mod spelling;
 #[cfg(test)]
 mod tests;
 mod types;
-pub(crate) mod units;
+mod units;
 mod usage;
 mod variable;
 mod walk;
 mod words;
 mod zeros;
 
-pub use dump::dump;
+pub(crate) use dump::dump;
 pub(crate) use frame::PARTS as FRAME_PARTS;
 pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
 pub(crate) use generated::{ASSEMBLY, COLUMNS, Sweep};
 pub use shape::Shape;
-pub use types::*;
+pub(crate) use types::*;
 
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::syntax::MechanismDef;
 
 /// Checks names, dimensions and argument counts. `None` if anything was wrong, here or in the syntax; as much as can
 /// be found is reported, consequences of what has been reported are not. What `origins` held before is replaced.
-pub fn resolve(
+pub(crate) fn resolve(
     definition: &MechanismDef,
     origins: &mut Origins,
     diagnostics: &mut Diagnostics,

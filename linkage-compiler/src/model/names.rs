@@ -6,9 +6,8 @@ use proc_macro2::Ident;
 
 use super::mechanics::Scope;
 use super::types::{Dimension, LengthUnit, Name, ScalarParameter, Type};
-use super::units::is_unit;
-use crate::diagnostic::{Diagnostics, Origins};
-use crate::syntax::{InputItem, Item, MechanismDef, SourceSpan};
+use crate::diagnostic::{Diagnostics, Origins, SourceSpan};
+use crate::syntax::{InputItem, Item, MechanismDef, is_unit};
 
 /// One declared name.
 pub(super) struct Symbol {

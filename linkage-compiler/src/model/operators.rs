@@ -3,7 +3,7 @@
 use super::names::Resolver;
 use super::plane_and_space::{plane_beside_space, vector_components};
 use super::types::{BinaryOp, Dimension, Expr, ExprKind, Name, Type};
-use crate::syntax::SourceSpan;
+use crate::diagnostic::SourceSpan;
 
 impl Type {
     /// The type of a sum of the two; `None` if they cannot be added.

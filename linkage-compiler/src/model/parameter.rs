@@ -4,7 +4,8 @@ use super::names::{Context, Place, Resolver};
 use super::types::{
     Dimension, Expr, ExprKind, Name, Parameter, ScalarParameter, ScalarParameterId, Type,
 };
-use crate::syntax::{self, ParamItem, SourceSpan, Toleranced};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::{self, ParamItem, Toleranced};
 
 /// Names of the components of a vector.
 pub(super) const COMPONENTS: [&str; 3] = ["x", "y", "z"];
@@ -61,14 +62,12 @@ impl Resolver<'_> {
         }
         self.set_type(Name::Parameter(index), ty.clone(), bare_zero);
         let first_scalar = self.add_scalars(&item.name.to_string(), index, &ty);
-        let origin = self.origins.add((&item.name).into());
         Parameter {
             name: item.name.to_string(),
             ty,
             nominal,
             tolerances,
             first_scalar,
-            origin,
         }
     }
 
@@ -142,7 +141,7 @@ impl Resolver<'_> {
     fn add_scalars(&mut self, name: &str, parameter: usize, ty: &Type) -> ScalarParameterId {
         let first = ScalarParameterId(self.scalar_parameters.len());
         if let (Some(count), Some(dimension)) = (ty.components(), ty.dimension()) {
-            for (component, letter) in COMPONENTS.iter().enumerate().take(count) {
+            for letter in COMPONENTS.iter().take(count) {
                 let name = if count == 1 {
                     name.to_owned()
                 } else {
@@ -151,7 +150,6 @@ impl Resolver<'_> {
                 let scalar = ScalarParameter {
                     name,
                     parameter,
-                    component,
                     dimension,
                 };
                 self.scalar_parameters.push(scalar);

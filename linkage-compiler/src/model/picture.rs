@@ -3,7 +3,8 @@
 use super::functions::MotionWord;
 use super::names::{Context, Resolver};
 use super::types::{Dimension, EvaluatorDef, Expr, ExprKind, Name, Type};
-use crate::syntax::{self, SourceSpan, Word};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::{self, Word};
 
 const LINKS_HELP: &str = "write each link as a list of points: `picture([a, b], [c, d, e])`";
 

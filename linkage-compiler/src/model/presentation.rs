@@ -6,7 +6,7 @@ use super::words::raised;
 
 impl Dimension {
     /// The unit of a quantity: `mm`, `N*mm`, `kg*mm^2`, `1/s`, `mm^(1/2)`, `rad`, nothing for a number.
-    pub fn unit(self, length: LengthUnit) -> String {
+    pub(crate) fn unit(self, length: LengthUnit) -> String {
         let kilograms = self.half_kilograms;
         let angle = if self.angle { 2 } else { 0 };
         let powers = [
@@ -35,7 +35,7 @@ impl Dimension {
 
     /// What one of the [unit](Dimension::unit) is for the program, which computes in newtons, seconds and the length unit: not 1
     /// only if the unit has kilograms.
-    pub fn internal_per_unit(self, length: LengthUnit) -> f64 {
+    pub(crate) fn internal_per_unit(self, length: LengthUnit) -> f64 {
         // A kilogram is a newton second^2 for each metre.
         let whole = |power: i32| match convert_product("1", &[("m", power)], length) {
             Literal::Value(value, _) => value,

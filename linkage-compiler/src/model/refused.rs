@@ -4,10 +4,9 @@ use proc_macro2::Ident;
 
 use super::functions::is_function;
 use super::names::Resolver;
-use super::spelling::units_within;
-use super::units::is_unit;
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
-use crate::syntax::SourceSpan;
+use crate::syntax::{is_unit, units_within};
 
 impl Resolver<'_> {
     pub(super) fn unknown_name(&mut self, ident: &Ident) {

@@ -18,7 +18,7 @@ pub enum Shape {
 
 impl Shape {
     /// The shape of a checked type; a type spoilt by a mistake counts as a scalar.
-    pub fn of(ty: &Type) -> Self {
+    pub(crate) fn of(ty: &Type) -> Self {
         match ty {
             Type::Scalar(_) | Type::Zero(1) | Type::Error => Self::Scalar,
             Type::Vector(count, _) | Type::Zero(count) => Self::Vector(*count),

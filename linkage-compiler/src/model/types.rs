@@ -4,30 +4,28 @@
 
 mod mechanics;
 
-pub use super::functions::Function;
-pub use super::units::LengthUnit;
-pub use mechanics::*;
+pub(crate) use super::functions::Function;
+pub(crate) use super::units::LengthUnit;
+pub(crate) use mechanics::*;
 
-/// Index into [`Origins`](crate::diagnostic::Origins): where in the source something was written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct OriginId(pub u32);
+use crate::diagnostic::OriginId;
 
 /// Powers of length, force and time of a quantity, in halves so that square roots stay exact (`2` is a length, `4` an
 /// area). A mass is force times time squared over length. Numbers and angles convert freely, so all powers of both are 0;
 /// `angle` only chooses words in messages, units in docs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Dimension {
-    pub half_lengths: i32,
-    pub half_forces: i32,
-    pub half_times: i32,
+pub(crate) struct Dimension {
+    pub(crate) half_lengths: i32,
+    pub(crate) half_forces: i32,
+    pub(crate) half_times: i32,
     /// How many kilograms the unit has in which it is given and printed; the rest of the powers is newtons, seconds and the
     /// length unit. It does not count for whether two dimensions fit. See [`Dimension::internal_per_unit`].
-    pub half_kilograms: i32,
-    pub angle: bool,
+    pub(crate) half_kilograms: i32,
+    pub(crate) angle: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum Type {
+pub(crate) enum Type {
     Scalar(Dimension),
     /// Two or three components of one dimension.
     Vector(usize, Dimension),
@@ -42,10 +40,10 @@ pub enum Type {
 }
 
 #[derive(Clone, Debug)]
-pub struct Expr {
-    pub kind: ExprKind,
-    pub ty: Type,
-    pub origin: OriginId,
+pub(crate) struct Expr {
+    pub(crate) kind: ExprKind,
+    pub(crate) ty: Type,
+    pub(crate) origin: OriginId,
 }
 
 /// Equal if they say the same, wherever they stand.
@@ -56,7 +54,7 @@ impl PartialEq for Expr {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum ExprKind {
+pub(crate) enum ExprKind {
     /// In the unit of its dimension: the mechanism's length unit, radians, newtons, seconds, kilograms.
     Number(f64),
     Name(Name),
@@ -82,7 +80,7 @@ pub enum ExprKind {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BinaryOp {
+pub(crate) enum BinaryOp {
     Add,
     Sub,
     Mul,
@@ -91,7 +89,7 @@ pub enum BinaryOp {
 
 /// What a name stands for; each index counts its own kind in declaration order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Name {
+pub(crate) enum Name {
     Const(usize),
     Parameter(usize),
     Input(usize),
@@ -104,139 +102,133 @@ pub enum Name {
 
 /// Index into [`Mechanism::scalar_parameters`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct ScalarParameterId(pub usize);
+pub(crate) struct ScalarParameterId(pub usize);
 
 /// What one can differentiate by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Variable {
+pub(crate) enum Variable {
     Input(usize),
     Parameter(ScalarParameterId),
 }
 
 #[derive(Clone, Debug)]
-pub struct Constant {
-    pub name: String,
-    pub value: Expr,
-    pub origin: OriginId,
+pub(crate) struct Constant {
+    pub(crate) name: String,
+    pub(crate) value: Expr,
 }
 
 /// One declared parameter; vectors have one scalar parameter for each component.
 #[derive(Clone, Debug)]
-pub struct Parameter {
-    pub name: String,
-    pub ty: Type,
+pub(crate) struct Parameter {
+    pub(crate) name: String,
+    pub(crate) ty: Type,
     /// The default: numbers, functions and constants only.
-    pub nominal: Expr,
+    pub(crate) nominal: Expr,
     /// Per component; `None`: no tolerance, zero.
-    pub tolerances: Vec<Option<Expr>>,
+    pub(crate) tolerances: Vec<Option<Expr>>,
     /// Its scalar parameters are `first_scalar .. first_scalar + components`.
-    pub first_scalar: ScalarParameterId,
-    pub origin: OriginId,
+    pub(crate) first_scalar: ScalarParameterId,
 }
 
 #[derive(Clone, Debug)]
-pub struct ScalarParameter {
+pub(crate) struct ScalarParameter {
     /// `crank`, `pivot_d.x`
-    pub name: String,
-    pub parameter: usize,
-    /// 0 for a scalar.
-    pub component: usize,
-    pub dimension: Dimension,
+    pub(crate) name: String,
+    pub(crate) parameter: usize,
+    pub(crate) dimension: Dimension,
 }
 
 #[derive(Clone, Debug)]
-pub struct Input {
-    pub name: String,
-    pub dimension: Dimension,
-    pub reference: Expr,
-    pub range: Option<(Expr, Expr)>,
+pub(crate) struct Input {
+    pub(crate) name: String,
+    pub(crate) dimension: Dimension,
+    pub(crate) reference: Expr,
+    pub(crate) range: Option<(Expr, Expr)>,
     /// The arguments that are its speed and acceleration.
-    pub speed: Option<usize>,
-    pub acceleration: Option<usize>,
-    pub origin: OriginId,
+    pub(crate) speed: Option<usize>,
+    pub(crate) acceleration: Option<usize>,
+    pub(crate) origin: OriginId,
 }
 
 /// A number that functions take besides inputs: a load, a speed. Nothing that moves depends on it.
 #[derive(Clone, Debug)]
-pub struct Argument {
-    pub name: String,
-    pub dimension: Dimension,
+pub(crate) struct Argument {
+    pub(crate) name: String,
+    pub(crate) dimension: Dimension,
     /// `None` for a speed or acceleration.
-    pub reference: Option<Expr>,
-    pub origin: OriginId,
+    pub(crate) reference: Option<Expr>,
 }
 
 #[derive(Clone, Debug)]
-pub struct Unknown {
-    pub name: String,
+pub(crate) struct Unknown {
+    pub(crate) name: String,
     /// A scalar, or a two- or three-component vector (an unknown point).
-    pub ty: Type,
+    pub(crate) ty: Type,
     /// The start estimate: numbers, constants and parameters only.
-    pub estimate: Expr,
-    pub origin: OriginId,
+    pub(crate) estimate: Expr,
+    pub(crate) origin: OriginId,
 }
 
 #[derive(Clone, Debug)]
-pub struct Let {
-    pub name: String,
+pub(crate) struct Let {
+    pub(crate) name: String,
     /// Uses only names declared before it.
-    pub value: Expr,
-    pub origin: OriginId,
+    pub(crate) value: Expr,
 }
 
 /// `left = right`, both of one type: a scalar or a vector of two or three components.
 #[derive(Clone, Debug)]
-pub struct Loop {
-    pub left: Expr,
-    pub right: Expr,
-    pub origin: OriginId,
+pub(crate) struct Loop {
+    pub(crate) left: Expr,
+    pub(crate) right: Expr,
+    pub(crate) origin: OriginId,
 }
 
 #[derive(Clone, Debug)]
-pub struct EvaluatorDef {
-    pub name: String,
-    pub result: String,
+pub(crate) struct EvaluatorDef {
+    pub(crate) name: String,
+    pub(crate) result: String,
     /// Inputs in the order of the function's arguments. Numbers from [`Mechanism::inputs`]'s length on are arguments.
-    pub inputs: Vec<usize>,
+    pub(crate) inputs: Vec<usize>,
     /// Origins of the arguments, same order.
-    pub input_origins: Vec<OriginId>,
-    pub quantities: Vec<Quantity>,
-    pub origin: OriginId,
+    pub(crate) input_origins: Vec<OriginId>,
+    pub(crate) quantities: Vec<Quantity>,
+    pub(crate) origin: OriginId,
 }
 
 #[derive(Clone, Debug)]
-pub struct Quantity {
-    pub field: String,
-    pub value: Expr,
-    pub origin: OriginId,
+pub(crate) struct Quantity {
+    pub(crate) field: String,
+    pub(crate) value: Expr,
+    pub(crate) origin: OriginId,
 }
 
 /// A mechanism without a mistake in names, dimensions or arity.
 #[derive(Clone, Debug)]
-pub struct Mechanism {
-    pub name: String,
-    pub unit: LengthUnit,
-    pub constants: Vec<Constant>,
-    pub parameters: Vec<Parameter>,
-    pub scalar_parameters: Vec<ScalarParameter>,
-    pub inputs: Vec<Input>,
-    pub unknowns: Vec<Unknown>,
-    pub lets: Vec<Let>,
-    pub loops: Vec<Loop>,
-    pub arguments: Vec<Argument>,
-    pub gravity: Option<Expr>,
-    pub bodies: Vec<Body>,
+pub(crate) struct Mechanism {
+    pub(crate) name: String,
+    pub(crate) unit: LengthUnit,
+    pub(crate) constants: Vec<Constant>,
+    pub(crate) parameters: Vec<Parameter>,
+    pub(crate) scalar_parameters: Vec<ScalarParameter>,
+    pub(crate) inputs: Vec<Input>,
+    pub(crate) unknowns: Vec<Unknown>,
+    pub(crate) lets: Vec<Let>,
+    pub(crate) loops: Vec<Loop>,
+    pub(crate) arguments: Vec<Argument>,
+    pub(crate) gravity: Option<Expr>,
+    pub(crate) bodies: Vec<Body>,
     /// Those that bodies hang on, and those that close loops.
-    pub joints: Vec<Joint>,
-    pub loads: Vec<Load>,
-    pub elements: Vec<Element>,
-    pub evaluators: Vec<EvaluatorDef>,
-    pub origin: OriginId,
+    pub(crate) joints: Vec<Joint>,
+    pub(crate) loads: Vec<Load>,
+    pub(crate) elements: Vec<Element>,
+    pub(crate) evaluators: Vec<EvaluatorDef>,
+    pub(crate) origin: OriginId,
 }
 
 impl Mechanism {
     /// A name as it is written.
-    pub fn name(&self, name: Name) -> &str {
+    pub(crate) fn name(&self, name: Name) -> &str {
         match name {
             Name::Const(index) => &self.constants[index].name,
             Name::Parameter(index) => &self.parameters[index].name,
@@ -249,13 +241,13 @@ impl Mechanism {
     }
 
     /// Whether this one of the inputs and, behind them, arguments is a load: neither an input nor a speed or acceleration.
-    pub fn is_load(&self, index: usize) -> bool {
+    pub(crate) fn is_load(&self, index: usize) -> bool {
         let argument = index.checked_sub(self.inputs.len());
         argument.is_some_and(|argument| self.arguments[argument].reference.is_some())
     }
 
     /// The name of an input or, behind the inputs, an argument.
-    pub fn input_name(&self, index: usize) -> &str {
+    pub(crate) fn input_name(&self, index: usize) -> &str {
         match index.checked_sub(self.inputs.len()) {
             None => &self.inputs[index].name,
             Some(argument) => &self.arguments[argument].name,

@@ -5,8 +5,9 @@ use proc_macro2::Ident;
 use super::names::{Resolver, kind};
 use super::parameter::COMPONENTS;
 use super::types::{Name, ScalarParameterId, Type, Variable};
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::list;
-use crate::syntax::{self, SourceSpan};
+use crate::syntax;
 
 impl Resolver<'_> {
     /// A variable of `d`; `None` after a report.

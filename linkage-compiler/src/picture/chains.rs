@@ -5,7 +5,8 @@ use linkage_symbolic::unordered::Set;
 use linkage_symbolic::Vn;
 
 use crate::algebra::{Algebra, Translate};
-use crate::model::{Expr, ExprKind, Function, Name, OriginId, Type};
+use crate::diagnostic::OriginId;
+use crate::model::{Expr, ExprKind, Function, Name, Type};
 
 use super::roles::{Moves, Roles};
 

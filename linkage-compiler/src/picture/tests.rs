@@ -1,20 +1,13 @@
 //! What is recognised, however a mechanism is written.
 
-use proc_macro2::TokenStream;
-
-use crate::diagnostic::{Diagnostics, Origins};
 use crate::unit::Unit;
-use crate::{analyse, model, syntax};
+use crate::{Checked, check};
 
 fn compile(items: &str, functions: &str) -> (Unit, Vec<String>) {
     let text = format!("struct M {{ unit mm; {items} }} impl M {{ {functions} }}");
-    let tokens: TokenStream = text.parse().expect("tokens");
-    let (mut diagnostics, mut origins) = (Diagnostics::default(), Origins::default());
-    let definition = syntax::parse(tokens, &mut diagnostics).expect("a mechanism");
-    let mechanism = model::resolve(&definition, &mut origins, &mut diagnostics);
-    let unit = mechanism.map(|own| analyse(&own, &origins, &mut diagnostics));
-    let messages = diagnostics.iter().map(|own| own.message.clone()).collect();
-    (unit.unwrap_or_default(), messages)
+    let Checked { unit, messages } = check(text.parse().expect("tokens"));
+    let texts = messages.into_iter().map(|message| message.text).collect();
+    (unit.unwrap_or_default(), texts)
 }
 
 #[track_caller]

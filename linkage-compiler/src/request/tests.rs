@@ -43,7 +43,7 @@ fn expect_agreement(items: &str, function: &str) {
     let mut origins = Origins::default();
     let definition = syntax::parse(tokens, &mut diagnostics).expect("a mechanism");
     let mechanism = model::resolve(&definition, &mut origins, &mut diagnostics);
-    let messages: Vec<&String> = diagnostics.iter().map(|d| &d.message).collect();
+    let messages = diagnostics.texts();
     assert!(messages.is_empty(), "{messages:?}");
     let mechanism = mechanism.expect("it resolves");
 
@@ -77,7 +77,7 @@ fn expect_agreement(items: &str, function: &str) {
     });
     let closing = lower::closing(&mut algebra, &formulation, &nominal);
     let reference = assemble_reference(&algebra, &formulation, closing, &nominal, reporter);
-    let messages: Vec<&String> = diagnostics.iter().map(|d| &d.message).collect();
+    let messages = diagnostics.texts();
     assert!(
         reference.closed || formulation.prepared().count() == 0,
         "{messages:?}"

@@ -1,43 +1,37 @@
 //! The syntax tree: one type per grammar rule, names with their spans, numbers as written.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 
 use super::vocabulary::vocabulary;
 use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
-
-/// First and last token of a piece of source text; messages underline all that lies between.
-#[derive(Clone, Copy, Debug)]
-pub struct SourceSpan {
-    pub first: Span,
-    pub last: Span,
-}
+use crate::diagnostic::SourceSpan;
 
 /// The whole macro input: the struct block and the `impl` block.
 #[derive(Debug)]
-pub struct MechanismDef {
+pub(crate) struct MechanismDef {
     /// Outer attributes of the struct, doc comments included, as written (`#[...] #[...]`).
-    pub attributes: Vec<Attribute>,
+    pub(crate) attributes: Vec<Attribute>,
     /// `pub`, `pub(crate)` or nothing.
-    pub visibility: TokenStream,
-    pub name: Ident,
-    pub items: Vec<Item>,
-    pub functions: Vec<FunctionDef>,
+    pub(crate) visibility: TokenStream,
+    pub(crate) name: Ident,
+    pub(crate) items: Vec<Item>,
+    pub(crate) functions: Vec<FunctionDef>,
 }
 
 /// One outer attribute.
 #[derive(Clone, Debug)]
-pub struct Attribute {
+pub(crate) struct Attribute {
     /// The path's last segment: `doc`, `derive`, `allow`, ...
-    pub name: String,
+    pub(crate) name: String,
     /// The complete attribute, `#` and brackets included.
-    pub tokens: TokenStream,
+    pub(crate) tokens: TokenStream,
     /// The tokens between the brackets after the path (`derive(...)`: the group).
-    pub arguments: TokenStream,
-    pub span: SourceSpan,
+    pub(crate) arguments: TokenStream,
+    pub(crate) span: SourceSpan,
 }
 
 #[derive(Debug)]
-pub enum Item {
+pub(crate) enum Item {
     Unit(UnitItem),
     Const(NamedItem),
     Param(ParamItem),
@@ -58,30 +52,29 @@ pub enum Item {
 
 /// `unit mm;`
 #[derive(Debug)]
-pub struct UnitItem {
-    pub unit: Ident,
-    pub span: SourceSpan,
+pub(crate) struct UnitItem {
+    pub(crate) unit: Ident,
+    pub(crate) span: SourceSpan,
 }
 
 /// `const NAME = expr;`, `let NAME = expr;`, `unknown NAME = expr;`
 #[derive(Debug)]
-pub struct NamedItem {
-    pub attributes: Vec<Attribute>,
-    pub name: Ident,
-    pub value: Expr,
+pub(crate) struct NamedItem {
+    pub(crate) name: Ident,
+    pub(crate) value: Expr,
 }
 
 /// `param NAME = expr [+- tol];`
 #[derive(Debug)]
-pub struct ParamItem {
-    pub attributes: Vec<Attribute>,
-    pub name: Ident,
-    pub value: Toleranced,
+pub(crate) struct ParamItem {
+    pub(crate) attributes: Vec<Attribute>,
+    pub(crate) name: Ident,
+    pub(crate) value: Toleranced,
 }
 
 /// A parameter's value: a single toleranced expression, or a vector whose components have tolerances of their own.
 #[derive(Debug)]
-pub enum Toleranced {
+pub(crate) enum Toleranced {
     /// `nominal [+- tolerance]`; the nominal value may be a scalar or a vector.
     Single {
         nominal: Expr,
@@ -96,59 +89,57 @@ pub enum Toleranced {
 
 /// `input NAME = expr [in lo..hi] [at SPEED [, ACCELERATION]];`
 #[derive(Debug)]
-pub struct InputItem {
-    pub attributes: Vec<Attribute>,
-    pub name: Ident,
-    pub value: Expr,
+pub(crate) struct InputItem {
+    pub(crate) name: Ident,
+    pub(crate) value: Expr,
     /// `lo..hi` (`lo..=hi` is accepted and means the same).
-    pub range: Option<(Expr, Expr)>,
+    pub(crate) range: Option<(Expr, Expr)>,
     /// Names of the arguments that are its speed and acceleration.
-    pub speed: Option<Ident>,
-    pub acceleration: Option<Ident>,
+    pub(crate) speed: Option<Ident>,
+    pub(crate) acceleration: Option<Ident>,
 }
 
 /// `loop expr = expr;`
 #[derive(Debug)]
-pub struct LoopItem {
-    pub left: Expr,
-    pub right: Expr,
-    pub span: SourceSpan,
+pub(crate) struct LoopItem {
+    pub(crate) left: Expr,
+    pub(crate) right: Expr,
+    pub(crate) span: SourceSpan,
 }
 
 /// `gravity = expr;`
 #[derive(Debug)]
-pub struct GravityItem {
-    pub value: Expr,
-    pub span: SourceSpan,
+pub(crate) struct GravityItem {
+    pub(crate) value: Expr,
+    pub(crate) span: SourceSpan,
 }
 
 /// `body NAME = JOINT, turns expr, mass expr at expr, inertia expr [at expr];`, the clauses after the joint in any order.
 #[derive(Debug)]
-pub struct BodyItem {
-    pub attributes: Vec<Attribute>,
-    pub name: Ident,
+pub(crate) struct BodyItem {
+    pub(crate) name: Ident,
     /// What the body hangs on; its point is the body's origin.
-    pub joint: JointPart,
-    pub turns: Option<Expr>,
-    pub masses: Vec<MassPart>,
-    pub inertias: Vec<InertiaPart>,
+    pub(crate) joint: JointPart,
+    pub(crate) turns: Option<Expr>,
+    pub(crate) masses: Vec<MassPart>,
+    pub(crate) inertias: Vec<InertiaPart>,
 }
 
 /// `KIND [NAME] on BODY at expr [along expr | about expr]`, the clauses after the name in any order.
 #[derive(Debug)]
-pub struct JointPart {
-    pub kind: JointKind,
-    pub name: Option<Ident>,
-    pub on: Ident,
-    pub at: Expr,
+pub(crate) struct JointPart {
+    pub(crate) kind: JointKind,
+    pub(crate) name: Option<Ident>,
+    pub(crate) on: Ident,
+    pub(crate) at: Expr,
     /// The guide of a slide, the axis of a pin or a cylinder in space.
-    pub direction: Option<Expr>,
-    pub span: SourceSpan,
+    pub(crate) direction: Option<Expr>,
+    pub(crate) span: SourceSpan,
 }
 
 vocabulary! {
     /// What a joint lets free.
-    pub enum JointKind {
+    pub(crate) enum JointKind {
         Pin = "pin",
         Slide = "slide",
         Ball = "ball",
@@ -159,52 +150,51 @@ vocabulary! {
 
 /// `mass expr at expr`
 #[derive(Debug)]
-pub struct MassPart {
-    pub mass: Expr,
-    pub at: Expr,
+pub(crate) struct MassPart {
+    pub(crate) mass: Expr,
+    pub(crate) at: Expr,
 }
 
 /// `inertia expr [at expr]`: about the body's centre of mass, or about a point.
 #[derive(Debug)]
-pub struct InertiaPart {
-    pub inertia: Expr,
-    pub at: Option<Expr>,
+pub(crate) struct InertiaPart {
+    pub(crate) inertia: Expr,
+    pub(crate) at: Option<Expr>,
 }
 
 /// A joint between two bodies that hang on others: `pin NAME = BODY on BODY at expr;`
 #[derive(Debug)]
-pub struct JointItem {
-    pub attributes: Vec<Attribute>,
+pub(crate) struct JointItem {
     /// The body on which the reaction acts.
-    pub body: Ident,
+    pub(crate) body: Ident,
     /// Its name is never missing.
-    pub joint: JointPart,
+    pub(crate) joint: JointPart,
 }
 
 /// `force expr on BODY [from BODY] at expr;`, `torque expr on BODY [from BODY];`
 #[derive(Debug)]
-pub struct LoadItem {
-    pub value: Expr,
-    pub on: Ident,
+pub(crate) struct LoadItem {
+    pub(crate) value: Expr,
+    pub(crate) on: Ident,
     /// The body that takes the opposite; the frame if it is not named.
-    pub from: Option<Ident>,
-    pub at: Option<Expr>,
-    pub span: SourceSpan,
+    pub(crate) from: Option<Ident>,
+    pub(crate) at: Option<Expr>,
+    pub(crate) span: SourceSpan,
 }
 
 /// `spring expr BETWEEN [, free expr];`, `damper expr BETWEEN;`
 #[derive(Debug)]
-pub struct ElementItem {
+pub(crate) struct ElementItem {
     /// Stiffness or damping.
-    pub value: Expr,
-    pub between: Between,
+    pub(crate) value: Expr,
+    pub(crate) between: Between,
     /// Length or angle without force; zero if it is not given.
-    pub free: Option<Expr>,
-    pub span: SourceSpan,
+    pub(crate) free: Option<Expr>,
+    pub(crate) span: SourceSpan,
 }
 
 #[derive(Debug)]
-pub enum Between {
+pub(crate) enum Between {
     /// `from BODY at expr to BODY at expr`
     Points([(Ident, Expr); 2]),
     /// `on JOINT`
@@ -212,13 +202,13 @@ pub enum Between {
 }
 
 #[derive(Clone, Debug)]
-pub struct Expr {
-    pub kind: ExprKind,
-    pub span: SourceSpan,
+pub(crate) struct Expr {
+    pub(crate) kind: ExprKind,
+    pub(crate) span: SourceSpan,
 }
 
 #[derive(Clone, Debug)]
-pub enum ExprKind {
+pub(crate) enum ExprKind {
     /// A number and its unit suffix (empty: none), both as written; `text` has no underscores.
     Number {
         text: String,
@@ -244,7 +234,7 @@ pub enum ExprKind {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BinaryOp {
+pub(crate) enum BinaryOp {
     Add,
     Sub,
     Mul,
@@ -253,56 +243,26 @@ pub enum BinaryOp {
 
 /// `pub fn NAME(inputs) -> TYPE { quantities }`
 #[derive(Debug)]
-pub struct FunctionDef {
-    pub attributes: Vec<Attribute>,
-    pub visibility: TokenStream,
-    pub name: Ident,
-    pub inputs: Vec<Ident>,
-    pub result: Ident,
-    pub quantities: Vec<QuantityDef>,
+pub(crate) struct FunctionDef {
+    pub(crate) attributes: Vec<Attribute>,
+    pub(crate) visibility: TokenStream,
+    pub(crate) name: Ident,
+    pub(crate) inputs: Vec<Ident>,
+    pub(crate) result: Ident,
+    pub(crate) quantities: Vec<QuantityDef>,
 }
 
 /// `tracer` or `field: expr`
 #[derive(Debug)]
-pub struct QuantityDef {
-    pub attributes: Vec<Attribute>,
-    pub field: Ident,
-    pub value: Expr,
-}
-
-impl SourceSpan {
-    /// One token, or a group with its delimiters.
-    pub fn single(span: Span) -> Self {
-        SourceSpan {
-            first: span,
-            last: span,
-        }
-    }
-
-    /// From the start of `self` to the end of `last`.
-    pub fn to(self, last: SourceSpan) -> Self {
-        SourceSpan {
-            first: self.first,
-            last: last.last,
-        }
-    }
-}
-
-impl From<Span> for SourceSpan {
-    fn from(span: Span) -> Self {
-        SourceSpan::single(span)
-    }
-}
-
-impl From<&Ident> for SourceSpan {
-    fn from(ident: &Ident) -> Self {
-        SourceSpan::single(ident.span())
-    }
+pub(crate) struct QuantityDef {
+    pub(crate) attributes: Vec<Attribute>,
+    pub(crate) field: Ident,
+    pub(crate) value: Expr,
 }
 
 impl Expr {
     /// What a mistake leaves behind.
-    pub fn error(span: SourceSpan) -> Self {
+    pub(crate) fn error(span: SourceSpan) -> Self {
         Expr {
             kind: ExprKind::Error,
             span,

@@ -2,9 +2,10 @@
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
-use super::ast::{Attribute, SourceSpan};
+use super::ast::Attribute;
 use super::parser::{Parsed, Parser};
 use super::stream::Stream;
+use crate::diagnostic::SourceSpan;
 
 /// `crate`, `super`, `self`, or `in` and a path.
 fn is_scope(group: &Group) -> bool {

@@ -2,10 +2,11 @@
 
 use proc_macro2::Ident;
 
-use super::ast::{Expr, SourceSpan};
+use super::ast::Expr;
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use super::words::ClauseWord;
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{list, nearest};
 
 /// A clause that an item may have.

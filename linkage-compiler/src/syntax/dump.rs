@@ -9,7 +9,7 @@ use super::ast::{
 use super::vocabulary::Word;
 
 /// One line for each item and quantity, every operation in parentheses.
-pub fn dump(definition: &MechanismDef) -> String {
+pub(crate) fn dump(definition: &MechanismDef) -> String {
     let mut lines = vec![format!("struct {}", definition.name)];
     lines.extend(
         definition

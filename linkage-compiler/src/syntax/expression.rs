@@ -2,9 +2,10 @@
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
-use super::ast::{BinaryOp, Expr, ExprKind, SourceSpan};
+use super::ast::{BinaryOp, Expr, ExprKind};
 use super::parser::{Parsed, Parser};
 use super::words::is_keyword;
+use crate::diagnostic::SourceSpan;
 
 /// What an outermost `+-` is.
 #[derive(Clone, Copy, PartialEq, Eq)]

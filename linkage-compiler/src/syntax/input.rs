@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, TokenTree};
 
-use super::ast::{Attribute, Expr, InputItem, Item};
+use super::ast::{Expr, InputItem, Item};
 use super::expression::PlusMinus;
 use super::parser::{Parsed, Parser};
 
@@ -10,10 +10,9 @@ const RATES: &str = "`at` names the arguments that are its speed and acceleratio
 
 impl Parser<'_> {
     /// `NAME = expr [in lo..hi] [at SPEED [, ACCELERATION]] ;` after `input`, and whether its end has been reached.
-    pub(super) fn input_item(&mut self, attributes: Vec<Attribute>) -> Parsed<(Item, bool)> {
+    pub(super) fn input_item(&mut self) -> Parsed<(Item, bool)> {
         let name = self.name("a name after `input`")?;
         let mut input = InputItem {
-            attributes,
             value: Expr::error((&name).into()),
             name,
             range: None,

@@ -3,14 +3,14 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{
-    Attribute, Expr, Item, JointKind, LoopItem, NamedItem, ParamItem, SourceSpan, Toleranced,
-    UnitItem,
+    Attribute, Expr, Item, JointKind, LoopItem, NamedItem, ParamItem, Toleranced, UnitItem,
 };
 use super::expression::PlusMinus;
 use super::joints::{Kind, other_word};
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 
 impl Parser<'_> {
@@ -56,7 +56,7 @@ impl Parser<'_> {
         }
         match word {
             ItemWord::Declaration(word) => self.declaration(word, attributes, start),
-            ItemWord::Joint(kind) => self.joint_item(Kind { kind, span: start }, attributes),
+            ItemWord::Joint(kind) => self.joint_item(Kind { kind, span: start }),
             ItemWord::Load(word) => {
                 let item = match word {
                     LoadWord::Force => Item::Force(self.force_item(start)?),
@@ -80,12 +80,12 @@ impl Parser<'_> {
             DeclarationWord::Loop => Item::Loop(self.loop_item(start)?),
             DeclarationWord::Gravity => Item::Gravity(self.gravity_item(start)?),
             DeclarationWord::Param => return self.param_item(attributes),
-            DeclarationWord::Input => return self.input_item(attributes),
-            DeclarationWord::Body => return self.body_item(attributes),
-            DeclarationWord::Const => return self.named_item(word, attributes, Item::Const),
-            DeclarationWord::Unknown => return self.named_item(word, attributes, Item::Unknown),
-            DeclarationWord::Let => return self.named_item(word, attributes, Item::Let),
-            DeclarationWord::Argument => return self.named_item(word, attributes, Item::Argument),
+            DeclarationWord::Input => return self.input_item(),
+            DeclarationWord::Body => return self.body_item(),
+            DeclarationWord::Const => return self.named_item(word, Item::Const),
+            DeclarationWord::Unknown => return self.named_item(word, Item::Unknown),
+            DeclarationWord::Let => return self.named_item(word, Item::Let),
+            DeclarationWord::Argument => return self.named_item(word, Item::Argument),
         };
         Ok((item, self.end_of_item().is_ok()))
     }
@@ -110,7 +110,6 @@ impl Parser<'_> {
     fn named_item(
         &mut self,
         word: DeclarationWord,
-        attributes: Vec<Attribute>,
         make: fn(NamedItem) -> Item,
     ) -> Parsed<(Item, bool)> {
         let name = self.name(&format!("a name after `{}`", word.word()))?;
@@ -124,7 +123,6 @@ impl Parser<'_> {
         };
         let (value, complete) = self.value(help, |parser| parser.sum(plus_minus));
         let item = NamedItem {
-            attributes,
             name,
             value: value.unwrap_or_else(Expr::error),
         };

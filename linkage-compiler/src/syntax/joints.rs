@@ -2,14 +2,12 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::ast::{
-    Attribute, BodyItem, Expr, InertiaPart, Item, JointItem, JointKind, JointPart, MassPart,
-    SourceSpan,
-};
+use super::ast::{BodyItem, Expr, InertiaPart, Item, JointItem, JointKind, JointPart, MassPart};
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
 use super::words::ClauseWord;
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 
 const ON: Rule = Rule::name(ClauseWord::On, "the name of a body");
@@ -44,10 +42,9 @@ pub(super) struct Kind {
 
 impl Parser<'_> {
     /// `NAME = JOINT, CLAUSES ;` after `body`, and whether its end has been reached.
-    pub(super) fn body_item(&mut self, attributes: Vec<Attribute>) -> Parsed<(Item, bool)> {
+    pub(super) fn body_item(&mut self) -> Parsed<(Item, bool)> {
         let name = self.name("a name after `body`")?;
         let mut body = BodyItem {
-            attributes,
             joint: lost_joint((&name).into()),
             turns: Some(Expr::error((&name).into())),
             masses: Vec::new(),
@@ -88,11 +85,7 @@ impl Parser<'_> {
     }
 
     /// `NAME = BODY on BODY at POINT ;` after the joint's word, and whether its end has been reached.
-    pub(super) fn joint_item(
-        &mut self,
-        kind: Kind,
-        attributes: Vec<Attribute>,
-    ) -> Parsed<(Item, bool)> {
+    pub(super) fn joint_item(&mut self, kind: Kind) -> Parsed<(Item, bool)> {
         let word = kind.kind.word();
         let form = format!("{word} NAME = BODY on BODY at POINT");
         let help = format!("write `{form}`");
@@ -117,11 +110,7 @@ impl Parser<'_> {
             return Err(Reported);
         };
         let joint = self.joint_part(kind, Some(name), owner, clauses);
-        let item = JointItem {
-            attributes,
-            body,
-            joint,
-        };
+        let item = JointItem { body, joint };
         Ok((Item::Joint(item), self.end_of_item().is_ok()))
     }
 

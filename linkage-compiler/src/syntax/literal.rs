@@ -1,9 +1,10 @@
 //! Numbers with their units.
 
-use super::ast::{Expr, ExprKind, SourceSpan};
+use super::ast::{Expr, ExprKind};
 use super::parser::{Parsed, Parser};
-use crate::model::spelling::units_within;
-use crate::model::units::{is_unit, unit_names};
+use super::spelling::units_within;
+use super::units::{is_unit, unit_names};
+use crate::diagnostic::SourceSpan;
 
 /// The type suffixes of Rust's own numbers.
 const RUST_SUFFIXES: [&str; 16] = [

@@ -2,12 +2,13 @@
 
 use proc_macro2::Ident;
 
-use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem, SourceSpan};
+use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem};
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::expression::PlusMinus;
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
 use super::words::{ClauseWord, LoadWord};
+use crate::diagnostic::SourceSpan;
 
 const BODY: &str = "the name of a body";
 

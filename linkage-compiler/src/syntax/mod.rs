@@ -15,18 +15,22 @@ mod operands;
 mod parser;
 mod power;
 mod recovery;
+mod spelling;
 mod stream;
 #[cfg(test)]
 mod tests;
 mod tolerance;
 mod unexpected;
+mod units;
 mod vocabulary;
 mod words;
 
 use proc_macro2::{Delimiter, Ident, TokenStream};
 
-pub use ast::*;
-pub use dump::dump;
+pub(crate) use ast::*;
+pub(crate) use dump::dump;
+pub(crate) use spelling::units_within;
+pub(crate) use units::{Scale, Unit, find_unit, first_spelling, is_unit};
 pub(crate) use vocabulary::{Word, vocabulary};
 
 use crate::diagnostic::Diagnostics;
@@ -35,7 +39,7 @@ use stream::Stream;
 
 /// Reads the body of the macro (without the facade's path in front). `None` if there is no `struct NAME { ... }`;
 /// whatever else is missing or wrong is reported and left out.
-pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Option<MechanismDef> {
+pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Option<MechanismDef> {
     let mut parser = Parser::new(Stream::new(tokens), diagnostics);
     let mut mechanism = None;
     let mut implementations = Vec::new();

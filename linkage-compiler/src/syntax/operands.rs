@@ -2,12 +2,13 @@
 
 use proc_macro2::Ident;
 
-use super::ast::{Expr, SourceSpan};
+use super::ast::Expr;
 use super::clauses::{Point, Rule};
 use super::expression::PlusMinus;
 use super::parser::Parser;
 use super::vocabulary::Word;
 use super::words::ClauseWord;
+use crate::diagnostic::SourceSpan;
 
 impl Parser<'_> {
     /// The name after the word of a clause; a mistake in it has been read over.

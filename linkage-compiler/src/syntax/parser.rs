@@ -2,10 +2,9 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenTree};
 
-use super::ast::SourceSpan;
 use super::stream::Stream;
 use super::words::is_keyword;
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, SourceSpan};
 
 /// A mistake that has been reported; the rule that recovers from it carries on.
 #[derive(Clone, Copy, Debug)]

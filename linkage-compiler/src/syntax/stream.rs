@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, TokenTree};
 
-use super::ast::SourceSpan;
+use crate::diagnostic::SourceSpan;
 
 /// The tokens between two delimiters. Reading past the end is allowed and finds nothing.
 pub(super) struct Stream {

@@ -1,8 +1,9 @@
 //! Values of parameters: nominal values with tolerances.
 
-use super::ast::{Expr, ExprKind, SourceSpan, Toleranced};
+use super::ast::{Expr, ExprKind, Toleranced};
 use super::expression::PlusMinus;
 use super::parser::{Parsed, Parser};
+use crate::diagnostic::SourceSpan;
 
 impl Parser<'_> {
     /// `a +- b`, or a vector with such components; parentheses around the whole change nothing.

@@ -13,6 +13,7 @@ mod signature;
 
 use linkage_symbolic::program::Program;
 
+pub use crate::model::Shape;
 pub use closing::{Closing, Outputs};
 pub use dump::dump;
 pub use function::{Body, Column, Field, Function, Meaning};

@@ -1,10 +1,7 @@
 //! A compiled mechanism on plain numbers: by its programs, and by the expression graph behind them.
 
-use linkage_compiler::diagnostic::{Diagnostics, Origins};
-use linkage_compiler::model::Mechanism;
-use linkage_compiler::oracle::Oracle;
 use linkage_compiler::unit::Unit;
-use linkage_compiler::{analyse, model, syntax};
+use linkage_compiler::{Checked, Oracle, check};
 use linkage_symbolic::interpret::run;
 use linkage_symbolic::program::Source;
 use proc_macro2::TokenStream;
@@ -23,31 +20,20 @@ pub struct Position {
 /// # Errors
 /// The compiler's messages.
 pub fn unit(text: &str) -> Result<Unit, Vec<String>> {
-    compile(text, &mut Origins::default()).map(|(_, unit)| unit)
+    let checked = check(tokens(text)?);
+    let messages = checked.messages.into_iter();
+    checked
+        .unit
+        .ok_or_else(|| messages.map(|own| own.text).collect())
 }
 
-fn compile(text: &str, origins: &mut Origins) -> Result<(Mechanism, Unit), Vec<String>> {
-    let tokens: TokenStream = text.parse().map_err(|error| vec![format!("{error}")])?;
-    let mut diagnostics = Diagnostics::default();
-    let messages = |list: &Diagnostics| list.iter().map(|d| d.message.clone()).collect();
-    let mechanism = syntax::parse(tokens, &mut diagnostics)
-        .and_then(|definition| model::resolve(&definition, origins, &mut diagnostics));
-    let Some(mechanism) = mechanism else {
-        return Err(messages(&diagnostics));
-    };
-    let unit = analyse(&mechanism, origins, &mut diagnostics);
-    if diagnostics.is_empty() {
-        Ok((mechanism, unit))
-    } else {
-        Err(messages(&diagnostics))
-    }
+fn tokens(text: &str) -> Result<TokenStream, Vec<String>> {
+    text.parse().map_err(|error| vec![format!("{error}")])
 }
 
 /// A mechanism that the compiler accepts.
 #[derive(Debug)]
 pub struct Subject {
-    /// The resolved mechanism.
-    pub mechanism: Mechanism,
     /// What the compiler found, and its programs.
     pub unit: Unit,
     oracle: Oracle,
@@ -59,14 +45,11 @@ impl Subject {
     /// # Errors
     /// The compiler's messages.
     pub fn new(text: &str) -> Result<Self, Vec<String>> {
-        let mut origins = Origins::default();
-        let (mechanism, unit) = compile(text, &mut origins)?;
-        let oracle = Oracle::new(&mechanism, &origins);
-        Ok(Self {
-            mechanism,
-            unit,
-            oracle,
-        })
+        let (oracle, Checked { unit, messages }) = Oracle::new(tokens(text)?);
+        match unit {
+            Some(unit) => Ok(Self { unit, oracle }),
+            None => Err(messages.into_iter().map(|message| message.text).collect()),
+        }
     }
 
     /// Default dimensions and reference inputs.

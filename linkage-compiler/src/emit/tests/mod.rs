@@ -4,7 +4,7 @@ mod programs;
 mod sample;
 
 use linkage_symbolic::count::Count;
-use linkage_symbolic::program::{Instruction, Program, Source, Unary, Value};
+use linkage_symbolic::program::{Instruction, Program, Source, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 

@@ -4,12 +4,11 @@ use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::programs;
-use crate::model::{
-    self, Dimension, LengthUnit, Mechanism, OriginId, ScalarParameterId, Shape, Type,
-};
+use crate::diagnostic::{OriginId, SourceSpan};
+use crate::model::{self, Dimension, LengthUnit, Mechanism, ScalarParameterId, Shape, Type};
 use crate::syntax::{
     self, Attribute, FunctionDef, InputItem, Item, MechanismDef, NamedItem, ParamItem, QuantityDef,
-    SourceSpan, Toleranced,
+    Toleranced,
 };
 use crate::unit::{Group, Input, Parameter, Scalar, Unit, Unknown};
 
@@ -125,7 +124,6 @@ fn def() -> MechanismDef {
         span: here(),
     };
     let a = NamedItem {
-        attributes: vec![],
         name: format_ident!("a"),
         value: call("polar", vec![name("crank"), name("phi")]),
     };
@@ -146,7 +144,6 @@ fn def() -> MechanismDef {
             param("crank", vec![doc(" Length of the crank.")], number("10")),
             param("Crank", vec![], number("30")),
             Item::Input(InputItem {
-                attributes: vec![],
                 name: format_ident!("phi"),
                 value: number("0.5"),
                 range: None,
@@ -193,12 +190,10 @@ pub(crate) fn mechanism() -> Mechanism {
         nominal: zero(),
         tolerances: vec![None; components],
         first_scalar: ScalarParameterId(first),
-        origin: OriginId(0),
     };
-    let scalar = |name: &str, parameter: usize, component: usize| model::ScalarParameter {
+    let scalar = |name: &str, parameter: usize| model::ScalarParameter {
         name: name.to_owned(),
         parameter,
-        component,
         dimension: LENGTH,
     };
     let unknown = |name: &str| model::Unknown {
@@ -225,10 +220,10 @@ pub(crate) fn mechanism() -> Mechanism {
             parameter("Crank", Type::Scalar(LENGTH), 1, 3),
         ],
         scalar_parameters: vec![
-            scalar("pivot.x", 0, 0),
-            scalar("pivot.y", 0, 1),
-            scalar("crank", 1, 0),
-            scalar("Crank", 2, 0),
+            scalar("pivot.x", 0),
+            scalar("pivot.y", 0),
+            scalar("crank", 1),
+            scalar("Crank", 2),
         ],
         inputs: vec![model::Input {
             name: "phi".to_owned(),

@@ -3,7 +3,8 @@
 use super::super::names::Resolver;
 use super::super::types::{Body, Dimension, Expr, Joint, Mechanism, Type};
 use super::CONTEXT;
-use crate::syntax::{self, BodyItem, JointKind, SourceSpan};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::{self, BodyItem, JointKind};
 
 impl Resolver<'_> {
     /// A body and the joint that it hangs on, both of the same number.

@@ -3,7 +3,8 @@
 use super::super::names::Resolver;
 use super::super::types::{BinaryOp, Dimension, Expr, ExprKind, Inertia, Type};
 use super::CONTEXT;
-use crate::syntax::{self, InertiaPart, SourceSpan};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::{self, InertiaPart};
 
 const EXAMPLE: &str = "250g*mm^2";
 const MATRIX: &str = "((ixx, ixy, ixz), (ixy, iyy, iyz), (ixz, iyz, izz))";

@@ -5,7 +5,8 @@ use proc_macro2::Ident;
 use super::super::names::Resolver;
 use super::super::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use super::CONTEXT;
-use crate::syntax::{self, ElementItem, JointKind, LoadItem, SourceSpan, Word};
+use crate::diagnostic::SourceSpan;
+use crate::syntax::{self, ElementItem, JointKind, LoadItem, Word};
 
 impl Resolver<'_> {
     /// `force vector on BODY [from BODY] at point;`
@@ -18,7 +19,7 @@ impl Resolver<'_> {
                 .error_with_help(item.span, "a `force` without `at`", help);
         }
         let value = self.vector_clause(&item.value, Some(Dimension::FORCE), "force", "(0, -500N)");
-        self.load(value, [on, from], at, item.span)
+        self.load(value, [on, from], at)
     }
 
     /// `torque moment on BODY [from BODY];`
@@ -38,22 +39,15 @@ impl Resolver<'_> {
             ),
             _ => self.scalar_clause(&item.value, Dimension::MOMENT, "torque", "3N*mm"),
         };
-        self.load(value, bodies, None, item.span)
+        self.load(value, bodies, None)
     }
 
-    fn load(
-        &mut self,
-        value: Expr,
-        [on, from]: [Option<usize>; 2],
-        at: Option<Expr>,
-        span: SourceSpan,
-    ) -> Load {
+    fn load(&mut self, value: Expr, [on, from]: [Option<usize>; 2], at: Option<Expr>) -> Load {
         Load {
             value,
             on,
             from,
             at,
-            origin: self.origins.add(span),
         }
     }
 

@@ -6,8 +6,9 @@ use proc_macro2::Ident;
 
 use super::super::names::Resolver;
 use super::super::passes::Mechanical;
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
-use crate::syntax::{BodyItem, JointKind, SourceSpan, Word};
+use crate::syntax::{BodyItem, JointKind, Word};
 
 /// The fixed link.
 const FRAME: &str = "frame";

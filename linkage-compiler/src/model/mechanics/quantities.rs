@@ -5,8 +5,9 @@ use proc_macro2::Ident;
 use super::super::functions::MechanicsWord;
 use super::super::names::{Context, Place, Resolver};
 use super::super::types::{Dimension, Expr, ExprKind, Mechanics, Name, Type};
+use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::list;
-use crate::syntax::{self, JointKind, SourceSpan, Word};
+use crate::syntax::{self, JointKind, Word};
 
 impl Resolver<'_> {
     /// A quantity of the mechanics, in a function of these inputs and arguments.

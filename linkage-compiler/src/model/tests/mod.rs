@@ -22,10 +22,7 @@ pub(super) fn model(source: &str) -> (Option<Mechanism>, Vec<String>) {
     let definition = parse(tokens, &mut diagnostics);
     let mechanism =
         definition.and_then(|definition| resolve(&definition, &mut origins, &mut diagnostics));
-    let messages: Vec<String> = diagnostics
-        .iter()
-        .map(|diagnostic| diagnostic.message.clone())
-        .collect();
+    let messages: Vec<String> = diagnostics.texts();
     assert_eq!(mechanism.is_none(), !messages.is_empty(), "{messages:#?}");
     (mechanism, messages)
 }

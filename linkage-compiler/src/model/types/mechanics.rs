@@ -1,11 +1,12 @@
 //! Bodies, joints, loads, and what they give.
 
-use super::{Expr, OriginId};
+use super::Expr;
+use crate::diagnostic::OriginId;
 use crate::syntax::vocabulary;
 
 /// What bodies, joints and loads give.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Mechanics {
+pub(crate) enum Mechanics {
     /// `reaction(joint)`: the force on the joint's body from the one that it hangs on.
     Reaction(usize),
     /// `moment(joint)`: the moment on the body about the joint's point.
@@ -25,42 +26,42 @@ pub enum Mechanics {
 
 /// A rigid member that moves, in declaration order; the frame has no number.
 #[derive(Clone, Debug)]
-pub struct Body {
-    pub name: String,
+pub(crate) struct Body {
+    pub(crate) name: String,
     /// What it hangs on; the joint's point is the body's origin.
-    pub joint: usize,
+    pub(crate) joint: usize,
     /// An angle; in space a frame, the vector along a slender rod, or the angle about the joint's axis. `None`: it turns as
     /// the body that it hangs on.
-    pub turns: Option<Expr>,
+    pub(crate) turns: Option<Expr>,
     /// Masses and where they are.
-    pub masses: Vec<(Expr, Expr)>,
+    pub(crate) masses: Vec<(Expr, Expr)>,
     /// Moments of inertia about the centre of mass, or about a point.
-    pub inertias: Vec<(Inertia, Option<Expr>)>,
-    pub origin: OriginId,
+    pub(crate) inertias: Vec<(Inertia, Option<Expr>)>,
+    pub(crate) origin: OriginId,
 }
 
 #[derive(Clone, Debug)]
-pub enum Inertia {
+pub(crate) enum Inertia {
     Scalar(Expr),
     /// In the axes of the body's frame: rows of a symmetric matrix.
     Tensor(Box<[[Expr; 3]; 3]>),
 }
 
 #[derive(Clone, Debug)]
-pub struct Joint {
+pub(crate) struct Joint {
     /// `None` for a joint that nobody can ask for.
-    pub name: Option<String>,
-    pub kind: JointKind,
-    pub body: usize,
+    pub(crate) name: Option<String>,
+    pub(crate) kind: JointKind,
+    pub(crate) body: usize,
     /// `None`: the frame.
-    pub on: Option<usize>,
-    pub at: Expr,
+    pub(crate) on: Option<usize>,
+    pub(crate) at: Expr,
     /// The guide of a slide, the axis of a pin or a cylinder in space.
-    pub direction: Option<Expr>,
-    pub origin: OriginId,
+    pub(crate) direction: Option<Expr>,
+    pub(crate) origin: OriginId,
 }
 
-pub use crate::syntax::JointKind;
+pub(crate) use crate::syntax::JointKind;
 
 impl JointKind {
     /// Whether its bodies turn against each other.
@@ -82,35 +83,34 @@ impl JointKind {
 
 /// A force at a point or a torque on a body, the opposite on another; `None` is the frame.
 #[derive(Clone, Debug)]
-pub struct Load {
-    pub value: Expr,
-    pub on: Option<usize>,
-    pub from: Option<usize>,
+pub(crate) struct Load {
+    pub(crate) value: Expr,
+    pub(crate) on: Option<usize>,
+    pub(crate) from: Option<usize>,
     /// `None` for a torque.
-    pub at: Option<Expr>,
-    pub origin: OriginId,
+    pub(crate) at: Option<Expr>,
 }
 
 /// A spring or a damper.
 #[derive(Clone, Debug)]
-pub struct Element {
-    pub kind: ElementKind,
-    pub value: Expr,
-    pub between: Between,
-    pub free: Option<Expr>,
-    pub origin: OriginId,
+pub(crate) struct Element {
+    pub(crate) kind: ElementKind,
+    pub(crate) value: Expr,
+    pub(crate) between: Between,
+    pub(crate) free: Option<Expr>,
+    pub(crate) origin: OriginId,
 }
 
 vocabulary! {
     /// What acts between two bodies by itself.
-    pub enum ElementKind {
+    pub(crate) enum ElementKind {
         Spring = "spring",
         Damper = "damper",
     }
 }
 
 #[derive(Clone, Debug)]
-pub enum Between {
+pub(crate) enum Between {
     /// Bodies (`None` is the frame) and points on them.
     Points([(Option<usize>, Expr); 2]),
     Joint(usize),

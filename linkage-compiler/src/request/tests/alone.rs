@@ -3,12 +3,10 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use linkage_symbolic::program::{Binary, Instruction, Source, Value};
-use proc_macro2::TokenStream;
 
 use super::{ITEMS, PIN, RRR};
-use crate::diagnostic::{Diagnostics, Origins};
+use crate::check;
 use crate::unit::Unit;
-use crate::{analyse, model, syntax};
 
 fn unit(items: &str, functions: &[&str]) -> Unit {
     let functions: Vec<String> = functions
@@ -17,15 +15,10 @@ fn unit(items: &str, functions: &[&str]) -> Unit {
         .collect();
     let functions = functions.join("\n");
     let text = format!("pub struct M {{ {ITEMS} {items} }} impl M {{ {functions} }}");
-    let tokens: TokenStream = text.parse().expect("tokens");
-    let mut diagnostics = Diagnostics::default();
-    let mut origins = Origins::default();
-    let definition = syntax::parse(tokens, &mut diagnostics).expect("a mechanism");
-    let mechanism = model::resolve(&definition, &mut origins, &mut diagnostics);
-    let unit = mechanism.map(|own| analyse(&own, &origins, &mut diagnostics));
-    let messages: Vec<&String> = diagnostics.iter().map(|d| &d.message).collect();
+    let checked = check(text.parse().expect("tokens"));
+    let messages: Vec<&str> = checked.messages.iter().map(|own| &*own.text).collect();
     assert!(messages.is_empty(), "{messages:?}");
-    unit.expect("it resolves")
+    checked.unit.expect("it resolves")
 }
 
 /// A number for each slot that tells what it is computed by, whatever stands beside it.

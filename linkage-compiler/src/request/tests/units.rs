@@ -2,36 +2,23 @@
 
 use linkage_symbolic::program::{Instruction, Source};
 
-use crate::diagnostic::{Diagnostics, Origins};
-use crate::model::Mechanism;
-use crate::oracle::Oracle;
+use crate::Oracle;
 use crate::unit::{Scalar, Unit};
-use crate::{analyse, model, syntax};
 
 const ITEMS: &str = "input phi = 40deg at omega; param m = 129.94g +- 5g; param c = 20mm; param n = -2kg +- 1N*s^2/mm;
     argument payload = 3kg; let speed = omega * c; let energy = m * speed * speed / 2;";
 
-fn compiled(items: &str, functions: &str) -> (Mechanism, Unit, Oracle) {
+fn compiled(items: &str, functions: &str) -> (Unit, Oracle) {
     let text = format!("pub struct M {{ {items} {ITEMS} }} impl M {{ {functions} }}");
-    let mut diagnostics = Diagnostics::default();
-    let mut origins = Origins::default();
-    let tokens = text.parse().expect("tokens");
-    let definition = syntax::parse(tokens, &mut diagnostics).expect("a mechanism");
-    let mechanism = model::resolve(&definition, &mut origins, &mut diagnostics);
-    let unit = mechanism
-        .as_ref()
-        .map(|mechanism| analyse(mechanism, &origins, &mut diagnostics));
-    let messages: Vec<&String> = diagnostics.iter().map(|d| &d.message).collect();
-    assert!(messages.is_empty(), "{messages:?}");
-    let mechanism = mechanism.expect("it resolves");
-    let oracle = Oracle::new(&mechanism, &origins);
-    (mechanism, unit.expect("it resolves"), oracle)
+    let (oracle, checked) = Oracle::new(text.parse().expect("tokens"));
+    assert!(checked.messages.is_empty(), "{:?}", checked.messages);
+    (checked.unit.expect("there is no mistake"), oracle)
 }
 
 #[test]
 fn fields_are_what_was_written() {
     for unit in ["m", "mm", "cm", "um", "inch"] {
-        let (_, compiled, _) = compiled(&format!("unit {unit};"), "");
+        let (compiled, _) = compiled(&format!("unit {unit};"), "");
         let scalars: Vec<&Scalar> = compiled.scalars().collect();
         let nominal = [0, 2].map(|k| scalars[k].nominal);
         assert_eq!(nominal, [0.12994, -2.0], "{unit}");
@@ -46,7 +33,7 @@ fn results_are_in_their_units() {
     let functions = "fn f(omega, payload) -> F { e: energy, s: sensitivity(energy, [m, c]), p: payload, q: m + payload,
         r: d(energy, m) * m, t: 1N / payload,
         u: 0 * 1N*mm + energy }";
-    let (_, unit, oracle) = compiled("unit mm;", functions);
+    let (unit, oracle) = compiled("unit mm;", functions);
     // 0.5 kg, 30 mm, 4 rad/s, 8 kg.
     let results = oracle.evaluate(0, |source| match source {
         Source::Parameter(index) => [0.5, 30.0, 2.0][index],
@@ -89,7 +76,7 @@ fn results_are_in_their_units() {
 
 #[test]
 fn scales_cost_nothing_where_they_cancel() {
-    let (_, unit, _) = compiled("unit mm;", "fn f(omega) -> F { a: d(2 * energy, m) }");
+    let (unit, _) = compiled("unit mm;", "fn f(omega) -> F { a: d(2 * energy, m) }");
     let program = &unit.functions[0].called.program;
     let constants = program
         .instructions

@@ -13,10 +13,7 @@ fn read(source: &str) -> (String, Vec<String>) {
     let mut diagnostics = Diagnostics::default();
     let tokens = source.parse().expect("the source has tokens");
     let definition = parse(tokens, &mut diagnostics);
-    let messages = diagnostics
-        .iter()
-        .map(|diagnostic| diagnostic.message.clone())
-        .collect();
+    let messages = diagnostics.texts();
     (definition.as_ref().map(dump).unwrap_or_default(), messages)
 }
 

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use linkage_compiler::unit::{Body, Column, Unit};
-use linkage_symbolic::program::{Instruction, Program, Source};
 use linkage_symbolic::passes::stages::Stage;
+use linkage_symbolic::program::{Instruction, Program, Source};
 
 use crate::fields::{Field, called, fields};
 use crate::instruction::{expression, name};

@@ -1,0 +1,161 @@
+//! The units of literals: one table. What they mean for dimensions is told in `model`.
+
+/// A unit: a scale times powers of kilogram, newton, metre and second.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unit {
+    pub(crate) kilograms: i32,
+    pub(crate) newtons: i32,
+    pub(crate) metres: i32,
+    pub(crate) seconds: i32,
+    pub(crate) angle: bool,
+    pub(crate) scale: Scale,
+}
+
+/// `10^ten * pi^pi * whole.0^whole.1`
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scale {
+    pub(crate) ten: i64,
+    pub(crate) pi: i32,
+    pub(crate) whole: (u32, i32),
+}
+
+const ONE: Unit = Unit {
+    kilograms: 0,
+    newtons: 0,
+    metres: 0,
+    seconds: 0,
+    angle: false,
+    scale: Scale {
+        ten: 0,
+        pi: 0,
+        whole: (1, 1),
+    },
+};
+const METRE: Unit = Unit { metres: 1, ..ONE };
+const KILOGRAM: Unit = Unit {
+    kilograms: 1,
+    ..ONE
+};
+const NEWTON: Unit = Unit { newtons: 1, ..ONE };
+const SECOND: Unit = Unit { seconds: 1, ..ONE };
+const JOULE: Unit = Unit {
+    metres: 1,
+    ..NEWTON
+};
+const WATT: Unit = Unit {
+    seconds: -1,
+    ..JOULE
+};
+const PASCAL: Unit = Unit {
+    metres: -2,
+    ..NEWTON
+};
+const RADIAN: Unit = Unit { angle: true, ..ONE };
+/// 254 of the unit 1e-4 m.
+const INCH: Unit = Unit {
+    scale: Scale {
+        ten: -4,
+        pi: 0,
+        whole: (254, 1),
+    },
+    ..METRE
+};
+const MINUTE: Unit = Unit {
+    scale: Scale {
+        whole: (60, 1),
+        ..ONE.scale
+    },
+    ..SECOND
+};
+
+/// Spellings, the first of which messages list.
+const UNITS: [(&[&str], Unit); 30] = [
+    (&["m"], METRE),
+    (&["mm"], METRE.shifted(-3)),
+    (&["cm"], METRE.shifted(-2)),
+    // The micro sign and the Greek letter look alike.
+    (&["um", "\u{b5}m", "\u{3bc}m"], METRE.shifted(-6)),
+    (&["nm"], METRE.shifted(-9)),
+    (&["inch"], INCH),
+    (&["deg"], RADIAN.half_turns(180, -1)),
+    (&["rad"], RADIAN),
+    (&["arcmin"], RADIAN.half_turns(180 * 60, -1)),
+    (&["arcsec"], RADIAN.half_turns(180 * 3600, -1)),
+    (&["turn"], RADIAN.half_turns(2, 1)),
+    (&["kg"], KILOGRAM),
+    (&["g"], KILOGRAM.shifted(-3)),
+    (&["mg"], KILOGRAM.shifted(-6)),
+    (&["t"], KILOGRAM.shifted(3)),
+    (&["N"], NEWTON),
+    (&["mN"], NEWTON.shifted(-3)),
+    (&["kN"], NEWTON.shifted(3)),
+    (&["s"], SECOND),
+    (&["ms"], SECOND.shifted(-3)),
+    (&["min"], MINUTE),
+    (&["J"], JOULE),
+    (&["mJ"], JOULE.shifted(-3)),
+    (&["kJ"], JOULE.shifted(3)),
+    (&["W"], WATT),
+    (&["mW"], WATT.shifted(-3)),
+    (&["kW"], WATT.shifted(3)),
+    (&["Pa"], PASCAL),
+    (&["kPa"], PASCAL.shifted(3)),
+    (&["MPa"], PASCAL.shifted(6)),
+];
+
+/// The units as messages list them.
+pub(crate) fn unit_names() -> impl Iterator<Item = &'static str> {
+    UNITS.iter().map(|(spellings, _)| spellings[0])
+}
+
+/// Whether this is the suffix of a literal.
+pub(crate) fn is_unit(name: &str) -> bool {
+    row(name).is_some()
+}
+
+/// The unit of this name, in any spelling.
+pub(crate) fn find_unit(name: &str) -> Option<Unit> {
+    row(name).map(|(_, unit)| *unit)
+}
+
+/// The spelling of a unit that messages list.
+pub(crate) fn first_spelling(name: &str) -> Option<&'static str> {
+    row(name).map(|(spellings, _)| spellings[0])
+}
+
+fn row(name: &str) -> Option<&'static (&'static [&'static str], Unit)> {
+    UNITS
+        .iter()
+        .find(|(spellings, _)| spellings.contains(&name))
+}
+
+impl Unit {
+    const fn shifted(mut self, ten: i64) -> Unit {
+        self.scale.ten = ten;
+        self
+    }
+
+    /// Half a turn times a power of a number.
+    const fn half_turns(mut self, number: u32, power: i32) -> Unit {
+        self.scale.pi = 1;
+        self.scale.whole = (number, power);
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_spelling_stands_twice() {
+        let mut all: Vec<&str> = UNITS
+            .iter()
+            .flat_map(|(own, _)| own.iter().copied())
+            .collect();
+        let count = all.len();
+        all.sort_unstable();
+        all.dedup();
+        assert_eq!(all.len(), count);
+    }
+}
