@@ -1,6 +1,6 @@
 //! Numeric searches and tables over the range of an input, on plain `f64`: no dependencies.
 
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod coupled;
 pub(crate) mod minimum;
 pub mod range;
