@@ -98,7 +98,6 @@ fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
 }
 
 /// The tests of pages look at what it writes.
-#[cfg(test)]
 #[test]
 fn reports_of_all_mechanisms_are_written() -> Result<(), Box<dyn Error>> {
     write(Path::new(FOLDER))
