@@ -18,7 +18,7 @@ const SAMPLES: [&str; 6] = [
 ];
 
 /// Mutations of all samples together; `ROBUST_COUNT=100000` in the environment takes more.
-const COUNT: usize = 2000;
+const COUNT: usize = 500;
 
 /// A small generator of its own, so that a failure can be repeated.
 struct Random(u64);
