@@ -48,7 +48,7 @@ mod two_crank_triad;
 use linkage::report::{Index, Report};
 use std::error::Error;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// The folder of a report and what makes it.
@@ -62,9 +62,16 @@ const JOBS: [Job; 5] = [
     ("beyond_reach", reports::beyond_reach),
 ];
 
+/// Where reports are written if no folder is given.
+const FOLDER: &str = "target/gallery";
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = std::env::args_os().nth(1).map(PathBuf::from);
-    let folder = folder.unwrap_or_else(|| PathBuf::from("target/gallery"));
+    let folder = std::env::args_os().nth(1);
+    write(&folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from))
+}
+
+/// Writes all reports, and the page that leads to them.
+fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut index = Index::new("Gallery of mechanisms");
     for (number, (name, make)) in (1..).zip(JOBS) {
         let start = Instant::now();
@@ -85,7 +92,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         );
         index = index.report(name, &report);
     }
-    let page = index.write(&folder)?;
+    let page = index.write(folder)?;
     println!("Open {}", page.display());
     Ok(())
+}
+
+/// The tests of pages look at what it writes.
+#[test]
+fn reports_of_all_mechanisms_are_written() -> Result<(), Box<dyn Error>> {
+    write(Path::new(FOLDER))
 }

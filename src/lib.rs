@@ -121,14 +121,13 @@ pub mod __private {
     pub use linkage_runtime::generated::{Along, Angle, Turns, turns, wind};
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::generated::{
-        Arguments, Block, Extended, Inputs, Kernel, Sets, States, Vec, assemblies, fill,
-        fill_slices, one, put, rows,
+        Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_slices, one, put, rows,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
         Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms,
-        CoupledUnknown, Range, Start, Step, Term, Variable, Wanted, nothing, pairs, placed,
-        put_state, starts, stepped,
+        CoupledUnknown, Extended, Range, Start, States, Step, Term, Variable, Wanted, nothing,
+        pairs, placed, put_state, starts, stepped,
     };
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, FUSED, Frame, FunctionInfo, Group,

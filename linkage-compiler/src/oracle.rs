@@ -1,6 +1,8 @@
 //! A mechanism's functions as they stand in the expression graph, before slicing and scheduling: what tests compare the
 //! programs with.
 
+use std::sync::Mutex;
+
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, NodeId, evaluate};
 use proc_macro2::TokenStream;
@@ -15,7 +17,8 @@ use crate::{Analysed, Checked};
 /// The expression graph of a mechanism, unknowns still being symbols with definitions.
 #[derive(Debug, Default)]
 pub struct Oracle {
-    graph: Graph,
+    /// Behind a lock: a graph grows behind a shared reference, and tests share an oracle.
+    graph: Mutex<Graph>,
     functions: Vec<Vec<NodeId>>,
     /// For each angle of the graph, its start estimate.
     estimates: Vec<f64>,
@@ -35,8 +38,9 @@ impl Oracle {
     /// # Panics
     /// If there is no such function.
     pub fn evaluate(&self, function: usize, load: impl Fn(Source) -> f64) -> Vec<f64> {
+        let graph = self.graph.lock().expect("nobody failed with it");
         let outputs = self.functions[function].iter();
-        let outputs: Vec<Ex> = outputs.map(|&id| self.graph.ex(id)).collect();
+        let outputs: Vec<Ex> = outputs.map(|&id| graph.ex(id)).collect();
         evaluate(&outputs, |source| match source {
             Source::Centre(angle) => self.estimates[angle],
             Source::Winding(..) => 0.0,
@@ -68,7 +72,7 @@ impl Watch for Oracle {
                 .map(|definition| requested(&mut state, definition));
             let ids = scalars.map(|all| all.into_iter().map(Ex::id).collect());
             self.functions = ids.collect();
-            self.graph = algebra.graph.clone();
+            self.graph = Mutex::new(algebra.graph.clone());
         });
     }
 }

@@ -8,7 +8,7 @@ mod sweep;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod turns;
 
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::numeric::coupled::{Correction, Range, Step};
 #[cfg(feature = "alloc")]
 pub use crate::numeric::roots::{Term, Variable};
@@ -26,9 +26,9 @@ pub use coupled::{
 #[cfg(feature = "rayon")]
 pub use sweep::fill_parallel;
 #[cfg(feature = "alloc")]
-pub use sweep::{
-    Arguments, Block, Extended, Inputs, Kernel, Sets, States, fill, fill_slices, put, rows,
-};
+pub use sweep::{Arguments, Block, Inputs, Kernel, Sets, fill, fill_slices, put, rows};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use sweep::{Extended, States};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use turns::{Along, Angle, Turns, turns, wind};
 

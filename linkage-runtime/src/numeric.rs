@@ -3,7 +3,7 @@
 //! For the compiler and generated code, which shall do the same: what they need may change with every version, so users
 //! do not see it.
 
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod coupled;
 pub(crate) mod minimum;
 pub mod nearest;

@@ -2,11 +2,13 @@
 
 mod arguments;
 mod blocks;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod extended;
 mod instruction_set;
 
 pub use arguments::{Arguments, Inputs, Sets};
 pub use blocks::{Block, put, rows};
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use extended::{Extended, States};
 
 use crate::{Columns, Scalar};

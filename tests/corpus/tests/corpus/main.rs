@@ -1,8 +1,13 @@
-//! Generated code against the interpreter, for a corpus of random mechanisms.
+//! Generated code against the interpreter, for a corpus of random mechanisms; the interpreter against the graph, and what is in programs at
+//! all, for more of them.
 //!
 //! `UPDATE=1 cargo test -p linkage-corpus --test corpus` writes the corpus anew.
 
+mod oracle;
+mod slicing;
+
 use std::path::Path;
+use std::sync::{Arc, OnceLock};
 
 use linkage::{Vector2, Vector3};
 use linkage_corpus::{Case, Kind, code};
@@ -70,6 +75,20 @@ macro_rules! corpus {
 }
 pub(crate) use corpus;
 
+/// How many mechanisms are kept: more than that are asked for in long runs only, and would fill the memory.
+const KEPT: usize = 100;
+
+/// The mechanism of a seed: compiled once for all tests that ask for it.
+fn case(seed: u64) -> Result<Arc<Case>, String> {
+    type Compiled = OnceLock<Result<Arc<Case>, String>>;
+    static CASES: [Compiled; KEPT] = [const { OnceLock::new() }; KEPT];
+    let compile = || Case::new(seed).map(Arc::new);
+    match CASES.get(seed as usize) {
+        Some(kept) => kept.get_or_init(compile).clone(),
+        None => compile(),
+    }
+}
+
 fn path() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/mechanisms.rs")
 }
@@ -92,7 +111,7 @@ fn the_corpus_is_what_the_generator_writes() {
 fn generated_code_agrees_with_the_interpreter() {
     let mut worst = 0.0;
     for (seed, results) in mechanisms::ALL.iter().enumerate() {
-        let case = Case::new(seed as u64).unwrap_or_else(|message| panic!("{message}"));
+        let case = case(seed as u64).unwrap_or_else(|message| panic!("{message}"));
         let mut random = Random::new(seed as u64);
         for round in 0..4 {
             let mut at = case.position(&mut random);
@@ -136,9 +155,9 @@ fn generated_code_agrees_with_the_interpreter() {
 
 #[test]
 fn the_corpus_has_all_kinds_of_groups() {
-    let cases = (0..mechanisms::ALL.len()).map(|seed| Case::new(seed as u64).expect("it compiles"));
+    let cases = (0..mechanisms::ALL.len()).map(|seed| case(seed as u64).expect("it compiles"));
     let mut kinds: Vec<String> = cases
-        .flat_map(|case| case.subject.unit.groups)
+        .flat_map(|case| case.subject.unit.groups.clone())
         .map(|group| group.kind)
         .collect();
     kinds.sort_unstable();

@@ -93,7 +93,14 @@ fn main() {
     assert!(triad.a4.is_finite() && triad.v.is_finite());
     let contour = Contour::default().assemble().expect("it closes").links(1.0);
     assert!(contour.first.is_finite() && contour.second.is_finite());
-    assert!(ThreeLoops::default().assemble().expect("it closes").turned(1.0).platform.is_finite());
+    assert!(
+        ThreeLoops::default()
+            .assemble()
+            .expect("it closes")
+            .turned(1.0)
+            .platform
+            .is_finite()
+    );
 
     let cubic = Cubic::default().assemble().expect("it closes").root(1.2);
     assert!((cubic.s.powi(3) - 1.2).abs() < 1e-15);

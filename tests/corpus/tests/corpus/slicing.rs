@@ -1,6 +1,5 @@
 //! The evaluators' programs contain no operation that could have been done once in `assemble()`, and none without use.
 
-use linkage_corpus::Case;
 use linkage_symbolic::program::{Instruction, Program, Source, Value};
 
 /// Every operation depends on an input.
@@ -40,7 +39,7 @@ fn check_use(program: &Program, name: &str) {
 #[test]
 fn programs_are_sliced() {
     for seed in 0..80 {
-        let case = Case::new(seed).unwrap_or_else(|message| panic!("{message}"));
+        let case = super::case(seed).unwrap_or_else(|message| panic!("{message}"));
         let unit = &case.subject.unit;
         let name = format!("seed {seed}");
         for function in &unit.functions {

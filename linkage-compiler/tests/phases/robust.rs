@@ -19,7 +19,7 @@ const SAMPLES: [&str; 6] = [
 ];
 
 /// Mutations of all samples together; `ROBUST_COUNT=100000` in the environment takes more.
-const COUNT: usize = 2000;
+const COUNT: usize = 500;
 
 fn read(name: &str) -> TokenStream {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");

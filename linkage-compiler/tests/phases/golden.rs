@@ -1,12 +1,16 @@
 //! Every phase's text for several mechanisms, compared with files in `tests/golden`.
 //!
-//! `UPDATE=1 cargo test -p linkage-compiler --test golden` writes them anew; read the difference before you commit it.
+//! `UPDATE=1 cargo test -p linkage-compiler --test phases golden` writes them anew; read the difference before you commit it.
+
+mod brief;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use linkage_compiler::trace::{Trace, trace};
 use proc_macro2::TokenStream;
+
+use self::brief::brief;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden")
@@ -16,11 +20,6 @@ fn read(name: &str) -> TokenStream {
     let path = folder().join(format!("{name}.mech"));
     let text = fs::read_to_string(&path).expect("the mechanism can be read");
     text.parse().expect("the mechanism is made of tokens")
-}
-
-fn pretty(tokens: &TokenStream) -> String {
-    let file: syn::File = syn::parse2(tokens.clone()).expect("the output is Rust");
-    prettyplease::unparse(&file)
 }
 
 fn compare(name: &str, phase: &str, text: &str) {
@@ -54,7 +53,7 @@ fn check(name: &str) {
     compare(name, "3-structure", &structure);
     compare(name, "4-formulate", &formulate);
     compare(name, "5-lower", &lower);
-    compare(name, "6-emit", &pretty(&emit));
+    compare(name, "6-emit", &brief(&emit));
 }
 
 #[test]

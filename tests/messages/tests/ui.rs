@@ -1,7 +1,7 @@
-//! Every message of the compiler as its user sees it, and programs that must compile and run.
+//! Every message of the compiler as its user sees it.
 //!
-//! `tests/ui/pass` holds the programs; the other folders hold mistakes, one kind for each file, by the phase that finds
-//! them, with the messages beside them. `TRYBUILD=overwrite cargo test --test ui` writes the messages anew: read the
+//! The folders of `tests/ui` hold mistakes, one kind for each file, by the phase that finds them, with the messages beside them. All
+//! are built at once. `TRYBUILD=overwrite cargo test --test ui` writes the messages anew: read the
 //! difference before you commit it. `cargo test --test ui messages -- trybuild=formulate` runs the files with that word in their
 //! path only.
 
@@ -19,9 +19,4 @@ fn messages() {
     ] {
         tests.compile_fail(format!("tests/ui/{phase}/*.rs"));
     }
-}
-
-#[test]
-fn programs() {
-    trybuild::TestCases::new().pass("tests/ui/pass/*.rs");
 }

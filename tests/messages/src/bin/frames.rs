@@ -47,5 +47,8 @@ fn main() {
     let columns = wrist.frame_sweep(&[0.3, 0.4], &[0.2, 0.2]);
     let [origin, x, _, _] = columns.frame();
     assert_eq!((origin, x[0]), (columns.origin(), columns.x()));
-    assert_eq!(linkage::Frame::<f64>::default().isometry(), Default::default());
+    assert_eq!(
+        linkage::Frame::<f64>::default().isometry(),
+        Default::default()
+    );
 }

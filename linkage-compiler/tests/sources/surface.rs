@@ -7,7 +7,7 @@ use quote::quote;
 
 /// A mechanism with bodies, whose reactions whoever looks asks for, too.
 fn mechanism() -> TokenStream {
-    let text = include_str!("golden/forces.mech");
+    let text = include_str!("../golden/forces.mech");
     text.parse().expect("tokens")
 }
 

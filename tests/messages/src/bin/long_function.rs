@@ -32,7 +32,11 @@ mechanism! {
 
 fn main() {
     let function = &Chain::STRUCTURE.functions[0];
-    assert!(function.operations.total() > 3000, "{}", function.operations.total());
+    assert!(
+        function.operations.total() > 3000,
+        "{}",
+        function.operations.total()
+    );
     let linkage = Chain::default().assemble().unwrap();
     assert!(linkage.everything(1.0).tip.iter().all(|e| e.x.is_finite()));
 }

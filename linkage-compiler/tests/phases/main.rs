@@ -1,0 +1,8 @@
+//! The compiler from tokens to tokens: one program, so that it is linked once.
+
+mod directions;
+mod forms;
+mod forms_space;
+mod golden;
+mod robust;
+mod speed;

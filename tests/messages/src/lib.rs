@@ -1,0 +1,1 @@
+//! What users see is in `tests/ui`; here is nothing.
