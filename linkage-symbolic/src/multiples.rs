@@ -3,6 +3,9 @@
 //! Constructors gather factors in front of each term, so that a lone vector that turns with a link costs nothing for
 //! its length. Where the same direction occurs with several lengths, as it does among sensitivities, one
 //! sum and a product for each further length are cheaper. Nothing is divided: a length may be 0.
+//!
+//! A multiple has as many roundings as the sum had that it stands for. Divisors among the factors add one, as they are inverted; numbers add
+//! three at most, for their quotients are rounded. As in [`crate::rules`], results in between must be in range, and no NaN is lost.
 
 use std::collections::BTreeMap;
 

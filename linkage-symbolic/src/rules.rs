@@ -49,7 +49,8 @@ pub enum Assumes {
     Number,
     /// What drops out is finite.
     Finite,
-    /// All values are finite, and no result in between overflows or loses digits next to zero.
+    /// All values are finite, and no result in between overflows or loses digits next to zero. What is divided by zero is infinite or NaN
+    /// as before.
     Range,
     /// What drops out is not zero.
     Nonzero,
@@ -156,7 +157,8 @@ pub fn of_ternary(op: Ternary) -> &'static [Rule<Ternary, 3>] {
 /// The rules that sums and products of rates follow before those of all: rates share factors, the turning of a link.
 pub fn of_rates(op: Binary) -> &'static [Rule<Binary, 2>] {
     match op {
-        Binary::Add | Binary::Sub => rates::SUM,
+        Binary::Add => rates::SUM,
+        Binary::Sub => rates::DIFFERENCE,
         Binary::Mul => rates::PRODUCT,
         Binary::Div | Binary::Hypot | Binary::Atan2 | Binary::Min | Binary::Max | Binary::Root => {
             &[]

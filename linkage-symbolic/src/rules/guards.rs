@@ -5,8 +5,8 @@ use crate::graph::Node;
 use crate::operation::{Binary, Ternary};
 
 pub(super) static GUARD: &[Rule<Ternary, 3>] = &[
-    // A root is never negative, so the guard only makes its value NaN where the root is; a value that is computed from the root is
-    // that by itself.
+    // A root is never negative, so the guard only makes its value NaN where the root is. A value that is computed from the root is
+    // that by itself, unless a choice within it passes the root by: formulas that choose have the root on both sides.
     rule(
         "select(root(x, y), root(x, y) z, root(x, y)) = root(x, y) z",
         |g, _, [root, value, otherwise]| {

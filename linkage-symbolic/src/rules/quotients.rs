@@ -21,7 +21,7 @@ pub(super) static QUOTIENT: &[Rule<Binary, 2>] = &[
         let a = g.neg(a);
         Some(g.div(a, y))
     })
-    .also(&["x / (-k) = (-x) / k"]),
+    .also(&["p / (-k) = (-p) / k"]),
     rule("(-x) / y = -(x / y)", |g, _, [a, b]| match g.node(a) {
         Node::Unary(Unary::Neg, x) => {
             let value = g.div(x, b);

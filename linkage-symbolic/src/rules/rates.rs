@@ -22,13 +22,16 @@ pub(super) static PRODUCT: &[Rule<Binary, 2>] = &[
     .assumes(Assumes::Range),
 ];
 
-pub(super) static SUM: &[Rule<Binary, 2>] = &[
-    // Where vectors turn with one angle, `y + z` is mostly a component of their sum that is known already.
-    rule("x y + x z = x (y + z)", common_rate)
-        .also(&["x y - x z = x (y - z)", "(p x) y + x z = x (p y + z)"])
-        .changes(Changes::Roundings(0))
-        .assumes(Assumes::Range),
-];
+// Where vectors turn with one angle, `y + z` is mostly a component of their sum that is known already.
+
+pub(super) static SUM: &[Rule<Binary, 2>] = &[rule("x y + x z = x (y + z)", common_rate)
+    .also(&["(p x) y + x z = x (p y + z)"])
+    .changes(Changes::Roundings(0))
+    .assumes(Assumes::Range)];
+
+pub(super) static DIFFERENCE: &[Rule<Binary, 2>] = &[rule("x y - x z = x (y - z)", common_rate)
+    .changes(Changes::Roundings(0))
+    .assumes(Assumes::Range)];
 
 /// `x (a + b)` from the factors of `x a` and of `x b`.
 fn common_rate(g: &mut Store, op: Binary, [a, b]: [NodeId; 2]) -> Option<NodeId> {

@@ -13,7 +13,7 @@ pub(super) static SUM: &[Rule<Binary, 2>] = &[
         let (p, q, _) = g.like_terms(a, b)?;
         (p + q == 0.0).then(|| g.zero())
     })
-    .also(&["x + (-x) = 0", "(-p) x + p x = 0"])
+    .also(&["x + (-x) = 0", "-(x y) + x y = 0"])
     .assumes(Assumes::Range),
     rule("k x + m x = (k + m) x", |g, _, [a, b]| {
         let (p, q, x) = g.like_terms(a, b)?;
@@ -31,15 +31,15 @@ pub(super) static SUM: &[Rule<Binary, 2>] = &[
         Some(g.sub(a, y))
     })
     .also(&["x + (-k) = x - k", "x + (-p) y = x - p y"]),
-    rule("(-x) + y = y - x", |g, _, [a, b]| {
+    rule("(-y) + x = x - y", |g, _, [a, b]| {
         let x = g.negative_term(a)?;
         Some(g.sub(b, x))
     })
-    .also(&["(-k) + x = x - k", "(-p) x + y = y - p x"]),
+    .also(&["(-k) + x = x - k", "(-p) y + x = x - p y"]),
     rule("(x - y) + y = x", |g, _, [a, b]| {
         minuend(g, a, b).or_else(|| minuend(g, b, a))
     })
-    .also(&["x + (y - x) = y"])
+    .also(&["y + (x - y) = x"])
     .changes(Changes::Roundings(-2))
     .assumes(Assumes::Range),
     FOLD_TWO,
