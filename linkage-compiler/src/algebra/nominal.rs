@@ -18,20 +18,30 @@ pub(crate) struct Nominal {
     pub(crate) estimates: Vec<Vec<f64>>,
 }
 
+/// How many numbers, in the unit of which type.
+#[derive(Clone, Copy)]
+struct Wanted<'t> {
+    count: usize,
+    unit: &'t Type,
+}
+
 impl Nominal {
     pub(crate) fn of(algebra: &mut Algebra) -> Self {
         let mechanism = algebra.mechanism;
         let mut nominal = Self::default();
         for parameter in &mechanism.parameters {
             let count = parameter.tolerances.len();
-            let unit = &parameter.ty;
-            nominal
-                .parameters
-                .extend(algebra.numbers(&parameter.nominal, (count, unit), &[]));
+            let whole = Wanted {
+                count,
+                unit: &parameter.ty,
+            };
+            let component = Wanted { count: 1, ..whole };
+            let nominals = algebra.numbers(&parameter.nominal, whole, &[]);
+            nominal.parameters.extend(nominals);
             for tolerance in &parameter.tolerances {
                 let value = tolerance
                     .as_ref()
-                    .map_or(0.0, |t| algebra.numbers(t, (1, unit), &[])[0]);
+                    .map_or(0.0, |t| algebra.numbers(t, component, &[])[0]);
                 nominal.tolerances.push(value);
             }
         }
@@ -43,8 +53,10 @@ impl Nominal {
             nominal.ranges.push(range);
         }
         for (unknown, item) in mechanism.unknowns.iter().enumerate() {
-            let count = algebra.names.components_of(unknown);
-            let wanted = (count, &item.ty);
+            let wanted = Wanted {
+                count: algebra.names.components_of(unknown),
+                unit: &item.ty,
+            };
             let estimate = algebra.numbers(&item.estimate, wanted, &nominal.parameters);
             nominal.estimates.push(estimate);
         }
@@ -80,14 +92,9 @@ impl Angle<'_> {
 }
 
 impl Algebra<'_> {
-    /// An expression of constants and parameters as so many numbers, in the unit of a type.
-    fn numbers(
-        &mut self,
-        expr: &Expr,
-        (count, unit): (usize, &Type),
-        parameters: &[f64],
-    ) -> Vec<f64> {
-        let scale = self.internal_per_unit(unit);
+    /// An expression of constants and parameters as numbers.
+    fn numbers(&mut self, expr: &Expr, wanted: Wanted, parameters: &[f64]) -> Vec<f64> {
+        let scale = self.internal_per_unit(wanted.unit);
         let mut numbers = match self.written(expr, scale) {
             Some(numbers) => numbers,
             None => {
@@ -96,7 +103,7 @@ impl Algebra<'_> {
             }
         };
         if numbers.len() == 1 {
-            numbers.resize(count, numbers[0]);
+            numbers.resize(wanted.count, numbers[0]);
         }
         numbers
     }

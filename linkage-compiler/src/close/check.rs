@@ -8,7 +8,7 @@ use crate::structure::report::loop_list;
 use crate::unit::ContinuousAngle;
 
 use super::Reference;
-use super::follow::follow_angles;
+use super::follow::{Unfollowed, follow_angles};
 use super::ranges::{GRID, Ranges};
 use super::words::Words;
 
@@ -104,7 +104,7 @@ pub(crate) fn check_ranges<'m>(
 /// Says that an angle cannot be followed over the range of an input.
 pub(super) fn report_unfollowed(
     algebra: &Algebra,
-    (angle, input): (usize, usize),
+    Unfollowed { angle, input }: Unfollowed,
     reporter: &mut Reporter,
 ) {
     let Some(unknown) = algebra.names.angles[angle].meant() else {

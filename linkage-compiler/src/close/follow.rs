@@ -13,14 +13,21 @@ use super::ranges::Grid;
 /// An angle this near to half a turn from its guide cannot be told from one on the other side.
 const LIMIT: f64 = 0.98 * PI;
 
-/// Finds centres and windings of angles whose values are used; each comes with the output of its cosine. Returns an
-/// angle and an input over whose range it cannot be followed.
+/// An angle that strays over the range of an input, by their numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Unfollowed {
+    pub(super) angle: usize,
+    pub(super) input: usize,
+}
+
+/// Finds centres and windings of angles whose values are used; each comes with the output of its cosine. Returns the first
+/// that cannot be followed.
 pub(super) fn follow_angles(
     algebra: &Algebra,
     nominal: &Nominal,
     machine: &mut Machine,
     angles: &[(usize, usize)],
-) -> Option<(usize, usize)> {
+) -> Option<Unfollowed> {
     let values = Vec::new();
     let mut numbers = Numbers {
         nominal,
@@ -40,8 +47,8 @@ struct Numbers<'a> {
 }
 
 impl Numbers<'_> {
-    /// Finds centre and windings of an angle; returns it with an input over whose range it cannot be followed.
-    fn follow(&mut self, algebra: &Algebra, angle: usize, output: usize) -> Option<(usize, usize)> {
+    /// Finds centre and windings of an angle, unless it cannot be followed.
+    fn follow(&mut self, algebra: &Algebra, angle: usize, output: usize) -> Option<Unfollowed> {
         let inputs = self.nominal.inputs.len();
         let estimate = algebra.names.angles[angle].estimate(self.nominal);
         let here = self.angle(output, &self.nominal.inputs.clone(), estimate);
@@ -59,7 +66,7 @@ impl Numbers<'_> {
                 self.direction(output, &position)
             });
             let Some(winding) = found else {
-                return Some((angle, input));
+                return Some(Unfollowed { angle, input });
             };
             centre.add(winding, at);
             self.machine.windings.insert((angle, input), winding.turns);
@@ -67,7 +74,10 @@ impl Numbers<'_> {
         self.machine.centres.insert(angle, centre.value());
         let declared = self.nominal.ranges.iter().flatten().count();
         let strays = declared > 1 && !self.stays_near_its_guide(angle, output);
-        strays.then(|| (angle, inputs - 1))
+        strays.then(|| Unfollowed {
+            angle,
+            input: inputs - 1,
+        })
     }
 
     fn direction(&mut self, output: usize, inputs: &[f64]) -> [f64; 2] {

@@ -173,8 +173,8 @@ impl<'m> Assembly<'_, 'm> {
         let count = closing.coupled[prepared.number].turning;
         let angles = closing.valued[..count].to_vec();
         let unfollowed = follow_angles(self.algebra, self.nominal, &mut self.machine, &angles);
-        if let Some((angle, input)) = unfollowed {
-            report_unfollowed(self.algebra, (angle, input), &mut self.reporter);
+        if let Some(unfollowed) = unfollowed {
+            report_unfollowed(self.algebra, unfollowed, &mut self.reporter);
         }
         unfollowed.is_none()
     }

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::docs::{doc, documented, in_unit, tokens, with_note};
-use super::load::{Places, loader};
+use super::load::loader;
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
 use super::{attribute, body, coupled, literal};
@@ -164,8 +164,7 @@ pub(super) fn kernel(
     let places = function.places(outline);
     let count = literal::index(places.width());
     let width = literal::index(function.width());
-    let methods =
-        (0..stages.len()).map(|index| stage(outline, function, stages, index, (version, &places)));
+    let methods = (0..stages.len()).map(|index| stage(outline, function, stages, index, version));
     let calls = (0..stages.len()).map(|index| {
         let method = stage_name(function, index, version);
         let results = results(index);
@@ -236,7 +235,7 @@ fn stage(
     function: &Function,
     stages: &[Stage],
     index: usize,
-    (version, places): (Version, &Places),
+    version: Version,
 ) -> TokenStream {
     let Stage {
         program,
@@ -247,7 +246,8 @@ fn stage(
         .checked_sub(1)
         .map_or(0, |index| stages[index].carried);
     let method = stage_name(function, index, version);
-    let statements = body::statements(program, &loader(outline, places));
+    let places = function.places(outline);
+    let statements = body::statements(program, &loader(outline, &places));
     let (next, finished) = program.outputs.split_at(*carried);
     let [next, finished] = [next, finished].map(|values| {
         let names = values.iter().map(|value| body::name(*value));

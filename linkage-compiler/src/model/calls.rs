@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use super::frame::SecondArgument;
 use super::functions::QuantityWord;
 use super::names::{Context, Resolver};
 use super::operators::settle_alone;
@@ -140,11 +141,18 @@ impl Resolver<'_> {
             }
             Function::Frame => self.frame(arguments),
             Function::PointIn => {
-                let roles = ("coordinates in a frame are", "vector");
-                self.in_frame(function, roles, arguments, span)
+                let second = SecondArgument {
+                    rule: "coordinates in a frame are",
+                    word: "vector",
+                };
+                self.in_frame(function, second, arguments, span)
             }
             Function::CoordinatesIn => {
-                self.in_frame(function, ("a point is", "point"), arguments, span)
+                let second = SecondArgument {
+                    rule: "a point is",
+                    word: "point",
+                };
+                self.in_frame(function, second, arguments, span)
             }
         }
     }

@@ -20,6 +20,15 @@ impl Function {
     }
 }
 
+/// What stands behind the frame in `point_in` and `coordinates_in`.
+#[derive(Clone, Copy)]
+pub(super) struct SecondArgument {
+    /// The beginning of the sentence that says what it must be.
+    pub(super) rule: &'static str,
+    /// What it is called.
+    pub(super) word: &'static str,
+}
+
 impl Resolver<'_> {
     /// `.origin`, `.x`, `.y` or `.z` of a frame.
     pub(super) fn part(&mut self, frame: Expr, field: &Ident, span: SourceSpan) -> Expr {
@@ -53,11 +62,11 @@ impl Resolver<'_> {
         Some(Type::Frame)
     }
 
-    /// `point_in(frame, vector)`, `coordinates_in(frame, point)`: what the second argument must be, and what it is called.
+    /// `point_in(frame, vector)`, `coordinates_in(frame, point)`
     pub(super) fn in_frame(
         &mut self,
         function: Function,
-        (role, second): (&str, &str),
+        second: SecondArgument,
         arguments: &mut [Expr],
         span: SourceSpan,
     ) -> Option<Type> {
@@ -68,7 +77,7 @@ impl Resolver<'_> {
         if frame.ty != Type::Frame && point.ty == Type::Frame {
             let (first, frame) = (&frame.ty, &point.ty);
             let fact = format!("the arguments of `{name}` are swapped: found {first} and {frame}");
-            let help = format!("write `{name}(frame, {second})`");
+            let help = format!("write `{name}(frame, {})`", second.word);
             self.diagnostics.error_with_help(span, fact, help);
             return None;
         }
@@ -77,7 +86,7 @@ impl Resolver<'_> {
             let help = "`frame(origin, x, z)` makes a frame";
             return self.wrong_argument(function, "a frame here", frame, help);
         }
-        self.point(point, function, role)?;
+        self.point(point, function, second.rule)?;
         Some(Type::Vector(3, Dimension::LENGTH))
     }
 

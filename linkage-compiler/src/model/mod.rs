@@ -41,6 +41,7 @@ pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
 pub(crate) use generated::{ASSEMBLY, COLUMNS, Sweep};
 pub use shape::Shape;
 pub(crate) use types::*;
+pub(crate) use usage::AskedPicture;
 
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::syntax::MechanismDef;

@@ -3,6 +3,7 @@
 use super::types::{
     Between, EvaluatorDef, Expr, ExprKind, Inertia, Mechanics, Mechanism, Name, Quantity,
 };
+use crate::diagnostic::OriginId;
 
 /// Names that loops are written with, directly or through derived quantities.
 #[derive(Clone, Debug)]
@@ -81,13 +82,24 @@ impl Usage {
     }
 }
 
+/// The picture that a function asks for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AskedPicture<'m> {
+    /// Points that the user says to be links.
+    pub(crate) links: &'m [Vec<Expr>],
+    pub(crate) origin: OriginId,
+}
+
 impl EvaluatorDef {
-    /// The links that its picture lists, and the quantity; `None` if it asks for no picture.
-    pub(crate) fn asked_picture(&self) -> Option<(&[Vec<Expr>], &Expr)> {
+    /// `None` if it asks for no picture.
+    pub(crate) fn asked_picture(&self) -> Option<AskedPicture<'_>> {
         self.quantities
             .iter()
             .find_map(|own| match &own.value.kind {
-                ExprKind::Picture(links) => Some((&links[..], &own.value)),
+                ExprKind::Picture(links) => Some(AskedPicture {
+                    links,
+                    origin: own.value.origin,
+                }),
                 _ => None,
             })
     }

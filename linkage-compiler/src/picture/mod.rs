@@ -35,7 +35,7 @@ use linkage_symbolic::Vn;
 use crate::algebra::{Algebra, Nominal};
 use crate::close::Reference;
 use crate::diagnostic::Reporter;
-use crate::model::{Expr, Type};
+use crate::model::{AskedPicture, Expr, Type};
 use crate::unit::Picture;
 
 use chains::Sketch;
@@ -50,18 +50,18 @@ pub(crate) struct Found<'m> {
     pub(crate) vectors: Vec<Vn<'m>>,
 }
 
-/// The picture of a mechanism that closes, with `lists` of points that the user says to be links.
+/// The picture of a mechanism that closes.
 pub(crate) fn find<'m>(
     algebra: &mut Algebra<'m>,
     reference: &Reference,
     nominal: &Nominal,
-    (lists, asked): (&'m [Vec<Expr>], &'m Expr),
+    asked: AskedPicture<'m>,
     reporter: &mut Reporter,
 ) -> Found<'m> {
-    let dimension = dimension(algebra, lists);
+    let dimension = dimension(algebra, asked.links);
     let mut sketch = Sketch::new(algebra, dimension);
     sketch.collect();
-    sketch.add_lists(lists);
+    sketch.add_lists(asked.links);
     let mut seen = Seen::new(sketch.algebra, &sketch.points, reference, nominal);
     if seen.places.len() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
         reporter.error_with_help(

@@ -87,7 +87,8 @@ fn expect_agreement(items: &str, function: &str) {
     for _ in 0..8 {
         let position = Position::new(&nominal, &mut random);
         let states = states(&formulation, &reference, &position);
-        compared += compare(&results, (&position, &states), &mut random);
+        let at = At { position, states };
+        compared += compare(&results, &at, &mut random);
     }
     assert!(compared > 0, "the mechanism never closes: {items}");
 }
@@ -148,16 +149,20 @@ fn states(formulation: &Formulation, reference: &Reference, position: &Position)
     states
 }
 
+/// A position and the states of the coupled groups there.
+struct At {
+    position: Position,
+    states: Vec<Vec<f64>>,
+}
+
 /// Returns the number of results that are numbers.
 #[track_caller]
-fn compare(
-    results: &[Vec<Ex>; 4],
-    (position, states): (&Position, &[Vec<f64>]),
-    random: &mut Random,
-) -> usize {
+fn compare(results: &[Vec<Ex>; 4], at: &At, random: &mut Random) -> usize {
     let run = |scalars: &[Ex], noise: f64, random: &mut Random| {
         let noise = [0; 40].map(|_| 1.0 + noise * random.next());
-        evaluate(scalars, |source| position.load(source, states, &noise))
+        evaluate(scalars, |source| {
+            at.position.load(source, &at.states, &noise)
+        })
     };
     let [forward, others @ ..] = results;
     let expected = run(forward, 0.0, random);

@@ -13,6 +13,13 @@ pub(super) struct Distance<'m> {
     pub(super) length: Ex<'m>,
 }
 
+/// Two sides of an equation: what measures a distance, and what is known.
+#[derive(Clone, Copy)]
+struct Sides<'m> {
+    measured: Ex<'m>,
+    given: Ex<'m>,
+}
+
 impl<'m> Analysis<'_, 'm> {
     /// A row `|v| - l` or `v . v - l^2` (or its negative) with a known `l`.
     pub(super) fn distance(
@@ -26,11 +33,14 @@ impl<'m> Analysis<'_, 'm> {
 
     /// A length or its square on one side, known numbers on the other.
     fn measured(&mut self, row: Ex<'m>, coordinates: &[Coordinate]) -> Option<Distance<'m>> {
-        let mut sides = (row, self.algebra.zero());
+        let mut sides = Sides {
+            measured: row,
+            given: self.algebra.zero(),
+        };
         loop {
             // Squares of what is known may belong to the vector: one term after the other.
             sides = self.without_term(sides, coordinates)?;
-            let (measured, given) = self.without_factors(sides.0, sides.1, coordinates);
+            let Sides { measured, given } = self.without_factors(sides, coordinates);
             let graph = self.algebra.graph;
             let lift = |vector: Vec<_>| vector.into_iter().map(|id| graph.ex(id)).collect();
             if let Some(vector) = graph.vector_of_length(measured.id()) {
@@ -48,26 +58,27 @@ impl<'m> Analysis<'_, 'm> {
         }
     }
 
-    /// Both sides of an equation less a known term of the first.
+    /// Both sides less a known term of the first.
     fn without_term(
         &mut self,
-        (side, other): (Ex<'m>, Ex<'m>),
+        Sides { measured, given }: Sides<'m>,
         coordinates: &[Coordinate],
-    ) -> Option<(Ex<'m>, Ex<'m>)> {
-        let ex = |id| side.graph().ex(id);
-        if let Node::Unary(Unary::Neg, a) = side.node() {
-            return Some((ex(a), -other));
+    ) -> Option<Sides<'m>> {
+        let ex = |id| measured.graph().ex(id);
+        let sides = |measured, given| Some(Sides { measured, given });
+        if let Node::Unary(Unary::Neg, a) = measured.node() {
+            return sides(ex(a), -given);
         }
-        let Node::Binary(op, a, b) = side.node() else {
+        let Node::Binary(op, a, b) = measured.node() else {
             return None;
         };
         let [a, b] = [a, b].map(ex);
         let known = |x| !coordinates.iter().any(|c| self.contains(x, c));
         match (op, known(a), known(b)) {
-            (Binary::Add, _, true) => Some((a, other - b)),
-            (Binary::Add, true, _) => Some((b, other - a)),
-            (Binary::Sub, _, true) => Some((a, other + b)),
-            (Binary::Sub, true, _) => Some((b, a - other)),
+            (Binary::Add, _, true) => sides(a, given - b),
+            (Binary::Add, true, _) => sides(b, given - a),
+            (Binary::Sub, _, true) => sides(a, given + b),
+            (Binary::Sub, true, _) => sides(b, a - given),
             _ => None,
         }
     }
@@ -75,13 +86,15 @@ impl<'m> Analysis<'_, 'm> {
     /// Both sides divided by the known factors of the first.
     fn without_factors(
         &mut self,
-        mut measured: Ex<'m>,
-        mut given: Ex<'m>,
+        Sides {
+            mut measured,
+            mut given,
+        }: Sides<'m>,
         coordinates: &[Coordinate],
-    ) -> (Ex<'m>, Ex<'m>) {
+    ) -> Sides<'m> {
         loop {
             let Node::Binary(op, a, b) = measured.node() else {
-                return (measured, given);
+                return Sides { measured, given };
             };
             let [a, b] = [a, b].map(|id| measured.graph().ex(id));
             let known = |x| !coordinates.iter().any(|c| self.contains(x, c));
@@ -95,7 +108,7 @@ impl<'m> Analysis<'_, 'm> {
                     measured = rest;
                     given = given / factor;
                 }
-                _ => return (measured, given),
+                _ => return Sides { measured, given },
             }
         }
     }

@@ -8,6 +8,19 @@ use super::CONTEXT;
 use crate::diagnostic::SourceSpan;
 use crate::syntax::{self, ElementItem, JointKind, LoadItem, Word};
 
+/// What a value must be, and how one is written.
+#[derive(Clone, Copy)]
+struct Measure {
+    dimension: Dimension,
+    example: &'static str,
+}
+
+impl Measure {
+    fn new(dimension: Dimension, example: &'static str) -> Self {
+        Self { dimension, example }
+    }
+}
+
 impl Resolver<'_> {
     /// `force vector on BODY [from BODY] at point;`
     pub(super) fn force_item(&mut self, item: &LoadItem) -> Load {
@@ -88,10 +101,13 @@ impl Resolver<'_> {
             self.refuse_without_angle(&between, bodies, item.span);
         }
         let (stiffness, free_of) = match turning.unwrap_or_default() {
-            true => ((Dimension::MOMENT, "300N*mm"), (Dimension::ANGLE, "20deg")),
+            true => (
+                Measure::new(Dimension::MOMENT, "300N*mm"),
+                Measure::new(Dimension::ANGLE, "20deg"),
+            ),
             false => (
-                (Dimension::of(-1, 1, 0), "2.5N/mm"),
-                (Dimension::LENGTH, "40mm"),
+                Measure::new(Dimension::of(-1, 1, 0), "2.5N/mm"),
+                Measure::new(Dimension::LENGTH, "40mm"),
             ),
         };
         let known = turning.is_some();
@@ -126,8 +142,8 @@ impl Resolver<'_> {
     pub(super) fn damper_item(&mut self, item: &ElementItem) -> Element {
         let (between, turning) = self.between(item);
         let damping = match turning.unwrap_or_default() {
-            true => (Dimension::of(1, 1, 1), "5N*mm*s"),
-            false => (Dimension::of(-1, 1, 1), "0.2N*s/mm"),
+            true => Measure::new(Dimension::of(1, 1, 1), "5N*mm*s"),
+            false => Measure::new(Dimension::of(-1, 1, 1), "0.2N*s/mm"),
         };
         let value = self.element_clause(&item.value, turning.is_some(), damping, "damper");
         if let Some(free) = &item.free {
@@ -149,11 +165,11 @@ impl Resolver<'_> {
         &mut self,
         value: &syntax::Expr,
         joint_is_known: bool,
-        (wanted, example): (Dimension, &str),
+        measure: Measure,
         word: &str,
     ) -> Expr {
         match joint_is_known {
-            true => self.scalar_clause(value, wanted, word, example),
+            true => self.scalar_clause(value, measure.dimension, word, measure.example),
             false => self.expression(value, CONTEXT),
         }
     }
