@@ -2,7 +2,7 @@
 //!
 //! The phases, each in a folder of its own: `syntax` parses, `model` resolves names and checks dimensions, `structure`
 //! finds the Assur groups, `formulate` expresses every unknown, `lower` makes programs of expressions, `close` runs them to check
-//! assembly and range, `request` puts the programs of all functions into one [`unit`], `emit` prints that. `algebra` is what the
+//! assembly and range, `request` puts the programs of all functions into one [`mod@unit`], `emit` prints that. `algebra` is what the
 //! middle phases share; `forces` and `picture` make expressions of what functions ask for.
 //!
 //! [`compile`] is the macro. Without Rust at the end, [`check`] gives a mechanism's programs, or messages with their places:

@@ -113,8 +113,9 @@ impl<'m> Mechanics<'_, 'm> {
 
     /// A spring or damper on both of its bodies; a damper needs speeds.
     fn add_element(&mut self, loads: &mut Loads<'m>, element: &Element) {
-        if element.kind == ElementKind::Damper && !self.moves() {
-            return;
+        match element.kind {
+            ElementKind::Damper if !self.moves() => return,
+            ElementKind::Damper | ElementKind::Spring => {}
         }
         match &element.between {
             Between::Points([from, to]) => {

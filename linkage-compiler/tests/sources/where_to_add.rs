@@ -37,7 +37,18 @@ fn the_table_lists_all_files_that_know_every_kind() {
 const ASKED_COMPLETELY: [&str; 2] = ["JointKind", "ElementKind"];
 
 /// Where that holds.
-const FOLDERS: [&str; 3] = ["syntax/", "model/", "picture/"];
+const FOLDERS: [&str; 10] = [
+    "algebra/",
+    "close/",
+    "emit/",
+    "forces/",
+    "formulate/",
+    "model/",
+    "picture/",
+    "request/",
+    "structure/",
+    "syntax/",
+];
 
 #[test]
 fn kinds_are_asked_completely() {
@@ -191,8 +202,8 @@ fn names_all(text: &str, name: &str, variants: &BTreeSet<&str>) -> bool {
 
 /// The variants of an enum: the first words after its brace and after each comma at that depth.
 fn variants<'t>(text: &'t str, name: &str) -> BTreeSet<&'t str> {
-    // Braces, or parameters before them.
-    let heads = [" {", "<"].map(|next| format!("enum {name}{next}"));
+    // Braces, parameters before them, or how many operands an operation has.
+    let heads = [" {", "<", ":"].map(|next| format!("enum {name}{next}"));
     let start = heads.iter().find_map(|head| text.find(head));
     let start = start.unwrap_or_else(|| panic!("`enum {name}` is not where the table says"));
     let open = text[start..].find('{').expect("an enum has braces");

@@ -60,7 +60,9 @@ pub(super) fn asked_for(mechanism: &Mechanism) -> Vec<Asked<'_>> {
 fn of_joint(joint: &Joint) -> Option<Asked<'_>> {
     let subject = match joint.kind {
         JointKind::Slide => "the guide of a `slide`",
-        _ => "the axis of a joint",
+        JointKind::Pin | JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
+            "the axis of a joint"
+        }
     };
     Some(Asked {
         subject,

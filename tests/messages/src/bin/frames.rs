@@ -43,7 +43,8 @@ fn main() {
     assert!((hand.hand.point(Vector3::new(32.0, 0.0, 10.0)) - hand.tool).norm() < 1e-12);
     assert_eq!(hand.axes[1], Vector3::zeros());
     assert_eq!(hand.axes[0].z, 0.0);
-    assert_eq!(hand.clone().hand, wrist.frame(0.3, 0.2).frame);
+    let copy = hand;
+    assert_eq!(copy.hand, wrist.frame(0.3, 0.2).frame);
     let columns = wrist.frame_sweep(&[0.3, 0.4], &[0.2, 0.2]);
     let [origin, x, _, _] = columns.frame();
     assert_eq!((origin, x[0]), (columns.origin(), columns.x()));
