@@ -1,14 +1,14 @@
 //! Why a mechanism could not be assembled.
 
 #[cfg(feature = "alloc")]
-mod coupled;
+mod unprepared;
 
 use crate::words::{join, numbers, rounded};
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 use core::fmt;
 #[cfg(feature = "alloc")]
-pub use coupled::{CoupledCause, CoupledError, Placed, Value};
+pub use unprepared::{CoupledCause, CoupledError, Placed, Value};
 
 /// Why `assemble()` found no assembly.
 ///

@@ -2,14 +2,14 @@
 
 mod close;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-mod coupled;
+mod starts;
 #[cfg(feature = "alloc")]
 mod sweep;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod turns;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use crate::numeric::coupled::{Correction, Range, Step};
+pub use crate::numeric::continuation::{Correction, Range, Step};
 #[cfg(feature = "alloc")]
 pub use crate::numeric::roots::{Term, Variable};
 #[cfg(feature = "alloc")]
@@ -18,7 +18,7 @@ pub use close::close;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use coupled::{
+pub use starts::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,
     CoupledUnknown, Start, Wanted, couple, list, nothing, pairs, placed, put_state, starts,
     stepped,

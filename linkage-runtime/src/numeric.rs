@@ -4,7 +4,7 @@
 //! do not see it.
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub mod coupled;
+pub mod continuation;
 pub(crate) mod minimum;
 pub mod nearest;
 pub mod range;

@@ -3,7 +3,6 @@
 
 mod body;
 mod carriage;
-mod coupled;
 mod cylinder;
 mod cylinders;
 mod derivatives;
@@ -26,6 +25,7 @@ mod slider_crank;
 mod solution;
 mod statics;
 mod trees;
+mod triads;
 mod tripod;
 mod two_dyads;
 mod unbalance;

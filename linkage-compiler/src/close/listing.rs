@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use linkage_runtime::numeric::coupled::{Correction, Grid, Range, Refusal, Step, Table};
+use linkage_runtime::numeric::continuation::{Correction, Grid, Range, Refusal, Step, Table};
 use linkage_runtime::numeric::nearest::{Ambiguity, nearest};
 use linkage_runtime::numeric::roots::{self, Term, Unlisted};
 use linkage_symbolic::program::Program;
@@ -183,7 +183,7 @@ impl<'m> Assembly<'_, 'm> {
         if listing.multiple > 0 {
             return Ok(None);
         }
-        let states = linkage_runtime::numeric::coupled::states(
+        let states = linkage_runtime::numeric::continuation::states(
             &group.variables,
             &listing,
             &own,

@@ -3,7 +3,7 @@
 use linkage_symbolic::unordered::Map;
 
 use linkage_runtime::Scalar;
-use linkage_runtime::numeric::coupled::{Grid, Table};
+use linkage_runtime::numeric::continuation::{Grid, Table};
 use linkage_symbolic::interpret::{run, run_steps};
 use linkage_symbolic::program::{Program, Source, Value};
 use linkage_symbolic::{Ex, evaluate};

@@ -7,7 +7,7 @@ use quote::quote;
 use super::docs::doc;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
-use super::{attribute, body, coupled, literal, winding};
+use super::{attribute, body, literal, starts, winding};
 use crate::unit::Unit;
 
 /// The assembly type and the public functions that make one.
@@ -42,7 +42,7 @@ fn structure(outline: &Outline) -> TokenStream {
     let (own_derives, starts) = match outline.starts.is_empty() {
         true => (derives.clone(), TokenStream::new()),
         false => {
-            let starts = coupled::starts_type(outline);
+            let starts = starts::starts_type(outline);
             let derives =
                 quote!(#[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
             (derives, quote!(__starts: #starts,))
@@ -191,7 +191,7 @@ pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
     } = &types;
     let assemble = match outline.starts.is_empty() {
         true => assemble(outline, unit, &types),
-        false => coupled::assemble(outline, unit, &types),
+        false => starts::assemble(outline, unit, &types),
     };
     let close = close(outline, unit);
     let prepare_body = program(outline, &unit.prepare);

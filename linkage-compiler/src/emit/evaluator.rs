@@ -8,7 +8,7 @@ use super::docs::{doc, documented, in_unit, tokens, with_note};
 use super::load::loader;
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
-use super::{attribute, body, coupled, literal};
+use super::{attribute, body, literal, starts};
 
 /// The result type and the public method.
 pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
@@ -109,7 +109,7 @@ fn call(outline: &Outline, function: &Function) -> TokenStream {
     } = function;
     let arguments = match function.states.is_empty() {
         true => quote!([#(#arguments),*]),
-        false => coupled::with_states(outline, function),
+        false => starts::with_states(outline, function),
     };
     let kernel = kernel_name(function, Version::Called);
     let called = quote!(self.__core.#kernel::<{ #runtime::FUSED }>(__x));

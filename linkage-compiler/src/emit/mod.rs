@@ -10,7 +10,6 @@ mod body;
 mod circuits;
 mod columns;
 mod count;
-mod coupled;
 mod dimensions;
 mod docs;
 mod evaluator;
@@ -23,6 +22,7 @@ mod outline;
 mod picture;
 mod shape;
 mod skeleton;
+mod starts;
 mod structure;
 mod sweeps;
 mod table;
@@ -54,7 +54,7 @@ pub(crate) fn emit(krate: &TokenStream, def: &MechanismDef, unit: &Unit) -> Toke
     items.extend(dimensions::items(&outline));
     let mut assembled = assembly::items(&outline);
     assembled.extend(assembly::plumbing(&outline, unit));
-    assembled.extend(coupled::items(&outline, unit));
+    assembled.extend(starts::items(&outline, unit));
     assembled.extend(winding::items(&outline, unit));
     assembled.extend(circuits::items(&outline, unit));
     for (function, own) in outline.functions.iter().zip(&unit.functions) {

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::docs::doc;
 use super::evaluator::Version;
 use super::outline::{Function, Outline, plain};
-use super::{attribute, coupled, literal};
+use super::{attribute, literal, starts};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
@@ -253,7 +253,7 @@ impl Sweeps<'_> {
             return rows;
         }
         let runtime = &self.outline.runtime;
-        let states = coupled::states_name(self.outline, self.function);
+        let states = starts::states_name(self.outline, self.function);
         let first = literal::index(before);
         quote!(#runtime::Extended { inner: #rows, first: #first, states: #states(self) })
     }

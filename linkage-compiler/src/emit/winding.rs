@@ -7,7 +7,7 @@ use super::assembly::Types;
 use super::body;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{attribute, coupled, literal};
+use super::{attribute, literal, starts};
 use crate::unit::{ContinuousAngle, Unit};
 
 /// The centres and windings of the continuous angles, lane by lane. Where they cannot be found because a loop does not
@@ -92,7 +92,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let (starts, argument) = match outline.starts.is_empty() {
         true => (TokenStream::new(), quote!(__x)),
         false => {
-            let starts = coupled::starts_type(outline);
+            let starts = starts::starts_type(outline);
             (
                 quote!(__starts: &#starts,),
                 quote!(Self::__extend(__starts, __x)),

@@ -4,7 +4,7 @@
 //! derivatives follow from the group's equations (see [`Solution`](crate::algebra::Solution)).
 
 mod circles;
-mod coupled;
+mod iterated;
 mod link_to_rotor;
 mod link_to_slide;
 mod plane;
@@ -32,7 +32,7 @@ use crate::structure::{Group, Structure};
 
 use solver::Solver;
 
-pub(crate) use coupled::{Prepared, Version};
+pub(crate) use iterated::{Prepared, Version};
 
 /// What a kind of group tells about its solution.
 #[derive(Clone, Debug)]

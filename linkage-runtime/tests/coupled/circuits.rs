@@ -1,7 +1,7 @@
 //! Assemblies over the range of an input.
 
 use crate::triads::EyeNeedle;
-use linkage_runtime::numeric::coupled::{Correction, Range, Table};
+use linkage_runtime::numeric::continuation::{Correction, Range, Table};
 use linkage_runtime::numeric::roots::{System, Term, Variable, solve};
 use linkage_runtime::{BranchEnd, Cycle, circuits};
 use std::f64::consts::{PI, TAU};
@@ -149,7 +149,9 @@ fn triads_have_circuits_and_turning_points() {
                 // The tables have located the same turning points.
                 if let BranchEnd::TurningPoint(x) = end {
                     let known = branch.assembly.ends().map(|end| match end {
-                        linkage_runtime::numeric::coupled::End::TurningPoint(at) => (at - x).abs(),
+                        linkage_runtime::numeric::continuation::End::TurningPoint(at) => {
+                            (at - x).abs()
+                        }
                         _ => f64::INFINITY,
                     });
                     assert!(known[0].min(known[1]) < 1e-9 * TAU, "{x} {known:?}");

@@ -3,7 +3,7 @@
 use crate::triads::EyeNeedle;
 use crate::{TURN, range};
 use linkage_random::Random;
-use linkage_runtime::numeric::coupled::{Correction, Grid, Range, Refusal, Step};
+use linkage_runtime::numeric::continuation::{Correction, Grid, Range, Refusal, Step};
 
 /// The four steps of evaluators at random places: how many are certified, how many of those are not solutions, how many
 /// are refused.

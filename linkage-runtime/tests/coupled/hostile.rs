@@ -2,7 +2,7 @@
 
 use crate::triads::EyeNeedle;
 use crate::{TURN, build, certified, range, root, survey};
-use linkage_runtime::numeric::coupled::{Correction, End, Range, Refusal, Step, Table};
+use linkage_runtime::numeric::continuation::{Correction, End, Range, Refusal, Step, Table};
 use std::f64::consts::TAU;
 
 #[test]

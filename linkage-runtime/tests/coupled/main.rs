@@ -8,7 +8,7 @@ mod table;
 mod triads;
 
 use linkage_random::Random;
-use linkage_runtime::numeric::coupled::{Correction, Range, Refusal, Step, Table};
+use linkage_runtime::numeric::continuation::{Correction, Range, Refusal, Step, Table};
 use std::f64::consts::TAU;
 use triads::EyeNeedle;
 

@@ -5,7 +5,7 @@ use linkage_runtime::generated::{
     Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, Start, Wanted, couple,
     list, starts,
 };
-use linkage_runtime::numeric::coupled::{Correction, Range, Step};
+use linkage_runtime::numeric::continuation::{Correction, Range, Step};
 use linkage_runtime::numeric::roots::{Term, Variable};
 use linkage_runtime::{AssemblyError, CoupledCause, Scalar};
 use std::f64::consts::TAU;

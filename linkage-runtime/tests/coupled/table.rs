@@ -3,7 +3,7 @@
 use crate::triads::{EyeNeedle, TwoCranks, unit};
 use crate::{TURN, build, certified, survey};
 use linkage_random::Random;
-use linkage_runtime::numeric::coupled::{Correction, End, Refusal, Table};
+use linkage_runtime::numeric::continuation::{Correction, End, Refusal, Table};
 use std::f64::consts::TAU;
 
 #[test]

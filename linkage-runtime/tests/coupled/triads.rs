@@ -1,6 +1,6 @@
 //! Two triads whose Newton steps are written by hand, and places on their solutions from high-precision references.
 
-use linkage_runtime::numeric::coupled::{Correction, Step};
+use linkage_runtime::numeric::continuation::{Correction, Step};
 
 /// Plane vectors.
 type Vector = [f64; 2];

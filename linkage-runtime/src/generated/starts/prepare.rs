@@ -3,7 +3,7 @@
 use super::grid::CoupledGrid;
 use super::lanes::Coupled;
 use super::solve::{CoupledGroup, CoupledPrograms, CoupledSolution, couple, list};
-use crate::numeric::coupled::{Grid, Range, Refusal, Step, Table};
+use crate::numeric::continuation::{Grid, Range, Refusal, Step, Table};
 use crate::{AssemblyError, Scalar};
 use alloc::vec;
 use alloc::vec::Vec;

@@ -2,7 +2,7 @@
 
 use super::lanes::{by_lane, constants};
 use crate::Scalar;
-use crate::numeric::coupled::GridLookup;
+use crate::numeric::continuation::GridLookup;
 use alloc::vec::Vec;
 
 /// The grid of a group: one for every lane, since each lane has dimensions of its own.

@@ -5,8 +5,8 @@
 //! arc function.
 
 mod bound;
+mod differentiate;
 mod equations;
-mod jacobian;
 mod laurent;
 mod newton;
 mod state;

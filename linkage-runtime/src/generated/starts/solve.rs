@@ -1,7 +1,7 @@
 //! The assembly of a group at the reference inputs: all solutions are listed, the one nearest to the start estimates is
 //! taken.
 
-use crate::numeric::coupled::{Correction, Range, Refusal, states};
+use crate::numeric::continuation::{Correction, Range, Refusal, states};
 use crate::numeric::nearest::{Ambiguity, nearest};
 use crate::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
 use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value, math};

@@ -1,7 +1,7 @@
 //! Prepared states for every lane of a scalar.
 
 use crate::Scalar;
-use crate::numeric::coupled::Lookup;
+use crate::numeric::continuation::Lookup;
 use alloc::vec::Vec;
 
 /// Most lanes whose states are looked up side by side.

@@ -2,12 +2,12 @@
 
 mod grid;
 mod lanes;
+mod prepare;
 mod solve;
-mod starts;
 
 pub use grid::CoupledGrid;
 pub use lanes::Coupled;
+pub use prepare::{Start, Wanted, nothing, pairs, placed, put_state, starts, stepped};
 pub use solve::{
     CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution, CoupledUnknown, couple, list,
 };
-pub use starts::{Start, Wanted, nothing, pairs, placed, put_state, starts, stepped};
