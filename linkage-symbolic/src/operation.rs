@@ -189,7 +189,7 @@ const fn arc<const ARITY: usize>(name: &'static str, value: fn([f64; ARITY]) -> 
 }
 
 /// Roundoffs of the scale by which a discriminant may be negative at the dead point: what its terms are rounded by.
-pub(crate) const DEAD_POINT: f64 = 8.0 * f64::EPSILON;
+pub const DEAD_POINT: f64 = 8.0 * f64::EPSILON;
 
 fn sign(a: f64) -> f64 {
     if a.is_nan() {

@@ -1,14 +1,11 @@
 //! What the closed forms of the plane share: gaps, guards, terms of their equations.
 
+use linkage_symbolic::program::DEAD_POINT;
 use linkage_symbolic::{Ex, V2};
 
 use crate::algebra::{Solution, Term};
 
 use super::Solver;
-
-/// Roundoffs of a discriminant's scale by which it may be negative and still closes: as
-/// [`Binary::Root`](linkage_symbolic::program::Binary::Root) has it.
-const DEAD_POINT: f64 = 8.0 * f64::EPSILON;
 
 /// A value that is NaN where the root `h` is, also where `h` drops out of its formula: a guide along an axis leaves
 /// the other component of a link free of the root, but not of the assembly. Whether `h` stays is known only

@@ -5,6 +5,7 @@ mod forces;
 mod space;
 mod units;
 
+use linkage_random::Random;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, evaluate};
 use proc_macro2::TokenStream;
@@ -21,18 +22,6 @@ use crate::{formulate, lower, model, structure, syntax};
 const ITEMS: &str =
     "unit mm; param a = 40mm; param b = 120mm; param c = 80mm; param d = 100mm; param e = 7mm;
     param lift = 25deg; input phi = 40deg in 0deg..80deg at omega, epsilon;";
-
-struct Random(u64);
-
-impl Random {
-    /// Between -1 and 1.
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-}
 
 /// Compares all quantities of a function `f` in all directions.
 #[track_caller]
@@ -82,7 +71,7 @@ fn expect_agreement(items: &str, function: &str) {
         reference.closed || formulation.prepared().count() == 0,
         "{messages:?}"
     );
-    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let mut random = Random::new(1);
     let mut compared = 0;
     for _ in 0..8 {
         let position = Position::new(&nominal, &mut random);
@@ -105,14 +94,16 @@ struct Position {
 impl Position {
     fn new(nominal: &Nominal, random: &mut Random) -> Self {
         let vary = |values: &[f64], random: &mut Random| -> Vec<f64> {
-            let varied = values.iter().map(|x| x + 0.05 * random.next() * x.abs());
+            let varied = values
+                .iter()
+                .map(|x| x + 0.05 * random.between(-1.0, 1.0) * x.abs());
             varied.collect()
         };
         Self {
             parameters: vary(&nominal.parameters, random),
             inputs: vary(&nominal.inputs, random),
-            arguments: (0..4).map(|_| 5.0 * random.next()).collect(),
-            modes: (0..8).map(|_| random.next().signum()).collect(),
+            arguments: (0..4).map(|_| 5.0 * random.between(-1.0, 1.0)).collect(),
+            modes: (0..8).map(|_| random.between(-1.0, 1.0).signum()).collect(),
         }
     }
 
@@ -159,7 +150,7 @@ struct At {
 #[track_caller]
 fn compare(results: &[Vec<Ex>; 4], at: &At, random: &mut Random) -> usize {
     let run = |scalars: &[Ex], noise: f64, random: &mut Random| {
-        let noise = [0; 40].map(|_| 1.0 + noise * random.next());
+        let noise = [0; 40].map(|_| 1.0 + noise * random.between(-1.0, 1.0));
         evaluate(scalars, |source| {
             at.position.load(source, &at.states, &noise)
         })

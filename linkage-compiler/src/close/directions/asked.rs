@@ -101,13 +101,5 @@ fn collect<'m>(expr: &'m Expr, in_loop: bool, asked: &mut Vec<Asked<'m>>) {
 
 /// Quantities of functions are known at run time only.
 fn is_of_functions(expr: &Expr) -> bool {
-    let own = matches!(
-        expr.kind,
-        ExprKind::Derivative(..)
-            | ExprKind::InputDerivative(..)
-            | ExprKind::Sensitivity(..)
-            | ExprKind::Mechanics(_)
-            | ExprKind::Margin
-    );
-    own || expr.operands().into_iter().any(is_of_functions)
+    expr.is_quantity() || expr.operands().into_iter().any(is_of_functions)
 }
