@@ -66,7 +66,10 @@ fn main() {
     let tip = linkage.old(0.0).tip;
     assert_eq!(tip, linkage.private(0.0).tip);
     let derived = Derived::default();
-    assert!(derived <= derived);
+    assert_eq!(
+        derived.partial_cmp(&derived),
+        Some(std::cmp::Ordering::Equal)
+    );
     assert!(derived.assemble().expect("no loop").angle(0.1) < DerivedAngle { phi: 0.2 });
     let _ = (Absent, derived.a);
 }

@@ -59,7 +59,7 @@
 pub mod inner {
     ::linkage::mechanism! {
         struct Private {
-            param pi = 3.14159;
+            param pi = 3.25;
             input phi = 30deg;
             let a = polar(pi, phi);
         }
@@ -83,5 +83,5 @@ fn main() {
     let linkage = ::std::result::Result::unwrap(mechanism.assemble());
     ::std::assert_eq!(linkage.motion(0.0).s, 150.0);
     ::std::assert!(linkage.margin(0.0).m > 0.9);
-    ::std::assert_eq!(inner::run(), 3.14159);
+    ::std::assert_eq!(inner::run(), 3.25);
 }
