@@ -51,6 +51,7 @@ pub(crate) fn unit<'m>(
     reporter: &mut Reporter,
     watch: &mut dyn Watch,
 ) -> Unit {
+    // All graphs begin with the solved groups, so that what functions have in common is put together alike in each of them.
     let mut inliner = Inliner::default();
     let closed = state.formulation.groups.iter().flat_map(|group| {
         let all = group.group.unknowns.iter();
