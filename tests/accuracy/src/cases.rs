@@ -13,15 +13,11 @@ pub struct Plan {
     pub dead_points: &'static [(usize, f64)],
 }
 
-/// How many cases, of `usual` ones: half of them in the run that everybody makes, all for `LINKAGE_LONG=0`, 5 times as many for
-/// `LINKAGE_LONG=1`, 10 times for `LINKAGE_LONG=2`.
-pub(crate) fn number(usual: usize) -> usize {
+/// How many times the usual number of cases: 5 for `LINKAGE_LONG=1`, 10 for `LINKAGE_LONG=2`.
+pub(crate) fn effort() -> usize {
     let long = std::env::var("LINKAGE_LONG").ok();
-    match long.and_then(|value| value.parse::<usize>().ok()) {
-        None => usual.div_ceil(2),
-        Some(0) => usual,
-        Some(times) => 5 * times * usual,
-    }
+    let times = long.and_then(|value| value.parse::<usize>().ok());
+    times.map_or(1, |times| 5 * times.max(1))
 }
 
 /// Positions all over the cycle, of the mechanism as written and of random geometries.
@@ -29,7 +25,7 @@ pub fn cycle_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -
     let mut random = Random::new(seed);
     let inputs = (0..12).map(|k| input_at(system, k as f64 / 12.0)).collect();
     let mut cases = vec![Case::new(system.default_geometry(), inputs)];
-    for _ in 0..number(geometries) {
+    for _ in 0..geometries * effort() {
         let geometry = (plan.geometry)(&mut random, 6.0);
         let inputs = (0..4)
             .map(|_| input_at(system, random.between(-1.0, 2.0)))
@@ -54,7 +50,7 @@ pub fn dead_point_cases(system: &System, plan: &Plan, geometries: usize, seed: u
     let mut random = Random::new(seed);
     let input = system.reference_input();
     let mut cases = Vec::new();
-    for number in 0..number(geometries) {
+    for number in 0..geometries * effort() {
         let geometry = (plan.geometry)(&mut random, 4.0);
         for &(changed, factor) in plan.dead_points {
             for decade in (1..=15).skip(number % 2).step_by(2) {
@@ -77,7 +73,7 @@ pub fn proportion_cases(system: &System, plan: &Plan, geometries: usize, seed: u
         let near = input + random.ratio(1e-8, 1.0) * if input == 0.0 { 1.0 } else { input };
         Case::new(geometry, vec![input, near])
     };
-    (0..number(geometries)).map(&mut case).collect()
+    (0..geometries * effort()).map(&mut case).collect()
 }
 
 /// Random geometries of sizes from 1e-150 to 1e150, for mechanisms whose lengths are all
@@ -100,7 +96,7 @@ fn scaled(
 ) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = Vec::new();
-    for _ in 0..number(geometries) {
+    for _ in 0..geometries * effort() {
         let geometry = (plan.geometry)(&mut random, spread);
         let size = system.size(&geometry);
         for exponent in exponents {
@@ -120,7 +116,7 @@ fn scaled(
 pub fn far_input_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = vec![Case::new(system.default_geometry(), vec![1e6, -1e6, 1e5])];
-    for _ in 0..number(geometries) {
+    for _ in 0..geometries * effort() {
         let geometry = (plan.geometry)(&mut random, 6.0);
         let sign = if random.chance(0.5) { 1.0 } else { -1.0 };
         let far = sign * random.ratio(10.0, 1e6);
@@ -142,7 +138,7 @@ pub fn decade_cases(
 ) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = Vec::new();
-    for round in 0..number(rounds) {
+    for round in 0..rounds * effort() {
         for decade in 1..=15 {
             let geometry = geometry(&mut random, 10f64.powi(-decade));
             let case = Case::new(geometry, vec![system.reference_input()]);
@@ -162,5 +158,5 @@ pub fn nearby_cases(system: &System, geometries: usize, seed: u64) -> Vec<Case> 
         let inputs = (0..3).map(|_| random.angle()).collect();
         Case::new(geometry, inputs)
     };
-    (0..number(geometries)).map(&mut case).collect()
+    (0..geometries * effort()).map(&mut case).collect()
 }
