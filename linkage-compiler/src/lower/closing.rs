@@ -9,7 +9,7 @@ use crate::algebra::{Algebra, Nominal};
 use crate::formulate::Formulation;
 use crate::unit::{Closing, Outputs};
 
-use super::{group_nodes, groups, plain, valued_angles};
+use super::{find_turning, group_nodes, groups, plain, valued_angles};
 
 /// See [`Closing`].
 pub(crate) fn closing<'m>(
@@ -55,12 +55,8 @@ pub(crate) fn closing<'m>(
         closing.valued.push((angle, next + units.len()));
         units.extend(algebra.names.angles[angle].unit.components());
     }
-    for (group, own) in closing.coupled.iter_mut().zip(&own) {
-        let needed = valued_angles(&inliner.target, &own.all());
-        let angles = &closing.valued;
-        let last = angles.iter().rposition(|(angle, _)| needed.contains(angle));
-        group.turning = last.map_or(0, |last| last + 1);
-    }
+    let angles: Vec<usize> = closing.valued.iter().map(|(angle, _)| *angle).collect();
+    find_turning(&mut closing.coupled, &own, &inliner.target, &angles);
     lists.push(plain(&mut inliner, &units));
     closing.program = reciprocals::share(schedule_whole(&inliner.target, &lists.concat()));
     let mut next = 0;

@@ -2,13 +2,13 @@
 
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::program::Program;
-use linkage_symbolic::{Ex, NodeId};
+use linkage_symbolic::{Ex, Graph, NodeId};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::formulate::{Formulation, Version};
 use crate::unit::{Coupled, Placed};
 
-use super::plain;
+use super::{plain, valued_angles};
 
 /// The programs of a coupled group before they are scheduled: nodes of a plain graph.
 #[derive(Clone, Debug)]
@@ -99,6 +99,20 @@ pub(crate) fn groups<'m>(
         });
     }
     groups
+}
+
+/// How many of the angles, in their order, must be followed before each group: up to the last whose value its programs use.
+pub(crate) fn find_turning(
+    groups: &mut [Coupled],
+    nodes: &[GroupNodes],
+    graph: &Graph,
+    angles: &[usize],
+) {
+    for (group, own) in groups.iter_mut().zip(nodes) {
+        let valued = valued_angles(graph, &own.all());
+        let last = angles.iter().rposition(|angle| valued.contains(angle));
+        group.turning = last.map_or(0, |last| last + 1);
+    }
 }
 
 fn placed(algebra: &Algebra, nominal: &Nominal, unknown: usize) -> Vec<Placed> {

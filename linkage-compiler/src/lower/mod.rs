@@ -11,7 +11,7 @@ use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, NodeId};
 
 pub(crate) use closing::closing;
-pub(crate) use groups::{GroupNodes, group_nodes, groups};
+pub(crate) use groups::{GroupNodes, find_turning, group_nodes, groups};
 pub(crate) use passes::{Formulas, polish};
 
 /// Expressions without definitions, as nodes of the inliner's plain graph.

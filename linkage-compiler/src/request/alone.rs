@@ -18,7 +18,7 @@ use super::choice::Choice;
 use super::{AtReference, State, columns, fields, needs, quantity};
 
 /// A function before it is scheduled.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Alone {
     graph: Graph,
     formulas: Formulas,

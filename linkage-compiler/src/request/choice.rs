@@ -14,7 +14,7 @@ use super::State;
 use super::quantity::{Requested, request};
 
 /// The results of a function in the plain graph, and how derivatives by parameters among them are found.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Choice<'m> {
     /// As requested.
     scalars: Vec<Ex<'m>>,

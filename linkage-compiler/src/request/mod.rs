@@ -20,7 +20,7 @@ use crate::close::Reference;
 use crate::diagnostic::Reporter;
 use crate::forces::Forces;
 use crate::formulate::Formulation;
-use crate::lower::{self, GroupNodes, group_nodes, groups, plain, valued_angles};
+use crate::lower::{self, GroupNodes, find_turning, group_nodes, groups, plain, valued_angles};
 use crate::model::EvaluatorDef;
 use crate::unit::{ContinuousAngle, Function, Unit};
 use crate::watch::Watch;
@@ -98,11 +98,7 @@ pub(crate) fn unit<'m>(
     let mut coupled = groups(algebra, formulation, at.nominal, &nodes, |nodes| {
         schedule(graph, nodes, &mut slots)
     });
-    for (group, own) in coupled.iter_mut().zip(&nodes) {
-        let valued = valued_angles(graph, &own.all());
-        let last = angles.iter().rposition(|angle| valued.contains(angle));
-        group.turning = last.map_or(0, |last| last + 1);
-    }
+    find_turning(&mut coupled, &nodes, graph, &angles);
     let mut unit = Unit {
         functions,
         coupled,

@@ -24,13 +24,17 @@ pub fn share(program: Program) -> Program {
                     Instruction::Constant(1.0) => reciprocal,
                     _ => {
                         let factor = rewriter.places[a.0];
-                        rewriter.push(Instruction::Binary(Binary::Mul, factor, reciprocal))
+                        rewriter
+                            .program
+                            .push(Instruction::Binary(Binary::Mul, factor, reciprocal))
                     }
                 }
             }
             _ => {
                 let places = &rewriter.places;
-                rewriter.push(instruction.with_operands(|x| places[x.0]))
+                rewriter
+                    .program
+                    .push(instruction.with_operands(|x| places[x.0]))
             }
         };
         rewriter.places.push(place);
@@ -71,15 +75,11 @@ impl Rewriter {
         }
         let is_one = |own: &Instruction| *own == Instruction::Constant(1.0);
         let one = self.program.instructions.iter().position(is_one);
-        let one = one.map_or_else(|| self.push(Instruction::Constant(1.0)), Value);
+        let one = one.map_or_else(|| self.program.push(Instruction::Constant(1.0)), Value);
         let divided = Instruction::Binary(Binary::Div, one, self.places[divisor.0]);
-        let reciprocal = self.push(divided);
+        let reciprocal = self.program.push(divided);
         self.reciprocals.insert(divisor, reciprocal);
         reciprocal
-    }
-
-    fn push(&mut self, instruction: Instruction) -> Value {
-        self.program.push(instruction)
     }
 }
 

@@ -117,8 +117,7 @@ impl Builder<'_> {
                 instruction.with_operands(|operand| self.places[&operand.0])
             }
         };
-        self.program.instructions.push(instruction);
-        let place = Value(self.program.instructions.len() - 1);
+        let place = self.program.push(instruction);
         self.places.insert(value, place);
         place
     }

@@ -14,8 +14,7 @@ struct Builder(Program);
 
 impl Builder {
     fn push(&mut self, instruction: Instruction) -> Value {
-        self.0.instructions.push(instruction);
-        Value(self.0.instructions.len() - 1)
+        self.0.push(instruction)
     }
 
     fn load(&mut self, source: Source) -> Value {
