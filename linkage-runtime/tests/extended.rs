@@ -1,7 +1,7 @@
 //! Arguments of sweeps that are computed from others.
 
 use linkage_runtime::Columns;
-use linkage_runtime::generated::{Arguments, Extended, Inputs, Kernel, States, fill, put, rows};
+use linkage_runtime::generated::{Arguments, Block, Extended, Inputs, Kernel, States, fill, rows};
 
 /// Twice an argument, by way of a place, and minus its square.
 struct Twice;
@@ -28,21 +28,20 @@ impl Kernel<f64, 3, 2> for Sum {
         &self,
         arguments: &impl Arguments<f64, 3>,
         start: usize,
-        columns: [&mut [f64]; 2],
+        mut columns: [&mut [f64]; 2],
     ) {
         let len = rows(&columns);
-        let [sums, lasts] = columns;
         let mut row = 0;
         while row < len {
             let first = row.min(len - B);
-            let mut block = [[0.0; B]; 3];
-            arguments.block::<FUSED, B>(start + first, &mut block);
-            let mut sum = [0.0; B];
-            for (lane, sum) in sum.iter_mut().enumerate() {
-                *sum = block[0][lane] + block[1][lane] + block[2][lane];
+            let mut block = Block::<f64, B, 3>::filled(0.0);
+            arguments.block::<FUSED, B>(start + first, &mut block.0);
+            let mut sum = Block::<f64, B, 1>::filled(0.0);
+            for lane in 0..B {
+                sum.set(0, lane, (0..3).map(|column| block.at(column, lane)).sum());
             }
-            put(sums, first, &sum);
-            put(lasts, first, &block[2]);
+            sum.write(0, &mut columns, 0, first);
+            block.write(2, &mut columns, 1, first);
             row += B;
         }
     }

@@ -1,11 +1,12 @@
 //! One function of the `impl` block: its result type, the method, and the program behind it.
 
 use linkage_symbolic::passes::stages::Stage;
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
 
 use super::docs::{doc, documented, in_unit, tokens, with_note};
-use super::load::loader;
+use super::entries::entries;
+use super::load::{CARRIED, loader};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
 use super::{attribute, body, literal, starts};
@@ -167,19 +168,17 @@ pub(super) fn kernel(
     let methods = (0..stages.len()).map(|index| stage(outline, function, stages, index, version));
     let calls = (0..stages.len()).map(|index| {
         let method = stage_name(function, index, version);
-        let results = results(index);
+        let results = results(index, &stages[index]);
         let before = match index {
             0 => quote!([]),
             _ => quote!(__carried),
         };
-        quote!(let (__carried, #results) = self.#method::<__FUSED>(__x, #before);)
+        quote!(let (__carried, [#(#results),*]) = self.#method::<__FUSED>(__x, #before);)
     });
     let mut outputs = vec![TokenStream::new(); function.width()];
     for (index, stage) in stages.iter().enumerate() {
-        let results = results(index);
-        for (place, &result) in stage.results.iter().enumerate() {
-            let place = literal::index(place);
-            outputs[result] = quote!(#results[#place]);
+        for (name, &result) in results(index, stage).into_iter().zip(&stage.results) {
+            outputs[result] = name.into_token_stream();
         }
     }
     let allow = attribute::allow();
@@ -203,14 +202,15 @@ pub(super) fn from_row(outline: &Outline, function: &Function) -> TokenStream {
     let result = function.result;
     let everywhere = &attribute::split(function.attributes).everywhere;
     let width = literal::index(function.width());
-    let fields = row_fields(outline, function);
+    let row = entries("__row", function.width());
+    let fields = row_fields(outline, function, &row);
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*
         #allow
         impl<T: #runtime::Scalar> #result<T> {
             #[inline(always)]
-            fn __from_row(__row: [T; #width]) -> Self { Self { #fields } }
+            fn __from_row([#(#row),*]: [T; #width]) -> Self { Self { #fields } }
         }
     }
 }
@@ -224,9 +224,9 @@ pub(super) fn stage_name(function: &Function, index: usize, version: Version) ->
     }
 }
 
-/// The variable that holds what a stage has finished.
-fn results(stage: usize) -> Ident {
-    format_ident!("__results{stage}", span = Span::mixed_site())
+/// The variables that hold what a stage has finished.
+fn results(index: usize, stage: &Stage) -> Vec<Ident> {
+    entries(&format!("__results{index}_"), stage.results.len())
 }
 
 /// From what the stage before carries to what it carries on itself, and results.
@@ -253,6 +253,7 @@ fn stage(
         let names = values.iter().map(|value| body::name(*value));
         quote!([#(#names),*])
     });
+    let entries = entries(CARRIED, before);
     let [count, before, carried, results] =
         [places.width(), before, *carried, results.len()].map(literal::index);
     quote! {
@@ -260,7 +261,7 @@ fn stage(
         fn #method<const __FUSED: ::core::primitive::bool>(
             &self,
             __x: [T; #count],
-            __carried: [T; #before],
+            [#(#entries),*]: [T; #before],
         ) -> ([T; #carried], [T; #results]) {
             let Self { __mechanism: __m, __modes, __prepared, .. } = self;
             #statements
@@ -269,12 +270,9 @@ fn stage(
     }
 }
 
-/// `tracer: Vector2::new(__row[0], __row[1]), ...`
-fn row_fields(outline: &Outline, function: &Function) -> TokenStream {
-    let mut scalars = (0..function.width()).map(|index| {
-        let index = literal::index(index);
-        quote!(__row[#index])
-    });
+/// `tracer: Vector2::new(__row0, __row1), ...`
+fn row_fields(outline: &Outline, function: &Function, row: &[Ident]) -> TokenStream {
+    let mut scalars = row.iter().map(ToTokens::to_token_stream);
     let fields: Vec<_> = function
         .fields
         .iter()

@@ -5,8 +5,9 @@ use std::collections::BTreeSet;
 use linkage_symbolic::passes::stages::Stage;
 use linkage_symbolic::program::{Instruction, Source};
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
+use super::entries::{entries, entry};
 use super::evaluator::{Version, stage_name};
 use super::outline::{Function, Outline};
 use super::{attribute, literal, sweeps};
@@ -70,16 +71,21 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
     let arguments = dimensions + function.places(outline).width();
     let used: Vec<usize> = used_slots(stages.0).into_iter().collect();
     let stores = used.iter().enumerate().map(|(place, &slot)| {
-        let [place, slot] = [place, slot].map(literal::index);
-        quote!(__slots.0[#place][__lane] = __values[#slot];)
+        let place = literal::index(place);
+        let value = entry("__value", slot);
+        quote!(__slots.set(#place, __lane, #value);)
+    });
+    let values = (0..outline.prepared).map(|slot| match used.binary_search(&slot) {
+        Ok(_) => entry("__value", slot).into_token_stream(),
+        Err(_) => quote!(_),
     });
     let modes = (!used.is_empty()).then(|| quote!(let #core { __modes, __turns, .. } = __core;));
     let prepare = modes.is_some().then(|| {
         quote! {
             let mut __lane = 0;
             while __lane < __BLOCK {
-                let __mechanism = #name::__at_lane(&__x.0, __lane);
-                let __values = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
+                let __mechanism = #name::__at_lane(&__x, __lane);
+                let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
                 #(#stores)*
                 __lane += 1;
             }
@@ -91,13 +97,13 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
         function,
         stages,
         dimensions,
-        &quote!(#assembly::#at_lane(&__core, &__x.0, &__slots.0, __lane)),
+        &quote!(#assembly::#at_lane(&__core, &__x, &__slots, __lane)),
     );
     let carried = buffers(outline, stages.0);
     let count = literal::index(used.len());
     let buffers = quote! {
         #modes
-        let mut __slots = #runtime::Block([[__zero; __BLOCK]; #count]);
+        let mut __slots = #runtime::Block::<T, __BLOCK, #count>::filled(__zero);
         #carried
     };
     let body = quote!(#prepare #loops);
@@ -107,7 +113,7 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
     let prepared = (0..outline.prepared).map(|slot| match used.binary_search(&slot) {
         Ok(place) => {
             let place = literal::index(place);
-            quote!(__slots[#place][__lane])
+            quote!(__slots.at(#place, __lane))
         }
         Err(_) => quote!(__zero),
     });
@@ -119,8 +125,8 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
         #[inline(always)]
         fn #at_lane<const __BLOCK: ::core::primitive::usize>(
             __core: &#core<T>,
-            __x: &[[T; __BLOCK]; #arguments],
-            __slots: &[[T; __BLOCK]; #count],
+            __x: &#runtime::Block<T, __BLOCK, #arguments>,
+            __slots: &#runtime::Block<T, __BLOCK, #count>,
             __lane: ::core::primitive::usize,
         ) -> #core<T> {
             let __zero = T::from_f64(0.0);
@@ -187,7 +193,7 @@ fn kernel(
             ) {
                 let __core = *self.0;
                 let __zero = T::from_f64(0.0);
-                let mut __x = #runtime::Block([[__zero; __BLOCK]; #arguments]);
+                let mut __x = #runtime::Block::<T, __BLOCK, #arguments>::filled(__zero);
                 #buffers
                 let __count = #runtime::rows(&__results);
                 let mut __done_rows = 0;
@@ -209,8 +215,8 @@ fn buffers(outline: &Outline, stages: &[Stage]) -> TokenStream {
         let (carried, done) = (carried(index + 1), done(index));
         let [next, finished] = [stage.carried, stage.results.len()].map(literal::index);
         quote! {
-            let mut #carried = #runtime::Block([[__zero; __BLOCK]; #next]);
-            let mut #done = [[__zero; __LANES]; #finished];
+            let mut #carried = #runtime::Block::<T, __BLOCK, #next>::filled(__zero);
+            let mut #done = #runtime::Block::<T, __LANES, #finished>::filled(__zero);
         }
     });
     buffers.collect()
@@ -227,11 +233,10 @@ fn loops(
     before: usize,
     core: &TokenStream,
 ) -> TokenStream {
-    let runtime = &outline.runtime;
     let inputs: Vec<_> = (before..before + function.places(outline).width())
         .map(|input| {
             let input = literal::index(input);
-            quote!(__x.0[#input][__lane])
+            quote!(__x.at(#input, __lane))
         })
         .collect();
     let mut carried_before = 0;
@@ -241,27 +246,30 @@ fn loops(
         let (from, to) = (carried(index), carried(index + 1));
         let read = (0..carried_before).map(|k| {
             let k = literal::index(k);
-            quote!(#from.0[#k][__lane])
+            quote!(#from.at(#k, __lane))
         });
         let done = done(index);
-        let carry = (0..stage.carried).map(|k| {
+        let next = entries("__next", stage.carried);
+        let carry = next.iter().enumerate().map(|(k, next)| {
             let k = literal::index(k);
-            quote!(#to.0[#k][__lane] = __next[#k];)
+            quote!(#to.set(#k, __lane, #next);)
         });
-        let finish = (0..stage.results.len()).map(|k| {
+        let finished = entries("__finished", stage.results.len());
+        let finish = finished.iter().enumerate().map(|(k, finished)| {
             let k = literal::index(k);
-            quote!(#done[#k][__lane - __start] = __finished[#k];)
+            quote!(#done.set(#k, __lane - __start, #finished);)
         });
         let write = stage.results.iter().enumerate().map(|(k, &result)| {
             let [k, result] = [k, result].map(literal::index);
-            quote!(#runtime::put(__results[#result], __row + __start, &#done[#k]);)
+            quote!(#done.write(#k, &mut __results, #result, __row + __start);)
         });
         loops.extend(quote! {
             let mut __start = 0;
             while __start < __BLOCK {
                 let mut __lane = __start;
                 while __lane < __start + __LANES {
-                    let (__next, __finished) = #core.#method::<__FUSED>([#(#inputs),*], [#(#read),*]);
+                    let ([#(#next),*], [#(#finished),*]) =
+                        #core.#method::<__FUSED>([#(#inputs),*], [#(#read),*]);
                     #(#carry)*
                     #(#finish)*
                     __lane += 1;

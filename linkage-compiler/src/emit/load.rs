@@ -1,13 +1,17 @@
 //! Where generated code finds what a program loads. Every function that prints a program binds some of the same names:
-//! `__m` the mechanism, `__modes`, `__turns` the centres and windings of the continuous angles, `__prepared`, `__carried` what comes
-//! from the stage before, and `__x` the inputs with the prepared states of coupled groups behind them.
+//! `__m` the mechanism, `__modes`, `__turns` the centres and windings of the continuous angles, `__prepared`, [`CARRIED`] with a
+//! number what comes from the stage before, and `__x` the inputs with the prepared states of coupled groups behind them.
 
 use linkage_symbolic::program::Source;
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
+use super::entries::entry;
 use super::literal;
 use super::outline::Outline;
+
+/// What a stage takes over from the one before, entry by entry.
+pub(super) const CARRIED: &str = "__carried";
 
 /// What stands where in `__x`.
 #[derive(Clone, Debug)]
@@ -89,9 +93,6 @@ pub(super) fn loader<'a>(
             let slot = literal::index(slot);
             quote!(__prepared[#slot])
         }
-        Source::Carried(index) => {
-            let index = literal::index(index);
-            quote!(__carried[#index])
-        }
+        Source::Carried(index) => entry(CARRIED, index).into_token_stream(),
     }
 }

@@ -127,7 +127,7 @@ fn conversions(outline: &Outline) -> TokenStream {
     let lane = convert(outline, &|field| quote!(T::lane(self.#field, __lane)));
     let mut scalars = (0..outline.scalar_fields().len()).map(|index| {
         let index = literal::index(index);
-        quote!(__rows[#index][__lane])
+        quote!(__rows.at(#index, __lane))
     });
     let at_lane = outline.body(from_scalars(outline, &mut scalars));
     let allow = attribute::allow();
@@ -146,7 +146,7 @@ fn conversions(outline: &Outline) -> TokenStream {
             /// The dimensions in one lane of the first rows.
             #[inline(always)]
             fn __at_lane<const __BLOCK: ::core::primitive::usize, const __ROWS: ::core::primitive::usize>(
-                __rows: &[[T; __BLOCK]; __ROWS],
+                __rows: &#runtime::Block<T, __BLOCK, __ROWS>,
                 __lane: ::core::primitive::usize,
             ) -> Self { #at_lane }
         }

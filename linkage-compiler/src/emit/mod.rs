@@ -12,6 +12,7 @@ mod columns;
 mod count;
 mod dimensions;
 mod docs;
+mod entries;
 mod evaluator;
 mod guess;
 mod kernels;

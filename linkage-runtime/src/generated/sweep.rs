@@ -7,7 +7,7 @@ mod extended;
 mod instruction_set;
 
 pub use arguments::{Arguments, Inputs, Sets};
-pub use blocks::{Block, put, rows};
+pub use blocks::{Block, rows};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use extended::{Extended, States};
 

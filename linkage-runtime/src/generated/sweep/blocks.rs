@@ -10,6 +10,39 @@ pub struct Block<T, const B: usize, const N: usize>(
     pub [[T; B]; N],
 );
 
+/// Generated code reads and writes through these: rustc takes ten times as long for the types of an index into an array of arrays.
+impl<T: Copy, const B: usize, const N: usize> Block<T, B, N> {
+    /// All numbers are `value`.
+    #[inline(always)]
+    pub fn filled(value: T) -> Self {
+        Self([[value; B]; N])
+    }
+
+    /// The number in a column and row.
+    #[inline(always)]
+    pub fn at(&self, column: usize, row: usize) -> T {
+        self.0[column][row]
+    }
+
+    /// Changes the number in a column and row.
+    #[inline(always)]
+    pub fn set(&mut self, column: usize, row: usize, value: T) {
+        self.0[column][row] = value;
+    }
+
+    /// Writes a column into one of the results from `row` on.
+    #[inline(always)]
+    pub fn write<const W: usize>(
+        &self,
+        column: usize,
+        results: &mut [&mut [T]; W],
+        result: usize,
+        row: usize,
+    ) {
+        put(results[result], row, &self.0[column]);
+    }
+}
+
 /// How many rows the columns have.
 #[inline(always)]
 pub fn rows<T, const W: usize>(columns: &[&mut [T]; W]) -> usize {
@@ -18,7 +51,7 @@ pub fn rows<T, const W: usize>(columns: &[&mut [T]; W]) -> usize {
 
 /// Writes lanes into a column from `row` on.
 #[inline(always)]
-pub fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
+fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
     if let Some(place) = column
         .get_mut(row..)
         .and_then(|rest| rest.first_chunk_mut())
