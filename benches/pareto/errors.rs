@@ -57,7 +57,21 @@ impl Errors {
     }
 }
 
+impl Errors {
+    /// From the errors in each of several sets of positions.
+    pub(crate) fn of_sets(sets: &[&[f64]]) -> Self {
+        let largest = |set: &[f64]| set.iter().fold(0.0, |most, &error| larger(most, error));
+        let mut all = sets.concat();
+        all.sort_by(f64::total_cmp);
+        Self {
+            largest: sets.iter().map(|set| largest(set)).collect(),
+            median: all[all.len() / 2],
+            maximum: largest(&all),
+        }
+    }
+}
+
 /// The larger number; NaN if one of them is.
-fn larger(a: f64, b: f64) -> f64 {
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a >= b || a.is_nan() { a } else { b }
 }

@@ -1,8 +1,8 @@
 //! Run time against error, for the kernel K1 (a crank-rocker with a coupler point): the generated code in
 //! several number types, and the other ways of computing the same numbers.
 //!
-//! `cargo bench --bench pareto` takes some minutes and writes `docs/pareto.md` and
-//! `docs/pareto.svg`; `cargo bench --bench pareto -- --quick` takes one and only prints, unless
+//! `cargo bench --bench pareto` takes some minutes and writes `docs/pareto.md`,
+//! `docs/pareto.svg` and `docs/pareto-hard.svg`; `cargo bench --bench pareto -- --quick` takes one and only prints, unless
 //! `--write` is added.
 //!
 //! All methods see the same positions, in order round the cycle, as a simulation would step through
@@ -17,6 +17,7 @@
 mod double_double;
 mod environment;
 mod errors;
+mod hostile;
 mod labels;
 mod methods;
 mod panels;
@@ -38,6 +39,8 @@ struct Outcome {
 /// A question that all methods answer.
 struct Panel {
     title: &'static str,
+    /// What roundoffs are multiplied by to be the unit of errors.
+    unit: &'static str,
     /// Names of the parts of the answer whose errors are told apart.
     parts: Vec<&'static str>,
     outcomes: Vec<Outcome>,
@@ -53,10 +56,13 @@ fn main() -> std::io::Result<()> {
     };
     let positions = positions(count);
     let time = Duration::from_secs_f64(seconds);
+    let point = panels::point(&positions, time / 2);
+    let hostile = hostile::panel(&point);
     let panels = [
         panels::motion(&positions, time),
-        panels::point(&positions, time / 2),
+        point,
         panels::accuracy(&positions, time / 2),
+        hostile,
     ];
     let about = environment::describe(if quick { " -- --quick" } else { "" });
     print!("{}", table::text(&panels, &about));
@@ -68,7 +74,9 @@ fn main() -> std::io::Result<()> {
         format!("{docs}/pareto.md"),
         table::markdown(&panels, &about),
     )?;
-    std::fs::write(format!("{docs}/pareto.svg"), plot::svg(&panels[0], &about))
+    let [easy, .., hard] = &panels;
+    std::fs::write(format!("{docs}/pareto.svg"), plot::svg(easy, &about))?;
+    std::fs::write(format!("{docs}/pareto-hard.svg"), plot::svg(hard, &about))
 }
 
 /// Random positions in order round the cycle. They are numbers of `f32`, so that it gets the same.
@@ -111,6 +119,7 @@ fn measure<const W: usize>(
         });
     Panel {
         title,
+        unit: "size of the mechanism",
         parts: parts.iter().map(|part| part.name).collect(),
         outcomes: outcomes.collect(),
     }

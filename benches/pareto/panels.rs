@@ -2,49 +2,56 @@
 
 use crate::double_double::DoubleDouble;
 use crate::errors::{Part, SIZE};
-use crate::methods::{Family, Method, Numbers, Parts, in_place, single, sweep};
+use crate::methods::{Family, Method, Numbers, Parts, in_place, single, stepping, sweep};
 use crate::{Panel, measure};
 use linkage::Dual;
 use linkage_peers::differences::Differences1;
 use linkage_peers::mechanisms::{
     K1, K1AccuracyColumns, K1Assembly, K1MotionColumns, K1PointColumns, dimensions1,
 };
+use linkage_peers::newton::{self, Newton};
 use linkage_peers::num_dual::{Dual2_64, DualSVec64};
 use linkage_peers::textbook::{self, Method as By};
-use linkage_peers::{c, dual, newton, reference};
+use linkage_peers::{c, dual, plain, reference};
 use std::ops::Range;
 use std::time::Duration;
 
 /// What several methods need.
-struct Kernels {
+pub(crate) struct Kernels {
     double: K1Assembly,
     single: K1Assembly<f32>,
     extended: K1Assembly<DoubleDouble>,
     dimensions: [f64; 7],
     c: c::K1,
-    dual: dual::K1,
-    differences: Differences1,
+    plain: plain::K1,
 }
 
 impl Kernels {
-    fn new() -> Self {
-        let mechanism = K1::default();
-        let dimensions = dimensions1(&mechanism);
+    pub(crate) fn new(mechanism: &K1) -> Self {
+        let dimensions = dimensions1(mechanism);
         Self {
             double: mechanism.assemble().expect("K1 assembles"),
             single: mechanism.cast().assemble().expect("K1 assembles"),
             extended: mechanism.cast().assemble().expect("K1 assembles"),
             dimensions,
             c: c::K1::new(dimensions),
-            dual: dual::K1::new(dimensions),
-            differences: Differences1::new(&mechanism).expect("K1 assembles"),
+            plain: plain::K1::new(dimensions),
         }
     }
+}
 
-    fn newton(&self, iterations: usize) -> newton::K1 {
-        let mut newton = newton::K1::new(self.dimensions).with_iterations(iterations);
-        newton.start(0.0);
-        newton
+/// What methods for derivatives need.
+struct ForDerivatives {
+    dual: dual::K1,
+    differences: Differences1,
+}
+
+impl ForDerivatives {
+    fn new(mechanism: &K1) -> Self {
+        Self {
+            dual: dual::K1::new(dimensions1(mechanism)),
+            differences: Differences1::new(mechanism).expect("K1 assembles"),
+        }
     }
 }
 
@@ -52,10 +59,19 @@ fn halves(x: DoubleDouble) -> Parts {
     [x.0.hi(), x.0.lo()]
 }
 
-const ITERATIONS: [(&str, usize); 3] = [
-    ("Newton, 1 iteration", 1),
-    ("Newton, 2 iterations", 2),
-    ("Newton, 3 iterations", 3),
+/// Newton's method by angles: the number of iterations, and whether it begins where rates lead to.
+const BY_ANGLES: [(&str, usize, bool); 5] = [
+    ("Newton, 1 iteration", 1, false),
+    ("Newton, 2 iterations", 2, false),
+    ("Newton, 3 iterations", 3, false),
+    ("Newton, predicted, 1 iteration", 1, true),
+    ("Newton, predicted, 2 iterations", 2, true),
+];
+
+/// The same by the coupler's vector.
+const BY_VECTOR: [(&str, usize, bool); 2] = [
+    ("Newton by vectors, predicted, 1", 1, true),
+    ("Newton by vectors, predicted, 2", 2, true),
 ];
 
 const ANGLES: [(&str, By); 2] = [
@@ -117,16 +133,31 @@ macro_rules! methods {
                 |x, columns| k.c.$sweep(x, columns),
                 |columns, row| std::array::from_fn(|column| columns.get(row, column)),
             ),
+            single(
+                "Rust, standard sine",
+                Family::Closed,
+                p,
+                |x| k.plain.$function(&k.plain.place(x)),
+                Numbers::numbers,
+            ),
         ];
         for (name, method) in ANGLES {
             let textbook = textbook::K1::new(method, k.dimensions);
             let answer = move |x| textbook.$function(x);
             methods.push(single(name, Family::Textbook, p, answer, Numbers::numbers));
         }
-        for (name, iterations) in ITERATIONS {
-            let mut newton = k.newton(iterations);
-            let answer = move |x| newton.$function(x);
-            methods.push(single(name, Family::Newton, p, answer, Numbers::numbers));
+        let start = p[0];
+        for (name, iterations, predicts) in BY_ANGLES {
+            let newton = Newton::<newton::Angles>::new(k.dimensions, iterations, predicts, start);
+            methods.push(stepping(name, Family::Newton, p, newton, |n, x| {
+                n.$function(x)
+            }));
+        }
+        for (name, iterations, predicts) in BY_VECTOR {
+            let newton = Newton::<newton::Vector>::new(k.dimensions, iterations, predicts, start);
+            methods.push(stepping(name, Family::Newton, p, newton, |n, x| {
+                n.$function(x)
+            }));
         }
         methods
     }};
@@ -134,8 +165,8 @@ macro_rules! methods {
 
 /// The methods that have derivatives only; `generic` computes the point in dual numbers.
 macro_rules! others {
-    ($kernels:ident, $positions:ident, $function:ident, $generic:ident) => {{
-        let (k, p) = (&$kernels, $positions);
+    ($needs:ident, $positions:ident, $function:ident, $generic:ident) => {{
+        let (k, p) = (&$needs, $positions);
         let closed = |x| k.dual.$function(x);
         let steps = |x| k.differences.$function(x);
         [
@@ -166,7 +197,8 @@ macro_rules! others {
 
 /// The point with both derivatives.
 pub(crate) fn motion(positions: &[f64], time: Duration) -> Panel {
-    let k = Kernels::new();
+    let k = Kernels::new(&K1::default());
+    let needs = ForDerivatives::new(&K1::default());
     let mechanism = K1::default().cast::<Dual<Dual2_64>>();
     let generic = mechanism.assemble().expect("K1 assembles");
     let point = |phi| generic.point(Dual(Dual2_64::from_re(phi).derivative()));
@@ -179,7 +211,7 @@ pub(crate) fn motion(positions: &[f64], time: Duration) -> Panel {
         K1MotionColumns,
         6
     );
-    methods.extend(others!(k, positions, motion, point));
+    methods.extend(others!(needs, positions, motion, point));
     let parts = [
         POINT,
         part("first derivative", 2..4, SIZE),
@@ -197,10 +229,9 @@ pub(crate) fn motion(positions: &[f64], time: Duration) -> Panel {
     )
 }
 
-/// The point alone.
-pub(crate) fn point(positions: &[f64], time: Duration) -> Panel {
-    let k = Kernels::new();
-    let methods = methods!(
+/// The point alone, of any mechanism.
+pub(crate) fn points<'a>(k: &'a Kernels, positions: &'a [f64]) -> Vec<Method<'a, 2>> {
+    methods!(
         k,
         positions,
         point,
@@ -208,7 +239,13 @@ pub(crate) fn point(positions: &[f64], time: Duration) -> Panel {
         point_sweep_into,
         K1PointColumns,
         2
-    );
+    )
+}
+
+/// The point alone.
+pub(crate) fn point(positions: &[f64], time: Duration) -> Panel {
+    let k = Kernels::new(&K1::default());
+    let methods = points(&k, positions);
     let reference = reference::k1(k.dimensions);
     let exact = positions.iter().map(|&phi| reference.point(phi).to_vec());
     let exact: Vec<_> = exact.collect();
@@ -217,7 +254,8 @@ pub(crate) fn point(positions: &[f64], time: Duration) -> Panel {
 
 /// The point with its sensitivities.
 pub(crate) fn accuracy(positions: &[f64], time: Duration) -> Panel {
-    let k = Kernels::new();
+    let k = Kernels::new(&K1::default());
+    let needs = ForDerivatives::new(&K1::default());
     let generic = variable_mechanism(k.dimensions)
         .assemble()
         .expect("K1 assembles");
@@ -231,7 +269,7 @@ pub(crate) fn accuracy(positions: &[f64], time: Duration) -> Panel {
         K1AccuracyColumns,
         16
     );
-    methods.extend(others!(k, positions, accuracy, point));
+    methods.extend(others!(needs, positions, accuracy, point));
     let parts = [
         POINT,
         part("by a length", 2..14, 1.0),

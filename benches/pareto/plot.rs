@@ -33,11 +33,11 @@ pub(crate) fn svg(panel: &Panel, about: &str) -> String {
         title = panel.title.to_lowercase(),
     );
     legend(&mut svg, panel);
-    scales.draw(&mut svg);
+    scales.draw(&mut svg, panel.unit);
     points(&mut svg, panel, &scales);
     let _ = write!(
         svg,
-        r##"<text x="24" y="662" font-size="12" fill="#555">Crank-rocker with a coupler point. Marker: largest error over the cycle and median time; line: down to the median error, quartiles of time.</text>
+        r##"<text x="24" y="662" font-size="12" fill="#555">Crank-rocker with a coupler point. Marker: largest error over all positions and median time; line: down to the median error, quartiles of time.</text>
 <text x="24" y="682" font-size="12" fill="#555">{about}</text>
 </svg>
 "##
@@ -82,7 +82,11 @@ impl Scales {
         FRAME.left + part * (FRAME.right - FRAME.left)
     }
 
+    /// What is no number at some position lies at the upper edge.
     fn y(&self, error: f64) -> f64 {
+        if !error.is_finite() {
+            return FRAME.top;
+        }
         let ([low, high], bottom, top) = match self.strip {
             Some(strip) if error < BREAK => (strip, FRAME.bottom - 8.0, FRAME.bottom - STRIP + 8.0),
             Some(_) => (self.error, FRAME.bottom - STRIP - 10.0, FRAME.top),
@@ -91,7 +95,7 @@ impl Scales {
         bottom + (error.log10() - low) / (high - low) * (top - bottom)
     }
 
-    fn draw(&self, svg: &mut String) {
+    fn draw(&self, svg: &mut String, unit: &str) {
         let Area {
             left,
             top,
@@ -147,7 +151,7 @@ impl Scales {
         );
         let _ = writeln!(
             svg,
-            r#"<text transform="translate(28 {:.1}) rotate(-90)" text-anchor="middle">error, in 2<tspan dy="-5" font-size="10">-53</tspan><tspan dy="5"> × size of the mechanism</tspan></text>"#,
+            r#"<text transform="translate(28 {:.1}) rotate(-90)" text-anchor="middle">error, in 2<tspan dy="-5" font-size="10">-53</tspan><tspan dy="5"> × {unit}</tspan></text>"#,
             f64::midpoint(top, bottom)
         );
     }

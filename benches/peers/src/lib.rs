@@ -11,6 +11,7 @@ pub mod differences;
 pub mod dual;
 pub mod mechanisms;
 pub mod newton;
+pub mod plain;
 pub mod reference;
 pub mod space;
 pub mod textbook;

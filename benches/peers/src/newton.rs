@@ -1,235 +1,217 @@
-//! Newton-Raphson on the loop equations, for any mechanism of links with an angle each: a list of
-//! vectors, nalgebra's LU decomposition, a fixed number of iterations from the position before.
+//! Newton-Raphson on K1's loop, written by hand for this loop: two unknowns, Cramer's rule with one division, the crank's sine and
+//! cosine taken once, a fixed number of iterations. It begins at the position before, or where rates at the position before say that the
+//! links have got to. Once by the links' angles, as is usual, once by the coupler's vector, which needs no sine.
 
-mod mechanisms;
+use crate::plain::{K1, Placed};
+use crate::{Motion, Position, Sensitivities1};
 
-pub use mechanisms::{K1, K2};
+/// What is iterated.
+pub trait Unknowns: Copy {
+    /// From a position that is known.
+    fn of(at: &Placed) -> Self;
 
-use crate::{Motion, Position};
-use nalgebra::{Const, DimMin, SMatrix, SVector};
+    /// Where they get to when the crank turns by `step`, from the rates of the coupler at the position `at`.
+    fn moved(self, k1: &K1, at: &Placed, rates: [f64; 2], step: f64) -> Self;
 
-/// What the length of a vector is.
+    /// One iteration.
+    fn improved(self, k1: &K1, pin: [f64; 2]) -> Self;
+
+    /// Vectors of coupler and rocker.
+    fn vectors(self, k1: &K1, pin: [f64; 2]) -> [[f64; 2]; 2];
+}
+
+/// The angles of coupler and rocker.
 #[derive(Clone, Copy, Debug)]
-enum Length {
-    Dimension(usize),
-    Unknown(usize),
+pub struct Angles {
+    coupler: f64,
+    rocker: f64,
 }
 
-/// The angle of a vector: a sum.
-#[derive(Clone, Copy, Debug, Default)]
-struct Angle {
-    unknown: Option<usize>,
-    dimension: Option<usize>,
-    input: f64,
-    constant: f64,
-}
-
-/// A vector of a loop, or of the path to the point; subtracted for a negative sign.
+/// The coupler's vector.
 #[derive(Clone, Copy, Debug)]
-struct Link {
-    row: usize,
-    sign: f64,
-    length: Length,
-    angle: Angle,
-    placed: Placed,
-}
+pub struct Vector([f64; 2]);
 
-/// Length and direction of a link at the last position, the direction with the link's sign.
-#[derive(Clone, Copy, Debug, Default)]
-struct Placed {
-    length: f64,
-    cos: f64,
-    sin: f64,
-}
-
-/// How input, dimensions and unknowns move.
-struct Path<const N: usize> {
-    input: f64,
-    dimension: Option<usize>,
-    first: SVector<f64, N>,
-    second: SVector<f64, N>,
-}
-
-impl<const N: usize> Default for Path<N> {
-    fn default() -> Self {
-        Self {
-            input: 0.0,
-            dimension: None,
-            first: SVector::zeros(),
-            second: SVector::zeros(),
-        }
-    }
-}
-
-impl<const N: usize> Path<N> {
-    fn moves(&self, dimension: usize) -> f64 {
-        if self.dimension == Some(dimension) {
-            1.0
-        } else {
-            0.0
-        }
-    }
-}
-
-/// A mechanism of `N` unknowns and `P` dimensions, at the position that it was last asked for.
-#[derive(Clone, Debug)]
-pub struct Newton<const N: usize, const P: usize> {
-    dimensions: [f64; P],
-    loops: Vec<Link>,
-    path: Vec<Link>,
+/// K1 at the position that it was last asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Newton<U> {
+    k1: K1,
     iterations: usize,
-    unknowns: SVector<f64, N>,
+    predicts: bool,
+    phi: f64,
+    unknowns: U,
+    at: Placed,
+    rates: [f64; 2],
 }
 
-impl<const N: usize, const P: usize> Newton<N, P>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
-    /// The same with another number of iterations.
-    #[must_use]
-    pub fn with_iterations(mut self, iterations: usize) -> Self {
-        self.iterations = iterations;
-        self
+#[inline(always)]
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+#[inline(always)]
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// A vector of this length and angle.
+#[inline(always)]
+fn polar(length: f64, angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [length * cos, length * sin]
+}
+
+impl Unknowns for Angles {
+    fn of(at: &Placed) -> Self {
+        Self {
+            coupler: at.coupler[1].atan2(at.coupler[0]),
+            rocker: at.rocker[1].atan2(at.rocker[0]),
+        }
     }
 
-    /// Goes to a position from afar.
-    pub fn start(&mut self, phi: f64) {
-        for _ in 0..30 {
-            self.iterate(phi);
+    #[inline(always)]
+    fn moved(self, k1: &K1, at: &Placed, [first, second]: [f64; 2], step: f64) -> Self {
+        let (a, e, f) = (at.pin, at.coupler, at.rocker);
+        let per_square = 1.0 / k1.rocker_squared;
+        let between = dot(e, f);
+        let rocker = (first * between + dot(f, a)) * per_square;
+        let rocker_second =
+            (second * between + first * first * at.height - cross(f, a)) * per_square;
+        let half = 0.5 * step * step;
+        Self {
+            coupler: self.coupler + step * first + half * second,
+            rocker: self.rocker + step * rocker + half * rocker_second,
         }
+    }
+
+    #[inline(always)]
+    fn improved(self, k1: &K1, pin: [f64; 2]) -> Self {
+        let [e, f] = self.vectors(k1, pin);
+        let rest = [
+            pin[0] + e[0] - k1.pivot[0] - f[0],
+            pin[1] + e[1] - k1.pivot[1] - f[1],
+        ];
+        let inverse = 1.0 / cross(e, f);
+        Self {
+            coupler: self.coupler - dot(rest, f) * inverse,
+            rocker: self.rocker - dot(rest, e) * inverse,
+        }
+    }
+
+    #[inline(always)]
+    fn vectors(self, k1: &K1, _: [f64; 2]) -> [[f64; 2]; 2] {
+        [
+            polar(k1.coupler, self.coupler),
+            polar(k1.rocker, self.rocker),
+        ]
+    }
+}
+
+impl Unknowns for Vector {
+    fn of(at: &Placed) -> Self {
+        Self(at.coupler)
+    }
+
+    #[inline(always)]
+    fn moved(self, _: &K1, _: &Placed, [first, second]: [f64; 2], step: f64) -> Self {
+        let Self([x, y]) = self;
+        let half = 0.5 * step * step;
+        let along = 1.0 - half * first * first;
+        let across = step * first + half * second;
+        Self([along * x - across * y, along * y + across * x])
+    }
+
+    #[inline(always)]
+    fn improved(self, k1: &K1, pin: [f64; 2]) -> Self {
+        let [e, f] = self.vectors(k1, pin);
+        // Half of how far both squares of lengths are off.
+        let first = 0.5 * (dot(e, e) - k1.coupler * k1.coupler);
+        let second = 0.5 * (dot(f, f) - k1.rocker_squared);
+        let inverse = 1.0 / cross(e, f);
+        Self([
+            e[0] - (first * f[1] - second * e[1]) * inverse,
+            e[1] - (second * e[0] - first * f[0]) * inverse,
+        ])
+    }
+
+    #[inline(always)]
+    fn vectors(self, k1: &K1, pin: [f64; 2]) -> [[f64; 2]; 2] {
+        let Self(e) = self;
+        [
+            e,
+            [pin[0] + e[0] - k1.pivot[0], pin[1] + e[1] - k1.pivot[1]],
+        ]
+    }
+}
+
+impl<U: Unknowns> Newton<U> {
+    /// At the position `phi`, which it is told: a guess could lead to the other assembly.
+    #[must_use]
+    pub fn new(dimensions: [f64; 7], iterations: usize, predicts: bool, phi: f64) -> Self {
+        let k1 = K1::new(dimensions);
+        let at = k1.place(phi);
+        Self {
+            k1,
+            iterations,
+            predicts,
+            phi,
+            unknowns: U::of(&at),
+            at,
+            rates: k1.rates(&at),
+        }
+    }
+
+    /// Goes to a position.
+    #[inline(always)]
+    fn go(&mut self, phi: f64) {
+        let [direction, pin] = self.k1.crank(phi);
+        let mut unknowns = self.unknowns;
+        if self.predicts {
+            unknowns = unknowns.moved(&self.k1, &self.at, self.rates, phi - self.phi);
+        }
+        for _ in 0..self.iterations {
+            unknowns = unknowns.improved(&self.k1, pin);
+        }
+        let [coupler, rocker] = unknowns.vectors(&self.k1, pin);
+        self.unknowns = unknowns;
+        self.phi = phi;
+        self.at = Placed {
+            direction,
+            pin,
+            coupler,
+            rocker,
+            height: cross(coupler, rocker),
+            along: dot(
+                coupler,
+                [self.k1.pivot[0] - pin[0], self.k1.pivot[1] - pin[1]],
+            ),
+        };
     }
 
     /// The point.
+    #[inline(always)]
     pub fn point(&mut self, phi: f64) -> Position {
-        for _ in 0..self.iterations {
-            self.iterate(phi);
+        self.go(phi);
+        if self.predicts {
+            self.rates = self.k1.rates(&self.at);
         }
-        place(
-            &mut self.path,
-            self.unknowns.as_slice(),
-            &self.dimensions,
-            phi,
-        );
-        let mut point = [0.0; 2];
-        for Placed { length, cos, sin } in self.path.iter().map(|link| link.placed) {
-            point[0] += length * cos;
-            point[1] += length * sin;
-        }
-        point
+        self.k1.point(&self.at)
     }
 
     /// The point with both derivatives by the input.
+    #[inline(always)]
     pub fn motion(&mut self, phi: f64) -> Motion {
-        let [x, y] = self.point(phi);
-        let jacobian = self.equations(phi).1.lu();
-        let solve = |rows: SVector<f64, N>| jacobian.solve(&-rows).unwrap_or(rows * f64::NAN);
-        let mut path = Path {
-            input: 1.0,
-            ..Path::default()
-        };
-        path.first = solve(rates(&self.loops, &path)[0]);
-        path.second = solve(rates(&self.loops, &path)[1]);
-        let [v, a] = rates::<2, N>(&self.path, &path);
-        [x, y, v[0], v[1], a[0], a[1]]
+        self.go(phi);
+        self.rates = self.k1.rates(&self.at);
+        self.k1.motion_at(&self.at, self.rates)
     }
 
     /// The point, then its derivatives by every dimension.
-    pub fn accuracy<const W: usize>(&mut self, phi: f64) -> [f64; W] {
-        let mut row = [0.0; W];
-        [row[0], row[1]] = self.point(phi);
-        let jacobian = self.equations(phi).1.lu();
-        for (index, cells) in row[2..].chunks_exact_mut(2).enumerate() {
-            let mut path = Path {
-                dimension: Some(index),
-                ..Path::default()
-            };
-            let rows = rates(&self.loops, &path)[0];
-            path.first = jacobian.solve(&-rows).unwrap_or(rows * f64::NAN);
-            let [change, _] = rates::<2, N>(&self.path, &path);
-            cells.copy_from_slice(change.as_slice());
+    #[inline(always)]
+    pub fn accuracy(&mut self, phi: f64) -> Sensitivities1 {
+        self.go(phi);
+        if self.predicts {
+            self.rates = self.k1.rates(&self.at);
         }
-        row
+        self.k1.accuracy(&self.at)
     }
-
-    fn iterate(&mut self, phi: f64) {
-        let (residual, jacobian) = self.equations(phi);
-        if let Some(step) = jacobian.lu().solve(&residual) {
-            self.unknowns -= step;
-        }
-    }
-
-    /// The loops' sums, and their derivatives by the unknowns.
-    fn equations(&mut self, phi: f64) -> (SVector<f64, N>, SMatrix<f64, N, N>) {
-        place(
-            &mut self.loops,
-            self.unknowns.as_slice(),
-            &self.dimensions,
-            phi,
-        );
-        let mut residual = SVector::zeros();
-        let mut jacobian = SMatrix::zeros();
-        for link in &self.loops {
-            let Placed { length, cos, sin } = link.placed;
-            residual[link.row] += length * cos;
-            residual[link.row + 1] += length * sin;
-            if let Some(column) = link.angle.unknown {
-                jacobian[(link.row, column)] -= length * sin;
-                jacobian[(link.row + 1, column)] += length * cos;
-            }
-            if let Length::Unknown(column) = link.length {
-                jacobian[(link.row, column)] += cos;
-                jacobian[(link.row + 1, column)] += sin;
-            }
-        }
-        (residual, jacobian)
-    }
-}
-
-/// Lengths and directions at a position.
-fn place(links: &mut [Link], unknowns: &[f64], dimensions: &[f64], phi: f64) {
-    for link in links {
-        let length = match link.length {
-            Length::Dimension(index) => dimensions[index],
-            Length::Unknown(index) => unknowns[index],
-        };
-        let a = &link.angle;
-        let angle = a.input * phi
-            + a.constant
-            + a.unknown.map_or(0.0, |index| unknowns[index])
-            + a.dimension.map_or(0.0, |index| dimensions[index]);
-        let (sin, cos) = angle.sin_cos();
-        link.placed = Placed {
-            length,
-            cos: link.sign * cos,
-            sin: link.sign * sin,
-        };
-    }
-}
-
-/// First and second derivative of sums of links along a path.
-fn rates<const R: usize, const N: usize>(links: &[Link], path: &Path<N>) -> [SVector<f64, R>; 2] {
-    let (mut first, mut second) = (SVector::zeros(), SVector::zeros());
-    for link in links {
-        let Placed { length, cos, sin } = link.placed;
-        let (growth, growth_second) = match link.length {
-            Length::Dimension(index) => (path.moves(index), 0.0),
-            Length::Unknown(index) => (path.first[index], path.second[index]),
-        };
-        let a = &link.angle;
-        let turn = a.input * path.input
-            + a.unknown.map_or(0.0, |index| path.first[index])
-            + a.dimension.map_or(0.0, |index| path.moves(index));
-        let turn_second = a.unknown.map_or(0.0, |index| path.second[index]);
-        let add = |rows: &mut SVector<f64, R>, along: f64, across: f64| {
-            rows[link.row] += along * cos - across * sin;
-            rows[link.row + 1] += along * sin + across * cos;
-        };
-        add(&mut first, growth, length * turn);
-        add(
-            &mut second,
-            growth_second - length * turn * turn,
-            2.0 * growth * turn + length * turn_second,
-        );
-    }
-    [first, second]
 }

@@ -2,7 +2,7 @@
 
 use linkage_peers::differences::Differences1;
 use linkage_peers::textbook::{self, Method};
-use linkage_peers::{c, dual, mechanisms as m, newton, reference};
+use linkage_peers::{c, dual, mechanisms as m, newton, plain, reference};
 use std::f64::consts::TAU;
 
 /// Compares numbers of the size of some tens over the cycle.
@@ -33,6 +33,19 @@ fn angles() -> impl Iterator<Item = f64> {
 
 fn collect<R: Into<Vec<reference::Exact>>>(f: impl Fn(f64) -> R) -> Vec<Vec<reference::Exact>> {
     angles().map(|phi| f(phi).into()).collect()
+}
+
+/// From far off, so with more iterations than elsewhere.
+fn newton_agrees<U: newton::Unknowns>(
+    dimensions: [f64; 7],
+    predicts: bool,
+    [points, motions, sensitivities]: [&[Vec<reference::Exact>]; 3],
+) {
+    let start = || newton::Newton::<U>::new(dimensions, 6, predicts, -1.5);
+    let (mut a, mut b, mut c) = (start(), start(), start());
+    agree("newton, a", 1e-11, points, |phi| a.point(phi));
+    agree("newton, b", 1e-11, motions, |phi| b.motion(phi));
+    agree("newton, c", 1e-11, sensitivities, |phi| c.accuracy(phi));
 }
 
 #[test]
@@ -72,13 +85,20 @@ fn k1() {
         1e-10,
         textbook::K1::new(Method::HalfTangent, dimensions)
     );
-    let mut newton = newton::K1::new(dimensions).with_iterations(6);
-    newton.start(-1.5);
-    agree("newton, a", 1e-11, &points, |phi| newton.point(phi));
-    agree("newton, b", 1e-11, &motions, |phi| newton.motion(phi));
-    agree("newton, c", 1e-11, &sensitivities, |phi| {
-        newton.accuracy::<16>(phi)
+    let plain = plain::K1::new(dimensions);
+    agree("plain Rust, a", 1e-11, &points, |phi| {
+        plain.point(&plain.place(phi))
     });
+    agree("plain Rust, b", 1e-11, &motions, |phi| {
+        plain.motion(&plain.place(phi))
+    });
+    agree("plain Rust, c", 1e-11, &sensitivities, |phi| {
+        plain.accuracy(&plain.place(phi))
+    });
+    for predicts in [false, true] {
+        newton_agrees::<newton::Angles>(dimensions, predicts, [&points, &motions, &sensitivities]);
+        newton_agrees::<newton::Vector>(dimensions, predicts, [&points, &motions, &sensitivities]);
+    }
     let differences = Differences1::new(&mechanism).expect("all of them assemble");
     agree("differences, b", 1e-5, &motions, |phi| {
         differences.motion(phi)
@@ -122,13 +142,6 @@ fn k2() {
     agree("dual, a", 1e-11, &points, |phi| dual.point(phi));
     agree("dual, b", 1e-11, &motions, |phi| dual.motion(phi));
     agree("dual, c", 1e-11, &sensitivities, |phi| dual.accuracy(phi));
-    let mut newton = newton::K2::new(dimensions).with_iterations(6);
-    newton.start(-1.5);
-    agree("newton, a", 1e-11, &points, |phi| newton.point(phi));
-    agree("newton, b", 1e-11, &motions, |phi| newton.motion(phi));
-    agree("newton, c", 1e-11, &sensitivities, |phi| {
-        newton.accuracy::<26>(phi)
-    });
     let c = c::K2::new(dimensions);
     agree("C, a", 1e-11, &points, |phi| {
         into([0.0; 2], |out| c.point(phi, out))
