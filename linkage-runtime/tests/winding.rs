@@ -2,7 +2,7 @@
 #![cfg(any(feature = "std", feature = "libm"))]
 
 use linkage_runtime::Scalar;
-use linkage_runtime::numeric::winding::{Winding, follow};
+use linkage_runtime::numeric::winding::{Centre, Winding, follow};
 use std::f64::consts::{PI, TAU};
 
 const RATES: [f64; 7] = [0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5];
@@ -111,4 +111,56 @@ fn nothing_to_follow() {
 fn without_candidates_the_mean_slope_is_taken() {
     let winding = follow(0.0, 3.0 * TAU, 0.0, 0.0, &[], direction).unwrap();
     assert!((winding.turns - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn an_angle_that_nearly_strays_by_half_a_turn_is_refused() {
+    let swing = |share: f64| {
+        follow(0.0, TAU, 0.0, 0.0, &[0.0], |x| {
+            direction(share * PI * x.sin())
+        })
+    };
+    assert!(swing(0.94).is_some_and(|winding| winding.turns == 0.0));
+    assert_eq!(swing(0.96), None);
+}
+
+#[test]
+fn a_slow_guide_is_taken_up_to_its_comfort() {
+    // Half of the range is what a crank strays from an angle that stands still.
+    assert_eq!(guided(0.0, 1.59 * PI, 0.5, |x| x).turns, 0.0);
+    assert_eq!(guided(0.0, 1.61 * PI, 0.5, |x| x).turns, 1.0);
+}
+
+#[test]
+fn ranges_of_too_many_turns_are_not_walked() {
+    let turns = |radians: f64| follow(0.0, radians, 0.0, 0.0, &[0.0, 1.0, -2.0], direction);
+    // The fastest candidate turns twice as far.
+    assert!(turns(8191.0).is_some_and(|winding| winding.turns == 1.0));
+    assert_eq!(turns(8193.0), None);
+}
+
+/// Middles of several motions add up as long as the angle at the start keeps a tenth of its half turn.
+#[test]
+fn middles_of_several_inputs_add_up_or_are_shared() {
+    let centre = |middles: [f64; 2]| {
+        let mut centre = Centre::new(0.7);
+        for (middle, (turns, x)) in middles.into_iter().zip([(1.0, 0.4), (-0.5, 3.0)]) {
+            let along = Winding {
+                centre: 0.7 + middle * PI - turns * x,
+                turns,
+            };
+            centre.add(along, x);
+        }
+        centre.value() + 1.0 * 0.4 - 0.5 * 3.0 - 0.7
+    };
+    for (middles, sum) in [
+        ([0.1, 0.2], 0.3),
+        ([0.44, 0.45], 0.89),
+        ([-0.44, -0.45], -0.89),
+        ([0.45, 0.46], 0.455),
+        ([-0.6, -0.5], -0.55),
+        ([0.6, -0.5], 0.1),
+    ] {
+        assert!((centre(middles) - sum * PI).abs() < 1e-14, "{middles:?}");
+    }
 }

@@ -88,8 +88,18 @@ mod tests {
         assert_eq!(choice(&[0.995, 9.0, 1.0]), Some((0, true)));
         assert_eq!(choice(&[0.98, 9.0, 1.0]), Some((0, false)));
         assert_eq!(choice(&[0.0, 0.0]), Some((0, true)));
-        let rounding = nearest([1.0, 1.0 - 1e-9], Ambiguity::AT_RUN_TIME);
-        assert!(rounding.is_some_and(|nearest| nearest.index == 1 && nearest.ambiguous));
+        assert_eq!(choice(&[0.989, 1.0]), Some((0, false)));
+    }
+
+    /// What differs by more than rounding is a choice at run time.
+    #[test]
+    fn at_run_time_rounding_alone_chooses_nothing() {
+        let ambiguous = |less: f64| {
+            let found = nearest([1.0, 1.0 - less], Ambiguity::AT_RUN_TIME);
+            found.map(|found| (found.index, found.ambiguous))
+        };
+        assert_eq!(ambiguous(0.9e-6), Some((1, true)));
+        assert_eq!(ambiguous(1.1e-6), Some((1, false)));
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! Prepared states of groups without a closed form.
 
 mod circuits;
+mod closing;
 mod grid;
 mod hostile;
+mod meeting;
 mod start;
 mod table;
 mod triads;

@@ -70,3 +70,27 @@ fn numbers_have_their_shortest_digits() {
     ];
     assert_eq!(text, expected.map(|line| format!("{line}\r\n")).concat());
 }
+
+/// What would end a cell or a line is quoted, and nothing else.
+#[test]
+fn names_are_quoted_where_they_would_be_misread() {
+    const ODD: Heading = Heading {
+        function: "odd",
+        arguments: &["phi"],
+        columns: &[
+            value("carriage\rreturn", "mm"),
+            value("line\nfeed", "mm"),
+            value("com,ma", "mm"),
+            value("quo\"te", "mm"),
+            value("semi;colon 'and' tab\t", "mm"),
+        ],
+        picture: None,
+    };
+    let sweep = Sweep::new(&ODD, &[0.0, 1.0], |_| vec![2.0; 5]);
+    let report = Report::new("odd", &PHI, &[0.0, 1.0]).table(&sweep);
+    assert_eq!(
+        report.csv("odd").unwrap(),
+        "phi [rad],\"carriage\rreturn [mm]\",\"line\nfeed [mm]\",\"com,ma [mm]\",\"quo\"\"te [mm]\",\
+         semi;colon 'and' tab\t [mm]\r\n0,2,2,2,2,2\r\n1,2,2,2,2,2\r\n"
+    );
+}

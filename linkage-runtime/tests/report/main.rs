@@ -1,6 +1,7 @@
 //! Reports of mechanisms whose sweeps are written by hand: data, plots, drawings, mistakes.
 #![cfg(feature = "report")]
 
+mod closing;
 mod csv;
 mod data;
 mod drawings;

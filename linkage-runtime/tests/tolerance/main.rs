@@ -4,11 +4,14 @@
 mod allocation;
 mod cycle;
 mod eye_needle;
+mod grades;
 mod input;
 mod least_cost;
 mod modulus;
 #[cfg(feature = "monte-carlo")]
 mod monte_carlo;
+#[cfg(feature = "monte-carlo")]
+mod statistics;
 
 use linkage_runtime::Parameter;
 use linkage_runtime::tolerance::Tolerances;
