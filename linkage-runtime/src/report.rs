@@ -28,6 +28,7 @@ mod shown;
 mod svg;
 mod tables;
 mod units;
+mod whole;
 mod write;
 
 pub use accuracy::BandKind;

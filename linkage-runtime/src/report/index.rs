@@ -8,7 +8,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::page::escaped;
-use super::write::failed;
+use super::whole::{Whole, failed};
 use super::{Report, ReportError};
 
 const FRAME: &str = include_str!("page/index.html");
@@ -70,9 +70,7 @@ impl Index {
     pub fn write(&self, folder: impl AsRef<Path>) -> Result<PathBuf, ReportError> {
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(failed(folder))?;
-        let path = folder.join("index.html");
-        fs::write(&path, self.html()).map_err(failed(&path))?;
-        Ok(path)
+        Whole::new(&folder.join("index.html"), self.html())?.put()
     }
 
     /// The page.

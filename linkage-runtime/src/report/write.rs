@@ -2,10 +2,10 @@
 
 use std::format;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::vec::Vec;
 
+use super::whole::{Whole, failed};
 use super::{Report, ReportError};
 
 /// Further positions in the drawing.
@@ -22,6 +22,9 @@ impl Report {
     /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
     /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | each function's values and derivatives; true velocities and accelerations |
     /// | `plots/errors-by-tolerances.svg` | errors over the range, if there are sensitivities and tolerances |
+    ///
+    /// Files of an earlier report are replaced when all files are complete: where one cannot be written, as on a full disk, the earlier
+    /// report stays as it is. Files that it had and this one has not stay, too.
     ///
     /// # Errors
     ///
@@ -42,12 +45,13 @@ impl Report {
         for (name, plot) in self.all_plots()? {
             files.push((folder.join(format!("plots/{name}.svg")), plot.svg()?));
         }
+        let mut written = Vec::new();
         for (path, text) in &files {
             let folder = path.parent().unwrap_or(folder);
             fs::create_dir_all(folder).map_err(failed(folder))?;
-            fs::write(path, text).map_err(failed(path))?;
+            written.push(Whole::new(path, text)?);
         }
-        Ok(files.into_iter().map(|(path, _)| path).collect())
+        written.into_iter().map(Whole::put).collect()
     }
 }
 
@@ -63,14 +67,5 @@ pub(super) fn picture(path: &Path, svg: &str) -> Result<PathBuf, ReportError> {
             });
         }
     };
-    fs::write(path, content).map_err(failed(path))?;
-    Ok(path.to_path_buf())
-}
-
-pub(super) fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
-    let path = path.to_path_buf();
-    move |error| ReportError::File {
-        path: path.clone(),
-        error,
-    }
+    Whole::new(path, content)?.put()
 }

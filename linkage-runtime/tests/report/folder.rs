@@ -91,6 +91,92 @@ fn a_folder_that_cannot_be_made_is_named() {
     );
 }
 
+/// All files below a folder.
+fn all_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let paths = entries.map(|entry| entry.unwrap().path());
+    let files = paths.flat_map(|path| match path.is_dir() {
+        true => all_files(&path),
+        false => vec![path],
+    });
+    files.collect()
+}
+
+#[test]
+fn files_are_replaced_whole() {
+    let folder = folder("replaced");
+    let _ = std::fs::remove_dir_all(&folder);
+    let report = four_bar(FourBar::NOMINAL);
+    let mut files = report.write(&folder).unwrap();
+    let (plot, drawing) = (folder.join("own.svg"), folder.join("drawn.svg"));
+    report.plot(["psi"]).unwrap().write(&plot).unwrap();
+    report.drawing().unwrap().write(&drawing).unwrap();
+    files.extend([plot.clone(), drawing.clone()]);
+    // Another name of an old file keeps what was in it, unless somebody writes into the file itself.
+    let olds = folder.join("olds");
+    std::fs::create_dir(&olds).unwrap();
+    let old = |index: usize| olds.join(index.to_string());
+    for (index, file) in files.iter().enumerate() {
+        std::fs::write(file, "old").unwrap();
+        std::fs::hard_link(file, old(index)).unwrap();
+    }
+    let again = report.write(&folder).unwrap();
+    report.plot(["psi"]).unwrap().write(&plot).unwrap();
+    report.drawing().unwrap().write(&drawing).unwrap();
+    assert_eq!(again, files[..again.len()]);
+    for (index, file) in files.iter().enumerate() {
+        assert_eq!(std::fs::read_to_string(old(index)).unwrap(), "old");
+        assert!(std::fs::metadata(file).unwrap().len() > 100);
+    }
+    assert_eq!(
+        all_files(&folder).len(),
+        2 * files.len(),
+        "nothing else is left"
+    );
+}
+
+#[test]
+fn a_report_that_cannot_be_written_leaves_the_earlier_one() {
+    let folder = folder("kept");
+    let _ = std::fs::remove_dir_all(&folder);
+    let earlier = four_bar(FourBar::NOMINAL).write(&folder).unwrap();
+    let texts = |files: &[PathBuf]| -> Vec<String> {
+        let text = |file: &PathBuf| std::fs::read_to_string(file).unwrap();
+        files.iter().map(text).collect()
+    };
+    // A folder stands where the last plot should be.
+    let occupied = folder.join("plots/errors-by-tolerances.svg");
+    let kept: Vec<PathBuf> = earlier
+        .into_iter()
+        .filter(|file| *file != occupied)
+        .collect();
+    let before = texts(&kept);
+    let _ = std::fs::remove_file(&occupied);
+    std::fs::create_dir(&occupied).unwrap();
+    let error = four_bar(FourBar::GAPPED).write(&folder).unwrap_err();
+    assert!(
+        matches!(&error, ReportError::File { path, .. } if *path == occupied),
+        "{error:?}"
+    );
+    assert!(texts(&kept) == before, "a file was replaced");
+    assert_eq!(all_files(&folder).len(), kept.len(), "nothing else is left");
+}
+
+#[cfg(unix)]
+#[test]
+fn what_a_link_leads_to_is_written() {
+    let folder = folder("linked");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let (link, file) = (folder.join("link.svg"), folder.join("file.svg"));
+    std::fs::write(&file, "old").unwrap();
+    std::os::unix::fs::symlink(&file, &link).unwrap();
+    let plot = four_bar(FourBar::NOMINAL).plot(["psi"]).unwrap();
+    assert_eq!(plot.write(&link).unwrap(), link);
+    assert!(std::fs::read_link(&link).is_ok());
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), plot.svg().unwrap());
+}
+
 #[cfg(feature = "png")]
 #[test]
 fn pictures_become_pixels() {
