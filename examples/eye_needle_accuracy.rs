@@ -7,11 +7,11 @@
 mod check;
 
 use check::Check;
-use linkage::mechanism;
 use linkage::tolerance::{
     Addition, Allocation, Costs, Distribution, Effects, Extreme, MonteCarlo, Requirement, Rule,
     Sizes, ToleranceError, Tolerances, largest,
 };
+use linkage::{Dimensions, mechanism};
 use std::error::Error;
 use std::f64::consts::TAU;
 
@@ -67,8 +67,9 @@ type Error2 = Effects<13, 2>;
 
 pub(crate) fn main() -> Outcome {
     let mut check = Check::default();
-    let linkage = EyeNeedle::default().assemble()?;
-    let tolerances = Tolerances::complete(EyeNeedle::PARAMETERS)?;
+    let mechanism = EyeNeedle::default();
+    let linkage = mechanism.assemble()?;
+    let tolerances = Tolerances::complete(&mechanism.parameters())?;
     println!("Tolerances:\n{tolerances}");
 
     definitions(&mut check, &linkage, &tolerances)?;
@@ -145,7 +146,7 @@ fn contributions(linkage: &Linkage, tolerances: &Given, phi: f64) {
 fn allocations(check: &mut Check, linkage: &Linkage, tolerances: &Given) -> Outcome {
     let present = tolerances.values();
     // The needle's arm turns the needle's point about P7.
-    let sizes = Sizes::of(EyeNeedle::PARAMETERS)?.lever(EyeNeedle::INDEX_ARM, 136.8)?;
+    let sizes = Sizes::of(tolerances.parameters())?.lever(EyeNeedle::INDEX_ARM, 136.8)?;
     // The present tolerances cost 1 each.
     let costs = Costs {
         cost: present,
@@ -170,7 +171,7 @@ fn allocations(check: &mut Check, linkage: &Linkage, tolerances: &Given) -> Outc
         let requirement = Requirement::new(CLAIM, addition).over(cycle)?;
         let found: Result<Vec<Allocation<13>>, _> = rules
             .iter()
-            .map(|(_, rule)| requirement.allocate(EyeNeedle::PARAMETERS, rule))
+            .map(|(_, rule)| requirement.allocate(tolerances.parameters(), rule))
             .collect();
         let found = found?;
         println!("\n{title} 18 um: tolerances in um (the arm's in arc seconds)");

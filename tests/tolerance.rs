@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use linkage::tolerance::{
     Addition, Distribution, MonteCarlo, Requirement, Rule, ToleranceError, Tolerances, largest,
 };
-use linkage::{Dimensions, mechanism};
+use linkage::{Dimensions, Vector2, mechanism};
 
 mechanism! {
     struct CrankRocker {
@@ -169,6 +169,39 @@ fn tolerances_for_the_whole_cycle() -> Outcome {
             worst.value
         );
     }
+    Ok(())
+}
+
+/// Printed, and as sizes of grades, the dimensions are those of the mechanism, not those of the declaration.
+#[test]
+fn tolerances_of_other_dimensions_than_declared() -> Outcome {
+    let mechanism = CrankRocker {
+        arm: 85.5,
+        pivot: Vector2::new(143.0, -4.0),
+        ..CrankRocker::default()
+    };
+    let linkage = mechanism.assemble()?;
+    let parameters = mechanism.parameters();
+    let requirement = Requirement::new(0.05, Addition::WorstCase).at(&linkage.accuracy(1.0).e)?;
+    let found = requirement.allocate(&parameters, &Rule::Proportional([0.25; 7]))?;
+    for (parameter, value) in found.tolerances.parameters().iter().zip(mechanism.values()) {
+        assert_eq!(parameter.nominal, value, "{}", parameter.name);
+    }
+    let printed = found.tolerances.to_string();
+    let lines: Vec<&str> = printed.lines().collect();
+    assert!(lines[0].starts_with("pivot.x = 143 +- "), "{printed}");
+    assert!(lines[1].starts_with("pivot.y = -4 +- "), "{printed}");
+    assert!(lines[5].starts_with("arm = 85.5 +- "), "{printed}");
+    // The tolerances of the declaration stay.
+    let declared = CrankRocker::PARAMETERS
+        .iter()
+        .map(|parameter| parameter.tolerance);
+    assert!(
+        parameters
+            .iter()
+            .map(|parameter| parameter.tolerance)
+            .eq(declared)
+    );
     Ok(())
 }
 

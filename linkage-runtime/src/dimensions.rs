@@ -25,4 +25,29 @@ pub trait Dimensions<const N: usize>: Sized {
 
     /// The dimensions in the units of `PARAMETERS`.
     fn values(&self) -> [f64; N];
+
+    /// `PARAMETERS` with the dimensions of this mechanism as nominal values; the tolerances are those of the declaration.
+    ///
+    /// ```
+    /// use linkage_runtime::{Dimensions, Parameter};
+    ///
+    /// // What `mechanism!` generates.
+    /// struct Rod { length: f64 }
+    /// impl Dimensions<1> for Rod {
+    ///     const PARAMETERS: &'static [Parameter] =
+    ///         &[Parameter { name: "length", unit: "mm", nominal: 40.0, tolerance: 0.03 }];
+    ///     fn from_values(&[length]: &[f64; 1]) -> Self { Self { length } }
+    ///     fn values(&self) -> [f64; 1] { [self.length] }
+    /// }
+    ///
+    /// let [length] = Rod { length: 55.0 }.parameters();
+    /// assert_eq!(length.to_string(), "length = 55 +- 0.03 mm");
+    /// ```
+    fn parameters(&self) -> [Parameter; N] {
+        let values = self.values();
+        core::array::from_fn(|index| Parameter {
+            nominal: values[index],
+            ..Self::PARAMETERS[index]
+        })
+    }
 }

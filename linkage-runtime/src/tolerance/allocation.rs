@@ -52,8 +52,10 @@ pub struct Allocation<const N: usize> {
 }
 
 impl<const N: usize, const K: usize> Requirement<N, K> {
-    /// Divides the allowed error among the parameters. The defaults and tolerances of the declaration
-    /// do not matter, except as sizes.
+    /// Divides the allowed error among the parameters: [`Dimensions::parameters`] of the mechanism whose sensitivities were given, with
+    /// its dimensions. Printed, the tolerances stand beside those; their own tolerances do not matter.
+    ///
+    /// [`Dimensions::parameters`]: crate::Dimensions::parameters
     ///
     /// The result is analysed anew and holds the limit at every position. With all rules but
     /// `StandardGrade` it uses the limit up, to within rounding at the tightest position; `LeastCost`

@@ -22,7 +22,8 @@ pub struct Sizes<const N: usize> {
 }
 
 impl<const N: usize> Sizes<N> {
-    /// The sizes of lengths; angles and numbers have none yet.
+    /// The sizes of lengths; angles and numbers have none yet. A mechanism with other dimensions than those of the declaration has
+    /// them in [`Dimensions::parameters`](crate::Dimensions::parameters).
     ///
     /// # Errors
     ///
