@@ -99,7 +99,7 @@ fn one_element_counts_for_all_positions() {
 }
 
 #[test]
-#[should_panic(expected = "power_sweep_into: `omega` has 2 elements, `press` has 3")]
+#[should_panic(expected = "power_sweep: `omega` has 2 elements, `press` has 3")]
 fn slices_of_different_lengths() {
     let linkage = Rocker::default().assemble().expect("it assembles");
     let _ = linkage.power_sweep(&[1.0], &[3.0; 2], &[100.0; 3]);

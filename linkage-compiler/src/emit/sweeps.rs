@@ -66,6 +66,17 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
 }
 
 impl Sweeps<'_> {
+    /// The private method behind a sweep into columns and the one that returns them: one loop for both, and a panic names the
+    /// method that was called.
+    fn behind(&self, into: Sweep) -> Ident {
+        format_ident!("__{}{}", self.function.name, into.word())
+    }
+
+    /// The method as the user calls it.
+    fn title(&self, sweep: Sweep) -> String {
+        format!("{}{}", plain(self.function.name), sweep.word())
+    }
+
     /// A method with its documentation.
     fn method(
         &self,
@@ -89,13 +100,11 @@ impl Sweeps<'_> {
         let runtime = &self.outline.runtime;
         let Function {
             columns: ty,
-            name,
             arguments,
             ..
         } = self.function;
         let (columns, slices) = (&self.columns, &self.slices);
         let width = literal::index(self.function.width());
-        let into = format_ident!("{name}{}", Sweep::Into.word());
         let inputs = quote!(#(#arguments: &[T]),*);
         let (each, panics) = match arguments.len() {
             1 => ("", "the slices differ in length"),
@@ -104,7 +113,12 @@ impl Sweeps<'_> {
                 "the slices differ in length, those with a single element aside",
             ),
         };
-        let source = |sweep| self.inputs(sweep);
+        let behind = self.behind(Sweep::Into);
+        let rows = self.inputs(quote!(__title));
+        let fill = self.outline.body(self.with_kernel(
+            |kernel| quote!(#runtime::fill(&self.#kernel(), &#rows, &mut #columns.__columns);),
+        ));
+        let [owned, into] = [Sweep::Owned, Sweep::Into].map(|sweep| self.title(sweep));
         let sweep = self.method(
             Sweep::Owned,
             &format!("at many positions, one for each element of the slices.{each}"),
@@ -112,11 +126,10 @@ impl Sweeps<'_> {
             quote!((&self, #inputs) -> #ty<T>),
             quote! {
                 let mut __columns = ::core::default::Default::default();
-                self.#into(#(#arguments,)* &mut __columns);
+                self.#behind(#owned, #(#arguments,)* &mut __columns);
                 __columns
             },
         );
-        let inputs_into = source(Sweep::Into);
         let sweep_into = self.method(
             Sweep::Into,
             &format!(
@@ -124,12 +137,10 @@ impl Sweeps<'_> {
             ),
             panics,
             quote!((&self, #inputs, #columns: &mut #ty<T>)),
-            self.with_kernel(|kernel| {
-                quote!(#runtime::fill(&self.#kernel(), &#inputs_into, &mut #columns.__columns);)
-            }),
+            quote!(self.#behind(#into, #(#arguments,)* #columns);),
         );
-        let title = format!("{}{}", plain(name), Sweep::Slices.word());
-        let inputs_slices = source(Sweep::Slices);
+        let title = self.title(Sweep::Slices);
+        let inputs_slices = self.inputs(quote!(#title));
         let sweep_slices = self.method(
             Sweep::Slices,
             &format!(
@@ -142,7 +153,8 @@ impl Sweeps<'_> {
                 quote!(#runtime::fill_slices(#title, &self.#kernel(), &#inputs_slices, #slices);)
             }),
         );
-        let inputs_parallel = source(Sweep::ParallelInto);
+        let title = self.title(Sweep::ParallelInto);
+        let inputs_parallel = self.inputs(quote!(#title));
         let parallel = self.method(
             Sweep::ParallelInto,
             &format!(
@@ -158,6 +170,7 @@ impl Sweeps<'_> {
             }),
         );
         quote! {
+            fn #behind(&self, __title: &'static ::core::primitive::str, #inputs, #columns: &mut #ty<T>) { #fill }
             #[must_use]
             #sweep
             #sweep_into
@@ -181,18 +194,21 @@ impl Sweeps<'_> {
         let mechanism = self.outline.name;
         let Function {
             columns: ty,
-            name,
             arguments,
             ..
         } = self.function;
         let (columns, sets, kernel) = (&self.columns, &self.sets, &self.over_sets);
-        let into = format_ident!("{name}{}", Sweep::SetsInto.word());
         let inputs = quote!(#sets: &[#mechanism<T>], #(#arguments: &[T]),*);
         let panics =
             "a slice of inputs has neither one element nor as many as there are mechanisms";
         let about = "for many mechanisms, each at inputs of its own, or all at one position where a slice has a \
                      single element. Each is assembled in the modes of this one, and its angles count their turns from \
                      those of this one; where one cannot be assembled at its position, the results are NaN.";
+        let behind = self.behind(Sweep::SetsInto);
+        let rows = self.sets(quote!(__title));
+        let fill = quote!(#runtime::fill(&self.#kernel(), &#rows, &mut #columns.__columns););
+        let fill = self.outline.body(fill);
+        let [owned, into] = [Sweep::Sets, Sweep::SetsInto].map(|sweep| self.title(sweep));
         let sweep = self.method(
             Sweep::Sets,
             about,
@@ -200,20 +216,20 @@ impl Sweeps<'_> {
             quote!((&self, #inputs) -> #ty<T>),
             quote! {
                 let mut __columns = ::core::default::Default::default();
-                self.#into(#sets, #(#arguments,)* &mut __columns);
+                self.#behind(#owned, #sets, #(#arguments,)* &mut __columns);
                 __columns
             },
         );
-        let source = self.sets(Sweep::SetsInto);
         let sweep_into = self.method(
             Sweep::SetsInto,
             "for many mechanisms, as the method without `_into`, into columns that are there already: allocates only if they are \
              too small.",
             panics,
             quote!((&self, #inputs, #columns: &mut #ty<T>)),
-            quote!(#runtime::fill(&self.#kernel(), &#source, &mut #columns.__columns);),
+            quote!(self.#behind(#into, #sets, #(#arguments,)* #columns);),
         );
-        let source = self.sets(Sweep::SetsParallelInto);
+        let title = self.title(Sweep::SetsParallelInto);
+        let source = self.sets(quote!(#title));
         let parallel = self.method(
             Sweep::SetsParallelInto,
             "for many mechanisms, as the method without `_parallel_into`, computed by all threads of rayon's current pool, into columns that \
@@ -226,6 +242,7 @@ impl Sweeps<'_> {
             quote!(#runtime::fill_parallel(&self.#kernel(), &#source, &mut #columns.__columns);),
         );
         quote! {
+            fn #behind(&self, __title: &'static ::core::primitive::str, #inputs, #columns: &mut #ty<T>) { #fill }
             #[must_use]
             #sweep
             #sweep_into
@@ -234,10 +251,9 @@ impl Sweeps<'_> {
     }
 
     /// The runtime's `Inputs`.
-    fn inputs(&self, sweep: Sweep) -> TokenStream {
+    fn inputs(&self, title: TokenStream) -> TokenStream {
         let runtime = &self.outline.runtime;
         let arguments = &self.function.arguments;
-        let title = format!("{}{}", plain(self.function.name), sweep.word());
         let names = arguments.iter().map(|name| plain(name));
         let inputs = quote! {
             #runtime::Inputs {
@@ -259,11 +275,10 @@ impl Sweeps<'_> {
     }
 
     /// The runtime's `Sets`.
-    fn sets(&self, sweep: Sweep) -> TokenStream {
+    fn sets(&self, title: TokenStream) -> TokenStream {
         let runtime = &self.outline.runtime;
         let (mechanism, sets) = (self.outline.name, &self.sets);
         let arguments = &self.function.arguments;
-        let title = format!("{}{}", plain(self.function.name), sweep.word());
         let names = arguments.iter().map(|name| plain(name));
         let fields = self.outline.scalar_fields();
         let count = literal::index(arguments.len());
