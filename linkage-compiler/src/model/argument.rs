@@ -1,7 +1,8 @@
 //! Arguments: loads and speeds that functions take at run time.
 
-use super::names::{Context, Place, Resolver};
+use super::names::Resolver;
 use super::passes::Taken;
+use super::place::{Context, Place};
 use super::types::{Argument, Dimension, Expr, Input, Name, Type};
 use crate::syntax::NamedItem;
 

@@ -4,8 +4,9 @@ use proc_macro2::Ident;
 
 use super::frame::SecondArgument;
 use super::functions::QuantityWord;
-use super::names::{Context, Resolver};
+use super::names::Resolver;
 use super::operators::settle_alone;
+use super::place::Context;
 use super::types::{Dimension, Expr, ExprKind, Function, Type};
 use crate::diagnostic::SourceSpan;
 use crate::syntax::{self, Word};

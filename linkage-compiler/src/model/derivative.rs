@@ -3,7 +3,8 @@
 use proc_macro2::Ident;
 
 use super::functions::{MotionWord, QuantityWord};
-use super::names::{Context, Place, Resolver};
+use super::names::Resolver;
+use super::place::{Context, Place};
 use super::types::{Dimension, Expr, ExprKind, Name, Type, Variable};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::count;

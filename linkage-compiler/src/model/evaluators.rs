@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use proc_macro2::Ident;
 
 use super::generated::{ASSEMBLY, COLUMNS, Sweep};
-use super::names::{Context, Place, Resolver, kind};
+use super::names::{Resolver, kind};
 use super::operators::settle_alone;
+use super::place::{Context, Place};
 use super::types::{EvaluatorDef, Name, Quantity};
 use crate::diagnostic::text::{list, nearest};
 use crate::diagnostic::{OriginId, SourceSpan};

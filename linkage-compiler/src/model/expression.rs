@@ -2,8 +2,9 @@
 
 use super::conversion::{Literal, convert};
 use super::frame::PARTS_HELP;
-use super::names::{Context, Resolver};
+use super::names::Resolver;
 use super::parameter::COMPONENTS;
+use super::place::Context;
 use super::types::{BinaryOp, Expr, ExprKind, Type};
 use crate::diagnostic::SourceSpan;
 use crate::syntax;

@@ -1,7 +1,8 @@
 //! Units as factors: `2.5N/mm`, `9.80665m/s^2`, `press / (3 * mm^2)`.
 
 use super::conversion::convert_product;
-use super::names::{Context, Resolver, kind};
+use super::names::{Resolver, kind};
+use super::place::Context;
 use super::types::{self, BinaryOp, Dimension, Expr, Type};
 use crate::diagnostic::SourceSpan;
 use crate::syntax::{self, ExprKind, is_unit};

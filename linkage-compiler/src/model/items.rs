@@ -1,7 +1,8 @@
 //! The items of the struct block.
 
-use super::names::{Context, Place, Resolver};
+use super::names::Resolver;
 use super::passes::{Coordinate, Definition, Passes};
+use super::place::{Context, Place};
 use super::types::{
     Constant, Dimension, Expr, Input, LengthUnit, Let, Loop, Mechanism, Name, Type, Unknown,
 };

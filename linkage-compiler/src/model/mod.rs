@@ -21,6 +21,7 @@ mod operators;
 mod parameter;
 mod passes;
 mod picture;
+mod place;
 mod plane_and_space;
 mod presentation;
 mod refused;

@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use proc_macro2::Ident;
 
 use super::mechanics::Scope;
+use super::place::{Context, refusal};
 use super::types::{Dimension, LengthUnit, Name, ScalarParameter, Type};
 use crate::diagnostic::{Diagnostics, Origins, SourceSpan};
-use crate::syntax::{InputItem, Item, MechanismDef, is_unit};
+use crate::syntax::{InputItem, Item, MechanismDef};
 
 /// One declared name.
 pub(super) struct Symbol {
@@ -20,28 +21,6 @@ pub(super) struct Symbol {
     /// Declared with a `0` that has no unit.
     pub(super) bare_zero: bool,
     pub(super) span: SourceSpan,
-}
-
-/// Where an expression stands: which names it may use.
-#[derive(Clone, Copy)]
-pub(super) enum Place<'a> {
-    Constant,
-    Parameter,
-    Input,
-    Estimate,
-    Argument,
-    LetOrLoop,
-    /// A clause of bodies, joints and loads.
-    Mechanics,
-    /// A function of these inputs; `None` if its list has a mistake.
-    Function(Option<&'a [usize]>),
-}
-
-#[derive(Clone, Copy)]
-pub(super) struct Context<'a> {
-    pub(super) place: Place<'a>,
-    /// Position of the item, to find uses before the definition.
-    pub(super) item: usize,
 }
 
 pub(super) struct Resolver<'a> {
@@ -215,71 +194,6 @@ impl Counts {
 fn next(count: &mut usize) -> usize {
     *count += 1;
     *count - 1
-}
-
-/// Why a name cannot be used here, and what to do.
-fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
-    let text = &symbol.text;
-    let constant = matches!(symbol.name, Name::Const(_));
-    let parameter = matches!(symbol.name, Name::Parameter(_));
-    let (allowed, rule) = match context.place {
-        Place::Constant => (
-            constant,
-            "a constant may use numbers, functions and constants only",
-        ),
-        Place::Parameter => (
-            constant,
-            "a default or tolerance may use numbers, functions and constants only",
-        ),
-        Place::Input => (
-            constant,
-            "the reference and range of an input may use numbers, functions and constants only",
-        ),
-        Place::Argument => (
-            constant,
-            "the value of an argument may use numbers, functions and constants only",
-        ),
-        Place::Estimate => (
-            constant || parameter,
-            "an estimate may use numbers, functions, constants and parameters only",
-        ),
-        Place::LetOrLoop | Place::Mechanics | Place::Function(_) => (true, ""),
-    };
-    if !allowed {
-        return Some((
-            format!(
-                "`{text}` is {}, which cannot be used here",
-                kind(symbol.name)
-            ),
-            match is_unit(text) {
-                true => format!("{rule}; the name hides the unit `{text}`"),
-                false => rule.to_owned(),
-            },
-        ));
-    }
-    let ordered = match context.place {
-        Place::Constant => constant,
-        Place::LetOrLoop => matches!(symbol.name, Name::Let(_)),
-        // What they may use is resolved before them.
-        Place::Parameter
-        | Place::Input
-        | Place::Estimate
-        | Place::Argument
-        | Place::Mechanics
-        | Place::Function(_) => false,
-    };
-    if ordered && symbol.item == context.item {
-        let fact = format!("`{text}` is used in its own definition");
-        return Some((
-            fact,
-            "write it as an `unknown` if a `loop` is to determine it".to_owned(),
-        ));
-    }
-    if ordered && symbol.item > context.item {
-        let fact = format!("`{text}` is used before its definition");
-        return Some((fact, format!("move the definition of `{text}` up")));
-    }
-    None
 }
 
 /// The sort of a name in words.

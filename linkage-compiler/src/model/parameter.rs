@@ -1,6 +1,7 @@
 //! Parameters: defaults, tolerances, scalar components.
 
-use super::names::{Context, Place, Resolver};
+use super::names::Resolver;
+use super::place::{Context, Place};
 use super::types::{
     Dimension, Expr, ExprKind, Name, Parameter, ScalarParameter, ScalarParameterId, Type,
 };

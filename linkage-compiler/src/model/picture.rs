@@ -1,7 +1,8 @@
 //! `picture()`: a quantity that stands alone.
 
 use super::functions::MotionWord;
-use super::names::{Context, Resolver};
+use super::names::Resolver;
+use super::place::Context;
 use super::types::{Dimension, EvaluatorDef, Expr, ExprKind, Name, Type};
 use crate::diagnostic::SourceSpan;
 use crate::syntax::{self, Word};

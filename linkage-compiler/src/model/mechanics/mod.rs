@@ -9,8 +9,9 @@ mod loads;
 mod members;
 mod quantities;
 
-use super::names::{Context, Place, Resolver};
+use super::names::Resolver;
 use super::passes::Mechanical;
+use super::place::{Context, Place};
 use super::types::{Dimension, Expr, Mechanism};
 use crate::syntax::{BodyItem, GravityItem};
 

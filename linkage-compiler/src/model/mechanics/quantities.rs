@@ -3,7 +3,8 @@
 use proc_macro2::Ident;
 
 use super::super::functions::MechanicsWord;
-use super::super::names::{Context, Place, Resolver};
+use super::super::names::Resolver;
+use super::super::place::{Context, Place};
 use super::super::types::{Dimension, Expr, ExprKind, Mechanics, Name, Type};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::list;
