@@ -173,7 +173,12 @@ impl Resolver<'_> {
     fn angle(&mut self, argument: &mut Expr, function: Function) -> Option<()> {
         settle_alone(argument);
         match argument.ty {
-            Type::Scalar(dimension) if dimension.is_number_or_angle() => Some(()),
+            Type::Scalar(dimension) if dimension.is_number_or_angle() => {
+                if function.angle_argument().is_some() {
+                    self.refuse_bare_argument(function, argument);
+                }
+                Some(())
+            }
             Type::Scalar(_) => {
                 let help = "give angles in `deg` or `rad`, or divide by a length for a number";
                 self.wrong_argument(function, "an angle or a number here", argument, help)

@@ -94,6 +94,34 @@ impl Function {
             Function::CoordinatesIn => &["frame", "point"],
         }
     }
+
+    /// Which of its arguments is an angle.
+    pub(super) fn angle_argument(self) -> Option<usize> {
+        match self {
+            Function::Dir | Function::Sin | Function::Cos | Function::Tan => Some(0),
+            Function::Polar | Function::Rotate => Some(1),
+            Function::Turn => Some(2),
+            Function::Dot
+            | Function::Cross
+            | Function::Norm
+            | Function::Distance
+            | Function::Unit
+            | Function::Angle
+            | Function::TriangleAngle
+            | Function::Asin
+            | Function::Acos
+            | Function::Atan
+            | Function::Atan2
+            | Function::Sqrt
+            | Function::Hypot
+            | Function::Abs
+            | Function::Min
+            | Function::Max
+            | Function::Frame
+            | Function::PointIn
+            | Function::CoordinatesIn => None,
+        }
+    }
 }
 
 impl MotionWord {

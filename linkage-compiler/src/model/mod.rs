@@ -1,6 +1,8 @@
 //! Syntax tree to model: names become ids, dimensions are checked, numbers get one unit.
 
+mod angles;
 mod argument;
+mod bare;
 mod call_messages;
 mod calls;
 mod conversion;

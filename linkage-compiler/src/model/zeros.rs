@@ -47,6 +47,7 @@ fn attempt(definition: &MechanismDef, lengths: &[Name]) -> Attempt {
     let mut resolver = Resolver::new(definition, lengths, &mut origins, &mut diagnostics);
     let mut mechanism = resolver.items(definition);
     mechanism.evaluators = resolver.functions(definition);
+    resolver.refuse_bare_coordinates(&mechanism);
     let zeros = resolver.symbols.iter().filter(|symbol| symbol.bare_zero);
     let zeros = zeros.map(|symbol| symbol.name).collect();
     Attempt {

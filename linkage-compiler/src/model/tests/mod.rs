@@ -1,5 +1,6 @@
 //! From source text to the model.
 
+mod bare;
 mod derivatives;
 mod dimensions;
 mod frames;
@@ -47,7 +48,7 @@ const SPACE_FORCES: &str = include_str!("space_forces.mech");
 
 #[test]
 fn the_largest_expressions_fit_the_stack() {
-    let nested = format!("{}1{}", "sin(".repeat(60), ")".repeat(60));
+    let nested = format!("{}1rad{}", "sin(".repeat(60), ")".repeat(60));
     let chain = vec![nested; 16].join(" + ");
     let long = vec!["1"; 980].join(" + ");
     let (mechanism, messages) = model(&format!("struct A {{ let a = {chain}; let b = {long}; }}"));

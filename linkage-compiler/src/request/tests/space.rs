@@ -4,7 +4,7 @@ use super::expect_all;
 
 #[test]
 fn groups_in_space() {
-    let rocker = "let axis = turn(turn((0, 0, 1), (0, 1, 0), lift), (1, 0, 0), 0.3);
+    let rocker = "let axis = turn(turn((0, 0, 1), (0, 1, 0), lift), (1, 0, 0), 0.3rad);
         let pin = turn((a, e, 0mm), (0, 0, 1), phi) + (e, 0mm, e);
         let pivot = (d, e, -2 * e);";
     for (items, quantities) in [

@@ -28,7 +28,7 @@ mechanism! {
     }
 
     impl Defaults {
-        pub fn values(phi) -> Values { free, shifted, s: sin(0.3) * sin(angle), list, turned_once, z: turned_once.z }
+        pub fn values(phi) -> Values { free, shifted, s: sin(0.3rad) * sin(angle), list, turned_once, z: turned_once.z }
     }
 }
 

@@ -14,7 +14,7 @@ mechanism! {
         /// The near pivot.
         param near = (0mm, 0mm);
         /// From -180 to 180 degrees.
-        input phi = 0.3 in -PI..PI;
+        input phi = 0.3rad in -PI..PI;
         /// Held by the bars.
         unknown tip = (40mm, 40mm);
         /// On the crank.

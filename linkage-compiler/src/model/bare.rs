@@ -1,0 +1,93 @@
+//! Numbers without a unit as angles: nobody means 30 radians by `30`.
+
+use std::collections::BTreeSet;
+
+use super::names::Resolver;
+use super::types::{Expr, ExprKind, Function, Mechanism, Name, Type};
+use crate::syntax::Word;
+
+impl Expr {
+    /// The number, if it is written as one without a unit, perhaps with signs. Zero is the same in every unit.
+    pub(super) fn bare_number(&self) -> Option<f64> {
+        match &self.kind {
+            ExprKind::Number(number) => {
+                Some(*number).filter(|number| *number != 0.0 && self.ty == Type::NUMBER)
+            }
+            ExprKind::Negate(value) => value.bare_number().map(|number| -number),
+            // What is computed is a number on purpose.
+            _ => None,
+        }
+    }
+}
+
+impl Resolver<'_> {
+    /// Reports `sin(30)`.
+    pub(super) fn refuse_bare_argument(&mut self, function: Function, argument: &Expr) {
+        self.refuse_bare_angle(argument, &format!("the angle of `{}`", function.word()));
+    }
+
+    /// Reports references, ranges and estimates of angles that lack a unit. Whether an input or unknown is an angle is
+    /// known from how it is used: it may be a number as well.
+    pub(super) fn refuse_bare_coordinates(&mut self, mechanism: &Mechanism) {
+        let values = values_of_coordinates(mechanism);
+        if values.iter().all(|own| own.value.bare_number().is_none()) {
+            return;
+        }
+        let angles = mechanism.angles();
+        for CoordinateValue { name, role, value } in values {
+            if self.is_angle(name, &angles) {
+                let what = format!("the {role} of the angle `{}`", mechanism.name(name));
+                self.refuse_bare_angle(value, &what);
+            }
+        }
+    }
+
+    /// Whether a scalar is given in a unit of angles or used as an angle.
+    fn is_angle(&self, name: Name, used: &BTreeSet<Name>) -> bool {
+        let symbol = self.symbols.iter().find(|symbol| symbol.name == name);
+        match symbol.map(|symbol| &symbol.ty) {
+            Some(Type::Scalar(dimension)) => {
+                dimension.is_number_or_angle() && (dimension.angle || used.contains(&name))
+            }
+            _ => false,
+        }
+    }
+
+    fn refuse_bare_angle(&mut self, value: &Expr, what: &str) {
+        if let Some(number) = value.bare_number() {
+            let fact = format!("{what} has no unit: `{number}` would be {number} rad");
+            let help = format!("write `{number}deg`, or `{number}rad`");
+            let span = self.origins.span(value.origin);
+            self.diagnostics.error_with_help(span, fact, help);
+        }
+    }
+}
+
+/// A number that is declared with an input or unknown.
+struct CoordinateValue<'m> {
+    name: Name,
+    role: &'static str,
+    value: &'m Expr,
+}
+
+fn values_of_coordinates(mechanism: &Mechanism) -> Vec<CoordinateValue<'_>> {
+    let mut all = Vec::new();
+    for (index, input) in mechanism.inputs.iter().enumerate() {
+        let mut add = |role, value| {
+            let name = Name::Input(index);
+            all.push(CoordinateValue { name, role, value });
+        };
+        add("reference", &input.reference);
+        if let Some((low, high)) = &input.range {
+            add("lower end of the range", low);
+            add("upper end of the range", high);
+        }
+    }
+    let unknowns = mechanism.unknowns.iter().enumerate();
+    all.extend(unknowns.map(|(index, unknown)| CoordinateValue {
+        name: Name::Unknown(index),
+        role: "estimate",
+        value: &unknown.estimate,
+    }));
+    all
+}
