@@ -101,6 +101,7 @@ impl Resolver<'_> {
         if dimension.fits(Dimension::LENGTH) {
             return Some(());
         }
+        self.suspect(argument, &wanted);
         let fact = format!("{role} {wanted}, found {}", argument.ty);
         let help = match dimension.is_number_or_angle() {
             true => "give its components a unit, or multiply it by a length",

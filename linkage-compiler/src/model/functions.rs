@@ -122,6 +122,38 @@ impl Function {
             | Function::CoordinatesIn => None,
         }
     }
+
+    /// Which of its arguments the result has the dimension of, or a power of it.
+    pub(super) fn measured_arguments(self) -> &'static [usize] {
+        match self {
+            Function::Polar
+            | Function::Rotate
+            | Function::Turn
+            | Function::Norm
+            | Function::Sqrt
+            | Function::Abs => &[0],
+            Function::Dot
+            | Function::Cross
+            | Function::Distance
+            | Function::Hypot
+            | Function::Min
+            | Function::Max => &[0, 1],
+            Function::Dir
+            | Function::Unit
+            | Function::Angle
+            | Function::TriangleAngle
+            | Function::Sin
+            | Function::Cos
+            | Function::Tan
+            | Function::Asin
+            | Function::Acos
+            | Function::Atan
+            | Function::Atan2
+            | Function::Frame
+            | Function::PointIn
+            | Function::CoordinatesIn => &[],
+        }
+    }
 }
 
 impl MotionWord {

@@ -120,7 +120,12 @@ impl Resolver<'_> {
     /// Value of a constant or `let`. Zero stays zero: it fits every dimension under its name, too.
     fn named(&mut self, item: &NamedItem, name: Name, context: Context) -> Expr {
         let value = self.expression(&item.value, context);
-        self.set_type(name, value.ty.clone(), false);
+        self.note_unitless(name, &value, None);
+        let ty = match self.is_taken_for_length(name) {
+            true => self.declared(name, &value.ty),
+            false => value.ty.clone(),
+        };
+        self.set_type(name, ty, false);
         value
     }
 
@@ -152,6 +157,8 @@ impl Resolver<'_> {
         let bare_zero = all.iter().all(|value| matches!(value.ty, Type::Zero(_)));
         let ty = self.declared(Name::Input(index), &ty);
         all.into_iter().for_each(|value| value.settle(&ty));
+        let beside = range.as_ref().map(|_| "the range");
+        self.note_unitless(Name::Input(index), &reference, beside);
         let dimension = match &ty {
             Type::Scalar(dimension) => self.coordinate(*dimension, "an input", &item.value),
             Type::Error => None,
@@ -186,6 +193,7 @@ impl Resolver<'_> {
         let bare_zero = matches!(estimate.ty, Type::Zero(_));
         let mut ty = self.declared(Name::Unknown(index), &estimate.ty);
         estimate.settle(&ty);
+        self.note_unitless(Name::Unknown(index), &estimate, None);
         if let Some(dimension) = ty.dimension()
             && self
                 .coordinate(dimension, "an unknown", &item.value)
@@ -228,6 +236,7 @@ impl Resolver<'_> {
         self.refuse_frame_loop(&mut left, &mut right, item.span);
         let Some(ty) = Type::common(&left.ty, &right.ty) else {
             if !left.ty.is_error() && !right.ty.is_error() {
+                self.suspect_both(&left, &right);
                 let (first, second) = self.both_types(&left, &right);
                 let fact = format!("the sides of the loop differ: {first} = {second}");
                 let help = self.mismatch_help(&left, &right);

@@ -31,6 +31,7 @@ mod shape;
 #[cfg(test)]
 mod tests;
 mod types;
+mod unitless;
 mod units;
 mod usage;
 mod variable;
@@ -56,7 +57,7 @@ pub(crate) fn resolve(
     origins: &mut Origins,
     diagnostics: &mut Diagnostics,
 ) -> Option<Mechanism> {
-    let attempt = zeros::best_attempt(definition);
+    let attempt = unitless::best_attempt(definition);
     *origins = attempt.origins;
     diagnostics.append(attempt.diagnostics);
     diagnostics.is_empty().then_some(attempt.mechanism)

@@ -7,6 +7,7 @@ use proc_macro2::Ident;
 use super::mechanics::Scope;
 use super::place::{Context, refusal};
 use super::types::{Dimension, LengthUnit, Name, ScalarParameter, Type};
+use super::unitless::Unitless;
 use crate::diagnostic::{Diagnostics, Origins, SourceSpan};
 use crate::syntax::{InputItem, Item, MechanismDef};
 
@@ -35,8 +36,14 @@ pub(super) struct Resolver<'a> {
     /// Speeds and accelerations of each input.
     pub(super) rates: Vec<[Option<usize>; 2]>,
     pub(super) mechanics: Scope,
-    /// Names whose bare zero is a length, not a number.
-    zero_lengths: &'a [Name],
+    /// Names whose number without a unit is taken for a length.
+    lengths: &'a [Name],
+    /// Names declared by numbers without a unit.
+    pub(super) unitless: Vec<Unitless>,
+    /// For each name, those of them that it would have its dimension from.
+    pub(super) lacking: BTreeMap<Name, Vec<Name>>,
+    /// Those of them that lengths were found beside.
+    pub(super) suspects: Vec<Name>,
     pub(super) origins: &'a mut Origins,
     pub(super) diagnostics: &'a mut Diagnostics,
 }
@@ -45,7 +52,7 @@ impl<'a> Resolver<'a> {
     /// Declares all names of the struct block.
     pub(super) fn new(
         definition: &MechanismDef,
-        zero_lengths: &'a [Name],
+        lengths: &'a [Name],
         origins: &'a mut Origins,
         diagnostics: &'a mut Diagnostics,
     ) -> Self {
@@ -58,7 +65,10 @@ impl<'a> Resolver<'a> {
             arguments_of_lets: Vec::new(),
             rates: Vec::new(),
             mechanics: Scope::default(),
-            zero_lengths,
+            lengths,
+            unitless: Vec::new(),
+            lacking: BTreeMap::new(),
+            suspects: Vec::new(),
             origins,
             diagnostics,
         };
@@ -116,12 +126,16 @@ impl<'a> Resolver<'a> {
         });
     }
 
-    /// The type of a declared value; a bare zero is a number or a length.
+    /// The type of a declared value; what lacks a unit is a number or a length.
     pub(super) fn declared(&self, name: Name, ty: &Type) -> Type {
-        match ty {
-            Type::Zero(_) if self.zero_lengths.contains(&name) => ty.with(Dimension::LENGTH),
-            _ => ty.settled(),
+        match self.is_taken_for_length(name) {
+            true => ty.with(Dimension::LENGTH),
+            false => ty.settled(),
         }
+    }
+
+    pub(super) fn is_taken_for_length(&self, name: Name) -> bool {
+        self.lengths.contains(&name)
     }
 
     pub(super) fn find(&self, text: &str) -> Option<&Symbol> {

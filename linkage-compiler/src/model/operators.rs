@@ -106,6 +106,7 @@ impl Resolver<'_> {
             right.settle(&ty);
             return Some(ty);
         }
+        self.suspect_both(left, right);
         let (first, second) = self.both_types(left, right);
         let fact = match operator {
             BinaryOp::Sub => format!("cannot subtract {second} from {first}"),
@@ -169,6 +170,10 @@ impl Resolver<'_> {
             match Type::common(&ty, &values[index].ty) {
                 Some(common) => ty = common,
                 None => {
+                    self.suspect(values[index], &ty);
+                    for before in &values[..index] {
+                        self.suspect(before, &values[index].ty);
+                    }
                     let fact = format!("{what} differ in dimension: {ty} and {}", values[index].ty);
                     let help = self.mismatch_help(values[index - 1], values[index]);
                     let span = self.origins.span(values[index].origin);

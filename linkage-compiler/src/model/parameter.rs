@@ -49,19 +49,24 @@ impl Resolver<'_> {
                 bare_zero = false;
             }
         }
-        let ty = self.declared(Name::Parameter(index), &ty);
+        let name = Name::Parameter(index);
+        let ty = self.declared(name, &ty);
         nominal.settle(&ty);
+        let is_bare = |tolerance: &Expr| tolerance.bare_number().is_some();
+        let beside = tolerances.iter().flatten().any(is_bare);
+        self.note_unitless(name, &nominal, beside.then_some("the tolerance"));
+        let unitless = self.is_taken_for_length(name);
         let mut checked = None;
         let wanted = Type::Scalar(ty.dimension().unwrap_or(Dimension::NUMBER));
         for tolerance in tolerances.iter_mut().flatten().filter(|_| !ty.is_error()) {
             tolerance.settle(&wanted);
-            // One tolerance for all components is one mistake.
-            if checked != Some(tolerance.origin) {
+            // One tolerance for all components is one mistake, and one that lacks its unit with the value is told with it.
+            if checked != Some(tolerance.origin) && !(unitless && is_bare(tolerance)) {
                 self.check_tolerance(tolerance, &wanted);
             }
             checked = Some(tolerance.origin);
         }
-        self.set_type(Name::Parameter(index), ty.clone(), bare_zero);
+        self.set_type(name, ty.clone(), bare_zero);
         let first_scalar = self.add_scalars(&item.name.to_string(), index, &ty);
         Parameter {
             name: item.name.to_string(),

@@ -77,6 +77,9 @@ impl Resolver<'_> {
             }
             _ => {
                 let count = self.mechanics.components.or(count);
+                if let Some(dimension) = wanted {
+                    self.suspect(&value, &Type::Scalar(dimension));
+                }
                 let wanted = match (count, wanted) {
                     (Some(count), Some(wanted)) => Type::Vector(count, wanted).to_string(),
                     (None, Some(wanted)) => format!("a vector, each component {wanted}"),

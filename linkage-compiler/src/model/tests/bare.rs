@@ -111,3 +111,78 @@ fn numbers_have_none() {
         assert!(mechanism.is_some(), "{items}: {messages:#?}");
     }
 }
+
+#[test]
+fn lengths_that_lack_their_unit() {
+    for (items, expected) in [
+        (
+            "param crank = 50; let q = polar(crank, b) + polar(l, a);",
+            &["`50` has no unit, but `crank` is used as a length\nhelp: write `50mm`"][..],
+        ),
+        (
+            "param crank = 50 +- 0.1; loop polar(crank / n, b) + polar(l, a) = (l, 0);",
+            &["help: write `50mm`, and give the tolerance a unit, too"],
+        ),
+        (
+            "param frame = (140, -2.5, 0); let p = (l, l, l) - frame;",
+            &[
+                "`(140, -2.5, 0)` has no unit, but `frame` is used as a length\nhelp: write `(140mm, -2.5mm, 0)`",
+            ],
+        ),
+        (
+            "const frame = (140, 0); let foot = 2 * frame; loop rotate(foot, b) = (l, l);",
+            &["`(140, 0)` has no unit, but `frame` is used as a length"],
+        ),
+        (
+            "unknown s = 150; unknown t = 10deg; loop polar(l, b) + polar(3 * l, t) = (s, 0);",
+            &["`150` has no unit, but `s` is used as a length\nhelp: write `150mm`"],
+        ),
+        (
+            "input s = 150 in 100..200; let p = (s, l);",
+            &["help: write `150mm`, and give the range a unit, too"],
+        ),
+        // Each is noticed when the one before has its unit.
+        (
+            "param c = 5; param d = 6; param e = 7; param k = 3;
+          loop polar(c, b) + polar(d, k * b) = (l, 0) + e * dir(b);",
+            &[
+                "`5` has no unit, but `c` is",
+                "`6` has no unit, but `d` is",
+                "`7` has no unit, but `e` is",
+            ],
+        ),
+        (
+            "param c = 5; param e = 0; let v = (c, e) + (l, l); let w = (e, l);",
+            &["`5` has no unit, but `c` is"],
+        ),
+        (
+            "param c = 5; loop dot((l, c), (l, c)) = c * c;",
+            &["`5` has no unit, but `c` is"],
+        ),
+        (
+            "param c = 5; let body = frame((c, 0, 0), (1, 0, 0), (0, 1, 0));",
+            &["`5` has no unit, but `c` is"],
+        ),
+        (
+            "param c = 5; body link = pin on frame at (c, 0), turns b;",
+            &["`5` has no unit, but `c` is"],
+        ),
+        // A direction is a vector of numbers.
+        (
+            "unknown u = (0, 0.7, 0.6); loop norm(u) = 1mm;",
+            &["the sides of the loop differ: a number = a length"],
+        ),
+        // A number as well as a length: where they meet is the only place that can be named.
+        (
+            "param c = 5; let u = c + l; let v = c * b; let w = c + a;",
+            &["cannot add a number and a length"],
+        ),
+        (
+            "param c = 5; param d = 6; let u = c * d + l;",
+            &["cannot add a number and a length"],
+        ),
+        ("let u = 5 + l;", &["help: give the number its unit: `5mm`"]),
+    ] {
+        check(&with_names(items), expected);
+    }
+}

@@ -77,7 +77,7 @@ fn arguments() {
             "`frame` takes a space vector here, found a length\nhelp: write it as `(x, y, z)`",
         ),
         (
-            "frame(t, s, t)",
+            "frame(unit(s), s, t)",
             "the origin of a frame is a space vector of lengths, found a space vector of numbers\n\
              help: give its components a unit, or multiply it by a length",
         ),
@@ -108,11 +108,11 @@ fn arguments() {
             "a frame cannot be used in an expression\nhelp: take `fixed.origin`, an axis",
         ),
         (
-            "point_in(body, t)",
+            "point_in(body, unit(s))",
             "coordinates in a frame are a space vector of lengths, found a space vector of numbers",
         ),
         (
-            "coordinates_in(body, t)",
+            "coordinates_in(body, unit(s))",
             "a point is a space vector of lengths, found a space vector of numbers",
         ),
     ] {
