@@ -25,7 +25,7 @@ mechanism! {
         loop dot(across, (1, 0, 0)) = 0;
         let tool = end + 40mm * across;
 
-        unknown s = 60mm;
+        unknown s = -40mm;
         loop distance(end, rail + s * (0, 1, 0)) = rod;
     }
     impl Space {

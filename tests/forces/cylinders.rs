@@ -27,9 +27,9 @@ mechanism! {
         argument load = 20N;
         input phi = 40deg in 0deg..360deg at omega, epsilon;
         unknown psi = 70deg;
-        unknown s2 = 10mm;
+        unknown s2 = 70mm;
         unknown s3 = 10mm;
-        unknown s4 = 10mm;
+        unknown s4 = -70mm;
         let z1 = (0, 0, 1);
         let z4 = turn(z1, (1, 0, 0), t41);
         let n12 = turn((1, 0, 0), z1, phi);

@@ -58,8 +58,8 @@ mechanism! {
         param i2 = 2000g*mm^2;
         argument push = 50N;
         input phi = 20deg in -35deg..35deg at omega, epsilon;
-        unknown x = 30mm;
-        unknown y = 50mm;
+        unknown x = -10mm;
+        unknown y = 60mm;
         let q = (x, high);
         loop q = polar(y, phi + skew);
         let c2 = q + polar(5mm, phi);

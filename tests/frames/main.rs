@@ -38,8 +38,8 @@ mechanism! {
         param coupler = 50mm;
         param height = 25mm;
         input phi = 40deg;
-        unknown theta = 20deg;
-        unknown psi = 60deg;
+        unknown theta = 60deg;
+        unknown psi = 120deg;
         let pin = polar(crank, phi);
         loop pin + polar(coupler, theta) = (100mm, 0) + polar(80mm, psi);
         let centre = (pin.x, pin.y, height);

@@ -17,9 +17,9 @@ mechanism! {
         param base = (90mm, 10mm, 20mm);
         input phi = 40deg in 0deg..360deg;
         unknown psi = 70deg;
-        unknown s2 = 10mm;
+        unknown s2 = 70mm;
         unknown s3 = 10mm;
-        unknown s4 = 10mm;
+        unknown s4 = -70mm;
         let z1 = (0, 0, 1);
         let z4 = turn(z1, (1, 0, 0), t41);
         let n12 = turn((1, 0, 0), z1, phi);

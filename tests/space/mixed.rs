@@ -21,7 +21,7 @@ mechanism! {
         unknown chi = 90deg;
         unknown psi = 100deg;
         unknown y = 160mm;
-        unknown alpha = 40deg;
+        unknown alpha = 120deg;
         loop polar(crank, phi) + polar(coupler, theta) = (ground, 0) + polar(rocker, chi);
         let tip = (ground, 0) + polar(1.2 * rocker, chi);
         let axis = turn((0, 0, 1), (0, 1, 0), tilt);

@@ -15,7 +15,7 @@ mechanism! {
         const axis = (0, 0.6, 0.8);
         input phi = 40deg in 0deg..360deg;
         unknown psi = 100deg;
-        unknown s = 10mm;
+        unknown s = 80mm;
         let pin = (crank * cos(phi), crank * sin(phi), 0);
         let end = pivot + s * axis + turn((r, 0, 0), axis, psi);
         let hinge = turn((0, 0, 1), (1, 0, 0), 20deg);

@@ -1,7 +1,5 @@
 //! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken.
 
-use std::f64::consts::TAU;
-
 use linkage_runtime::numeric::continuation::{Correction, Grid, Range, Refusal, Step, Table};
 use linkage_runtime::numeric::nearest::{Ambiguity, nearest};
 use linkage_runtime::numeric::roots::{self, Term, Unlisted};
@@ -12,12 +10,10 @@ use crate::formulate::{Prepared, Solved};
 use crate::structure::report::loop_list;
 use crate::unit::Coupled;
 
+use super::estimates::{LISTED, Position};
 use super::follow::followed_range;
 use super::machine::{Machine, Start};
 use super::reference::Assembly;
-
-/// So many assemblies are listed in a message: all of a triad.
-const LISTED: usize = 6;
 
 /// A coupled group on numbers.
 struct Numbers<'a> {
@@ -62,9 +58,7 @@ impl Correction for Numbers<'_> {
 /// An assembly of a coupled group.
 struct Candidate {
     state: Vec<f64>,
-    distance: f64,
-    /// The unknowns in words.
-    position: String,
+    position: Position,
 }
 
 impl<'m> Assembly<'_, 'm> {
@@ -108,10 +102,16 @@ impl<'m> Assembly<'_, 'm> {
         let listed = candidates
             .iter()
             .take(LISTED)
-            .map(|c| format!("`{}` at distance {:.4}", c.position, c.distance))
+            .map(|c| {
+                format!(
+                    "`{}` at distance {:.4}",
+                    self.shown(&c.position),
+                    c.position.distance
+                )
+            })
             .collect::<Vec<_>>()
             .join(", ");
-        let distances = candidates.iter().map(|one| one.distance);
+        let distances = candidates.iter().map(|one| one.position.distance);
         let Some(chosen) = nearest(distances, Ambiguity::AS_WRITTEN) else {
             self.reporter.error(
                 origin,
@@ -135,6 +135,10 @@ impl<'m> Assembly<'_, 'm> {
                     if candidates.len() > LISTED { ", the nearest" } else { "" }
                 ),
             );
+            return false;
+        }
+        let positions: Vec<&Position> = candidates.iter().map(|one| &one.position).collect();
+        if !self.meets_estimates(solved, &positions) {
             return false;
         }
         match self.start(prepared, &candidates[chosen.index].state) {
@@ -194,41 +198,27 @@ impl<'m> Assembly<'_, 'm> {
             let placed = numbers.run(&group.placed, &state);
             candidates.push(self.candidate_of(group, state, &placed));
         }
-        candidates.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        candidates.sort_by(|a, b| a.position.distance.total_cmp(&b.position.distance));
         Ok(Some(candidates))
     }
 
     fn candidate_of(&self, group: &Coupled, state: Vec<f64>, placed: &[f64]) -> Candidate {
         let mut next = placed.iter().copied();
-        let mut square: f64 = 0.0;
         let mut values: Vec<(usize, Vec<f64>)> = Vec::new();
         for unknown in &group.unknowns {
             let mut number = || next.next().unwrap_or(f64::NAN);
-            let (value, difference) = match unknown.angle {
-                true => {
-                    let (cos, sin) = (number(), number());
-                    let difference = turned(sin.atan2(cos) - unknown.estimate);
-                    (unknown.estimate + difference, difference)
-                }
-                false => {
-                    let value = number();
-                    let unit = self.yardstick(unknown.unknown);
-                    (value, (value - unknown.estimate) / unit)
-                }
+            let value = match unknown.angle {
+                true => self.angle_near_estimate(unknown.unknown, [number(), number()]),
+                false => number(),
             };
-            square += difference * difference;
             match values.last_mut() {
                 Some((last, components)) if *last == unknown.unknown => components.push(value),
                 _ => values.push((unknown.unknown, vec![value])),
             }
         }
-        let words = values
-            .iter()
-            .map(|(unknown, value)| self.words.unknown_value(*unknown, value));
         Candidate {
             state,
-            distance: square.sqrt(),
-            position: words.collect::<Vec<_>>().join(", "),
+            position: self.position(values),
         }
     }
 
@@ -253,9 +243,4 @@ impl<'m> Assembly<'_, 'm> {
 
 fn is_angle(algebra: &Algebra, input: usize) -> bool {
     algebra.mechanism.inputs[input].dimension.half_lengths == 0
-}
-
-/// An angle between -pi and pi.
-fn turned(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
 }

@@ -6,6 +6,7 @@
 mod check;
 mod degenerate;
 mod directions;
+mod estimates;
 mod follow;
 mod listing;
 mod machine;
@@ -13,6 +14,7 @@ mod places;
 mod ranges;
 mod reference;
 mod refusal;
+mod sizes;
 mod unfollowed;
 mod words;
 

@@ -1,22 +1,19 @@
 //! Closing the loops at the reference input: the assembly mode of each group, chosen by the start estimates.
 
-use std::f64::consts::PI;
-
 use linkage_runtime::numeric::nearest::{Ambiguity, nearest};
-use linkage_symbolic::Ex;
-use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::Reporter;
 use crate::formulate::{Formulation, Prepared, Solved};
-use crate::model::Dimension;
 use crate::structure::report::loop_list;
 use crate::unit::{Closing, Outputs};
 
 use super::check::report_unfollowed;
+use super::estimates::Position;
 use super::follow::follow_angles;
 use super::machine::Machine;
 use super::refusal::Verdict;
+use super::sizes::Sizes;
 use super::words::Words;
 
 /// Below this margin a position cannot be told from a dead point.
@@ -43,7 +40,7 @@ pub(crate) fn assemble_reference<'m>(
     reporter: Reporter,
 ) -> Reference {
     let machine = Machine::new(closing, formulation, nominal);
-    let longest = longest_link(algebra, formulation, nominal);
+    let Sizes { longest, largest } = Sizes::of(algebra, formulation, nominal);
     let mut assembly = Assembly {
         words: Words::new(algebra.mechanism),
         algebra,
@@ -51,6 +48,7 @@ pub(crate) fn assemble_reference<'m>(
         reporter,
         machine,
         longest,
+        size: largest,
         values: Vec::new(),
     };
     assembly.centre_estimates();
@@ -80,6 +78,8 @@ pub(super) struct Assembly<'a, 'm> {
     pub(super) reporter: Reporter<'a>,
     pub(super) machine: Machine,
     pub(super) longest: f64,
+    /// The largest length of the mechanism.
+    pub(super) size: f64,
     values: Vec<f64>,
 }
 
@@ -88,9 +88,7 @@ struct Candidate {
     sign: f64,
     gap: f64,
     margin: f64,
-    distance: f64,
-    /// The unknowns in words.
-    position: String,
+    position: Position,
 }
 
 impl<'m> Assembly<'_, 'm> {
@@ -121,7 +119,7 @@ impl<'m> Assembly<'_, 'm> {
                 .map(|sign| self.candidate(solved, stage, start, sign))
                 .into(),
         };
-        let distances = candidates.iter().map(|one| one.distance);
+        let distances = candidates.iter().map(|one| one.position.distance);
         let nearest = nearest(distances, Ambiguity::AS_WRITTEN).expect("there is a candidate");
         let chosen = &candidates[nearest.index];
         let (gap, margin, sign) = (chosen.gap, chosen.margin, chosen.sign);
@@ -157,14 +155,20 @@ impl<'m> Assembly<'_, 'm> {
                 "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
                  `{}` at distance {:.4} and `{}` at distance {:.4}\n\
                  help: move the estimates towards the assembly that is meant",
-                a.position, a.distance, b.position, b.distance
+                self.shown(&a.position),
+                a.position.distance,
+                self.shown(&b.position),
+                b.position.distance
             );
             let unknown = solved.group.unknowns.first();
             let own = unknown.map(|&u| self.algebra.mechanism.unknowns[u].origin);
             self.reporter.error(own.unwrap_or(origin), message);
             return false;
         }
-        true
+        let mut positions: Vec<&Position> = candidates.iter().map(|one| &one.position).collect();
+        positions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        // A coupled group has been compared where its assemblies were listed.
+        solved.prepared.is_some() || self.meets_estimates(solved, &positions)
     }
 
     /// Finds the turns of angles on which a coupled group depends; false if that was not possible.
@@ -205,75 +209,25 @@ impl<'m> Assembly<'_, 'm> {
         sign: f64,
     ) -> Candidate {
         self.advance(solved, stage, start, sign);
-        let mut square = 0.0;
-        let mut position = Vec::new();
-        for &(unknown, output) in &stage.unknowns {
-            let estimate = &self.nominal.estimates[unknown];
-            let value: Vec<f64> = match self.algebra.names.bound[unknown] {
+        let unknowns = stage.unknowns.iter().map(|&(unknown, output)| {
+            let value = match self.algebra.names.bound[unknown] {
                 Bound::Angle(_) => {
-                    let (sin, cos) = (self.output(output + 1), self.output(output));
-                    let angle = Ternary::AngleNear.apply([sin, cos, estimate[0]]);
-                    square += (angle - estimate[0]).clamp(-PI, PI).powi(2);
-                    vec![angle]
+                    let unit = [output, output + 1].map(|k| self.output(k));
+                    vec![self.angle_near_estimate(unknown, unit)]
                 }
                 Bound::Lengths(_) => {
-                    let value: Vec<f64> = (0..estimate.len())
-                        .map(|k| self.output(output + k))
-                        .collect();
-                    let pairs = value.iter().zip(estimate);
-                    let unit = self.yardstick(unknown);
-                    square += pairs.map(|(x, e)| ((x - e) / unit).powi(2)).sum::<f64>();
-                    value
+                    let count = self.algebra.names.components_of(unknown);
+                    (0..count).map(|k| self.output(output + k)).collect()
                 }
             };
-            position.push(self.words.unknown_value(unknown, &value));
-        }
-        let distance = square.sqrt();
+            (unknown, value)
+        });
+        let position = self.position(unknowns.collect());
         Candidate {
             sign,
             gap: self.output(stage.gap),
             margin: self.output(stage.margin),
-            distance: if distance.is_nan() {
-                f64::INFINITY
-            } else {
-                distance
-            },
-            position: position.join(", "),
+            position,
         }
     }
-}
-
-/// The unit in which lengths are compared with angles: the longest link that turns with an unknown angle, else the
-/// largest length among the parameters and estimates.
-fn longest_link<'m>(
-    algebra: &Algebra<'m>,
-    formulation: &Formulation<'m>,
-    nominal: &Nominal,
-) -> f64 {
-    let groups = formulation.groups.iter();
-    let vectors: Vec<Vec<Ex>> = groups.flat_map(|s| s.group.form.links()).collect();
-    let values = nominal.evaluate(&vectors.concat());
-    let mut values = values.into_iter();
-    let links = vectors.iter().map(|vector| {
-        let components = values.by_ref().take(vector.len());
-        components.fold(0.0, |length: f64, x| length.hypot(x))
-    });
-    let parameters = algebra
-        .mechanism
-        .scalar_parameters
-        .iter()
-        .zip(&nominal.parameters);
-    let lengths = parameters
-        .filter(|(p, _)| p.dimension.fits(Dimension::LENGTH))
-        .map(|(_, x)| x.abs());
-    let unknowns = algebra.names.bound.iter().zip(&nominal.estimates);
-    let slides = unknowns.filter(|(bound, _)| matches!(bound, Bound::Lengths(_)));
-    let slides = slides.flat_map(|(_, estimate)| estimate).map(|x| x.abs());
-    let largest = |values: &mut dyn Iterator<Item = f64>| {
-        Some(values.fold(0.0, f64::max)).filter(|&longest| longest > 0.0)
-    };
-    let mut links = links;
-    largest(&mut links)
-        .or_else(|| largest(&mut lengths.chain(slides)))
-        .unwrap_or(1.0)
 }

@@ -45,11 +45,15 @@ impl<'m> Words<'m> {
 
     pub(crate) fn unknown_value(&self, unknown: usize, value: &[f64]) -> String {
         let item = &self.mechanism.unknowns[unknown];
-        let value = match (&item.ty, value) {
+        format!("{} = {}", item.name, self.value(&item.ty, value))
+    }
+
+    /// `60deg`, `(10mm, 0mm)`
+    pub(crate) fn value(&self, ty: &Type, value: &[f64]) -> String {
+        match (ty, value) {
             (Type::Scalar(dimension), [x]) => self.scalar(*dimension, *x),
             (ty, components) => self.vector(ty, components),
-        };
-        format!("{} = {value}", item.name)
+        }
     }
 
     /// `(10mm, 0mm, 0mm)`, `(0, 0, 1)`
@@ -62,6 +66,21 @@ impl<'m> Words<'m> {
                 .collect(),
         };
         format!("({})", parts.join(", "))
+    }
+
+    /// As many digits as tell how far two things are from each other.
+    pub(crate) fn rounded(&self, dimension: Dimension, x: f64) -> String {
+        let shown = match dimension.half_lengths {
+            0 => x.to_degrees(),
+            _ => x,
+        };
+        let digits = (2 - shown.abs().log10().floor() as i32).clamp(0, 17) as usize;
+        let text = format!("{shown:.digits$}");
+        let rounded = text.parse().unwrap_or(shown);
+        match dimension.half_lengths {
+            0 => format!("{}deg", significant(rounded)),
+            _ => self.scalar(dimension, rounded),
+        }
     }
 
     pub(crate) fn gap(&self, solved: &Solved, gap: f64) -> String {

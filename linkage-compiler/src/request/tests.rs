@@ -310,11 +310,12 @@ fn coupled_groups() {
         loop k + polar(c, u) = (b, 0) + x * dir(100deg + phi / 5);
         loop k + polar(y, u + 60deg) = (b / 2, d);";
     expect_all(guides, &["k", "x", "y", "u"]);
-    let contour = "unknown t1 = 30deg; unknown t2 = 0deg; unknown t3 = 0deg; unknown t4 = 120deg;
+    let contour =
+        "unknown t1 = -50deg; unknown t2 = 50deg; unknown t3 = 20deg; unknown t4 = 170deg;
         let k = polar(e, phi);
         loop k + polar(c, t1) + polar(d, t2) = (2 * d, 0) + polar(c, t4);
         loop k + polar(d / 2, t1 + lift) + polar(b, t3) = (2 * d, 0) + polar(d / 2, t4 - lift);
-        unknown v = 30deg; unknown w = 120deg;
+        unknown v = 90deg; unknown w = 140deg;
         loop polar(a, t1) + polar(b, v) = (d, e) + polar(b, w);";
     expect_agreement(
         contour,

@@ -241,7 +241,7 @@ fn two_slides_and_scalar_loops() {
         &["loops 1: two slides for x, y"],
     );
     expect(
-        "unknown x = 30mm; unknown y = 25mm; loop (x, 0) + polar(a, phi) = (0, y);",
+        "unknown x = -30mm; unknown y = 25mm; loop (x, 0) + polar(a, phi) = (0, y);",
         &["loops 1: two slides for x, y"],
     );
     expect(

@@ -139,8 +139,8 @@ linkage::mechanism! {
         param alpha = 10deg;
         param beta = 100deg;
         input phi = 30deg in 0deg..360deg;
-        unknown s = 10mm;
-        unknown t = 10mm;
+        unknown s = -10mm;
+        unknown t = 30mm;
         loop polar(crank, phi) + s * dir(alpha) = pivot + t * dir(beta + 0.1 * phi);
     }
 

@@ -22,10 +22,10 @@ linkage::mechanism! {
         input phi = 30deg in 0deg..360deg;
         unknown theta = 40deg;
         unknown psi = 80deg;
-        unknown t = 120mm;
+        unknown t = 300mm;
         unknown beta = 30deg;
         unknown chi = 150deg;
-        unknown s = 100mm;
+        unknown s = 250mm;
         let a = polar(crank, phi);
         let b = a + polar(coupler, theta);
         loop b = pivot_d + polar(rocker, psi);

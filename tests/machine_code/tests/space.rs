@@ -110,13 +110,13 @@ mechanism! {
         param crank = 30mm;
         input phi = 20deg in 0deg..360deg;
         let pin = turn((crank, 0, 5mm), (0.1, 0.2, 1), phi);
-        unknown a = 0mm;
-        unknown b = 0mm;
-        unknown c = 0mm;
+        unknown a = 30mm;
+        unknown b = 10mm;
+        unknown c = -6mm;
         loop a * (1, 0, 0.2) + b * (0, 1, 0.3) + c * guide = pin;
         unknown s = 0mm;
-        unknown t = 30mm;
-        unknown psi = 20deg;
+        unknown t = 95mm;
+        unknown psi = 80deg;
         loop s * (1, 0, 0.2) + t * (0, 1, 0.3) + turn((0, 0, 90mm), (1, 0.3, 0), psi) = pin + (0, 0, 40mm);
     }
     impl Rows {

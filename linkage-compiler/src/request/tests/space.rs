@@ -48,7 +48,7 @@ fn groups_in_space() {
             &["x", "p", "y * axis"],
         ),
         (
-            "unknown p = 57deg; unknown r = 80deg; unknown s = 60deg;
+            "unknown p = 44deg; unknown r = -2deg; unknown s = -6deg;
              let u = pin + turn((c, 0mm, 0mm), (0, 1, 0), -p);
              let v = pivot + turn((c, e, 0mm), axis, r);
              let w = (d / 2, b, 0mm) + turn((c, 0mm, 0mm), (0, 1, 0), -s);

@@ -78,23 +78,23 @@ macro_rules! two_slides {
 }
 
 two_slides!(plain {
-    unknown s = 10mm;
-    unknown t = 10mm;
+    unknown s = -10mm;
+    unknown t = 30mm;
     let pin = polar(crank, phi) + s * dir(alpha);
     loop polar(crank, phi) + s * dir(alpha) = pivot + t * dir(beta + ratio * phi);
 });
 
 two_slides!(other_order {
-    unknown t = 10mm;
-    unknown s = 10mm;
+    unknown t = 30mm;
+    unknown s = -10mm;
     let guide = beta + ratio * phi;
     let pin = pivot + polar(t, guide);
     loop rotate((t, 0), guide) + pivot - rotate((crank, 0), phi) - dir(alpha) * s = 0;
 });
 
 two_slides!(negative_slides {
-    unknown back = -10mm;
-    unknown forth = -10mm;
+    unknown back = 10mm;
+    unknown forth = -30mm;
     let s = -back;
     let t = -forth;
     let guide = beta + ratio * phi;
@@ -103,8 +103,8 @@ two_slides!(negative_slides {
 });
 
 two_slides!(components {
-    unknown s = 10mm;
-    unknown t = 10mm;
+    unknown s = -10mm;
+    unknown t = 30mm;
     let guide = beta + ratio * phi;
     let pin = polar(crank, phi) + polar(s, alpha);
     loop pin.x - t * cos(guide) = pivot.x;
@@ -112,8 +112,8 @@ two_slides!(components {
 });
 
 two_slides!(across_each {
-    unknown s = 10mm;
-    unknown t = 10mm;
+    unknown s = -10mm;
+    unknown t = 30mm;
     let guide = dir(beta + ratio * phi);
     let a = polar(crank, phi);
     let pin = a + s * dir(alpha);
@@ -122,7 +122,7 @@ two_slides!(across_each {
 });
 
 two_slides!(unknown_point {
-    unknown pin = (40mm, 18mm);
+    unknown pin = (15mm, 15mm);
     let guide = dir(beta + ratio * phi);
     let a = polar(crank, phi);
     loop cross(dir(alpha), pin - a) = 0;

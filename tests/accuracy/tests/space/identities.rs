@@ -28,7 +28,7 @@ linkage::mechanism! {
         param guide = (0.9, 0.3, 0.4);
         input phi = 60deg in 0deg..360deg;
         unknown psi = 100deg;
-        unknown s = 40mm;
+        unknown s = 0mm;
         let pin = turn((crank, 0mm, 0mm), (0, 0, 1), phi);
         let x = turn((1, 0, 0), (0, 1, 0), gamma1);
         let axis = turn(turn((0, 0, 1), (0, 1, 0), gamma1), x, gamma2);
@@ -155,9 +155,9 @@ linkage::mechanism! {
         unknown t = 10mm;
         unknown psi = 37deg;
         unknown n = (0.5, 0.5, 0.5);
-        unknown u = 10mm;
-        unknown v = 10mm;
-        unknown w = 10mm;
+        unknown u = 270mm;
+        unknown v = 90mm;
+        unknown w = -190mm;
         let pin = turn((crank, 0mm, 0mm), (0, 0, 1), phi);
         let axis = (sin(tilt), 0, cos(tilt));
         let arm = turn(link * (cos(tilt), 0, -sin(tilt)), axis, psi);

@@ -30,10 +30,10 @@ mechanism! {
         unit mm;
         param base = (200mm, 0);
         input phi = 60deg;
-        unknown first = 30deg;
-        unknown second = 120deg;
-        unknown upper = 0deg;
-        unknown lower = 0deg;
+        unknown first = -60deg;
+        unknown second = 160deg;
+        unknown upper = 20deg;
+        unknown lower = 10deg;
         let a = polar(40mm, phi);
         loop a + polar(60mm, first) + polar(100mm, upper) = base + polar(60mm, second);
         loop a + polar(50mm, first + 40deg) + polar(110mm, lower) = base + polar(50mm, second - 40deg);
@@ -49,12 +49,12 @@ mechanism! {
     pub struct ThreeLoops {
         unit mm;
         input phi = 60deg;
-        unknown platform = 10deg;
+        unknown platform = -90deg;
         unknown a1 = 20deg;
-        unknown a2 = 100deg;
-        unknown a3 = 290deg;
-        unknown b1 = 20deg;
-        unknown b2 = 20deg;
+        unknown a2 = 190deg;
+        unknown a3 = 270deg;
+        unknown b1 = 150deg;
+        unknown b2 = -10deg;
         let a = polar(40mm, phi) + polar(50mm, a1);
         let b = a + polar(70mm, b1);
         loop a + polar(60mm, platform) = (120mm, 0) + polar(50mm, a2);

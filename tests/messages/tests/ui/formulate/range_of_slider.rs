@@ -8,7 +8,7 @@ mechanism! {
         input s = 100mm in 40mm..130mm;
         unknown alpha = 30deg;
         unknown beta = 150deg;
-        unknown gamma = 60deg;
+        unknown gamma = -25deg;
         unknown t = 80mm;
         loop polar(60mm, alpha) = (s, 0) + polar(60mm, beta);
         loop polar(60mm, alpha) + polar(30mm, gamma) = (t, 20mm);

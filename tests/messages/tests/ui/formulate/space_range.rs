@@ -20,7 +20,7 @@ mechanism! {
     pub struct Rssp {
         unit mm;
         input phi = 30deg in 0deg..360deg;
-        unknown s = 40mm;
+        unknown s = 15mm;
         let pin = turn((40mm, 0, 0), (0, 0, 1), phi);
         loop distance(pin, (10mm, 0mm, 10mm) + s * (0, 1, 1)) = 35mm;
     }
@@ -33,7 +33,7 @@ mechanism! {
     pub struct Tripod {
         unit mm;
         input lift = 80mm in 60mm..200mm;
-        unknown p = (0mm, 0mm, -20mm);
+        unknown p = (0mm, 0mm, -60mm);
         loop distance(p, (50mm, 0mm, 0mm)) = lift;
         loop distance(p, (0mm, 50mm, 0mm)) = 80mm;
         loop distance(p, (-50mm, 0mm, 0mm)) = 80mm;
