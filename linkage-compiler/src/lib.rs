@@ -158,7 +158,7 @@ fn analyse(
 ) -> Unit {
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    let nominal = Nominal::of(&mut algebra);
+    let mut nominal = Nominal::of(&mut algebra);
     let mut reporter = Reporter {
         origins,
         diagnostics,
@@ -185,6 +185,7 @@ fn analyse(
         &nominal,
         reporter.reborrow(),
     );
+    nominal.complete(&reference.found);
     let mut forces = Forces::new(&mut algebra);
     if reference.closed {
         forces::check(

@@ -28,7 +28,7 @@ use derivatives::Derivatives;
 
 pub(crate) use adjoint::Direction;
 pub(crate) use elimination::{CoreRow, Elimination, PrivateColumn};
-pub(crate) use names::{Angle, Bound, Names};
+pub(crate) use names::{Angle, Bound, Names, StandsFor};
 pub(crate) use nominal::Nominal;
 pub(crate) use scalar::{Atom, Scalar};
 pub(crate) use solutions::{AngleRule, Rule, Solution, Solutions, Term, Turning};

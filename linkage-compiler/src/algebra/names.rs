@@ -18,8 +18,17 @@ pub(crate) struct Angle<'m> {
     pub(crate) number: Ex<'m>,
     /// The model's unknown; `None` for an angle that the compiler introduced.
     pub(crate) unknown: Option<usize>,
-    /// The unknown in whose place an introduced angle stands, and its start estimate.
-    pub(crate) stands_for: Option<(usize, f64)>,
+    /// For an angle that the compiler introduced in place of another.
+    pub(crate) stands_for: Option<StandsFor>,
+}
+
+/// What an introduced angle stands for.
+#[derive(Clone, Debug)]
+pub(crate) struct StandsFor {
+    /// The unknown in whose place it stands.
+    pub(crate) unknown: usize,
+    /// The unknowns of which it is the sum, with their signs.
+    pub(crate) summands: Vec<(usize, f64)>,
 }
 
 impl Angle<'_> {

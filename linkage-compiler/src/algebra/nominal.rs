@@ -14,7 +14,7 @@ pub(crate) struct Nominal {
     pub(crate) tolerances: Vec<f64>,
     pub(crate) inputs: Vec<f64>,
     pub(crate) ranges: Vec<Option<(f64, f64)>>,
-    /// Components of each unknown's start estimate.
+    /// Components of each unknown's start estimate; zeros where none is given, until the loops are closed.
     pub(crate) estimates: Vec<Vec<f64>>,
 }
 
@@ -57,7 +57,10 @@ impl Nominal {
                 count: algebra.names.components_of(unknown),
                 unit: &item.ty,
             };
-            let estimate = algebra.numbers(&item.estimate, wanted, &nominal.parameters);
+            let estimate = match &item.estimate {
+                Some(estimate) => algebra.numbers(estimate, wanted, &nominal.parameters),
+                None => vec![0.0; wanted.count],
+            };
             nominal.estimates.push(estimate);
         }
         nominal
@@ -65,6 +68,13 @@ impl Nominal {
 }
 
 impl Nominal {
+    /// What was found stands for estimates that are not given.
+    pub(crate) fn complete(&mut self, found: &[(usize, Vec<f64>)]) {
+        for (unknown, value) in found {
+            self.estimates[*unknown].clone_from(value);
+        }
+    }
+
     /// Expressions at the defaults and the reference position; NaN for what depends on modes, prepared states or arguments.
     pub(crate) fn evaluate(&self, all: &[Ex]) -> Vec<f64> {
         evaluate(all, |source| match source {
@@ -78,15 +88,24 @@ impl Nominal {
 impl Angle<'_> {
     /// The model's unknown that this angle is, or stands for.
     pub(crate) fn meant(&self) -> Option<usize> {
-        self.unknown.or(self.stands_for.map(|(unknown, _)| unknown))
+        let stands_for = self.stands_for.as_ref();
+        self.unknown.or(stands_for.map(|own| own.unknown))
     }
 
     /// Its start estimate; 0 for a link that the compiler introduced, whose angle nobody can ask for.
     pub(crate) fn estimate(&self, nominal: &Nominal) -> f64 {
-        match (self.unknown, self.stands_for) {
-            (Some(unknown), _) => nominal.estimates[unknown][0],
-            (None, Some((_, estimate))) => estimate,
-            (None, None) => 0.0,
+        let summands = self.summands().into_iter();
+        summands
+            .map(|(unknown, sign)| sign * nominal.estimates[unknown][0])
+            .fold(0.0, |sum, term| sum + term)
+    }
+
+    /// The unknowns of which it is the sum, with their signs; none for a link that the compiler introduced.
+    pub(crate) fn summands(&self) -> Vec<(usize, f64)> {
+        match (self.unknown, &self.stands_for) {
+            (Some(unknown), _) => vec![(unknown, 1.0)],
+            (None, Some(own)) => own.summands.clone(),
+            (None, None) => Vec::new(),
         }
     }
 }

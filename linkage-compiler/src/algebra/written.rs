@@ -44,7 +44,9 @@ impl Nominal {
             }
         }
         for (unknown, estimate) in mechanism.unknowns.iter().zip(&self.estimates) {
-            finite(&unknown.estimate, "estimate", &unknown.name, estimate);
+            if let Some(written) = &unknown.estimate {
+                finite(written, "estimate", &unknown.name, estimate);
+            }
         }
         for (origin, name) in negative {
             reporter.error_with_help(

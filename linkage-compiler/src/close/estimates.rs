@@ -51,7 +51,10 @@ impl Assembly<'_, '_> {
 
     /// The unknowns of an assembly, compared with their estimates.
     pub(super) fn position(&self, values: Vec<(usize, Vec<f64>)>) -> Position {
-        let differences = values.iter().flat_map(|(unknown, value)| {
+        let estimated = values
+            .iter()
+            .filter(|(unknown, _)| self.is_estimated(*unknown));
+        let differences = estimated.flat_map(|(unknown, value)| {
             let unit = self.yardstick(*unknown);
             let limit = match self.algebra.names.bound[*unknown] {
                 Bound::Angle(_) => PI,
@@ -77,6 +80,39 @@ impl Assembly<'_, '_> {
         words.collect::<Vec<_>>().join(", ")
     }
 
+    /// Keeps what unknowns without an estimate are.
+    pub(super) fn keep_found(&mut self, chosen: &Position) {
+        let open = chosen.values.iter();
+        let open = open.filter(|(unknown, _)| !self.is_estimated(*unknown));
+        self.found.extend(open.cloned().collect::<Vec<_>>());
+    }
+
+    /// Reports unknowns without an estimate of a group whose assemblies the other estimates do not tell apart, the nearest first; false if
+    /// there is none.
+    pub(super) fn lacks_estimates(&mut self, solved: &Solved, all: &[&Position]) -> bool {
+        let unknowns = all.iter().take(1).flat_map(|position| &position.values);
+        let unknowns = unknowns.map(|(unknown, _)| *unknown);
+        let open: Vec<usize> = unknowns.filter(|k| !self.is_estimated(*k)).collect();
+        let [first, ..] = open[..] else {
+            return false;
+        };
+        let message = format!(
+            "{} {} no estimate{}, and {}\n\
+             help: write the estimates of the assembly that is meant",
+            self.words.unknowns(&open),
+            if open.len() == 1 { "has" } else { "have" },
+            self.words.at_reference(&self.nominal.inputs),
+            self.listed(solved, all),
+        );
+        let origin = self.algebra.mechanism.unknowns[first].origin;
+        self.reporter.error(origin, message);
+        true
+    }
+
+    fn is_estimated(&self, unknown: usize) -> bool {
+        self.algebra.mechanism.unknowns[unknown].estimate.is_some()
+    }
+
     /// Reports an assembly whose unknowns are not where their estimates are, among all that the group has, the nearest first; false if it did.
     pub(super) fn meets_estimates(&mut self, solved: &Solved, all: &[&Position]) -> bool {
         let Some(unmet) = all.first().and_then(|chosen| self.worst(chosen)) else {
@@ -95,7 +131,8 @@ impl Assembly<'_, '_> {
             self.words.at_reference(&self.nominal.inputs),
             self.listed(solved, all),
         );
-        let origin = item.estimate.origin;
+        let estimate = item.estimate.as_ref();
+        let origin = estimate.map_or(item.origin, |estimate| estimate.origin);
         self.reporter.error(origin, message);
         false
     }
@@ -141,6 +178,9 @@ impl Assembly<'_, '_> {
 
     /// How far an unknown is from its estimate, over what is allowed.
     fn excess(&self, unknown: usize, value: &[f64]) -> f64 {
+        if !self.is_estimated(unknown) {
+            return 0.0;
+        }
         let difference = self.distance(unknown, value);
         match self.is_direction(unknown) {
             true => difference / FAR_ANGLE,

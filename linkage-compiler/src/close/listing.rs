@@ -122,6 +122,10 @@ impl<'m> Assembly<'_, 'm> {
             );
             return false;
         };
+        let positions: Vec<&Position> = candidates.iter().map(|one| &one.position).collect();
+        if chosen.ambiguous && self.lacks_estimates(solved, &positions) {
+            return false;
+        }
         if chosen.ambiguous {
             let unknown = solved.group.unknowns.first();
             let own = unknown.map(|&u| self.algebra.mechanism.unknowns[u].origin);
@@ -137,7 +141,6 @@ impl<'m> Assembly<'_, 'm> {
             );
             return false;
         }
-        let positions: Vec<&Position> = candidates.iter().map(|one| &one.position).collect();
         if !self.meets_estimates(solved, &positions) {
             return false;
         }

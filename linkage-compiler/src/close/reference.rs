@@ -29,6 +29,8 @@ pub(crate) struct Reference {
     pub(crate) closed: bool,
     /// The length that counts like a radian where assemblies are compared with estimates.
     pub(crate) longest: f64,
+    /// What unknowns without an estimate are at the reference, with their numbers.
+    pub(crate) found: Vec<(usize, Vec<f64>)>,
 }
 
 /// Chooses the modes; what does not close, is singular or ambiguous is reported.
@@ -49,6 +51,7 @@ pub(crate) fn assemble_reference<'m>(
         machine,
         longest,
         size: largest,
+        found: Vec::new(),
         values: Vec::new(),
     };
     assembly.centre_estimates();
@@ -68,6 +71,7 @@ pub(crate) fn assemble_reference<'m>(
         scales,
         closed,
         longest,
+        found: assembly.found,
     }
 }
 
@@ -80,6 +84,8 @@ pub(super) struct Assembly<'a, 'm> {
     pub(super) longest: f64,
     /// The largest length of the mechanism.
     pub(super) size: f64,
+    /// See [`Reference::found`].
+    pub(super) found: Vec<(usize, Vec<f64>)>,
     values: Vec<f64>,
 }
 
@@ -148,25 +154,28 @@ impl<'m> Assembly<'_, 'm> {
         let loops = loop_list(&solved.group.loops);
         let unknowns = self.words.unknowns(&solved.group.unknowns);
         let place = self.words.at_reference(&self.nominal.inputs);
-        if let [a, b] = &candidates[..]
-            && nearest.ambiguous
-        {
-            let message = format!(
-                "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
-                 `{}` at distance {:.4} and `{}` at distance {:.4}\n\
-                 help: move the estimates towards the assembly that is meant",
-                self.shown(&a.position),
-                a.position.distance,
-                self.shown(&b.position),
-                b.position.distance
-            );
-            let unknown = solved.group.unknowns.first();
-            let own = unknown.map(|&u| self.algebra.mechanism.unknowns[u].origin);
-            self.reporter.error(own.unwrap_or(origin), message);
-            return false;
-        }
         let mut positions: Vec<&Position> = candidates.iter().map(|one| &one.position).collect();
         positions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        if nearest.ambiguous {
+            if let [a, b] = &candidates[..]
+                && !self.lacks_estimates(solved, &positions)
+            {
+                let message = format!(
+                    "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
+                     `{}` at distance {:.4} and `{}` at distance {:.4}\n\
+                     help: move the estimates towards the assembly that is meant",
+                    self.shown(&a.position),
+                    a.position.distance,
+                    self.shown(&b.position),
+                    b.position.distance
+                );
+                let unknown = solved.group.unknowns.first();
+                let own = unknown.map(|&u| self.algebra.mechanism.unknowns[u].origin);
+                self.reporter.error(own.unwrap_or(origin), message);
+            }
+            return false;
+        }
+        self.keep_found(&chosen.position);
         // A coupled group has been compared where its assemblies were listed.
         solved.prepared.is_some() || self.meets_estimates(solved, &positions)
     }

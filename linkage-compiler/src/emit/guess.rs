@@ -32,8 +32,13 @@ impl<'a> Guess<'a> {
         };
         for item in &def.items {
             match item {
-                Item::Const(item) | Item::Let(item) | Item::Unknown(item) => {
+                Item::Const(item) | Item::Let(item) => {
                     guess.names.entry(plain(&item.name)).or_insert(&item.value);
+                }
+                Item::Unknown(item) => {
+                    if let Some(estimate) = &item.estimate {
+                        guess.names.entry(plain(&item.name)).or_insert(estimate);
+                    }
                 }
                 Item::Param(param) => match &param.value {
                     Toleranced::Single { nominal, .. } => {

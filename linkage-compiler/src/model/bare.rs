@@ -84,10 +84,12 @@ fn values_of_coordinates(mechanism: &Mechanism) -> Vec<CoordinateValue<'_>> {
         }
     }
     let unknowns = mechanism.unknowns.iter().enumerate();
-    all.extend(unknowns.map(|(index, unknown)| CoordinateValue {
-        name: Name::Unknown(index),
-        role: "estimate",
-        value: &unknown.estimate,
+    all.extend(unknowns.filter_map(|(index, unknown)| {
+        Some(CoordinateValue {
+            name: Name::Unknown(index),
+            role: "estimate",
+            value: unknown.estimate.as_ref()?,
+        })
     }));
     all
 }

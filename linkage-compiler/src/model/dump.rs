@@ -61,13 +61,11 @@ fn write_items(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
         writeln!(out, ": {}", item.dimension)?;
     }
     for item in &mechanism.unknowns {
-        writeln!(
-            out,
-            "unknown {} = {}: {}",
-            item.name,
-            show(&item.estimate),
-            item.ty
-        )?;
+        write!(out, "unknown {}", item.name)?;
+        if let Some(estimate) = &item.estimate {
+            write!(out, " = {}", show(estimate))?;
+        }
+        writeln!(out, ": {}", item.ty)?;
     }
     for item in &mechanism.lets {
         writeln!(

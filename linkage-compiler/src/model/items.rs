@@ -6,9 +6,8 @@ use super::place::{Context, Place};
 use super::types::{
     Constant, Dimension, Expr, Input, LengthUnit, Let, Loop, Mechanism, Name, Type, Unknown,
 };
-use crate::diagnostic::OriginId;
 use crate::diagnostic::text::nearest;
-use crate::syntax::{InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, Word};
+use crate::syntax::{InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, UnknownItem, Word};
 
 impl Resolver<'_> {
     /// All items, pass by pass.
@@ -113,10 +112,6 @@ impl Resolver<'_> {
         })
     }
 
-    fn name_origin(&mut self, item: &NamedItem) -> OriginId {
-        self.origins.add((&item.name).into())
-    }
-
     /// Value of a constant or `let`. Zero stays zero: it fits every dimension under its name, too.
     fn named(&mut self, item: &NamedItem, name: Name, context: Context) -> Expr {
         let value = self.expression(&item.value, context);
@@ -183,26 +178,34 @@ impl Resolver<'_> {
         }
     }
 
-    fn unknown_item(&mut self, item: &NamedItem, index: usize, position: usize) -> Unknown {
-        let context = Context {
-            place: Place::Estimate,
-            item: position,
+    fn unknown_item(&mut self, item: &UnknownItem, index: usize, position: usize) -> Unknown {
+        let name = Name::Unknown(index);
+        let (ty, bare_zero, estimate) = match &item.estimate {
+            Some(value) => {
+                let context = Context {
+                    place: Place::Estimate,
+                    item: position,
+                };
+                let mut estimate = self.expression(value, context);
+                self.refuse_frame_item(
+                    &mut estimate,
+                    "an unknown is an angle, a length or a point",
+                );
+                let bare_zero = matches!(estimate.ty, Type::Zero(_));
+                let mut ty = self.declared(name, &estimate.ty);
+                estimate.settle(&ty);
+                self.note_unitless(name, &estimate, None);
+                if let Some(dimension) = ty.dimension()
+                    && self.coordinate(dimension, "an unknown", value).is_none()
+                {
+                    ty = Type::Error;
+                }
+                (ty, bare_zero, Some(estimate))
+            }
+            None => (self.declared(name, &self.zeros.of(name)), true, None),
         };
-        let mut estimate = self.expression(&item.value, context);
-        self.refuse_frame_item(&mut estimate, "an unknown is an angle, a length or a point");
-        let bare_zero = matches!(estimate.ty, Type::Zero(_));
-        let mut ty = self.declared(Name::Unknown(index), &estimate.ty);
-        estimate.settle(&ty);
-        self.note_unitless(Name::Unknown(index), &estimate, None);
-        if let Some(dimension) = ty.dimension()
-            && self
-                .coordinate(dimension, "an unknown", &item.value)
-                .is_none()
-        {
-            ty = Type::Error;
-        }
-        self.set_type(Name::Unknown(index), ty.clone(), bare_zero);
-        let origin = self.name_origin(item);
+        self.set_type(name, ty.clone(), bare_zero);
+        let origin = self.origins.add((&item.name).into());
         Unknown {
             name: item.name.to_string(),
             ty,

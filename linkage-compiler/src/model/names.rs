@@ -8,6 +8,7 @@ use super::mechanics::Scope;
 use super::place::{Context, refusal};
 use super::types::{Dimension, LengthUnit, Name, ScalarParameter, Type};
 use super::unitless::Unitless;
+use super::zeros::Zeros;
 use crate::diagnostic::{Diagnostics, Origins, SourceSpan};
 use crate::syntax::{InputItem, Item, MechanismDef};
 
@@ -36,8 +37,8 @@ pub(super) struct Resolver<'a> {
     /// Speeds and accelerations of each input.
     pub(super) rates: Vec<[Option<usize>; 2]>,
     pub(super) mechanics: Scope,
-    /// Names whose number without a unit is taken for a length.
-    lengths: &'a [Name],
+    /// Names whose number without a unit is taken for a length, and unknowns that are taken for vectors.
+    pub(super) zeros: &'a Zeros,
     /// Names declared by numbers without a unit.
     pub(super) unitless: Vec<Unitless>,
     /// For each name, those of them that it would have its dimension from.
@@ -52,7 +53,7 @@ impl<'a> Resolver<'a> {
     /// Declares all names of the struct block.
     pub(super) fn new(
         definition: &MechanismDef,
-        lengths: &'a [Name],
+        zeros: &'a Zeros,
         origins: &'a mut Origins,
         diagnostics: &'a mut Diagnostics,
     ) -> Self {
@@ -65,7 +66,7 @@ impl<'a> Resolver<'a> {
             arguments_of_lets: Vec::new(),
             rates: Vec::new(),
             mechanics: Scope::default(),
-            lengths,
+            zeros,
             unitless: Vec::new(),
             lacking: BTreeMap::new(),
             suspects: Vec::new(),
@@ -135,7 +136,7 @@ impl<'a> Resolver<'a> {
     }
 
     pub(super) fn is_taken_for_length(&self, name: Name) -> bool {
-        self.lengths.contains(&name)
+        self.zeros.lengths.contains(&name)
     }
 
     pub(super) fn find(&self, text: &str) -> Option<&Symbol> {

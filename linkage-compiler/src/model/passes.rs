@@ -5,7 +5,7 @@
 
 use crate::syntax::{
     BodyItem, ElementItem, GravityItem, InputItem, Item, JointItem, LoadItem, LoopItem,
-    MechanismDef, NamedItem, ParamItem, UnitItem,
+    MechanismDef, NamedItem, ParamItem, UnitItem, UnknownItem,
 };
 
 /// Items with their positions in the struct block, in the order of the passes.
@@ -24,7 +24,7 @@ pub(super) struct Passes<'a> {
 /// What the mechanism moves with.
 pub(super) enum Coordinate<'a> {
     Input(&'a InputItem),
-    Unknown(&'a NamedItem),
+    Unknown(&'a UnknownItem),
 }
 
 /// What functions take besides inputs.

@@ -164,8 +164,8 @@ pub(crate) struct Unknown {
     pub(crate) name: String,
     /// A scalar, or a two- or three-component vector (an unknown point).
     pub(crate) ty: Type,
-    /// The start estimate: numbers, constants and parameters only.
-    pub(crate) estimate: Expr,
+    /// The start estimate, if there is one: numbers, constants and parameters only.
+    pub(crate) estimate: Option<Expr>,
     pub(crate) origin: OriginId,
 }
 

@@ -7,7 +7,7 @@ use std::ops::RangeInclusive;
 
 use super::names::Resolver;
 use super::types::{BinaryOp, Dimension, Expr, ExprKind, Name, Type};
-use super::zeros::{self, Attempt, attempt};
+use super::zeros::{self, Attempt, Zeros, attempt};
 use crate::diagnostic::{Diagnostics, SourceSpan};
 use crate::syntax::MechanismDef;
 
@@ -53,7 +53,7 @@ fn suspected(definition: &MechanismDef, first: &Attempt) -> Vec<Name> {
             return lengths;
         }
         lengths.append(&mut suspects);
-        suspects = attempt(definition, &lengths).suspects;
+        suspects = attempt(definition, Zeros::lengths(&lengths)).suspects;
     }
 }
 
@@ -80,7 +80,7 @@ impl Attempt {
         for own in self
             .unitless
             .iter()
-            .filter(|own| self.lengths.contains(&own.name))
+            .filter(|own| self.zeros.lengths.contains(&own.name))
         {
             let Unitless {
                 text,

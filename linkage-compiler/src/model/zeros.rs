@@ -1,24 +1,70 @@
-//! Attempts to resolve a mechanism. Defaults and estimates written as `0` without a unit are numbers, or lengths if the mechanism makes
-//! sense only so.
+//! Attempts to resolve a mechanism. Defaults and estimates written as `0` without a unit, and unknowns without an estimate: numbers, or lengths if the mechanism makes
+//! sense only so. What has no estimate may be a point or a direction, too.
 
 use super::names::Resolver;
-use super::types::{Mechanism, Name};
+use super::types::{Mechanism, Name, Type};
 use super::unitless::Unitless;
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::syntax::MechanismDef;
+use crate::syntax::{Item, MechanismDef};
 
 /// Up to so many zeros every choice is tried; of more, the first so many.
 const TRIED_ZEROS: usize = 8;
+
+/// What zeros are taken for.
+#[derive(Clone, Default)]
+pub(super) struct Zeros {
+    /// Those that are lengths; the others are numbers.
+    pub(super) lengths: Vec<Name>,
+    /// Unknowns without an estimate that are vectors, with the number of their components.
+    vectors: Vec<(Name, usize)>,
+}
+
+impl Zeros {
+    /// These are lengths, all others numbers.
+    pub(super) fn lengths(lengths: &[Name]) -> Self {
+        Self {
+            lengths: lengths.to_vec(),
+            vectors: Vec::new(),
+        }
+    }
+
+    /// The zero that stands for an estimate that is not given.
+    pub(super) fn of(&self, name: Name) -> Type {
+        let mut vectors = self.vectors.iter();
+        let count = vectors.find_map(|(own, count)| (*own == name).then_some(*count));
+        Type::Zero(count.unwrap_or(1))
+    }
+
+    fn is_length(&self, name: Name) -> bool {
+        self.lengths.contains(&name)
+    }
+
+    /// With another choice for an unknown without an estimate.
+    fn with(&self, name: Name, components: usize, length: bool) -> Self {
+        let mut other = self.clone();
+        other.vectors.retain(|(own, _)| *own != name);
+        if components > 1 {
+            other.vectors.push((name, components));
+        }
+        if length && !self.is_length(name) {
+            other.lengths.push(name);
+        }
+        if !length {
+            other.lengths.retain(|own| *own != name);
+        }
+        other
+    }
+}
 
 /// The outcome of resolving with some numbers without a unit taken for lengths.
 pub(super) struct Attempt {
     pub(super) mechanism: Mechanism,
     pub(super) origins: Origins,
     pub(super) diagnostics: Diagnostics,
-    /// Names that were taken for lengths.
-    pub(super) lengths: Vec<Name>,
+    /// What names were taken for.
+    pub(super) zeros: Zeros,
     /// All names declared with a bare zero.
-    zeros: Vec<Name>,
+    names: Vec<Name>,
     /// All names declared with other numbers without a unit.
     pub(super) unitless: Vec<Unitless>,
     /// Those of them that lengths were found beside.
@@ -27,9 +73,9 @@ pub(super) struct Attempt {
 
 /// The attempt with the fewest mistakes, among these the one with the fewest zeros taken for lengths; `lengths` are taken for such in all.
 pub(super) fn best_attempt(definition: &MechanismDef, lengths: &[Name]) -> Attempt {
-    let mut best = attempt(definition, lengths);
-    let zeros = best.zeros.clone();
-    let tried = zeros.len().min(TRIED_ZEROS);
+    let mut best = attempt(definition, Zeros::lengths(lengths));
+    let names = best.names.clone();
+    let tried = names.len().min(TRIED_ZEROS);
     let mut choices: Vec<u32> = (1..1 << tried).collect();
     choices.sort_by_key(|choice| choice.count_ones());
     for choice in choices {
@@ -37,34 +83,59 @@ pub(super) fn best_attempt(definition: &MechanismDef, lengths: &[Name]) -> Attem
             break;
         }
         let is_length = |index: &usize| choice & 1 << index != 0;
-        let chosen = (0..tried).filter(is_length).map(|index| zeros[index]);
+        let chosen = (0..tried).filter(is_length).map(|index| names[index]);
         let lengths: Vec<Name> = lengths.iter().copied().chain(chosen).collect();
-        let other = attempt(definition, &lengths);
-        if other.diagnostics.len() < best.diagnostics.len() {
-            best = other;
+        best = fewer_mistakes(best, attempt(definition, Zeros::lengths(&lengths)));
+    }
+    with_points(definition, best)
+}
+
+/// Unknowns without an estimate, one after the other, as what they make the fewest mistakes as.
+fn with_points(definition: &MechanismDef, mut best: Attempt) -> Attempt {
+    let unknowns = definition.items.iter().filter_map(|item| {
+        let Item::Unknown(item) = item else {
+            return None;
+        };
+        Some(item.estimate.is_none())
+    });
+    let open = unknowns.enumerate().filter(|(_, open)| *open);
+    for (index, _) in open {
+        for (components, length) in [(1, true), (2, true), (3, true), (2, false), (3, false)] {
+            if best.diagnostics.is_empty() {
+                return best;
+            }
+            let zeros = best.zeros.with(Name::Unknown(index), components, length);
+            best = fewer_mistakes(best, attempt(definition, zeros));
         }
     }
     best
 }
 
-/// One attempt, with these names as lengths.
-pub(super) fn attempt(definition: &MechanismDef, lengths: &[Name]) -> Attempt {
+fn fewer_mistakes(best: Attempt, other: Attempt) -> Attempt {
+    match other.diagnostics.len() < best.diagnostics.len() {
+        true => other,
+        false => best,
+    }
+}
+
+/// One attempt, with names taken for this.
+pub(super) fn attempt(definition: &MechanismDef, zeros: Zeros) -> Attempt {
     let mut origins = Origins::default();
     let mut diagnostics = Diagnostics::default();
-    let mut resolver = Resolver::new(definition, lengths, &mut origins, &mut diagnostics);
+    let mut resolver = Resolver::new(definition, &zeros, &mut origins, &mut diagnostics);
     let mut mechanism = resolver.items(definition);
     mechanism.evaluators = resolver.functions(definition);
     resolver.refuse_bare_coordinates(&mechanism);
-    let zeros = resolver.symbols.iter().filter(|symbol| symbol.bare_zero);
-    let zeros = zeros.map(|symbol| symbol.name).collect();
+    let names = resolver.symbols.iter().filter(|symbol| symbol.bare_zero);
+    let names = names.map(|symbol| symbol.name).collect();
     let (unitless, suspects) = (resolver.unitless, resolver.suspects);
     Attempt {
         mechanism,
-        lengths: lengths.to_vec(),
-        unitless,
-        suspects,
         origins,
         diagnostics,
         zeros,
+        names,
+        unitless,
+        suspects,
     }
 }

@@ -54,6 +54,10 @@ impl<'m> Analysis<'_, 'm> {
     /// How the rows change with one coordinate, at the estimates.
     fn column(&mut self, rows: [Ex<'m>; 3], coordinate: &Coordinate) -> Option<Direction> {
         coordinate.unknown?;
+        let unknowns = &self.algebra.mechanism.unknowns;
+        if unknowns.iter().any(|unknown| unknown.estimate.is_none()) {
+            return None;
+        }
         let ahead = self.rows_at(rows, coordinate, STEP);
         let behind = self.rows_at(rows, coordinate, -STEP);
         let column = [0, 1, 2].map(|k| (ahead[k] - behind[k]) / (2.0 * STEP));

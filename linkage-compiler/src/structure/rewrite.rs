@@ -3,7 +3,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
-use crate::algebra::Atom;
+use crate::algebra::{Atom, StandsFor};
 
 use super::Analysis;
 use super::eliminate::System;
@@ -154,10 +154,13 @@ impl<'m> Analysis<'_, 'm> {
 
 impl<'m> Analysis<'_, 'm> {
     /// The sum of an angle and the one it is measured from stands for the former.
-    fn sum_of(&self, base: usize, relative: usize, sign: f64) -> Option<(usize, f64)> {
+    fn sum_of(&self, base: usize, relative: usize, sign: f64) -> Option<StandsFor> {
         let [base, relative] = [base, relative].map(|k| &self.algebra.names.angles[k]);
-        let estimate = relative.estimate(self.nominal) + sign * base.estimate(self.nominal);
-        relative.meant().map(|unknown| (unknown, estimate))
+        let mut summands = relative.summands();
+        let base = base.summands().into_iter();
+        summands.extend(base.map(|(unknown, own)| (unknown, sign * own)));
+        let unknown = relative.meant()?;
+        Some(StandsFor { unknown, summands })
     }
 }
 

@@ -36,7 +36,7 @@ pub(crate) enum Item {
     Const(NamedItem),
     Param(ParamItem),
     Input(InputItem),
-    Unknown(NamedItem),
+    Unknown(UnknownItem),
     Let(NamedItem),
     Loop(LoopItem),
     /// `argument NAME = expr;`
@@ -57,11 +57,18 @@ pub(crate) struct UnitItem {
     pub(crate) span: SourceSpan,
 }
 
-/// `const NAME = expr;`, `let NAME = expr;`, `unknown NAME = expr;`
+/// `const NAME = expr;`, `let NAME = expr;`
 #[derive(Debug)]
 pub(crate) struct NamedItem {
     pub(crate) name: Ident,
     pub(crate) value: Expr,
+}
+
+/// `unknown NAME = expr;`, `unknown NAME;`
+#[derive(Debug)]
+pub(crate) struct UnknownItem {
+    pub(crate) name: Ident,
+    pub(crate) estimate: Option<Expr>,
 }
 
 /// `param NAME = expr [+- tol];`

@@ -39,9 +39,13 @@ impl Display for Line<'_> {
         write!(f, "{} ", self.0.word().word())?;
         match self.0 {
             Item::Unit(item) => write!(f, "{}", item.unit),
-            Item::Const(item) | Item::Unknown(item) | Item::Let(item) | Item::Argument(item) => {
+            Item::Const(item) | Item::Let(item) | Item::Argument(item) => {
                 write!(f, "{} = {}", item.name, item.value)
             }
+            Item::Unknown(item) => match &item.estimate {
+                Some(estimate) => write!(f, "{} = {estimate}", item.name),
+                None => write!(f, "{}", item.name),
+            },
             Item::Loop(item) => write!(f, "{} = {}", item.left, item.right),
             Item::Param(item) => write!(f, "{} = {}", item.name, item.value),
             Item::Input(item) => write!(f, "{item}"),

@@ -4,6 +4,7 @@ use proc_macro2::Delimiter;
 
 use super::ast::{
     Attribute, Expr, Item, JointKind, LoopItem, NamedItem, ParamItem, Toleranced, UnitItem,
+    UnknownItem,
 };
 use super::expression::PlusMinus;
 use super::joints::{Kind, other_word};
@@ -83,7 +84,7 @@ impl Parser<'_> {
             DeclarationWord::Input => return self.input_item(),
             DeclarationWord::Body => return self.body_item(),
             DeclarationWord::Const => return self.named_item(word, Item::Const),
-            DeclarationWord::Unknown => return self.named_item(word, Item::Unknown),
+            DeclarationWord::Unknown => return self.unknown_item(),
             DeclarationWord::Let => return self.named_item(word, Item::Let),
             DeclarationWord::Argument => return self.named_item(word, Item::Argument),
         };
@@ -127,6 +128,17 @@ impl Parser<'_> {
             value: value.unwrap_or_else(Expr::error),
         };
         Ok((make(item), complete))
+    }
+
+    /// `NAME [= expr] ;` after `unknown`, and whether its end has been reached.
+    fn unknown_item(&mut self) -> Parsed<(Item, bool)> {
+        let name = self.name("a name after `unknown`")?;
+        let item = |estimate| Item::Unknown(UnknownItem { name, estimate });
+        if self.stream.eat_punct(';') {
+            return Ok((item(None), true));
+        }
+        let (value, complete) = self.value("", |parser| parser.sum(PlusMinus::JointIsMistake));
+        Ok((item(Some(value.unwrap_or_else(Expr::error))), complete))
     }
 
     fn item_word(&mut self) -> Parsed<ItemWord> {

@@ -38,7 +38,8 @@ pub(super) fn asked_for(mechanism: &Mechanism) -> Vec<Asked<'_>> {
     mechanism
         .unknowns
         .iter()
-        .for_each(|u| collect(&u.estimate, false));
+        .filter_map(|unknown| unknown.estimate.as_ref())
+        .for_each(|estimate| collect(estimate, false));
     for (item, in_loop) in mechanism.lets.iter().zip(in_loops) {
         collect(&item.value, in_loop);
     }

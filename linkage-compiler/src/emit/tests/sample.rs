@@ -199,7 +199,7 @@ pub(crate) fn mechanism() -> Mechanism {
     let unknown = |name: &str| model::Unknown {
         name: name.to_owned(),
         ty: Type::Scalar(ANGLE),
-        estimate: zero(),
+        estimate: Some(zero()),
         origin: OriginId(0),
     };
     let evaluator = |name: &str, result: &str, inputs: Vec<usize>| model::EvaluatorDef {

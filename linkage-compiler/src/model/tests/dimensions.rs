@@ -123,3 +123,26 @@ fn declared_zeros_fit_their_use() {
     assert_eq!(mechanism.unknowns[0].ty.to_string(), "a number");
     assert_eq!(mechanism.unknowns[1].ty.to_string(), "a length");
 }
+
+#[test]
+fn unknowns_without_an_estimate_fit_their_use() {
+    let source = "struct A { param r = 1mm; input phi = 30deg; unknown theta; unknown slide; unknown apex; unknown ball; unknown n;
+        loop polar(r, phi) + polar(2 * r, theta) = (slide, 0);
+        loop distance(apex, (slide, 0)) = r; loop distance(apex, (0, 0)) = r;
+        loop ball = (r, slide, r); loop norm(n) = 1; loop dot(n, (1, 0, 0)) = 0; loop dot(n, (0, 1, 1)) = 0.1; }";
+    let (mechanism, messages) = model(source);
+    let mechanism = mechanism.unwrap_or_else(|| panic!("{messages:#?}"));
+    let types: Vec<String> = mechanism
+        .unknowns
+        .iter()
+        .map(|own| own.ty.to_string())
+        .collect();
+    let expected = [
+        "a number",
+        "a length",
+        "a plane vector of lengths",
+        "a space vector of lengths",
+        "a space vector of numbers",
+    ];
+    assert_eq!(types, expected);
+}

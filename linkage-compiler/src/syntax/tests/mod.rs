@@ -59,6 +59,7 @@ fn items() {
             "input a = 30deg in (-0deg)..720deg",
         ),
         ("unknown a = (1, 2);", "unknown a = (1, 2)"),
+        ("unknown a;", "unknown a"),
         ("loop a + b = c;", "loop (a + b) = c"),
         ("/// Words.\n let a = b;", "let a = b"),
     ] {

@@ -97,6 +97,30 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// No estimate is needed where there is one assembly, or where others choose.
+    pub struct Estimated {
+        unit mm;
+        input phi = 60deg in 0deg..360deg;
+        unknown theta;
+        unknown psi = 70deg;
+        loop polar(40mm, phi) + polar(120mm, theta) = (100mm, 0) + polar(80mm, psi);
+        unknown between;
+        loop between = psi - theta;
+        unknown gear;
+        loop gear = 2 * phi + 100deg;
+        unknown across;
+        unknown along;
+        loop polar(30mm, phi) = (along, across);
+        unknown middle;
+        loop middle = ((along, across) + (100mm, 0)) / 2;
+    }
+
+    impl Estimated {
+        pub fn all(phi) -> AllEstimated { theta, psi, between, gear, across, along, middle, v: velocity(between) }
+    }
+}
+
 fn near(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-9, "{a} is not {b}");
 }
@@ -134,6 +158,16 @@ fn main() {
     let (here, later) = (sums.all(0.3), sums.all(0.3 + TAU));
     near(here.s, later.s);
     near(here.theta, later.theta);
+
+    let estimated = Estimated::default().assemble().expect("it closes");
+    let at = estimated.all(60f64.to_radians());
+    near(20.0 + 120.0 * at.theta.cos(), 100.0 + 80.0 * at.psi.cos());
+    assert!(at.theta > 0.0 && at.psi > 0.0);
+    near(at.between, at.psi - at.theta);
+    near(at.gear.to_degrees(), 220.0);
+    near(at.along, 15.0);
+    near(at.middle.x, 57.5);
+    near(at.middle.y, at.across / 2.0);
 
     let scalars = Scalars::default().assemble().expect("it closes");
     let point = scalars.point(0.7);
