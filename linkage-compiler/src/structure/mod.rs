@@ -140,7 +140,12 @@ impl<'m> Analysis<'_, 'm> {
             .collect();
         let rows: Vec<usize> = equations.iter().map(|e| e.rows.len()).collect();
         let matching = matching::maximum(&rows, &incidence, coordinates.len());
+        let before = self.reporter.errors();
         if !self.report_mobility(&equations, &coordinates, &incidence, &matching) {
+            if self.reporter.errors() == before {
+                // What lacks an equation, or an unknown, has been introduced here: the loop before that has no known form.
+                self.report_unsolved(&equations, &coordinates);
+            }
             return;
         }
         for component in matching::components(&incidence, &matching) {

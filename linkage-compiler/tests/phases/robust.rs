@@ -140,3 +140,80 @@ fn equal_input_gives_equal_output() {
     assert_eq!(here, there);
     assert_eq!(here, outputs());
 }
+
+/// What a scalar loop may be written with, about an angle or number `t`, a slide `s` and a point `p`; numbers, then lengths.
+const NUMBERS: [&str; 22] = [
+    "0",
+    "1",
+    "k",
+    "0 / 0",
+    "1 / (k - 1)",
+    "t",
+    "2 * t",
+    "t * t",
+    "k * t + phi",
+    "t - t",
+    "abs(t)",
+    "norm(t * (1, 2))",
+    "norm((t, 2 * t))",
+    "norm((t, k, 0))",
+    "distance((t, 0), (0, t))",
+    "min(t, phi)",
+    "hypot(t, k)",
+    "sqrt(t)",
+    "acos(k + t)",
+    "cos(t)",
+    "tan(t)",
+    "atan2(sin(t), k)",
+];
+const LENGTHS: [&str; 18] = [
+    "0",
+    "l",
+    "0 * l",
+    "l / 0",
+    "s",
+    "s - s",
+    "s * s / l",
+    "abs(s)",
+    "norm(p)",
+    "norm(p - p)",
+    "norm((s, s))",
+    "distance(p, (s, l))",
+    "norm(s * (1, 2, 3))",
+    "norm(polar(s, t))",
+    "sqrt(s * l)",
+    "l * t",
+    "dot(p, dir(t))",
+    "p.x",
+];
+
+/// Loops of few unknowns with every two of these sides, in either order.
+#[test]
+fn no_scalar_loop_panics() {
+    let mut accepted = 0;
+    for sides in [&NUMBERS[..], &LENGTHS] {
+        for left in sides {
+            for right in sides {
+                let unknowns = [("t", "10deg"), ("s", "5mm"), ("p", "(3mm, 4mm)")];
+                let written = format!("{left} {right}");
+                let declared: String = unknowns
+                    .iter()
+                    .filter(|(name, _)| {
+                        written
+                            .split(|c: char| !c.is_alphanumeric())
+                            .any(|word| word == *name)
+                    })
+                    .map(|(name, estimate)| format!("unknown {name} = {estimate}; "))
+                    .collect();
+                let text = format!(
+                    "struct A {{ unit mm; param l = 5mm; param k = 1; input phi = 10deg in 0deg..20deg; {declared}
+                     loop {left} = {right}; }} impl A {{ fn f(phi) -> F {{ v: velocity({left}) }} }}"
+                );
+                let output = catch_unwind(|| compile(text.parse().expect("tokens")).to_string());
+                let output = output.unwrap_or_else(|_| panic!("{left} = {right} panics"));
+                accepted += usize::from(!output.contains("compile_error !"));
+            }
+        }
+    }
+    assert!(accepted > 0, "some of them can be solved");
+}
