@@ -74,6 +74,26 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// Equations that are solved without a root, of what may be no number.
+    struct Explicit {
+        unit mm;
+        param ratio = 0.5;
+        param gap = 4mm;
+        param lift = 30mm;
+        input phi = 40deg in 0deg..360deg;
+        unknown lean = 60deg;
+        unknown reach = 250mm;
+        unknown tip = (10mm, 30mm);
+        loop lean = acos(ratio) + phi;
+        loop reach = 1000mm * mm / gap;
+        loop tip = (10mm, sqrt(lift * 30mm));
+    }
+    impl Explicit {
+        fn pose(phi) -> Pose { lean, tip: tip + reach * dir(lean) }
+    }
+}
+
 #[test]
 fn a_distance_is_not_negative() {
     assert!(Boom::default().assemble().is_ok());
@@ -199,4 +219,42 @@ fn dimensions_that_are_no_numbers_are_refused() {
         slider.assemble(),
         Err(AssemblyError::NotFinite { .. })
     ));
+}
+
+#[test]
+fn what_is_no_number_by_an_equation_without_a_root_is_refused() {
+    let explicit = Explicit::default();
+    let linkage = explicit.assemble().expect("all is finite");
+    assert!((linkage.pose(0.5).lean - (0.5 + 0.5f64.acos())).abs() < 1e-15);
+    for (dimensions, number) in [
+        (
+            Explicit {
+                ratio: 1.5,
+                ..explicit
+            },
+            1,
+        ),
+        (
+            Explicit {
+                gap: 0.0,
+                ..explicit
+            },
+            2,
+        ),
+        (
+            Explicit {
+                lift: -1.0,
+                ..explicit
+            },
+            3,
+        ),
+    ] {
+        match dimensions.assemble() {
+            Err(AssemblyError::NotFinite { loops, .. }) => assert_eq!(loops, [number]),
+            Err(other) => panic!("{other}"),
+            Ok(_) => panic!("loop {number} has no finite solution"),
+        }
+    }
+    let single = explicit.cast::<f32>();
+    assert!(single.assemble().is_ok());
 }

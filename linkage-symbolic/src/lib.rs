@@ -19,6 +19,7 @@ pub mod inline;
 pub mod interpret;
 mod multiples;
 mod operation;
+mod partial;
 pub mod passes;
 mod polynomial;
 mod probe;

@@ -23,6 +23,8 @@ pub struct Row<const ARITY: usize> {
     pub class: Class,
     /// True for a function that is a different formula on different sides of some value.
     pub splits: bool,
+    /// True if it has no finite value for some finite operands. What is too large for a number is another matter.
+    pub partial: bool,
 }
 
 /// The classes in which operations are counted.
@@ -49,6 +51,7 @@ const fn row<const ARITY: usize>(name: &'static str, value: fn([f64; ARITY]) -> 
         size: 1,
         class: Class::Other,
         splits: false,
+        partial: false,
     }
 }
 
@@ -93,17 +96,17 @@ table! {
         /// `|a|`
         Abs => Row { latency: 1, splits: true, ..row("abs", |[a]| a.abs()) },
         /// The square root.
-        Sqrt => Row { latency: 20, time: 6, class: Class::Root, ..row("sqrt", |[a]| a.sqrt()) },
+        Sqrt => Row { latency: 20, time: 6, class: Class::Root, partial: true, ..row("sqrt", |[a]| a.sqrt()) },
         /// The sine. That and the cosine of one operand are computed together.
         Sin => Row { class: Class::SineCosine, ..trigonometric("sin", |[a]| a.sin()) },
         /// The cosine.
         Cos => Row { class: Class::SineCosine, ..trigonometric("cos", |[a]| a.cos()) },
         /// The tangent.
-        Tan => Row { time: ARC, size: 50, ..trigonometric("tan", |[a]| a.tan()) },
+        Tan => Row { time: ARC, size: 50, partial: true, ..trigonometric("tan", |[a]| a.tan()) },
         /// The arc sine.
-        Asin => Row { splits: true, ..arc("asin", |[a]| a.asin()) },
+        Asin => Row { splits: true, partial: true, ..arc("asin", |[a]| a.asin()) },
         /// The arc cosine.
-        Acos => Row { splits: true, ..arc("acos", |[a]| a.acos()) },
+        Acos => Row { splits: true, partial: true, ..arc("acos", |[a]| a.acos()) },
         /// The arc tangent.
         Atan => Row { splits: true, ..arc("atan", |[a]| a.atan()) },
         /// `+1` for a number that is positive or `+0`, `-1` for a negative one: the derivative of `Abs`.
@@ -123,7 +126,7 @@ table! {
         /// `a * b`
         Mul => Row { class: Class::Multiplication, ..row("*", |[a, b]| a * b) },
         /// `a / b`
-        Div => Row { latency: 15, time: 5, class: Class::Division, ..row("/", |[a, b]| a / b) },
+        Div => Row { latency: 15, time: 5, class: Class::Division, partial: true, ..row("/", |[a, b]| a / b) },
         /// `atan2(y, x)`
         Atan2 => Row { latency: 15, class: Class::ArcTangent, splits: true, ..arc("atan2", |[y, x]| y.atan2(x)) },
         /// `sqrt(x^2 + y^2)` without overflow.
@@ -134,7 +137,7 @@ table! {
         Max => Row { latency: 15, size: 3, splits: true, ..row("max", |[a, b]| one_of(a, b, a > b, b > a)) },
         /// `root(q, scale)`: the square root of `q`; 0 where `q` is negative by no more than 8 roundoffs of `scale`;
         /// NaN below that. It closes a group up to the dead point and refuses beyond.
-        Root => Row { latency: 15, time: 6, size: 8, class: Class::Root, ..row("root", |[q, scale]| root(q, scale)) },
+        Root => Row { latency: 15, time: 6, size: 8, class: Class::Root, partial: true, ..row("root", |[q, scale]| root(q, scale)) },
     }
 }
 

@@ -9,7 +9,7 @@ use crate::unit::ContinuousAngle;
 
 use super::Reference;
 use super::follow::{Unfollowed, follow_angles};
-use super::ranges::{GRID, Ranges};
+use super::ranges::{Broken, GRID, Ranges};
 use super::words::Words;
 
 /// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.
@@ -67,7 +67,12 @@ pub(crate) fn check_ranges<'m>(
         [input] => ranges.first_failure(input, algebra.mechanism.inputs[input].dimension),
         _ => ranges.grid_failure(&declared),
     };
-    if let Some((inputs, group)) = failure {
+    if let Some(Broken {
+        inputs,
+        group,
+        finite,
+    }) = failure
+    {
         let solved = &formulation.groups[group];
         let concerned = algebra.inputs_below(&[solved.closed.slack]);
         let input = *declared
@@ -82,16 +87,21 @@ pub(crate) fn check_ranges<'m>(
             1 => "reaches",
             _ => "reach",
         };
-        reporter.error_between(
-            range_of(&algebra.mechanism.inputs[input]),
-            format!(
-                "the mechanism comes apart in this range: {} ({}) {reach} a dead point at {}{how}\n\
-                 help: restrict the range, or change the lengths so that the links reach each other all the way",
-                loop_list(&solved.group.loops),
-                words.unknowns(&solved.group.unknowns),
-                words.inputs(&inputs, &concerned),
+        let loops = loop_list(&solved.group.loops);
+        let unknowns = words.unknowns(&solved.group.unknowns);
+        let place = words.inputs(&inputs, &concerned);
+        let message = match finite {
+            true => format!(
+                "the mechanism comes apart in this range: {loops} ({unknowns}) {reach} a dead point at {place}{how}\n\
+                 help: restrict the range, or change the lengths so that the links reach each other all the way"
             ),
-        );
+            false => format!(
+                "the mechanism comes apart in this range: {loops} ({unknowns}) {reach} a division by zero, or a root or an \
+                 arc function out of its range at {place}{how}\n\
+                 help: restrict the range, or change what is not a finite number beyond it"
+            ),
+        };
+        reporter.error_between(range_of(&algebra.mechanism.inputs[input]), message);
         return;
     }
     let machine = &mut ranges.reference.machine;

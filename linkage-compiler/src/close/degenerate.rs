@@ -61,7 +61,7 @@ impl<'m> Assembly<'_, 'm> {
             }
             Form::Linear { symbol, a, b } => {
                 let [a, b] = self.at_reference([*a, *b]);
-                (a.abs() <= NOTHING * b.abs()).then(|| {
+                (b.is_finite() && a.abs() <= NOTHING * b.abs()).then(|| {
                     let name = self.symbol_name(*symbol);
                     let fact = format!("it does not change with {name}");
                     (fact, format!("look for what multiplies {name} and is zero"))

@@ -25,6 +25,15 @@ const ROUNDING: f64 = 1e-12;
 /// Positions of a grid over several inputs.
 pub(super) const GRID: usize = 2000;
 
+/// A position in a range that cannot be assembled.
+pub(super) struct Broken {
+    pub(super) inputs: Vec<f64>,
+    /// The group that comes apart there.
+    pub(super) group: usize,
+    /// False if what is known of the group is no finite number there; else it is at a dead point.
+    pub(super) finite: bool,
+}
+
 /// The mechanism over its ranges.
 pub(super) struct Ranges<'a, 'm> {
     pub(super) formulation: &'a Formulation<'m>,
@@ -57,11 +66,7 @@ impl Ranges<'_, '_> {
     }
 
     /// Where the one input with a range meets a dead point, and the group that does.
-    pub(super) fn first_failure(
-        &mut self,
-        input: usize,
-        dimension: Dimension,
-    ) -> Option<(Vec<f64>, usize)> {
+    pub(super) fn first_failure(&mut self, input: usize, dimension: Dimension) -> Option<Broken> {
         let (low, high) = self.nominal.ranges[input]?;
         let turns = (high - low) / std::f64::consts::TAU;
         let samples = match dimension.half_lengths {
@@ -70,16 +75,26 @@ impl Ranges<'_, '_> {
         };
         let mut inputs = self.nominal.inputs.clone();
         let start = inputs[input];
+        let step = (high - low) * END;
         let failure = first_failure(low, high, start, samples as usize, |x| {
             inputs[input] = x;
             let inside = (x - low).min(high - x) > END * (high - low);
-            self.slack(&inputs).0 - if inside { DEAD } else { 0.0 }
+            let (slack, _) = self.slack(&inputs);
+            if slack.is_nan() && !inside {
+                // An arc function may reach the end of its range at that of the input's, but for rounding.
+                inputs[input] = x.clamp(low + step, high - step);
+                return self.slack(&inputs).0;
+            }
+            slack - if inside { DEAD } else { 0.0 }
         })?;
-        let step = (high - low) * END;
         inputs[input] = failure.at + if failure.above { step } else { -step };
-        let (_, group) = self.slack(&inputs);
+        let (slack, group) = self.slack(&inputs);
         inputs[input] = self.dead_point(input, failure);
-        Some((inputs, group.min(self.formulation.groups.len() - 1)))
+        Some(Broken {
+            inputs,
+            group: group.min(self.formulation.groups.len() - 1),
+            finite: !slack.is_nan(),
+        })
     }
 
     /// The dead point behind a failure: the end of the range where the slack rises slowly from there, the place where it
@@ -108,12 +123,18 @@ impl Ranges<'_, '_> {
     }
 
     /// The first position of a grid over several inputs that cannot be assembled.
-    pub(super) fn grid_failure(&mut self, declared: &[usize]) -> Option<(Vec<f64>, usize)> {
+    pub(super) fn grid_failure(&mut self, declared: &[usize]) -> Option<Broken> {
         let grid = Grid::new(self.nominal, declared);
         (0..grid.count).find_map(|position| {
             let inputs = grid.inputs(self.nominal, position);
             let (slack, group) = self.slack(&inputs);
-            (slack.is_nan() || slack < -ROUNDING).then_some((inputs, group))
+            let finite = !slack.is_nan();
+            let broken = Broken {
+                inputs,
+                group,
+                finite,
+            };
+            (!finite || slack < -ROUNDING).then_some(broken)
         })
     }
 }

@@ -138,7 +138,9 @@ impl<'m> Assembly<'_, 'm> {
             // A group before this one did not close and has been reported.
             return false;
         }
-        let verdict = if gap.is_nan() && solved.closed.two_modes {
+        // With a sound margin, it is not the group that is singular.
+        let sound = solved.closed.two_modes || margin >= SINGULAR;
+        let verdict = if gap.is_nan() && sound {
             Some(Verdict::NotFinite)
         } else if gap > 0.0 {
             Some(Verdict::Open(gap))

@@ -26,6 +26,17 @@ pub(super) fn linear_gap(determinant: Ex) -> Ex {
     defined_gap(determinant.number(0.0), determinant)
 }
 
+/// NaN where something known is no finite number, by a division, a root or an arc function: what follows from it is none either, and
+/// nothing else of an equation that is solved without a root would show it.
+pub(super) fn where_finite<'m>(value: Ex<'m>, known: &[Ex<'m>]) -> Ex<'m> {
+    let open = known.iter().filter(|x| x.is_partial());
+    let Some(size) = open.map(|x| x.abs()).reduce(|sum, x| sum + x) else {
+        return value;
+    };
+    let finite = size.number(f64::MAX) - size;
+    finite.select(value, value.number(f64::NAN))
+}
+
 /// A gap that is NaN where `size` is 0: parallel guides, or pivots that coincide, which any angle would suit.
 pub(super) fn defined_gap<'m>(gap: Ex<'m>, size: Ex<'m>) -> Ex<'m> {
     let regular = size.abs() - f64::MIN_POSITIVE;

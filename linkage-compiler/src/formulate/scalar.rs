@@ -4,7 +4,7 @@ use linkage_symbolic::{Ex, SymbolId};
 
 use crate::algebra::{Scalar, Term};
 
-use super::plane::{known_term, linear_gap};
+use super::plane::{known_term, linear_gap, where_finite};
 use super::{Closed, GapIn, Solver};
 
 impl<'m> Solver<'_, 'm> {
@@ -34,9 +34,9 @@ impl<'m> Solver<'_, 'm> {
             method: "linear equation",
             two_modes: false,
             margin,
-            slack,
+            slack: where_finite(slack, &[b]),
             slack_scale,
-            gap: linear_gap(a),
+            gap: where_finite(linear_gap(a), &[b]),
             gap_in: GapIn::Loop,
         }
     }
@@ -55,9 +55,9 @@ impl<'m> Solver<'_, 'm> {
             method: "sum of angles",
             two_modes: false,
             margin: one,
-            slack: one,
+            slack: where_finite(one, &[value.rest]),
             slack_scale: one,
-            gap: self.algebra.zero(),
+            gap: where_finite(self.algebra.zero(), &[value.rest]),
             gap_in: GapIn::Loop,
         }
     }

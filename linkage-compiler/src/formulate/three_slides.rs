@@ -4,7 +4,7 @@ use linkage_symbolic::{SymbolId, V3};
 
 use crate::algebra::{CoreRow, Elimination, Solution, Term};
 
-use super::plane::{known_term, linear_gap};
+use super::plane::{known_term, linear_gap, where_finite};
 use super::{Closed, GapIn, Solver};
 
 impl<'m> Solver<'_, 'm> {
@@ -62,9 +62,9 @@ impl<'m> Solver<'_, 'm> {
             method: "three linear equations",
             two_modes: false,
             margin: slack.abs(),
-            slack,
+            slack: where_finite(slack, &known.0),
             slack_scale: one,
-            gap: linear_gap(determinant),
+            gap: where_finite(linear_gap(determinant), &known.0),
             gap_in: GapIn::Loop,
         }
     }

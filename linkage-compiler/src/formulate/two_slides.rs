@@ -4,7 +4,7 @@ use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::Term;
 
-use super::plane::{known_term, linear_gap};
+use super::plane::{known_term, linear_gap, where_finite};
 use super::{Closed, GapIn, Solver};
 
 impl<'m> Solver<'_, 'm> {
@@ -39,9 +39,9 @@ impl<'m> Solver<'_, 'm> {
             method: "intersection of two lines",
             two_modes: false,
             margin: slack.abs(),
-            slack,
+            slack: where_finite(slack, &known.0),
             slack_scale: self.algebra.one(),
-            gap: linear_gap(determinant),
+            gap: where_finite(linear_gap(determinant), &known.0),
             gap_in: GapIn::Loop,
         }
     }
