@@ -145,7 +145,8 @@ impl<'m> Algebra<'m> {
         }
     }
 
-    fn name(&mut self, name: Name) -> Value<'m> {
+    /// What a name stands for.
+    pub(crate) fn name(&mut self, name: Name) -> Value<'m> {
         match name {
             Name::Pi => self.graph.number(std::f64::consts::PI).into(),
             Name::Const(index) => {

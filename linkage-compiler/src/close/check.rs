@@ -4,12 +4,11 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::formulate::Formulation;
 use crate::model::Input;
-use crate::structure::report::loop_list;
 use crate::unit::ContinuousAngle;
 
 use super::Reference;
 use super::follow::{Unfollowed, follow_angles};
-use super::ranges::{Broken, GRID, Ranges};
+use super::ranges::Ranges;
 use super::words::Words;
 
 /// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.
@@ -62,47 +61,17 @@ pub(crate) fn check_ranges<'m>(
     let declared: Vec<usize> = (0..nominal.ranges.len())
         .filter(|&k| nominal.ranges[k].is_some())
         .collect();
-    let failure = match declared[..] {
+    let apart = match declared[..] {
         [] => None,
-        [input] => ranges.first_failure(input, algebra.mechanism.inputs[input].dimension),
-        _ => ranges.grid_failure(&declared),
+        [input] => ranges
+            .first_failure(input, algebra.mechanism.inputs[input].dimension)
+            .map(|at| ranges.apart(algebra, at)),
+        _ => ranges
+            .grid_failure(&declared)
+            .map(|broken| ranges.apart_on_grid(algebra, &declared, &broken)),
     };
-    if let Some(Broken {
-        inputs,
-        group,
-        finite,
-    }) = failure
-    {
-        let solved = &formulation.groups[group];
-        let concerned = algebra.inputs_below(&[solved.closed.slack]);
-        let input = *declared
-            .iter()
-            .find(|k| concerned.contains(k))
-            .unwrap_or(&declared[0]);
-        let how = match declared.len() {
-            1 => String::new(),
-            _ => format!(" (found on a grid of at most {GRID} positions)"),
-        };
-        let reach = match solved.group.loops.len() {
-            1 => "reaches",
-            _ => "reach",
-        };
-        let loops = loop_list(&solved.group.loops);
-        let unknowns = words.unknowns(&solved.group.unknowns);
-        let place = words.inputs(&inputs, &concerned);
-        let message = match finite {
-            true => format!(
-                "the mechanism comes apart in this range: {loops} ({unknowns}) {reach} a dead point at {place}{how}\n\
-                 help: restrict the range, or change the lengths so that the links reach each other all the way"
-            ),
-            false => format!(
-                "the mechanism comes apart in this range: {loops} ({unknowns}) {reach} a division by zero, or a root or an \
-                 arc function out of its range at {place}{how}\n\
-                 help: restrict the range, or change what is not a finite number beyond it"
-            ),
-        };
-        reporter.error_between(range_of(&algebra.mechanism.inputs[input]), message);
-        return;
+    if let Some(apart) = apart {
+        return reporter.error_between(apart.origins, apart.message);
     }
     let machine = &mut ranges.reference.machine;
     let asked = machine.outputs_of(algebra, asked);

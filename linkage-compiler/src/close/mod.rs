@@ -3,7 +3,9 @@
 //! Runs the programs of a [`Closing`](crate::unit::Closing) by the interpreter. Ends with a [`Reference`]: the assembly that the start
 //! estimates choose.
 
+mod apart;
 mod check;
+mod dead_point;
 mod degenerate;
 mod directions;
 mod estimates;

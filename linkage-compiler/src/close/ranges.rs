@@ -25,6 +25,9 @@ const ROUNDING: f64 = 1e-12;
 /// Positions of a grid over several inputs.
 pub(super) const GRID: usize = 2000;
 
+/// Positions at which it is looked how far a group misses beyond a dead point.
+const MISSES: usize = 720;
+
 /// A position in a range that cannot be assembled.
 pub(super) struct Broken {
     pub(super) inputs: Vec<f64>,
@@ -32,6 +35,15 @@ pub(super) struct Broken {
     pub(super) group: usize,
     /// False if what is known of the group is no finite number there; else it is at a dead point.
     pub(super) finite: bool,
+}
+
+/// Where the one input with a range meets a dead point.
+pub(super) struct Break {
+    pub(super) input: usize,
+    /// The dead point.
+    pub(super) place: Broken,
+    /// Whether it fails above that value; otherwise below.
+    above: bool,
 }
 
 /// The mechanism over its ranges.
@@ -65,18 +77,14 @@ impl Ranges<'_, '_> {
         worst
     }
 
-    /// Where the one input with a range meets a dead point, and the group that does.
-    pub(super) fn first_failure(&mut self, input: usize, dimension: Dimension) -> Option<Broken> {
+    /// Where the one input with a range meets a dead point.
+    pub(super) fn first_failure(&mut self, input: usize, dimension: Dimension) -> Option<Break> {
         let (low, high) = self.nominal.ranges[input]?;
-        let turns = (high - low) / std::f64::consts::TAU;
-        let samples = match dimension.half_lengths {
-            0 => (SAMPLES * turns).clamp(64.0, 4000.0),
-            _ => SAMPLES,
-        };
         let mut inputs = self.nominal.inputs.clone();
         let start = inputs[input];
         let step = (high - low) * END;
-        let failure = first_failure(low, high, start, samples as usize, |x| {
+        let samples = samples(high - low, dimension);
+        let failure = first_failure(low, high, start, samples, |x| {
             inputs[input] = x;
             let inside = (x - low).min(high - x) > END * (high - low);
             let (slack, _) = self.slack(&inputs);
@@ -90,11 +98,62 @@ impl Ranges<'_, '_> {
         inputs[input] = failure.at + if failure.above { step } else { -step };
         let (slack, group) = self.slack(&inputs);
         inputs[input] = self.dead_point(input, failure);
-        Some(Broken {
-            inputs,
-            group: group.min(self.formulation.groups.len() - 1),
-            finite: !slack.is_nan(),
+        Some(Break {
+            input,
+            place: Broken {
+                inputs,
+                group: group.min(self.formulation.groups.len() - 1),
+                finite: !slack.is_nan(),
+            },
+            above: failure.above,
         })
+    }
+
+    /// How far it works from the reference towards `end`: up to the first dead point, or to that end.
+    pub(super) fn reach(&mut self, input: usize, dimension: Dimension, end: f64) -> f64 {
+        let mut inputs = self.nominal.inputs.clone();
+        let start = inputs[input];
+        let sign = (end - start).signum();
+        let length = (end - start).abs();
+        let samples = samples(length, dimension);
+        let failure = first_failure(0.0, length, 0.0, samples, |along| {
+            inputs[input] = start + sign * along;
+            self.slack(&inputs).0 - DEAD
+        });
+        failure.map_or(end, |failure| start + sign * failure.at)
+    }
+
+    /// By how much a group misses at worst between its dead point and where it closes again, or the end of the range; 0 if it only
+    /// touches its dead point.
+    pub(super) fn largest_miss(&mut self, at: &Break) -> f64 {
+        let from = at.place.inputs[at.input];
+        let (low, high) = self.nominal.ranges[at.input].unwrap_or((from, from));
+        let end = if at.above { high } else { low };
+        let mut inputs = at.place.inputs.clone();
+        let mut miss = |ranges: &mut Self, share: f64| {
+            inputs[at.input] = from + (end - from) * share;
+            let machine = &ranges.reference.machine;
+            machine.run(&mut ranges.values, &inputs);
+            machine.output(&ranges.values, machine.closing.groups[at.place.group].gap)
+        };
+        let step = 1.0 / MISSES as f64;
+        let mut worst = (0.0, 0.0);
+        for share in (1..=MISSES).map(|k| k as f64 * step) {
+            let gap = miss(self, share);
+            // It closes again, or a group before it has come apart.
+            if gap.is_nan() || gap == 0.0 {
+                break;
+            }
+            if gap > worst.1 {
+                worst = (share, gap);
+            }
+        }
+        if worst.1 == 0.0 {
+            return 0.0;
+        }
+        let (low, high) = (worst.0 - step, (worst.0 + step).min(1.0));
+        let (_, best) = minimum(low, high, 8, |share| -miss(self, share));
+        worst.1.max(-best)
     }
 
     /// The dead point behind a failure: the end of the range where the slack rises slowly from there, the place where it
@@ -137,6 +196,15 @@ impl Ranges<'_, '_> {
             (!finite || slack < -ROUNDING).then_some(broken)
         })
     }
+}
+
+/// Samples for a stretch of an input.
+fn samples(length: f64, dimension: Dimension) -> usize {
+    let samples = match dimension.half_lengths {
+        0 => (SAMPLES * length / std::f64::consts::TAU).clamp(64.0, 4000.0),
+        _ => SAMPLES,
+    };
+    samples as usize
 }
 
 /// A grid over the ranges of several inputs, of bounded size.

@@ -83,6 +83,21 @@ impl<'m> Words<'m> {
         }
     }
 
+    /// A multiple of `step`, without the digits behind it.
+    pub(crate) fn rounded_to(&self, dimension: Dimension, x: f64, step: f64) -> String {
+        let [shown, step] = [x, step].map(|x| match dimension.half_lengths {
+            0 => x.to_degrees(),
+            _ => x,
+        });
+        let digits = (-step.log10().round()).clamp(0.0, 17.0) as usize;
+        let text = format!("{shown:.digits$}");
+        let rounded = text.parse().unwrap_or(shown);
+        match dimension.half_lengths {
+            0 => format!("{}deg", significant(rounded)),
+            _ => self.scalar(dimension, rounded),
+        }
+    }
+
     pub(crate) fn gap(&self, solved: &Solved, gap: f64) -> String {
         let dimension = solved.gap_dimension(self.mechanism);
         format!(

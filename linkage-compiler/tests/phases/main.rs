@@ -4,5 +4,6 @@ mod directions;
 mod forms;
 mod forms_space;
 mod golden;
+mod proposals;
 mod robust;
 mod speed;
