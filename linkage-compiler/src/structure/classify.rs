@@ -3,6 +3,7 @@
 use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, V3, Vector, agree, agree_within, collect};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::space::Distance;
 use super::{Analysis, Form, Rotor};
 
 /// Coefficients below this share of the others are rounding.
@@ -217,6 +218,31 @@ impl<'m> Analysis<'_, 'm> {
         })
     }
 
+    /// True for a distance in the plane from a point that turns with an angle or slides along a line: a link, whether its length or the square
+    /// of it is given.
+    fn is_link(&mut self, row: Ex<'m>, coordinate: &Coordinate) -> bool {
+        let own = std::slice::from_ref(coordinate);
+        let Some(Distance { vector, length }) = self.distance(row, own) else {
+            return false;
+        };
+        if vector.len() != 2 || length.is_zero() {
+            return false;
+        }
+        let Some(mut rest) = self.polynomials(&vector, own) else {
+            return false;
+        };
+        let zero = self.algebra.zero();
+        let moving = match coordinate.kind {
+            CoordinateKind::Angle(angle) => {
+                let rotor = self.take_rotor(&mut rest, angle, &[]);
+                rotor.map(|rotor| rotor.z)
+            }
+            CoordinateKind::Length(slide) => Some(rest.take_pair(&[slide], zero)),
+        };
+        rest.take_pair(&[], zero);
+        rest.is_exhausted() && moving.is_some_and(|vector| !vector.is_zero())
+    }
+
     fn classify_scalar(
         &mut self,
         equation: &Equation<'m>,
@@ -229,6 +255,10 @@ impl<'m> Analysis<'_, 'm> {
         }
         if let Some(form) = self.classify_distance(equation.rows[0], coordinate) {
             return Some(form);
+        }
+        if self.is_link(equation.rows[0], coordinate) {
+            // As squares it has another solution with another margin, less accurate where the link meets others at a needle's angle.
+            return None;
         }
         let mut rest = self.polynomials(&equation.rows, std::slice::from_ref(coordinate))?;
         if let CoordinateKind::Angle(_) = coordinate.kind {

@@ -158,6 +158,7 @@ impl<'m> Analysis<'_, 'm> {
             .or_else(|| self.distance_to_link(equations, coordinates))
             .or_else(|| self.split_along_guide(equations, coordinates))
             .or_else(|| self.split_across_guides(equations, coordinates))
+            .or_else(|| self.double_angle(equations, coordinates))
             .or_else(|| self.relative_angle(equations, coordinates))
     }
 

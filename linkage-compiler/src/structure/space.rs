@@ -49,8 +49,7 @@ impl<'m> Analysis<'_, 'm> {
                 let vector = lift(vector);
                 return Some(Distance { vector, length });
             }
-            let squared = graph.vector_of_square(measured.id());
-            if let Some(vector) = squared.filter(|v| v.len() == 3) {
+            if let Some(vector) = graph.vector_of_square(measured.id()) {
                 let length = given.sqrt();
                 let vector = lift(vector);
                 return Some(Distance { vector, length });
@@ -113,7 +112,7 @@ impl<'m> Analysis<'_, 'm> {
         }
     }
 
-    /// `x x + y y + z z - ...` with a known rest.
+    /// `x x + y y - ...` or `x x + y y + z z - ...` with a known rest.
     fn written_squares(&mut self, row: Ex<'m>, coordinates: &[Coordinate]) -> Option<Distance<'m>> {
         let unknown = |x| coordinates.iter().any(|c| self.contains(x, c));
         let terms = summands(row);
@@ -131,7 +130,7 @@ impl<'m> Analysis<'_, 'm> {
             }
         }
         let length = wanted.sqrt();
-        (vector.len() == 3).then_some(Distance { vector, length })
+        matches!(vector.len(), 2 | 3).then_some(Distance { vector, length })
     }
 
     /// A row that is a distance in space.

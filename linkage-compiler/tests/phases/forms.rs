@@ -255,6 +255,10 @@ fn two_slides_and_scalar_loops() {
     );
     expect(
         "unknown x = 150mm; let v = (x, 0) - polar(a, phi); loop dot(v, v) = b * b;",
+        &["loops 1: rotor and slide for x"],
+    );
+    expect(
+        "unknown x = 150mm; loop x * x + a * x * cos(phi) = b * b;",
         &["loops 1: quadratic for x"],
     );
     expect(

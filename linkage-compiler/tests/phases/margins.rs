@@ -1,0 +1,86 @@
+//! A margin belongs to the mechanism, not to the way in which its loops are written.
+
+use std::f64::consts::TAU;
+
+use linkage_compiler::check;
+use linkage_symbolic::interpret::run;
+use linkage_symbolic::program::Source;
+
+/// Positions over a turn.
+const POSITIONS: usize = 360;
+
+/// The margin of a mechanism over a turn of `phi`.
+fn margins(items: &str) -> Vec<f64> {
+    let text = format!(
+        "struct M {{ unit mm; param r = 80mm; param l = 120mm; input phi = 60deg; {items} }}
+         impl M {{ fn f(phi) -> F {{ m: margin() }} }}"
+    );
+    let checked = check(text.parse().expect("brackets have partners"));
+    let Some(unit) = checked.unit else {
+        panic!("{text}: {:#?}", checked.messages);
+    };
+    let dimensions: Vec<f64> = unit.scalars().map(|scalar| scalar.nominal).collect();
+    let modes = unit.modes();
+    let load = |source, phi: f64, prepared: &[f64]| match source {
+        Source::Parameter(index) => dimensions[index],
+        Source::Input(_) => phi,
+        Source::Mode(index) if modes[index] => 1.0,
+        Source::Mode(_) => -1.0,
+        Source::Prepared(slot) => prepared[slot],
+        _ => f64::NAN,
+    };
+    let prepared = run(&unit.prepare, |source| load(source, f64::NAN, &[]));
+    let places = (0..POSITIONS).map(|k| TAU * k as f64 / POSITIONS as f64);
+    let program = &unit.functions[0].called.program;
+    let margins = places.map(|phi| run(program, |source| load(source, phi, &prepared))[0]);
+    margins.collect()
+}
+
+/// The margin is the same at each position, however it is written, and its largest value is 1.
+fn expect_alike(spellings: &[&str]) {
+    let first = margins(spellings[0]);
+    let best = first.iter().fold(0.0, |best: f64, x| best.max(*x));
+    assert!((0.999..=1.0 + 1e-12).contains(&best), "{best}");
+    for other in &spellings[1..] {
+        for (k, (a, b)) in first.iter().zip(margins(other)).enumerate() {
+            assert!((a - b).abs() < 1e-9, "{other} at {k}: {a} and {b}");
+        }
+    }
+}
+
+#[test]
+fn a_four_bar() {
+    // 90 degrees between coupler and rocker are reached: 120^2 + 80^2 is between (160 - 40)^2 and (160 + 40)^2.
+    expect_alike(&[
+        "unknown theta = 30deg; unknown psi = 90deg;
+         loop polar(40mm, phi) + polar(l, theta) = (150mm, 0) + polar(r, psi);",
+        "unknown h = 15deg; unknown psi = 90deg;
+         loop polar(40mm, phi) + polar(l, 2 * h) = (150mm, 0) + polar(r, psi);",
+        "unknown theta = 30deg; unknown h = 45deg; let psi = 2 * h;
+         loop polar(40mm, phi) + polar(l, theta) = (150mm, 0) + polar(r, psi);",
+        "unknown psi = 90deg; let w = (150mm, 0) + polar(r, psi) - polar(40mm, phi);
+         loop dot(w, w) = l * l;",
+        "unknown psi = 90deg; let w = (150mm, 0) + polar(r, psi) - polar(40mm, phi);
+         loop w.x * w.x + w.y * w.y - l * l = 0;",
+        "unknown h = 45deg; let w = (150mm, 0) + polar(r, 2 * h) - polar(40mm, phi);
+         loop dot(w, w) = l * l;",
+        "unknown psi = 90deg; let end = (150mm, 0) + polar(r, psi);
+         loop distance(polar(40mm, phi), end) = l;",
+        "unknown p = (150mm, 80mm);
+         loop distance(p, polar(40mm, phi)) = l; loop distance(p, (150mm, 0)) = r;",
+        "unknown p = (150mm, 80mm); let v = p - polar(40mm, phi); let w = p - (150mm, 0);
+         loop dot(v, v) = l * l; loop dot(w, w) = r * r;",
+    ]);
+}
+
+#[test]
+fn a_slider_crank() {
+    expect_alike(&[
+        "unknown theta = -20deg; unknown s = 130mm;
+         loop polar(40mm, phi) + polar(l, theta) = (s, 10mm);",
+        "unknown h = -10deg; unknown s = 130mm;
+         loop polar(40mm, phi) + polar(l, 2 * h) = (s, 10mm);",
+        "unknown s = 130mm; loop distance((s, 10mm), polar(40mm, phi)) = l;",
+        "unknown s = 130mm; let v = (s, 10mm) - polar(40mm, phi); loop dot(v, v) = l * l;",
+    ]);
+}
