@@ -7,6 +7,7 @@ mod circles;
 mod iterated;
 mod link_to_rotor;
 mod link_to_slide;
+mod longest;
 mod plane;
 mod point;
 mod quadratic;

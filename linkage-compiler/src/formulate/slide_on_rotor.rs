@@ -46,8 +46,9 @@ impl<'m> Solver<'_, 'm> {
         terms.push(known_term(&known.0));
         self.push_pair(terms, [turned, stretch * line], determinant);
 
-        // The root of the same square as in `h`: the margin of a guide without offset is exactly 1.
         let distance = distance2.sqrt();
+        let longest = self.longest(c);
+        let largest = longest.difference_of_squares(offset).sqrt();
         let miss = offset.abs() - distance;
         Closed {
             kind: "RPR".into(),
@@ -56,7 +57,7 @@ impl<'m> Solver<'_, 'm> {
             method: "tangent from a point to the circle of the guide's offset",
             two_modes: true,
             gap: gap(q, distance2, miss),
-            margin: h / distance,
+            margin: (h / largest).min(h.number(1.0)),
             slack: q,
             slack_scale: distance2,
             gap_in: GapIn::Loop,

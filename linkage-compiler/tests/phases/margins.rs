@@ -84,3 +84,37 @@ fn a_slider_crank() {
         "unknown s = 130mm; let v = (s, 10mm) - polar(40mm, phi); loop dot(v, v) = l * l;",
     ]);
 }
+
+/// A guide without offset: 1 where the slider is farthest from the pivot, 0 where it meets it.
+#[test]
+fn a_swinging_guide() {
+    expect_alike(&[
+        "unknown theta = 20deg; unknown s = 110mm;
+         loop (r, 0) + polar(40mm, phi) = s * dir(theta);",
+        "unknown theta = 20deg; unknown s = 110mm; let a = rotate((0, 40mm), phi - 90deg);
+         loop a - polar(s, theta) = (-r, 0);",
+        "unknown theta = -20deg; unknown s = 110mm; let turned = -phi;
+         loop polar(40mm, turned) + polar(s, theta + 180deg) + (r, 0) = 0;",
+    ]);
+    let near = margins(
+        "unknown theta = 30deg; unknown s = 80mm;
+         loop (40mm, 0) + polar(40.01mm, phi) = s * dir(theta);",
+    );
+    // Half a turn on.
+    let least = near.iter().fold(1.0, |least: f64, x| least.min(*x));
+    assert!((least - 0.01 / 80.01).abs() < 1e-9, "{least}");
+    assert_eq!(near[POSITIONS / 2], least);
+}
+
+/// With an offset it is 1 where the slider is farthest, too; the guide hangs on a link whose angle is the sum of two.
+#[test]
+fn a_guide_with_an_offset() {
+    expect_alike(&["unknown theta = 20deg; unknown s = 110mm;
+         loop (r, 0) + polar(40mm, phi) = polar(s, theta) + polar(20mm, theta + 90deg);"]);
+    expect_alike(&[
+        "unknown chi; loop chi = 2 * phi; unknown theta = 20deg; unknown s = 110mm;
+         loop (r, 0) + polar(40mm, chi + 10deg - phi) = polar(s, theta);",
+        "unknown theta = 20deg; unknown s = 110mm;
+         loop (r, 0) + polar(40mm, phi + 10deg) = polar(s, theta);",
+    ]);
+}
