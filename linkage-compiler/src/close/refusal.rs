@@ -94,7 +94,17 @@ impl<'m> Assembly<'_, 'm> {
             Form::Point { spheres, .. } if spheres.len() == 3 => {
                 " where the point lies in the plane of the three centres".to_owned()
             }
-            _ => String::new(),
+            Form::Point { .. }
+            | Form::TwoRotors { .. }
+            | Form::RotorAndSlide { .. }
+            | Form::SlideOnRotor { .. }
+            | Form::TwoSlides { .. }
+            | Form::Trigonometric { .. }
+            | Form::Quadratic { .. }
+            | Form::Linear { .. }
+            | Form::ThreeSlides { .. }
+            | Form::Relation { .. }
+            | Form::Coupled(_) => String::new(),
         }
     }
 }

@@ -130,7 +130,18 @@ impl Namer<'_> {
                 divisors.extend(variables.iter().map(|&variable| self.unit_of(variable)));
                 own
             }
-            _ => {
+            ExprKind::Number(_)
+            | ExprKind::Name(_)
+            | ExprKind::Vector(_)
+            | ExprKind::Component(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Binary(..)
+            | ExprKind::Call(..)
+            | ExprKind::Index(..)
+            | ExprKind::Margin
+            | ExprKind::Picture(_)
+            | ExprKind::Mechanics(_)
+            | ExprKind::Error => {
                 let units = units(&expr.ty, self.mechanism.unit);
                 units.into_iter().nth(offset).unwrap_or_default()
             }
@@ -172,7 +183,17 @@ impl Namer<'_> {
             }
             ExprKind::Derivative(inner, _) => self.labels(inner),
             ExprKind::Index(array, _) => self.labels(array).into_iter().skip(1).collect(),
-            _ => Vec::new(),
+            ExprKind::Number(_)
+            | ExprKind::Name(_)
+            | ExprKind::Vector(_)
+            | ExprKind::Component(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Binary(..)
+            | ExprKind::Call(..)
+            | ExprKind::Margin
+            | ExprKind::Picture(_)
+            | ExprKind::Mechanics(_)
+            | ExprKind::Error => Vec::new(),
         }
     }
 
@@ -219,7 +240,18 @@ impl Namer<'_> {
                     of: self.column_of(inner, offset % width, firsts),
                 }
             }
-            _ => Meaning::Value,
+            ExprKind::InputDerivative(..)
+            | ExprKind::Number(_)
+            | ExprKind::Name(_)
+            | ExprKind::Vector(_)
+            | ExprKind::Component(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Binary(..)
+            | ExprKind::Call(..)
+            | ExprKind::Index(..)
+            | ExprKind::Picture(_)
+            | ExprKind::Mechanics(_)
+            | ExprKind::Error => Meaning::Value,
         }
     }
 
