@@ -54,6 +54,17 @@ impl Reporter<'_> {
         self.diagnostics.error(span, message);
     }
 
+    /// See [`Diagnostics::warning_with_help`].
+    pub(crate) fn warning_with_help(
+        &mut self,
+        origin: OriginId,
+        fact: impl Display,
+        help: impl Display,
+    ) {
+        let span = self.origins.span(origin);
+        self.diagnostics.warning_with_help(span, fact, help);
+    }
+
     /// For somebody who keeps it.
     pub(crate) fn reborrow(&mut self) -> Reporter<'_> {
         Reporter {
@@ -72,6 +83,7 @@ impl Reporter<'_> {
 #[derive(Debug, Default)]
 pub(crate) struct Diagnostics {
     list: Vec<Message>,
+    warnings: Vec<Message>,
 }
 
 impl Diagnostics {
@@ -93,15 +105,29 @@ impl Diagnostics {
         self.error(span, format!("{fact}\nhelp: {help}"));
     }
 
+    /// What is no mistake, but hardly meant: told if there is no mistake.
+    pub(crate) fn warning_with_help(
+        &mut self,
+        span: SourceSpan,
+        fact: impl Display,
+        help: impl Display,
+    ) {
+        let text = format!("{fact}\nhelp: {help}");
+        self.warnings.push(Message { span, text });
+    }
+
     /// Adds the messages of another sink behind those of this one.
     pub(crate) fn append(&mut self, other: Diagnostics) {
         self.list.extend(other.list);
+        self.warnings.extend(other.warnings);
     }
 
+    /// True without a mistake.
     pub(crate) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
+    /// How many mistakes there are.
     pub(crate) fn len(&self) -> usize {
         self.list.len()
     }
@@ -111,14 +137,35 @@ impl Diagnostics {
         self.list.iter().map(|own| own.text.clone()).collect()
     }
 
-    /// In the order in which they were found.
-    pub(crate) fn into_messages(self) -> Vec<Message> {
-        self.list
+    /// Mistakes and warnings, in the order in which they were found.
+    pub(crate) fn into_messages(self) -> (Vec<Message>, Vec<Message>) {
+        (self.list, self.warnings)
     }
 
     /// One `compile_error!` for each message, underlining the words at fault.
     pub(crate) fn to_tokens(&self) -> TokenStream {
         self.list.iter().map(compile_error).collect()
+    }
+}
+
+impl Diagnostics {
+    /// Something for each warning that makes rustc print it.
+    pub(crate) fn warnings_to_tokens(&self) -> TokenStream {
+        self.warnings.iter().map(compile_warning).collect()
+    }
+}
+
+/// A macro cannot warn. But rustc tells of uses of what is deprecated with the reason given, and at the place of the use.
+fn compile_warning(message: &Message) -> TokenStream {
+    let used = Ident::new("__mechanism", message.span.first);
+    let text = &message.text;
+    quote! {
+        const _: () = {
+            #[deprecated(note = #text)]
+            #[allow(non_upper_case_globals)]
+            const __mechanism: () = ();
+            #used
+        };
     }
 }
 

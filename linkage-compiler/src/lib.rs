@@ -102,6 +102,8 @@ pub struct Checked {
     pub unit: Option<Unit>,
     /// The mistakes, in the order in which phases found them.
     pub messages: Vec<Message>,
+    /// What is no mistake, but hardly meant.
+    pub warnings: Vec<Message>,
 }
 
 /// What the phases before emission made of a mechanism, as far as mistakes let them.
@@ -131,7 +133,9 @@ impl Analysed {
         match (&self.definition, &self.unit) {
             (None, _) => errors,
             (Some(definition), Some(unit)) if self.diagnostics.is_empty() => {
-                emit::emit(krate, definition, unit)
+                let items = emit::emit(krate, definition, unit);
+                let warnings = self.diagnostics.warnings_to_tokens();
+                quote!(#items #warnings)
             }
             (Some(definition), _) => {
                 let skeleton = emit::skeleton(krate, definition, self.mechanism.as_ref());
@@ -141,10 +145,11 @@ impl Analysed {
     }
 
     fn checked(self) -> Checked {
-        let messages = self.diagnostics.into_messages();
+        let (messages, warnings) = self.diagnostics.into_messages();
         Checked {
             unit: self.unit.filter(|_| messages.is_empty()),
             messages,
+            warnings,
         }
     }
 }
@@ -170,6 +175,7 @@ fn analyse(
         return Unit::default();
     }
     nominal.check(mechanism, &mut reporter);
+    close::warn_of_unused(mechanism, &nominal, &mut reporter);
     let structure = structure::decompose(&mut algebra, &nominal, reporter.reborrow());
     watch.structure(&algebra, &structure);
     if reporter.errors() > before {

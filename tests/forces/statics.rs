@@ -53,7 +53,6 @@ mechanism! {
     /// A slider on the x axis, held by a block on an arm that turns about the origin: parallel guides at phi = 0.
     pub struct Wedge {
         unit mm;
-        param reach = 50mm;
         argument press = 500N;
         input phi = 40deg in 1e-13rad..90deg;
         unknown x = 1mm;

@@ -119,7 +119,7 @@ impl Assembly<'_, '_> {
             return true;
         };
         let item = &self.algebra.mechanism.unknowns[unmet.unknown];
-        let own = self.words.value(&item.ty, unmet.value);
+        let own = self.words.coordinate(&item.ty, unmet.value);
         let estimate = &self.nominal.estimates[unmet.unknown];
         let difference = self.difference(unmet.unknown, unmet.value);
         let loops = loop_list(&solved.group.loops);
@@ -127,7 +127,7 @@ impl Assembly<'_, '_> {
             "`{}` is found at {own}, {difference} its estimate {}{}; {}\n\
              help: look for a wrong sign or number in {loops}, or write the estimates of the assembly that is meant",
             item.name,
-            self.words.value(&item.ty, estimate),
+            self.words.coordinate(&item.ty, estimate),
             self.words.at_reference(&self.nominal.inputs),
             self.listed(solved, all),
         );

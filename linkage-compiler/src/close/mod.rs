@@ -18,6 +18,7 @@ mod reference;
 mod refusal;
 mod sizes;
 mod unfollowed;
+mod unused;
 mod words;
 
 pub(crate) use check::check_ranges;
@@ -25,4 +26,5 @@ pub(crate) use directions::check_directions;
 pub(crate) use follow::{candidate_rates, followed_range};
 pub(crate) use places::places;
 pub(crate) use reference::{Reference, assemble_reference};
+pub(crate) use unused::warn_of_unused;
 pub(crate) use words::{Words, numbers};

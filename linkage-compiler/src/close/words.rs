@@ -45,14 +45,25 @@ impl<'m> Words<'m> {
 
     pub(crate) fn unknown_value(&self, unknown: usize, value: &[f64]) -> String {
         let item = &self.mechanism.unknowns[unknown];
-        format!("{} = {}", item.name, self.value(&item.ty, value))
+        format!("{} = {}", item.name, self.coordinate(&item.ty, value))
     }
 
-    /// `60deg`, `(10mm, 0mm)`
-    pub(crate) fn value(&self, ty: &Type, value: &[f64]) -> String {
+    /// `60deg`, `(10mm, 0mm)`: of an unknown, which is an angle where it is no length.
+    pub(crate) fn coordinate(&self, ty: &Type, value: &[f64]) -> String {
         match (ty, value) {
             (Type::Scalar(dimension), [x]) => self.scalar(*dimension, *x),
             (ty, components) => self.vector(ty, components),
+        }
+    }
+
+    /// `60deg`, `(10mm, 0mm)`: a value in the unit of its type; what is not known to be an angle is a number.
+    pub(crate) fn value(&self, ty: &Type, value: &[f64]) -> String {
+        let dimension = ty.dimension().unwrap_or(Dimension::NUMBER);
+        let of_length = dimension.fits(Dimension::LENGTH);
+        match value {
+            [x] if dimension.angle || of_length => self.scalar(dimension, *x),
+            [x] => format!("{}{}", significant(*x), dimension.unit(self.mechanism.unit)),
+            components => self.vector(ty, components),
         }
     }
 

@@ -7,7 +7,9 @@ use super::types::{
     Constant, Dimension, Expr, Input, LengthUnit, Let, Loop, Mechanism, Name, Type, Unknown,
 };
 use crate::diagnostic::text::nearest;
-use crate::syntax::{InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, UnknownItem, Word};
+use crate::syntax::{
+    Attribute, InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, UnknownItem, Word,
+};
 
 impl Resolver<'_> {
     /// All items, pass by pass.
@@ -44,7 +46,9 @@ impl Resolver<'_> {
             mechanism.constants.push(Constant { name, value });
         }
         for (index, (position, item)) in passes.parameters.into_iter().enumerate() {
-            let parameter = self.param_item(item, index, position);
+            let mut parameter = self.param_item(item, index, position);
+            let of_all = definition.attributes.iter();
+            parameter.may_be_unused |= of_all.into_iter().any(Attribute::allows_unused);
             mechanism.parameters.push(parameter);
         }
         for (position, item) in passes.coordinates {

@@ -6,7 +6,7 @@ use super::types::{
     Dimension, Expr, ExprKind, Name, Parameter, ScalarParameter, ScalarParameterId, Type,
 };
 use crate::diagnostic::SourceSpan;
-use crate::syntax::{self, ParamItem, Toleranced};
+use crate::syntax::{self, Attribute, ParamItem, Toleranced};
 
 /// Names of the components of a vector.
 pub(super) const COMPONENTS: [&str; 3] = ["x", "y", "z"];
@@ -71,6 +71,8 @@ impl Resolver<'_> {
         Parameter {
             name: item.name.to_string(),
             ty,
+            origin: self.origins.add((&item.name).into()),
+            may_be_unused: item.attributes.iter().any(Attribute::allows_unused),
             nominal,
             tolerances,
             first_scalar,

@@ -122,6 +122,10 @@ pub(crate) struct Constant {
 pub(crate) struct Parameter {
     pub(crate) name: String,
     pub(crate) ty: Type,
+    /// Where its name is declared.
+    pub(crate) origin: OriginId,
+    /// Whether the user says that it may be a field only.
+    pub(crate) may_be_unused: bool,
     /// The default: numbers, functions and constants only.
     pub(crate) nominal: Expr,
     /// Per component; `None`: no tolerance, zero.

@@ -5,7 +5,7 @@ use crate::{Checked, check};
 
 fn compile(items: &str, functions: &str) -> (Unit, Vec<String>) {
     let text = format!("struct M {{ unit mm; {items} }} impl M {{ {functions} }}");
-    let Checked { unit, messages } = check(text.parse().expect("tokens"));
+    let Checked { unit, messages, .. } = check(text.parse().expect("tokens"));
     let texts = messages.into_iter().map(|message| message.text).collect();
     (unit.unwrap_or_default(), texts)
 }

@@ -1,4 +1,4 @@
-//! Attributes and visibilities: passed through or refused, never understood.
+//! Attributes and visibilities: passed through or refused, and but for `allow` not understood.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
@@ -31,6 +31,14 @@ fn is_scope(group: &Group) -> bool {
 
 /// One segment of a path, keywords such as `crate` included.
 struct SegmentName;
+
+impl Attribute {
+    /// `allow(unused)`, `allow(dead_code)`: what is not used is meant so.
+    pub(crate) fn allows_unused(&self) -> bool {
+        let lints = self.arguments.to_string();
+        self.name == "allow" && (lints.contains("unused") || lints.contains("dead_code"))
+    }
+}
 
 impl syn::parse::Parse for SegmentName {
     fn parse(input: syn::parse::ParseStream) -> syn::Result<Self> {

@@ -45,7 +45,7 @@ impl Subject {
     /// # Errors
     /// The compiler's messages.
     pub fn new(text: &str) -> Result<Self, Vec<String>> {
-        let (oracle, Checked { unit, messages }) = Oracle::new(tokens(text)?);
+        let (oracle, Checked { unit, messages, .. }) = Oracle::new(tokens(text)?);
         match unit {
             Some(unit) => Ok(Self { unit, oracle }),
             None => Err(messages.into_iter().map(|message| message.text).collect()),

@@ -187,6 +187,8 @@ pub(crate) fn mechanism() -> Mechanism {
     let parameter = |name: &str, ty: Type, components: usize, first: usize| model::Parameter {
         name: name.to_owned(),
         ty,
+        origin: OriginId(0),
+        may_be_unused: false,
         nominal: zero(),
         tolerances: vec![None; components],
         first_scalar: ScalarParameterId(first),

@@ -4,6 +4,7 @@ use linkage::mechanism;
 use std::f64::consts::{PI, TAU};
 
 mechanism! {
+    #[allow(unused)]
     pub struct Defaults {
         unit mm;
         const half = 10mm;

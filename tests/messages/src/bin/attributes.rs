@@ -16,6 +16,7 @@ mechanism! {
         #[doc(alias = "radius")]
         param length = 3;
         #[cfg(all())]
+        #[allow(unused)]
         param other = 2;
         input phi = 0deg;
         let tip = polar(length, phi);
@@ -41,6 +42,7 @@ pub struct Absent;
 mechanism! {
     #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
     struct Derived {
+        #[allow(dead_code)]
         param a = 3;
         input phi = 0deg;
     }

@@ -16,6 +16,7 @@ mechanism! {
         param deg = 1deg;
         param param = 2;
         param input = 2;
+        #[allow(unused)]
         param tolerance = 3cm +- 1mm;
         param self_ = 2;
         param T = 2;

@@ -17,6 +17,7 @@
         /// Length of the crank.
         param crank = 30mm +- 1um;
         param rod = 120mm;
+        #[allow(unused)]
         param unused = 3mm;
         const alike = 3mm;
         input phi = 30deg in 0deg..360deg;
