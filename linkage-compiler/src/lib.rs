@@ -175,6 +175,9 @@ fn analyse(
         return Unit::default();
     }
     nominal.check(mechanism, &mut reporter);
+    if reporter.errors() == before {
+        close::check_values(mechanism, &nominal, &mut reporter);
+    }
     close::warn_of_unused(mechanism, &nominal, &mut reporter);
     let structure = structure::decompose(&mut algebra, &nominal, reporter.reborrow());
     watch.structure(&algebra, &structure);

@@ -19,6 +19,7 @@ mod refusal;
 mod sizes;
 mod unfollowed;
 mod unused;
+mod values;
 mod words;
 
 pub(crate) use check::check_ranges;
@@ -27,4 +28,5 @@ pub(crate) use follow::{candidate_rates, followed_range};
 pub(crate) use places::places;
 pub(crate) use reference::{Reference, assemble_reference};
 pub(crate) use unused::warn_of_unused;
+pub(crate) use values::check_values;
 pub(crate) use words::{Words, numbers};

@@ -52,4 +52,12 @@ mechanism! {
     }
 }
 
+mechanism! {
+    pub struct AtTheReference {
+        input phi = 30deg in 0deg..60deg;
+        unknown t = 10deg;
+        loop t = acos(2 * cos(phi));
+    }
+}
+
 fn main() {}
