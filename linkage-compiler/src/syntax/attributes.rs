@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use super::ast::Attribute;
 use super::parser::{Parsed, Parser};
-use super::stream::Stream;
+use super::stream::{Stream, without_invisible_groups};
 use crate::diagnostic::SourceSpan;
 
 /// `crate`, `super`, `self`, or `in` and a path.
@@ -63,6 +63,7 @@ impl Parser<'_> {
             let hash = self.stream.next();
             let span = self.stream.previous_span().to(group.span_close().into());
             self.stream.skip(1);
+            let group = without_invisible_groups(&group);
             let tokens = hash
                 .into_iter()
                 .chain([TokenTree::Group(group.clone())])

@@ -1,6 +1,6 @@
 //! Inputs: value, range, speed and acceleration.
 
-use proc_macro2::{Ident, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Spacing, TokenTree};
 
 use super::ast::{Expr, InputItem, Item};
 use super::expression::PlusMinus;
@@ -61,6 +61,10 @@ impl Parser<'_> {
     }
 
     fn range(&mut self) -> Parsed<(Expr, Expr)> {
+        if let Some(group) = self.range_in_one_piece() {
+            self.stream.skip(1);
+            return self.within(&group, |parser| parser.range());
+        }
         if self.lacks_operand() {
             return self.expected("the lower end of the range", "write `in 0deg..360deg`");
         }
@@ -78,6 +82,13 @@ impl Parser<'_> {
         }
         let high = self.expression()?;
         Ok((low, high))
+    }
+
+    /// An invisible group that holds a range: `$range:expr` of a `macro_rules` macro.
+    fn range_in_one_piece(&self) -> Option<Group> {
+        let group = self.stream.group(0, Delimiter::None)?;
+        let dot = |token: TokenTree| matches!(token, TokenTree::Punct(p) if p.as_char() == '.' && p.spacing() == Spacing::Joint);
+        group.stream().into_iter().any(dot).then(|| group.clone())
     }
 
     /// The argument that is the input's speed or acceleration.

@@ -143,6 +143,28 @@ fn flatten(tokens: TokenStream) -> Vec<TokenTree> {
     flat
 }
 
+/// The group with all invisible groups in it opened, as `$m:meta`, `$p:path` and `$e:expr` leave them in an attribute, where none of them
+/// has anything beside it that could bind more strongly.
+pub(super) fn without_invisible_groups(group: &Group) -> Group {
+    fn opened(tokens: TokenStream) -> TokenStream {
+        tokens
+            .into_iter()
+            .flat_map(|token| match token {
+                TokenTree::Group(group) if group.delimiter() == Delimiter::None => {
+                    opened(group.stream())
+                }
+                TokenTree::Group(group) => {
+                    TokenTree::Group(without_invisible_groups(&group)).into()
+                }
+                other => other.into(),
+            })
+            .collect()
+    }
+    let mut plain = Group::new(group.delimiter(), opened(group.stream()));
+    plain.set_span(group.span());
+    plain
+}
+
 /// `pub(crate)` and `#[...]`, from `$v:vis` and the like.
 fn starts_declaration(token: &TokenTree) -> bool {
     match token {

@@ -33,6 +33,15 @@ fn invisible_groups_are_opened() {
         ("param a = [3] mm;", "param a = 3mm"),
         ("let a = 2 * [b + c];", "let a = (2 * (b + c))"),
         ("let a = [[b]].x;", "let a = b.x"),
+        (
+            "input a = 1 in [0deg..360deg];",
+            "input a = 1 in 0deg..360deg",
+        ),
+        (
+            "input a = 1 in [[2 * b]..=[c]] at [omega];",
+            "input a = 1 in (2 * b)..c at omega",
+        ),
+        ("input a = 1 in [2 * b]..[c];", "input a = 1 in (2 * b)..c"),
         ("let a = [(b, c)];", "let a = (b, c)"),
         (
             "torque [a + b] * [mm]^[2] on [b] from [frame];",
@@ -49,5 +58,50 @@ fn invisible_groups_are_opened() {
         assert!(diagnostics.is_empty(), "{source} {diagnostics:?}");
         assert_eq!(dump(&definition), format!("struct A\n  {expected}\n"));
         assert_eq!(definition.visibility.to_string(), "pub");
+    }
+}
+
+/// `#[$m]`, and fragments within an attribute.
+#[test]
+fn invisible_groups_of_attributes_are_opened() {
+    for (attribute, name, printed) in [
+        ("[doc = \"A link.\"]", "doc", "# [doc = \"A link.\"]"),
+        ("[derive(Debug)]", "derive", "# [derive (Debug)]"),
+        (
+            "derive([std::fmt::Debug], [Hash])",
+            "derive",
+            "# [derive (std :: fmt :: Debug , Hash)]",
+        ),
+        (
+            "[cfg(all([feature = \"a\"], [[unix]]))]",
+            "cfg",
+            "# [cfg (all (feature = \"a\" , unix))]",
+        ),
+        (
+            "doc = [concat!(\"a\", \"b\")]",
+            "doc",
+            "# [doc = concat ! (\"a\" , \"b\")]",
+        ),
+        (
+            "[serde::rename] = \"b\"",
+            "rename",
+            "# [serde :: rename = \"b\"]",
+        ),
+    ] {
+        // The attribute's own brackets are visible.
+        let inside = with_invisible_groups(tokens(attribute));
+        let brackets = TokenTree::Group(Group::new(Delimiter::Bracket, inside));
+        let mut stream = tokens("#");
+        stream.extend([brackets]);
+        stream.extend(tokens("struct A { param a = 1mm; }"));
+        let mut diagnostics = Diagnostics::default();
+        let definition = parse(stream, &mut diagnostics).expect("a struct block");
+        assert!(diagnostics.is_empty(), "{attribute} {diagnostics:?}");
+        let [found] = &definition.attributes[..] else {
+            panic!("{attribute}: one attribute");
+        };
+        assert_eq!(found.name, name);
+        let bare = |text: &str| text.replace(' ', "");
+        assert_eq!(bare(&found.tokens.to_string()), bare(printed));
     }
 }
