@@ -16,7 +16,7 @@ use super::machine::{Machine, Start};
 use super::reference::Assembly;
 
 /// A coupled group on numbers.
-struct Numbers<'a> {
+pub(super) struct Numbers<'a> {
     machine: &'a Machine,
     number: usize,
     inputs: Vec<f64>,
@@ -144,7 +144,12 @@ impl<'m> Assembly<'_, 'm> {
         if !self.meets_estimates(solved, &positions) {
             return false;
         }
-        match self.start(prepared, &candidates[chosen.index].state) {
+        let state = &candidates[chosen.index].state;
+        if let Some(inputs) = self.dead_point(prepared, state) {
+            self.apart(solved, prepared, &inputs);
+            return false;
+        }
+        match self.start(prepared, state) {
             Ok(start) => {
                 self.machine.starts[prepared.number] = Some(start);
                 true
@@ -157,7 +162,7 @@ impl<'m> Assembly<'_, 'm> {
     }
 
     /// A coupled group at the reference inputs, and those of them that are its own.
-    fn numbers(&self, number: usize) -> (Numbers<'_>, Vec<f64>) {
+    pub(super) fn numbers(&self, number: usize) -> (Numbers<'_>, Vec<f64>) {
         let inputs = &self.nominal.inputs;
         let own = &self.machine.closing.coupled[number].inputs;
         let numbers = Numbers {

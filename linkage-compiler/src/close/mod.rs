@@ -20,6 +20,7 @@ mod sizes;
 mod unfollowed;
 mod unused;
 mod values;
+mod ways;
 mod words;
 
 pub(crate) use check::check_ranges;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use linkage_compiler::compile;
+use linkage_compiler::{check, compile};
 use proc_macro2::TokenStream;
 
 /// What the processor has worked for this thread.
@@ -44,6 +44,42 @@ fn favorit_expands_within_100_milliseconds() {
     let taken = time(&text, 40);
     println!("favorit: {taken:?}");
     assert!(taken < Duration::from_millis(100), "{taken:?}");
+}
+
+/// A platform on two driven legs and one of fixed length, from a reference where it moves freely to where the legs do not reach: no grid
+/// over such ranges is filled before that is said.
+#[test]
+fn a_platform_that_comes_apart_is_refused_within_a_second() {
+    let platform = |a: &str, b: &str| {
+        let text = format!(
+            "struct Platform {{ unit mm;
+                input a = 70mm in {a}; input b = 206mm in {b};
+                unknown c = (0mm, 50mm); unknown t = 0deg;
+                let arm = polar(50mm, t);
+                loop distance(c - arm, (0, 0)) = a;
+                loop distance(c, (200mm, 0mm)) = b;
+                loop distance(c + arm, (100mm, 170mm)) = 130mm;
+            }}
+            impl Platform {{ fn motion(a, b) -> Motion {{ c }} }}"
+        );
+        let tokens: TokenStream = text.parse().expect("tokens");
+        let start = worked();
+        let messages = check(tokens).messages;
+        let taken = worked() - start;
+        println!("{a}, {b}: {taken:?}");
+        assert!(taken < Duration::from_secs(1), "{a}, {b}: {taken:?}");
+        messages
+    };
+    for (a, b) in [
+        ("50mm..90mm", "0mm..506mm"),
+        ("50mm..90mm", "200mm..506mm"),
+        ("1mm..90mm", "0mm..210mm"),
+    ] {
+        let messages = platform(a, b);
+        let apart = "the mechanism comes apart in this range: loops 1, 2 and 3 (`c`, `t`) reach a dead point at `a = ";
+        assert!(messages[0].text.starts_with(apart), "{messages:?}");
+    }
+    assert!(platform("68mm..72mm", "204mm..208mm").is_empty());
 }
 
 /// A chain of parallelogram-like dyads, each driven by the last link of the one before.

@@ -16,6 +16,7 @@ mod polynomial;
 mod scale;
 mod shared;
 mod states;
+mod straight;
 mod table;
 mod turning;
 mod walk;
@@ -23,6 +24,7 @@ mod walk;
 pub use grid::{Grid, GridLookup};
 pub use lookup::Lookup;
 pub use states::states;
+pub use straight::dead_point;
 pub use table::Table;
 
 /// A group of equations: what brings a state nearer to the solution.

@@ -1,7 +1,7 @@
 //! When a table repeats after a turn, and how far it reaches beyond its ends.
 
 use crate::{TURN, range, root};
-use linkage_runtime::numeric::continuation::{End, Range, Table};
+use linkage_runtime::numeric::continuation::{End, Range, Step, Table, dead_point};
 use std::f64::consts::TAU;
 
 /// Ends of the table of a length with this square, from the input 0.
@@ -81,4 +81,37 @@ fn half_a_cell_is_served_beyond_the_ends() {
             "{x}: {length}"
         );
     }
+}
+
+#[test]
+fn a_dead_point_on_a_straight_way_is_found() {
+    // A length whose square is x + y: it ends where both together are 0.
+    let mut length = |x: &[f64], state: &mut [f64]| {
+        let step = (x[0] + x[1] - state[0] * state[0]) / (2.0 * state[0]);
+        let determinant = 2.0 * state[0];
+        state[0] += step;
+        Step {
+            size: step.abs(),
+            determinant,
+        }
+    };
+    let mut way = |to: [f64; 2]| dead_point(&mut length, &[1.0, 3.0], &[2.0], &to);
+    assert_eq!(way([2.0, 5.0]), None);
+    assert_eq!(way([-3.0 + 1e-6, 3.0]), None);
+    assert_eq!(way([1.0, 3.0]), None);
+    for (to, share) in [
+        ([-7.0, 3.0], 0.5),
+        ([-3.0, -1.0], 0.5),
+        ([-399.0, 3.0], 0.01),
+    ] {
+        let found = way(to).unwrap();
+        assert!((found - share).abs() < 1e-8, "{found}, not {share}");
+    }
+}
+
+#[test]
+fn an_end_that_is_no_dead_point_is_none() {
+    // Nothing is known beyond 1.5, where the length is as regular as before.
+    let mut known = root(|x| if x < 1.5 { 4.0 + x } else { f64::NAN });
+    assert_eq!(dead_point(&mut known, &[0.0], &[2.0], &[3.0]), None);
 }
