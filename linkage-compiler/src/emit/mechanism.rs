@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::docs::{decimal, doc, documented, tokens, with_note};
 use super::outline::{Component, Outline, Parameter, plain};
@@ -120,9 +120,11 @@ fn default(outline: &Outline) -> TokenStream {
 
 fn conversions(outline: &Outline) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
+    // A mechanism may be called as the type parameter usually is.
+    let other = format_ident!("{}", if *name == "U" { "V" } else { "U" });
     let cast = convert(
         outline,
-        &|field| quote!(<U as #runtime::Scalar>::from_f64(self.#field)),
+        &|field| quote!(<#other as #runtime::Scalar>::from_f64(self.#field)),
     );
     let lane = convert(outline, &|field| quote!(T::lane(self.#field, __lane)));
     let mut scalars = (0..outline.scalar_fields().len()).map(|index| {
@@ -136,7 +138,7 @@ fn conversions(outline: &Outline) -> TokenStream {
         impl #name<::core::primitive::f64> {
             /// The same dimensions in another scalar type: single precision, lanes, dual numbers.
             #[must_use]
-            pub fn cast<U: #runtime::Scalar>(&self) -> #name<U> { #cast }
+            pub fn cast<#other: #runtime::Scalar>(&self) -> #name<#other> { #cast }
         }
         #allow
         impl<T: #runtime::Scalar> #name<T> {

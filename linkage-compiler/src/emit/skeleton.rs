@@ -2,6 +2,7 @@
 //! code which uses the mechanism still has its types, and editors their completions, while the mistake is repaired.
 
 use std::collections::BTreeSet;
+use std::iter;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
@@ -11,7 +12,7 @@ use super::{
     assembly, circuits, columns, dimensions, evaluator, guess::Guess, mechanism, picture,
     structure, table,
 };
-use crate::model::{ASSEMBLY, COLUMNS, Mechanism, MotionWord, Shape, Sweep};
+use crate::model::{ASSEMBLY, COLUMNS, Mechanism, MotionWord, Shape, Sweep, TYPE_PARAMETER};
 use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
 use crate::unit::Picture;
 
@@ -21,6 +22,11 @@ pub(crate) fn skeleton(
     def: &MechanismDef,
     mechanism: Option<&Mechanism>,
 ) -> TokenStream {
+    let types = || iter::once(&def.name).chain(def.functions.iter().map(|f| &f.result));
+    if types().any(|name| name == TYPE_PARAMETER) {
+        // Nothing that has this name beside the type parameter would compile.
+        return TokenStream::new();
+    }
     let outline = sketch(krate, def, mechanism);
     let mut items = mechanism::items(&outline);
     items.extend(mechanism::constants(&outline, &structure::empty(&outline)));

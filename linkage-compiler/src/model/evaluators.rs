@@ -50,6 +50,7 @@ impl Resolver<'_> {
 
     fn check_type_names(&mut self, definition: &MechanismDef) {
         let name = &definition.name;
+        self.check_type_parameter(name);
         let mut taken = Taken::new();
         let span = SourceSpan::from(name);
         taken.insert(name.to_string(), (span, Some("the mechanism".to_owned())));

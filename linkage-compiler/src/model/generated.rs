@@ -20,3 +20,6 @@ pub(crate) const ASSEMBLY: &str = "Assembly";
 
 /// The type of the columns of sweeps, by what follows the name of the result type.
 pub(crate) const COLUMNS: &str = "Columns";
+
+/// The scalar type of all types that are generated: no type can have its name.
+pub(crate) const TYPE_PARAMETER: &str = "T";

@@ -42,7 +42,7 @@ mod zeros;
 pub(crate) use dump::dump;
 pub(crate) use frame::PARTS as FRAME_PARTS;
 pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
-pub(crate) use generated::{ASSEMBLY, COLUMNS, Sweep};
+pub(crate) use generated::{ASSEMBLY, COLUMNS, Sweep, TYPE_PARAMETER};
 pub use shape::Shape;
 pub(crate) use types::*;
 pub(crate) use usage::AskedPicture;

@@ -8,6 +8,8 @@ use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 use crate::syntax::{is_unit, units_within};
 
+use super::generated::TYPE_PARAMETER;
+
 impl Resolver<'_> {
     pub(super) fn unknown_name(&mut self, ident: &Ident) {
         let text = ident.to_string();
@@ -65,11 +67,36 @@ impl Resolver<'_> {
         }
     }
 
+    /// The mechanism cannot be called as the type parameter that all its types have.
+    pub(super) fn check_type_parameter(&mut self, ident: &Ident) {
+        if ident == TYPE_PARAMETER {
+            let fact = format!(
+                "a mechanism cannot be called `{TYPE_PARAMETER}`: that is the scalar type of all types that the macro makes, as in \
+                 `Motion<{TYPE_PARAMETER}>`"
+            );
+            let help = "choose a longer name";
+            self.diagnostics.error_with_help(ident.into(), fact, help);
+        }
+    }
+
     /// A result type is new: the name of a well-known type there is a misunderstanding, and would hide that type.
     pub(super) fn check_new_type(&mut self, ident: &Ident) {
         const KNOWN: [&str; 15] = [
-            "f64", "f32", "bool", "usize", "i32", "u32", "Vector2", "Vector3", "Frame", "Self",
-            "Option", "Result", "Vec", "String", "T",
+            "f64",
+            "f32",
+            "bool",
+            "usize",
+            "i32",
+            "u32",
+            "Vector2",
+            "Vector3",
+            "Frame",
+            "Self",
+            "Option",
+            "Result",
+            "Vec",
+            "String",
+            TYPE_PARAMETER,
         ];
         let text = ident.to_string();
         if KNOWN.contains(&text.as_str()) {
