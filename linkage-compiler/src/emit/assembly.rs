@@ -8,6 +8,8 @@ use super::docs::doc;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
 use super::{attribute, body, literal, starts, winding};
+use crate::model::Sweep;
+use crate::syntax::Word;
 use crate::unit::Unit;
 
 /// The assembly type and the public functions that make one.
@@ -99,6 +101,15 @@ fn accessors(outline: &Outline) -> TokenStream {
     }
 }
 
+/// What is called on dimensions although it needs an assembly: rustc then points at `assemble`, which has these names as aliases.
+fn aliases(outline: &Outline) -> Vec<String> {
+    let functions = outline.functions.iter().flat_map(|function| {
+        let name = plain(function.name);
+        [name.clone(), format!("{name}{}", Sweep::Owned.word())]
+    });
+    functions.filter(|name| name != "assemble").collect()
+}
+
 fn constructors(outline: &Outline) -> TokenStream {
     let Outline {
         runtime,
@@ -142,6 +153,7 @@ fn constructors(outline: &Outline) -> TokenStream {
             pub fn assemblies_at(&self, #(#names: T),*) -> #list { #body }
         }
     });
+    let aliases = aliases(outline);
     let allow = attribute::allow();
     quote! {
         #allow
@@ -153,6 +165,7 @@ fn constructors(outline: &Outline) -> TokenStream {
             ///
             /// Says which loop cannot close and by how much it misses, or has no finite solution, or which angle cannot be
             /// followed through the range.
+            #(#[doc(alias = #aliases)])*
             pub fn assemble(&self) -> ::core::result::Result<#assembly<T>, #error> { #assemble }
         }
         #runtime::if_alloc! {
