@@ -15,11 +15,10 @@ pub use linkage_runtime::{
     PicturePoint, PointKind, Scalar, Structure, Table, Vector2, Vector3, true_acceleration,
     true_velocity,
 };
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};
 #[cfg(feature = "alloc")]
-pub use linkage_runtime::{
-    Branch, BranchEnd, Circuits, Columns, CoupledCause, CoupledError, Cycle, Placed, Unlisted,
-    Value, circuits,
-};
+pub use linkage_runtime::{Columns, CoupledCause, CoupledError, Placed, Unlisted, Value};
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use linkage_runtime::{Handle, Scene};
 
@@ -114,6 +113,8 @@ struct Readme;
 #[doc(hidden)]
 pub mod __private {
     pub use linkage_macros::mechanism;
+    #[cfg(feature = "alloc")]
+    pub use linkage_runtime::Columns;
     pub use linkage_runtime::generated::close;
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::generated::fill_parallel;
@@ -122,6 +123,10 @@ pub mod __private {
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::generated::{
         Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_slices, one, rows,
+    };
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+    pub use linkage_runtime::generated::{
+        Chosen, Level, Levels, NoPrograms, SurveyedUnknown, circuits,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
@@ -135,6 +140,6 @@ pub mod __private {
         PictureLink, PicturePoint, PointKind, Scalar, Structure, Table, Vector2, Vector3, if_alloc,
         if_rayon, if_report,
     };
-    #[cfg(feature = "alloc")]
-    pub use linkage_runtime::{Circuits, Columns, Cycle, circuits};
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+    pub use linkage_runtime::{Circuits, Cycle};
 }

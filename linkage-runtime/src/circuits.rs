@@ -1,11 +1,21 @@
 //! Which assemblies run through the whole range of an input, and where the others end.
 
-mod ends;
+mod coupled;
+mod curve;
+mod join;
+mod levels;
 mod print;
+mod search;
+mod slab;
+mod stretches;
+mod trace;
 
-use crate::numeric::range::{first_failure, minimum};
+use crate::AssemblyError;
+use crate::numeric::range::minimum;
 use alloc::vec::Vec;
-use ends::Side;
+use search::{End, Leaf, Search};
+
+pub use levels::{Chosen, Level, Levels, NoPrograms, SurveyedUnknown};
 
 /// The range of an input whose assemblies are looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,8 +27,8 @@ pub struct Cycle {
     /// Whether the input is an angle in radians. Over a full turn, assemblies that continue each other from one turn to the
     /// next belong to one circuit.
     pub angle: bool,
-    /// At how many inputs the assemblies are listed, both ends included. One that exists between two neighbouring inputs
-    /// only is not found.
+    /// At how many inputs the assemblies of coupled groups are listed, both ends included. A circuit that exists between two
+    /// neighbouring inputs only is not found.
     pub samples: usize,
 }
 
@@ -29,7 +39,9 @@ pub struct Cycle {
 pub struct Circuits<A> {
     /// The range.
     pub cycle: Cycle,
-    /// The assemblies, in the order of the inputs where they were found.
+    /// Name of the input.
+    pub input: &'static str,
+    /// The assemblies, in the order of the inputs where they begin.
     pub branches: Vec<Branch<A>>,
 }
 
@@ -49,6 +61,23 @@ pub struct Branch<A> {
     pub margin: f64,
     /// The input where the margin is smallest.
     pub at: f64,
+    /// The input at which `unknowns` are: the reference if the assembly exists there.
+    pub input: f64,
+    /// Where the unknowns are, to be copied as start estimates for that input.
+    pub unknowns: Vec<Estimate>,
+}
+
+/// Where an unknown is. Printed, it is a start estimate: `theta = 40.2074deg`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// The unknown.
+    pub name: &'static str,
+    /// Unit of a length; empty for a number.
+    pub unit: &'static str,
+    /// Whether it is an angle, from -pi to pi; it is printed in degrees.
+    pub angle: bool,
+    /// Its value, or the components of a point.
+    pub numbers: Vec<f64>,
 }
 
 /// Where an assembly begins or ends.
@@ -58,7 +87,7 @@ pub enum BranchEnd {
     Range(f64),
     /// At a turning point, a dead point of the input, where it meets another assembly of its circuit.
     TurningPoint(f64),
-    /// It is not known beyond this input, although there is no turning point.
+    /// It is not known beyond this input, although there is no turning point: a slide runs off to infinity, or two circuits cross.
     Lost(f64),
 }
 
@@ -88,99 +117,142 @@ impl<A> Circuits<A> {
     }
 }
 
-/// How close the places of one assembly are, relative to their size: at one input, and at a turning point, where they
-/// are extrapolated.
+/// How close the places of one assembly are from one turn to the next, relative to their size.
 const SAME: f64 = 1e-6;
-const MEETING: f64 = 1e-3;
 
 /// A range of an angle that differs from a full turn by less, in radians, is one: users write 360 degrees.
 const TURN: f64 = 1e-9;
 
 /// Margins that are looked at along an assembly.
-const MARGINS: usize = 360;
+const MARGINS: usize = 120;
 
-/// Finds all assemblies over a range, how far each reaches, and where its margin is smallest.
+/// More modes than this are not searched.
+const MOST_MODES: usize = 16;
+
+/// Finds all assemblies over a range, how far each reaches, which of them meet, and where their margins are smallest.
 ///
-/// `list` gives the assemblies at an input; an error there counts as none, unless every input has one. `margin` is the
-/// margin of an assembly at an input, NaN where it is not assembled; `place` are numbers by which assemblies
-/// differ, such as the coordinates of a point, or sines and cosines of angles: they must change smoothly with the input.
-/// Turning points are located to about 1e-9 of the range.
+/// Groups with a closed form end where their discriminants vanish. Solutions of coupled groups are followed along their curves,
+/// through turning points, so that no end is without the assembly that it is shared with.
 ///
 /// # Errors
 ///
-/// The first error of `list` if it fails at all inputs.
-///
-/// ```
-/// use linkage_runtime::{Cycle, circuits};
-///
-/// // y^2 = 1 - x^2: two assemblies that meet at x = -1 and x = 1.
-/// let y = |sign: &f64, x: f64| sign * (1.0 - x * x).sqrt();
-/// let cycle = Cycle { low: -2.0, high: 2.0, angle: false, samples: 9 };
-/// let found = circuits(
-///     &cycle,
-///     |x| if x.abs() < 1.0 { Ok(vec![1.0, -1.0]) } else { Err("out of reach") },
-///     |sign, x| y(sign, x).abs(),
-///     |sign, x| vec![y(sign, x)],
-/// )?;
-/// assert_eq!(found.branches.len(), 2);
-/// assert!((found.branches[0].ends[1].x() - 1.0).abs() < 1e-9);
-/// assert_eq!(found.branches[0].circuit, found.branches[1].circuit);
-/// # Ok::<(), &str>(())
-/// ```
-pub fn circuits<A, E>(
+/// If nothing is found, and what was looked for could not be listed.
+pub fn circuits<M: Levels>(
+    mechanism: &M,
     cycle: &Cycle,
-    mut list: impl FnMut(f64) -> Result<Vec<A>, E>,
-    margin: impl Fn(&A, f64) -> f64,
-    place: impl Fn(&A, f64) -> Vec<f64>,
-) -> Result<Circuits<A>, E> {
-    let mut found: Vec<Found<A>> = Vec::new();
-    let (mut error, mut listed) = (None, false);
-    for index in 0..cycle.samples.max(2) {
-        let x = cycle.sample(index);
-        let all = match list(x) {
-            Ok(all) => all,
-            Err(new) => {
-                error = error.or(Some(new));
-                continue;
-            }
-        };
-        listed = true;
-        for assembly in all {
-            let here = place(&assembly, x);
-            let known = |one: &Found<A>| {
-                one.covers(x) && near(&place(&one.assembly, x), &here, size(&here), SAME)
-            };
-            if margin(&assembly, x).is_nan() || found.iter().any(known) {
-                continue;
-            }
-            let sides = [-1.0, 1.0].map(|side| {
-                let at = cycle.failure(x, side, |x| margin(&assembly, x));
-                let margin = |x| margin(&assembly, x);
-                Side::new(cycle, at, side, &here, margin, |x| place(&assembly, x))
-            });
-            found.push(Found { assembly, sides });
+) -> Result<Circuits<M::Assembly>, AssemblyError> {
+    let Search {
+        mut leaves,
+        mut error,
+        ..
+    } = Search::run(mechanism, *cycle)?;
+    leaves.sort_by(|a, b| a.inputs[0].total_cmp(&b.inputs[0]));
+    let mut assemblies = Vec::new();
+    leaves.retain(|leaf| match assemble(mechanism, leaf) {
+        Ok(assembly) => {
+            assemblies.push(assembly);
+            true
         }
+        Err(new) => {
+            error.get_or_insert(new);
+            false
+        }
+    });
+    if leaves.is_empty() {
+        let refused = error.filter(|error| !error.is_a_miss());
+        refused.map_or_else(|| mechanism.check(cycle.low), Err)?;
     }
-    if let (Some(error), false) = (error, listed) {
-        return Err(error);
-    }
-    lose_gaps(cycle, &mut found);
-    let numbers = numbers(cycle, &found);
-    let branches = found.into_iter().zip(numbers).map(|(one, circuit)| {
-        let (at, least) = one.least(&margin);
+    let seams: Vec<[Vec<f64>; 2]> = leaves
+        .iter()
+        .zip(&assemblies)
+        .map(|(leaf, (assembly, _))| leaf.inputs.map(|x| numbers::<M>(assembly, x)))
+        .collect();
+    let (circuits, closed) = join::circuits(&leaves, &seams, cycle.is_turn());
+    let branches = leaves.iter().zip(assemblies).zip(circuits).zip(closed);
+    let branches = branches.map(|(((leaf, (assembly, input)), circuit), closed)| {
+        let (at, margin) = least::<M>(leaf, &assembly);
         Branch {
-            ends: [one.sides[0].end, one.sides[1].end],
-            closed: one.sides[0].meets(&one.sides[1], cycle),
-            assembly: one.assembly,
+            unknowns: estimates::<M>(&assembly, input),
+            assembly,
             circuit,
-            margin: least,
+            ends: leaf.branch_ends(),
+            closed,
+            margin,
             at,
+            input,
         }
     });
     Ok(Circuits {
         cycle: *cycle,
+        input: M::INPUT,
         branches: branches.collect(),
     })
+}
+
+/// The assembly, and an input at which it is known: the reference if it exists there.
+fn assemble<M: Levels>(mechanism: &M, leaf: &Leaf) -> Result<(M::Assembly, f64), AssemblyError> {
+    let [low, high] = leaf.inputs;
+    let middle = leaf.known.filter(|x| low < *x && *x < high);
+    let middle = middle.unwrap_or(0.5 * (low + high));
+    let assembly = mechanism.assembled(&leaf.chosen, middle)?;
+    let known = low < M::REFERENCE
+        && M::REFERENCE < high
+        && numbers::<M>(&assembly, M::REFERENCE)
+            .iter()
+            .all(|x| x.is_finite());
+    Ok((assembly, if known { M::REFERENCE } else { middle }))
+}
+
+/// The numbers of the unknowns.
+fn numbers<M: Levels>(assembly: &M::Assembly, x: f64) -> Vec<f64> {
+    M::survey(assembly, x).as_ref()[1 + M::LEVELS.len()..].to_vec()
+}
+
+fn estimates<M: Levels>(assembly: &M::Assembly, x: f64) -> Vec<Estimate> {
+    let numbers = numbers::<M>(assembly, x);
+    let mut next = numbers.iter().copied();
+    let estimate = |unknown: &SurveyedUnknown| {
+        let own: Vec<f64> = next.by_ref().take(unknown.numbers).collect();
+        Estimate {
+            name: unknown.name,
+            unit: unknown.unit,
+            angle: unknown.angle,
+            numbers: match own[..] {
+                [cosine, sine] if unknown.angle => Vec::from([crate::Scalar::atan2(sine, cosine)]),
+                _ => own,
+            },
+        }
+    };
+    M::UNKNOWNS.iter().map(estimate).collect()
+}
+
+/// Where the margin is smallest, and the margin there. Shortly before a turning point, and where another assembly is too near, that
+/// of a coupled group is not known.
+fn least<M: Levels>(leaf: &Leaf, assembly: &M::Assembly) -> (f64, f64) {
+    for (end, x) in leaf.ends.into_iter().zip(leaf.inputs) {
+        if let End::Turning { .. } = end {
+            return (x, 0.0);
+        }
+    }
+    let [low, high] = leaf.inputs;
+    minimum(low, high, MARGINS, |x| {
+        let margin = M::survey(assembly, x).as_ref()[0];
+        if margin.is_nan() {
+            f64::INFINITY
+        } else {
+            margin
+        }
+    })
+}
+
+impl Leaf {
+    fn branch_ends(&self) -> [BranchEnd; 2] {
+        [0, 1].map(|side| match self.ends[side] {
+            End::Range => BranchEnd::Range(self.inputs[side]),
+            End::Turning { .. } => BranchEnd::TurningPoint(self.inputs[side]),
+            End::Lost => BranchEnd::Lost(self.inputs[side]),
+        })
+    }
 }
 
 impl Cycle {
@@ -192,93 +264,10 @@ impl Cycle {
         self.low + (self.high - self.low) * (index as f64 / last as f64)
     }
 
-    /// Where an assembly at `x` ends above or below (`side` 1 or -1).
-    fn failure(&self, x: f64, side: f64, margin: impl Fn(f64) -> f64) -> Option<f64> {
-        let end = side * if side > 0.0 { self.high } else { self.low };
-        let along = |y: f64| margin(side * y);
-        let start = side * x;
-        if start >= end {
-            return None;
-        }
-        first_failure(start, end, start, MARGINS, along).map(|failure| side * failure.at)
-    }
-
     /// Whether the range is a full turn.
     fn is_turn(&self) -> bool {
         self.angle && ((self.high - self.low) - core::f64::consts::TAU).abs() < TURN
     }
-}
-
-/// An assembly and its two ends.
-struct Found<A> {
-    assembly: A,
-    sides: [Side; 2],
-}
-
-impl<A> Found<A> {
-    /// Whether `x` is between the ends.
-    fn covers(&self, x: f64) -> bool {
-        self.sides[0].inside <= x && x <= self.sides[1].inside
-    }
-
-    /// Where the margin is smallest, and the margin there.
-    fn least(&self, margin: impl Fn(&A, f64) -> f64) -> (f64, f64) {
-        for side in &self.sides {
-            if let BranchEnd::TurningPoint(x) = side.end {
-                return (x, 0.0);
-            }
-        }
-        let [low, high] = [self.sides[0].inside, self.sides[1].inside];
-        minimum(low, high, MARGINS, |x| margin(&self.assembly, x))
-    }
-}
-
-/// At a turning point two assemblies end on the same side. Two ends that face each other across a narrow gap, with no partner of their
-/// own, are places where one assembly is nearly singular and was lost.
-fn lose_gaps<A>(cycle: &Cycle, found: &mut [Found<A>]) {
-    let ends = || (0..found.len()).flat_map(|one| [(one, 0), (one, 1)]);
-    let side = |(one, k): (usize, usize)| &found[one].sides[k];
-    let alone = |end: &(usize, usize)| {
-        ends().all(|other| other == *end || !side(other).meets(side(*end), cycle))
-    };
-    let lost: Vec<(usize, usize)> = ends()
-        .filter(alone)
-        .filter(|&end| ends().any(|other| side(other).faces(side(end), cycle)))
-        .collect();
-    for (one, k) in lost {
-        found[one].sides[k].lose();
-    }
-}
-
-/// The circuits that the assemblies belong to, numbered from 0.
-fn numbers<A>(cycle: &Cycle, found: &[Found<A>]) -> Vec<usize> {
-    let mut numbers: Vec<usize> = (0..found.len()).collect();
-    for (one, first) in found.iter().enumerate() {
-        for (other, second) in found.iter().enumerate().skip(one) {
-            let sides = |a: usize, b: usize| first.sides[a].meets(&second.sides[b], cycle);
-            if (0..2).any(|a| (0..2).any(|b| sides(a, b))) {
-                let (low, high) = (
-                    numbers[one].min(numbers[other]),
-                    numbers[one].max(numbers[other]),
-                );
-                for number in &mut numbers {
-                    if *number == high {
-                        *number = low;
-                    }
-                }
-            }
-        }
-    }
-    // Without gaps, in order of appearance.
-    let mut order: Vec<usize> = Vec::new();
-    for number in &mut numbers {
-        let known = order.iter().position(|known| known == number);
-        *number = known.unwrap_or_else(|| {
-            order.push(*number);
-            order.len() - 1
-        });
-    }
-    numbers
 }
 
 /// Whether places are the same, within a share of this size.

@@ -9,6 +9,8 @@ mod sweep;
 mod turns;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use crate::circuits::{Chosen, Level, Levels, NoPrograms, SurveyedUnknown, circuits};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::numeric::continuation::{Correction, Range, Step};
 #[cfg(feature = "alloc")]
 pub use crate::numeric::roots::{Term, Variable};
@@ -20,8 +22,8 @@ pub use close::{assemblies, one};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use starts::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,
-    CoupledUnknown, Start, Wanted, couple, list, nothing, pairs, placed, put_state, starts,
-    stepped,
+    CoupledUnknown, Start, Wanted, couple, list, nothing, pairs, placed, prepared, put_state,
+    starts, stepped,
 };
 #[cfg(feature = "rayon")]
 pub use sweep::fill_parallel;

@@ -16,7 +16,7 @@ extern crate std;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod balancing;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod circuits;
 #[cfg(feature = "alloc")]
 mod columns;
@@ -52,8 +52,8 @@ mod table;
 pub mod tolerance;
 mod words;
 
-#[cfg(feature = "alloc")]
-pub use circuits::{Branch, BranchEnd, Circuits, Cycle, circuits};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use circuits::{Branch, BranchEnd, Circuits, Cycle, Estimate};
 #[cfg(feature = "alloc")]
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};

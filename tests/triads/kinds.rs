@@ -6,6 +6,7 @@
 //! dimension `q_i`.
 
 use crate::legs::{Leg, Point, turned};
+use linkage::Circuits;
 
 /// Crank, `a2`, `a3`, sides and angle of the ternary link, `q1`, `q2`, `q3`.
 pub(crate) type Dimensions = [f64; 11];
@@ -50,6 +51,8 @@ pub(crate) struct Kind {
     pub(crate) assemble: fn(&Dimensions) -> Result<Evaluate, String>,
     /// All assemblies at an input.
     pub(crate) assemblies: fn(&Dimensions, f64) -> Result<Vec<Evaluate>, String>,
+    /// All assemblies over a turn.
+    pub(crate) circuits: fn(&Dimensions) -> Result<Circuits<Evaluate>, String>,
 }
 
 impl Kind {
@@ -126,6 +129,21 @@ macro_rules! kinds {
                 assemblies: |d, phi| {
                     let found = mechanism(d).assemblies_at(phi).map_err(|why| why.to_string())?;
                     Ok(found.into_iter().map(evaluate).collect())
+                },
+                circuits: |d| {
+                    let found = mechanism(d).circuits().map_err(|why| why.to_string())?;
+                    let branches = found.branches.into_iter().map(|branch| linkage::Branch {
+                        assembly: evaluate(branch.assembly),
+                        circuit: branch.circuit,
+                        ends: branch.ends,
+                        closed: branch.closed,
+                        margin: branch.margin,
+                        at: branch.at,
+                        input: branch.input,
+                        unknowns: branch.unknowns,
+                    });
+                    let input = found.input;
+                    Ok(Circuits { cycle: found.cycle, input, branches: branches.collect() })
                 },
             };
         })*

@@ -3,10 +3,12 @@
 
 mod assemblies;
 mod chains;
+mod circuits;
 mod contour;
 mod contours;
 mod cycle;
 mod follow;
+mod four_bars;
 mod inputs;
 mod kinds;
 mod legs;

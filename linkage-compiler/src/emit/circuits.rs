@@ -6,8 +6,8 @@ use quote::quote;
 use super::assembly::Types;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{attribute, body, literal};
-use crate::unit::Unit;
+use super::{attribute, body, literal, starts, winding};
+use crate::unit::{Input, Unit};
 
 /// At how many positions of a turn, or of a range of lengths, assemblies are listed.
 const SAMPLES: usize = 72;
@@ -32,6 +32,38 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         true => quote!([__x]),
         false => quote!(Self::__extend(&self.__starts, [__x])),
     };
+    let cycle = cycle(outline, input);
+    let levels = levels(outline, unit);
+    let surveyor = surveyor(outline, unit);
+    let allow = attribute::allow();
+    let method = method(
+        outline,
+        quote! {
+            #levels
+            #runtime::circuits(&__Levels(self), &#cycle)
+        },
+    );
+    quote! {
+        #runtime::if_alloc! {
+            #allow
+            impl<T: #runtime::Scalar> #assembly<T> {
+                /// The smallest margin, the slack of every group, and where every unknown is.
+                fn __survey<const __FUSED: ::core::primitive::bool>(&self, __x: T) -> [T; #count] {
+                    let __x: #arguments = #x;
+                    let #core { __mechanism: __m, __modes, __prepared, .. } = &self.__core;
+                    #statements
+                    #outputs
+                }
+            }
+            #surveyor
+            #method
+        }
+    }
+}
+
+/// The range, and at how many inputs coupled groups are listed.
+fn cycle(outline: &Outline, input: &Input) -> TokenStream {
+    let runtime = &outline.runtime;
     let angle = input.angle;
     let (low, high) = input.range.unwrap_or(input.followed);
     let turns = (high - low) / std::f64::consts::TAU;
@@ -41,31 +73,185 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     };
     let (low, high) = (literal::float(low), literal::float(high));
     let samples = literal::index(samples + 1);
-    let allow = attribute::allow();
-    let method = method(
-        outline,
-        quote! {
-            #runtime::circuits(
-                &#runtime::Cycle { low: #low, high: #high, angle: #angle, samples: #samples },
-                |__x| self.assemblies_at(__x),
-                |__assembly, __x| __assembly.__survey::<{ #runtime::FUSED }>(__x)[0],
-                |__assembly, __x| __assembly.__survey::<{ #runtime::FUSED }>(__x)[1..].to_vec(),
+    quote!(#runtime::Cycle { low: #low, high: #high, angle: #angle, samples: #samples })
+}
+
+/// An assembly that need not close, of the first groups.
+fn surveyor(outline: &Outline, unit: &Unit) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        core,
+        ..
+    } = outline;
+    let Types { modes, .. } = Types::new(outline, unit);
+    let float = quote!(::core::primitive::f64);
+    let (found, argument, own) = match outline.starts.is_empty() {
+        true => Default::default(),
+        false => {
+            let count = literal::index(outline.starts.len());
+            (
+                quote! {
+                    let __lane: [#runtime::Start; #count] =
+                        ::core::array::from_fn(|__k| ::core::clone::Clone::clone(&__chosen.starts[__k]));
+                    let __starts = Self::__starts(::core::slice::from_ref(&__lane));
+                },
+                quote!(&__starts,),
+                quote!(__starts,),
             )
-        },
-    );
-    quote! {
-        #runtime::if_alloc! {
-            #allow
-            impl<T: #runtime::Scalar> #assembly<T> {
-                /// The smallest margin, and where every unknown is.
-                fn __survey<const __FUSED: ::core::primitive::bool>(&self, __x: T) -> [T; #count] {
-                    let __x: #arguments = #x;
-                    let #core { __mechanism: __m, __modes, __prepared, .. } = &self.__core;
-                    #statements
-                    #outputs
+        }
+    };
+    let turns = match unit.surveying {
+        0 => winding::at_estimates(outline, unit),
+        count => {
+            let count = literal::index(count);
+            let at_estimates = winding::at_estimates(outline, unit);
+            quote! {
+                match Self::__wind(__m, &__modes, #argument [__at], #count) {
+                    ::core::result::Result::Ok(__turns) => __turns,
+                    ::core::result::Result::Err(_) => #at_estimates,
                 }
             }
-            #method
+        }
+    };
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        impl #assembly<#float> {
+            fn __surveyor(__m: &#name<#float>, __chosen: &#runtime::Chosen, __at: #float) -> Self {
+                let __modes: #modes = ::core::array::from_fn(|__k| __chosen.modes[__k]);
+                #found
+                let __turns = #turns;
+                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+                Self {
+                    __core: #core { __mechanism: *__m, __modes, __turns, __prepared },
+                    #own
+                }
+            }
+        }
+    }
+}
+
+/// The mechanism as the runtime searches it.
+fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let Types { modes, .. } = Types::new(outline, unit);
+    let float = quote!(::core::primitive::f64);
+    let title = outline.title();
+    let input = &unit.inputs[0];
+    let (input_name, reference) = (&input.name, literal::float(input.reference));
+    let count = literal::index(unit.survey.outputs.len());
+    let mut next = 0..;
+    let levels = unit
+        .groups
+        .iter()
+        .map(|group| match (group.mode, group.coupled) {
+            (Some(mode), _) => {
+                let mode = literal::index(mode);
+                quote!(#runtime::Level::Modes(#mode))
+            }
+            (None, true) => {
+                let number = literal::index(next.next().unwrap_or_default());
+                quote!(#runtime::Level::Coupled(#number))
+            }
+            (None, false) => quote!(#runtime::Level::Single),
+        });
+    let unknowns = unit.surveyed.iter().map(|own| {
+        let unknown = &unit.unknowns[own.unknown];
+        let name = &unknown.name;
+        let angle = own.angle;
+        let unit = match angle {
+            true => "",
+            false => &unknown.unit,
+        };
+        let numbers = literal::index(own.numbers);
+        quote!(#runtime::SurveyedUnknown { name: #name, unit: #unit, angle: #angle, numbers: #numbers })
+    });
+    let counts = [outline.modes.len(), outline.starts.len()].map(literal::index);
+    let modes = quote!(let __modes: #modes = ::core::array::from_fn(|__k| __chosen.modes[__k]););
+    let starts = literal::index(outline.starts.len());
+    let lane = quote! {
+        let __lane: [#runtime::Start; #starts] =
+            ::core::array::from_fn(|__k| ::core::clone::Clone::clone(&__chosen.starts[__k]));
+    };
+    let (programs, assembled, coupled) = match outline.starts.is_empty() {
+        true => (
+            quote!(#runtime::NoPrograms),
+            quote!(#assembly::__assemble(self.0, __modes, [__at])),
+            TokenStream::new(),
+        ),
+        false => {
+            let coupled = starts::coupled_name(outline);
+            (
+                quote!(#coupled),
+                quote! {
+                    #lane
+                    #assembly::__with_starts(self.0, __modes, [__at], ::core::slice::from_ref(&__lane))
+                },
+                quote! {
+                    fn coupled(
+                        &self,
+                        __chosen: &#runtime::Chosen,
+                        __number: ::core::primitive::usize,
+                        __at: #float,
+                    ) -> ::core::option::Option<::core::result::Result<
+                        (&'static #runtime::CoupledGroup, #coupled), #runtime::AssemblyError,
+                    >> {
+                        #modes
+                        #lane
+                        let __groups: &'static [#runtime::CoupledGroup; #starts] =
+                            &#assembly::<#float>::__GROUPS;
+                        let __made = #assembly::<#float>::__coupled(
+                            self.0, &__modes, [__at], __number, &__lane,
+                        );
+                        ::core::option::Option::Some(__made.map(|__made| (&__groups[__number], __made)))
+                    }
+                },
+            )
+        }
+    };
+    let allow = attribute::allow();
+    // Inside the method, where nobody sees it.
+    quote! {
+        struct __Levels<'a>(&'a #name<#float>);
+
+        #allow
+        impl #runtime::Levels for __Levels<'_> {
+            type Assembly = #assembly<#float>;
+            type Survey = [#float; #count];
+            type Programs = #programs;
+
+            const NAME: &'static ::core::primitive::str = #title;
+            const INPUT: &'static ::core::primitive::str = #input_name;
+            const REFERENCE: #float = #reference;
+            const LEVELS: &'static [#runtime::Level] = &[#(#levels),*];
+            const UNKNOWNS: &'static [#runtime::SurveyedUnknown] = &[#(#unknowns),*];
+            const COUNTS: [::core::primitive::usize; 2] = [#(#counts),*];
+
+            fn surveyor(&self, __chosen: &#runtime::Chosen, __at: #float) -> #assembly<#float> {
+                #assembly::__surveyor(self.0, __chosen, __at)
+            }
+            fn survey(__assembly: &#assembly<#float>, __at: #float) -> [#float; #count] {
+                __assembly.__survey::<{ #runtime::FUSED }>(__at)
+            }
+            fn assembled(
+                &self,
+                __chosen: &#runtime::Chosen,
+                __at: #float,
+            ) -> ::core::result::Result<#assembly<#float>, #runtime::AssemblyError> {
+                #modes
+                #assembled
+            }
+            fn check(&self, __at: #float) -> ::core::result::Result<(), #runtime::AssemblyError> {
+                self.0.assemblies_at(__at).map(|_| ())
+            }
+            #coupled
         }
     }
 }

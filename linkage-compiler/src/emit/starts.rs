@@ -7,7 +7,7 @@ mod preparing;
 mod states;
 
 use linkage_symbolic::program::Program;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::assembly::Types;
@@ -26,6 +26,11 @@ pub(super) fn starts_type(outline: &Outline) -> TokenStream {
         .iter()
         .map(|start| start_type(outline, start));
     quote!((#(#types,)*))
+}
+
+/// The type of the groups' programs on plain numbers.
+pub(super) fn coupled_name(outline: &Outline) -> Ident {
+    format_ident!("__{}Coupled", outline.name)
 }
 
 /// A table over one input, or a grid over several or none.

@@ -15,14 +15,14 @@ use linkage_symbolic::program::{Instruction, Source};
 use linkage_symbolic::schedule::{Slots, schedule};
 use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::{Algebra, Direction, Nominal};
+use crate::algebra::{Algebra, Bound, Direction, Nominal};
 use crate::close::Reference;
 use crate::diagnostic::Reporter;
 use crate::forces::Forces;
 use crate::formulate::Formulation;
 use crate::lower::{self, GroupNodes, find_turning, group_nodes, groups, plain, valued_angles};
 use crate::model::EvaluatorDef;
-use crate::unit::{ContinuousAngle, Function, Unit};
+use crate::unit::{ContinuousAngle, Function, Surveyed, Unit};
 use crate::watch::Watch;
 
 use alone::Alone;
@@ -99,11 +99,15 @@ pub(crate) fn unit<'m>(
         schedule(graph, nodes, &mut slots)
     });
     find_turning(&mut coupled, &nodes, graph, &angles);
+    let valued = valued_angles(graph, &survey);
+    let last = angles.iter().rposition(|angle| valued.contains(angle));
     let mut unit = Unit {
         functions,
         coupled,
         gaps: schedule(graph, &gaps, &mut slots),
         survey: schedule(graph, &survey, &mut slots),
+        surveyed: surveyed(algebra, formulation),
+        surveying: last.map_or(0, |last| last + 1),
         directions: schedule(graph, &units, &mut slots),
         prepare: slots.prepare(),
         angles: angles
@@ -122,10 +126,31 @@ pub(crate) fn unit<'m>(
 fn survey<'m>(algebra: &Algebra<'m>, formulation: &Formulation<'m>) -> Vec<Ex<'m>> {
     let margins = formulation.groups.iter().map(|group| group.closed.margin);
     let least = margins.fold(algebra.one(), |least, margin| least.min(margin));
-    let unknowns = 0..algebra.names.bound.len();
-    let found = unknowns.filter(|&k| formulation.last_group_with(k).is_some());
+    // The curves of coupled groups are followed; nobody asks for their slack.
+    let slacks = formulation.groups.iter().map(|group| match group.prepared {
+        Some(_) => algebra.one(),
+        None => group.closed.slack,
+    });
+    let found = found(algebra, formulation);
     let places = found.flat_map(|unknown| algebra.names.numbers_of(unknown));
-    std::iter::once(least).chain(places).collect()
+    let first = std::iter::once(least).chain(slacks);
+    first.chain(places).collect()
+}
+
+/// The unknowns that a group finds.
+fn found(algebra: &Algebra, formulation: &Formulation) -> impl Iterator<Item = usize> {
+    let unknowns = 0..algebra.names.bound.len();
+    unknowns.filter(|&k| formulation.last_group_with(k).is_some())
+}
+
+/// See [`Unit::surveyed`].
+fn surveyed(algebra: &Algebra, formulation: &Formulation) -> Vec<Surveyed> {
+    let surveyed = |unknown: usize| Surveyed {
+        unknown,
+        angle: matches!(algebra.names.bound[unknown], Bound::Angle(_)),
+        numbers: algebra.names.numbers_of(unknown).len(),
+    };
+    found(algebra, formulation).map(surveyed).collect()
 }
 
 /// The results of one function as expressions of the undigested graph.

@@ -74,3 +74,14 @@ pub struct Placed {
     /// Start estimate at the reference inputs.
     pub estimate: f64,
 }
+
+/// An unknown whose numbers are surveyed.
+#[derive(Clone, Copy, Debug)]
+pub struct Surveyed {
+    /// Index in the model.
+    pub unknown: usize,
+    /// Whether it is an angle, which has two numbers: cosine and sine.
+    pub angle: bool,
+    /// How many numbers it has.
+    pub numbers: usize,
+}

@@ -17,7 +17,7 @@ pub use crate::model::Shape;
 pub use closing::{Closing, Outputs};
 pub use dump::dump;
 pub use function::{Body, Column, Field, Function, Meaning};
-pub use group::{Coupled, Group, Placed};
+pub use group::{Coupled, Group, Placed, Surveyed};
 pub use picture::{Guide, GuideOn, Link, Picture, Point, PointKind};
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Role, Scalar, Unknown};
 
@@ -49,9 +49,13 @@ pub struct Unit {
     /// For each continuous angle `a`: outputs `2 a` and `2 a + 1` are its cosine and sine. Loads prepared slots and
     /// inputs. The centre and winding of angle `a` are not needed for its own outputs, only for later ones.
     pub directions: Program,
-    /// The smallest margin of all groups, then what their assemblies are told apart by: cosine and sine, or length, of every
-    /// unknown. Loads prepared slots and inputs.
+    /// The smallest margin of all groups, then the slack of each (1 for a coupled one), then what assemblies are told apart by: cosine
+    /// and sine, or length, of every unknown that a group finds. Loads prepared slots and inputs.
     pub survey: Program,
+    /// The unknowns in the order of their numbers in the survey.
+    pub surveyed: Vec<Surveyed>,
+    /// How many continuous angles, the first ones, must be followed before the survey can be run.
+    pub surveying: usize,
     /// What `assemble()` prepares of the coupled groups, in order.
     pub coupled: Vec<Coupled>,
     /// One for each function of the `impl` block, in order.

@@ -1,6 +1,6 @@
 //! Circuits as a table.
 
-use super::{BranchEnd, Circuits, Cycle};
+use super::{BranchEnd, Circuits, Cycle, Estimate};
 use crate::words::rounded;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -8,27 +8,40 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// One line for each assembly; angles in degrees.
+/// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the unknowns there.
 impl<A> fmt::Display for Circuits<A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let titles = ["assembly", "circuit", "from", "to", "least margin", "at"];
-        let mut rows: Vec<Vec<String>> = vec![titles.map(String::from).to_vec()];
+        let mut title = titles.map(String::from).to_vec();
+        if let Some(first) = self.branches.first() {
+            title.push(self.input.to_string());
+            title.extend(
+                first
+                    .unknowns
+                    .iter()
+                    .map(|unknown| unknown.name.to_string()),
+            );
+        }
+        let mut rows: Vec<Vec<String>> = vec![title];
         for (index, branch) in self.branches.iter().enumerate() {
             let end = |end: BranchEnd| self.end(end, branch.closed);
-            rows.push(vec![
+            let mut row = vec![
                 (index + 1).to_string(),
                 (branch.circuit + 1).to_string(),
                 end(branch.ends[0]),
                 end(branch.ends[1]),
                 rounded(branch.margin).to_string(),
                 self.cycle.input(branch.at),
-            ]);
+                self.cycle.input(branch.input),
+            ];
+            row.extend(branch.unknowns.iter().map(Estimate::value));
+            rows.push(row);
         }
         let width = |column: usize| {
             let lengths = rows.iter().map(|row| row[column].chars().count());
             lengths.max().unwrap_or(0)
         };
-        let widths: Vec<usize> = (0..titles.len()).map(width).collect();
+        let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
         for row in &rows {
             let mut line = String::new();
             for (cell, width) in row.iter().zip(&widths) {
@@ -60,5 +73,29 @@ impl Cycle {
         } else {
             rounded(x).to_string()
         }
+    }
+}
+
+impl Estimate {
+    /// The value as it is written in a declaration.
+    fn value(&self) -> String {
+        let number = |x: &f64| match self.angle {
+            true => format!("{}deg", rounded(x.to_degrees())),
+            false => format!("{}{}", rounded(*x), self.unit),
+        };
+        match &self.numbers[..] {
+            [one] => number(one),
+            several => {
+                let several: Vec<String> = several.iter().map(number).collect();
+                format!("({})", several.join(", "))
+            }
+        }
+    }
+}
+
+/// As it is written in a declaration, behind `unknown`.
+impl fmt::Display for Estimate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}", self.name, self.value())
     }
 }

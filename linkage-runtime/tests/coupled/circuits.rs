@@ -1,44 +1,79 @@
 //! Assemblies over the range of an input.
 
-use crate::triads::EyeNeedle;
-use linkage_runtime::numeric::continuation::{Correction, Range, Table};
-use linkage_runtime::numeric::roots::{System, Term, Variable, solve};
-use linkage_runtime::{BranchEnd, Cycle, circuits};
+use linkage_runtime::generated::{Chosen, Level, Levels, NoPrograms, SurveyedUnknown, circuits};
+use linkage_runtime::{AssemblyError, AssemblyMode, BranchEnd, Circuits, Cycle};
 use std::f64::consts::{PI, TAU};
 
 const TURN: Cycle = Cycle {
     low: 0.0,
     high: TAU,
     angle: true,
-    samples: 25,
+    samples: 73,
 };
 
-/// A four-bar of crank, coupler, rocker and frame: the rocker's joint in one of two modes, and the margin.
-fn four_bar(lengths: [f64; 4], mode: f64, x: f64) -> ([f64; 2], f64) {
-    let [crank, coupler, rocker, frame] = lengths;
-    let c = [frame - crank * x.cos(), -crank * x.sin()];
-    let square = c[0] * c[0] + c[1] * c[1];
-    let foot = 0.5 * (square + (coupler - rocker) * (coupler + rocker));
-    let area = (coupler * coupler * square - foot * foot).sqrt();
-    let at = |a: usize, b: usize, sign: f64| (foot * c[a] + sign * mode * area * c[b]) / square;
-    ([at(0, 1, -1.0), at(1, 0, 1.0)], area / (coupler * rocker))
+/// A four-bar of crank, coupler, rocker and frame, as generated code would describe it.
+#[derive(Clone, Copy)]
+struct FourBar([f64; 4]);
+
+impl FourBar {
+    /// The margin, the slack, and the rocker's joint in one of two modes.
+    fn at(self, mode: f64, x: f64) -> [f64; 4] {
+        let [crank, coupler, rocker, frame] = self.0;
+        let c = [frame - crank * x.cos(), -crank * x.sin()];
+        let square = c[0] * c[0] + c[1] * c[1];
+        let foot = 0.5 * (square + (coupler - rocker) * (coupler + rocker));
+        let slack = coupler * coupler * square - foot * foot;
+        let area = slack.sqrt();
+        let at = |a: usize, b: usize, sign: f64| (foot * c[a] + sign * mode * area * c[b]) / square;
+        [
+            area / (coupler * rocker),
+            slack,
+            at(0, 1, -1.0),
+            at(1, 0, 1.0),
+        ]
+    }
 }
 
-fn search(lengths: [f64; 4], cycle: &Cycle) -> linkage_runtime::Circuits<f64> {
-    let exists = |x: f64| !four_bar(lengths, 1.0, x).1.is_nan();
-    circuits(
-        cycle,
-        |x| {
-            if exists(x) {
-                Ok(vec![1.0, -1.0])
-            } else {
-                Err("apart")
-            }
-        },
-        |&mode, x| four_bar(lengths, mode, x).1,
-        |&mode, x| four_bar(lengths, mode, x).0.to_vec(),
-    )
-    .unwrap()
+impl Levels for FourBar {
+    type Assembly = (Self, f64);
+    type Survey = [f64; 4];
+    type Programs = NoPrograms;
+
+    const NAME: &'static str = "FourBar";
+    const INPUT: &'static str = "phi";
+    const REFERENCE: f64 = 0.5;
+    const LEVELS: &'static [Level] = &[Level::Modes(0)];
+    const UNKNOWNS: &'static [SurveyedUnknown] = &[SurveyedUnknown {
+        name: "joint",
+        unit: "mm",
+        angle: false,
+        numbers: 2,
+    }];
+    const COUNTS: [usize; 2] = [1, 0];
+
+    fn surveyor(&self, chosen: &Chosen, _at: f64) -> Self::Assembly {
+        let mode = match chosen.modes[0] {
+            AssemblyMode::Plus => 1.0,
+            AssemblyMode::Minus => -1.0,
+        };
+        (*self, mode)
+    }
+
+    fn survey(&(four_bar, mode): &Self::Assembly, at: f64) -> [f64; 4] {
+        four_bar.at(mode, at)
+    }
+
+    fn assembled(&self, chosen: &Chosen, at: f64) -> Result<Self::Assembly, AssemblyError> {
+        Ok(self.surveyor(chosen, at))
+    }
+
+    fn check(&self, _at: f64) -> Result<(), AssemblyError> {
+        Ok(())
+    }
+}
+
+fn search(lengths: [f64; 4], cycle: &Cycle) -> Circuits<(FourBar, f64)> {
+    circuits(&FourBar(lengths), cycle).expect("a list")
 }
 
 #[test]
@@ -75,7 +110,7 @@ fn a_double_rocker_has_turning_points_and_one_circuit() {
         });
         ends.sort_by(f64::total_cmp);
         for (end, exact) in ends.iter().zip([angle(least), angle(reach)]) {
-            assert!((end - exact).abs() < 1e-9 * TAU, "{end} {exact}");
+            assert!((end - exact).abs() < 1e-12 * TAU, "{end} {exact}");
         }
         assert_eq!(branch.margin, 0.0);
     }
@@ -83,127 +118,62 @@ fn a_double_rocker_has_turning_points_and_one_circuit() {
     assert_eq!(circuits, [0, 0, 1, 1]);
 }
 
-/// All assemblies of a triad at an input, each with a table that may end at turning points.
-fn tables(triad: EyeNeedle, x: f64) -> Vec<Table> {
-    let exponents: [[i8; 2]; 7] = [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1], [1, -1], [-1, 1]];
-    let terms: Vec<Term<'_>> = (0..2)
-        .flat_map(|equation| exponents.iter().map(move |exponents| (equation, exponents)))
-        .map(|(equation, exponents)| Term {
-            equation,
-            exponents,
-        })
-        .collect();
-    let system = System {
-        variables: &[Variable::Unit, Variable::Unit],
-        terms: &terms,
+#[test]
+fn a_change_point_that_is_passed_ends_nothing() {
+    // A parallelogram is stretched at 0 and folded at 180 degrees.
+    let cycle = Cycle {
+        low: -1.0,
+        high: 5.0,
+        angle: true,
+        samples: 73,
     };
-    let listing = solve(&system, &triad.system(x)).unwrap();
-    let range = Range {
-        low: 0.0,
-        high: TAU,
-        turn: true,
-    };
-    listing
-        .real
-        .iter()
-        .filter_map(|values| {
-            let mut triad = triad;
-            Table::build(&mut triad, x, &values.concat(), range, true).ok()
-        })
-        .collect()
+    let found = search([50.0, 110.0, 50.0, 110.0], &cycle);
+    assert_eq!(found.whole().count(), 2);
+    assert!(found.branches.iter().all(|branch| branch.margin < 1e-6));
 }
 
-/// State and determinant as an evaluator gives them: NaN if they are not certain.
-fn evaluate(triad: EyeNeedle, table: &Table, x: f64) -> ([f64; 4], f64) {
-    let mut triad = triad;
-    let mut state = [0.0; 4];
-    let floor = table.state(x, &mut state);
-    let step = triad.correct(&[x], &mut state);
-    if step.size < 1e-7 && step.determinant * floor >= floor * floor {
-        (state, triad.correct(&[x], &mut state).determinant.abs())
-    } else {
-        ([f64::NAN; 4], f64::NAN)
+#[test]
+fn a_narrow_gap_and_a_narrow_assembly_are_found() {
+    // They are missed by less than a hundredth of the distance of samples.
+    let off = 1e-6;
+    let gap = search([50.0, 110.0, 50.0 - off, 110.0], &TURN);
+    let ends: Vec<BranchEnd> = gap.branches.iter().flat_map(|branch| branch.ends).collect();
+    let turning = |end: &&BranchEnd| matches!(end, BranchEnd::TurningPoint(_));
+    assert!(ends.iter().filter(turning).count() >= 4, "{gap}");
+    // Coupler and rocker are just long enough where the crank is in line with the frame.
+    let assembly = search([50.0, 30.0, 30.0 + off, 110.0], &TURN);
+    assert_eq!(assembly.branches.len(), 4, "{assembly}");
+}
+
+#[test]
+fn the_table_shows_estimates() {
+    let found = search([100.0, 80.0, 80.0, 110.0], &TURN);
+    let text = found.to_string();
+    assert!(
+        text.lines()
+            .next()
+            .is_some_and(|title| title.ends_with("phi          joint")),
+        "{text}"
+    );
+    for branch in &found.branches {
+        let [estimate] = &branch.unknowns[..] else {
+            panic!("{text}")
+        };
+        let written = estimate.to_string();
+        assert!(
+            written.starts_with("joint = (") && written.ends_with("mm)"),
+            "{written}"
+        );
+        let (four_bar, mode) = branch.assembly;
+        assert_eq!(estimate.numbers[..], four_bar.at(mode, branch.input)[2..]);
     }
 }
 
 #[test]
-fn triads_have_circuits_and_turning_points() {
-    for crank in [50.0, 80.0, 100.9, 120.0, 200.0] {
-        let triad = EyeNeedle::with_crank(crank);
-        let found = circuits(
-            &TURN,
-            |x| {
-                let tables = tables(triad, x);
-                if tables.is_empty() {
-                    Err(())
-                } else {
-                    Ok(tables)
-                }
-            },
-            |table, x| evaluate(triad, table, x).1,
-            |table, x| evaluate(triad, table, x).0.to_vec(),
-        )
-        .unwrap();
-        for branch in &found.branches {
-            for end in branch.ends {
-                // The tables have located the same turning points.
-                if let BranchEnd::TurningPoint(x) = end {
-                    let known = branch.assembly.ends().map(|end| match end {
-                        linkage_runtime::numeric::continuation::End::TurningPoint(at) => {
-                            (at - x).abs()
-                        }
-                        _ => f64::INFINITY,
-                    });
-                    assert!(known[0].min(known[1]) < 1e-9 * TAU, "{x} {known:?}");
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn nothing_to_find_is_an_error() {
-    let none = circuits(
-        &TURN,
-        |_| Err::<Vec<()>, _>("apart"),
-        |(), _| 1.0,
-        |(), _| vec![],
-    );
-    assert_eq!(none.unwrap_err(), "apart");
-    let empty = circuits(
-        &TURN,
-        |_| Ok::<Vec<()>, ()>(vec![]),
-        |(), _| 1.0,
-        |(), _| vec![],
-    );
+fn nothing_to_find_is_an_empty_table() {
+    let empty = search([10.0, 20.0, 30.0, 500.0], &TURN);
     assert_eq!(
-        empty.unwrap().to_string(),
+        empty.to_string(),
         "assembly  circuit  from  to  least margin  at\n"
     );
-}
-
-#[test]
-fn a_narrow_place_that_is_lost_is_no_turning_point() {
-    // One assembly whose margin nearly vanishes at 0.5, and which is not served there.
-    let margin = |_: &(), x: f64| {
-        let off = x - 0.5;
-        let margin = (off * off + 1e-9).sqrt();
-        if off.abs() < 2e-5 { f64::NAN } else { margin }
-    };
-    let cycle = Cycle {
-        low: 0.0,
-        high: 1.0,
-        angle: false,
-        samples: 12,
-    };
-    let found = circuits(
-        &cycle,
-        |_| Ok::<_, ()>(vec![()]),
-        margin,
-        |(), x| vec![x, 1.0],
-    )
-    .unwrap();
-    assert_eq!(found.branches.len(), 2);
-    let lost = |end: BranchEnd| matches!(end, BranchEnd::Lost(x) if (x - 0.5).abs() < 1e-3);
-    assert!(lost(found.branches[0].ends[1]) && lost(found.branches[1].ends[0]));
 }

@@ -10,7 +10,7 @@ use crate::emit::{attribute, literal, winding};
 use crate::unit::{Coupled, Unit};
 
 use super::description::description;
-use super::starts_type;
+use super::{coupled_name, starts_type};
 
 /// The groups on plain numbers, as the runtime prepares them.
 pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
@@ -26,7 +26,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let slots = literal::index(outline.prepared);
     let prepared = quote!([#float; #slots]);
     let starts = starts_type(outline);
-    let coupled = format_ident!("__{}Coupled", outline.name);
+    let coupled = coupled_name(outline);
     let inputs = literal::index(outline.inputs.len());
     let width = literal::index(Places::all(outline).width());
     let count = literal::index(outline.starts.len());

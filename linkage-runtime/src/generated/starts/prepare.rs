@@ -158,6 +158,20 @@ fn start(
     made.map_err(|refusal| group.refused(refusal))
 }
 
+/// Prepares a group from a solution at its inputs `x`, as far as it goes.
+///
+/// # Errors
+///
+/// If that is no solution.
+pub fn prepared(
+    group: &CoupledGroup,
+    programs: &mut impl CoupledPrograms,
+    x: &[f64],
+    state: &[f64],
+) -> Result<Start, AssemblyError> {
+    start(group, programs, x, state, true)
+}
+
 /// Nothing prepared, in every lane.
 pub fn nothing<const K: usize>(lanes: usize) -> Vec<[Start; K]> {
     vec![[const { Start::Nothing }; K]; lanes]

@@ -1,0 +1,100 @@
+//! Which assemblies continue each other: through a turning point, or from one turn to the next.
+
+use super::search::{End, Leaf, Way};
+use super::{SAME, near, size};
+use alloc::vec::Vec;
+
+/// The end of a leaf: its number, and 0 or 1.
+type Place = (usize, usize);
+
+/// The circuits that the assemblies belong to, numbered from 0 in the order of their first ones, and which of them are closed.
+pub(super) fn circuits(
+    leaves: &[Leaf],
+    seams: &[[Vec<f64>; 2]],
+    turn: bool,
+) -> (Vec<usize>, Vec<bool>) {
+    let mut numbers: Vec<usize> = (0..leaves.len()).collect();
+    let mut unite = |one: usize, other: usize| {
+        let [low, high] = [
+            numbers[one].min(numbers[other]),
+            numbers[one].max(numbers[other]),
+        ];
+        for number in &mut numbers {
+            if *number == high {
+                *number = low;
+            }
+        }
+    };
+    for (one, other) in partners(leaves) {
+        unite(one, other);
+    }
+    let mut closed = alloc::vec![false; leaves.len()];
+    for (one, first) in leaves.iter().enumerate() {
+        for (other, second) in leaves.iter().enumerate() {
+            let seam = turn && first.ends[1] == End::Range && second.ends[0] == End::Range;
+            let (here, there) = (&seams[one][1], &seams[other][0]);
+            if seam && near(here, there, size(here).max(size(there)), SAME) {
+                unite(one, other);
+                closed[one] |= one == other;
+            }
+        }
+    }
+    let mut order: Vec<usize> = Vec::new();
+    for number in &mut numbers {
+        let known = order.iter().position(|known| known == number);
+        *number = known.unwrap_or_else(|| {
+            order.push(*number);
+            order.len() - 1
+        });
+    }
+    (numbers, closed)
+}
+
+/// Pairs of leaves that meet at a turning point: of those that end there, two in which the group that turns back is assembled
+/// differently and the later ones alike.
+fn partners(leaves: &[Leaf]) -> Vec<(usize, usize)> {
+    let ends: Vec<Place> = (0..leaves.len())
+        .flat_map(|leaf| [(leaf, 0), (leaf, 1)])
+        .collect();
+    let mut free: Vec<bool> = alloc::vec![true; ends.len()];
+    let mut pairs = Vec::new();
+    for (index, &one) in ends.iter().enumerate() {
+        if !free[index] {
+            continue;
+        }
+        let distance = |&other: &usize| apart(leaves, one, ends[other]);
+        let others =
+            (index + 1..ends.len()).filter(|&other| free[other] && distance(&other).is_finite());
+        if let Some(other) = others.min_by(|a, b| distance(a).total_cmp(&distance(b))) {
+            free[other] = false;
+            pairs.push((one.0, ends[other].0));
+        }
+    }
+    pairs
+}
+
+/// How far the states of later groups are apart at two ends; infinite where these are not two sides of one turning point.
+fn apart(leaves: &[Leaf], one: Place, other: Place) -> f64 {
+    let [here, there] = [one, other].map(|(leaf, end)| (&leaves[leaf], end));
+    let ends = [here, there].map(|(leaf, end)| leaf.ends[end]);
+    let [End::Turning { group, .. }, _] = ends else {
+        return f64::INFINITY;
+    };
+    if ends[0] != ends[1] {
+        return f64::INFINITY;
+    }
+    let pairs = here.0.ways.iter().zip(&there.0.ways);
+    let pairs = pairs.filter(|((own, _), _)| *own >= group);
+    pairs
+        .map(
+            |((own, here_way), (_, there_way))| match (here_way, there_way) {
+                (Way::Mode(a), Way::Mode(b)) if (a == b) == (*own > group) => 0.0,
+                (Way::States(a), Way::States(b)) => {
+                    let pairs = a[here.1].iter().zip(&b[there.1]);
+                    pairs.map(|(a, b)| (a - b) * (a - b)).sum()
+                }
+                _ => f64::INFINITY,
+            },
+        )
+        .sum()
+}

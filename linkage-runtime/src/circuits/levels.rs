@@ -1,0 +1,108 @@
+//! A mechanism as the search for circuits sees it: group by group, in the order in which they are solved.
+
+use crate::generated::{CoupledGroup, CoupledPrograms, Start};
+use crate::numeric::continuation::{Correction, Step};
+use crate::{AssemblyError, AssemblyMode};
+use alloc::vec::Vec;
+
+/// What assemblies of a group there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// One.
+    Single,
+    /// Two, wherever it can be assembled: the index of the mode.
+    Modes(usize),
+    /// Those on the curve of its solutions: the index among the coupled groups.
+    Coupled(usize),
+}
+
+/// An unknown whose numbers are surveyed.
+#[derive(Clone, Copy, Debug)]
+pub struct SurveyedUnknown {
+    /// Its name.
+    pub name: &'static str,
+    /// Unit of a length; empty for a number.
+    pub unit: &'static str,
+    /// Whether it is an angle: its numbers are cosine and sine.
+    pub angle: bool,
+    /// How many numbers it has.
+    pub numbers: usize,
+}
+
+/// What has been chosen of the assemblies of the first groups.
+#[derive(Clone, Debug)]
+pub struct Chosen {
+    /// The modes; those of later groups mean nothing.
+    pub modes: Vec<AssemblyMode>,
+    /// What is prepared of coupled groups; nothing of later ones.
+    pub starts: Vec<Start>,
+}
+
+/// A mechanism with one input.
+pub trait Levels {
+    /// An assembled mechanism.
+    type Assembly: Clone;
+    /// What a survey gives: the least margin of all groups, the slack of every group, the numbers of the unknowns.
+    type Survey: AsRef<[f64]>;
+    /// The programs of a coupled group.
+    type Programs: CoupledPrograms;
+
+    /// Name of the mechanism.
+    const NAME: &'static str;
+    /// Name of the input.
+    const INPUT: &'static str;
+    /// The input that start estimates are for.
+    const REFERENCE: f64;
+    /// The groups in order.
+    const LEVELS: &'static [Level];
+    /// The unknowns in the order of their numbers in a survey.
+    const UNKNOWNS: &'static [SurveyedUnknown];
+    /// Modes, and coupled groups.
+    const COUNTS: [usize; 2];
+
+    /// An assembly of which only what belongs to the chosen groups means anything.
+    fn surveyor(&self, chosen: &Chosen, at: f64) -> Self::Assembly;
+    /// What an assembly is at an input.
+    fn survey(assembly: &Self::Assembly, at: f64) -> Self::Survey;
+    /// The assembly in which all groups are chosen.
+    ///
+    /// # Errors
+    ///
+    /// If it does not close at that input, or its angles cannot be followed.
+    fn assembled(&self, chosen: &Chosen, at: f64) -> Result<Self::Assembly, AssemblyError>;
+    /// Whether the mechanism is an assembly of some kind at an input; an error that is not about loops out of reach.
+    ///
+    /// # Errors
+    ///
+    /// As `assemblies()`.
+    fn check(&self, at: f64) -> Result<(), AssemblyError>;
+    /// A coupled group, with what is chosen of the groups before it. A mechanism without any has none.
+    fn coupled(
+        &self,
+        _chosen: &Chosen,
+        _number: usize,
+        _at: f64,
+    ) -> Option<Result<(&'static CoupledGroup, Self::Programs), AssemblyError>> {
+        None
+    }
+}
+
+/// The programs of mechanisms without coupled groups: there are none.
+#[derive(Clone, Copy, Debug)]
+pub enum NoPrograms {}
+
+impl Correction for NoPrograms {
+    fn correct(&mut self, _x: &[f64], _state: &mut [f64]) -> Step {
+        match *self {}
+    }
+}
+
+impl CoupledPrograms for NoPrograms {
+    fn system(&mut self, _x: &[f64]) -> Vec<[f64; 2]> {
+        match *self {}
+    }
+
+    fn placed(&mut self, _x: &[f64], _state: &[f64]) -> Vec<[f64; 2]> {
+        match *self {}
+    }
+}

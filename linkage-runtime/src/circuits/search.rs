@@ -1,0 +1,251 @@
+//! Group after group: where it can be assembled given the groups before it, and in which ways.
+
+use super::coupled::{self, Found};
+use super::levels::{Chosen, Level, Levels};
+use super::slab::Slab;
+use super::stretches::{Border, stretches};
+use super::trace::CurveEnd;
+use super::{Cycle, MOST_MODES};
+use crate::generated::{CoupledGroup, CoupledPrograms, Start, prepared};
+use crate::{AssemblyError, AssemblyMode};
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// Places at which the slack of a group is sampled for every place at which coupled groups are listed, and at least.
+const SAMPLES: f64 = 0.85;
+const LEAST_SAMPLES: usize = 48;
+
+/// Parameters at which a coupled group is listed in every slab, however short it is. What turns back shortly before an end is found from
+/// there.
+const ALWAYS: [f64; 5] = [-1.0, 1.0, -0.6, 0.05, 0.7];
+
+/// An end of an assembly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum End {
+    Range,
+    /// Where a group turns back; turning points are numbered.
+    Turning {
+        number: usize,
+        group: usize,
+    },
+    Lost,
+}
+
+/// How a group is assembled.
+#[derive(Clone, Debug)]
+pub(super) enum Way {
+    Mode(AssemblyMode),
+    /// The states of a coupled group at both ends.
+    States([Vec<f64>; 2]),
+}
+
+/// An assembly of all groups between two ends.
+#[derive(Clone, Debug)]
+pub(super) struct Leaf {
+    pub(super) chosen: Chosen,
+    /// Group by group, those with one assembly excepted.
+    pub(super) ways: Vec<(usize, Way)>,
+    pub(super) inputs: [f64; 2],
+    pub(super) ends: [End; 2],
+    /// A place between the ends where it is known, if a coupled group has one.
+    pub(super) known: Option<f64>,
+}
+
+/// The search through all groups.
+pub(super) struct Search<'a, M> {
+    pub(super) mechanism: &'a M,
+    pub(super) cycle: Cycle,
+    pub(super) leaves: Vec<Leaf>,
+    pub(super) error: Option<AssemblyError>,
+    turning: usize,
+}
+
+impl<'a, M: Levels> Search<'a, M> {
+    pub(super) fn run(mechanism: &'a M, cycle: Cycle) -> Result<Self, AssemblyError> {
+        let [modes, coupled] = M::COUNTS;
+        if modes > MOST_MODES {
+            return Err(AssemblyError::TooManyAssemblies {
+                mechanism: M::NAME,
+                modes,
+            });
+        }
+        let mut search = Self {
+            mechanism,
+            cycle,
+            leaves: Vec::new(),
+            error: None,
+            turning: 0,
+        };
+        let root = Leaf {
+            chosen: Chosen {
+                modes: vec![AssemblyMode::Plus; modes],
+                starts: vec![Start::Nothing; coupled],
+            },
+            ways: Vec::new(),
+            inputs: [cycle.low, cycle.high],
+            ends: [End::Range; 2],
+            known: None,
+        };
+        search.level(0, root);
+        Ok(search)
+    }
+
+    /// All assemblies of the groups from `group` on, given those before it.
+    fn level(&mut self, group: usize, before: Leaf) {
+        let Some(level) = M::LEVELS.get(group) else {
+            self.leaves.push(before);
+            return;
+        };
+        match *level {
+            Level::Single => self.closed_form(group, &before, None),
+            Level::Modes(mode) => self.closed_form(group, &before, Some(mode)),
+            Level::Coupled(number) => self.coupled(group, number, &before),
+        }
+    }
+
+    fn closed_form(&mut self, group: usize, before: &Leaf, mode: Option<usize>) {
+        let slab = before.slab();
+        let share = (slab.high - slab.low) / (self.cycle.high - self.cycle.low);
+        let samples = SAMPLES * self.cycle.samples as f64 * share;
+        let samples = (samples as usize).max(LEAST_SAMPLES);
+        let middle = before.known.unwrap_or_else(|| slab.x(0.0));
+        let surveyor = self.mechanism.surveyor(&before.chosen, middle);
+        let slack = |x: f64| M::survey(&surveyor, x).as_ref()[1 + group];
+        let served = before.known.is_none();
+        for borders in stretches(&slab, samples, mode.is_none(), served, slack) {
+            let mut next = before.clone();
+            for (side, border) in borders.into_iter().enumerate() {
+                match border {
+                    Border::Slab => {}
+                    Border::Root(x) => {
+                        next.ends[side] = End::Turning {
+                            number: self.turning,
+                            group,
+                        };
+                        next.inputs[side] = x;
+                        self.turning += 1;
+                    }
+                    Border::Broken(x) => {
+                        next.ends[side] = End::Lost;
+                        next.inputs[side] = x;
+                    }
+                }
+            }
+            let Some(mode) = mode else {
+                self.level(group + 1, next);
+                continue;
+            };
+            for way in [AssemblyMode::Plus, AssemblyMode::Minus] {
+                let mut next = next.clone();
+                next.chosen.modes[mode] = way;
+                next.ways.push((group, Way::Mode(way)));
+                self.level(group + 1, next);
+            }
+        }
+    }
+
+    fn coupled(&mut self, group: usize, number: usize, before: &Leaf) {
+        let slab = before.slab();
+        let middle = before.known.unwrap_or_else(|| slab.x(0.0));
+        let programs = match self.mechanism.coupled(&before.chosen, number, middle) {
+            Some(Ok(programs)) => programs,
+            Some(Err(error)) => {
+                self.error.get_or_insert(error);
+                return;
+            }
+            None => return,
+        };
+        let (description, mut programs) = programs;
+        let made = match description.inputs {
+            [] => self.constant(group, number, before, description, &mut programs),
+            _ => self.strands(group, number, before, description, &mut programs),
+        };
+        match made {
+            Ok(all) => all.into_iter().for_each(|next| self.level(group + 1, next)),
+            Err(error) => {
+                self.error.get_or_insert(error);
+            }
+        }
+    }
+
+    /// The assemblies of a group that does not depend on the input.
+    fn constant(
+        &mut self,
+        group: usize,
+        number: usize,
+        before: &Leaf,
+        description: &CoupledGroup,
+        programs: &mut M::Programs,
+    ) -> Result<Vec<Leaf>, AssemblyError> {
+        let all = match crate::generated::list(description, programs, &[]) {
+            Err(error) if error.is_a_miss() => Vec::new(),
+            listed => listed?,
+        };
+        let leaf = |state: Vec<f64>| {
+            let mut next = before.clone();
+            next.chosen.starts[number] = prepared(description, programs, &[], &state)?;
+            next.ways.push((group, Way::States([state.clone(), state])));
+            Ok(next)
+        };
+        all.into_iter()
+            .map(|solution| solution.state)
+            .map(leaf)
+            .collect()
+    }
+
+    /// The assemblies of a coupled group over the input.
+    fn strands(
+        &mut self,
+        group: usize,
+        number: usize,
+        before: &Leaf,
+        description: &CoupledGroup,
+        programs: &mut impl CoupledPrograms,
+    ) -> Result<Vec<Leaf>, AssemblyError> {
+        let slab = before.slab();
+        let inner = (0..self.cycle.samples).map(|index| self.cycle.sample(index));
+        let inner = inner.filter(|&x| slab.covers(x)).map(|x| slab.parameter(x));
+        let samples: Vec<f64> = inner.chain(ALWAYS).collect();
+        let Found { strands, turning } = coupled::follow(description, programs, slab, &samples)?;
+        let mut all = Vec::new();
+        for strand in strands {
+            let mut next = before.clone();
+            let inputs = strand.inputs(&slab);
+            for (side, x) in inputs.into_iter().enumerate() {
+                match strand.ends[side] {
+                    CurveEnd::Slab => continue,
+                    CurveEnd::Turning(own) => {
+                        let number = self.turning + own;
+                        next.ends[side] = End::Turning { number, group };
+                    }
+                    CurveEnd::Lost => next.ends[side] = End::Lost,
+                }
+                next.inputs[side] = x;
+            }
+            let best = strand.best();
+            let x = slab.x(best.u);
+            match prepared(description, programs, &[x], &best.state) {
+                Ok(start) => next.chosen.starts[number] = start,
+                Err(error) => {
+                    self.error.get_or_insert(error);
+                    continue;
+                }
+            }
+            next.known = Some(x);
+            next.ways.push((
+                group,
+                Way::States([0, 1].map(|end| strand.state(end).to_vec())),
+            ));
+            all.push(next);
+        }
+        self.turning += turning;
+        Ok(all)
+    }
+}
+
+impl Leaf {
+    fn slab(&self) -> Slab {
+        let [low, high] = self.inputs;
+        Slab { low, high }
+    }
+}

@@ -1,0 +1,43 @@
+//! The part of the range between two ends, with a parameter that makes what ends there smooth.
+//!
+//! At a turning point places depend on the root of the distance from it. Inputs are a cubic of the parameter whose slope vanishes at both
+//! ends, so that they are smooth functions of it.
+
+/// Two inputs, the lower one first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Slab {
+    pub(super) low: f64,
+    pub(super) high: f64,
+}
+
+impl Slab {
+    /// The input at a parameter from -1 to 1.
+    pub(super) fn x(&self, u: f64) -> f64 {
+        let share = 0.25 * (2.0 + u * (3.0 - u * u));
+        if u <= -1.0 {
+            self.low
+        } else if u >= 1.0 {
+            self.high
+        } else {
+            (self.low + (self.high - self.low) * share).clamp(self.low, self.high)
+        }
+    }
+
+    /// The parameter of an input: bisection, since it is asked for rarely.
+    pub(super) fn parameter(&self, x: f64) -> f64 {
+        let (mut low, mut high) = (-1.0, 1.0);
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let middle = 0.5 * (low + high);
+            if self.x(middle) < x {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        0.5 * (low + high)
+    }
+
+    pub(super) fn covers(&self, x: f64) -> bool {
+        self.low < x && x < self.high
+    }
+}

@@ -1,0 +1,160 @@
+//! Where a group with a closed form can be assembled: its slack is positive between simple roots.
+
+use super::slab::Slab;
+use crate::numeric::minimum::{Point, descend};
+use alloc::vec::Vec;
+
+/// A slack that is negative by less, compared with the largest, is rounding: two turning points that close are one place that the
+/// assembly passes.
+const ROUNDING: f64 = -1e-14;
+
+/// Steps that bring a border to the last digit, and how far apart its sides are then.
+const STEPS: usize = 120;
+const WIDTH: f64 = 4e-16;
+
+/// Where a stretch begins or ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Border {
+    /// With the slab.
+    Slab,
+    /// Where the slack vanishes.
+    Root(f64),
+    /// Where there is no slack any more.
+    Broken(f64),
+}
+
+/// All stretches of a slab where the slack is positive, or, `single`, where there is one. `served` says whether it is known up to the
+/// ends of the slab; elsewhere it is taken to go on as it does beside them.
+pub(super) fn stretches(
+    slab: &Slab,
+    samples: usize,
+    single: bool,
+    served: bool,
+    mut slack: impl FnMut(f64) -> f64,
+) -> Vec<[Border; 2]> {
+    let mut slack = |u: f64| {
+        let value = slack(slab.x(u));
+        if single { 0.0 * value } else { value }
+    };
+    let last = samples.max(2);
+    let at = |index: usize| 2.0 * (index as f64 / last as f64) - 1.0;
+    let mut points: Vec<Point> = (0..=last).map(|k| Point::at(at(k), &mut slack)).collect();
+    if !served {
+        trim(&mut points);
+    }
+    let size = points.iter().map(|point| point.margin.abs());
+    let size = size.fold(0.0, |most: f64, size| if size > most { size } else { most });
+    let works = |point: Point| point.margin >= ROUNDING * size;
+    refine(&mut points, &works, &mut slack);
+
+    let mut found = Vec::new();
+    let mut from = points
+        .first()
+        .filter(|&&point| works(point))
+        .map(|_| Border::Slab);
+    for pair in points.windows(2) {
+        match (works(pair[0]), works(pair[1])) {
+            (false, true) => from = Some(border(pair[1], pair[0], slab, &works, &mut slack)),
+            (true, false) => {
+                let end = border(pair[0], pair[1], slab, &works, &mut slack);
+                found.extend(from.take().map(|from| [from, end]));
+            }
+            _ => {}
+        }
+    }
+    found.extend(from.map(|from| [from, Border::Slab]));
+    found
+}
+
+/// Leaves out what is not a number before the first and behind the last place that has one.
+fn trim(points: &mut Vec<Point>) {
+    let known = |point: &Point| !point.margin.is_nan();
+    points.truncate(points.iter().rposition(known).map_or(0, |last| last + 1));
+    points.drain(..points.iter().position(known).unwrap_or(0));
+}
+
+/// Adds the lowest points between samples that work and the highest ones between samples that do not, where they are of the other kind.
+fn refine(
+    points: &mut Vec<Point>,
+    works: &impl Fn(Point) -> bool,
+    slack: &mut impl FnMut(f64) -> f64,
+) {
+    let mut more = Vec::new();
+    for three in points.windows(3) {
+        let [before, middle, after] = [three[0], three[1], three[2]];
+        let kind = works(middle);
+        if works(before) != kind || works(after) != kind || middle.margin.is_nan() {
+            continue;
+        }
+        let sign = if kind { 1.0 } else { -1.0 };
+        let lowest =
+            |other: Point| other.margin.is_nan() || sign * (other.margin - middle.margin) >= 0.0;
+        if !(lowest(before) && lowest(after))
+            || before.margin == after.margin && before.margin == middle.margin
+        {
+            continue;
+        }
+        let depth = |point: Point| Point {
+            x: point.x,
+            margin: sign * point.margin,
+        };
+        let mut deep = |u: f64| {
+            let value = sign * slack(u);
+            if value.is_nan() && !kind {
+                f64::INFINITY
+            } else {
+                value
+            }
+        };
+        let other = |point: Point| works(depth(point)) != kind;
+        let bottom = descend(depth(before), depth(after), &mut deep, other);
+        if other(bottom) {
+            more.push(depth(bottom));
+        }
+    }
+    points.extend(more);
+    points.sort_by(|a, b| a.x.total_cmp(&b.x));
+}
+
+/// Where between a place that works and one that does not it ends: by the secant, and every third time by halves.
+fn border(
+    works: Point,
+    broken: Point,
+    slab: &Slab,
+    is_good: &impl Fn(Point) -> bool,
+    slack: &mut impl FnMut(f64) -> f64,
+) -> Border {
+    let (mut good, mut bad) = (works, broken);
+    for step in 0..STEPS {
+        let between = good.margin > 0.0 && bad.margin < 0.0;
+        let share = match step % 3 {
+            0 | 1 if between => good.margin / (good.margin - bad.margin),
+            _ => 0.5,
+        };
+        let middle = good.x + share * (bad.x - good.x);
+        if (good.x - bad.x).abs() <= WIDTH {
+            break;
+        }
+        let point = Point::at(middle, slack);
+        let better = if good.margin > 0.0 {
+            point.margin > 0.0
+        } else {
+            is_good(point)
+        };
+        // The secant stays on one side of a bend: what it keeps counts half.
+        if better {
+            good = point;
+            bad.margin *= 0.5;
+        } else {
+            bad = point;
+            good.margin *= 0.5;
+        }
+    }
+    // Where it can still be assembled: later groups are looked at up to there.
+    let x = slab.x(good.x);
+    if bad.margin.is_nan() {
+        Border::Broken(x)
+    } else {
+        Border::Root(x)
+    }
+}

@@ -1,0 +1,211 @@
+//! `circuits()`: every assembly is there, a turning point ends two of them, and both belong to one circuit.
+
+use crate::kinds::{self, Evaluate, Kind};
+use crate::legs::poses;
+use linkage::{Branch, BranchEnd, Circuits, mechanism};
+use linkage_random::Random;
+use std::f64::consts::TAU;
+
+/// Mechanisms of all kinds together.
+const MECHANISMS: usize = 60;
+
+/// Mechanisms of a dyad, a triad and another dyad.
+const CHAINS: usize = 20;
+
+/// Ends that are one turning point agree to this part of the range.
+const TOGETHER: f64 = 1e-9;
+
+/// Inputs at which assemblies are counted in another way.
+const COUNTED: usize = 25;
+
+/// Nearer to an end than this, in radians, assemblies are not counted.
+const BESIDE: f64 = 1e-3;
+
+/// How many mechanisms are looked at.
+fn mechanisms() -> usize {
+    match crate::effort() {
+        1 => MECHANISMS,
+        more => 3 * MECHANISMS * more,
+    }
+}
+
+/// A ternary link farther out than this, in mm, is not looked at.
+const FAR: f64 = 2000.0;
+
+/// What is wrong with the circuits of some mechanisms.
+#[derive(Debug, Default)]
+struct Faults {
+    mechanisms: usize,
+    refused: usize,
+    ends: usize,
+    alone: usize,
+    lost: usize,
+    counted: usize,
+    miscounted: usize,
+}
+
+/// Input, side and circuit of every turning point.
+fn turning<A>(circuits: &Circuits<A>) -> Vec<(f64, usize, usize)> {
+    let branches = circuits.branches.iter();
+    let ends = branches.flat_map(|branch| {
+        let ends = branch.ends.into_iter().enumerate();
+        ends.filter_map(|(side, end)| match end {
+            BranchEnd::TurningPoint(x) => Some((x, side, branch.circuit)),
+            _ => None,
+        })
+    });
+    ends.collect()
+}
+
+/// How many ends at turning points have no partner in their circuit. Where other groups are assembled in several ways, several pairs end
+/// together.
+fn alone(turning: &[(f64, usize, usize)]) -> usize {
+    let ends = turning.iter().enumerate();
+    let alone = ends.filter(|&(one, &(x, side, circuit))| {
+        let others = turning.iter().enumerate();
+        let partners = others.filter(|&(other, &(y, of, number))| {
+            let here = (x - y).abs() <= TOGETHER * TAU;
+            other != one && here && of == side && number == circuit
+        });
+        partners.count() % 2 != 1
+    });
+    alone.count()
+}
+
+fn covers<A>(branch: &Branch<A>, phi: f64) -> bool {
+    let [low, high] = branch.ends.map(BranchEnd::x);
+    low <= phi && phi <= high
+}
+
+/// Whether slides run off to where guides are almost parallel, and the mechanism is none.
+fn is_endless(kind: &Kind, dimensions: &kinds::Dimensions) -> bool {
+    let at = (0..COUNTED).map(|row| TAU * row as f64 / COUNTED as f64);
+    at.filter_map(|phi| poses(&kind.legs(dimensions, phi)))
+        .flatten()
+        .any(|pose| pose.x.hypot(pose.y) > FAR)
+}
+
+fn look(kind: &Kind, dimensions: &kinds::Dimensions, random: &mut Random, faults: &mut Faults) {
+    faults.mechanisms += 1;
+    let circuits = match (kind.circuits)(dimensions) {
+        Ok(circuits) => circuits,
+        Err(why) => {
+            println!("{}: {dimensions:?}\n    {why}", kind.name);
+            faults.refused += 1;
+            return;
+        }
+    };
+    let before = (faults.alone, faults.lost, faults.miscounted);
+    let turning = turning(&circuits);
+    let lost = circuits.branches.iter().flat_map(|branch| branch.ends);
+    faults.lost += lost.filter(|end| matches!(end, BranchEnd::Lost(_))).count();
+    faults.ends += turning.len();
+    faults.alone += alone(&turning);
+    for _ in 0..COUNTED {
+        let phi = random.between(0.0, TAU);
+        let ends = circuits.branches.iter().flat_map(|branch| branch.ends);
+        let beside = ends.map(BranchEnd::x).any(|x| (x - phi).abs() < BESIDE);
+        let (false, Some(poses)) = (beside, poses(&kind.legs(dimensions, phi))) else {
+            continue;
+        };
+        let here = circuits
+            .branches
+            .iter()
+            .filter(|branch| covers(branch, phi));
+        faults.counted += 1;
+        faults.miscounted += usize::from(here.count() != poses.len());
+    }
+    if before != (faults.alone, faults.lost, faults.miscounted) {
+        println!("{}: {dimensions:?}\n{circuits}", kind.name);
+    }
+}
+
+fn run(mechanisms: usize) -> Faults {
+    let mut random = Random::new(16);
+    let mut faults = Faults::default();
+    let kinds = kinds::KINDS.iter().cycle();
+    for (number, kind) in kinds.take(mechanisms).enumerate() {
+        let part = [0.05, 0.2, 0.5][number / kinds::KINDS.len() % 3];
+        let dimensions = random.near((kind.dimensions)(), part);
+        if is_endless(kind, &dimensions) {
+            continue;
+        }
+        look(kind, &dimensions, &mut random, &mut faults);
+    }
+    println!("{faults:?}");
+    faults
+}
+
+mechanism! {
+    /// A four-bar whose crank may be too long to turn, a platform on its rocker, and a dyad on the platform.
+    struct Chain {
+        unit mm;
+        param crank = 20mm;
+        param rocker = 60mm;
+        param leg = 50mm;
+        param rod = 70mm;
+        input phi = 60deg;
+        unknown theta = 20deg;
+        unknown psi = 60deg;
+        unknown tilt = 20deg;
+        unknown leg_a = 20deg;
+        unknown leg_b = 100deg;
+        unknown leg_c = 290deg;
+        unknown lean = 80deg;
+        unknown slide = 150mm;
+        loop (-60mm, -30mm) + polar(crank, phi) + polar(60mm, theta) = polar(rocker, psi);
+        let a = polar(40mm, psi) + polar(leg, leg_a);
+        loop a + polar(60mm, tilt) = (120mm, 0) + polar(leg, leg_b);
+        loop a + polar(60mm, tilt + 60deg) = (60mm, 110mm) + polar(leg, leg_c);
+        loop a + polar(rod, lean) = (0, slide);
+    }
+    impl Chain {
+        fn places(phi) -> Places { a, slide }
+    }
+}
+
+#[test]
+fn groups_before_and_behind_turn_back_with_it() {
+    let mut random = Random::new(17);
+    let (mut ends, mut lonely) = (0, 0);
+    for _ in 0..CHAINS * crate::effort() {
+        let Chain {
+            crank,
+            rocker,
+            leg,
+            rod,
+        } = Chain::default();
+        let [rocker, leg, rod] = random.near([rocker, leg, rod], 0.3);
+        let crank = crank * random.ratio(0.7, 4.0);
+        let chain = Chain {
+            crank,
+            rocker,
+            leg,
+            rod,
+        };
+        let circuits = chain.circuits().expect("it can be listed");
+        let turning = turning(&circuits);
+        let alone = alone(&turning);
+        if alone > 0 {
+            println!("{chain:?}\n{circuits}");
+        }
+        ends += turning.len();
+        lonely += alone;
+    }
+    println!("{lonely} of {ends} ends");
+    assert!(ends > CHAINS);
+    assert_eq!(lonely, 0);
+}
+
+#[test]
+fn a_turning_point_ends_two_assemblies() {
+    let faults = run(mechanisms());
+    let Faults {
+        refused,
+        alone,
+        lost,
+        miscounted,
+        ..
+    } = faults;
+    assert_eq!((refused, alone, lost, miscounted), (0, 0, 0, 0));
+}
