@@ -62,22 +62,6 @@ impl<'g> Ex<'g> {
         self.binding() < Binding::Call
     }
 
-    /// The terms of a sum, from left to right; false for those that are subtracted.
-    pub fn summands(self) -> Vec<(bool, Self)> {
-        let ex = |id| Self::new(self.graph, id);
-        let mut found = Vec::new();
-        let mut open = vec![(true, self)];
-        while let Some((sign, x)) = open.pop() {
-            match x.node() {
-                Node::Unary(Unary::Neg, a) => open.push((!sign, ex(a))),
-                Node::Binary(Binary::Add, a, b) => open.extend([(sign, ex(b)), (sign, ex(a))]),
-                Node::Binary(Binary::Sub, a, b) => open.extend([(!sign, ex(b)), (sign, ex(a))]),
-                _ => found.push((sign, x)),
-            }
-        }
-        found
-    }
-
     /// Any unary operation.
     pub fn unary(self, op: Unary) -> Self {
         Self::new(self.graph, self.graph.unary(op, self.id))

@@ -10,28 +10,56 @@ use super::Solver;
 /// An angle by the nodes of its cosine and sine.
 type Turning = (NodeId, NodeId);
 
+/// How long a vector can become.
+struct Longest<'m> {
+    length: Ex<'m>,
+    /// Whether its parts can all point the same way: each turns, and keeps its length.
+    reached: bool,
+}
+
 /// The coefficients of the products of cosines and sines of some angles: the first bit of an index is set for the sine of the first angle.
 struct Part<'m> {
     rows: [Vec<Ex<'m>>; 2],
 }
 
 impl<'m> Solver<'_, 'm> {
-    /// The sum of the lengths of a vector's parts. What is known only in a call and does not turn has the length that it has there.
-    pub(super) fn longest(&self, vector: V2<'m>) -> Ex<'m> {
+    /// The margin of a group whose determinant is `h = sqrt(vector.vector - level^2)`: over the largest value that it has for these lengths. Where
+    /// nothing moves, and where it is not known how far (in space), over the vector's length.
+    ///
+    /// `h` is scaled, the others are not.
+    pub(super) fn root_margin(
+        &self,
+        h: Ex<'m>,
+        vector: V2<'m>,
+        level: Ex<'m>,
+        scale: Ex<'m>,
+    ) -> Ex<'m> {
+        let longest = self.longest(vector);
+        if vector.is_fixed() || !longest.reached {
+            return h / (scale * vector).length();
+        }
+        let longest = scale * longest.length;
+        let largest = match level.is_fixed() {
+            true => longest.difference_of_squares(scale * level).sqrt(),
+            false => longest,
+        };
+        // Where all is in line both are equal but for rounding.
+        (h / largest).min(h.number(1.0))
+    }
+
+    /// The sum of the lengths of a vector's parts.
+    fn longest(&self, vector: V2<'m>) -> Longest<'m> {
         let zero = self.algebra.zero();
         let mut fixed = Vector([zero; 2]);
-        let mut moved = Vector([zero; 2]);
+        let mut reached = true;
         let mut turning: BTreeMap<Vec<Turning>, Part<'m>> = BTreeMap::new();
         for (row, x) in vector.components().enumerate() {
-            for (positive, term) in x.summands() {
+            for (known, term) in spread(x) {
                 let (angles, sines, factor) = self.factors(term);
-                let signed = if positive { factor } else { -factor };
+                let signed = known * factor;
                 if angles.is_empty() {
-                    let rest = match signed.is_fixed() {
-                        true => &mut fixed,
-                        false => &mut moved,
-                    };
-                    rest.0[row] += signed;
+                    reached &= signed.is_fixed();
+                    fixed.0[row] += signed;
                     continue;
                 }
                 let count = 1 << angles.len();
@@ -41,8 +69,10 @@ impl<'m> Solver<'_, 'm> {
                 part.rows[row][sines] += signed;
             }
         }
-        let parts = turning.values().map(|part| part.longest(zero));
-        parts.fold(fixed.length() + moved.length(), |sum, length| sum + length)
+        reached &= turning.values().all(Part::is_rotor);
+        let parts = turning.values().map(|part| part.arm().length());
+        let length = parts.fold(fixed.length(), |sum, length| sum + length);
+        Longest { length, reached }
     }
 
     /// A product's angles, in order, which of them it has the sines of, and its other factors. A power of a cosine is no direction: it stays
@@ -96,29 +126,48 @@ impl<'m> Solver<'_, 'm> {
     }
 }
 
-impl<'m> Part<'m> {
-    /// The length of a vector that turns with the sum or difference of its angles; of others, what no position exceeds.
-    fn longest(&self, zero: Ex<'m>) -> Ex<'m> {
-        let squares = self.rows.iter().flatten().map(|x| x.square());
-        let sum = squares.fold(zero, |sum, x| sum + x);
-        let count = self.rows[0].len();
-        let senses = 0..count;
-        match senses.into_iter().any(|senses| self.is_rotor(senses)) {
-            true => Vector([self.rows[0][0], self.rows[1][0]]).length(),
-            // The squares of the products of cosines and sines add up to 1.
-            false => sum.sqrt(),
+/// The terms of a sum with factors that are known before a call, which may stand before a sum themselves.
+fn spread(x: Ex) -> Vec<(Ex, Ex)> {
+    let ex = |id| x.graph().ex(id);
+    let mut found = Vec::new();
+    let mut open = vec![(x.number(1.0), x)];
+    while let Some((known, x)) = open.pop() {
+        match x.node() {
+            Node::Unary(Unary::Neg, a) => open.push((-known, ex(a))),
+            Node::Binary(Binary::Add, a, b) => open.extend([(known, ex(b)), (known, ex(a))]),
+            Node::Binary(Binary::Sub, a, b) => open.extend([(-known, ex(b)), (known, ex(a))]),
+            Node::Binary(Binary::Mul, a, b) if ex(a).is_fixed() => {
+                open.push((known * ex(a), ex(b)))
+            }
+            Node::Binary(Binary::Mul, a, b) if ex(b).is_fixed() => {
+                open.push((known * ex(b), ex(a)))
+            }
+            Node::Binary(Binary::Div, a, b) if ex(b).is_fixed() => {
+                open.push((known / ex(b), ex(a)))
+            }
+            _ => found.push((known, x)),
         }
     }
+    found
+}
 
-    /// Whether it is `z` times the unit vectors of its angles, those whose bits are set conjugate.
-    fn is_rotor(&self, conjugate: usize) -> bool {
-        let z = Vector([self.rows[0][0], self.rows[1][0]]);
-        (0..self.rows[0].len()).all(|sines| {
-            let turned = (0..sines.count_ones()).fold(z, |z, _| z.perp());
-            let back = (sines & conjugate).count_ones() % 2 == 1;
-            (0..2).all(|row| {
-                let expected = if back { -turned[row] } else { turned[row] };
-                agree(self.rows[row][sines], expected)
+impl<'m> Part<'m> {
+    /// Where it points when all angles are 0.
+    fn arm(&self) -> V2<'m> {
+        Vector([self.rows[0][0], self.rows[1][0]])
+    }
+
+    /// Whether it is its arm, turned by the sum of its angles, some of them with the other sign.
+    fn is_rotor(&self) -> bool {
+        let all = 0..self.rows[0].len();
+        all.clone().any(|conjugate| {
+            all.clone().all(|sines| {
+                let turned = (0..sines.count_ones()).fold(self.arm(), |arm, _| arm.perp());
+                let back = (sines & conjugate).count_ones() % 2 == 1;
+                (0..2).all(|row| {
+                    let expected = if back { -turned[row] } else { turned[row] };
+                    agree(self.rows[row][sines], expected)
+                })
             })
         })
     }

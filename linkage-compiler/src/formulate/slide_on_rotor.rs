@@ -47,8 +47,7 @@ impl<'m> Solver<'_, 'm> {
         self.push_pair(terms, [turned, stretch * line], determinant);
 
         let distance = distance2.sqrt();
-        let longest = self.longest(c);
-        let largest = longest.difference_of_squares(offset).sqrt();
+        let margin = self.root_margin(h, c, offset, self.algebra.one());
         let miss = offset.abs() - distance;
         Closed {
             kind: "RPR".into(),
@@ -57,7 +56,7 @@ impl<'m> Solver<'_, 'm> {
             method: "tangent from a point to the circle of the guide's offset",
             two_modes: true,
             gap: gap(q, distance2, miss),
-            margin: (h / largest).min(h.number(1.0)),
+            margin,
             slack: q,
             slack_scale: distance2,
             gap_in: GapIn::Loop,

@@ -18,6 +18,7 @@ impl<'m> Solver<'_, 'm> {
         known: Ex<'m>,
     ) -> Closed<'m> {
         let w = self.mode_sign();
+        let written = (Vector([a, b]), known);
         let ([a, b, known], scale) = self.scaled([a, b, known]);
         let c = -known;
         let normal = Vector([a, b]);
@@ -55,7 +56,7 @@ impl<'m> Solver<'_, 'm> {
             method: "unit vector from the tangent to a circle",
             two_modes: true,
             gap: gap(q, r2, miss),
-            margin: h / r,
+            margin: self.root_margin(h, written.0, written.1, scale),
             slack: q,
             slack_scale: r2,
             gap_in: GapIn::Loop,

@@ -115,7 +115,7 @@ impl<'m> Analysis<'_, 'm> {
     /// `x x + y y - ...` or `x x + y y + z z - ...` with a known rest.
     fn written_squares(&mut self, row: Ex<'m>, coordinates: &[Coordinate]) -> Option<Distance<'m>> {
         let unknown = |x| coordinates.iter().any(|c| self.contains(x, c));
-        let terms = row.summands();
+        let terms = summands(row);
         let sign = terms.iter().find(|(_, x)| unknown(*x))?.0;
         let mut vector = Vec::new();
         let mut wanted = self.algebra.zero();
@@ -289,4 +289,20 @@ impl<'m> Analysis<'_, 'm> {
         self.classify(&rows[0], std::slice::from_ref(angle))?;
         Some((rows, coordinates.to_vec()))
     }
+}
+
+/// The terms of a sum; false for those that are subtracted.
+fn summands(sum: Ex) -> Vec<(bool, Ex)> {
+    let ex = |id| sum.graph().ex(id);
+    let mut found = Vec::new();
+    let mut open = vec![(true, sum)];
+    while let Some((sign, x)) = open.pop() {
+        match x.node() {
+            Node::Unary(Unary::Neg, a) => open.push((!sign, ex(a))),
+            Node::Binary(Binary::Add, a, b) => open.extend([(sign, ex(b)), (sign, ex(a))]),
+            Node::Binary(Binary::Sub, a, b) => open.extend([(!sign, ex(b)), (sign, ex(a))]),
+            _ => found.push((sign, x)),
+        }
+    }
+    found
 }

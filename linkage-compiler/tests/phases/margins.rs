@@ -109,8 +109,13 @@ fn a_swinging_guide() {
 /// With an offset it is 1 where the slider is farthest, too; the guide hangs on a link whose angle is the sum of two.
 #[test]
 fn a_guide_with_an_offset() {
-    expect_alike(&["unknown theta = 20deg; unknown s = 110mm;
-         loop (r, 0) + polar(40mm, phi) = polar(s, theta) + polar(20mm, theta + 90deg);"]);
+    expect_alike(&[
+        "unknown theta = 20deg; unknown s = 110mm;
+         loop (r, 0) + polar(40mm, phi) = polar(s, theta) + polar(20mm, theta + 90deg);",
+        // The row across the guide, in lengths and in areas.
+        "unknown theta = 20deg; loop cross(dir(theta), (r, 0) + polar(40mm, phi)) = 20mm;",
+        "unknown theta = 20deg; loop cross(polar(l, theta), (r, 0) + polar(40mm, phi)) = 20mm * l;",
+    ]);
     expect_alike(&[
         "unknown chi; loop chi = 2 * phi; unknown theta = 20deg; unknown s = 110mm;
          loop (r, 0) + polar(40mm, chi + 10deg - phi) = polar(s, theta);",

@@ -177,6 +177,6 @@ fn compare_position(
         return report.fail(|| format!("wrong assembly mode: {:?}: {data:?}", start.values));
     }
     compare_positions(system, &mut reference, &answers, data, report);
-    compare_margin(system, &reference, &answers, data, report);
+    compare_margin(&reference, &answers, data, report);
     compare_derivatives(system, &mut reference, &answers, depth, report);
 }

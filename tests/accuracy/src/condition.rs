@@ -12,7 +12,7 @@ impl Reference<'_> {
     /// For other systems it is the sum over all equations, which adds the errors of groups that
     /// build on each other.
     pub fn conditions(&mut self) -> Vec<f64> {
-        if self.system.margin {
+        if self.system.margin.is_some() {
             let own = 1.0 / self.determinant().abs();
             self.reaches()
                 .iter()

@@ -66,16 +66,14 @@ pub(crate) fn compare_positions(
 }
 
 pub(crate) fn compare_margin(
-    system: &System,
     reference: &Reference,
     answers: &Found,
     data: &[f64],
     report: &mut Report,
 ) {
-    if !system.margin {
+    let Some((expected, uncertainty)) = reference.margin() else {
         return;
-    }
-    let (expected, uncertainty) = reference.margin();
+    };
     for (program, a) in answers {
         let error = (&expected - &Big::from(a.margin)).abs();
         let conditioned = ratio(a.margin, &error, &uncertainty);

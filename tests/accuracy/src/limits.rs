@@ -7,8 +7,10 @@ use crate::Measure;
 pub struct Limits {
     /// For [`Measure::Position`].
     pub condition: f64,
-    /// For [`Measure::Value`] and [`Measure::Margin`].
+    /// For [`Measure::Value`].
     pub value: f64,
+    /// For [`Measure::Margin`].
+    pub margin: f64,
     /// For first derivatives.
     pub first: f64,
     /// For second and mixed derivatives.
@@ -23,6 +25,7 @@ impl Limits {
     pub fn any_proportions(self) -> Self {
         Self {
             value: 2.0 * self.value,
+            margin: 2.0 * self.margin,
             ..self.times(10.0)
         }
     }
@@ -34,6 +37,7 @@ impl Limits {
         Self {
             condition: self.condition,
             value: factor * self.value,
+            margin: factor * self.margin,
             first: factor * self.first,
             second: factor * self.second,
             third: factor * self.third,
@@ -43,7 +47,8 @@ impl Limits {
     pub(crate) fn of(&self, measure: Measure) -> f64 {
         match measure {
             Measure::Position => self.condition,
-            Measure::Value | Measure::Margin => self.value,
+            Measure::Value => self.value,
+            Measure::Margin => self.margin,
             Measure::First | Measure::Sensitivity => self.first,
             Measure::Second | Measure::Mixed | Measure::Pair => self.second,
             Measure::Third | Measure::MixedSecond => self.third,

@@ -134,8 +134,9 @@ pub struct System {
     pub pairs: &'static [(usize, usize)],
     /// Whether the equations are linear: then there is one solution and no assembly mode.
     pub linear: bool,
-    /// Whether `margin()` of the program is the normalised determinant of this system.
-    pub margin: bool,
+    /// What the normalised determinant of this system is multiplied by to be `margin()` of the program, from the data alone; none if the
+    /// margin is something else.
+    pub margin: Option<fn(&Position) -> Big>,
 }
 
 impl System {
@@ -178,6 +179,16 @@ impl System {
             unknowns: &[],
         });
         turned.abs().to_f64().max(1.0)
+    }
+
+    /// The value of [`System::margin`] for the given data.
+    pub(crate) fn margin_factor(&self, data: &[Big]) -> Option<Big> {
+        let factor = self.margin?;
+        Some(factor(&Position {
+            system: self,
+            data,
+            unknowns: &[],
+        }))
     }
 
     /// The value of [`System::gap`] for the given data.

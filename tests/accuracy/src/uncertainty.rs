@@ -38,17 +38,22 @@ impl Reference<'_> {
         alone
     }
 
-    /// The determinant's magnitude and what a change of one roundoff in every datum does to it.
-    pub fn margin(&self) -> (Big, Big) {
-        let here = &self.solution.determinant;
-        let mut sum = here.abs();
+    /// The margin, and what a change of one roundoff in every datum does to it; none if it is no determinant.
+    pub fn margin(&self) -> Option<(Big, Big)> {
+        let margin = |determinant: &Big, data: &[Big]| {
+            let factor = self.system.margin_factor(data)?;
+            Some(determinant.abs() * factor)
+        };
+        let here = margin(&self.solution.determinant, &self.data)?;
+        let mut sum = here.clone();
         for (index, weight) in self.weights.iter().enumerate() {
             let mut data = self.data.clone();
             data[index] = &data[index] + &self.steps[index];
             let there = self.solution.moved_determinant(self.system, &data);
-            sum = sum + (there - here).abs() / &self.steps[index] * weight;
+            let there = margin(&there, &data)?;
+            sum = sum + (there - &here).abs() / &self.steps[index] * weight;
         }
-        (here.abs(), sum * ROUNDOFF)
+        Some((here, sum * ROUNDOFF))
     }
 
     fn rounding(&mut self, by: &[usize]) -> Vec<Big> {

@@ -10,6 +10,7 @@ use linkage_accuracy::{
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    margin: 10.0,
     first: 30.0,
     second: 100.0,
     third: 100.0,
@@ -127,7 +128,7 @@ const CHAIN: System = System {
     turned: |_| Big::one(),
     pairs: &[],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 /// The points that the stages move, and by how much their loops are missed.

@@ -10,6 +10,7 @@ use linkage_accuracy::{
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    margin: 10.0,
     first: 30.0,
     second: 30.0,
     third: 30.0,
@@ -65,7 +66,7 @@ const SIX_BAR: System = System {
     turned: |_| linkage_accuracy::Big::one(),
     pairs: &[(2, 9), (5, 10)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! six_bar {
@@ -176,7 +177,7 @@ const MOVING_GUIDE: System = System {
     turned: |_| linkage_accuracy::Big::one(),
     pairs: &[(2, 9), (5, 10)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! moving_guide {

@@ -9,6 +9,7 @@ use linkage_accuracy::{
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    margin: 10.0,
     first: 30.0,
     second: 30.0,
     third: 30.0,
@@ -49,7 +50,7 @@ const BOOM: System = System {
     turned: |_| linkage_accuracy::Big::one(),
     pairs: &[(2, 3), (3, 3)],
     linear: false,
-    margin: true,
+    margin: Some(|_| linkage_accuracy::Big::one()),
 };
 
 macro_rules! boom {

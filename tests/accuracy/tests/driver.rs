@@ -32,7 +32,7 @@ const TRIANGLE: System = System {
     turned: |_| linkage_accuracy::Big::one(),
     pairs: &[],
     linear: false,
-    margin: true,
+    margin: Some(|_| linkage_accuracy::Big::one()),
 };
 
 const PLAN: Plan = Plan {
@@ -116,6 +116,7 @@ macro_rules! program {
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    margin: 10.0,
     first: 10.0,
     second: 10.0,
     third: 10.0,

@@ -9,6 +9,7 @@ use linkage_accuracy::{
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    margin: 10.0,
     first: 30.0,
     second: 30.0,
     third: 30.0,
@@ -61,7 +62,7 @@ const QUICK_RETURN: System = System {
     turned: |_| linkage_accuracy::Big::one(),
     pairs: &[(0, 3), (4, 5)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! quick_return {

@@ -33,7 +33,7 @@ const FOUR_BAR: System = System {
     turned: |_| linkage_accuracy::Big::one(),
     pairs: &[],
     linear: false,
-    margin: true,
+    margin: Some(|_| linkage_accuracy::Big::one()),
 };
 
 fn data() -> Vec<f64> {

@@ -8,6 +8,7 @@ use linkage_accuracy::{
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    margin: 10.0,
     first: 30.0,
     second: 30.0,
     third: 30.0,
@@ -44,7 +45,7 @@ const ON_A_LINE: System = System {
     turned: |_| Big::one(),
     pairs: &[(0, 1), (2, 3)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! on_a_line {
@@ -141,7 +142,7 @@ const GEARS: System = System {
     turned: wheel_angle,
     pairs: &[(0, 2), (0, 1)],
     linear: true,
-    margin: true,
+    margin: Some(|_| linkage_accuracy::Big::one()),
 };
 
 fn wheel_angle(p: &Position) -> Big {

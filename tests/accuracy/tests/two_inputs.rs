@@ -36,7 +36,7 @@ const FIVE_BAR: System = System {
     turned: |_| linkage_accuracy::Big::one(),
     pairs: &[],
     linear: false,
-    margin: true,
+    margin: Some(|_| linkage_accuracy::Big::one()),
 };
 
 linkage::mechanism! {

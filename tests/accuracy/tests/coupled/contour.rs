@@ -56,7 +56,7 @@ const CONTOUR: System = System {
     turned: |_| Big::one(),
     pairs: &[(3, 9), (5, 6)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! contour {

@@ -60,5 +60,5 @@ pub(crate) const EYE_NEEDLE: System = System {
     turned: |_| Big::one(),
     pairs: &[(1, 3), (4, 4)],
     linear: false,
-    margin: false,
+    margin: None,
 };

@@ -15,6 +15,7 @@ use linkage_accuracy::{Case, Kind, Limits, Random, System, rescaled};
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 5.0,
+    margin: 5.0,
     first: 10.0,
     second: 10.0,
     third: 10.0,

@@ -65,7 +65,7 @@ const PLATFORMS: System = System {
     turned: |_| Big::one(),
     pairs: &[],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 linkage_accuracy::form! {

@@ -80,7 +80,7 @@ macro_rules! triad {
                 turned: |_| Big::one(),
                 pairs: &[(5, 8), (7, 10)],
                 linear: false,
-                margin: false,
+                margin: None,
             };
 
             linkage_accuracy::form! {

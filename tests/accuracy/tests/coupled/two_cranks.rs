@@ -53,7 +53,7 @@ const TWO_CRANKS: System = System {
     turned: |_| Big::one(),
     pairs: &[(4, 7), (8, 10)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 fn on_the_guide(p: &Position) -> Plane {

@@ -10,6 +10,8 @@ use linkage_accuracy::{
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    // A quotient of two numbers, each as wrong as a value may be.
+    margin: 20.0,
     first: 30.0,
     second: 100.0,
     third: 100.0,
@@ -49,7 +51,14 @@ const SWINGING_BLOCK: System = System {
     turned: |_| linkage_accuracy::Big::one(),
     pairs: &[(2, 3), (4, 4)],
     linear: false,
-    margin: true,
+    margin: Some(|p| {
+        // The angle's column has the length of what the guide spans; the largest distance is that with the crank in line.
+        let spanned = (p.polar("crank", "phi") - p.point("pivot")).norm();
+        let longest = p.value("crank").abs() + p.point("pivot").norm();
+        let offset = p.polar("offset", "beta").y.abs();
+        let largest = (&longest - &offset) * (&longest + &offset);
+        spanned / largest.sqrt()
+    }),
 };
 
 macro_rules! swinging_block {

@@ -11,6 +11,7 @@ use linkage_accuracy::{
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    margin: 10.0,
     first: 30.0,
     second: 100.0,
     third: 100.0,
@@ -35,7 +36,7 @@ const SLIDER_CRANK: System = System {
     turned: guide_angle,
     pairs: &[(0, 1), (4, 4)],
     linear: false,
-    margin: true,
+    margin: Some(|_| linkage_accuracy::Big::one()),
 };
 
 fn guide_angle(p: &Position) -> Big {

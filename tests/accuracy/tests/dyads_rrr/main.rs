@@ -10,6 +10,7 @@ use linkage_accuracy::{
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    margin: 10.0,
     first: 30.0,
     second: 100.0,
     third: 100.0,
@@ -52,7 +53,7 @@ const FOUR_BAR: System = System {
     turned: |_| linkage_accuracy::Big::one(),
     pairs: &[(2, 4), (3, 3)],
     linear: false,
-    margin: true,
+    margin: Some(|_| linkage_accuracy::Big::one()),
 };
 
 macro_rules! four_bar {

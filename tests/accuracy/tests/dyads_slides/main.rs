@@ -10,6 +10,7 @@ use linkage_accuracy::{
 const LIMITS: Limits = Limits {
     condition: 10.0,
     value: 10.0,
+    margin: 10.0,
     first: 30.0,
     second: 30.0,
     third: 30.0,
@@ -48,7 +49,7 @@ const TWO_SLIDES: System = System {
     turned: guide_angle,
     pairs: &[(0, 3), (4, 5)],
     linear: true,
-    margin: true,
+    margin: Some(|_| linkage_accuracy::Big::one()),
 };
 
 fn guide_angle(p: &Position) -> Big {
@@ -150,7 +151,7 @@ const FORMS: &[Form] = forms![plain, other_order, negative_slides, components, a
 
 /// The unknown point's coordinates stand for the slides; its margin is one of its own equations.
 const TWO_LINES: System = System {
-    margin: false,
+    margin: None,
     ..TWO_SLIDES
 };
 

@@ -58,7 +58,7 @@ const SPHERICAL: System = System {
     turned: |_| Big::one(),
     pairs: &[(0, 1), (2, 3)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! spherical {
@@ -134,7 +134,7 @@ const UNIVERSAL: System = System {
     turned: |_| Big::one(),
     pairs: &[(0, 0), (0, 0)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 linkage_accuracy::form! {

@@ -18,6 +18,7 @@ use nalgebra::Vector3;
 const LIMITS: Limits = Limits {
     condition: 20.0,
     value: 10.0,
+    margin: 10.0,
     first: 30.0,
     second: 100.0,
     third: 100.0,

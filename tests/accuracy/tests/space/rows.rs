@@ -62,7 +62,7 @@ const LENGTHS: System = System {
     turned: |_| Big::one(),
     pairs: &[(0, 4), (5, 6)],
     linear: true,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! lengths {
@@ -160,7 +160,7 @@ const ANGLE: System = System {
     turned: |_| Big::one(),
     pairs: &[(1, 7), (5, 6)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! angle {

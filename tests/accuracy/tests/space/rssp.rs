@@ -44,7 +44,7 @@ const RSSP: System = System {
     turned: |_| Big::one(),
     pairs: &[(1, 1), (0, 1)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! rssp {

@@ -61,7 +61,7 @@ const NORMAL: System = System {
     turned: |_| Big::one(),
     pairs: &[(0, 2), (4, 4)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! normal {

@@ -44,7 +44,7 @@ const ONE: System = System {
     turned: |_| Big::one(),
     pairs: &[(1, 5), (0, 9)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! one {

@@ -47,7 +47,7 @@ const THREE: System = System {
     turned: |_| Big::one(),
     pairs: &[(0, 7), (8, 9)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! three {

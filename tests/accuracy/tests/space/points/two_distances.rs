@@ -46,7 +46,7 @@ const TWO: System = System {
     turned: |_| Big::one(),
     pairs: &[(4, 5), (0, 9)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! two {

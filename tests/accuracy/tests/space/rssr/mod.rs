@@ -65,7 +65,7 @@ pub(crate) const RSSR: System = System {
     turned: |_| Big::one(),
     pairs: &[(1, 7), (3, 8)],
     linear: false,
-    margin: false,
+    margin: None,
 };
 
 macro_rules! rssr {
