@@ -149,17 +149,21 @@ impl Diagnostics {
 }
 
 impl Diagnostics {
-    /// Something for each warning that makes rustc print it.
-    pub(crate) fn warnings_to_tokens(&self) -> TokenStream {
-        self.warnings.iter().map(compile_warning).collect()
+    /// Something for each warning that makes rustc print it, unless these attributes allow it.
+    pub(crate) fn warnings_to_tokens(&self, attributes: &TokenStream) -> TokenStream {
+        let warnings = self.warnings.iter();
+        warnings
+            .flat_map(|message| compile_warning(message, attributes))
+            .collect()
     }
 }
 
 /// A macro cannot warn. But rustc tells of uses of what is deprecated with the reason given, and at the place of the use.
-fn compile_warning(message: &Message) -> TokenStream {
+fn compile_warning(message: &Message, attributes: &TokenStream) -> TokenStream {
     let used = Ident::new("__mechanism", message.span.first);
     let text = &message.text;
     quote! {
+        #attributes
         const _: () = {
             #[deprecated(note = #text)]
             #[allow(non_upper_case_globals)]

@@ -134,7 +134,7 @@ impl Analysed {
             (None, _) => errors,
             (Some(definition), Some(unit)) if self.diagnostics.is_empty() => {
                 let items = emit::emit(krate, definition, unit);
-                let warnings = self.diagnostics.warnings_to_tokens();
+                let warnings = self.diagnostics.warnings_to_tokens(&definition.allows());
                 quote!(#items #warnings)
             }
             (Some(definition), _) => {

@@ -71,7 +71,8 @@ mechanism! {
 }
 
 mechanism! {
-    /// Coupler and rocker are stretched at phi = 0, where the crank lies in their line, too.
+    /// Coupler and rocker are stretched at phi = 0, where the crank lies in their line, too: a change point.
+    #[allow(deprecated)]
     pub struct Stretched {
         unit mm;
         param a = 30mm;

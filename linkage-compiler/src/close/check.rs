@@ -4,11 +4,12 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::formulate::Formulation;
 use crate::model::Input;
+use crate::structure::report::loop_list;
 use crate::unit::ContinuousAngle;
 
 use super::Reference;
 use super::follow::{Unfollowed, follow_angles};
-use super::ranges::Ranges;
+use super::ranges::{Broken, Ranges};
 use super::words::Words;
 
 /// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.
@@ -73,11 +74,38 @@ pub(crate) fn check_ranges<'m>(
     if let Some(apart) = apart {
         return reporter.error_between(apart.origins, apart.message);
     }
+    if declared.is_empty() {
+        warn_of_change_point(algebra, &mut ranges, reporter);
+    }
     let machine = &mut ranges.reference.machine;
     let asked = machine.outputs_of(algebra, asked);
     if let Some(unfollowed) = follow_angles(algebra, nominal, machine, &asked) {
         report_unfollowed(algebra, unfollowed, reporter);
     }
+}
+
+/// A mechanism that is driven by one angle without a range may be meant to turn fully, and be so only in appearance.
+fn warn_of_change_point(algebra: &mut Algebra, ranges: &mut Ranges, reporter: &mut Reporter) {
+    let formulation = ranges.formulation;
+    let [input] = &algebra.mechanism.inputs[..] else {
+        return;
+    };
+    if input.dimension.half_lengths != 0 || formulation.prepared().next().is_some() {
+        return;
+    }
+    let Some(Broken { inputs, group, .. }) = ranges.first_change_point(0) else {
+        return;
+    };
+    let words = Words::new(algebra.mechanism);
+    let group = &formulation.groups[group].group;
+    let loops = loop_list(&group.loops);
+    let unknowns = words.unknowns(&group.unknowns);
+    let place = words.inputs(&inputs, &[0]);
+    reporter.warning_with_help(
+        input.origin,
+        format!("at {place} the mechanism passes through a change point: from there {loops} ({unknowns}) can go on in another assembly"),
+        "give the input the range in which it is driven, `in LOW..HIGH`, or change a length",
+    );
 }
 
 /// Says that an angle cannot be followed over the range of an input.

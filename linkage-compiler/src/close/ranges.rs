@@ -1,5 +1,7 @@
 //! Running through the declared ranges on numbers.
 
+use std::f64::consts::PI;
+
 use linkage_runtime::numeric::range::{Failure, first_failure, minimum};
 
 use crate::algebra::Nominal;
@@ -21,6 +23,12 @@ const END: f64 = 1e-9;
 
 /// A slack that is negative by less is 0 but for rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// Where a slack touches zero as a square does, [`DEAD`] is reached so far from there, in radians: what is finer is not known.
+const FOUND: f64 = 2e-6;
+
+/// So far beside a change point, in radians, the slack is positive on both sides.
+const BESIDE: f64 = 1e-3;
 
 /// Positions of a grid over several inputs.
 pub(super) const GRID: usize = 2000;
@@ -154,6 +162,33 @@ impl Ranges<'_, '_> {
         let (low, high) = (worst.0 - step, (worst.0 + step).min(1.0));
         let (_, best) = minimum(low, high, 8, |share| -miss(self, share));
         worst.1.max(-best)
+    }
+
+    /// Where an input without a range, running once around from its reference, first meets a dead point that the slack touches and
+    /// leaves again: a change point, from which the mechanism can go on in its mirror image.
+    pub(super) fn first_change_point(&mut self, input: usize) -> Option<Broken> {
+        let start = self.nominal.inputs[input];
+        let (low, high) = (start - PI, start + PI);
+        let mut inputs = self.nominal.inputs.clone();
+        let mut slack = |ranges: &mut Self, x: f64| {
+            inputs[input] = x;
+            ranges.slack(&inputs)
+        };
+        let failure = first_failure(low, high, start, SAMPLES as usize, |x| {
+            slack(self, x).0 - DEAD
+        })?;
+        let away = if failure.above { BESIDE } else { -BESIDE };
+        let beside = |x: f64| (x - BESIDE, x + BESIDE);
+        let (from, to) = beside(failure.at);
+        let (at, least) = minimum(from, to, 8, |x| slack(self, x).0);
+        let (_, group) = slack(self, at);
+        let touches = least.abs() < DEAD && slack(self, at + away).0 > 0.0;
+        inputs[input] = (at / FOUND).round() * FOUND;
+        touches.then_some(Broken {
+            inputs,
+            group: group.min(self.formulation.groups.len() - 1),
+            finite: true,
+        })
     }
 
     /// The dead point behind a failure: the end of the range where the slack rises slowly from there, the place where it

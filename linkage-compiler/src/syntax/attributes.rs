@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
-use super::ast::Attribute;
+use super::ast::{Attribute, MechanismDef};
 use super::parser::{Parsed, Parser};
 use super::stream::{Stream, without_invisible_groups};
 use crate::diagnostic::SourceSpan;
@@ -31,6 +31,14 @@ fn is_scope(group: &Group) -> bool {
 
 /// One segment of a path, keywords such as `crate` included.
 struct SegmentName;
+
+impl MechanismDef {
+    /// What the user allows in all that is made of the mechanism.
+    pub(crate) fn allows(&self) -> TokenStream {
+        let allows = self.attributes.iter().filter(|own| own.name == "allow");
+        allows.flat_map(|own| own.tokens.clone()).collect()
+    }
+}
 
 impl Attribute {
     /// `allow(unused)`, `allow(dead_code)`: what is not used is meant so.
