@@ -50,12 +50,17 @@ impl Dimension {
             .map_or_else(|| self.product(), |(.., plural)| (*plural).to_owned())
     }
 
-    /// `force*length^-1`
+    /// `force*length^-1`; `mass*length`, if it was given in kilograms and no power of time remains.
     fn product(self) -> String {
+        let masses = match self.half_times == 2 * self.half_forces {
+            true => self.half_kilograms.clamp(0, self.half_forces.max(0)),
+            false => 0,
+        };
         let powers = [
-            ("force", self.half_forces),
-            ("length", self.half_lengths),
-            ("time", self.half_times),
+            ("mass", masses),
+            ("force", self.half_forces - masses),
+            ("length", self.half_lengths + masses),
+            ("time", self.half_times - 2 * masses),
         ];
         let factors: Vec<String> = powers
             .into_iter()

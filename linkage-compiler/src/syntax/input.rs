@@ -70,7 +70,7 @@ impl Parser<'_> {
         }
         let low = self.expression()?;
         if !self.stream.is_puncts("..") {
-            return self.unexpected_after_expression("`..` between the ends of the range");
+            return self.other_range();
         }
         self.stream.skip(2);
         self.stream.eat_punct('=');
@@ -89,6 +89,19 @@ impl Parser<'_> {
         let group = self.stream.group(0, Delimiter::None)?;
         let dot = |token: TokenTree| matches!(token, TokenTree::Punct(p) if p.as_char() == '.' && p.spacing() == Spacing::Joint);
         group.stream().into_iter().any(dot).then(|| group.clone())
+    }
+
+    /// What is written for `..`, or around a range.
+    fn other_range<T>(&mut self) -> Parsed<T> {
+        const WANTED: &str = "`..` between the ends of the range";
+        const HELP: &str = "write both ends with `..` between them: `in 0deg..360deg`";
+        let otherwise = ["to", "until", "through", "and"];
+        let word = otherwise.iter().any(|word| self.stream.is_word(0, word));
+        let bracket = matches!(self.stream.previous(), Some(TokenTree::Group(_)));
+        if word || self.stream.is_punct(0, ',') && !self.at_decimal_comma() || bracket {
+            return self.expected(WANTED, HELP);
+        }
+        self.unexpected_after_expression(WANTED)
     }
 
     /// The argument that is the input's speed or acceleration.

@@ -114,11 +114,31 @@ impl Parser<'_> {
             self.stream.skip(1);
             return Ok(group);
         }
-        let help = match self.stream.is_punct(0, '<') {
-            true => "leave the type parameters out: the generated types have one for the scalar",
-            false => "",
+        if self.stream.is_punct(0, '<') {
+            return self.braces_after_generics(name);
+        }
+        self.expected(&format!("`{{` after `{name}`"), "")
+    }
+
+    /// `struct NAME<'a> { ... }`: reported, and read as if it had not been there.
+    fn braces_after_generics(&mut self, name: &str) -> Parsed<proc_macro2::Group> {
+        let lifetime = self.stream.is_punct(1, '\'');
+        let help = match lifetime {
+            true => format!("write `{name}` alone: a mechanism borrows nothing"),
+            false => "leave the type parameters out: the generated types have one for the scalar"
+                .to_owned(),
         };
-        self.expected(&format!("`{{` after `{name}`"), help)
+        let result = self.expected(&format!("`{{` after `{name}`"), &help);
+        while !self.stream.at_end() && self.stream.group(0, Delimiter::Brace).is_none() {
+            self.stream.skip(1);
+        }
+        match self.stream.group(0, Delimiter::Brace).cloned() {
+            Some(group) => {
+                self.stream.skip(1);
+                Ok(group)
+            }
+            None => result,
+        }
     }
 
     fn implementation(&mut self) -> Parsed<Implementation> {

@@ -164,7 +164,7 @@ fn dimensions_of_mechanics_in_messages() {
         ),
         (
             "let a = 3N*N + 2kg/mm;",
-            "cannot add a force^2 and a force*length^-2*time^2",
+            "cannot add a force^2 and a mass*length^-1",
         ),
         (
             "param m = 3kg +- 5mm;",

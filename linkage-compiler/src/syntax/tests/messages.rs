@@ -185,6 +185,14 @@ fn items() {
         ),
         ("input a = 1 in 0..;", "the range has no upper end"),
         (
+            "input a = 1 in 0deg to 360deg;",
+            "found `to`\nhelp: write both ends with `..` between them: `in 0deg..360deg`",
+        ),
+        (
+            "input a = 1 in (0deg, 360deg);",
+            "help: write both ends with `..` between them: `in 0deg..360deg`",
+        ),
+        (
             "unit 3;",
             "expected a length unit, found `3`\nhelp: write `unit mm;`",
         ),
@@ -260,6 +268,10 @@ fn blocks() {
             "expected `struct NAME { ... }`, found keyword `enum`",
         ),
         ("struct A<T> { }", "help: leave the type parameters out"),
+        (
+            "struct A<'a> { let b = 1; }",
+            "found `<`\nhelp: write `A` alone: a mechanism borrows nothing",
+        ),
         ("struct A;", "expected `{` after `A`, found `;`"),
         ("struct A {} struct B {}", "a second struct block"),
         (

@@ -18,6 +18,10 @@ fn masses_and_inertias() {
             &["`mass` takes a mass, found a force\nhelp: write it like `100g`"],
         ),
         (
+            "body x = fixed on crank at p, inertia 240kg*mm;",
+            &["`inertia` takes a moment of inertia, found a mass*length\nhelp: write it like"],
+        ),
+        (
             "body x = fixed on crank at p, inertia 3kg;",
             &["`inertia` takes a moment of inertia, found a mass\nhelp: write it like `250g*mm^2`"],
         ),
