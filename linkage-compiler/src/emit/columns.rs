@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::at_word::type_at;
 use super::docs::{doc, in_unit};
 use super::outline::{Function, Outline, plain};
 use super::{attribute, literal, sweeps};
@@ -48,12 +49,14 @@ fn structure(outline: &Outline, function: &Function) -> TokenStream {
             }
         }
     });
+    let field = quote!(__columns: #runtime::Columns<T>);
+    let item = type_at(function.result, columns, visibility, field);
     quote! {
         #(#everywhere)*
         #doc
         #allow
         #[derive(::core::clone::Clone)]
-        #visibility struct #columns<T = ::core::primitive::f64> { __columns: #runtime::Columns<T> }
+        #item
         #comparison
         #(#everywhere)*
         #allow

@@ -4,6 +4,7 @@ use linkage_symbolic::passes::stages::Stage;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
+use super::at_word::type_at;
 use super::docs::{doc, documented, in_unit, tokens, with_note};
 use super::entries::entries;
 use super::load::{CARRIED, loader};
@@ -37,13 +38,14 @@ fn result(outline: &Outline, function: &Function) -> TokenStream {
         .map(|field| field_item(outline, field));
     let marker = function.fields.is_empty().then(marker_field);
     let allow = attribute::allow();
+    let item = type_at(result, result, visibility, quote!(#(#fields)* #marker));
     quote! {
         #(#everywhere)*
         #head
         #allow
         #derives
         #(#user_derives)*
-        #visibility struct #result<T = ::core::primitive::f64> { #(#fields)* #marker }
+        #item
     }
 }
 

@@ -5,6 +5,7 @@
 //! item. Generated code names only `$crate::__private` and `::core`, and all its own names begin with `__`.
 
 mod assembly;
+mod at_word;
 mod attribute;
 mod body;
 mod circuits;
