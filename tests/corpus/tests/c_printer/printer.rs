@@ -66,6 +66,8 @@ impl<'a> Printer<'a> {
             mobility: _,
             longest: _,
             picture: _,
+            surveyed: _,
+            surveying: _,
         } = self.unit;
         self.function("prepare", prepare, &[]);
         self.function("gaps", gaps, &[]);
