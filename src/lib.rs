@@ -126,7 +126,8 @@ pub mod __private {
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
-        Chosen, Level, Levels, NoPrograms, SurveyedUnknown, circuits,
+        Chosen, Level, Levels, NoPrograms, SurveyedUnknown, Way, circuits, follow_way,
+        prepared_over,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{

@@ -79,6 +79,21 @@ pub enum AssemblyError {
         /// Number of groups with two modes.
         modes: usize,
     },
+    /// On the straight way to other dimensions an assembly ends.
+    Blocked {
+        /// Name of the mechanism.
+        mechanism: &'static str,
+        /// Index of the group in `STRUCTURE` that cannot be followed any further.
+        group: usize,
+        /// Its kind, such as `RRR`.
+        kind: &'static str,
+        /// Its loops, the first loop of the mechanism being 1.
+        loops: &'static [usize],
+        /// Its unknowns.
+        unknowns: &'static [&'static str],
+        /// How far the way goes: 0 with the first dimensions, 1 with the last ones.
+        share: f64,
+    },
     /// A group that has no closed form was not assembled.
     #[cfg(feature = "alloc")]
     Coupled(
@@ -142,6 +157,23 @@ impl fmt::Display for AssemblyError {
                 "{mechanism}: {modes} groups with two assembly modes each give too many \
                  assemblies to list"
             ),
+            Self::Blocked {
+                mechanism,
+                group,
+                kind,
+                loops,
+                unknowns,
+                share,
+            } => {
+                write!(f, "{mechanism}: ")?;
+                place(f, group, kind, loops, unknowns)?;
+                let share = rounded(100.0 * share);
+                write!(
+                    f,
+                    " meets a dead point after {share} % of the straight way to these dimensions: \
+                     the assembly ends there"
+                )
+            }
             #[cfg(feature = "alloc")]
             Self::Coupled(ref error) => write!(f, "{error}"),
         }

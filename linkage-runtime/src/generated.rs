@@ -7,6 +7,8 @@ mod starts;
 mod sweep;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod turns;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod way;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::circuits::{Chosen, Level, Levels, NoPrograms, SurveyedUnknown, circuits};
@@ -22,8 +24,8 @@ pub use close::{assemblies, one};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use starts::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,
-    CoupledUnknown, Start, Wanted, couple, list, nothing, pairs, placed, prepared, put_state,
-    starts, stepped,
+    CoupledUnknown, Start, Wanted, couple, list, nothing, pairs, placed, prepared, prepared_over,
+    put_state, starts, stepped,
 };
 #[cfg(feature = "rayon")]
 pub use sweep::fill_parallel;
@@ -33,6 +35,8 @@ pub use sweep::{Arguments, Block, Inputs, Kernel, Sets, fill, fill_slices, rows}
 pub use sweep::{Extended, States};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use turns::{Along, Angle, Turns, turns, wind};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use way::{Way, follow_way};
 
 /// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
 #[cfg(feature = "alloc")]

@@ -1,6 +1,6 @@
 //! `circuits()`: every assembly is there, a turning point ends two of them, and both belong to one circuit.
 
-use crate::kinds::{self, Evaluate, Kind};
+use crate::kinds::{self, Kind};
 use crate::legs::poses;
 use linkage::{Branch, BranchEnd, Circuits, mechanism};
 use linkage_random::Random;

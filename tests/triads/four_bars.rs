@@ -1,6 +1,6 @@
 //! Where the assemblies of four-bars end, against the triangle of crank, frame and the two other links in line.
 
-use linkage::{BranchEnd, mechanism};
+use linkage::{AssemblyError, BranchEnd, mechanism};
 use linkage_random::Random;
 use std::f64::consts::{PI, TAU};
 
@@ -114,4 +114,45 @@ fn a_list_of_ends_takes_microseconds() {
     println!("circuits() of a four-bar: {each:?}");
     let most = if cfg!(debug_assertions) { 10_000 } else { 200 };
     assert!(each.as_micros() < most, "{each:?}");
+}
+
+#[test]
+fn a_way_ends_where_the_links_reach_each_other_no_more() {
+    let first = FourBar::default();
+    let assembly = first.assemble().expect("as written");
+    let near = FourBar {
+        coupler: 0.15,
+        ..first
+    };
+    let [found, known] = [near.assemble_from(&assembly), near.assemble()].map(|assembly| {
+        let assembly = assembly.expect("within reach");
+        assembly.joint(1.0).joint
+    });
+    assert_eq!(found, known);
+
+    // The coupler is as long as the rocker and the distance of their other ends.
+    let (sine, cosine) = (PI / 6.0).sin_cos();
+    let distance = (first.frame - first.crank * cosine).hypot(first.crank * sine);
+    let longest = distance + first.rocker;
+    let far = FourBar {
+        coupler: 0.3,
+        ..first
+    };
+    let Err(AssemblyError::Blocked { share, group, .. }) = far.assemble_from(&assembly) else {
+        panic!("the way ends")
+    };
+    let known = (longest - first.coupler) / (far.coupler - first.coupler);
+    assert!(
+        group == 0 && (share - known).abs() < 1e-9,
+        "{share}, not {known}"
+    );
+    let text = far
+        .assemble_from(&assembly)
+        .map(|_| ())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        text.starts_with("FourBar: loop 1 (theta, psi; RRR) meets a dead point after 44.3767 %"),
+        "{text}"
+    );
 }

@@ -6,7 +6,7 @@
 //! dimension `q_i`.
 
 use crate::legs::{Leg, Point, turned};
-use linkage::Circuits;
+use linkage::{AssemblyError, Circuits};
 
 /// Crank, `a2`, `a3`, sides and angle of the ternary link, `q1`, `q2`, `q3`.
 pub(crate) type Dimensions = [f64; 11];
@@ -51,6 +51,8 @@ pub(crate) struct Kind {
     pub(crate) assemble: fn(&Dimensions) -> Result<Evaluate, String>,
     /// All assemblies at an input.
     pub(crate) assemblies: fn(&Dimensions, f64) -> Result<Vec<Evaluate>, String>,
+    /// The assembly that the estimates choose for the first dimensions, followed to the second ones.
+    pub(crate) assemble_from: fn(&Dimensions, &Dimensions) -> Result<Evaluate, AssemblyError>,
     /// All assemblies over a turn.
     pub(crate) circuits: fn(&Dimensions) -> Result<Circuits<Evaluate>, String>,
 }
@@ -129,6 +131,10 @@ macro_rules! kinds {
                 assemblies: |d, phi| {
                     let found = mechanism(d).assemblies_at(phi).map_err(|why| why.to_string())?;
                     Ok(found.into_iter().map(evaluate).collect())
+                },
+                assemble_from: |from, to| {
+                    let first = mechanism(from).assemble()?;
+                    mechanism(to).assemble_from(&first).map(evaluate)
                 },
                 circuits: |d| {
                     let found = mechanism(d).circuits().map_err(|why| why.to_string())?;

@@ -19,6 +19,7 @@ mod platforms;
 mod polynomial;
 mod sweeps;
 mod two_slides;
+mod ways;
 
 /// The largest magnitude; NaN if there is one.
 fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {

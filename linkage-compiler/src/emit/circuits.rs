@@ -4,9 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::assembly::Types;
-use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{attribute, body, literal, starts, winding};
+use super::{attribute, literal, starts, survey};
 use crate::unit::{Input, Unit};
 
 /// At how many positions of a turn, or of a range of lengths, assemblies are listed.
@@ -17,25 +16,9 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let ([input], false) = (&unit.inputs[..], unit.groups.is_empty()) else {
         return TokenStream::new();
     };
-    let Outline {
-        runtime,
-        assembly,
-        core,
-        ..
-    } = outline;
-    let Types { arguments, .. } = Types::new(outline, unit);
-    let places = Places::all(outline);
-    let statements = body::statements(&unit.survey, &loader(outline, &places));
-    let outputs = body::outputs(&unit.survey);
-    let count = literal::index(unit.survey.outputs.len());
-    let x = match outline.starts.is_empty() {
-        true => quote!([__x]),
-        false => quote!(Self::__extend(&self.__starts, [__x])),
-    };
+    let runtime = &outline.runtime;
     let cycle = cycle(outline, input);
     let levels = levels(outline, unit);
-    let surveyor = surveyor(outline, unit);
-    let allow = attribute::allow();
     let method = method(
         outline,
         quote! {
@@ -43,22 +26,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
             #runtime::circuits(&__Levels(self), &#cycle)
         },
     );
-    quote! {
-        #runtime::if_alloc! {
-            #allow
-            impl<T: #runtime::Scalar> #assembly<T> {
-                /// The smallest margin, the slack of every group, and where every unknown is.
-                fn __survey<const __FUSED: ::core::primitive::bool>(&self, __x: T) -> [T; #count] {
-                    let __x: #arguments = #x;
-                    let #core { __mechanism: __m, __modes, __prepared, .. } = &self.__core;
-                    #statements
-                    #outputs
-                }
-            }
-            #surveyor
-            #method
-        }
-    }
+    quote!(#runtime::if_alloc! { #method })
 }
 
 /// The range, and at how many inputs coupled groups are listed.
@@ -76,63 +44,6 @@ fn cycle(outline: &Outline, input: &Input) -> TokenStream {
     quote!(#runtime::Cycle { low: #low, high: #high, angle: #angle, samples: #samples })
 }
 
-/// An assembly that need not close, of the first groups.
-fn surveyor(outline: &Outline, unit: &Unit) -> TokenStream {
-    let Outline {
-        runtime,
-        name,
-        assembly,
-        core,
-        ..
-    } = outline;
-    let Types { modes, .. } = Types::new(outline, unit);
-    let float = quote!(::core::primitive::f64);
-    let (found, argument, own) = match outline.starts.is_empty() {
-        true => Default::default(),
-        false => {
-            let count = literal::index(outline.starts.len());
-            (
-                quote! {
-                    let __lane: [#runtime::Start; #count] =
-                        ::core::array::from_fn(|__k| ::core::clone::Clone::clone(&__chosen.starts[__k]));
-                    let __starts = Self::__starts(::core::slice::from_ref(&__lane));
-                },
-                quote!(&__starts,),
-                quote!(__starts,),
-            )
-        }
-    };
-    let turns = match unit.surveying {
-        0 => winding::at_estimates(outline, unit),
-        count => {
-            let count = literal::index(count);
-            let at_estimates = winding::at_estimates(outline, unit);
-            quote! {
-                match Self::__wind(__m, &__modes, #argument [__at], #count) {
-                    ::core::result::Result::Ok(__turns) => __turns,
-                    ::core::result::Result::Err(_) => #at_estimates,
-                }
-            }
-        }
-    };
-    let allow = attribute::allow();
-    quote! {
-        #allow
-        impl #assembly<#float> {
-            fn __surveyor(__m: &#name<#float>, __chosen: &#runtime::Chosen, __at: #float) -> Self {
-                let __modes: #modes = ::core::array::from_fn(|__k| __chosen.modes[__k]);
-                #found
-                let __turns = #turns;
-                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
-                Self {
-                    __core: #core { __mechanism: *__m, __modes, __turns, __prepared },
-                    #own
-                }
-            }
-        }
-    }
-}
-
 /// The mechanism as the runtime searches it.
 fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
     let Outline {
@@ -147,21 +58,7 @@ fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
     let input = &unit.inputs[0];
     let (input_name, reference) = (&input.name, literal::float(input.reference));
     let count = literal::index(unit.survey.outputs.len());
-    let mut next = 0..;
-    let levels = unit
-        .groups
-        .iter()
-        .map(|group| match (group.mode, group.coupled) {
-            (Some(mode), _) => {
-                let mode = literal::index(mode);
-                quote!(#runtime::Level::Modes(#mode))
-            }
-            (None, true) => {
-                let number = literal::index(next.next().unwrap_or_default());
-                quote!(#runtime::Level::Coupled(#number))
-            }
-            (None, false) => quote!(#runtime::Level::Single),
-        });
+    let levels = survey::levels(outline, unit);
     let unknowns = unit.surveyed.iter().map(|own| {
         let unknown = &unit.unknowns[own.unknown];
         let name = &unknown.name;
@@ -230,15 +127,15 @@ fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
             const NAME: &'static ::core::primitive::str = #title;
             const INPUT: &'static ::core::primitive::str = #input_name;
             const REFERENCE: #float = #reference;
-            const LEVELS: &'static [#runtime::Level] = &[#(#levels),*];
+            const LEVELS: &'static [#runtime::Level] = &#levels;
             const UNKNOWNS: &'static [#runtime::SurveyedUnknown] = &[#(#unknowns),*];
             const COUNTS: [::core::primitive::usize; 2] = [#(#counts),*];
 
             fn surveyor(&self, __chosen: &#runtime::Chosen, __at: #float) -> #assembly<#float> {
-                #assembly::__surveyor(self.0, __chosen, __at)
+                #assembly::__surveyor(self.0, &__chosen.modes, &__chosen.starts, [__at])
             }
             fn survey(__assembly: &#assembly<#float>, __at: #float) -> [#float; #count] {
-                __assembly.__survey::<{ #runtime::FUSED }>(__at)
+                __assembly.__survey::<{ #runtime::FUSED }>([__at])
             }
             fn assembled(
                 &self,

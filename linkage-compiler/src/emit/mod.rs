@@ -26,10 +26,12 @@ mod shape;
 mod skeleton;
 mod starts;
 mod structure;
+mod survey;
 mod sweeps;
 mod table;
 #[cfg(test)]
 mod tests;
+mod way;
 mod winding;
 
 use proc_macro2::TokenStream;
@@ -58,7 +60,9 @@ pub(crate) fn emit(krate: &TokenStream, def: &MechanismDef, unit: &Unit) -> Toke
     assembled.extend(assembly::plumbing(&outline, unit));
     assembled.extend(starts::items(&outline, unit));
     assembled.extend(winding::items(&outline, unit));
+    assembled.extend(survey::items(&outline, unit));
     assembled.extend(circuits::items(&outline, unit));
+    assembled.extend(way::items(&outline, unit));
     for (function, own) in outline.functions.iter().zip(&unit.functions) {
         assembled.extend(self::function(&outline, function, own));
     }

@@ -10,7 +10,7 @@ use quote::format_ident;
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
     assembly, circuits, columns, dimensions, evaluator, guess::Guess, mechanism, picture,
-    structure, table,
+    structure, table, way,
 };
 use crate::model::{ASSEMBLY, COLUMNS, Mechanism, MotionWord, Shape, Sweep, TYPE_PARAMETER};
 use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
@@ -39,6 +39,7 @@ pub(crate) fn skeleton(
     if has_loop && outline.inputs.len() == 1 {
         items.extend(circuits::skeleton(&outline));
     }
+    items.extend(way::skeleton(&outline));
     for function in &outline.functions {
         items.extend(evaluator::items(&outline, function));
         items.extend(columns::items(&outline, function));

@@ -7,7 +7,9 @@ mod solve;
 
 pub use grid::CoupledGrid;
 pub use lanes::Coupled;
-pub use prepare::{Start, Wanted, nothing, pairs, placed, prepared, put_state, starts, stepped};
+pub use prepare::{
+    Start, Wanted, nothing, pairs, placed, prepared, prepared_over, put_state, starts, stepped,
+};
 pub use solve::{
     CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution, CoupledUnknown, couple, list,
 };

@@ -172,6 +172,26 @@ pub fn prepared(
     start(group, programs, x, state, true)
 }
 
+/// Prepares all groups from known states, as `assemble()` does from those that estimates choose; `at` are all inputs of the mechanism.
+///
+/// # Errors
+///
+/// Where a state cannot be followed over the range.
+pub fn prepared_over<const K: usize, P: CoupledPrograms>(
+    groups: &[CoupledGroup; K],
+    at: &[f64],
+    states: &[Vec<f64>],
+    programs: impl Fn(usize, &[Start; K]) -> Result<P, AssemblyError>,
+) -> Result<[Start; K], AssemblyError> {
+    let mut starts = [const { Start::Nothing }; K];
+    for (number, group) in groups.iter().enumerate() {
+        let x: Vec<f64> = group.inputs.iter().map(|input| at[input.index]).collect();
+        let mut programs = programs(number, &starts)?;
+        starts[number] = start(group, &mut programs, &x, &states[number], false)?;
+    }
+    Ok(starts)
+}
+
 /// Nothing prepared, in every lane.
 pub fn nothing<const K: usize>(lanes: usize) -> Vec<[Start; K]> {
     vec![[const { Start::Nothing }; K]; lanes]

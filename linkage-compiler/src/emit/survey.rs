@@ -1,0 +1,133 @@
+//! What is asked of a mechanism to compare its assemblies: the least margin, how far each group is from its ends, where its unknowns are.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::assembly::Types;
+use super::load::{Places, loader};
+use super::outline::Outline;
+use super::{attribute, body, literal, winding};
+use crate::unit::Unit;
+
+/// `__survey` and `__surveyor`; nothing for a mechanism without groups.
+pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+    if unit.groups.is_empty() {
+        return TokenStream::new();
+    }
+    let Outline {
+        runtime,
+        assembly,
+        core,
+        ..
+    } = outline;
+    let Types {
+        inputs, arguments, ..
+    } = Types::new(outline, unit);
+    let places = Places::all(outline);
+    let statements = body::statements(&unit.survey, &loader(outline, &places));
+    let outputs = body::outputs(&unit.survey);
+    let count = literal::index(unit.survey.outputs.len());
+    let x = match outline.starts.is_empty() {
+        true => quote!(__x),
+        false => quote!(Self::__extend(&self.__starts, __x)),
+    };
+    let surveyor = surveyor(outline, unit);
+    let allow = attribute::allow();
+    quote! {
+        #runtime::if_alloc! {
+            #allow
+            impl<T: #runtime::Scalar> #assembly<T> {
+                /// The smallest margin, the slack of every group, and where every unknown is.
+                fn __survey<const __FUSED: ::core::primitive::bool>(&self, __x: #inputs) -> [T; #count] {
+                    let __x: #arguments = #x;
+                    let #core { __mechanism: __m, __modes, __prepared, .. } = &self.__core;
+                    #statements
+                    #outputs
+                }
+            }
+            #surveyor
+        }
+    }
+}
+
+/// What assemblies of each group there are.
+pub(super) fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
+    let runtime = &outline.runtime;
+    let mut next = 0..;
+    let groups = unit.groups.iter();
+    let levels = groups.map(|group| match (group.mode, group.coupled) {
+        (Some(mode), _) => {
+            let mode = literal::index(mode);
+            quote!(#runtime::Level::Modes(#mode))
+        }
+        (None, true) => {
+            let number = literal::index(next.next().unwrap_or_default());
+            quote!(#runtime::Level::Coupled(#number))
+        }
+        (None, false) => quote!(#runtime::Level::Single),
+    });
+    quote!([#(#levels),*])
+}
+
+/// An assembly that need not close, of the first groups.
+fn surveyor(outline: &Outline, unit: &Unit) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        core,
+        ..
+    } = outline;
+    let Types { modes, .. } = Types::new(outline, unit);
+    let float = quote!(::core::primitive::f64);
+    let (found, argument, own) = match outline.starts.is_empty() {
+        true => Default::default(),
+        false => {
+            let count = literal::index(outline.starts.len());
+            (
+                quote! {
+                    let __lane: [#runtime::Start; #count] =
+                        ::core::array::from_fn(|__k| ::core::clone::Clone::clone(&__chosen_starts[__k]));
+                    let __starts = Self::__starts(::core::slice::from_ref(&__lane));
+                },
+                quote!(&__starts,),
+                quote!(__starts,),
+            )
+        }
+    };
+    let turns = match unit.surveying {
+        0 => winding::at_estimates(outline, unit),
+        count => {
+            let count = literal::index(count);
+            let at_estimates = winding::at_estimates(outline, unit);
+            quote! {
+                match Self::__wind(__m, &__modes, #argument __at, #count) {
+                    ::core::result::Result::Ok(__turns) => __turns,
+                    ::core::result::Result::Err(_) => #at_estimates,
+                }
+            }
+        }
+    };
+    let inputs = literal::index(outline.inputs.len());
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        impl #assembly<#float> {
+            fn __surveyor(
+                __m: &#name<#float>,
+                __chosen_modes: &[#runtime::AssemblyMode],
+                __chosen_starts: &[#runtime::Start],
+                __at: [#float; #inputs],
+            ) -> Self {
+                let __modes: #modes = ::core::array::from_fn(|__k| __chosen_modes[__k]);
+                #found
+                let __turns = #turns;
+                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+                Self {
+                    __core: #core { __mechanism: *__m, __modes, __turns, __prepared },
+                    #own
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! The same assembly for other dimensions.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::assembly::Types;
+use super::load::Places;
+use super::outline::Outline;
+use super::{attribute, literal, starts, survey};
+use crate::unit::Unit;
+
+/// `assemble_from`.
+pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+    let Outline {
+        runtime, assembly, ..
+    } = outline;
+    let at = outline
+        .inputs
+        .iter()
+        .map(|input| literal::float(input.reference));
+    let at = quote!([#(#at),*]);
+    if unit.groups.is_empty() {
+        let body = quote!(#assembly::__assemble(self, __assembly.__core.__modes, #at));
+        return method(outline, body);
+    }
+    let way = way(outline, unit);
+    let body = match outline.starts.is_empty() {
+        true => quote! {
+            #way
+            #runtime::follow_way(&__way, #runtime::Vec::new())?;
+            #assembly::__assemble(self, __way.modes, __way.at)
+        },
+        false => {
+            let float = quote!(::core::primitive::f64);
+            let places = Places::all(outline);
+            let states = outline.starts.iter().enumerate().map(|(number, start)| {
+                let first = places.state(number, 0);
+                let [first, end] = [first, first + start.size].map(literal::index);
+                quote!(__x[#first..#end].to_vec())
+            });
+            quote! {
+                #way
+                let __x = #assembly::<#float>::__extend(&__assembly.__starts, __way.at);
+                let mut __states = #runtime::Vec::new();
+                #(__states.push(#states);)*
+                let __states = #runtime::follow_way(&__way, __states)?;
+                let __lane = #runtime::prepared_over(
+                    &#assembly::<#float>::__GROUPS,
+                    &__way.at,
+                    &__states,
+                    |__number, __starts| {
+                        #assembly::<#float>::__coupled(self, &__way.modes, __way.at, __number, __starts)
+                    },
+                )?;
+                #assembly::__with_starts(self, __way.modes, __way.at, ::core::slice::from_ref(&__lane))
+            }
+        }
+    };
+    method(outline, body)
+}
+
+/// The mechanism between two sets of dimensions, inside the method, where nobody sees it.
+fn way(outline: &Outline, unit: &Unit) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let float = quote!(::core::primitive::f64);
+    let parameters = literal::index(outline.scalar_fields().len());
+    let inputs = literal::index(outline.inputs.len());
+    let modes = Types::new(outline, unit).modes;
+    let at = outline
+        .inputs
+        .iter()
+        .map(|input| literal::float(input.reference));
+    let count = literal::index(unit.survey.outputs.len());
+    let title = outline.title();
+    let levels = survey::levels(outline, unit);
+    let starts = literal::index(outline.starts.len());
+    let (programs, coupled) = match outline.starts.is_empty() {
+        true => (quote!(#runtime::NoPrograms), TokenStream::new()),
+        false => {
+            let coupled = starts::coupled_name(outline);
+            let item = quote! {
+                fn coupled(
+                    &self,
+                    __share: #float,
+                    __starts: &[#runtime::Start],
+                    __number: ::core::primitive::usize,
+                ) -> ::core::option::Option<::core::result::Result<
+                    (&'static #runtime::CoupledGroup, #coupled), #runtime::AssemblyError,
+                >> {
+                    let __lane: [#runtime::Start; #starts] =
+                        ::core::array::from_fn(|__k| ::core::clone::Clone::clone(&__starts[__k]));
+                    let __groups: &'static [#runtime::CoupledGroup; #starts] =
+                        &#assembly::<#float>::__GROUPS;
+                    let __made = #assembly::<#float>::__coupled(
+                        &self.mechanism(__share), &self.modes, self.at, __number, &__lane,
+                    );
+                    ::core::option::Option::Some(__made.map(|__made| (&__groups[__number], __made)))
+                }
+            };
+            (quote!(#coupled), item)
+        }
+    };
+    let allow = attribute::allow();
+    quote! {
+        struct __Way {
+            from: [#float; #parameters],
+            to: [#float; #parameters],
+            modes: #modes,
+            at: [#float; #inputs],
+        }
+        #allow
+        impl __Way {
+            fn mechanism(&self, __share: #float) -> #name<#float> {
+                let __values: [#float; #parameters] = ::core::array::from_fn(|__k| {
+                    match __share == 1.0 {
+                        true => self.to[__k],
+                        false => self.from[__k] + __share * (self.to[__k] - self.from[__k]),
+                    }
+                });
+                #runtime::Dimensions::from_values(&__values)
+            }
+        }
+        #allow
+        impl #runtime::Way for __Way {
+            type Survey = [#float; #count];
+            type Programs = #programs;
+
+            const NAME: &'static ::core::primitive::str = #title;
+            const LEVELS: &'static [#runtime::Level] = &#levels;
+            const GROUPS: &'static [#runtime::Group] = #name::<#float>::STRUCTURE.groups;
+
+            fn inputs(&self) -> &[#float] { &self.at }
+            fn survey(&self, __share: #float, __starts: &[#runtime::Start]) -> [#float; #count] {
+                let __surveyor = #assembly::<#float>::__surveyor(
+                    &self.mechanism(__share), &self.modes, __starts, self.at,
+                );
+                __surveyor.__survey::<{ #runtime::FUSED }>(self.at)
+            }
+            #coupled
+        }
+        let __way = __Way {
+            from: #runtime::Dimensions::values(&__assembly.__core.__mechanism),
+            to: #runtime::Dimensions::values(self),
+            modes: __assembly.__core.__modes,
+            at: [#(#at),*],
+        };
+    }
+}
+
+/// The method of a mechanism with mistakes.
+pub(super) fn skeleton(outline: &Outline) -> TokenStream {
+    method(outline, TokenStream::new())
+}
+
+fn method(outline: &Outline, body: TokenStream) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let float = quote!(::core::primitive::f64);
+    let (allow, body) = (attribute::allow(), outline.body(body));
+    quote! {
+        #runtime::if_alloc! {
+            #allow
+            impl #name<#float> {
+                /// These dimensions in the assembly of a mechanism with others: it is followed along the straight way from those to these, at
+                /// the reference inputs, in steps too small to leave it.
+                ///
+                /// # Errors
+                ///
+                /// `Blocked` where the assembly ends on the way; what `assemble()` says of these dimensions.
+                pub fn assemble_from(
+                    &self,
+                    __assembly: &#assembly<#float>,
+                ) -> ::core::result::Result<#assembly<#float>, #runtime::AssemblyError> {
+                    #body
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,264 @@
+//! The same assembly for other dimensions, followed along the straight way to them.
+
+use super::{CoupledGroup, CoupledPrograms, Start};
+use crate::circuits::Level;
+use crate::numeric::continuation::{Correction, Grid, Range, Table};
+use crate::numeric::range::first_failure;
+use crate::numeric::roots::Variable;
+use crate::{AssemblyError, Group};
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// The longest step, and one that is too short to go on with, as parts of the way.
+const LONGEST: f64 = 1.0 / 16.0;
+const SHORTEST: f64 = 1e-7;
+
+/// A first correction must not be larger, in radians or scaled lengths.
+const FIRST: f64 = 0.05;
+
+/// Each correction is below this part of the one before, as where Newton's method is certain to find the nearest solution.
+const CONTRACTION: f64 = 0.25;
+
+/// Corrections of a step, at most, and one that leaves rounding only.
+const CORRECTIONS: usize = 8;
+const SETTLED: f64 = 1e-9;
+
+/// Lengths in states are scaled by a power of two, which changes on the way as links grow.
+const SCALES: [f64; 3] = [1.0, 0.5, 2.0];
+
+/// Places on the way at which slacks are looked at before dips between them are.
+const SAMPLES: usize = 64;
+
+/// A mechanism on its way from some dimensions (0) to others (1), in the assembly that is followed.
+pub trait Way {
+    /// The least margin, the slack of every group, the numbers of the unknowns.
+    type Survey: AsRef<[f64]>;
+    /// The programs of a coupled group.
+    type Programs: CoupledPrograms;
+
+    /// Name of the mechanism.
+    const NAME: &'static str;
+    /// The groups in order.
+    const LEVELS: &'static [Level];
+    /// What `STRUCTURE` says of them.
+    const GROUPS: &'static [Group];
+
+    /// The reference inputs.
+    fn inputs(&self) -> &[f64];
+    /// What the mechanism is there, with what is prepared of coupled groups.
+    fn survey(&self, share: f64, starts: &[Start]) -> Self::Survey;
+    /// A coupled group, with what is prepared of those before it. A mechanism without any has none.
+    fn coupled(
+        &self,
+        _share: f64,
+        _starts: &[Start],
+        _number: usize,
+    ) -> Option<Result<(&'static CoupledGroup, Self::Programs), AssemblyError>> {
+        None
+    }
+}
+
+/// A place on the way.
+struct Place {
+    share: f64,
+    /// Of the coupled groups.
+    states: Vec<Vec<f64>>,
+    determinants: Vec<f64>,
+    /// Of all groups; 1 of coupled ones.
+    slacks: Vec<f64>,
+}
+
+/// What ends a way.
+enum Obstacle {
+    /// The group with this number.
+    Group(usize),
+    Error(AssemblyError),
+}
+
+impl From<AssemblyError> for Obstacle {
+    fn from(error: AssemblyError) -> Self {
+        Self::Error(error)
+    }
+}
+
+/// Follows an assembly whose coupled groups are in these `states` from 0 to 1, and returns their states there.
+///
+/// # Errors
+///
+/// [`AssemblyError::Blocked`] where it cannot be followed any further.
+pub fn follow_way<W: Way>(way: &W, states: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, AssemblyError> {
+    let blocked = |share: f64, obstacle: Obstacle| match obstacle {
+        Obstacle::Error(error) => error,
+        Obstacle::Group(group) => {
+            let Group {
+                kind,
+                loops,
+                unknowns,
+                ..
+            } = W::GROUPS[group];
+            AssemblyError::Blocked {
+                mechanism: W::NAME,
+                group,
+                kind,
+                loops,
+                unknowns,
+                share,
+            }
+        }
+    };
+    if let Some((share, group)) = first_end(way) {
+        return Err(blocked(share, Obstacle::Group(group)));
+    }
+    let unknown = vec![0.0; states.len()];
+    let start = Place {
+        share: 0.0,
+        states,
+        determinants: unknown,
+        slacks: Vec::new(),
+    };
+    let mut last = step(way, &start, 0.0).map_err(|obstacle| blocked(0.0, obstacle))?;
+    let mut length = if last.states.is_empty() { 1.0 } else { LONGEST };
+    while last.share < 1.0 {
+        let share = (last.share + length).min(1.0);
+        match step(way, &last, share) {
+            Ok(next) => {
+                last = next;
+                length = (2.0 * length).min(LONGEST);
+            }
+            Err(obstacle) if length < SHORTEST => return Err(blocked(last.share, obstacle)),
+            Err(_) => length *= 0.5,
+        }
+    }
+    Ok(last.states)
+}
+
+/// The first place where a group that no coupled one stands before comes apart, and the group.
+fn first_end<W: Way>(way: &W) -> Option<(f64, usize)> {
+    let coupled = |level: &Level| matches!(level, Level::Coupled(_));
+    let count = W::LEVELS
+        .iter()
+        .position(coupled)
+        .unwrap_or(W::LEVELS.len());
+    let nothing = vec![Start::Nothing; W::LEVELS.iter().filter(|level| coupled(level)).count()];
+    let ends = (0..count).filter_map(|group| {
+        let slack = |share: f64| way.survey(share, &nothing).as_ref()[1 + group];
+        let first = slack(0.0);
+        // A group with one solution goes through infinity where its slack changes the sign.
+        let sign = match W::LEVELS[group] {
+            Level::Single => first.signum(),
+            Level::Modes(_) | Level::Coupled(_) => 1.0,
+        };
+        let along = |share: f64| sign * slack(share) / first.abs();
+        let end = first_failure(0.0, 1.0, 0.0, SAMPLES, along)?;
+        Some((if end.above { end.at } else { 0.0 }, group))
+    });
+    ends.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// The place at another share of the way, if one step leads there.
+fn step<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
+    let mut next = Place {
+        share,
+        states: from.states.clone(),
+        determinants: from.determinants.clone(),
+        slacks: Vec::new(),
+    };
+    let mut starts = vec![Start::Nothing; from.states.len()];
+    for (group, level) in W::LEVELS.iter().enumerate() {
+        let slack = match *level {
+            Level::Coupled(number) => {
+                let Some(programs) = way.coupled(share, &starts, number) else {
+                    return Err(Obstacle::Group(group));
+                };
+                let (description, mut programs) = programs?;
+                let x: Vec<f64> = description
+                    .inputs
+                    .iter()
+                    .map(|input| way.inputs()[input.index])
+                    .collect();
+                let before = &from.states[number];
+                let sign = from.determinants[number];
+                let found = SCALES.into_iter().find_map(|scale| {
+                    let mut state = scaled(description.variables, before, scale);
+                    let determinant = settle(&mut programs, &x, &mut state, sign)?;
+                    Some((state, determinant))
+                });
+                let (state, determinant) = found.ok_or(Obstacle::Group(group))?;
+                next.determinants[number] = determinant;
+                starts[number] = here(&mut programs, &x, &state).ok_or(Obstacle::Group(group))?;
+                next.states[number] = state;
+                1.0
+            }
+            Level::Modes(_) | Level::Single => way.survey(share, &starts).as_ref()[1 + group],
+        };
+        let before = from.slacks.get(group).copied();
+        let works = match *level {
+            Level::Single => before.is_none_or(|before| before * slack > 0.0),
+            Level::Modes(_) | Level::Coupled(_) => slack > 0.0,
+        };
+        // A slack that falls to less than half may have been below zero between.
+        let falls = before.is_some_and(|before| {
+            slack.abs() < 0.5 * before.abs() && share - from.share > LONGEST / 64.0
+        });
+        if !works || falls {
+            return Err(Obstacle::Group(group));
+        }
+        next.slacks.push(slack);
+    }
+    Ok(next)
+}
+
+/// A state on another scale of lengths.
+fn scaled(variables: &[Variable], state: &[f64], scale: f64) -> Vec<f64> {
+    let numbers = variables.iter().flat_map(|variable| match variable {
+        Variable::Unit => [1.0; 2].iter(),
+        Variable::Length | Variable::Point | Variable::Conjugate => [0.0; 1].iter(),
+    });
+    let pairs = state.iter().zip(numbers);
+    pairs
+        .map(|(number, &unit)| if unit > 0.0 { *number } else { scale * number })
+        .collect()
+}
+
+/// Corrects a state; the determinant there, which keeps its sign (if it had one).
+fn settle(
+    programs: &mut impl Correction,
+    x: &[f64],
+    state: &mut [f64],
+    before: f64,
+) -> Option<f64> {
+    let mut allowed = FIRST;
+    for _ in 0..CORRECTIONS {
+        let step = programs.correct(x, state);
+        let sound =
+            step.size <= allowed && step.determinant * before >= 0.0 && step.determinant != 0.0;
+        if !sound {
+            return None;
+        }
+        if step.size <= SETTLED {
+            return Some(step.determinant);
+        }
+        allowed = CONTRACTION * step.size;
+    }
+    None
+}
+
+/// What later groups need of a solution: it is prepared at the reference inputs alone.
+fn here(programs: &mut impl Correction, x: &[f64], state: &[f64]) -> Option<Start> {
+    let range = |&x: &f64| Range {
+        low: x,
+        high: x,
+        turn: false,
+    };
+    match *x {
+        [only] => Table::build(programs, only, state, range(&only), true)
+            .map(Start::Table)
+            .ok(),
+        _ => {
+            let ranges: Vec<Range> = x.iter().map(range).collect();
+            Grid::build(programs, x, state, &ranges)
+                .map(Start::Grid)
+                .ok()
+        }
+    }
+}
