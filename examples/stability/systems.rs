@@ -48,7 +48,7 @@ pub(crate) const TWO_LINKS: System = System {
     turned: nothing_turned,
     pairs: &[],
     linear: false,
-    margin: true,
+    margin: Some(|_| linkage_accuracy::Big::one()),
 };
 
 /// A rod between a given point and a line through the origin.

@@ -55,8 +55,8 @@ mechanism! {
         unit mm;
         argument press = 500N;
         input phi = 40deg in 1e-13rad..90deg;
-        unknown x = 1mm;
-        unknown y = 1mm;
+        unknown x;
+        unknown y;
         let p = polar(x, phi);
         loop p = (y, 0mm);
         body arm = pin j1 on frame at (0mm, 0mm), turns phi;

@@ -89,6 +89,23 @@ fn a_crank_rocker_has_two_circuits() {
 }
 
 #[test]
+fn a_range_closes_if_it_is_a_turn_of_an_angle() {
+    let closed = |more: f64, angle: bool| {
+        let cycle = Cycle {
+            high: TURN.high + more,
+            angle,
+            ..TURN
+        };
+        let found = search([50.0, 100.0, 80.0, 110.0], &cycle);
+        assert_eq!(found.branches.len(), 2);
+        found.branches.iter().all(|branch| branch.closed)
+    };
+    assert!(closed(0.0, true) && closed(5e-10, true) && closed(-5e-10, true));
+    assert!(!closed(2e-9, true) && !closed(-2e-9, true) && !closed(1e-6, true));
+    assert!(!closed(0.0, false));
+}
+
+#[test]
 fn a_double_rocker_has_turning_points_and_one_circuit() {
     let [crank, coupler, rocker, frame] = [100.0, 50.0, 80.0, 110.0];
     let cycle = Cycle {

@@ -4,7 +4,6 @@ mod circuits;
 mod closing;
 mod grid;
 mod hostile;
-mod meeting;
 mod start;
 mod table;
 mod triads;

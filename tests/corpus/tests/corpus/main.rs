@@ -57,6 +57,8 @@ fn numbers(fields: &[&dyn Numbers]) -> Vec<f64> {
 macro_rules! corpus {
     ($module:ident $name:ident [$($($parameter:ident).+),*] { $($text:tt)* }
      $($function:ident($($input:literal),*): $($field:ident),*;)*) => {
+        // Random mechanisms have parameters that nothing uses.
+        #[allow(deprecated)]
         mod $module {
             #[cfg(not(clippy))]
             linkage::mechanism! { $($text)* }

@@ -72,7 +72,7 @@ described! {
 
 fn main() {
     let crank = Crank::default();
-    assert!(crank <= crank);
+    assert!(crank <= Crank::default());
     assert_eq!(crank.assemble().expect("no loop").end(0.0).p.x, 30.0);
 
     let linkage = Short::default().assemble().expect("it closes");
