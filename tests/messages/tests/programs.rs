@@ -29,6 +29,7 @@ programs! {
     long_function
     names_of_functions
     no_implicit_prelude
+    one_letter_names
 }
 
 #[test]

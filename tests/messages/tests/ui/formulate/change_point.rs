@@ -49,8 +49,8 @@ mechanism! {
 mechanism! {
     pub struct Rocker {
         input phi = 30deg;
-        unknown theta = 40deg;
-        unknown psi = 80deg;
+        unknown theta = -56deg;
+        unknown psi = 0deg;
         loop polar(200mm, phi) + polar(120mm, theta) = (140mm, 0) + polar(100mm, psi);
     }
 
