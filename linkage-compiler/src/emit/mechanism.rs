@@ -144,13 +144,18 @@ fn conversions(outline: &Outline) -> TokenStream {
         impl<T: #runtime::Scalar> #name<T> {
             /// The dimensions of one lane.
             fn __lane(&self, __lane: ::core::primitive::usize) -> #name<::core::primitive::f64> { #lane }
-
-            /// The dimensions in one lane of the first rows.
-            #[inline(always)]
-            fn __at_lane<const __BLOCK: ::core::primitive::usize, const __ROWS: ::core::primitive::usize>(
-                __rows: &#runtime::Block<T, __BLOCK, __ROWS>,
-                __lane: ::core::primitive::usize,
-            ) -> Self { #at_lane }
+        }
+        // For sweeps over mechanisms.
+        #runtime::if_alloc! {
+            #allow
+            impl<T: #runtime::Scalar> #name<T> {
+                /// The dimensions in one lane of the first rows.
+                #[inline(always)]
+                fn __at_lane<const __BLOCK: ::core::primitive::usize, const __ROWS: ::core::primitive::usize>(
+                    __rows: &#runtime::Block<T, __BLOCK, __ROWS>,
+                    __lane: ::core::primitive::usize,
+                ) -> Self { #at_lane }
+            }
         }
     }
 }
