@@ -33,7 +33,7 @@ impl Family {
             Self::Closed => "C and Rust, derived by hand",
             Self::Dual => "dual numbers (num-dual)",
             Self::Textbook => "angles, as in textbooks",
-            Self::Newton => "Newton-Raphson, written by hand",
+            Self::Newton => "Newton-Raphson, by hand",
             Self::Differences => "finite differences",
         }
     }
