@@ -46,6 +46,7 @@ pub(crate) use generated::{ASSEMBLY, COLUMNS, Sweep, TYPE_PARAMETER};
 pub use shape::Shape;
 pub(crate) use types::*;
 pub(crate) use usage::AskedPicture;
+pub(crate) use walk::Derived;
 
 use crate::diagnostic::{Diagnostics, Origins};
 use crate::syntax::MechanismDef;

@@ -1,8 +1,41 @@
 //! What expressions are made of: the one place that knows it.
 
-use super::types::{BinaryOp, Expr, ExprKind, Mechanics, Mechanism, Name};
+use super::types::{
+    BinaryOp, Expr, ExprKind, Mechanics, Mechanism, Name, ScalarParameterId, Variable,
+};
+
+/// What a derivative is of, and by what.
+pub(crate) enum Derived<'e> {
+    /// By the inputs of the function that asks, so often.
+    ByInputs(&'e Expr, u8),
+    /// By each of these parameters.
+    ByParameters(&'e Expr, &'e [ScalarParameterId]),
+    /// By these variables, one after the other.
+    By(&'e Expr, &'e [Variable]),
+}
 
 impl Expr {
+    /// What it is the derivative of; nothing for what is none.
+    pub(crate) fn derived(&self) -> Option<Derived<'_>> {
+        match &self.kind {
+            ExprKind::InputDerivative(inner, order) => Some(Derived::ByInputs(inner, *order)),
+            ExprKind::Sensitivity(inner, by) => Some(Derived::ByParameters(inner, by)),
+            ExprKind::Derivative(inner, by) => Some(Derived::By(inner, by)),
+            ExprKind::Number(_)
+            | ExprKind::Name(_)
+            | ExprKind::Vector(_)
+            | ExprKind::Component(..)
+            | ExprKind::Index(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Binary(..)
+            | ExprKind::Call(..)
+            | ExprKind::Margin
+            | ExprKind::Picture(_)
+            | ExprKind::Mechanics(_)
+            | ExprKind::Error => None,
+        }
+    }
+
     /// The expressions that it is made of directly.
     pub(crate) fn operands(&self) -> Vec<&Expr> {
         match &self.kind {

@@ -2,8 +2,8 @@
 
 use crate::algebra::AXES;
 use crate::model::{
-    EvaluatorDef, Expr, ExprKind, FRAME_PARTS, LengthUnit, Mechanism, Quantity, Shape, Type,
-    Variable,
+    Derived, EvaluatorDef, Expr, ExprKind, FRAME_PARTS, LengthUnit, Mechanism, Quantity, Shape,
+    Type, Variable,
 };
 use crate::unit::{Column, Meaning, Picture};
 
@@ -107,41 +107,30 @@ impl Namer<'_> {
     /// The unit of what is differentiated, and those of the variables.
     fn numerator(&self, expr: &Expr, offset: usize, divisors: &mut Vec<String>) -> String {
         let width = |inner: &Expr| Shape::of(&inner.ty).width();
-        match &expr.kind {
-            ExprKind::InputDerivative(inner, order) => {
+        match expr.derived() {
+            Some(Derived::ByInputs(inner, order)) => {
                 let drives = self.drives();
                 let mut entry = offset / width(inner);
                 let own = self.numerator(inner, offset % width(inner), divisors);
-                for _ in 0..*order {
+                for _ in 0..order {
                     let input = drives[entry % drives.len()];
                     divisors.push(self.unit_of(Variable::Input(input)));
                     entry /= drives.len();
                 }
                 own
             }
-            ExprKind::Sensitivity(inner, parameters) => {
+            Some(Derived::ByParameters(inner, parameters)) => {
                 let own = self.numerator(inner, offset % width(inner), divisors);
                 let parameter = parameters[offset / width(inner)];
                 divisors.push(self.unit_of(Variable::Parameter(parameter)));
                 own
             }
-            ExprKind::Derivative(inner, variables) => {
+            Some(Derived::By(inner, variables)) => {
                 let own = self.numerator(inner, offset, divisors);
                 divisors.extend(variables.iter().map(|&variable| self.unit_of(variable)));
                 own
             }
-            ExprKind::Number(_)
-            | ExprKind::Name(_)
-            | ExprKind::Vector(_)
-            | ExprKind::Component(..)
-            | ExprKind::Negate(_)
-            | ExprKind::Binary(..)
-            | ExprKind::Call(..)
-            | ExprKind::Index(..)
-            | ExprKind::Margin
-            | ExprKind::Picture(_)
-            | ExprKind::Mechanics(_)
-            | ExprKind::Error => {
+            None => {
                 let units = units(&expr.ty, self.mechanism.unit);
                 units.into_iter().nth(offset).unwrap_or_default()
             }
@@ -158,8 +147,8 @@ impl Namer<'_> {
 
     /// Names of the entries of an array, outermost first.
     fn labels(&self, expr: &Expr) -> Vec<Vec<String>> {
-        match &expr.kind {
-            ExprKind::InputDerivative(inner, order) => {
+        match expr.derived() {
+            Some(Derived::ByInputs(inner, order)) => {
                 let inputs = self.drives();
                 let names = inputs
                     .iter()
@@ -168,32 +157,25 @@ impl Namer<'_> {
                 let times = if names.len() == 1 {
                     0
                 } else {
-                    usize::from(*order)
+                    usize::from(order)
                 };
                 let mut labels = vec![names; times];
                 labels.extend(self.labels(inner));
                 labels
             }
-            ExprKind::Sensitivity(inner, parameters) => {
+            Some(Derived::ByParameters(inner, parameters)) => {
                 let scalars = &self.mechanism.scalar_parameters;
                 let names = parameters.iter().map(|id| scalars[id.0].name.clone());
                 let mut labels = vec![names.collect()];
                 labels.extend(self.labels(inner));
                 labels
             }
-            ExprKind::Derivative(inner, _) => self.labels(inner),
-            ExprKind::Index(array, _) => self.labels(array).into_iter().skip(1).collect(),
-            ExprKind::Number(_)
-            | ExprKind::Name(_)
-            | ExprKind::Vector(_)
-            | ExprKind::Component(..)
-            | ExprKind::Negate(_)
-            | ExprKind::Binary(..)
-            | ExprKind::Call(..)
-            | ExprKind::Margin
-            | ExprKind::Picture(_)
-            | ExprKind::Mechanics(_)
-            | ExprKind::Error => Vec::new(),
+            Some(Derived::By(inner, _)) => self.labels(inner),
+            None => match &expr.kind {
+                ExprKind::Index(array, _) => self.labels(array).into_iter().skip(1).collect(),
+                // Nothing else is an entry of an array.
+                _ => Vec::new(),
+            },
         }
     }
 
@@ -211,13 +193,13 @@ impl Namer<'_> {
             [input] => Some(input),
             _ => None,
         };
-        match &expr.kind {
-            ExprKind::Margin => Meaning::Margin,
-            ExprKind::InputDerivative(inner, order) if single.is_some() => Meaning::Rate {
-                order: u32::from(*order),
+        match expr.derived() {
+            None if expr.kind == ExprKind::Margin => Meaning::Margin,
+            Some(Derived::ByInputs(inner, order)) if single.is_some() => Meaning::Rate {
+                order: u32::from(order),
                 of: self.column_of(inner, offset, firsts),
             },
-            ExprKind::Derivative(inner, variables) => match variables[..] {
+            Some(Derived::By(inner, variables)) => match variables[..] {
                 [Variable::Parameter(id)] => Meaning::Sensitivity {
                     parameter: id.0,
                     of: self.column_of(inner, offset, firsts),
@@ -233,25 +215,14 @@ impl Namer<'_> {
                 }
                 _ => Meaning::Value,
             },
-            ExprKind::Sensitivity(inner, parameters) => {
+            Some(Derived::ByParameters(inner, parameters)) => {
                 let width = Shape::of(&inner.ty).width();
                 Meaning::Sensitivity {
                     parameter: parameters[offset / width].0,
                     of: self.column_of(inner, offset % width, firsts),
                 }
             }
-            ExprKind::InputDerivative(..)
-            | ExprKind::Number(_)
-            | ExprKind::Name(_)
-            | ExprKind::Vector(_)
-            | ExprKind::Component(..)
-            | ExprKind::Negate(_)
-            | ExprKind::Binary(..)
-            | ExprKind::Call(..)
-            | ExprKind::Index(..)
-            | ExprKind::Picture(_)
-            | ExprKind::Mechanics(_)
-            | ExprKind::Error => Meaning::Value,
+            Some(Derived::ByInputs(..)) | None => Meaning::Value,
         }
     }
 
