@@ -58,7 +58,6 @@ impl<'m> Ranges<'_, 'm> {
             false => None,
         };
         let works = self.works(algebra, &words, &at);
-        let loops = loop_list(&solved.group.loops);
         let message = match even {
             Some(even) => parallelogram(algebra.mechanism, &words, &at, solved, &even, &works),
             None => {
@@ -87,10 +86,8 @@ impl<'m> Ranges<'_, 'm> {
                 };
                 let Works { fact, range } = works;
                 format!(
-                    "the mechanism comes apart in this range: {loops} ({}) {} a {point} point at {place}{picture}{beyond}; {fact}\n\
-                     help: {range}, or {other}",
-                    words.unknowns(&solved.group.unknowns),
-                    reaches(solved),
+                    "{} a {point} point at {place}{picture}{beyond}; {fact}\nhelp: {range}, or {other}",
+                    comes_apart(&words, solved),
                 )
             }
         };
@@ -118,11 +115,9 @@ impl<'m> Ranges<'_, 'm> {
         let how = format!(" (found on a grid of at most {GRID} positions)");
         let message = match at.finite {
             true => format!(
-                "the mechanism comes apart in this range: {} ({}) {} a dead point at {place}{how}\n\
+                "{} a dead point at {place}{how}\n\
                  help: restrict the range, or change the lengths so that the links reach each other all the way",
-                loop_list(&solved.group.loops),
-                words.unknowns(&solved.group.unknowns),
-                reaches(solved),
+                comes_apart(&words, solved),
             ),
             false => not_finite(&words, solved, &place, &how),
         };
@@ -221,21 +216,25 @@ struct Works {
     range: String,
 }
 
-fn reaches(solved: &Solved) -> &'static str {
-    match solved.group.loops.len() {
+/// `the mechanism comes apart in this range: loop 1 (`theta`, `psi`) reaches`
+fn comes_apart(words: &Words, solved: &Solved) -> String {
+    let reach = match solved.group.loops.len() {
         1 => "reaches",
         _ => "reach",
-    }
+    };
+    format!(
+        "the mechanism comes apart in this range: {} ({}) {reach}",
+        loop_list(&solved.group.loops),
+        words.unknowns(&solved.group.unknowns),
+    )
 }
 
 /// A group whose equations have no finite value at a place.
 fn not_finite(words: &Words, solved: &Solved, place: &str, how: &str) -> String {
     format!(
-        "the mechanism comes apart in this range: {} ({}) {} a division by zero, or a root or an arc function out of its range at {place}{how}\n\
+        "{} a division by zero, or a root or an arc function out of its range at {place}{how}\n\
          help: restrict the range, or change what is not a finite number beyond it",
-        loop_list(&solved.group.loops),
-        words.unknowns(&solved.group.unknowns),
-        reaches(solved),
+        comes_apart(words, solved),
     )
 }
 
