@@ -115,7 +115,6 @@ pub mod __private {
     pub use linkage_macros::mechanism;
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::Columns;
-    pub use linkage_runtime::generated::close;
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::generated::fill_parallel;
     #[cfg(any(feature = "std", feature = "libm"))]
@@ -135,6 +134,7 @@ pub mod __private {
         CoupledUnknown, Extended, Range, Start, States, Step, Term, Variable, Wanted, nothing,
         pairs, placed, put_state, starts, stepped,
     };
+    pub use linkage_runtime::generated::{close, finite};
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, FUSED, Frame, FunctionInfo, Group,
         Guide, GuideOn, Heading, Input, Meaning, Operations, Parameter, Picture, PictureColumns,

@@ -94,6 +94,27 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// Nothing but sums: every dimension enters a result without a root.
+    struct Sums {
+        unit mm;
+        param tilt = 20deg;
+        param lift = (3mm, 4mm);
+        param lead = 5mm;
+        param shown = 1mm;
+        input phi = 40deg in 0deg..360deg;
+        unknown psi = 60deg;
+        unknown tip = (10mm, 30mm);
+        unknown s = 5mm;
+        loop psi = phi + tilt;
+        loop tip = (7mm, 26mm) + lift;
+        loop s = lead * phi;
+    }
+    impl Sums {
+        fn pose(phi) -> SumsPose { psi, tip, s, beside: s + shown }
+    }
+}
+
 #[test]
 fn a_distance_is_not_negative() {
     assert!(Boom::default().assemble().is_ok());
@@ -219,6 +240,45 @@ fn dimensions_that_are_no_numbers_are_refused() {
         slider.assemble(),
         Err(AssemblyError::NotFinite { .. })
     ));
+}
+
+#[test]
+fn a_dimension_that_is_no_number_is_named() {
+    let sums = Sums::default();
+    let refused = |change: fn(&mut Sums, f64), field: &'static str, number: usize| {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut dimensions = sums;
+            change(&mut dimensions, value);
+            let error = dimensions.assemble().expect_err(field);
+            let AssemblyError::NotFinite {
+                loops, field: own, ..
+            } = error
+            else {
+                panic!("{error}");
+            };
+            assert_eq!((own, loops), (Some(field), &[number][..]));
+            assert!(error.to_string().contains(&format!("`{field}`")), "{error}");
+            assert_eq!(dimensions.assemblies().unwrap_err(), error);
+            assert!(dimensions.cast::<f32>().assemble().is_err());
+            let assembly = sums.assemble().expect("all is finite");
+            assert_eq!(dimensions.assemble_from(&assembly).unwrap_err(), error);
+        }
+    };
+    refused(|sums, x| sums.tilt = x, "tilt", 1);
+    refused(|sums, x| sums.lift.y = x, "lift.y", 2);
+    refused(|sums, x| sums.lead = x, "lead", 3);
+    let mut slider = Slider::default();
+    slider.rod = f64::INFINITY;
+    let error = slider.assemble().unwrap_err();
+    assert!(error.to_string().contains("`rod`"), "{error}");
+}
+
+#[test]
+fn a_dimension_that_no_loop_needs_may_be_any() {
+    let mut sums = Sums::default();
+    sums.shown = f64::INFINITY;
+    let linkage = sums.assemble().expect("the loops are finite");
+    assert_eq!(linkage.pose(0.5).beside, f64::INFINITY);
 }
 
 #[test]

@@ -63,6 +63,8 @@ pub enum AssemblyError {
         loops: &'static [usize],
         /// Its unknowns.
         unknowns: &'static [&'static str],
+        /// The dimension that is NaN or infinite, as `PARAMETERS` names it; `None` if all are finite that the group needs.
+        field: Option<&'static str>,
     },
     /// An angle could not be followed through the range of the input, so that its turns cannot be
     /// counted.
@@ -140,13 +142,17 @@ impl fmt::Display for AssemblyError {
                 kind,
                 loops,
                 unknowns,
+                field,
             } => {
                 write!(f, "{mechanism}: ")?;
                 place(f, group, kind, loops, unknowns)?;
-                f.write_str(
-                    " has no finite solution at the reference input: a dimension is not finite \
-                     or the position is singular",
-                )
+                f.write_str(" has no finite solution at the reference input: ")?;
+                match field {
+                    Some(field) => write!(f, "the dimension `{field}` is NaN or infinite"),
+                    None => f.write_str(
+                        "the position is singular, or a number computed from the dimensions is not finite",
+                    ),
+                }
             }
             Self::NoWinding { mechanism, unknown } => write!(
                 f,

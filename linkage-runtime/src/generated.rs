@@ -18,9 +18,9 @@ pub use crate::numeric::continuation::{Correction, Range, Step};
 pub use crate::numeric::roots::{Term, Variable};
 #[cfg(feature = "alloc")]
 pub use alloc::vec::Vec;
-pub use close::close;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
+pub use close::{close, finite};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use starts::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,

@@ -7,7 +7,7 @@ use quote::quote;
 use super::docs::doc;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
-use super::{attribute, body, literal, starts, winding};
+use super::{attribute, body, closing, literal, starts, winding};
 use crate::model::Sweep;
 use crate::syntax::Word;
 use crate::unit::Unit;
@@ -206,7 +206,10 @@ pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
         true => assemble(outline, unit, &types),
         false => starts::assemble(outline, unit, &types),
     };
-    let close = close(outline, unit);
+    let (finite, close) = (
+        closing::finite(outline, unit),
+        closing::close(outline, unit),
+    );
     let prepare_body = program(outline, &unit.prepare);
     let gaps_body = program(outline, &unit.gaps);
     let allow = attribute::allow();
@@ -214,6 +217,8 @@ pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
         #allow
         impl<T: #runtime::Scalar> #assembly<T> {
             #assemble
+
+            fn __finite(__m: &#name<T>) -> ::core::result::Result<(), #runtime::AssemblyError> { #finite }
 
             fn __close(
                 __m: &#name<T>,
@@ -262,6 +267,7 @@ fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
             __modes: #modes,
             __at: #inputs,
         ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+            Self::__finite(__m)?;
             let __turns: #turns = #turning;
             let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
             Self::__close(__m, &__modes, &__prepared, __at)?;
@@ -300,20 +306,6 @@ impl Types {
             prepared: quote!([T; #prepared]),
             gaps: quote!([T; #gaps]),
         }
-    }
-}
-
-fn close(outline: &Outline, unit: &Unit) -> TokenStream {
-    let Outline { runtime, name, .. } = outline;
-    let title = outline.title();
-    let units = unit.groups.iter().map(|group| &group.gap_unit);
-    quote! {
-        #runtime::close(
-            #title,
-            #name::<::core::primitive::f64>::STRUCTURE.groups,
-            &[#(#units),*],
-            &__gaps,
-        )
     }
 }
 

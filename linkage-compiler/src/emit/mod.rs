@@ -9,6 +9,7 @@ mod at_word;
 mod attribute;
 mod body;
 mod circuits;
+mod closing;
 mod columns;
 mod count;
 mod dimensions;

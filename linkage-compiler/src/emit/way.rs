@@ -27,6 +27,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let body = match outline.starts.is_empty() {
         true => quote! {
             #way
+            #assembly::__finite(self)?;
             #runtime::follow_way(&__way, #runtime::Vec::new())?;
             #assembly::__assemble(self, __way.modes, __way.at)
         },
@@ -40,6 +41,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
             });
             quote! {
                 #way
+                #assembly::__finite(self)?;
                 let __x = #assembly::<#float>::__extend(&__assembly.__starts, __way.at);
                 let mut __states = #runtime::Vec::new();
                 #(__states.push(#states);)*

@@ -1,5 +1,10 @@
 //! What a unit says beside its programs: what goes in, and what was found out about the groups.
 
+use std::collections::BTreeSet;
+
+use linkage_symbolic::Ex;
+use linkage_symbolic::program::Source;
+
 use crate::algebra::Algebra;
 use crate::close::{Reference, candidate_rates, followed_range};
 use crate::formulate::{Formulation, Solved};
@@ -57,14 +62,15 @@ pub(super) fn signature<'m>(
             is_number: dimension.is_some_and(|own| own.half_lengths == 0),
         }
     });
-    let groups = formulation.groups.iter();
+    let own = own_parameters(algebra, formulation);
+    let groups = formulation.groups.iter().zip(own);
     Unit {
         parameters: parameters.collect(),
         inputs: inputs.collect(),
         arguments: arguments.collect(),
         unknowns: unknowns.collect(),
         groups: groups
-            .map(|solved| group(mechanism, solved, reference))
+            .map(|(solved, parameters)| group(mechanism, solved, parameters, reference))
             .collect(),
         mobility: formulation.mobility,
         longest: reference.longest,
@@ -82,7 +88,39 @@ fn role(mechanism: &Mechanism, argument: usize) -> Role {
     found.unwrap_or(Role::Load)
 }
 
-fn group(mechanism: &Mechanism, solved: &Solved, reference: &Reference) -> Group {
+/// See [`Group::parameters`].
+fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize>> {
+    let mut known = BTreeSet::new();
+    let groups = formulation.groups.iter().map(|solved| {
+        let unknowns = solved.group.unknowns.iter();
+        let mut needs: Vec<Ex> = unknowns
+            .flat_map(|&unknown| algebra.names.numbers_of(unknown))
+            .collect();
+        needs.push(solved.closed.gap);
+        if let Some(prepared) = &solved.prepared {
+            let coefficients = prepared.system.coefficients.iter();
+            needs.extend(coefficients.flat_map(|x| x.components()));
+        }
+        let symbols = algebra.symbols_below(&needs).into_iter();
+        let mut parameters: Vec<usize> = symbols
+            .filter_map(|symbol| match algebra.graph.symbol(symbol).source {
+                Some(Source::Parameter(index)) => Some(index),
+                _ => None,
+            })
+            .filter(|&index| known.insert(index))
+            .collect();
+        parameters.sort_unstable();
+        parameters
+    });
+    groups.collect()
+}
+
+fn group(
+    mechanism: &Mechanism,
+    solved: &Solved,
+    parameters: Vec<usize>,
+    reference: &Reference,
+) -> Group {
     let unknown = |&k: &usize| mechanism.unknowns[k].name.clone();
     let modes = &reference.machine.modes;
     Group {
@@ -96,5 +134,6 @@ fn group(mechanism: &Mechanism, solved: &Solved, reference: &Reference) -> Group
         plus: solved.mode.is_none_or(|mode| modes[mode] > 0.0),
         method: solved.closed.method,
         gap_unit: solved.gap_dimension(mechanism).unit(mechanism.unit),
+        parameters,
     }
 }

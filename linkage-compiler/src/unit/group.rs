@@ -26,6 +26,8 @@ pub struct Group {
     pub method: &'static str,
     /// `mm`, `rad`: what the group's gap is measured in.
     pub gap_unit: String,
+    /// The scalars of parameters that its solution needs and no earlier group.
+    pub parameters: Vec<usize>,
 }
 
 /// What `assemble()` prepares of a coupled group.

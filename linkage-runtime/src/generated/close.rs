@@ -2,9 +2,41 @@
 
 #[cfg(feature = "alloc")]
 use crate::AssemblyMode;
-use crate::{AssemblyError, Group, Scalar};
+use crate::{AssemblyError, Group, Parameter, Scalar};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
+
+/// Fails at the first group that needs a dimension that is NaN or infinite: closed forms without a root carry it into the results, where
+/// nothing tells it apart. `needed` are the parameters that each group needs and none before it, by their places among `values`.
+pub fn finite<T: Scalar>(
+    mechanism: &'static str,
+    groups: &'static [Group],
+    parameters: &'static [Parameter],
+    needed: &[&[usize]],
+    values: &[T],
+) -> Result<(), AssemblyError> {
+    for (index, needed) in needed.iter().enumerate() {
+        let is_finite = |place: usize| (0..T::LANES).all(|k| values[place].lane(k).is_finite());
+        let Some(&place) = needed.iter().find(|&&place| !is_finite(place)) else {
+            continue;
+        };
+        let Group {
+            kind,
+            loops,
+            unknowns,
+            ..
+        } = groups[index];
+        return Err(AssemblyError::NotFinite {
+            mechanism,
+            group: index,
+            kind,
+            loops,
+            unknowns,
+            field: Some(parameters[place].name),
+        });
+    }
+    Ok(())
+}
 
 /// Fails at the first group that does not close: in one lane its gap is positive or not a number. `units` says what
 /// each gap is measured in.
@@ -31,6 +63,7 @@ pub fn close<T: Scalar>(
                     kind,
                     loops,
                     unknowns,
+                    field: None,
                 });
             }
             miss = f64::max(miss, gap);

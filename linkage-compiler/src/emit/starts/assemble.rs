@@ -37,6 +37,7 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
             __modes: #modes,
             __at: #inputs,
         ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+            Self::__finite(__m)?;
             let mut __lanes = #runtime::Vec::new();
             for __lane in 0..T::LANES {
                 match Self::__on_lane(__m, __modes, __at, __lane, #runtime::Wanted::Nearest) {
@@ -57,6 +58,7 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
             __modes: #modes,
             __at: #inputs,
         ) -> ::core::result::Result<#runtime::Vec<Self>, #runtime::AssemblyError> {
+            Self::__finite(__m)?;
             let mut __found = #runtime::Vec::new();
             let __all = Self::__on_lane(__m, __modes, __at, 0, #runtime::Wanted::All);
             let __all = match __all {

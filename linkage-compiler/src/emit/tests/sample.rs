@@ -300,6 +300,7 @@ fn unit() -> Unit {
             plus: true,
             method: "closed form",
             gap_unit: "mm".to_owned(),
+            parameters: vec![0],
         }],
         mobility: 1,
         longest: 1.0,

@@ -102,6 +102,7 @@ impl CoupledGroup {
             kind: self.kind,
             loops: self.loops,
             unknowns: self.names,
+            field: None,
         }
     }
 

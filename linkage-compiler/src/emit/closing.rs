@@ -1,0 +1,46 @@
+//! What `assemble()` is refused for: dimensions that are no numbers, groups that do not close.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::literal;
+use super::outline::Outline;
+use crate::unit::Unit;
+
+/// Whether the dimensions that the groups need are numbers.
+pub(super) fn finite(outline: &Outline, unit: &Unit) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let title = outline.title();
+    let fields = outline.scalar_fields();
+    let needed = unit.groups.iter().map(|group| {
+        let places = group.parameters.iter().map(|&place| literal::index(place));
+        quote!(&[#(#places),*])
+    });
+    if unit.groups.iter().all(|group| group.parameters.is_empty()) {
+        return quote!(::core::result::Result::Ok(()));
+    }
+    quote! {
+        #runtime::finite(
+            #title,
+            #name::<::core::primitive::f64>::STRUCTURE.groups,
+            #name::<::core::primitive::f64>::PARAMETERS,
+            &[#(#needed),*],
+            &[#(__m.#fields),*],
+        )
+    }
+}
+
+/// Whether the groups close.
+pub(super) fn close(outline: &Outline, unit: &Unit) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let title = outline.title();
+    let units = unit.groups.iter().map(|group| &group.gap_unit);
+    quote! {
+        #runtime::close(
+            #title,
+            #name::<::core::primitive::f64>::STRUCTURE.groups,
+            &[#(#units),*],
+            &__gaps,
+        )
+    }
+}
