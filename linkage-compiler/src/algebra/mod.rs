@@ -13,6 +13,7 @@ mod implicit;
 mod names;
 mod nominal;
 mod partial;
+mod parts;
 mod reverse;
 mod scalar;
 mod solutions;

@@ -1,25 +1,14 @@
 //! How long a vector of the plane can become when all that turns in it turns: what a margin is measured by.
 
-use std::collections::BTreeMap;
-
-use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, NodeId, V2, Vector, agree};
+use linkage_symbolic::{Ex, V2};
 
 use super::Solver;
-
-/// An angle by the nodes of its cosine and sine.
-type Turning = (NodeId, NodeId);
 
 /// How long a vector can become.
 struct Longest<'m> {
     length: Ex<'m>,
     /// Whether its parts can all point the same way: each turns, and keeps its length.
     reached: bool,
-}
-
-/// The coefficients of the products of cosines and sines of some angles: the first bit of an index is set for the sine of the first angle.
-struct Part<'m> {
-    rows: [Vec<Ex<'m>>; 2],
 }
 
 impl<'m> Solver<'_, 'm> {
@@ -49,126 +38,12 @@ impl<'m> Solver<'_, 'm> {
 
     /// The sum of the lengths of a vector's parts.
     fn longest(&self, vector: V2<'m>) -> Longest<'m> {
-        let zero = self.algebra.zero();
-        let mut fixed = Vector([zero; 2]);
-        let mut reached = true;
-        let mut turning: BTreeMap<Vec<Turning>, Part<'m>> = BTreeMap::new();
-        for (row, x) in vector.components().enumerate() {
-            for (known, term) in spread(x) {
-                let (angles, sines, factor) = self.factors(term);
-                let signed = known * factor;
-                if angles.is_empty() {
-                    reached &= signed.is_fixed();
-                    fixed.0[row] += signed;
-                    continue;
-                }
-                let count = 1 << angles.len();
-                let part = turning.entry(angles).or_insert_with(|| Part {
-                    rows: [vec![zero; count], vec![zero; count]],
-                });
-                part.rows[row][sines] += signed;
-            }
+        let parts = self.algebra.parts(vector);
+        let rotors = parts.turning.iter().all(|(_, part)| part.is_rotor());
+        let arms = parts.turning.iter().map(|(_, part)| part.arm().length());
+        Longest {
+            length: arms.fold(parts.fixed.length(), |sum, length| sum + length),
+            reached: parts.rest_is_fixed && rotors,
         }
-        reached &= turning.values().all(Part::is_rotor);
-        let parts = turning.values().map(|part| part.arm().length());
-        let length = parts.fold(fixed.length(), |sum, length| sum + length);
-        Longest { length, reached }
-    }
-
-    /// A product's angles, in order, which of them it has the sines of, and its other factors. A power of a cosine is no direction: it stays
-    /// among the factors.
-    fn factors(&self, term: Ex<'m>) -> (Vec<Turning>, usize, Ex<'m>) {
-        let mut angles: Vec<(Turning, bool)> = Vec::new();
-        let mut factor = term.number(1.0);
-        let mut open = vec![term];
-        while let Some(x) = open.pop() {
-            let ex = |id| x.graph().ex(id);
-            match x.node() {
-                Node::Binary(Binary::Mul, a, b) => open.extend([ex(a), ex(b)]),
-                Node::Unary(Unary::Neg, a) => {
-                    factor = -factor;
-                    open.push(ex(a));
-                }
-                _ => match self.direction_of(x) {
-                    Some((angle, sine)) if angles.iter().all(|(own, _)| *own != angle) => {
-                        angles.push((angle, sine));
-                    }
-                    _ => factor = factor * x,
-                },
-            }
-        }
-        angles.sort_unstable();
-        let sines = angles.iter().enumerate();
-        let sines = sines.map(|(k, (_, sine))| usize::from(*sine) << k).sum();
-        let angles = angles.into_iter().map(|(angle, _)| angle).collect();
-        (angles, sines, factor)
-    }
-
-    /// The angle whose cosine or, then true, sine this is, if it is known only in a call.
-    fn direction_of(&self, x: Ex<'m>) -> Option<(Turning, bool)> {
-        if x.is_fixed() {
-            return None;
-        }
-        match x.node() {
-            Node::Unary(Unary::Cos | Unary::Sin, argument) => {
-                let argument = x.graph().ex(argument);
-                let [cos, sin] = [Unary::Cos, Unary::Sin].map(|op| argument.unary(op).id());
-                Some(((cos, sin), x.id() == sin))
-            }
-            Node::Symbol(symbol) => {
-                let mut angles = self.algebra.names.angles.iter();
-                let angle = angles.find(|own| own.cos == symbol || own.sin == symbol)?;
-                let [cos, sin] = angle.unit.0.map(Ex::id);
-                Some(((cos, sin), angle.sin == symbol))
-            }
-            _ => None,
-        }
-    }
-}
-
-/// The terms of a sum with factors that are known before a call, which may stand before a sum themselves.
-fn spread(x: Ex) -> Vec<(Ex, Ex)> {
-    let ex = |id| x.graph().ex(id);
-    let mut found = Vec::new();
-    let mut open = vec![(x.number(1.0), x)];
-    while let Some((known, x)) = open.pop() {
-        match x.node() {
-            Node::Unary(Unary::Neg, a) => open.push((-known, ex(a))),
-            Node::Binary(Binary::Add, a, b) => open.extend([(known, ex(b)), (known, ex(a))]),
-            Node::Binary(Binary::Sub, a, b) => open.extend([(-known, ex(b)), (known, ex(a))]),
-            Node::Binary(Binary::Mul, a, b) if ex(a).is_fixed() => {
-                open.push((known * ex(a), ex(b)))
-            }
-            Node::Binary(Binary::Mul, a, b) if ex(b).is_fixed() => {
-                open.push((known * ex(b), ex(a)))
-            }
-            Node::Binary(Binary::Div, a, b) if ex(b).is_fixed() => {
-                open.push((known / ex(b), ex(a)))
-            }
-            _ => found.push((known, x)),
-        }
-    }
-    found
-}
-
-impl<'m> Part<'m> {
-    /// Where it points when all angles are 0.
-    fn arm(&self) -> V2<'m> {
-        Vector([self.rows[0][0], self.rows[1][0]])
-    }
-
-    /// Whether it is its arm, turned by the sum of its angles, some of them with the other sign.
-    fn is_rotor(&self) -> bool {
-        let all = 0..self.rows[0].len();
-        all.clone().any(|conjugate| {
-            all.clone().all(|sines| {
-                let turned = (0..sines.count_ones()).fold(self.arm(), |arm, _| arm.perp());
-                let back = (sines & conjugate).count_ones() % 2 == 1;
-                (0..2).all(|row| {
-                    let expected = if back { -turned[row] } else { turned[row] };
-                    agree(self.rows[row][sines], expected)
-                })
-            })
-        })
     }
 }
