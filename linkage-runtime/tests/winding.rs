@@ -2,7 +2,7 @@
 #![cfg(any(feature = "std", feature = "libm"))]
 
 use linkage_runtime::Scalar;
-use linkage_runtime::numeric::winding::{Centre, Winding, follow};
+use linkage_runtime::numeric::winding::{Centre, Winding, follow, uniform};
 use std::f64::consts::{PI, TAU};
 
 const RATES: [f64; 7] = [0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5];
@@ -163,4 +163,57 @@ fn middles_of_several_inputs_add_up_or_are_shared() {
     ] {
         assert!((centre(middles) - sum * PI).abs() < 1e-14, "{middles:?}");
     }
+}
+
+/// An angle half a quarter turn ahead of the sum of vectors is what following it finds, at any number of turns.
+#[test]
+fn the_longest_of_several_vectors_gives_the_turns() {
+    let vectors = [[3.0, -4.0], [0.0, 12.0], [0.0, 0.0], [-4.0, 0.0]];
+    let turns = [Some([0.0, 0.0]), Some([1.0, -2.5]), Some([7.0, 7.0]), None];
+    let sum = |[x, y]: [f64; 2], other: f64| {
+        let (sin, cos) = (x - 2.5 * y).sin_cos();
+        [
+            3.0 - 12.0 * sin - 4.0 * other.cos(),
+            -4.0 + 12.0 * cos - 4.0 * other.sin(),
+        ]
+    };
+    for (whole, start) in [(0.0, [0.3, 0.9]), (5.0, [-7.0, 2.0]), (-3.0, [0.0, 40.0])] {
+        let angle = |x: [f64; 2], guide: f64| {
+            let [cos, sin] = sum(x, 11.0 * x[0]);
+            f64::angle_near(sin, cos, guide) + PI / 4.0
+        };
+        let here = angle(start, whole * TAU);
+        let (centre, turns) = uniform(&vectors, &turns, start, here).unwrap();
+        assert_eq!(turns, [1.0, -2.5]);
+        let mut last = here;
+        for step in 0..=4000 {
+            let part = f64::from(step) / 4000.0;
+            let x = [start[0] + 20.0 * part, start[1] - 30.0 * part];
+            let guide = centre + turns[0] * x[0] + turns[1] * x[1];
+            last = angle(x, last - PI / 4.0);
+            assert!((last - guide).abs() < PI, "{last} beside {guide}");
+        }
+    }
+}
+
+/// 0.95 pi is the most that an angle may stray; nothing decides where vectors are no numbers, vanish, or turn in an unknown way.
+#[test]
+fn vectors_that_do_not_decide() {
+    let most = (0.45 * PI).sin();
+    let of = |vectors: &[[f64; 2]]| {
+        let turns = [Some([0.0]), Some([1.0])];
+        uniform(vectors, &turns[..vectors.len()], [0.0], 0.1)
+    };
+    for (beside, decides) in [(most - 1e-12, true), (most + 1e-12, false)] {
+        assert_eq!(of(&[[0.0, 1.0], [beside, 0.0]]).is_some(), decides);
+        assert_eq!(of(&[[0.0, beside], [1.0, 0.0]]).is_some(), decides);
+    }
+    assert_eq!(of(&[]), None);
+    assert_eq!(of(&[[0.0, 0.0]]), None);
+    assert_eq!(of(&[[f64::NAN, 0.0]]), None);
+    assert_eq!(of(&[[1.0, 0.0], [f64::NAN, 0.0]]), None);
+    assert_eq!(of(&[[f64::INFINITY, 0.0], [1.0, 0.0]]), None);
+    assert_eq!(uniform(&[[1.0, 0.0]], &[None::<[f64; 0]>], [], 0.0), None);
+    let (centre, _) = of(&[[0.0, 1.0]]).unwrap();
+    assert_eq!(centre, PI / 2.0);
 }

@@ -4,6 +4,7 @@
 //! gives the unknowns their definitions, `request` differentiates.
 
 mod adjoint;
+mod bearing;
 mod calls;
 mod dependence;
 mod derivatives;
@@ -28,6 +29,7 @@ use crate::model::{Mechanism, Variable};
 use derivatives::Derivatives;
 
 pub(crate) use adjoint::Direction;
+pub(crate) use bearing::{Bearing, Phasor};
 pub(crate) use elimination::{CoreRow, Elimination, PrivateColumn};
 pub(crate) use names::{Angle, Bound, Names, StandsFor};
 pub(crate) use nominal::Nominal;

@@ -4,7 +4,7 @@ use linkage_symbolic::{Ex, Graph, SymbolId, V2, Vector};
 
 use crate::model::{Mechanism, Type};
 
-use super::{AXES, Atom, Value};
+use super::{AXES, Atom, Bearing, Value};
 
 /// An unknown angle. Loops see its cosine and sine; its value is computed only where somebody asks for it.
 #[derive(Clone, Debug)]
@@ -20,6 +20,8 @@ pub(crate) struct Angle<'m> {
     pub(crate) unknown: Option<usize>,
     /// For an angle that the compiler introduced in place of another.
     pub(crate) stands_for: Option<StandsFor>,
+    /// Where its closed form says so.
+    pub(crate) bearing: Option<Bearing<'m>>,
 }
 
 /// What an introduced angle stands for.
@@ -125,6 +127,7 @@ impl<'m> Names<'m> {
             number,
             unknown,
             stands_for: None,
+            bearing: None,
         });
         self.angles.len() - 1
     }

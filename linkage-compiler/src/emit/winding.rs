@@ -1,5 +1,6 @@
 //! How the continuous angles are followed through the ranges of the inputs, lane by lane.
 
+use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -88,7 +89,8 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let table = unit.angles.iter().map(|angle| search(outline, unit, angle));
     let inputs = unit.inputs.iter();
     let references = inputs.map(|input| literal::float(input.reference));
-    let directions = directions(outline, unit);
+    let directions = pairs(outline, &unit.directions);
+    let (bearings, bearings_of) = bearings(outline, unit);
     let (starts, argument) = match outline.starts.is_empty() {
         true => (TokenStream::new(), quote!(__x)),
         false => {
@@ -113,7 +115,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
                 #runtime::Turns<::core::primitive::f64, #angle_count, #input_count>,
                 &'static ::core::primitive::str,
             > {
-                #runtime::wind(&[#(#table),*], __count, [#(#references),*], __at, |__turns| {
+                #runtime::wind(&[#(#table),*], &#bearings, __count, [#(#references),*], __at, |__turns| {
                     let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, __modes, __turns);
                     move |__x| Self::__directions::<{ #runtime::FUSED }>(__m, __modes, &__prepared, #argument)
                 })
@@ -127,6 +129,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
                 __prepared: &#prepared,
                 __x: #arguments,
             ) -> [[T; 2]; #angle_count] { #directions }
+            #bearings_of
         }
     }
 }
@@ -146,14 +149,42 @@ fn search(outline: &Outline, unit: &Unit, angle: &ContinuousAngle) -> TokenStrea
         let input = literal::index(input);
         quote!(#runtime::Along { input: #input, low: #low, high: #high, rates: &[#(#rates),*] })
     });
-    quote!(#runtime::Angle { unknown: #unknown, estimate: #estimate, along: &[#(#along),*] })
+    let phases = angle.phases.iter().map(|phase| match &phase.turns {
+        Some(turns) => {
+            let turns = turns.iter().map(|turns| literal::float(*turns));
+            quote!(::core::option::Option::Some([#(#turns),*]))
+        }
+        None => quote!(::core::option::Option::None),
+    });
+    quote! {
+        #runtime::Angle { unknown: #unknown, estimate: #estimate, along: &[#(#along),*], phases: &[#(#phases),*] }
+    }
 }
 
-/// The program of the directions, ending in `[[cosine, sine], ...]`.
-fn directions(outline: &Outline, unit: &Unit) -> TokenStream {
+/// How the vectors of all phases are asked for, and the function that computes them.
+fn bearings(outline: &Outline, unit: &Unit) -> (TokenStream, TokenStream) {
+    let Outline { runtime, name, .. } = outline;
+    if unit.bearings.outputs.is_empty() {
+        return (quote!([]), TokenStream::new());
+    }
+    let modes = Types::new(outline, unit).modes;
+    let count = literal::index(unit.bearings.outputs.len() / 2);
+    let vectors = pairs(outline, &unit.bearings);
+    let function = quote! {
+        fn __bearings<const __FUSED: ::core::primitive::bool>(
+            __m: &#name<T>,
+            __modes: &#modes,
+        ) -> [[T; 2]; #count] { #vectors }
+    };
+    let call = quote!(Self::__bearings::<{ #runtime::FUSED }>(__m, __modes));
+    (call, function)
+}
+
+/// A program that ends in pairs, `[[cosine, sine], ...]`.
+fn pairs(outline: &Outline, program: &Program) -> TokenStream {
     let places = Places::all(outline);
-    let statements = body::statements(&unit.directions, &loader(outline, &places));
-    let pairs = unit.directions.outputs.chunks(2).map(|pair| {
+    let statements = body::statements(program, &loader(outline, &places));
+    let pairs = program.outputs.chunks(2).map(|pair| {
         let names = pair.iter().map(|value| body::name(*value));
         quote!([#(#names),*])
     });

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, V3, Vector};
 
-use crate::algebra::Term;
+use crate::algebra::{Bearing, Term};
 
 use super::circles::Squares;
 use super::plane::{defined_gap, gap, guarded};
@@ -36,6 +36,15 @@ impl<'m> Solver<'_, 'm> {
         let [turned, shadow_vector] = circles.vectors;
         let unit = turned.map(|x| guarded(x / r, h));
         self.define_angle(angle, 1.0, unit, 0);
+        let bearing = Bearing {
+            vector: seen,
+            across: true,
+            mode: self.mode_sign(),
+            opposite: false,
+            z: None,
+            sense: 1.0,
+        };
+        self.bear(angle, bearing);
         let [cos, sin] = self.algebra.names.angles[angle].unit.0;
         let back = -shadow_vector;
         let turned = Vector([0, 1, 2].map(|k| cosine[k] * cos + sine[k] * sin));

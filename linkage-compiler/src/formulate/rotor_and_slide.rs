@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{SymbolId, V2};
 
-use crate::algebra::Term;
+use crate::algebra::{Bearing, Term};
 use crate::structure::Rotor;
 
 use super::plane::{gap, guarded, known_term, rotor_terms};
@@ -39,6 +39,16 @@ impl<'m> Solver<'_, 'm> {
         let vector = self.turning(vector, rotor.z, unit, 0);
         let turned = vector.turned_back(rotor.z);
         self.define_angle(rotor.angle, rotor.sense, turned, 0);
+        // From the foot on the guide the link leans forward or backward.
+        let bearing = Bearing {
+            vector: guide,
+            across: false,
+            mode: w,
+            opposite: false,
+            z: Some(rotor.z),
+            sense: rotor.sense,
+        };
+        self.bear(rotor.angle, bearing);
         self.define_length(slide, position, 1);
 
         let mut terms = rotor_terms(rotor.z, unit);

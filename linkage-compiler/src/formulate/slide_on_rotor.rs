@@ -2,6 +2,7 @@
 
 use linkage_symbolic::{SymbolId, V2};
 
+use crate::algebra::Bearing;
 use crate::structure::Rotor;
 
 use super::plane::{gap, guarded, known_term, rotor_terms};
@@ -38,6 +39,16 @@ impl<'m> Solver<'_, 'm> {
         let line = value.map(|x| guarded(x, h));
         let line = self.turning(line, direction, unit, 0);
         self.define_angle(rotor.angle, rotor.sense, line.turned_back(direction), 0);
+        // The line leads towards the slider, or away from it.
+        let bearing = Bearing {
+            vector: c,
+            across: false,
+            mode: w,
+            opposite: false,
+            z: Some(guide),
+            sense: rotor.sense,
+        };
+        self.bear(rotor.angle, bearing);
         self.define_length(slide, position, 1);
 
         let carried = self.unknown(slide) * unit;

@@ -3,7 +3,7 @@
 use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
-use crate::algebra::{Algebra, AngleRule, Rule, Solution, Turning};
+use crate::algebra::{Algebra, AngleRule, Bearing, Rule, Solution, Turning};
 use crate::model::Dimension;
 use crate::structure::{Form, Rotor};
 
@@ -139,6 +139,11 @@ impl<'m> Solver<'_, 'm> {
         let value = sin.ternary(Ternary::AngleNear, cos, guide);
         graph.define(symbols.value, value.id());
         self.defined.extend(symbols.symbols());
+    }
+
+    /// Says what an angle keeps within a quarter turn of.
+    pub(super) fn bear(&mut self, angle: usize, bearing: Bearing<'m>) {
+        self.algebra.names.angles[angle].bearing = Some(bearing);
     }
 
     /// Says how an unknown angle is differentiated.

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, Vector};
 
-use crate::algebra::Term;
+use crate::algebra::{Bearing, Term};
 
 use super::plane::{gap, guarded, known_term};
 use super::{Closed, GapIn, Solver};
@@ -30,6 +30,16 @@ impl<'m> Solver<'_, 'm> {
         let [along, across] = [c, hw].map(|x| x / r2);
         let unit = along * normal + across * normal.perp();
         self.define_angle(angle, 1.0, unit.map(|x| guarded(x, h)), 0);
+
+        let bearing = Bearing {
+            vector: written.0,
+            across: true,
+            mode: w,
+            opposite: false,
+            z: None,
+            sense: 1.0,
+        };
+        self.bear(angle, bearing);
 
         let unit = self.algebra.names.angles[angle].unit;
         let slope = unit.cross(normal);

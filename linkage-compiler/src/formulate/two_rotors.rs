@@ -2,6 +2,7 @@
 
 use linkage_symbolic::V2;
 
+use crate::algebra::Bearing;
 use crate::structure::Rotor;
 
 use super::circles::Squares;
@@ -22,6 +23,7 @@ impl<'m> Solver<'_, 'm> {
         let squares = Squares::of([r1, r2], reach);
         let circles = self.circles(c, &squares);
         let h = circles.h;
+        let mode = self.mode_sign();
 
         let mut terms = Vec::new();
         let mut columns = Vec::new();
@@ -32,6 +34,16 @@ impl<'m> Solver<'_, 'm> {
             let vector = self.turning(vector, rotor.z, unit, position);
             let turned = vector.turned_back(rotor.z);
             self.define_angle(rotor.angle, rotor.sense, turned, position);
+            // The links lie on both sides of the line between their ends.
+            let bearing = Bearing {
+                vector: c,
+                across: true,
+                mode,
+                opposite: position == 1,
+                z: Some(rotor.z),
+                sense: rotor.sense,
+            };
+            self.bear(rotor.angle, bearing);
             terms.extend(rotor_terms(rotor.z, unit));
             columns.push(vector.perp());
         }

@@ -9,10 +9,11 @@ mod quantity;
 mod signature;
 #[cfg(test)]
 mod tests;
+mod turning;
 
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::program::{Instruction, Source};
-use linkage_symbolic::schedule::{Slots, schedule};
+use linkage_symbolic::schedule::{Slots, schedule, schedule_whole};
 use linkage_symbolic::{Ex, NodeId, Vn};
 
 use crate::algebra::{Algebra, Bound, Direction, Nominal};
@@ -22,7 +23,7 @@ use crate::forces::Forces;
 use crate::formulate::Formulation;
 use crate::lower::{self, GroupNodes, find_turning, group_nodes, groups, plain, valued_angles};
 use crate::model::EvaluatorDef;
-use crate::unit::{ContinuousAngle, Function, Surveyed, Unit};
+use crate::unit::{Function, Surveyed, Unit};
 use crate::watch::Watch;
 
 use alone::Alone;
@@ -101,19 +102,22 @@ pub(crate) fn unit<'m>(
     find_turning(&mut coupled, &nodes, graph, &angles);
     let valued = valued_angles(graph, &survey);
     let last = angles.iter().rposition(|angle| valued.contains(angle));
+    let [gaps, survey, directions] =
+        [&gaps, &survey, &units].map(|nodes| schedule(graph, nodes, &mut slots));
+    // New formulas: behind all others, whose sums would be ordered in another way.
+    let (continuous, bearings) = turning::continuous(algebra, at.nominal, &angles);
+    let bearings = plain(&mut inliner, &bearings);
     let mut unit = Unit {
         functions,
         coupled,
-        gaps: schedule(graph, &gaps, &mut slots),
-        survey: schedule(graph, &survey, &mut slots),
+        gaps,
+        survey,
         surveyed: surveyed(algebra, formulation),
         surveying: last.map_or(0, |last| last + 1),
-        directions: schedule(graph, &units, &mut slots),
+        directions,
         prepare: slots.prepare(),
-        angles: angles
-            .iter()
-            .map(|&k| continuous(algebra, at.nominal, k))
-            .collect(),
+        angles: continuous,
+        bearings: schedule_whole(&inliner.target, &bearings),
         picture,
         ..signature::signature(algebra, formulation, at)
     };
@@ -156,15 +160,6 @@ fn surveyed(algebra: &Algebra, formulation: &Formulation) -> Vec<Surveyed> {
 /// The results of one function as expressions of the undigested graph.
 pub(crate) fn requested<'m>(state: &mut State<'_, 'm>, definition: &EvaluatorDef) -> Vec<Ex<'m>> {
     quantity::request(state, definition, Direction::Forward).scalars
-}
-
-fn continuous<'m>(algebra: &mut Algebra<'m>, nominal: &Nominal, index: usize) -> ContinuousAngle {
-    let angle = algebra.names.angles[index].clone();
-    ContinuousAngle {
-        unknown: angle.meant().unwrap_or(0),
-        inputs: algebra.inputs_below(&angle.unit.0),
-        estimate: angle.estimate(nominal),
-    }
 }
 
 /// Centres and windings count the continuous angles only.

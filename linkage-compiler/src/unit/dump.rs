@@ -11,6 +11,14 @@ pub fn dump(unit: &Unit) -> String {
     if !unit.angles.is_empty() {
         let _ = write!(text, "\nangles\n{}", unit.directions);
     }
+    if !unit.bearings.outputs.is_empty() {
+        let _ = write!(text, "\nbearings\n{}", unit.bearings);
+        for angle in &unit.angles {
+            let turns = angle.phases.iter().map(|phase| &phase.turns);
+            let turns: Vec<_> = turns.collect();
+            let _ = writeln!(text, "{}: {turns:?}", unit.unknowns[angle.unknown].name);
+        }
+    }
     for (number, group) in unit.coupled.iter().enumerate() {
         let _ = write!(text, "\nterms of coupled group {number}\n");
         for (equation, exponents) in &group.terms {

@@ -19,7 +19,7 @@ pub use dump::dump;
 pub use function::{Body, Column, Field, Function, Meaning};
 pub use group::{Coupled, Group, Placed, Surveyed};
 pub use picture::{Guide, GuideOn, Link, Picture, Point, PointKind};
-pub use signature::{Argument, ContinuousAngle, Input, Parameter, Role, Scalar, Unknown};
+pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};
 
 /// What a mechanism is after lowering.
 #[derive(Clone, Debug, Default)]
@@ -49,6 +49,8 @@ pub struct Unit {
     /// For each continuous angle `a`: outputs `2 a` and `2 a + 1` are its cosine and sine. Loads prepared slots and
     /// inputs. The centre and winding of angle `a` are not needed for its own outputs, only for later ones.
     pub directions: Program,
+    /// For each phase of each continuous angle: two outputs, the vector where all inputs are 0. Loads parameters and modes.
+    pub bearings: Program,
     /// The smallest margin of all groups, then the slack of each (1 for a coupled one), then what assemblies are told apart by: cosine
     /// and sine, or length, of every unknown that a group finds. Loads prepared slots and inputs.
     pub survey: Program,
@@ -99,6 +101,7 @@ impl Unit {
             &mut self.prepare,
             &mut self.gaps,
             &mut self.directions,
+            &mut self.bearings,
             &mut self.survey,
         ];
         functions.chain(groups).chain(whole)

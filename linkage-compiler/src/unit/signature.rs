@@ -85,4 +85,13 @@ pub struct ContinuousAngle {
     pub inputs: Vec<usize>,
     /// Start estimate at the reference inputs, radians.
     pub estimate: f64,
+    /// The vectors whose sum the angle keeps within a quarter turn of, wherever its group can be assembled; empty where no closed form says so.
+    pub phases: Vec<Phase>,
+}
+
+/// A vector of fixed length that turns.
+#[derive(Clone, Debug)]
+pub struct Phase {
+    /// How many turns it makes for a turn of each input; `None` where it turns with something else, too.
+    pub turns: Option<Vec<f64>>,
 }

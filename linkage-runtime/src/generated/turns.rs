@@ -1,7 +1,7 @@
 //! Centres and windings of continuous angles: `angle = angle_near(.., centre + sum of winding * input)`.
 
 use crate::Scalar;
-use crate::numeric::winding::{Centre, follow};
+use crate::numeric::winding::{Centre, follow, uniform};
 
 /// The centre of each of `A` angles, and the turns it makes for each turn of each of `I` inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,13 +24,16 @@ impl<T: Scalar, const A: usize, const I: usize> Turns<T, A, I> {
 
 /// An angle to follow.
 #[derive(Clone, Copy, Debug)]
-pub struct Angle {
+pub struct Angle<const I: usize> {
     /// Its name.
     pub unknown: &'static str,
     /// Its value at the reference inputs, about.
     pub estimate: f64,
     /// The inputs it depends on.
     pub along: &'static [Along],
+    /// How many turns each of the vectors makes for a turn of each input whose sum the angle keeps within a quarter turn of, `None` for one that
+    /// turns with something else, too; none where no closed form says so.
+    pub phases: &'static [Option<[f64; I]>],
 }
 
 /// The range of one input along which an angle is followed.
@@ -69,7 +72,8 @@ pub fn turns<T: Scalar, const A: usize, const I: usize>(
     Ok(all)
 }
 
-/// Follows the first `count` angles one after the other along their inputs, from the reference position, or from `at` if it does not
+/// Finds the turns of the first `count` angles one after the other: from the vectors of their phases, in the order of the angles, where one of them decides,
+/// else by following the angle along its inputs. From the reference position, or from `at` if it does not
 /// assemble there. `prepare` gives the directions `[cosine, sine]` of all angles as a function of the inputs; those of
 /// an angle may depend on the turns of the angles before it.
 ///
@@ -77,29 +81,33 @@ pub fn turns<T: Scalar, const A: usize, const I: usize>(
 ///
 /// The name of the first angle that cannot be followed.
 pub fn wind<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
-    angles: &[Angle; A],
+    angles: &[Angle<I>; A],
+    phases: &[[f64; 2]],
     count: usize,
     reference: [f64; I],
     at: [f64; I],
     prepare: impl Fn(&Turns<f64, A, I>) -> D,
 ) -> Result<Turns<f64, A, I>, &'static str> {
-    match wind_from(angles, count, reference, &prepare) {
-        Err(_) if at != reference => wind_from(angles, count, at, &prepare),
+    match wind_from(angles, phases, count, reference, &prepare) {
+        Err(_) if at != reference => wind_from(angles, phases, count, at, &prepare),
         result => result,
     }
 }
 
 fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
-    angles: &[Angle; A],
+    angles: &[Angle<I>; A],
+    mut phases: &[[f64; 2]],
     count: usize,
     start: [f64; I],
     prepare: impl Fn(&Turns<f64, A, I>) -> D,
 ) -> Result<Turns<f64, A, I>, &'static str> {
     let mut turns = Turns::at_estimates(core::array::from_fn(|angle| angles[angle].estimate));
     for (index, angle) in angles.iter().enumerate().take(count) {
+        let (own, rest) = phases.split_at(angle.phases.len());
+        phases = rest;
         let directions = prepare(&turns);
         let (centre, windings) =
-            wind_one(angle, start, |x| directions(x)[index]).ok_or(angle.unknown)?;
+            wind_one(angle, own, start, |x| directions(x)[index]).ok_or(angle.unknown)?;
         turns.centres[index] = centre;
         turns.windings[index] = windings;
     }
@@ -108,7 +116,8 @@ fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
 
 /// Centre and windings of one angle.
 fn wind_one<const I: usize>(
-    angle: &Angle,
+    angle: &Angle<I>,
+    phases: &[[f64; 2]],
     start: [f64; I],
     direction: impl Fn([f64; I]) -> [f64; 2],
 ) -> Option<(f64, [f64; I])> {
@@ -117,6 +126,17 @@ fn wind_one<const I: usize>(
     if !here.is_finite() {
         return None;
     }
+    uniform(phases, angle.phases, start, here)
+        .or_else(|| follow_inputs(angle, start, here, direction))
+}
+
+/// Centre and windings of an angle that is `here` at the start, followed along each of its inputs.
+fn follow_inputs<const I: usize>(
+    angle: &Angle<I>,
+    start: [f64; I],
+    here: f64,
+    direction: impl Fn([f64; I]) -> [f64; 2],
+) -> Option<(f64, [f64; I])> {
     let mut windings = [0.0; I];
     let mut centre = Centre::new(here);
     for &Along {

@@ -1,7 +1,11 @@
 //! How an angle turns while an input runs through its range.
 
+mod uniform;
+
 use crate::Scalar;
 use core::f64::consts::{PI, TAU};
+pub use uniform::uniform;
+use uniform::whole;
 
 /// Remainders should stay below this, so that inputs a little outside the range are served too.
 const COMFORT: f64 = 0.8 * PI;
@@ -286,10 +290,7 @@ impl<F: FnMut(f64) -> [f64; 2]> Path<'_, F> {
         let exists = cos.is_finite() && sin.is_finite() && (cos != 0.0 || sin != 0.0);
         exists.then(|| {
             let turn = Scalar::atan2(sin, cos) - guide;
-            // Adding and subtracting 1.5 * 2^52 rounds to an integer.
-            const ROUND: f64 = 6_755_399_441_055_744.0;
-            let turns = (turn / TAU + ROUND) - ROUND;
-            guide + (turn - TAU * turns)
+            guide + (turn - TAU * whole(turn / TAU))
         })
     }
 }

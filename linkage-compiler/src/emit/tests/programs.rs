@@ -156,6 +156,7 @@ pub(crate) fn unit() -> Unit {
         unknown,
         inputs: vec![0],
         estimate,
+        phases: Vec::new(),
     };
     let mut fixed = Builder::default();
     let rod2 = fixed.load(Source::Prepared(0));

@@ -54,6 +54,7 @@ impl<'a> Printer<'a> {
             prepare,
             gaps,
             directions,
+            bearings,
             survey,
             coupled,
             functions,
@@ -72,6 +73,7 @@ impl<'a> Printer<'a> {
         self.function("prepare", prepare, &[]);
         self.function("gaps", gaps, &[]);
         self.function("directions", directions, &[]);
+        self.function("bearings", bearings, &[]);
         self.function("survey", survey, &[]);
         for (number, group) in coupled.iter().enumerate() {
             self.function(&format!("system_{number}"), &group.system, &[]);
