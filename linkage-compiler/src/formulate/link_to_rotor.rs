@@ -6,7 +6,7 @@ use crate::algebra::{Bearing, Term};
 
 use super::circles::Squares;
 use super::plane::{defined_gap, gap, guarded};
-use super::space::{distance_terms, projection};
+use super::space::{arm_length, distance_terms, projection};
 use super::{Closed, GapIn, Solver};
 
 impl<'m> Solver<'_, 'm> {
@@ -24,8 +24,9 @@ impl<'m> Solver<'_, 'm> {
         known: V3<'m>,
         l: Ex<'m>,
     ) -> Closed<'m> {
-        let (r, along) = cosine.length_and_unit();
-        let beside = sine / r;
+        let (length, along) = cosine.length_and_unit();
+        let beside = sine / length;
+        let r = arm_length(cosine, length);
         let axis = along.cross(beside);
         let [x, y, z] = [along, beside, axis].map(|e| projection(e, known));
         let seen = -Vector([x, y]);

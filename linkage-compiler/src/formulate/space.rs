@@ -1,7 +1,7 @@
 //! What closed forms in space share.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, V3, Vector};
+use linkage_symbolic::{Ex, Node, V3, Vector, agree_within};
 
 use crate::algebra::Term;
 
@@ -15,6 +15,20 @@ pub(super) fn distance_terms<'m>(link: V3<'m>, known: V3<'m>, length: Ex<'m>) ->
     };
     let components = known.components().zip(link.components());
     components.chain([(length, minus)]).map(term).collect()
+}
+
+/// The length of a vector, which is `rounded`, without a root where it is some number that the vector was made of: a rocker's length times a direction.
+/// Beside the difference of two long links a root's rounding is too much.
+pub(super) fn arm_length<'m>(arm: V3<'m>, rounded: Ex<'m>) -> Ex<'m> {
+    /// What the squares of a direction's components are rounded by together; lengths that differ by less differ by rounding.
+    const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+    let square = arm.square();
+    let graph = square.graph();
+    let below = graph.reachable(&arm.ids()).into_iter();
+    let mut known = below.map(|id| graph.ex(id)).filter(|x| x.is_fixed());
+    let own = known.find(|x| agree_within(square, x.square(), ROUNDING));
+    own.map_or(rounded, Ex::abs)
 }
 
 /// `e . v`. What is prepared of it, and what each further term is multiplied by, is put together beforehand: with a crank in `v` and a

@@ -135,6 +135,12 @@ impl Report {
         of_measure.fold(0.0, |largest, (_, s)| f64::max(largest, s.largest))
     }
 
+    /// The same as it is, however badly conditioned the position.
+    pub fn largest_raw(&self, measure: Measure) -> f64 {
+        let of_measure = self.statistics.iter().filter(|((m, _), _)| *m == measure);
+        of_measure.fold(0.0, |largest, (_, s)| f64::max(largest, s.raw_largest))
+    }
+
     /// The report, if that many positions were compared.
     ///
     /// # Panics

@@ -1,10 +1,11 @@
 //! Hostile sets: needles, short couplers, far pivots and inputs, both sides of the dead point.
 
-use super::{FORMS, PLAN, RSSR, closed};
+use super::{FORMS, PLAN, RSSR, closed, frame_of};
 use crate::{LIMITS, direction};
 use linkage_accuracy::{
-    Depth, Random, compare, decade_cases, edge, far_input_cases, wide_scale_cases,
+    Depth, Limits, Measure, Random, compare, decade_cases, edge, far_input_cases, wide_scale_cases,
 };
+use nalgebra::Vector3;
 
 fn short_coupler(random: &mut Random, ratio: f64) -> Vec<f64> {
     let rocker = random.length(6.0);
@@ -38,6 +39,44 @@ fn far_pivot(random: &mut Random, ratio: f64) -> Vec<f64> {
         coupler,
         [0; 3].map(|_| random.angle()),
     )
+}
+
+/// Two equal links, long beside the distance of their ends: what decides is the difference of their squares, 0.
+fn equal_links(random: &mut Random, ratio: f64) -> Vec<f64> {
+    let long = random.length(6.0).abs() / ratio;
+    let [crank, lift] = [0; 2].map(|_| random.length(6.0));
+    let angles = [0; 3].map(|_| random.angle());
+    let near = random.length(6.0).abs() * direction(random);
+    let [_, _, axis] = frame_of(angles[0], angles[1]);
+    let phi = 60f64.to_radians();
+    let pin = Vector3::new(crank * phi.cos(), crank * phi.sin(), 0.0);
+    let pivot = pin + near - lift * axis;
+    vec![
+        crank, long, long, lift, pivot.x, pivot.y, pivot.z, angles[0], angles[1],
+    ]
+}
+
+/// As exact as the links are long, however small the margin is. Sensitivities and second derivatives are not: they contain the link's component along the
+/// rocker's axis, the small sum of large terms.
+#[test]
+fn equal_long_links() {
+    let report = compare(
+        &RSSR,
+        FORMS,
+        &decade_cases(&RSSR, equal_links, 3, 217),
+        Depth::Usual,
+    )
+    .at_least(35);
+    let without_derivatives = Limits {
+        first: f64::INFINITY,
+        second: f64::INFINITY,
+        ..LIMITS
+    };
+    report.check("equal long links", &without_derivatives);
+    for measure in [Measure::Position, Measure::Value, Measure::First] {
+        let largest = report.largest_raw(measure);
+        assert!(largest < 60.0, "{measure:?}: {largest}");
+    }
 }
 
 #[test]
