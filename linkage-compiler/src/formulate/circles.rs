@@ -40,7 +40,7 @@ impl<'m> Squares<'m> {
         let scale = reach.inverse_scale();
         let [r1, r2] = lengths.map(|r| scale * r);
         let smaller = r1.min(r2);
-        let half_scale2 = 0.5 * scale.square();
+        let half_scale2 = invertible(0.5 * scale.square());
         let imbalance = 0.5 * r1.difference_of_squares(r2);
         Self {
             scale,
@@ -51,6 +51,15 @@ impl<'m> Squares<'m> {
             noise2: None,
         }
     }
+}
+
+/// A number that is NaN where its reciprocal is too large: then all of the results are, and not some infinite. Only of what `assemble()` knows.
+fn invertible(x: Ex) -> Ex {
+    if !x.is_fixed() {
+        return x;
+    }
+    let room = x - f64::MIN_POSITIVE;
+    room.select(x, x.number(f64::NAN))
 }
 
 impl<'m> Solver<'_, 'm> {

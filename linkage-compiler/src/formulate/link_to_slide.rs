@@ -4,7 +4,7 @@ use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
 use crate::algebra::Term;
 
-use super::plane::{gap, guarded};
+use super::plane::{gap, guarded, squarable};
 use super::space::{distance_terms, projection};
 use super::{Closed, GapIn, Solver};
 
@@ -18,6 +18,7 @@ impl<'m> Solver<'_, 'm> {
         known: V3<'m>,
         l: Ex<'m>,
     ) -> Closed<'m> {
+        let l = squarable(l);
         let w = self.mode_sign();
         let (stretch, g) = guide.length_and_unit();
         let along = projection(g, known);

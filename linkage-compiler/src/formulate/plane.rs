@@ -14,6 +14,16 @@ pub(super) fn guarded<'m>(value: Ex<'m>, h: Ex<'m>) -> Ex<'m> {
     h.select(value, h)
 }
 
+/// A length that is NaN where its square is too large for a number, so that what is computed from a root is NaN altogether, and not infinite in one
+/// component. Only of what `assemble()` knows: in a call it would cost something.
+pub(super) fn squarable<'m>(length: Ex<'m>) -> Ex<'m> {
+    if !length.is_fixed() {
+        return length;
+    }
+    let room = length.number(f64::MAX) - length.square();
+    room.select(length, length.number(f64::NAN))
+}
+
 /// 0 where the root of `q` is a number (see [`Ex::root`]), else `miss`, which is then made positive.
 pub(super) fn gap<'m>(q: Ex<'m>, scale: Ex<'m>, miss: Ex<'m>) -> Ex<'m> {
     let closes = q + DEAD_POINT * scale.abs();

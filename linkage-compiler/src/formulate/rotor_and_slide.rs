@@ -5,7 +5,7 @@ use linkage_symbolic::{SymbolId, V2};
 use crate::algebra::{Bearing, Term};
 use crate::structure::Rotor;
 
-use super::plane::{gap, guarded, known_term, rotor_terms};
+use super::plane::{gap, guarded, known_term, rotor_terms, squarable};
 use super::{Closed, GapIn, Solver};
 
 impl<'m> Solver<'_, 'm> {
@@ -19,7 +19,7 @@ impl<'m> Solver<'_, 'm> {
         known: V2<'m>,
     ) -> Closed<'m> {
         let c = -known;
-        let r = rotor.z.length();
+        let r = squarable(rotor.z.length());
         let (stretch, g) = guide.length_and_unit();
         let w = self.mode_sign();
 
