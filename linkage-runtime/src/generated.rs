@@ -1,6 +1,7 @@
 //! What only generated code calls.
 
 mod close;
+mod sealed;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod starts;
 #[cfg(feature = "alloc")]
@@ -21,6 +22,7 @@ pub use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
 pub use close::{close, finite};
+pub use sealed::Sealed;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use starts::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,

@@ -7,7 +7,7 @@ use quote::quote;
 use super::docs::doc;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
-use super::{attribute, body, closing, literal, starts, winding};
+use super::{attribute, body, closing, literal, sealed, starts, winding};
 use crate::model::Sweep;
 use crate::syntax::Word;
 use crate::unit::Unit;
@@ -41,15 +41,13 @@ fn structure(outline: &Outline) -> TokenStream {
         outline.prepared,
     ]
     .map(literal::index);
-    let (own_derives, starts) = match outline.starts.is_empty() {
-        true => (derives.clone(), TokenStream::new()),
+    let own_derives = match outline.starts.is_empty() {
+        true => derives.clone(),
         false => {
-            let starts = starts::starts_type(outline);
-            let derives =
-                quote!(#[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
-            (derives, quote!(__starts: #starts,))
+            quote!(#[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)])
         }
     };
+    let sealed = sealed::field(outline);
     let allow = attribute::allow();
     quote! {
         #allow
@@ -63,10 +61,7 @@ fn structure(outline: &Outline) -> TokenStream {
         #doc
         #allow
         #own_derives
-        #visibility struct #assembly<T = ::core::primitive::f64> {
-            __core: #core<T>,
-            #starts
-        }
+        #visibility struct #assembly<T = ::core::primitive::f64> { #sealed }
     }
 }
 
@@ -78,12 +73,13 @@ fn accessors(outline: &Outline) -> TokenStream {
         assembly,
         ..
     } = outline;
+    let core = sealed::core(outline, &quote!(self));
     let free = |accessor: &str| outline.functions.iter().all(|f| plain(f.name) != accessor);
     let mechanism = free("mechanism").then(|| {
         quote! {
             /// The dimensions that it was assembled with.
             #[must_use]
-            pub const fn mechanism(&self) -> &#name<T> { &self.__core.__mechanism }
+            pub const fn mechanism(&self) -> &#name<T> { &#core.__mechanism }
         }
     });
     let modes = free("modes").then(|| {
@@ -91,7 +87,7 @@ fn accessors(outline: &Outline) -> TokenStream {
         quote! {
             /// The assembly mode of each group that has two; `STRUCTURE` says which group is which.
             #[must_use]
-            pub const fn modes(&self) -> &[#runtime::AssemblyMode; #count] { &self.__core.__modes }
+            pub const fn modes(&self) -> &[#runtime::AssemblyMode; #count] { &#core.__modes }
         }
     });
     let allow = attribute::allow();
@@ -248,12 +244,7 @@ pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
 }
 
 fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
-    let Outline {
-        runtime,
-        name,
-        core,
-        ..
-    } = outline;
+    let Outline { runtime, name, .. } = outline;
     let Types {
         modes,
         inputs,
@@ -261,6 +252,7 @@ fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
         ..
     } = types;
     let turning = winding::turning(outline, unit);
+    let made = sealed::made(outline);
     quote! {
         fn __assemble(
             __m: &#name<T>,
@@ -271,9 +263,7 @@ fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
             let __turns: #turns = #turning;
             let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
             Self::__close(__m, &__modes, &__prepared, __at)?;
-            ::core::result::Result::Ok(Self {
-                __core: #core { __mechanism: *__m, __modes, __turns, __prepared },
-            })
+            ::core::result::Result::Ok(#made)
         }
     }
 }

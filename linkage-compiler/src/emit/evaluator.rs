@@ -10,7 +10,7 @@ use super::entries::entries;
 use super::load::{CARRIED, loader};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
-use super::{attribute, body, literal, starts};
+use super::{attribute, body, literal, sealed, starts};
 
 /// The result type and the public method.
 pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
@@ -115,13 +115,14 @@ fn call(outline: &Outline, function: &Function) -> TokenStream {
         false => starts::with_states(outline, function),
     };
     let kernel = kernel_name(function, Version::Called);
-    let called = quote!(self.__core.#kernel::<{ #runtime::FUSED }>(__x));
+    let core = sealed::core(outline, &quote!(self));
+    let called = quote!(#core.#kernel::<{ #runtime::FUSED }>(__x));
     let row = match function.beside {
         true => {
             let kernel = kernel_name(function, Version::Beside);
             quote! {
                 if T::REFINES {
-                    self.__core.#kernel::<{ #runtime::FUSED }>(__x)
+                    #core.#kernel::<{ #runtime::FUSED }>(__x)
                 } else {
                     #called
                 }

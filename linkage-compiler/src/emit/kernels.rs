@@ -10,7 +10,7 @@ use quote::{ToTokens, format_ident, quote};
 use super::entries::{entries, entry};
 use super::evaluator::{Version, stage_name};
 use super::outline::{Function, Outline};
-use super::{attribute, literal, sweeps};
+use super::{attribute, literal, sealed, sweeps};
 
 /// The kernels over inputs and over mechanisms; nothing for a function without inputs. `beside` are the stages of the program for
 /// dimensions that tables do not know, if that is another one.
@@ -160,10 +160,11 @@ fn method_of(
 ) -> TokenStream {
     let runtime = &outline.runtime;
     let [arguments, width] = [arguments, function.width()].map(literal::index);
+    let core = sealed::core(outline, &quote!(self));
     quote! {
         fn #name(&self) -> impl #runtime::Kernel<T, #arguments, #width> + use<'_, T> {
             #kernel
-            __Kernel(&self.__core)
+            __Kernel(#core)
         }
     }
 }

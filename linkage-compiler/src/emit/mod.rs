@@ -23,6 +23,7 @@ mod load;
 mod mechanism;
 mod outline;
 mod picture;
+mod sealed;
 mod shape;
 mod skeleton;
 mod starts;

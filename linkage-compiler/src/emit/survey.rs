@@ -6,7 +6,7 @@ use quote::quote;
 use super::assembly::Types;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{attribute, body, literal, winding};
+use super::{attribute, body, literal, sealed, winding};
 use crate::unit::Unit;
 
 /// `__survey` and `__surveyor`; nothing for a mechanism without groups.
@@ -29,8 +29,12 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let count = literal::index(unit.survey.outputs.len());
     let x = match outline.starts.is_empty() {
         true => quote!(__x),
-        false => quote!(Self::__extend(&self.__starts, __x)),
+        false => {
+            let starts = sealed::starts(outline, &quote!(self));
+            quote!(Self::__extend(#starts, __x))
+        }
     };
+    let own = sealed::core(outline, &quote!(self));
     let surveyor = surveyor(outline, unit);
     let allow = attribute::allow();
     quote! {
@@ -40,7 +44,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
                 /// The smallest margin, the slack of every group, and where every unknown is.
                 fn __survey<const __FUSED: ::core::primitive::bool>(&self, __x: #inputs) -> [T; #count] {
                     let __x: #arguments = #x;
-                    let #core { __mechanism: __m, __modes, __prepared, .. } = &self.__core;
+                    let #core { __mechanism: __m, __modes, __prepared, .. } = #own;
                     #statements
                     #outputs
                 }
@@ -75,12 +79,11 @@ fn surveyor(outline: &Outline, unit: &Unit) -> TokenStream {
         runtime,
         name,
         assembly,
-        core,
         ..
     } = outline;
     let Types { modes, .. } = Types::new(outline, unit);
     let float = quote!(::core::primitive::f64);
-    let (found, argument, own) = match outline.starts.is_empty() {
+    let (found, argument) = match outline.starts.is_empty() {
         true => Default::default(),
         false => {
             let count = literal::index(outline.starts.len());
@@ -91,10 +94,10 @@ fn surveyor(outline: &Outline, unit: &Unit) -> TokenStream {
                     let __starts = Self::__starts(::core::slice::from_ref(&__lane));
                 },
                 quote!(&__starts,),
-                quote!(__starts,),
             )
         }
     };
+    let made = sealed::made(outline);
     let turns = match unit.surveying {
         0 => winding::at_estimates(outline, unit),
         count => {
@@ -123,10 +126,7 @@ fn surveyor(outline: &Outline, unit: &Unit) -> TokenStream {
                 #found
                 let __turns = #turns;
                 let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
-                Self {
-                    __core: #core { __mechanism: *__m, __modes, __turns, __prepared },
-                    #own
-                }
+                #made
             }
         }
     }

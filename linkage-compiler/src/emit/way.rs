@@ -6,7 +6,7 @@ use quote::quote;
 use super::assembly::Types;
 use super::load::Places;
 use super::outline::Outline;
-use super::{attribute, literal, starts, survey};
+use super::{attribute, literal, sealed, starts, survey};
 use crate::unit::Unit;
 
 /// `assemble_from`.
@@ -20,7 +20,8 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         .map(|input| literal::float(input.reference));
     let at = quote!([#(#at),*]);
     if unit.groups.is_empty() {
-        let body = quote!(#assembly::__assemble(self, __assembly.__core.__modes, #at));
+        let core = sealed::core(outline, &quote!(__assembly));
+        let body = quote!(#assembly::__assemble(self, #core.__modes, #at));
         return method(outline, body);
     }
     let way = way(outline, unit);
@@ -33,6 +34,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         },
         false => {
             let float = quote!(::core::primitive::f64);
+            let prepared = sealed::starts(outline, &quote!(__assembly));
             let places = Places::all(outline);
             let states = outline.starts.iter().enumerate().map(|(number, start)| {
                 let first = places.state(number, 0);
@@ -42,7 +44,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
             quote! {
                 #way
                 #assembly::__finite(self)?;
-                let __x = #assembly::<#float>::__extend(&__assembly.__starts, __way.at);
+                let __x = #assembly::<#float>::__extend(#prepared, __way.at);
                 let mut __states = #runtime::Vec::new();
                 #(__states.push(#states);)*
                 let __states = #runtime::follow_way(&__way, __states)?;
@@ -107,6 +109,7 @@ fn way(outline: &Outline, unit: &Unit) -> TokenStream {
             (quote!(#coupled), item)
         }
     };
+    let core = sealed::core(outline, &quote!(__assembly));
     let allow = attribute::allow();
     quote! {
         struct __Way {
@@ -146,9 +149,9 @@ fn way(outline: &Outline, unit: &Unit) -> TokenStream {
             #coupled
         }
         let __way = __Way {
-            from: #runtime::Dimensions::values(&__assembly.__core.__mechanism),
+            from: #runtime::Dimensions::values(&#core.__mechanism),
             to: #runtime::Dimensions::values(self),
-            modes: __assembly.__core.__modes,
+            modes: #core.__modes,
             at: [#(#at),*],
         };
     }

@@ -5,7 +5,7 @@ use quote::quote;
 
 use crate::emit::assembly::Types;
 use crate::emit::outline::Outline;
-use crate::emit::{literal, winding};
+use crate::emit::{literal, sealed, winding};
 use crate::unit::Unit;
 
 /// `__assemble` and what it needs: the starts are found lane by lane on plain numbers.
@@ -14,7 +14,6 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
         runtime,
         name,
         assembly,
-        core,
         ..
     } = outline;
     let Types {
@@ -26,6 +25,7 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
     let float = quote!(::core::primitive::f64);
     let turning = winding::turning(outline, unit);
     let at_estimates = winding::at_estimates(outline, unit);
+    let made = sealed::made(outline);
     let count = literal::index(outline.starts.len());
     let at = (0..outline.inputs.len()).map(|input| {
         let input = literal::index(input);
@@ -126,10 +126,7 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
             let __turns: #turns = #turning;
             let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
             Self::__close(__m, &__modes, &__prepared, __x)?;
-            ::core::result::Result::Ok(Self {
-                __core: #core { __mechanism: *__m, __modes, __turns, __prepared },
-                __starts,
-            })
+            ::core::result::Result::Ok(#made)
         }
     }
 }

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::outline::{Function, Outline};
-use crate::emit::{attribute, literal};
+use crate::emit::{attribute, literal, sealed};
 
 use super::look_up;
 
@@ -17,11 +17,12 @@ pub(in crate::emit) fn states_name(outline: &Outline, function: &Function) -> Id
 pub(in crate::emit) fn with_states(outline: &Outline, function: &Function) -> TokenStream {
     let inputs = &function.arguments;
     let count = literal::index(inputs.len());
+    let starts = sealed::starts(outline, &quote!(self));
     let (looked_up, states) = look_up(
         outline,
         &function.positions,
         &function.states,
-        &|number, _, at| quote!(self.__starts.#number.at::<T>(#at)),
+        &|number, _, at| quote!(#starts.#number.at::<T>(#at)),
     );
     quote! {
         {
@@ -47,12 +48,13 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
             let (looked_up, states) = look_up(outline, &function.positions, &function.states, how);
             quote!(#looked_up [#(#states),*])
         };
-    let whole = looked_up(&|number, _, at| quote!(self.0.__starts.#number.at::<T>(#at)));
+    let starts = sealed::starts(outline, &quote!(self.0));
+    let whole = looked_up(&|number, _, at| quote!(#starts.#number.at::<T>(#at)));
     let at = looked_up(&|number, table, at| match table {
-        None => quote!(self.0.__starts.#number.at::<T>(#at)),
+        None => quote!(#starts.#number.at::<T>(#at)),
         Some(table) => {
             let [place, slot] = [2 * table, 2 * table + 1].map(literal::index);
-            quote!(self.0.__starts.#number.at_place::<T, __FUSED>([__places[#place], __places[#slot]]))
+            quote!(#starts.#number.at_place::<T, __FUSED>([__places[#place], __places[#slot]]))
         }
     });
     let mut located = Vec::new();
@@ -61,7 +63,7 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
             let place = function.positions.iter().position(|&own| own == input);
             let place = literal::index(place.expect("a function has the inputs of its groups"));
             let number = literal::index(group);
-            located.push(quote!(self.0.__starts.#number.locate::<T>(__x[#place])));
+            located.push(quote!(#starts.#number.locate::<T>(__x[#place])));
         }
     }
     let names: Vec<Ident> = (0..located.len())

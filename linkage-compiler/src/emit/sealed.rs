@@ -1,0 +1,46 @@
+//! The fields of an assembly. A module may write to every field of the types that a macro makes in it, and rustc suggests them there, so they are
+//! those of the runtime's `Sealed`. A private module around the types would do the same, but within a function body it could not
+//! name the struct of dimensions, which belongs to the body.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::outline::Outline;
+use super::starts;
+
+/// The only field of the assembly.
+pub(super) fn field(outline: &Outline) -> TokenStream {
+    let Outline { runtime, core, .. } = outline;
+    let starts = (!outline.starts.is_empty()).then(|| starts::starts_type(outline));
+    let starts = starts.map(|starts| quote!(, #starts));
+    quote!(__sealed: #runtime::Sealed<#core<T> #starts>,)
+}
+
+/// An assembly of `__m`, `__modes`, `__turns`, `__prepared`, and `__starts` if there are coupled groups.
+pub(super) fn made(outline: &Outline) -> TokenStream {
+    let Outline { runtime, core, .. } = outline;
+    let starts = match outline.starts.is_empty() {
+        true => quote!(()),
+        false => quote!(__starts),
+    };
+    quote! {
+        Self {
+            __sealed: #runtime::Sealed::new(
+                #core { __mechanism: *__m, __modes, __turns, __prepared },
+                #starts,
+            ),
+        }
+    }
+}
+
+/// A reference to the core of the assembly `of`.
+pub(super) fn core(outline: &Outline, of: &TokenStream) -> TokenStream {
+    let runtime = &outline.runtime;
+    quote!(#runtime::Sealed::core(&#of.__sealed))
+}
+
+/// A reference to the prepared starts of the assembly `of`.
+pub(super) fn starts(outline: &Outline, of: &TokenStream) -> TokenStream {
+    let runtime = &outline.runtime;
+    quote!(#runtime::Sealed::starts(&#of.__sealed))
+}
