@@ -16,6 +16,7 @@ pub(super) fn allow() -> TokenStream {
             non_snake_case,
             non_upper_case_globals,
             unreachable_pub,
+            unused_imports,
             unused_parens,
             unused_qualifications,
             unused_variables,

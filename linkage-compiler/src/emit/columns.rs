@@ -6,28 +6,23 @@ use quote::quote;
 use super::at_word::type_at;
 use super::docs::{doc, in_unit};
 use super::outline::{Function, Outline, plain};
-use super::{attribute, literal, sweeps};
+use super::{attribute, home, literal};
 use crate::model::Shape;
 
-/// Columns of a function, and the sweeps that fill them; nothing for a function without inputs.
+/// The columns of a function; nothing for a function without inputs.
 pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     if function.arguments.is_empty() {
         return TokenStream::new();
     }
-    let runtime = &outline.runtime;
-    let structure = structure(outline, function);
-    let access = access(outline, function);
-    let sweeps = sweeps::items(outline, function);
-    quote!(#runtime::if_alloc! { #structure #access #sweeps })
+    let mut items = structure(outline, function);
+    items.extend(access(outline, function));
+    items
 }
 
 fn structure(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
     let Function {
-        visibility,
-        result,
-        columns,
-        ..
+        result, columns, ..
     } = function;
     let everywhere = &attribute::split(function.attributes).everywhere;
     let doc = doc(&format!(
@@ -49,8 +44,9 @@ fn structure(outline: &Outline, function: &Function) -> TokenStream {
             }
         }
     });
+    let visibility = home::visibility(outline, function);
     let field = quote!(__columns: #runtime::Columns<T>);
-    let item = type_at(function.result, columns, visibility, field);
+    let item = type_at(function.result, columns, &visibility, field);
     quote! {
         #(#everywhere)*
         #doc
@@ -109,11 +105,17 @@ fn access(outline: &Outline, function: &Function) -> TokenStream {
     let everywhere = &attribute::split(function.attributes).everywhere;
     let rows = rows(outline, function);
     let fields = fields(outline, function);
+    let private = home::private(outline, function);
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*
         #allow
-        impl<T: #runtime::Scalar> #columns<T> { #rows #fields }
+        impl<T: #runtime::Scalar> #columns<T> {
+            #private fn __of(__columns: &Self) -> &#runtime::Columns<T> { &__columns.__columns }
+            #private fn __of_mut(__columns: &mut Self) -> &mut #runtime::Columns<T> { &mut __columns.__columns }
+            #rows
+            #fields
+        }
     }
 }
 

@@ -10,19 +10,11 @@ use super::entries::entries;
 use super::load::{CARRIED, loader};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
-use super::{attribute, body, literal, sealed, starts};
+use super::{attribute, body, home, literal, sealed, starts};
 
-/// The result type and the public method.
-pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
-    let mut items = result(outline, function);
-    items.extend(method(outline, function));
-    items
-}
-
-fn result(outline: &Outline, function: &Function) -> TokenStream {
-    let Function {
-        visibility, result, ..
-    } = function;
+/// The result type.
+pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
+    let result = function.result;
     let split = attribute::split(function.attributes);
     let everywhere = &split.everywhere;
     let user_derives = split.result.iter().map(|a| &a.tokens);
@@ -38,7 +30,8 @@ fn result(outline: &Outline, function: &Function) -> TokenStream {
         .map(|field| field_item(outline, field));
     let marker = function.fields.is_empty().then(marker_field);
     let allow = attribute::allow();
-    let item = type_at(result, result, visibility, quote!(#(#fields)* #marker));
+    let visibility = home::visibility(outline, function);
+    let item = type_at(result, result, &visibility, quote!(#(#fields)* #marker));
     quote! {
         #(#everywhere)*
         #head
@@ -63,14 +56,14 @@ fn field_item(outline: &Outline, field: &Field) -> TokenStream {
     quote!(#head pub #name: #ty,)
 }
 
-fn method(outline: &Outline, function: &Function) -> TokenStream {
+/// The public method.
+pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
     let Function {
         visibility,
         name,
-        result,
         arguments,
         ..
     } = function;
@@ -90,6 +83,7 @@ fn method(outline: &Outline, function: &Function) -> TokenStream {
     );
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
+    let result = home::result(outline, function);
     let body = outline.body(call(outline, function));
     let allow = attribute::allow();
     quote! {
@@ -107,9 +101,8 @@ fn method(outline: &Outline, function: &Function) -> TokenStream {
 /// What the method returns: the program's results at its arguments.
 fn call(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
-    let Function {
-        result, arguments, ..
-    } = function;
+    let result = home::result(outline, function);
+    let arguments = &function.arguments;
     let arguments = match function.states.is_empty() {
         true => quote!([#(#arguments),*]),
         false => starts::with_states(outline, function),
@@ -207,13 +200,14 @@ pub(super) fn from_row(outline: &Outline, function: &Function) -> TokenStream {
     let width = literal::index(function.width());
     let row = entries("__row", function.width());
     let fields = row_fields(outline, function, &row);
+    let private = home::private(outline, function);
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*
         #allow
         impl<T: #runtime::Scalar> #result<T> {
             #[inline(always)]
-            fn __from_row([#(#row),*]: [T; #width]) -> Self { Self { #fields } }
+            #private fn __from_row([#(#row),*]: [T; #width]) -> Self { Self { #fields } }
         }
     }
 }

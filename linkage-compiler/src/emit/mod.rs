@@ -17,6 +17,7 @@ mod docs;
 mod entries;
 mod evaluator;
 mod guess;
+mod home;
 mod kernels;
 mod literal;
 mod load;
@@ -81,7 +82,11 @@ pub(crate) fn emit(krate: &TokenStream, def: &MechanismDef, unit: &Unit) -> Toke
 
 /// One function with its programs and sweeps.
 fn function(outline: &Outline, function: &Function, own: &unit::Function) -> TokenStream {
-    let mut items = evaluator::items(outline, function);
+    let mut types = evaluator::result(outline, function);
+    types.extend(evaluator::from_row(outline, function));
+    let columns = columns::items(outline, function);
+    let mut items = home::with_imports(outline, function, &types, &columns);
+    items.extend(evaluator::method(outline, function));
     let stages = &own.called.stages;
     let beside = own.beside.as_ref().map(|body| &body.stages[..]);
     items.extend(evaluator::kernel(
@@ -98,8 +103,7 @@ fn function(outline: &Outline, function: &Function, own: &unit::Function) -> Tok
             Version::Beside,
         ));
     }
-    items.extend(evaluator::from_row(outline, function));
-    items.extend(columns::items(outline, function));
+    items.extend(sweeps::items(outline, function));
     items.extend(table::items(outline, function, &own.columns));
     items.extend(kernels::items(outline, function, stages, beside));
     items

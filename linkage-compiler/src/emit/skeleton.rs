@@ -9,8 +9,8 @@ use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
-    assembly, circuits, columns, dimensions, evaluator, guess::Guess, mechanism, picture,
-    structure, table, way,
+    assembly, circuits, columns, dimensions, evaluator, guess::Guess, home, mechanism, picture,
+    structure, sweeps, table, way,
 };
 use crate::model::{ASSEMBLY, COLUMNS, Mechanism, MotionWord, Shape, Sweep, TYPE_PARAMETER};
 use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
@@ -41,8 +41,11 @@ pub(crate) fn skeleton(
     }
     items.extend(way::skeleton(&outline));
     for function in &outline.functions {
-        items.extend(evaluator::items(&outline, function));
-        items.extend(columns::items(&outline, function));
+        let types = evaluator::result(&outline, function);
+        let columns = columns::items(&outline, function);
+        items.extend(home::with_imports(&outline, function, &types, &columns));
+        items.extend(evaluator::method(&outline, function));
+        items.extend(sweeps::items(&outline, function));
         items.extend(table::items(&outline, function, &[]));
     }
     items

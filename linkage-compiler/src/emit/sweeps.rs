@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::docs::doc;
 use super::evaluator::Version;
 use super::outline::{Function, Outline, plain};
-use super::{attribute, literal, starts};
+use super::{attribute, home, literal, starts};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
@@ -35,8 +35,11 @@ pub(super) fn over_sets(function: &Function) -> Ident {
     format_ident!("__over_sets_of_{}", function.name)
 }
 
-/// All sweeps of a function.
+/// All sweeps of a function; nothing for one without inputs.
 pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
+    if function.arguments.is_empty() {
+        return TokenStream::new();
+    }
     let taken = |name: &str| function.arguments.iter().any(|argument| *argument == name);
     let argument = |name: &str| match taken(name) {
         true => format_ident!("__{name}"),
@@ -56,11 +59,13 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     let (runtime, assembly) = (&outline.runtime, &outline.assembly);
     let allow = attribute::allow();
     quote! {
-        #(#everywhere)*
-        #allow
-        impl<T: #runtime::Scalar> #assembly<T> {
-            #over_inputs
-            #over_sets
+        #runtime::if_alloc! {
+            #(#everywhere)*
+            #allow
+            impl<T: #runtime::Scalar> #assembly<T> {
+                #over_inputs
+                #over_sets
+            }
         }
     }
 }
@@ -98,11 +103,8 @@ impl Sweeps<'_> {
 
     fn over_inputs(&self) -> TokenStream {
         let runtime = &self.outline.runtime;
-        let Function {
-            columns: ty,
-            arguments,
-            ..
-        } = self.function;
+        let arguments = &self.function.arguments;
+        let ty = home::columns(self.outline, self.function);
         let (columns, slices) = (&self.columns, &self.slices);
         let width = literal::index(self.function.width());
         let inputs = quote!(#(#arguments: &[T]),*);
@@ -116,7 +118,7 @@ impl Sweeps<'_> {
         let behind = self.behind(Sweep::Into);
         let rows = self.inputs(quote!(__title));
         let fill = self.outline.body(self.with_kernel(
-            |kernel| quote!(#runtime::fill(&self.#kernel(), &#rows, &mut #columns.__columns);),
+            |kernel| quote!(#runtime::fill(&self.#kernel(), &#rows, #ty::__of_mut(#columns));),
         ));
         let [owned, into] = [Sweep::Owned, Sweep::Into].map(|sweep| self.title(sweep));
         let sweep = self.method(
@@ -166,7 +168,7 @@ impl Sweeps<'_> {
                 where T: ::core::marker::Send + ::core::marker::Sync
             },
             self.with_kernel(|kernel| {
-                quote!(#runtime::fill_parallel(&self.#kernel(), &#inputs_parallel, &mut #columns.__columns);)
+                quote!(#runtime::fill_parallel(&self.#kernel(), &#inputs_parallel, #ty::__of_mut(#columns));)
             }),
         );
         quote! {
@@ -192,11 +194,8 @@ impl Sweeps<'_> {
     fn over_sets(&self) -> TokenStream {
         let runtime = &self.outline.runtime;
         let mechanism = self.outline.name;
-        let Function {
-            columns: ty,
-            arguments,
-            ..
-        } = self.function;
+        let arguments = &self.function.arguments;
+        let ty = home::columns(self.outline, self.function);
         let (columns, sets, kernel) = (&self.columns, &self.sets, &self.over_sets);
         let inputs = quote!(#sets: &[#mechanism<T>], #(#arguments: &[T]),*);
         let panics =
@@ -206,7 +205,7 @@ impl Sweeps<'_> {
                      those of this one; where one cannot be assembled at its position, the results are NaN.";
         let behind = self.behind(Sweep::SetsInto);
         let rows = self.sets(quote!(__title));
-        let fill = quote!(#runtime::fill(&self.#kernel(), &#rows, &mut #columns.__columns););
+        let fill = quote!(#runtime::fill(&self.#kernel(), &#rows, #ty::__of_mut(#columns)););
         let fill = self.outline.body(fill);
         let [owned, into] = [Sweep::Sets, Sweep::SetsInto].map(|sweep| self.title(sweep));
         let sweep = self.method(
@@ -239,7 +238,7 @@ impl Sweeps<'_> {
                 (&self, #inputs, #columns: &mut #ty<T>)
                 where T: ::core::marker::Send + ::core::marker::Sync
             },
-            quote!(#runtime::fill_parallel(&self.#kernel(), &#source, &mut #columns.__columns);),
+            quote!(#runtime::fill_parallel(&self.#kernel(), &#source, #ty::__of_mut(#columns));),
         );
         quote! {
             fn #behind(&self, __title: &'static ::core::primitive::str, #inputs, #columns: &mut #ty<T>) { #fill }

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::outline::{Function, Outline, plain};
-use super::{attribute, literal};
+use super::{attribute, home, literal};
 use crate::unit::{Column, Meaning};
 
 /// The trait for the columns of a function; nothing for a function without arguments.
@@ -13,7 +13,7 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
         return TokenStream::new();
     }
     let runtime = &outline.runtime;
-    let ty = &function.columns;
+    let ty = home::columns(outline, function);
     let name = plain(function.name);
     let arguments = function.arguments.iter().map(|argument| plain(argument));
     let first = columns
@@ -36,8 +36,8 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
         };
         __HEADING
     });
-    let rows = outline.body(quote!(self.__columns.len()));
-    let values = outline.body(quote!(self.__columns.column(index)));
+    let rows = outline.body(quote!(Self::__of(self).len()));
+    let values = outline.body(quote!(Self::__of(self).column(index)));
     let everywhere = &attribute::split(function.attributes).everywhere;
     let allow = attribute::allow();
     quote! {

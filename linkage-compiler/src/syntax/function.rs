@@ -81,7 +81,11 @@ impl Parser<'_> {
         self.stream.skip(2);
         let result = self.name("the name of the result type")?;
         if self.stream.group(0, Delimiter::Brace).is_none() {
-            let help = "the result is a plain name; the macro generates a struct of that name";
+            let help = match self.stream.is_word(0, "as") {
+                // What rustc suggests where a module has two types of a name.
+                true => "write the other name alone: `-> OtherMotion`",
+                false => "the result is a plain name; the macro generates a struct of that name",
+            };
             return self.expected(&format!("`{{` after `{result}`"), help);
         }
         Ok(result)

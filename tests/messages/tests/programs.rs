@@ -30,6 +30,7 @@ programs! {
     names_of_functions
     no_implicit_prelude
     one_letter_names
+    visibilities
 }
 
 #[test]

@@ -42,8 +42,8 @@ fn the_surface_is_complete() {
             "kind: \"RRP\",",
             "pub struct Turning<T = ::core::primitive::f64> {",
             "pub v: [::linkage::__private::Vector2<T>; 2],",
-            "pub fn path(&self, phi: T) -> Path<T> {",
-            "pub fn fixed(&self) -> Fixed<T> {",
+            "pub fn path(&self, phi: T) -> __SliderCrank_path::Path<T> {",
+            "pub fn fixed(&self) -> __SliderCrank_fixed::Fixed<T> {",
         ],
     );
 }
@@ -58,7 +58,8 @@ fn an_argument_may_be_called_columns() {
     let Sample { mut def, unit } = slider_crank();
     def.functions[0].inputs = vec![quote::format_ident!("columns")];
     let text = emit(&quote!(::linkage), &def, &unit).to_string();
-    let arguments = quote!((&self, columns: &[T], __columns: &mut PathColumns<T>));
+    let arguments =
+        quote!((&self, columns: &[T], __columns: &mut __SliderCrank_path::PathColumns<T>));
     assert_contains(&text, &[&arguments.to_string()]);
 }
 
@@ -151,7 +152,7 @@ fn the_skeleton_has_the_same_items() {
             "pub crank: T,",
             "pub a: ::linkage::__private::Vector2<T>,",
             "pub s: T,",
-            "pub fn path(&self, phi: T) -> Path<T> {\n        ::core::unimplemented!",
+            "pub fn path(&self, phi: T) -> __SliderCrank_path::Path<T> {\n        ::core::unimplemented!",
         ],
     );
     let known = pretty(skeleton(&quote!(::linkage), &def, Some(&mechanism)));

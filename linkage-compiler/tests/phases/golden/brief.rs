@@ -7,7 +7,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
-use syn::{Attribute, File, ImplItem, Item, ItemImpl, Path, parse_quote};
+use syn::{Attribute, File, ImplItem, Item, ItemImpl, ItemMod, Path, parse_quote};
 
 /// The items as text.
 pub(super) fn brief(items: &TokenStream) -> String {
@@ -22,19 +22,26 @@ pub(super) fn brief(items: &TokenStream) -> String {
     let silence = silence
         .expect("generated items silence lints")
         .to_token_stream();
-    let text = silence.to_string();
-    for item in &mut file.items {
+    quieten(&mut file.items, &silence.to_string());
+    let once: File = parse_quote!(#silence mod every_item {});
+    prettyplease::unparse(&once) + &prettyplease::unparse(&file)
+}
+
+/// Takes what silences lints from all items, at every depth.
+fn quieten(items: &mut [Item], silence: &str) {
+    for item in items {
         let attributes = attributes(item);
         let place = attributes
             .iter()
-            .position(|a| a.to_token_stream().to_string() == text);
+            .position(|a| a.to_token_stream().to_string() == silence);
         match place {
             Some(place) => drop(attributes.remove(place)),
             None => attributes.insert(0, parse_quote!(#[loud])),
         }
+        if let Item::Mod(module) = item {
+            quieten(content(module), silence);
+        }
     }
-    let once: File = parse_quote!(#silence mod every_item {});
-    prettyplease::unparse(&once) + &prettyplease::unparse(&file)
 }
 
 /// Runs of statements or elements become short, at every depth.
@@ -204,8 +211,17 @@ fn unwrapped(item: Item) -> Vec<Item> {
             item.items = members.into_iter().flat_map(unwrapped_member).collect();
             vec![Item::Impl(item)]
         }
+        Item::Mod(mut module) => {
+            let items = std::mem::take(content(&mut module));
+            *content(&mut module) = items.into_iter().flat_map(unwrapped).collect();
+            vec![Item::Mod(module)]
+        }
         other => vec![other],
     }
+}
+
+fn content(module: &mut ItemMod) -> &mut Vec<Item> {
+    &mut module.content.as_mut().expect("it has a body").1
 }
 
 fn unwrapped_member(member: ImplItem) -> Vec<ImplItem> {
@@ -233,6 +249,11 @@ fn attributes(item: &mut Item) -> &mut Vec<Attribute> {
     match item {
         Item::Struct(item) => &mut item.attrs,
         Item::Impl(item) => &mut item.attrs,
-        other => panic!("a struct or its methods: {}", other.to_token_stream()),
+        Item::Mod(item) => &mut item.attrs,
+        Item::Use(item) => &mut item.attrs,
+        other => panic!(
+            "types, their methods and imports: {}",
+            other.to_token_stream()
+        ),
     }
 }

@@ -15,6 +15,7 @@ mechanism! {
         pub fn five(phi) -> Five { 2 * phi }
         pub fn six(phi) -> Six { phi; a: phi }
         pub fn seven(&self, phi) -> Seven { phi }
+        pub fn eight(phi) -> Motion as OtherMotion { phi }
     }
 }
 

@@ -1,0 +1,131 @@
+//! Where the types of a function stand: in a private module of their own, from which the module of the call imports them. So a module that has a type
+//! of that name already, from another mechanism for instance, which nothing that is expanded alone can know, is told so of the import, at the word of
+//! the user, and of nothing else: within the module the names are never in doubt. Result and columns are imported by name, and told one by one: by a glob
+//! the columns would be in doubt wherever the user imports other columns of that name by a glob, too.
+//!
+//! A function with derives of the user's has its types beside everything else: in the body of a function these may be imported
+//! there, and no module sees that.
+
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use quote::{format_ident, quote, quote_spanned};
+
+use super::attribute;
+use super::outline::{Function, Outline};
+
+/// The module of a function's types.
+fn module(outline: &Outline, function: &Function) -> Option<Ident> {
+    let own = attribute::split(function.attributes).result.is_empty();
+    own.then(|| format_ident!("__{}_{}", outline.name, function.name))
+}
+
+/// The result type of a function, for items outside of its module.
+pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
+    path(outline, function, function.result)
+}
+
+/// The type of its columns, for items outside of its module.
+pub(super) fn columns(outline: &Outline, function: &Function) -> TokenStream {
+    path(outline, function, &function.columns)
+}
+
+fn path(outline: &Outline, function: &Function, name: &Ident) -> TokenStream {
+    let module = module(outline, function).map(|module| quote!(#module::));
+    quote!(#module #name)
+}
+
+/// The items of a function's types, and the import of these.
+pub(super) fn with_imports(
+    outline: &Outline,
+    function: &Function,
+    types: &TokenStream,
+    columns: &TokenStream,
+) -> TokenStream {
+    let runtime = &outline.runtime;
+    let with_allocator = |items: TokenStream| match items.is_empty() {
+        true => items,
+        false => quote!(#runtime::if_alloc! { #items }),
+    };
+    let swept = with_allocator(columns.clone());
+    let Some(module) = module(outline, function) else {
+        return quote!(#types #swept);
+    };
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let allow = attribute::allow();
+    let import = |name: &Ident| {
+        let word = function.result.span();
+        let mut name = name.clone();
+        name.set_span(word);
+        let mut module = module.clone();
+        module.set_span(word);
+        let visibility = at(function.visibility, word);
+        let import = quote_spanned!(word=> #visibility use #module::#name;);
+        quote! {
+            #(#everywhere)*
+            #allow
+            #import
+        }
+    };
+    let result = import(function.result);
+    let imported = (!columns.is_empty()).then(|| import(&function.columns));
+    let imported = with_allocator(imported.unwrap_or_default());
+    quote! {
+        #(#everywhere)*
+        #allow
+        mod #module {
+            // For links in the docs of the user.
+            #allow
+            use super::*;
+            #types
+            #swept
+        }
+        #result
+        #imported
+    }
+}
+
+/// The visibility of a type of a function, at the word of the user.
+pub(super) fn visibility(outline: &Outline, function: &Function) -> TokenStream {
+    let visibility = at(function.visibility, function.result.span());
+    match module(outline, function) {
+        Some(_) => from_below(visibility),
+        None => visibility,
+    }
+}
+
+/// The visibility of what only generated code uses of these types.
+pub(super) fn private(outline: &Outline, function: &Function) -> TokenStream {
+    let module = module(outline, function);
+    module.map_or_else(TokenStream::new, |_| quote!(pub(super)))
+}
+
+fn at(tokens: &TokenStream, span: proc_macro2::Span) -> TokenStream {
+    let tokens = tokens.clone().into_iter().map(|mut token| {
+        token.set_span(span);
+        token
+    });
+    tokens.collect()
+}
+
+/// What a visibility means, written in a module below.
+fn from_below(visibility: TokenStream) -> TokenStream {
+    let tokens: Vec<TokenTree> = visibility.into_iter().collect();
+    let [word, TokenTree::Group(scope)] = &tokens[..] else {
+        return match tokens.is_empty() {
+            true => quote!(pub(super)),
+            false => tokens.into_iter().collect(),
+        };
+    };
+    let path: Vec<TokenTree> = scope.stream().into_iter().collect();
+    let path = match &path[..] {
+        [TokenTree::Ident(first), rest @ ..] if first == "in" => rest,
+        path => path,
+    };
+    let below = match path {
+        [TokenTree::Ident(first), rest @ ..] if first == "self" => quote!(in super #(#rest)*),
+        [TokenTree::Ident(first), ..] if first == "super" => quote!(in super::#(#path)*),
+        _ => scope.stream(),
+    };
+    let mut below = Group::new(Delimiter::Parenthesis, below);
+    below.set_span(scope.span());
+    quote!(#word #below)
+}
