@@ -227,7 +227,7 @@ fn groups_without_a_closed_form_say_what_is_wrong() {
             CoupledCause::NotListed(Unlisted::Lost { lost: 1, paths: 8 }),
             format!(
                 "cannot be solved: the solutions {at} cannot all be listed: 1 of 8 paths have no \
-                 certain end"
+                 certain end; this is a limit of linkage, not of the mechanism"
             ),
         ),
         (

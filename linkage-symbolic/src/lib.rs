@@ -36,7 +36,7 @@ pub use evaluate::evaluate;
 pub use expression::Ex;
 pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
 pub use multiples::share_multiples;
-pub use polynomial::{Monomial, Polynomial, collect};
+pub use polynomial::{MAX_DEGREE, Monomial, Obstacle, Polynomial, collect, obstacle};
 pub use probe::{agree, agree_within};
 pub use substitute::substitute;
 pub use vector::{V2, V3, Vector, Vn};

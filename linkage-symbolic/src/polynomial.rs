@@ -15,7 +15,47 @@ pub type Monomial = Vec<u8>;
 pub type Polynomial<'g> = BTreeMap<Monomial, Ex<'g>>;
 
 /// Higher total degrees are of no use to any solver.
-const MAX_DEGREE: u8 = 4;
+pub const MAX_DEGREE: u8 = 4;
+
+/// Why an expression is no polynomial that [`collect`] gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Obstacle {
+    /// Its total degree, which is too high.
+    Degree(u32),
+    /// A root of the symbols.
+    Root,
+    /// A division by the symbols.
+    Division,
+    /// Another function of the symbols.
+    Function,
+}
+
+/// What is in the way of `root` being a polynomial in `symbols`, if anything is: the first function on the way, else the degree as
+/// written, with nothing cancelled.
+pub fn obstacle(root: Ex, symbols: &[SymbolId]) -> Option<Obstacle> {
+    let graph = root.graph();
+    let mut degrees: Map<NodeId, u32> = Map::new();
+    for id in graph.reachable(&[root.id()]) {
+        let node = graph.node(id);
+        let of = |x: NodeId| degrees.get(&x).copied().unwrap_or(0);
+        let degree = match node {
+            Node::Symbol(symbol) if symbols.contains(&symbol) => 1,
+            _ if node.operands().all(|x| of(x) == 0) => continue,
+            Node::Unary(Unary::Neg, a) => of(a),
+            Node::Binary(Binary::Add | Binary::Sub, a, b) => of(a).max(of(b)),
+            Node::Binary(Binary::Mul, a, b) => of(a).saturating_add(of(b)),
+            Node::Binary(Binary::Div, a, b) if of(b) == 0 => of(a),
+            Node::Binary(Binary::Div, ..) => return Some(Obstacle::Division),
+            Node::Unary(Unary::Sqrt, _) | Node::Binary(Binary::Hypot | Binary::Root, ..) => {
+                return Some(Obstacle::Root);
+            }
+            _ => return Some(Obstacle::Function),
+        };
+        degrees.insert(id, degree);
+    }
+    let degree = degrees.get(&root.id()).copied().unwrap_or(0);
+    (degree > u32::from(MAX_DEGREE)).then_some(Obstacle::Degree(degree))
+}
 
 /// `root` as a polynomial in `symbols`; `None` if it is none. `unit_pairs` are the positions in `symbols` of the cosine
 /// and sine of one angle; even powers of the sine are expressed by the cosine, so that `c^2 + s^2` is 1.

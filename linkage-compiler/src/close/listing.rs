@@ -8,6 +8,7 @@ use linkage_symbolic::program::Program;
 use crate::algebra::Algebra;
 use crate::formulate::{Prepared, Solved};
 use crate::structure::report::loop_list;
+use crate::structure::unsolved::OURS;
 use crate::unit::Coupled;
 
 use super::estimates::{LISTED, Position};
@@ -88,7 +89,7 @@ impl<'m> Assembly<'_, 'm> {
                             .to_owned()
                     }
                     other => format!(
-                        "the assemblies cannot be listed: {other}\n\
+                        "the assemblies cannot be listed: {other}; {OURS}\n\
                          help: check that the loops need to be coupled"
                     ),
                 };

@@ -4,6 +4,7 @@ use linkage_runtime::numeric::continuation::Refusal;
 
 use crate::formulate::{Prepared, Solved};
 use crate::structure::report::loop_list;
+use crate::structure::unsolved::OURS;
 
 use super::check::range_of;
 use super::reference::Assembly;
@@ -45,7 +46,7 @@ impl<'m> Assembly<'_, 'm> {
                 at_input(at)
             ),
             Refusal::NotConverging { at } => format!(
-                "{loops} ({unknowns}) {come} too near to a turning point at {} for a table over this range\n\
+                "{loops} ({unknowns}) {come} too near to a turning point at {} for a table over this range; {OURS}\n\
                  help: restrict the range, or choose lengths away from the turning point",
                 at_input(at)
             ),

@@ -101,27 +101,7 @@ impl<'m> Analysis<'_, 'm> {
         if !values_free {
             return None;
         }
-        let mut private = vec![None; equations.len()];
-        let mut core = Vec::new();
-        for (k, coordinate) in coordinates.iter().enumerate() {
-            let first = self.first_symbol(coordinates, k);
-            let width = self.symbols(coordinate).len();
-            let with: Vec<usize> = (0..equations.len())
-                .filter(|&e| (first..first + width).any(|s| polynomials[e].mention(s)))
-                .collect();
-            if let [only] = with[..]
-                && private[only].is_none()
-                && let Some(found) = self.private(Place {
-                    polynomials: &polynomials[only],
-                    first,
-                    coordinate,
-                })
-            {
-                private[only] = Some((found, k));
-                continue;
-            }
-            core.push(k);
-        }
+        let (private, core) = self.private_and_core(&polynomials, coordinates);
         if core.len() > MOST_CORE {
             return None;
         }
@@ -151,6 +131,36 @@ impl<'m> Analysis<'_, 'm> {
             blocks,
             core: paired(core),
         })))
+    }
+
+    /// The unknowns that one loop alone contains, by loop with their coordinate, and the coordinates that remain.
+    pub(super) fn private_and_core(
+        &mut self,
+        polynomials: &[Polynomials<'m>],
+        coordinates: &[Coordinate],
+    ) -> (Vec<Option<(Private<'m>, usize)>>, Vec<usize>) {
+        let mut private = vec![None; polynomials.len()];
+        let mut core = Vec::new();
+        for (k, coordinate) in coordinates.iter().enumerate() {
+            let first = self.first_symbol(coordinates, k);
+            let width = self.symbols(coordinate).len();
+            let with: Vec<usize> = (0..polynomials.len())
+                .filter(|&e| (first..first + width).any(|s| polynomials[e].mention(s)))
+                .collect();
+            if let [only] = with[..]
+                && private[only].is_none()
+                && let Some(found) = self.private(Place {
+                    polynomials: &polynomials[only],
+                    first,
+                    coordinate,
+                })
+            {
+                private[only] = Some((found, k));
+                continue;
+            }
+            core.push(k);
+        }
+        (private, core)
     }
 
     /// The place of a coordinate's first symbol among the symbols of polynomials.

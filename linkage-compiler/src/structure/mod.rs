@@ -17,6 +17,7 @@ pub(crate) mod report;
 mod rewrite;
 mod space;
 mod squared;
+pub(crate) mod unsolved;
 
 use linkage_symbolic::{Ex, SymbolId};
 

@@ -1,7 +1,6 @@
-//! Messages of the structural analysis: mobility, and groups that have no closed form.
+//! Messages of the structural analysis: mobility.
 
 use super::Analysis;
-use super::coupled_core::MOST_CORE;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
 
@@ -155,76 +154,7 @@ impl<'m> Analysis<'_, 'm> {
         self.reporter.error(origin, message);
     }
 
-    /// A coupled group without a closed form.
-    pub(super) fn report_unsolved(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) {
-        let loops = loop_list(equations.iter().flat_map(|e| &e.loops));
-        let own = coordinates.iter().filter_map(|c| c.unknown);
-        let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
-        let mut unknowns: Vec<usize> = own.chain(eliminated).collect();
-        unknowns.sort_unstable();
-        unknowns.dedup();
-        let count: usize = unknowns
-            .iter()
-            .map(|&k| self.algebra.names.components_of(k))
-            .sum();
-        let names = self.names(unknowns);
-        let origin = self.algebra.mechanism.loops[equations[0].loops[0]].origin;
-        let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
-        let what = "an unknown angle may stand in `polar`, `dir`, `rotate`, `turn`, `sin`, `cos`, an unknown length may be \
-                         multiplied by known quantities or by a direction";
-        let other = equations
-            .iter()
-            .filter(|e| self.polynomials(&e.rows, coordinates).is_none());
-        let other: Vec<usize> = other.flat_map(|e| e.loops.iter().copied()).collect();
-        let valued = self.valued(equations, coordinates);
-        let message = match rows {
-            0..=2 => format!("no closed form for {names} in {loops}\nhelp: {what}"),
-            _ if other.is_empty() && !valued.is_empty() => format!(
-                "a group of {count} unknowns ({names}) in {loops} cannot be solved: {} for an angle, and the angle itself, not \
-                 its direction, stands in a loop\n\
-                 help: {what}; a slide is a length times a direction, not a number times a vector of lengths",
-                match &valued[..] {
-                    [_] => format!("{} stands", self.names(valued.clone())),
-                    _ => format!("each of {} stands", self.names(valued.clone())),
-                }
-            ),
-            _ if other.is_empty() => format!(
-                "a group of {count} unknowns ({names}) in {loops} cannot be solved: more than {MOST_CORE} unknowns remain \
-                 when links between two joints are left out\n\
-                 help: check that the loops need to be coupled; an input instead of an unknown may split them"
-            ),
-            _ => format!(
-                "a group of {count} unknowns ({names}) in {loops} cannot be solved: {} of degree 4 or less \
-                 in directions and lengths\n\
-                 help: {what}; check that the loops need to be coupled",
-                match loop_list(&other) {
-                    one if one.starts_with("loop ") => format!("{one} is no polynomial"),
-                    several => format!("{several} are no polynomials"),
-                }
-            ),
-        };
-        self.reporter.error(origin, message);
-    }
-
     /// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
-    /// The unknown angles of which polynomial loops contain the value.
-    fn valued(&mut self, equations: &[Equation<'m>], coordinates: &[Coordinate]) -> Vec<usize> {
-        let polynomials: Vec<_> = equations
-            .iter()
-            .filter_map(|e| self.polynomials(&e.rows, coordinates))
-            .collect();
-        let angles = coordinates.iter().enumerate().filter(|(k, coordinate)| {
-            let value = self.first_symbol(coordinates, *k) + 2;
-            matches!(coordinate.kind, CoordinateKind::Angle(_))
-                && polynomials.iter().any(|p| p.mention(value))
-        });
-        angles.filter_map(|(_, c)| c.unknown).collect()
-    }
-
     fn unknown_names<'c>(&self, coordinates: impl Iterator<Item = &'c Coordinate>) -> String {
         let coordinates: Vec<&Coordinate> = coordinates.filter(|c| c.unknown.is_some()).collect();
         let mut names: Vec<(usize, String)> = Vec::new();
@@ -268,7 +198,7 @@ impl<'m> Analysis<'_, 'm> {
         }
     }
 
-    fn names(&self, mut unknowns: Vec<usize>) -> String {
+    pub(super) fn names(&self, mut unknowns: Vec<usize>) -> String {
         unknowns.sort_unstable();
         unknowns.dedup();
         let name = |&k: &usize| format!("`{}`", self.algebra.mechanism.unknowns[k].name);

@@ -139,7 +139,8 @@ impl fmt::Display for CoupledCause {
             ),
             Self::NotListed(why) => write!(
                 f,
-                "cannot be solved: the solutions at the reference input cannot all be listed: {why}"
+                "cannot be solved: the solutions at the reference input cannot all be listed: {why}; this is a limit of \
+                 linkage, not of the mechanism"
             ),
             Self::Singular => {
                 f.write_str("cannot run from the reference input: it is a dead point")
