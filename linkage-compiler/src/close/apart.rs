@@ -4,15 +4,14 @@ use std::f64::consts::TAU;
 
 use linkage_symbolic::program::Ternary;
 
-use crate::algebra::{Algebra, Bound};
+use crate::algebra::{ALIKE, Algebra, Bound, Even};
 use crate::diagnostic::OriginId;
 use crate::formulate::Solved;
-use crate::model::{Dimension, Mechanism};
+use crate::model::Mechanism;
 use crate::structure::report::loop_list;
 
 use super::check::range_of;
 use super::dead_point::DeadPoint;
-use super::follow::candidate_rates;
 use super::ranges::{Break, Broken, GRID, Ranges};
 use super::words::Words;
 
@@ -22,20 +21,10 @@ const INSIDE: f64 = 1e-4;
 /// Positions between the reference and a change point at which angles are compared.
 const COMPARED: usize = 8;
 
-/// Angles that differ by less turn alike.
-const ALIKE: f64 = 1e-9;
-
 /// A message with the words it underlines.
 pub(super) struct Apart {
     pub(super) origins: [OriginId; 2],
     pub(super) message: String,
-}
-
-/// An unknown angle that turns evenly with the input: `offset + rate * input`.
-struct Even {
-    unknown: usize,
-    rate: f64,
-    offset: f64,
 }
 
 impl<'m> Ranges<'_, 'm> {
@@ -189,16 +178,14 @@ impl<'m> Ranges<'_, 'm> {
                 Ternary::AngleNear.apply([sin, cos, near])
             };
             let here = angle(self, from, estimate);
-            let rate = candidate_rates(algebra, at.input)
-                .into_iter()
-                .find(|rate| {
-                    // Short of the change point itself, where digits are lost.
-                    (1..COMPARED).all(|k| {
-                        let x = from + (to - from) * (k as f64 / COMPARED as f64);
-                        let expected = here + rate * (x - from);
-                        (angle(self, x, expected) - expected).abs() < ALIKE
-                    })
-                })?;
+            let rate = algebra.candidate_rates(at.input).into_iter().find(|rate| {
+                // Short of the change point itself, where digits are lost.
+                (1..COMPARED).all(|k| {
+                    let x = from + (to - from) * (k as f64 / COMPARED as f64);
+                    let expected = here + rate * (x - from);
+                    (angle(self, x, expected) - expected).abs() < ALIKE
+                })
+            })?;
             let offset = here - rate * from;
             even.push(Even {
                 unknown,
@@ -252,7 +239,7 @@ fn parallelogram(
         .iter()
         .map(|own| {
             let name = &mechanism.unknowns[own.unknown].name;
-            format!("`let {name} = {};`", relation(words, input, own))
+            format!("`let {name} = {};`", own.relation(input))
         })
         .collect();
     let loops = loop_list(&solved.group.loops);
@@ -274,24 +261,4 @@ fn parallelogram(
         relations.join(" and "),
         works.range,
     )
-}
-
-/// `phi`, `2 * phi - 30deg`, `0deg`
-fn relation(words: &Words, input: &str, own: &Even) -> String {
-    let offset = match own.offset.abs() < ALIKE {
-        true => 0.0,
-        false => own.offset,
-    };
-    let shown = |x: f64| words.scalar(Dimension::ANGLE, x);
-    let turning = match own.rate {
-        0.0 => return shown(offset),
-        1.0 => input.to_owned(),
-        -1.0 => format!("-{input}"),
-        rate => format!("{rate} * {input}"),
-    };
-    match offset {
-        0.0 => turning,
-        positive if positive > 0.0 => format!("{turning} + {}", shown(positive)),
-        negative => format!("{turning} - {}", shown(-negative)),
-    }
 }

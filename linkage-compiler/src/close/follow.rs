@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use linkage_runtime::numeric::winding::{Centre, follow};
 use linkage_symbolic::program::Ternary;
 
-use crate::algebra::{Algebra, Atom, Nominal};
+use crate::algebra::{Algebra, Nominal};
 
 use super::machine::Machine;
 use super::ranges::Grid;
@@ -59,7 +59,7 @@ impl Numbers<'_> {
             if low == high {
                 continue;
             }
-            let rates = candidate_rates(algebra, input);
+            let rates = algebra.candidate_rates(input);
             let mut position = self.nominal.inputs.clone();
             let found = follow(low, high, at, here, &rates, |x| {
                 position[input] = x;
@@ -126,25 +126,4 @@ pub(crate) fn followed_range(algebra: &Algebra, nominal: &Nominal, input: usize)
         _ => 0.0,
     };
     nominal.ranges[input].unwrap_or((reference - half, reference + half))
-}
-
-/// Turns that an unknown angle may make for each turn of an input: the rates at which vectors turn with it, and simple
-/// multiples.
-pub(crate) fn candidate_rates(algebra: &Algebra, input: usize) -> Vec<f64> {
-    let mut rates = vec![0.0];
-    if algebra.mechanism.inputs[input].dimension.half_lengths != 0 {
-        return rates;
-    }
-    for base in [1.0]
-        .into_iter()
-        .chain(algebra.names.input_rates(Atom::Input(input)))
-    {
-        for factor in [1.0, -1.0, 2.0, -2.0, 0.5, -0.5] {
-            let rate = base * factor;
-            if rate != 0.0 && !rates.contains(&rate) {
-                rates.push(rate);
-            }
-        }
-    }
-    rates
 }

@@ -1,7 +1,7 @@
 //! Positions in the words of a message.
 
 use crate::formulate::Solved;
-use crate::model::{Dimension, Mechanism, Type};
+use crate::model::{Dimension, Mechanism, Type, significant};
 
 /// Prints quantities of one mechanism.
 pub(crate) struct Words<'m> {
@@ -144,21 +144,4 @@ fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
             true => 0.0,
             false => x,
         })
-}
-
-/// Up to seven significant digits, without trailing zeros.
-fn significant(x: f64) -> String {
-    if x == 0.0 || !x.is_finite() {
-        return format!("{x}");
-    }
-    let digits = (6 - x.abs().log10().floor() as i32).clamp(0, 17) as usize;
-    if !(1e-6..1e12).contains(&x.abs()) {
-        return format!("{x:.6e}");
-    }
-    let text = format!("{x:.digits$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
 }

@@ -6,7 +6,7 @@ use linkage_symbolic::Ex;
 use linkage_symbolic::program::Source;
 
 use crate::algebra::Algebra;
-use crate::close::{Reference, candidate_rates, followed_range};
+use crate::close::{Reference, followed_range};
 use crate::formulate::{Formulation, Solved};
 use crate::model::{Mechanism, Shape};
 use crate::unit::{Argument, Group, Input, Parameter, Role, Scalar, Unit, Unknown};
@@ -46,7 +46,7 @@ pub(super) fn signature<'m>(
         reference: nominal.inputs[index],
         range: nominal.ranges[index],
         followed: followed_range(algebra, nominal, index),
-        rates: candidate_rates(algebra, index),
+        rates: algebra.candidate_rates(index),
     });
     let arguments = mechanism.arguments.iter().enumerate();
     let arguments = arguments.map(|(index, argument)| Argument {
