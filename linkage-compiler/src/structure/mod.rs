@@ -13,10 +13,12 @@ mod form;
 pub(crate) mod matching;
 mod point;
 mod reach;
+mod repeated;
 pub(crate) mod report;
 mod rewrite;
 mod space;
 mod squared;
+mod together;
 pub(crate) mod unsolved;
 
 use linkage_symbolic::{Ex, SymbolId};

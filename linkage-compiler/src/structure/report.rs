@@ -3,6 +3,7 @@
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
+use super::repeated::Repeated;
 
 impl<'m> Analysis<'_, 'm> {
     /// Reports unknowns without equations and equations without unknowns; true if there are none.
@@ -31,8 +32,7 @@ impl<'m> Analysis<'_, 'm> {
             }
             if surplus > 0 && (complete || incidence[k].is_empty()) {
                 complete = false;
-                let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
-                self.report_surplus(equation, surplus, &incidence[k], rows, coordinates);
+                self.report_surplus(equation, surplus, &incidence[k], equations, coordinates);
             }
         }
         complete
@@ -117,7 +117,7 @@ impl<'m> Analysis<'_, 'm> {
         equation: &Equation<'m>,
         surplus: usize,
         contained: &[usize],
-        rows: usize,
+        equations: &[Equation<'m>],
         coordinates: &[Coordinate],
     ) {
         let number = equation.loops[0];
@@ -128,6 +128,7 @@ impl<'m> Analysis<'_, 'm> {
                 "{loops} contains no unknown\nhelp: a loop closes by unknowns; add an `unknown` to it or remove it"
             )
         } else {
+            let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
             let inputs = self.algebra.mechanism.inputs.len();
             let mobility = (inputs + coordinates.len()) as isize - rows as isize;
             let own: Vec<Coordinate> = contained.iter().map(|&k| coordinates[k].clone()).collect();
@@ -137,10 +138,17 @@ impl<'m> Analysis<'_, 'm> {
                 3 => "; a link between two ball joints is one equation, `distance(a, b) = length`",
                 _ => "",
             };
+            let repeated = self.repeated(equation, surplus, equations, coordinates);
+            let Repeated { fact, help } = repeated.unwrap_or_else(|| Repeated {
+                fact: short,
+                help: format!(
+                    "make a dimension, an angle or an input of {loops} an `unknown`, or remove a loop{link}"
+                ),
+            });
             format!(
                 "more equations than unknowns: {loops} {} too many for {} ({} for {} in all; mobility {mobility}, \
-                 driven inputs {inputs}){short}\n\
-                 help: make a dimension, an angle or an input of {loops} an `unknown`, or remove a loop{link}",
+                 driven inputs {inputs}){fact}\n\
+                 help: {help}",
                 if surplus == 1 {
                     "has one equation".to_owned()
                 } else {

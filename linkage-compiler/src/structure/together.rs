@@ -1,0 +1,147 @@
+//! All loops on numbers, closed together: equations may be more than unknowns.
+
+use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{Ex, SymbolId, substitute};
+
+use super::equations::{Coordinate, CoordinateKind};
+use crate::algebra::Nominal;
+
+/// Loops that miss by no more than this share of their links close: rounding is thousand times less.
+const CLOSED: f64 = 1e-12;
+
+/// Differences for slopes: the error of a central difference is about this squared, its rounding the last place divided by it.
+const STEP: f64 = 1e-5;
+
+/// Newton's method from an estimate 60 degrees away takes about ten steps of at most half a radian each.
+const STEPS: usize = 40;
+const LONGEST_STEP: f64 = 0.5;
+
+/// Keeps a matrix regular where unknowns are not determined at all; too small to slow anything down.
+const DAMPING: f64 = 1e-14;
+
+/// A column of which less than this share points across those before it is a combination of them: far above the error of differences, and the
+/// limit of a dead point.
+const ACROSS: f64 = 1e-6;
+
+/// Loops on numbers.
+pub(super) struct Together<'a, 'm> {
+    pub(super) rows: Vec<Ex<'m>>,
+    pub(super) coordinates: &'a [Coordinate],
+    pub(super) symbols: Vec<Vec<SymbolId>>,
+    /// Where the search begins.
+    pub(super) estimates: Vec<f64>,
+    /// What counts like a radian, by coordinate.
+    pub(super) scales: Vec<f64>,
+}
+
+impl Together<'_, '_> {
+    /// By how much every row misses.
+    fn missing(&self, x: &[f64], at: &Nominal) -> Vec<f64> {
+        let graph = self.rows[0].graph();
+        let mut values = Map::new();
+        for ((coordinate, symbols), &x) in self.coordinates.iter().zip(&self.symbols).zip(x) {
+            let numbers = match coordinate.kind {
+                CoordinateKind::Angle(_) => vec![x.cos(), x.sin(), x],
+                CoordinateKind::Length(_) => vec![x],
+            };
+            let numbers = numbers.into_iter().map(|number| graph.number(number));
+            values.extend(symbols.iter().copied().zip(numbers));
+        }
+        at.evaluate(&substitute(&self.rows, &values))
+    }
+
+    /// How the rows change with each coordinate, measured by its scale.
+    pub(super) fn slopes(&self, x: &[f64], at: &Nominal) -> Vec<Vec<f64>> {
+        let slopes = (0..x.len()).map(|k| {
+            let side = |sign: f64| {
+                let mut x = x.to_vec();
+                x[k] += sign * STEP * self.scales[k];
+                self.missing(&x, at)
+            };
+            let (above, below) = (side(1.0), side(-1.0));
+            let pairs = above.iter().zip(&below);
+            pairs.map(|(a, b)| (a - b) / (2.0 * STEP)).collect()
+        });
+        slopes.collect()
+    }
+
+    /// Newton's method in the sense of least squares: more equations than coordinates.
+    pub(super) fn closed(&self, mut x: Vec<f64>, at: &Nominal) -> Option<Vec<f64>> {
+        for _ in 0..STEPS {
+            let missing = self.missing(&x, at);
+            let slopes = self.slopes(&x, at);
+            let size = largest(slopes.iter().flatten());
+            let miss = largest(&missing);
+            if !(size > 0.0 && size.is_finite() && miss.is_finite()) {
+                return None;
+            }
+            if miss <= CLOSED * size {
+                return Some(x);
+            }
+            let step = least_squares(&slopes, &missing)?;
+            let shorter = (LONGEST_STEP / largest(&step)).min(1.0);
+            for ((x, step), scale) in x.iter_mut().zip(step).zip(&self.scales) {
+                *x -= shorter * step * scale;
+            }
+        }
+        None
+    }
+}
+
+fn largest<'x>(numbers: impl IntoIterator<Item = &'x f64>) -> f64 {
+    let numbers = numbers.into_iter().map(|x| x.abs());
+    numbers.fold(0.0, |a, x| if x > a || x.is_nan() { x } else { a })
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// True if no column is a combination of those before it.
+pub(super) fn independent(columns: &[Vec<f64>]) -> bool {
+    let mut units: Vec<Vec<f64>> = Vec::new();
+    for column in columns {
+        let mut across = column.clone();
+        for unit in &units {
+            let along = dot(&across, unit);
+            across
+                .iter_mut()
+                .zip(unit)
+                .for_each(|(x, u)| *x -= along * u);
+        }
+        let length = dot(&across, &across).sqrt();
+        if !(length > ACROSS * dot(column, column).sqrt()) {
+            return false;
+        }
+        units.push(across.into_iter().map(|x| x / length).collect());
+    }
+    true
+}
+
+/// The numbers with which `columns` come nearest to `right`: the normal equations, by Cholesky's method.
+fn least_squares(columns: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
+    let n = columns.len();
+    let trace: f64 = columns.iter().map(|column| dot(column, column)).sum();
+    let mut lower = vec![vec![0.0; n]; n];
+    for i in 0..n {
+        for j in 0..=i {
+            let damping = if i == j { DAMPING * trace } else { 0.0 };
+            let rest =
+                dot(&columns[i], &columns[j]) + damping - dot(&lower[i][..j], &lower[j][..j]);
+            lower[i][j] = match i == j {
+                true if rest > 0.0 => rest.sqrt(),
+                true => return None,
+                false => rest / lower[j][j],
+            };
+        }
+    }
+    let mut x = vec![0.0; n];
+    for i in 0..n {
+        x[i] = (dot(&columns[i], right) - dot(&lower[i][..i], &x[..i])) / lower[i][i];
+    }
+    for i in (0..n).rev() {
+        let known: f64 = (i + 1..n).map(|k| lower[k][i] * x[k]).sum();
+        x[i] = (x[i] - known) / lower[i][i];
+    }
+    Some(x)
+}
