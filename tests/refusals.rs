@@ -130,7 +130,7 @@ fn a_distance_is_not_negative() {
     ] {
         assert!(matches!(
             boom.assemble(),
-            Err(AssemblyError::NotFinite { .. })
+            Err(AssemblyError::Undefined { .. })
         ));
     }
 }
@@ -155,7 +155,7 @@ fn a_distance_in_space_is_not_negative() {
     ] {
         assert!(matches!(
             dimensions.assemble(),
-            Err(AssemblyError::NotFinite { .. })
+            Err(AssemblyError::Undefined { .. })
         ));
     }
 }
@@ -186,7 +186,7 @@ fn coinciding_pivots_do_not_determine_a_dyad() {
     };
     assert!(matches!(
         truss.assemble(),
-        Err(AssemblyError::NotFinite { .. })
+        Err(AssemblyError::Undefined { .. })
     ));
 }
 
@@ -238,8 +238,49 @@ fn dimensions_that_are_no_numbers_are_refused() {
     };
     assert!(matches!(
         slider.assemble(),
-        Err(AssemblyError::NotFinite { .. })
+        Err(AssemblyError::NotFinite {
+            dimension: "rod",
+            value,
+            ..
+        }) if value.is_nan()
     ));
+    let error = slider.assemblies().expect_err("not a number");
+    assert!(
+        error.to_string().contains("dimension rod is NaN"),
+        "{error}"
+    );
+}
+
+#[test]
+fn finite_dimensions_are_never_called_not_finite() {
+    let large = Boom {
+        arm: 1e200,
+        stroke: 3e200,
+    };
+    let error = large.assemble().expect_err("squares overflow");
+    assert!(
+        matches!(
+            error,
+            AssemblyError::Overflow {
+                dimension: "stroke",
+                value: 3e200,
+                unit: "mm",
+                ..
+            }
+        ),
+        "{error}"
+    );
+    for error in [
+        error,
+        Explicit {
+            ratio: 1.5,
+            ..Explicit::default()
+        }
+        .assemble()
+        .expect_err("no arc cosine"),
+    ] {
+        assert!(!error.to_string().contains("finite"), "{error}");
+    }
 }
 
 #[test]
@@ -310,7 +351,7 @@ fn what_is_no_number_by_an_equation_without_a_root_is_refused() {
         ),
     ] {
         match dimensions.assemble() {
-            Err(AssemblyError::NotFinite { loops, .. }) => assert_eq!(loops, [number]),
+            Err(AssemblyError::Undefined { loops, .. }) => assert_eq!(loops, [number]),
             Err(other) => panic!("{other}"),
             Ok(_) => panic!("loop {number} has no finite solution"),
         }

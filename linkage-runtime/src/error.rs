@@ -10,6 +10,9 @@ use core::fmt;
 #[cfg(feature = "alloc")]
 pub use unprepared::{CoupledCause, CoupledError, Placed, Value};
 
+/// Squares of larger numbers overflow.
+pub(crate) const LARGEST: f64 = 1e154;
+
 /// Why `assemble()` found no assembly.
 ///
 /// ```
@@ -50,9 +53,29 @@ pub enum AssemblyError {
         /// Unit of `miss`; empty for a number.
         unit: &'static str,
     },
-    /// A dimension is NaN or infinite, or the equations of a group are singular at the reference
-    /// input.
+    /// A dimension is NaN or infinite.
     NotFinite {
+        /// Name of the mechanism.
+        mechanism: &'static str,
+        /// Name of the dimension.
+        dimension: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A dimension is so large that what is computed of it is beyond the largest number.
+    Overflow {
+        /// Name of the mechanism.
+        mechanism: &'static str,
+        /// Name of the largest dimension.
+        dimension: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit; empty for a number.
+        unit: &'static str,
+    },
+    /// The equations of a group have no value at the reference input although all dimensions are finite: a root or an arc function is out
+    /// of its range, something is divided by zero, or the position is singular.
+    Undefined {
         /// Name of the mechanism.
         mechanism: &'static str,
         /// Index of the group in `STRUCTURE`.
@@ -63,8 +86,6 @@ pub enum AssemblyError {
         loops: &'static [usize],
         /// Its unknowns.
         unknowns: &'static [&'static str],
-        /// The dimension that is NaN or infinite, as `PARAMETERS` names it; `None` if all are finite that the group needs.
-        field: Option<&'static str>,
     },
     /// An angle could not be followed through the range of the input, so that its turns cannot be
     /// counted.
@@ -138,21 +159,38 @@ impl fmt::Display for AssemblyError {
             }
             Self::NotFinite {
                 mechanism,
+                dimension,
+                value,
+            } => write!(
+                f,
+                "{mechanism}: the dimension {dimension} is {value}, which is no finite number"
+            ),
+            Self::Overflow {
+                mechanism,
+                dimension,
+                value,
+                unit,
+            } => {
+                let gap = if unit.is_empty() { "" } else { " " };
+                write!(
+                    f,
+                    "{mechanism}: the dimension {dimension} is too large to be computed with: {value:e}{gap}{unit}, and \
+                     the square of a number above {LARGEST:e} is beyond the largest one"
+                )
+            }
+            Self::Undefined {
+                mechanism,
                 group,
                 kind,
                 loops,
                 unknowns,
-                field,
             } => {
                 write!(f, "{mechanism}: ")?;
                 place(f, group, kind, loops, unknowns)?;
-                f.write_str(" has no finite solution at the reference input: ")?;
-                match field {
-                    Some(field) => write!(f, "the dimension `{field}` is NaN or infinite"),
-                    None => f.write_str(
-                        "the position is singular, or a number computed from the dimensions is not finite",
-                    ),
-                }
+                f.write_str(
+                    " has no solution at the reference input: with these dimensions a root or an arc function is out of \
+                     its range, a length is negative, something is divided by zero, or joints or guides coincide",
+                )
             }
             Self::NoWinding { mechanism, unknown } => write!(
                 f,

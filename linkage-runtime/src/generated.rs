@@ -21,7 +21,7 @@ pub use crate::numeric::roots::{Term, Variable};
 pub use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
-pub use close::{close, finite};
+pub use close::{close, explained, finite};
 pub use sealed::Sealed;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use starts::{

@@ -158,7 +158,7 @@ fn an_error_names_the_loop_and_the_miss() {
 #[test]
 fn other_errors_say_what_is_wrong() {
     let errors: [&dyn core::error::Error; 3] = [
-        &AssemblyError::NotFinite {
+        &AssemblyError::Undefined {
             mechanism: "M",
             group: 0,
             kind: "RRR",

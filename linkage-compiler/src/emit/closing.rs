@@ -12,17 +12,14 @@ pub(super) fn finite(outline: &Outline, unit: &Unit) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let title = outline.title();
     let fields = outline.scalar_fields();
-    let needed = unit.groups.iter().map(|group| {
-        let places = group.parameters.iter().map(|&place| literal::index(place));
-        quote!(&[#(#places),*])
-    });
-    if unit.groups.iter().all(|group| group.parameters.is_empty()) {
+    let mut needed = unit.groups.iter().flat_map(|group| &group.parameters).peekable();
+    if needed.peek().is_none() {
         return quote!(::core::result::Result::Ok(()));
     }
+    let needed = needed.map(|&place| literal::index(place));
     quote! {
         #runtime::finite(
             #title,
-            #name::<::core::primitive::f64>::STRUCTURE.groups,
             #name::<::core::primitive::f64>::PARAMETERS,
             &[#(#needed),*],
             &[#(__m.#fields),*],

@@ -11,6 +11,7 @@ mod body;
 mod circuits;
 mod closing;
 mod columns;
+mod constructors;
 mod count;
 mod dimensions;
 mod docs;

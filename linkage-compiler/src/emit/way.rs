@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::assembly::Types;
+use super::constructors::explained;
 use super::load::Places;
 use super::outline::Outline;
 use super::{attribute, literal, sealed, starts, survey};
@@ -25,15 +26,22 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         return method(outline, body);
     }
     let way = way(outline, unit);
+    let float = quote!(::core::primitive::f64);
+    let explained = |result: TokenStream| explained(outline, &float, &result);
     let body = match outline.starts.is_empty() {
-        true => quote! {
-            #way
-            #assembly::__finite(self)?;
-            #runtime::follow_way(&__way, #runtime::Vec::new())?;
-            #assembly::__assemble(self, __way.modes, __way.at)
-        },
+        true => {
+            let assembled = explained(quote!(#assembly::__assemble(self, __way.modes, __way.at)));
+            quote! {
+                #way
+                #assembly::__finite(self)?;
+                #runtime::follow_way(&__way, #runtime::Vec::new())?;
+                #assembled
+            }
+        }
         false => {
-            let float = quote!(::core::primitive::f64);
+            let assembled = explained(quote! {
+                #assembly::__with_starts(self, __way.modes, __way.at, ::core::slice::from_ref(&__lane))
+            });
             let prepared = sealed::starts(outline, &quote!(__assembly));
             let places = Places::all(outline);
             let states = outline.starts.iter().enumerate().map(|(number, start)| {
@@ -56,7 +64,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
                         #assembly::<#float>::__coupled(self, &__way.modes, __way.at, __number, __starts)
                     },
                 )?;
-                #assembly::__with_starts(self, __way.modes, __way.at, ::core::slice::from_ref(&__lane))
+                #assembled
             }
         }
     };

@@ -2,38 +2,28 @@
 
 #[cfg(feature = "alloc")]
 use crate::AssemblyMode;
+use crate::error::LARGEST;
 use crate::{AssemblyError, Group, Parameter, Scalar};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 
-/// Fails at the first group that needs a dimension that is NaN or infinite: closed forms without a root carry it into the results, where
-/// nothing tells it apart. `needed` are the parameters that each group needs and none before it, by their places among `values`.
+/// Fails at a dimension that is NaN or infinite: closed forms without a root carry it into the results, where nothing tells it
+/// apart. `needed` are the parameters that the groups need, in the order of the groups, by their places among `values`.
 pub fn finite<T: Scalar>(
     mechanism: &'static str,
-    groups: &'static [Group],
     parameters: &'static [Parameter],
-    needed: &[&[usize]],
+    needed: &[usize],
     values: &[T],
 ) -> Result<(), AssemblyError> {
-    for (index, needed) in needed.iter().enumerate() {
-        let is_finite = |place: usize| (0..T::LANES).all(|k| values[place].lane(k).is_finite());
-        let Some(&place) = needed.iter().find(|&&place| !is_finite(place)) else {
-            continue;
-        };
-        let Group {
-            kind,
-            loops,
-            unknowns,
-            ..
-        } = groups[index];
-        return Err(AssemblyError::NotFinite {
-            mechanism,
-            group: index,
-            kind,
-            loops,
-            unknowns,
-            field: Some(parameters[place].name),
-        });
+    for &place in needed {
+        let mut lanes = (0..T::LANES).map(|lane| values[place].lane(lane));
+        if let Some(value) = lanes.find(|value| !value.is_finite()) {
+            return Err(AssemblyError::NotFinite {
+                mechanism,
+                dimension: parameters[place].name,
+                value,
+            });
+        }
     }
     Ok(())
 }
@@ -57,13 +47,12 @@ pub fn close<T: Scalar>(
         for lane in 0..T::LANES {
             let gap = gap.lane(lane);
             if gap.is_nan() {
-                return Err(AssemblyError::NotFinite {
+                return Err(AssemblyError::Undefined {
                     mechanism,
                     group: index,
                     kind,
                     loops,
                     unknowns,
-                    field: None,
                 });
             }
             miss = f64::max(miss, gap);
@@ -82,6 +71,45 @@ pub fn close<T: Scalar>(
         }
     }
     Ok(())
+}
+
+/// An error that is about no loop but about a dimension, which is too large. `values` gives the dimensions in the order of
+/// `parameters`; those that a loop needs are finite.
+pub fn explained<A, T: Scalar, const COUNT: usize>(
+    result: Result<A, AssemblyError>,
+    parameters: &'static [Parameter],
+    values: impl Fn() -> [T; COUNT],
+) -> Result<A, AssemblyError> {
+    let Err(AssemblyError::Undefined { mechanism, .. }) = result else {
+        return result;
+    };
+    let values = values();
+    let mut lanes = (0..COUNT).flat_map(|k| (0..T::LANES).map(move |lane| (k, lane)));
+    let mut all = core::iter::from_fn(|| {
+        let (k, lane) = lanes.next()?;
+        Some((&parameters[k], values[k].lane(lane)))
+    });
+    match too_large(mechanism, &mut all) {
+        Some(error) => Err(error),
+        None => result,
+    }
+}
+
+/// One function for all mechanisms: their code is compiled often enough.
+fn too_large(
+    mechanism: &'static str,
+    all: &mut dyn Iterator<Item = (&'static Parameter, f64)>,
+) -> Option<AssemblyError> {
+    let size = |value: f64| if value < 0.0 { -value } else { value };
+    let finite = all.filter(|(_, value)| value.is_finite());
+    let largest = finite.reduce(|a, b| if size(b.1) > size(a.1) { b } else { a });
+    let (parameter, value) = largest?;
+    (size(value) > LARGEST).then_some(AssemblyError::Overflow {
+        mechanism,
+        dimension: parameter.name,
+        value,
+        unit: parameter.unit,
+    })
 }
 
 /// A list of one.

@@ -95,14 +95,13 @@ impl CoupledGroup {
         }))
     }
 
-    fn not_finite(&self) -> AssemblyError {
-        AssemblyError::NotFinite {
+    fn undefined(&self) -> AssemblyError {
+        AssemblyError::Undefined {
             mechanism: self.mechanism,
             group: self.group,
             kind: self.kind,
             loops: self.loops,
             unknowns: self.names,
-            field: None,
         }
     }
 
@@ -120,7 +119,7 @@ impl CoupledGroup {
             Refusal::TurningPoint { at } => self.error(CoupledCause::DeadPoint(value(at))),
             Refusal::NotConverging { at } => self.error(CoupledCause::NotFollowed(value(at))),
             Refusal::NotASolution => self.error(CoupledCause::Singular),
-            Refusal::NotFinite => self.not_finite(),
+            Refusal::NotFinite => self.undefined(),
         }
     }
 
@@ -130,7 +129,7 @@ impl CoupledGroup {
             terms: self.terms,
         };
         solve(&system, coefficients).map_err(|why| match why {
-            Unlisted::NotFinite => self.not_finite(),
+            Unlisted::NotFinite => self.undefined(),
             why => self.error(CoupledCause::NotListed(why)),
         })
     }
