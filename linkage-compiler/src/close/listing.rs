@@ -15,6 +15,7 @@ use super::estimates::{LISTED, Position};
 use super::follow::followed_range;
 use super::machine::{Machine, Start};
 use super::reference::Assembly;
+use super::refusal::WITHIN_RANGE;
 
 /// A coupled group on numbers.
 pub(super) struct Numbers<'a> {
@@ -76,6 +77,15 @@ impl<'m> Assembly<'_, 'm> {
                 return false;
             }
             Err(reason) => {
+                let part = match reason {
+                    Unlisted::NotFinite => self.without_value(&solved.group.loops),
+                    _ => None,
+                };
+                if let Some((part, fact)) = part {
+                    let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
+                    self.reporter.error_with_help(part, fact, WITHIN_RANGE);
+                    return false;
+                }
                 let why = match reason {
                     Unlisted::NotFinite => {
                         "what is known of it is not a finite number\n\

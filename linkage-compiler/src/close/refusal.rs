@@ -1,10 +1,20 @@
 //! What is said of a group that cannot be assembled at the reference inputs.
 
+use crate::diagnostic::OriginId;
 use crate::formulate::Solved;
+use crate::model::Dimension;
 use crate::structure::Form;
 use crate::structure::report::loop_list;
 
 use super::reference::{Assembly, SINGULAR};
+use super::values::without_value;
+
+/// What to do about a part of a loop that has no value.
+pub(super) const WITHIN_RANGE: &str =
+    "choose a reference input or dimensions at which it has a value";
+
+/// Squares of larger numbers overflow.
+const LARGEST: f64 = 1e154;
 
 /// Why a group has no position.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +36,23 @@ impl<'m> Assembly<'_, 'm> {
         if let Some((fact, help)) = self.degenerate(solved) {
             let fact = format!("{loops} cannot be solved for {unknowns}{place}: {fact}");
             return self.reporter.error_with_help(origin, fact, help);
+        }
+        if self.size > LARGEST && !matches!(verdict, Verdict::Open(_)) {
+            let size = self.words.scalar(Dimension::LENGTH, self.size);
+            let fact = format!(
+                "{loops} ({unknowns}) cannot be solved{place}: the mechanism has a length of {size}, and the square of a number above \
+                 {LARGEST:e} is beyond the largest one"
+            );
+            let help = "choose a length unit in which the numbers are smaller";
+            return self.reporter.error_with_help(origin, fact, help);
+        }
+        let without_value = match verdict {
+            Verdict::NotFinite => self.without_value(&solved.group.loops),
+            Verdict::Open(_) | Verdict::Singular => None,
+        };
+        if let Some((part, fact)) = without_value {
+            let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
+            return self.reporter.error_with_help(part, fact, WITHIN_RANGE);
         }
         let (fact, help) = match verdict {
             Verdict::NotFinite => (
@@ -67,6 +94,12 @@ impl<'m> Assembly<'_, 'm> {
             ),
         };
         self.reporter.error_with_help(origin, fact, help);
+    }
+
+    /// What of some loops has no finite value at the reference inputs, and where it is written.
+    pub(super) fn without_value(&self, loops: &[usize]) -> Option<(OriginId, String)> {
+        let inputs = &self.nominal.inputs;
+        without_value(self.algebra.mechanism, self.nominal, inputs, loops)
     }
 
     /// True for an angle that is found across the guides of its loop.

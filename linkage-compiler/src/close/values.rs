@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use linkage_symbolic::Graph;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::diagnostic::Reporter;
+use crate::diagnostic::{OriginId, Reporter};
 use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name, Type};
 use crate::syntax::Word;
 
@@ -18,13 +18,7 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
     algebra.translate_lets();
-    let mut check = Check {
-        mechanism,
-        nominal,
-        algebra,
-        fixed: vec![false; mechanism.lets.len()],
-        found: Vec::new(),
-    };
+    let mut check = Check::new(algebra, nominal, &[]);
     let all: Vec<usize> = (0..mechanism.loops.len()).collect();
     let used = mechanism.usage(&all).lets;
     for (index, own) in mechanism.lets.iter().enumerate() {
@@ -57,6 +51,32 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     }
 }
 
+/// The innermost expression of some loops that has no finite value at given inputs, in words: of dimensions and inputs, not of unknowns.
+pub(super) fn without_value(
+    mechanism: &Mechanism,
+    nominal: &Nominal,
+    inputs: &[f64],
+    loops: &[usize],
+) -> Option<(OriginId, String)> {
+    let graph = Graph::new();
+    let mut algebra = Algebra::new(mechanism, &graph);
+    algebra.translate_lets();
+    let mut check = Check::new(algebra, nominal, inputs);
+    let used = mechanism.usage(loops).lets;
+    for (index, own) in mechanism.lets.iter().enumerate() {
+        check.fixed[index] = check.is_fixed(&own.value);
+        if used[index] {
+            check.look_at(&own.value, Place::InLoop);
+        }
+    }
+    for &own in loops {
+        check.look_at(&mechanism.loops[own].left, Place::Term);
+        check.look_at(&mechanism.loops[own].right, Place::Term);
+    }
+    let found = std::mem::take(&mut check.found).into_iter().next()?;
+    Some((found.expr.origin, check.fact(&found)))
+}
+
 /// Where an expression stands.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
@@ -75,17 +95,32 @@ struct Found<'m> {
 struct Check<'a, 'm> {
     mechanism: &'m Mechanism,
     nominal: &'a Nominal,
+    /// Where inputs are looked at, too; empty where they are not.
+    inputs: &'a [f64],
     algebra: Algebra<'m>,
     /// By derived quantity: whether it depends on dimensions alone.
     fixed: Vec<bool>,
     found: Vec<Found<'m>>,
 }
 
-impl<'m> Check<'_, 'm> {
+impl<'a, 'm> Check<'a, 'm> {
+    fn new(algebra: Algebra<'m>, nominal: &'a Nominal, inputs: &'a [f64]) -> Self {
+        let mechanism = algebra.mechanism;
+        Self {
+            mechanism,
+            nominal,
+            inputs,
+            algebra,
+            fixed: vec![false; mechanism.lets.len()],
+            found: Vec::new(),
+        }
+    }
+
     fn is_fixed(&self, expr: &Expr) -> bool {
         expr.parts().all(|part| match part.as_name() {
             Some(Name::Let(index)) => self.fixed[index],
-            Some(Name::Input(_) | Name::Unknown(_) | Name::Argument(_)) => false,
+            Some(Name::Input(_)) => !self.inputs.is_empty(),
+            Some(Name::Unknown(_) | Name::Argument(_)) => false,
             Some(Name::Const(_) | Name::Parameter(_) | Name::Pi) => true,
             None => !part.is_quantity() && part.ty != Type::Frame,
         })
@@ -137,7 +172,9 @@ impl<'m> Check<'_, 'm> {
 
     fn value(&mut self, expr: &Expr) -> Vec<f64> {
         let scale = self.algebra.internal_per_unit(&expr.ty);
-        let values = self.algebra.evaluated(expr, &self.nominal.parameters, &[]);
+        let values = self
+            .algebra
+            .evaluated(expr, &self.nominal.parameters, self.inputs);
         // Zero has no sign for a reader.
         values
             .into_iter()
