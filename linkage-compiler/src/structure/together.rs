@@ -110,7 +110,9 @@ pub(super) fn independent(columns: &[Vec<f64>]) -> bool {
                 .for_each(|(x, u)| *x -= along * u);
         }
         let length = dot(&across, &across).sqrt();
-        if !(length > ACROSS * dot(column, column).sqrt()) {
+        // A column of zeros, or one that is no number, is none either.
+        let across_enough = length > ACROSS * dot(column, column).sqrt();
+        if !across_enough {
             return false;
         }
         units.push(across.into_iter().map(|x| x / length).collect());
