@@ -12,7 +12,11 @@ pub(super) fn finite(outline: &Outline, unit: &Unit) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let title = outline.title();
     let fields = outline.scalar_fields();
-    let mut needed = unit.groups.iter().flat_map(|group| &group.parameters).peekable();
+    let mut needed = unit
+        .groups
+        .iter()
+        .flat_map(|group| &group.parameters)
+        .peekable();
     if needed.peek().is_none() {
         return quote!(::core::result::Result::Ok(()));
     }
