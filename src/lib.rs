@@ -134,7 +134,9 @@ pub mod __private {
         CoupledUnknown, Extended, Range, Start, States, Step, Term, Variable, Wanted, nothing,
         pairs, placed, put_state, starts, stepped,
     };
-    pub use linkage_runtime::generated::{Sealed, close, explained, finite};
+    pub use linkage_runtime::generated::{
+        Sealed, Single, close, explained, finite, inlined, single,
+    };
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, FUSED, Frame, FunctionInfo, Group,
         Guide, GuideOn, Heading, Input, Meaning, Operations, Parameter, Picture, PictureColumns,

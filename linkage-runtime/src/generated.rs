@@ -2,6 +2,7 @@
 
 mod close;
 mod sealed;
+mod single;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod starts;
 #[cfg(feature = "alloc")]
@@ -23,6 +24,7 @@ pub use alloc::vec::Vec;
 pub use close::{assemblies, one};
 pub use close::{close, explained, finite};
 pub use sealed::Sealed;
+pub use single::{Single, inlined, single};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use starts::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,

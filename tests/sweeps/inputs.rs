@@ -69,6 +69,23 @@ fn a_row_is_the_same_wherever_it_stands() {
     every_place::<f32>();
 }
 
+/// A single call has the instruction set that a sweep has, whatever the build's flags are.
+fn every_row<T: Scalar>() {
+    let linkage = Rocker::default()
+        .cast::<T>()
+        .assemble()
+        .expect("it assembles");
+    let phi: Vec<T> = angles(&mut Random::new(3), 300);
+    let rows: Vec<_> = phi.iter().map(|&phi| single(&linkage, phi)).collect();
+    assert_eq!(bits(&swept(&linkage, &phi)), bits(&rows));
+}
+
+#[test]
+fn a_row_is_that_of_a_single_call_to_the_last_bit() {
+    every_row::<f64>();
+    every_row::<f32>();
+}
+
 #[test]
 fn slices_are_filled_and_nothing_beside_them() {
     let linkage = Rocker::default().assemble().expect("it assembles");

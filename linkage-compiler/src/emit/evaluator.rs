@@ -84,7 +84,12 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
     let result = home::result(outline, function);
-    let body = outline.body(call(outline, function));
+    let body = outline.body(value(outline, function));
+    let count = literal::index(arguments.len());
+    let call = outline.body(match function.chooses {
+        true => quote!(#runtime::single(self, [#(#arguments),*])),
+        false => quote!(#runtime::inlined(self, [#(#arguments),*])),
+    });
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*
@@ -93,14 +98,24 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
             #head
             #must_use
             #inline
-            #visibility fn #name(&self, #(#arguments: T),*) -> #result<T> { #body }
+            #visibility fn #name(&self, #(#arguments: T),*) -> #result<T> { #call }
+        }
+
+        #(#everywhere)*
+        #allow
+        #[doc(hidden)]
+        impl<T: #runtime::Scalar> #runtime::Single<T, #result<T>, #count> for #assembly<T> {
+            #[inline(always)]
+            fn at<const __FUSED: ::core::primitive::bool>(
+                &self,
+                [#(#arguments),*]: [T; #count],
+            ) -> #result<T> { #body }
         }
     }
 }
 
 /// What the method returns: the program's results at its arguments.
-fn call(outline: &Outline, function: &Function) -> TokenStream {
-    let runtime = &outline.runtime;
+fn value(outline: &Outline, function: &Function) -> TokenStream {
     let result = home::result(outline, function);
     let arguments = &function.arguments;
     let arguments = match function.states.is_empty() {
@@ -109,13 +124,13 @@ fn call(outline: &Outline, function: &Function) -> TokenStream {
     };
     let kernel = kernel_name(function, Version::Called);
     let core = sealed::core(outline, &quote!(self));
-    let called = quote!(#core.#kernel::<{ #runtime::FUSED }>(__x));
+    let called = quote!(#core.#kernel::<__FUSED>(__x));
     let row = match function.beside {
         true => {
             let kernel = kernel_name(function, Version::Beside);
             quote! {
                 if T::REFINES {
-                    #core.#kernel::<{ #runtime::FUSED }>(__x)
+                    #core.#kernel::<__FUSED>(__x)
                 } else {
                     #called
                 }

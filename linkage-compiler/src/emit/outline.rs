@@ -82,6 +82,8 @@ pub(super) struct Function<'a> {
     pub states: Vec<usize>,
     /// Whether there is another program for dimensions, derivatives or digits that tables do not know.
     pub beside: bool,
+    /// Whether a call chooses its instruction set at run time: less work than a call costs is inlined.
+    pub chooses: bool,
     pub fields: Vec<Field<'a>>,
     /// Paragraphs for the docs of the method.
     pub notes: String,
@@ -244,6 +246,7 @@ pub(super) fn function<'a>(def: &'a FunctionDef, fields: Vec<Field<'a>>) -> Func
         positions: Vec::new(),
         states: Vec::new(),
         beside: false,
+        chooses: false,
         fields,
         notes: String::new(),
     }
@@ -295,6 +298,7 @@ fn complete_function<'a>(def: &'a FunctionDef, own: &unit::Function, unit: &Unit
         positions: own.arguments.clone(),
         states: own.states.clone(),
         beside: own.beside.is_some(),
+        chooses: count::is_worth_a_call(&own.called.count),
         ..function(def, fields)
     }
 }

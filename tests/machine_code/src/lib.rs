@@ -8,5 +8,5 @@ mod single;
 mod sweep;
 mod symbols;
 
-pub use single::{Findings, inspect};
+pub use single::{Findings, chosen, inspect};
 pub use sweep::{Loops, Set, loops, sweep};

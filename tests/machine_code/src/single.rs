@@ -6,7 +6,7 @@ use iced_x86::FlowControl;
 
 use crate::arithmetic::{Arithmetic, Operation, is_fused};
 use crate::decode::{Registers, decode, destination, loaded, target, text};
-use crate::library;
+use crate::{library, symbols};
 
 /// What the code of a function does apart from computing.
 #[derive(Clone, Debug, Default)]
@@ -92,4 +92,23 @@ pub fn inspect(entry: *const ()) -> Findings {
         }
     }
     findings
+}
+
+/// The code for a newer instruction set that a function calls where the machine has it.
+pub fn chosen(entry: *const ()) -> Option<*const ()> {
+    let symbol = symbols::at(destination(entry as u64))?;
+    let mut registers = Registers::new();
+    let mut address = symbol.start;
+    while address < symbol.end {
+        let instruction = decode(address);
+        registers.extend(loaded(&instruction));
+        address = instruction.next_ip();
+        if let FlowControl::Call | FlowControl::UnconditionalBranch = instruction.flow_control()
+            && let Some(target) = target(&instruction, &registers).map(destination)
+            && symbols::at(target).is_some_and(|symbol| symbol.name.contains("6single4avx2"))
+        {
+            return Some(target as *const ());
+        }
+    }
+    None
 }

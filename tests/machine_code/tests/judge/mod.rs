@@ -1,7 +1,8 @@
 //! What machine code must be like, and a table of its size (printed with `--nocapture`).
 
+use linkage::__private::{Single, inlined};
 use linkage::{Operations, Structure};
-use linkage_machine_code::{Findings, Loops, Set, inspect, sweep};
+use linkage_machine_code::{Findings, Loops, Set, chosen, inspect, sweep};
 
 /// A test of a mechanism: all its functions, their sweeps over inputs and over mechanisms.
 macro_rules! check {
@@ -14,9 +15,10 @@ macro_rules! check {
             let mut table = crate::judge::head(stringify!($test));
             $({
                 let operations = crate::judge::operations(structure, stringify!($function));
-                let one = check!(@one $assembly, $function $inputs);
+                let [call, own] = check!(@one $assembly, $function $inputs);
                 let looked_up = crate::judge::looked_up(structure);
-                crate::judge::one(&mut table, stringify!($function), one, operations);
+                crate::judge::one(&mut table, stringify!($function), own, operations, false);
+                crate::judge::choice(&mut table, stringify!($function), call, operations);
                 let sweeps: [*const (); _] = check!(@sweeps $mechanism, $assembly, $sweeps $inputs);
                 for entry in sweeps {
                     crate::judge::clones(&mut table, stringify!($function), entry, operations, looked_up);
@@ -27,10 +29,14 @@ macro_rules! check {
     };
     (@one $assembly:path, $function:ident ($($input:ident),*)) => {{
         #[inline(never)]
-        fn one(linkage: &$assembly, $($input: f64),*) -> impl Sized {
+        fn call(linkage: &$assembly, $($input: f64),*) -> impl Sized {
             linkage.$function($($input),*)
         }
-        one as *const ()
+        #[inline(never)]
+        fn own(linkage: &$assembly, $($input: f64),*) -> impl Sized {
+            crate::judge::of_the_build(linkage, [$($input),*], || linkage.$function($($input),*))
+        }
+        [call as *const (), own as *const ()]
     }};
     (@sweeps $mechanism:path, $assembly:path, [$sweep:ident $sets:ident] ($($input:ident),*)) => {{
         #[inline(never)]
@@ -44,6 +50,16 @@ macro_rules! check {
         [sweep as *const (), sets as *const ()]
     }};
     (@sweeps $mechanism:path, $assembly:path, [] ()) => { [] };
+}
+
+/// A function's code for the flags of the build. What `like` would return tells which function it is.
+#[inline(always)]
+pub(crate) fn of_the_build<A: Single<f64, R, I>, R, const I: usize>(
+    assembly: &A,
+    x: [f64; I],
+    _like: impl Fn() -> R,
+) -> R {
+    inlined(assembly, x)
 }
 
 /// Every function of the mechanism must be checked.
@@ -66,11 +82,11 @@ pub(crate) fn looked_up(structure: &Structure) -> bool {
         .any(|group| group.method.starts_with("prepared"))
 }
 
-/// Instructions: of a single call, then of the sweeps over inputs and over mechanisms, each for three instruction sets.
+/// Instructions: of a single call, by the flags of the build and for AVX2, then of the sweeps over inputs and over mechanisms, each for three instruction sets.
 pub(crate) fn head(title: &str) -> String {
     format!(
-        "{title:<24}{:>8}{:>10}{:>8}{:>8}{:>10}{:>8}{:>8}",
-        "single", "sweep", "AVX2", "AVX-512", "sets", "AVX2", "AVX-512"
+        "{title:<24}{:>8}{:>8}{:>10}{:>8}{:>8}{:>10}{:>8}{:>8}",
+        "single", "AVX2", "sweep", "AVX2", "AVX-512", "sets", "AVX2", "AVX-512"
     )
 }
 
@@ -79,10 +95,34 @@ fn divisions(operations: &Operations) -> usize {
     (operations.div + operations.atan2) as usize
 }
 
+/// A call: code for AVX2 is chosen at run time, unless the build has it or there is less to do than a call costs.
+pub(crate) fn choice(table: &mut String, name: &str, entry: *const (), operations: &Operations) {
+    match chosen(entry) {
+        Some(entry) => one(table, name, entry, operations, true),
+        None => {
+            let few = operations.total() <= 12 && operations.sin_cos == 0;
+            assert!(
+                few || cfg!(target_feature = "fma"),
+                "{name} chooses nothing"
+            );
+            *table += &format!("{:>8}", "");
+        }
+    }
+}
+
 /// One position at a time: nothing but arithmetic, as much as is planned.
-pub(crate) fn one(table: &mut String, name: &str, entry: *const (), operations: &Operations) {
+pub(crate) fn one(
+    table: &mut String,
+    name: &str,
+    entry: *const (),
+    operations: &Operations,
+    may_fuse: bool,
+) {
     let found = inspect(entry);
-    *table += &format!("\n{name:<24}{:>8}", found.instructions);
+    *table += &match may_fuse {
+        false => format!("\n{name:<24}{:>8}", found.instructions),
+        true => format!("{:>8}", found.instructions),
+    };
     let judgement = format!("{name}: {found:?}, planned: {operations}");
     let Findings {
         instructions,
@@ -99,7 +139,12 @@ pub(crate) fn one(table: &mut String, name: &str, entry: *const (), operations: 
     assert!(library.is_empty() && calls == 0, "call in {judgement}");
     assert_eq!(divided, divisions(operations), "divisions in {judgement}");
     assert_eq!(roots, operations.sqrt as usize, "roots in {judgement}");
-    assert!(fused == 0 || cfg!(target_feature = "fma"), "{judgement}");
+    let may_fuse = may_fuse || cfg!(target_feature = "fma");
+    assert!(fused == 0 || may_fuse, "{judgement}");
+    assert!(
+        fused > 0 || !may_fuse || operations.sin_cos == 0,
+        "{judgement}"
+    );
     // Unoptimised code would be many times as long.
     let Operations {
         sqrt,
