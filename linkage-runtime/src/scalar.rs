@@ -125,6 +125,13 @@ pub trait Scalar:
         self.sin_cos()
     }
 
+    /// As [`sin_cos_with`](Self::sin_cos_with), to the last bit. With `ROWS` it stands in a loop over many positions that
+    /// becomes vector code, which has other instructions at hand.
+    #[inline(always)]
+    fn sin_cos_in_rows<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
+        self.sin_cos_with::<FUSED>()
+    }
+
     /// As [`atan2`](Self::atan2), for the machines that [`mul_add`](Self::mul_add) speaks of.
     #[inline(always)]
     fn atan2_with<const FUSED: bool>(self, x: Self) -> Self {

@@ -53,6 +53,32 @@ macro_rules! special_values {
                 }
             }
 
+            /// The bits of both numbers; all NaN are one.
+            fn bits((s, c): ($float, $float)) -> [Option<[u8; size_of::<$float>()]>; 2] {
+                [s, c].map(|x| (!x.is_nan()).then(|| x.to_ne_bytes()))
+            }
+
+            #[test]
+            fn the_sine_pair_of_rows_is_that_of_single_numbers_to_the_last_bit() {
+                let special = [
+                    0.0,
+                    -0.0,
+                    $float::MIN_POSITIVE,
+                    $limit,
+                    $float::NAN,
+                    INFINITE,
+                ];
+                let turns = (-4000..4000).map(|k| 0.1 * k as $float);
+                let right_angles = (-40..40).map(|k| k as $float * FRAC_PI_2);
+                let large = (0..40).map(|k| $limit / (1.0 + k as $float));
+                for x in turns.chain(right_angles).chain(large).chain(special) {
+                    let [fused, plain] = sine_pairs(x).map(bits);
+                    assert_eq!(bits(x.sin_cos_in_rows::<true, true>()), fused, "{x:e}");
+                    assert_eq!(bits(x.sin_cos_in_rows::<false, true>()), plain, "{x:e}");
+                    assert_eq!(bits(x.sin_cos_in_rows::<true, false>()), fused, "{x:e}");
+                }
+            }
+
             fn angles(y: $float, x: $float) -> [$float; 2] {
                 [y.atan2_with::<true>(x), y.atan2_with::<false>(x)]
             }

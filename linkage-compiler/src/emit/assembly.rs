@@ -4,6 +4,7 @@ use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::body::Runs;
 use super::docs::doc;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
@@ -216,7 +217,7 @@ impl Types {
 /// A program over all inputs and states of the mechanism, ending in the array of its outputs.
 fn program(outline: &Outline, program: &Program) -> TokenStream {
     let places = Places::all(outline);
-    let statements = body::statements(program, &loader(outline, &places));
+    let statements = body::statements(program, Runs::Once, &loader(outline, &places));
     let outputs = body::outputs(program);
     quote!(#statements #outputs)
 }

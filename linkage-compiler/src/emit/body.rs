@@ -8,9 +8,22 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::literal;
 
+/// How often a program runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Runs {
+    /// For one position.
+    Once,
+    /// For one position, or where `__ROWS` says so for many side by side.
+    InRows,
+}
+
 /// The statements of `program` over the scalar type `T`, where `__FUSED` says whether multiply-adds are fused; `load`
 /// prints where a number comes from.
-pub(super) fn statements(program: &Program, load: &dyn Fn(Source) -> TokenStream) -> TokenStream {
+pub(super) fn statements(
+    program: &Program,
+    runs: Runs,
+    load: &dyn Fn(Source) -> TokenStream,
+) -> TokenStream {
     let read = read(program);
     let long = program.instructions.len() > LONG;
     let mut out = if long {
@@ -31,7 +44,7 @@ pub(super) fn statements(program: &Program, load: &dyn Fn(Source) -> TokenStream
                 quote!(T::from_f64(#x))
             }
             Instruction::Load(source) => load(source),
-            Instruction::Unary(operation, x) => unary(operation, &name(x)),
+            Instruction::Unary(operation, x) => unary(operation, runs, &name(x)),
             Instruction::Binary(operation, a, b) => binary(operation, &name(a), &name(b)),
             Instruction::Ternary(operation, a, b, c) => {
                 ternary(operation, &name(a), &name(b), &name(c))
@@ -39,10 +52,7 @@ pub(super) fn statements(program: &Program, load: &dyn Fn(Source) -> TokenStream
             Instruction::Fused(operation, a, b, c) => {
                 fused(operation, &name(a), &name(b), &name(c))
             }
-            Instruction::SinCos(x) => {
-                let x = name(x);
-                quote!(T::sin_cos_with::<__FUSED>(#x))
-            }
+            Instruction::SinCos(x) => sin_cos(runs, &name(x)),
             // Its pattern stands with what computes it.
             Instruction::Second(_) => continue,
         };
@@ -113,14 +123,28 @@ fn pattern(program: &Program, value: Value, read: &[bool]) -> TokenStream {
     quote!((#sine, #cosine))
 }
 
-fn unary(operation: Unary, x: &Ident) -> TokenStream {
+fn sin_cos(runs: Runs, x: &Ident) -> TokenStream {
+    match runs {
+        Runs::Once => quote!(T::sin_cos_with::<__FUSED>(#x)),
+        Runs::InRows => quote!(T::sin_cos_in_rows::<__FUSED, __ROWS>(#x)),
+    }
+}
+
+fn unary(operation: Unary, runs: Runs, x: &Ident) -> TokenStream {
+    let sin_cos = || sin_cos(runs, x);
     match operation {
         Unary::Neg => quote!(-#x),
         Unary::Abs => quote!(T::abs(#x)),
         Unary::Sqrt => quote!(T::sqrt(#x)),
         // Programs are paired before they are printed; alone they are right all the same.
-        Unary::Sin => quote!(T::sin_cos_with::<__FUSED>(#x).0),
-        Unary::Cos => quote!(T::sin_cos_with::<__FUSED>(#x).1),
+        Unary::Sin => {
+            let pair = sin_cos();
+            quote!(#pair.0)
+        }
+        Unary::Cos => {
+            let pair = sin_cos();
+            quote!(#pair.1)
+        }
         Unary::Tan => quote!(T::tan(#x)),
         Unary::Asin => quote!(T::asin(#x)),
         Unary::Acos => quote!(T::acos(#x)),

@@ -5,6 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::at_word::type_at;
+use super::body::Runs;
 use super::docs::{doc, documented, in_unit, tokens, with_note};
 use super::entries::entries;
 use super::load::{CARRIED, loader};
@@ -184,7 +185,7 @@ pub(super) fn kernel(
             0 => quote!([]),
             _ => quote!(__carried),
         };
-        quote!(let (__carried, [#(#results),*]) = self.#method::<__FUSED>(__x, #before);)
+        quote!(let (__carried, [#(#results),*]) = self.#method::<__FUSED, false>(__x, #before);)
     });
     let mut outputs = vec![TokenStream::new(); function.width()];
     for (index, stage) in stages.iter().enumerate() {
@@ -259,7 +260,7 @@ fn stage(
         .map_or(0, |index| stages[index].carried);
     let method = stage_name(function, index, version);
     let places = function.places(outline);
-    let statements = body::statements(program, &loader(outline, &places));
+    let statements = body::statements(program, Runs::InRows, &loader(outline, &places));
     let (next, finished) = program.outputs.split_at(*carried);
     let [next, finished] = [next, finished].map(|values| {
         let names = values.iter().map(|value| body::name(*value));
@@ -270,7 +271,7 @@ fn stage(
         [places.width(), before, *carried, results.len()].map(literal::index);
     quote! {
         #[inline(always)]
-        fn #method<const __FUSED: ::core::primitive::bool>(
+        fn #method<const __FUSED: ::core::primitive::bool, const __ROWS: ::core::primitive::bool>(
             &self,
             __x: [T; #count],
             [#(#entries),*]: [T; #before],

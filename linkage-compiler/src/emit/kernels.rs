@@ -270,7 +270,7 @@ fn loops(
                 let mut __lane = __start;
                 while __lane < __start + __LANES {
                     let ([#(#next),*], [#(#finished),*]) =
-                        #core.#method::<__FUSED>([#(#inputs),*], [#(#read),*]);
+                        #core.#method::<__FUSED, true>([#(#inputs),*], [#(#read),*]);
                     #(#carry)*
                     #(#finish)*
                     __lane += 1;

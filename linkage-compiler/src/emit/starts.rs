@@ -11,6 +11,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::assembly::Types;
+use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::{Outline, Start};
 use super::{attribute, body, literal};
@@ -160,7 +161,7 @@ fn programs(outline: &Outline, unit: &Unit) -> TokenStream {
     let places = Places::all(outline);
     let program = |kind: &str, number: usize, program: &Program| {
         let method = format_ident!("__{kind}{number}");
-        let statements = body::statements(program, &loader(outline, &places));
+        let statements = body::statements(program, Runs::Once, &loader(outline, &places));
         let outputs = body::outputs(program);
         let count = literal::index(program.outputs.len());
         quote! {

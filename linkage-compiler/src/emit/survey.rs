@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::assembly::Types;
+use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;
 use super::{attribute, body, literal, sealed, winding};
@@ -24,7 +25,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         inputs, arguments, ..
     } = Types::new(outline, unit);
     let places = Places::all(outline);
-    let statements = body::statements(&unit.survey, &loader(outline, &places));
+    let statements = body::statements(&unit.survey, Runs::Once, &loader(outline, &places));
     let outputs = body::outputs(&unit.survey);
     let count = literal::index(unit.survey.outputs.len());
     let x = match outline.starts.is_empty() {

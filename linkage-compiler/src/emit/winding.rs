@@ -6,6 +6,7 @@ use quote::quote;
 
 use super::assembly::Types;
 use super::body;
+use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;
 use super::{attribute, literal, starts};
@@ -183,7 +184,7 @@ fn bearings(outline: &Outline, unit: &Unit) -> (TokenStream, TokenStream) {
 /// A program that ends in pairs, `[[cosine, sine], ...]`.
 fn pairs(outline: &Outline, program: &Program) -> TokenStream {
     let places = Places::all(outline);
-    let statements = body::statements(program, &loader(outline, &places));
+    let statements = body::statements(program, Runs::Once, &loader(outline, &places));
     let pairs = program.outputs.chunks(2).map(|pair| {
         let names = pair.iter().map(|value| body::name(*value));
         quote!([#(#names),*])

@@ -18,12 +18,17 @@ const LIMIT: f64 = f64::from_bits(0x7E10_0000_0000_0000);
 /// Sine and cosine of an angle in radians; NaN for one of 2^30 and above in size. The sine of -0
 /// is 0.
 #[inline(always)]
-pub(crate) fn sin_cos<const FUSED: bool>(x: f64) -> (f64, f64) {
+pub(crate) fn sin_cos<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64) {
     let shifted = mul_add::<FUSED>(x, core::f64::consts::FRAC_2_PI, ROUND);
     let (high, low) = reduce::<FUSED>(x, shifted - ROUND);
     // Zero, or infinity times zero.
     let low = mul_add::<FUSED>(x * LIMIT, 0.0, low);
-    turned::<FUSED>(reduced::<FUSED>(high, low), shifted.to_bits())
+    let pair = reduced::<FUSED>(high, low);
+    if ROWS {
+        swapped(pair, shifted.to_bits())
+    } else {
+        turned::<FUSED>(pair, shifted.to_bits())
+    }
 }
 
 /// `x` less `n` right angles, in two words.
@@ -100,7 +105,8 @@ fn polynomial<const FUSED: bool>(z: f64, z2: f64, c: [f64; 6]) -> f64 {
 }
 
 /// The pair turned by `n` right angles, of which `n` has the low bits: products with 1, -1 and 0, which are exact. All
-/// that depends on `n` is ready before the sines are. (A choice would become a branch in some places.)
+/// that depends on `n` is ready before the sines are, and of a single number nothing goes from the registers of integers to those of
+/// floats behind them. (A choice would become a branch in some places.)
 #[inline(always)]
 fn turned<const FUSED: bool>(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     const ONE: u64 = 1.0_f64.to_bits();
@@ -116,4 +122,19 @@ fn turned<const FUSED: bool>(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
         mul_add::<FUSED>(s, sine, mul_add::<FUSED>(c, cosine, large))
     };
     (turned(even, odd), turned(odd, even))
+}
+
+/// As [`turned`], to the last bit, by the bits of the sines: 13 operations instead of 21, all of them on vectors.
+#[inline(always)]
+fn swapped(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
+    let [[high, s], [base, c]] = pair;
+    let [sine, cosine] = [high + s, base + c].map(f64::to_bits);
+    let odd = (n & 1).wrapping_neg();
+    let differing = (sine ^ cosine) & odd;
+    let sign_of_sine = n >> 1 << 63;
+    let sign_of_cosine = (n ^ n >> 1) << 63;
+    (
+        f64::from_bits(sine ^ differing ^ sign_of_sine),
+        f64::from_bits(cosine ^ differing ^ sign_of_cosine),
+    )
 }

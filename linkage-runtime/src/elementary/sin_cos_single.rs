@@ -13,9 +13,9 @@ use core::f32::consts::FRAC_2_PI;
 const LIMIT: f32 = f32::from_bits(0x7580_0000);
 
 /// Sine and cosine of an angle in radians; NaN for one of 2^20 and above in size. The sine of -0
-/// is 0.
+/// is 0. One way serves single numbers and rows.
 #[inline(always)]
-pub(crate) fn sin_cos<const FUSED: bool>(x: f32) -> (f32, f32) {
+pub(crate) fn sin_cos<const FUSED: bool, const ROWS: bool>(x: f32) -> (f32, f32) {
     if one_rounding::<FUSED>() {
         narrow::<FUSED>(x)
     } else {

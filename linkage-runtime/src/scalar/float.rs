@@ -71,12 +71,17 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                elementary::$functions::sin_cos::<FUSED>(self)
+                elementary::$functions::sin_cos::<FUSED, false>(self)
             }
 
             #[inline(always)]
             fn sin_cos_with<const FUSED: bool>(self) -> (Self, Self) {
-                elementary::$functions::sin_cos::<FUSED>(self)
+                elementary::$functions::sin_cos::<FUSED, false>(self)
+            }
+
+            #[inline(always)]
+            fn sin_cos_in_rows<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
+                elementary::$functions::sin_cos::<FUSED, ROWS>(self)
             }
 
             #[inline(always)]
