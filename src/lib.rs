@@ -121,7 +121,8 @@ pub mod __private {
     pub use linkage_runtime::generated::{Along, Angle, Turns, turns, wind};
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::generated::{
-        Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_slices, one, rows,
+        Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_slices, next_vectors,
+        one, rows,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{

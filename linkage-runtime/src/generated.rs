@@ -34,7 +34,7 @@ pub use starts::{
 #[cfg(feature = "rayon")]
 pub use sweep::fill_parallel;
 #[cfg(feature = "alloc")]
-pub use sweep::{Arguments, Block, Inputs, Kernel, Sets, fill, fill_slices, rows};
+pub use sweep::{Arguments, Block, Inputs, Kernel, Sets, fill, fill_slices, next_vectors, rows};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use sweep::{Extended, States};
 #[cfg(any(feature = "std", feature = "libm"))]

@@ -33,23 +33,23 @@ impl Kernel<f64, 3, 2> for Sum {
         let len = rows(&columns);
         let mut row = 0;
         while row < len {
-            let first = row.min(len - B);
-            let mut block = Block::<f64, B, 3>::filled(0.0);
-            arguments.block::<FUSED, B>(start + first, &mut block.0);
-            let mut sum = Block::<f64, B, 1>::filled(0.0);
-            for lane in 0..B {
+            let first = row.min(len - V);
+            let mut block = Block::<f64, V, 3>::filled(0.0);
+            arguments.block::<FUSED, V, V>(start + first, V, &mut block.0);
+            let mut sum = Block::<f64, V, 1>::filled(0.0);
+            for lane in 0..V {
                 sum.set(0, lane, (0..3).map(|column| block.at(column, lane)).sum());
             }
             sum.write(0, &mut columns, 0, first);
             block.write(2, &mut columns, 1, first);
-            row += B;
+            row += V;
         }
     }
 }
 
 #[test]
 fn rows_become_longer() {
-    for len in [0, 1, 31, 32, 33, 1000] {
+    for len in [0, 1, 7, 8, 9, 31, 32, 33, 41, 1000] {
         let x: Vec<f64> = (0..len).map(f64::from).collect();
         let inner = Inputs {
             title: "sums",

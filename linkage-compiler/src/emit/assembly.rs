@@ -8,7 +8,7 @@ use super::body::Runs;
 use super::docs::doc;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
-use super::{attribute, body, closing, constructors, literal, sealed, starts, winding};
+use super::{attribute, body, closing, constructors, literal, prepare, sealed, starts, winding};
 use crate::unit::Unit;
 
 /// The assembly type and the public functions that make one.
@@ -122,6 +122,7 @@ pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
         closing::close(outline, unit),
     );
     let prepare_body = program(outline, &unit.prepare);
+    let (prepare, preparing) = prepare::for_machine(outline, &types);
     let gaps_body = program(outline, &unit.gaps);
     let allow = attribute::allow();
     quote! {
@@ -148,6 +149,13 @@ pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
                 __turns: &#turns,
             ) -> #prepared { #prepare_body }
 
+            /// As calls compute: what is the same in both is so to the last bit.
+            fn __prepare_for_machine(
+                __m: &#name<T>,
+                __modes: &#modes,
+                __turns: &#turns,
+            ) -> #prepared { #prepare }
+
             fn __gaps<const __FUSED: ::core::primitive::bool>(
                 __m: &#name<T>,
                 __modes: &#modes,
@@ -155,6 +163,8 @@ pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
                 __x: #arguments,
             ) -> #gaps { #gaps_body }
         }
+
+        #preparing
     }
 }
 
@@ -176,7 +186,7 @@ fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
         ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
             Self::__finite(__m)?;
             let __turns: #turns = #turning;
-            let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
             Self::__close(__m, &__modes, &__prepared, __at)?;
             ::core::result::Result::Ok(#made)
         }

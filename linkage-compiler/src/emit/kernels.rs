@@ -82,12 +82,17 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
     let modes = (!used.is_empty()).then(|| quote!(let #core { __modes, __turns, .. } = __core;));
     let prepare = modes.is_some().then(|| {
         quote! {
-            let mut __lane = 0;
-            while __lane < __BLOCK {
-                let __mechanism = #name::__at_lane(&__x, __lane);
-                let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
-                #(#stores)*
-                __lane += 1;
+            let mut __vector = 0;
+            while __vector < __vectors {
+                let __start = __vector * __LANES;
+                let mut __lane = __start;
+                while __lane < __start + __LANES {
+                    let __mechanism = #name::__at_lane(&__x, __lane);
+                    let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
+                    #(#stores)*
+                    __lane += 1;
+                }
+                __vector += 1;
             }
         }
     });
@@ -199,10 +204,12 @@ fn kernel(
                 let __count = #runtime::rows(&__results);
                 let mut __done_rows = 0;
                 while __done_rows < __count {
-                    let __row = ::core::cmp::Ord::min(__done_rows, __count - __BLOCK);
-                    __arguments.block::<__FUSED, __BLOCK>(__first + __row, &mut __x.0);
+                    let __vectors = #runtime::next_vectors::<__LANES, __BLOCK>(__count - __done_rows);
+                    let __rows = __vectors * __LANES;
+                    let __row = ::core::cmp::Ord::min(__done_rows, __count - __rows);
+                    __arguments.block::<__FUSED, __LANES, __BLOCK>(__first + __row, __rows, &mut __x.0);
                     #body
-                    __done_rows = __row + __BLOCK;
+                    __done_rows = __row + __rows;
                 }
             }
         }
@@ -265,8 +272,9 @@ fn loops(
             quote!(#done.write(#k, &mut __results, #result, __row + __start);)
         });
         loops.extend(quote! {
-            let mut __start = 0;
-            while __start < __BLOCK {
+            let mut __vector = 0;
+            while __vector < __vectors {
+                let __start = __vector * __LANES;
                 let mut __lane = __start;
                 while __lane < __start + __LANES {
                     let ([#(#next),*], [#(#finished),*]) =
@@ -276,7 +284,7 @@ fn loops(
                     __lane += 1;
                 }
                 #(#write)*
-                __start += __LANES;
+                __vector += 1;
             }
         });
         carried_before = stage.carried;

@@ -25,6 +25,7 @@ mod load;
 mod mechanism;
 mod outline;
 mod picture;
+mod prepare;
 mod sealed;
 mod shape;
 mod skeleton;

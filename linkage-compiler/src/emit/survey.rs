@@ -126,7 +126,7 @@ fn surveyor(outline: &Outline, unit: &Unit) -> TokenStream {
                 let __modes: #modes = ::core::array::from_fn(|__k| __chosen_modes[__k]);
                 #found
                 let __turns = #turns;
-                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+                let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
                 #made
             }
         }

@@ -49,7 +49,7 @@ pub(super) fn turning(outline: &Outline, unit: &Unit) -> TokenStream {
             ::core::result::Result::Ok(__turns) => __turns,
             ::core::result::Result::Err(__unknown) => {
                 let __turns = #at_estimates;
-                let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+                let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
                 Self::__close(__m, &__modes, &__prepared, #at)?;
                 return ::core::result::Result::Err(#runtime::AssemblyError::NoWinding {
                     mechanism: #title,
@@ -117,7 +117,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
                 &'static ::core::primitive::str,
             > {
                 #runtime::wind(&[#(#table),*], &#bearings, __count, [#(#references),*], __at, |__turns| {
-                    let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, __modes, __turns);
+                    let __prepared = Self::__prepare_for_machine(__m, __modes, __turns);
                     move |__x| Self::__directions::<{ #runtime::FUSED }>(__m, __modes, &__prepared, #argument)
                 })
             }

@@ -7,7 +7,7 @@ mod extended;
 mod instruction_set;
 
 pub use arguments::{Arguments, Inputs, Sets};
-pub use blocks::{Block, rows};
+pub use blocks::{Block, next_vectors, rows};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use extended::{Extended, States};
 
@@ -15,8 +15,8 @@ use crate::{Columns, Scalar};
 
 /// A generated function as the sweeps see it: `I` arguments to `W` numbers, without a branch.
 pub trait Kernel<T, const I: usize, const W: usize> {
-    /// Evaluates the rows of arguments from `start` on, as many as the columns are long, in blocks of `B`, `V` of them
-    /// side by side. There are at least `B`. The last block begins earlier if rows are missing: some rows are then computed
+    /// Evaluates the rows of arguments from `start` on, as many as the columns are long, in blocks of up to `B`, `V` of them
+    /// side by side. There are at least `V`. The last `V` begin earlier if rows are missing: some rows are then computed
     /// twice, every one in the same way. With `FUSED` only on machines with fused multiply-add.
     fn evaluate<const FUSED: bool, const V: usize, const B: usize>(
         &self,

@@ -105,7 +105,7 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
             let __lanes = #runtime::nothing::<#count>(T::LANES);
             let __starts = Self::__starts(&__lanes);
             let __turns: #turns = #at_estimates;
-            let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
             let __x = Self::__extend(&__starts, __at);
             match Self::__close(__m, &__modes, &__prepared, __x) {
                 ::core::result::Result::Err(__error @ #runtime::AssemblyError::CannotClose { .. }) => {
@@ -124,7 +124,7 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
             let __starts = Self::__starts(__lanes);
             let __x = Self::__extend(&__starts, __at);
             let __turns: #turns = #turning;
-            let __prepared = Self::__prepare::<{ #runtime::FUSED }>(__m, &__modes, &__turns);
+            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
             Self::__close(__m, &__modes, &__prepared, __x)?;
             ::core::result::Result::Ok(#made)
         }

@@ -128,7 +128,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
             ) -> ::core::result::Result<#coupled, #runtime::AssemblyError> {
                 let __starts = Self::__starts(::core::slice::from_ref(__prepared_starts));
                 #turns
-                let __prepared = <#assembly<#float>>::__prepare::<{ #runtime::FUSED }>(__m, __modes, &__turns);
+                let __prepared = <#assembly<#float>>::__prepare_for_machine(__m, __modes, &__turns);
                 ::core::result::Result::Ok(#coupled {
                     __number, __m: *__m, __modes: *__modes, __prepared, __starts, __at,
                 })

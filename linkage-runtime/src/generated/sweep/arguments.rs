@@ -11,9 +11,14 @@ pub trait Arguments<T, const I: usize> {
     /// Panics if they are not complete.
     fn check(&self) -> usize;
 
-    /// Fills `B` rows from `start`, argument by argument; rows after the last repeat the last. With `FUSED` only on machines with
-    /// fused multiply-add.
-    fn block<const FUSED: bool, const B: usize>(&self, start: usize, block: &mut [[T; B]; I]);
+    /// Fills the first `rows` of a block from `start`, argument by argument, `V` at a time: there may be more, but no fewer. Rows after the
+    /// last repeat the last. With `FUSED` only on machines with fused multiply-add.
+    fn block<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        start: usize,
+        rows: usize,
+        block: &mut [[T; B]; I],
+    );
 }
 
 /// One slice for each input or argument. A slice with a single element has that value in all rows.
@@ -52,23 +57,40 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
     }
 
     #[inline(always)]
-    fn block<const FUSED: bool, const B: usize>(&self, start: usize, block: &mut [[T; B]; I]) {
+    fn block<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        start: usize,
+        rows: usize,
+        block: &mut [[T; B]; I],
+    ) {
         // A loop over references: closures over arrays are not always inlined.
         for (column, slice) in block.iter_mut().zip(&self.slices) {
             match slice.get(start..).and_then(|rest| rest.first_chunk()) {
                 Some(values) => *column = *values,
-                None => repeat_last(column, slice, start),
+                None => behind_whole_blocks::<T, V>(&mut column[..rows.min(B)], slice, start),
             }
         }
     }
 }
 
-#[inline(never)]
-fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
+/// The last rows, fewer than a block.
+#[inline(always)]
+fn behind_whole_blocks<T: Copy, const V: usize>(column: &mut [T], slice: &[T], start: usize) {
     if let [value] = slice {
         column.fill(*value);
         return;
     }
+    let rest = slice.get(start..).unwrap_or_default();
+    if rest.len() < column.len() {
+        return repeat_last(column, slice, start);
+    }
+    for (rows, values) in column.chunks_exact_mut(V).zip(rest.chunks_exact(V)) {
+        rows.copy_from_slice(values);
+    }
+}
+
+#[inline(never)]
+fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
     for (lane, place) in column.iter_mut().enumerate() {
         *place = slice[(start + lane).min(slice.len() - 1)];
     }
@@ -109,8 +131,13 @@ where
     }
 
     #[inline(always)]
-    fn block<const FUSED: bool, const B: usize>(&self, start: usize, block: &mut [[T; B]; I]) {
-        for lane in 0..B {
+    fn block<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        start: usize,
+        rows: usize,
+        block: &mut [[T; B]; I],
+    ) {
+        for lane in 0..rows.min(B) {
             let index = (start + lane).min(self.sets.len() - 1);
             let mut inputs = [T::from_f64(0.0); N];
             for (input, slice) in inputs.iter_mut().zip(&self.slices) {

@@ -60,12 +60,19 @@ fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
     }
 }
 
-/// Fewer rows than a block: `evaluate` fills one block, its first rows go into the columns.
-pub(super) fn few<T: Scalar, const B: usize, const W: usize>(
+/// How many vectors of `V` rows the next block has, of `left` rows that are still to come: one at least, as many as fill `B` rows at most. The
+/// last one may have rows that are done already.
+#[inline(always)]
+pub fn next_vectors<const V: usize, const B: usize>(left: usize) -> usize {
+    (left / V).clamp(1, B / V)
+}
+
+/// Fewer rows than stand side by side: `evaluate` fills `V`, the first go into the columns.
+pub(super) fn few<T: Scalar, const V: usize, const W: usize>(
     columns: [&mut [T]; W],
     evaluate: impl FnOnce([&mut [T]; W]),
 ) {
-    let mut block = [[T::from_f64(0.0); B]; W];
+    let mut block = [[T::from_f64(0.0); V]; W];
     evaluate(block.each_mut().map(|column| &mut column[..]));
     for (column, values) in columns.into_iter().zip(&block) {
         column.copy_from_slice(&values[..column.len()]);

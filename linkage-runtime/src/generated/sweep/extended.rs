@@ -41,24 +41,33 @@ where
     }
 
     #[inline(always)]
-    fn block<const FUSED: bool, const B: usize>(&self, start: usize, block: &mut [[T; B]; N]) {
+    fn block<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        start: usize,
+        rows: usize,
+        block: &mut [[T; B]; N],
+    ) {
         let Some((inner, states)) = block.split_first_chunk_mut() else {
             return;
         };
-        self.inner.block::<FUSED, B>(start, inner);
+        self.inner.block::<FUSED, V, B>(start, rows, inner);
         let inputs = &inner[self.first..];
         let mut places = [[0.0; B]; P];
         if T::VECTORISES {
-            for lane in 0..B {
-                let found = self.states.locate(row(inputs, lane));
-                for (column, place) in places.iter_mut().zip(found) {
-                    column[lane] = place;
+            let mut first = 0;
+            while first < rows {
+                for lane in first..first + V {
+                    let found = self.states.locate(row(inputs, lane));
+                    for (column, place) in places.iter_mut().zip(found) {
+                        column[lane] = place;
+                    }
                 }
+                first += V;
             }
         }
         // Row by row: across rows, look-ups in tables would become slow gathers. The boxes keep the optimiser from it.
-        let mut rows = [[T::from_f64(0.0); S]; B];
-        for (lane, states) in rows.iter_mut().enumerate() {
+        let mut looked_up = [[T::from_f64(0.0); S]; B];
+        for (lane, states) in looked_up.iter_mut().take(rows).enumerate() {
             let inputs = row(inputs, lane);
             *states = if T::VECTORISES {
                 let places = black_box(row(&places, lane));
@@ -67,9 +76,9 @@ where
                 self.states.whole(inputs)
             };
         }
-        let rows = black_box(&rows);
+        let looked_up = black_box(&looked_up);
         for (index, column) in states.iter_mut().enumerate() {
-            for (argument, row) in column.iter_mut().zip(rows) {
+            for (argument, row) in column.iter_mut().zip(looked_up) {
                 *argument = row[index];
             }
         }
