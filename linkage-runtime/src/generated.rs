@@ -4,6 +4,8 @@ mod close;
 mod sealed;
 mod single;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod settle;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod starts;
 #[cfg(feature = "alloc")]
 mod sweep;

@@ -1,10 +1,10 @@
 //! The same assembly for other dimensions, followed along the straight way to them.
 
+use super::settle::moved;
 use super::{CoupledGroup, CoupledPrograms, Start};
 use crate::circuits::Level;
 use crate::numeric::continuation::{Correction, Grid, Range, Table};
 use crate::numeric::range::first_failure;
-use crate::numeric::roots::Variable;
 use crate::{AssemblyError, Group};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -12,19 +12,6 @@ use alloc::vec::Vec;
 /// The longest step, and one that is too short to go on with, as parts of the way.
 const LONGEST: f64 = 1.0 / 16.0;
 const SHORTEST: f64 = 1e-7;
-
-/// A first correction must not be larger, in radians or scaled lengths.
-const FIRST: f64 = 0.05;
-
-/// Each correction is below this part of the one before, as where Newton's method is certain to find the nearest solution.
-const CONTRACTION: f64 = 0.25;
-
-/// Corrections of a step, at most, and one that leaves rounding only.
-const CORRECTIONS: usize = 8;
-const SETTLED: f64 = 1e-9;
-
-/// Lengths in states are scaled by a power of two, which changes on the way as links grow.
-const SCALES: [f64; 3] = [1.0, 0.5, 2.0];
 
 /// Places on the way at which slacks are looked at before dips between them are.
 const SAMPLES: usize = 64;
@@ -178,11 +165,7 @@ fn step<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
                     .collect();
                 let before = &from.states[number];
                 let sign = from.determinants[number];
-                let found = SCALES.into_iter().find_map(|scale| {
-                    let mut state = scaled(description.variables, before, scale);
-                    let determinant = settle(&mut programs, &x, &mut state, sign)?;
-                    Some((state, determinant))
-                });
+                let found = moved(&mut programs, description.variables, &x, before, sign);
                 let (state, determinant) = found.ok_or(Obstacle::Group(group))?;
                 next.determinants[number] = determinant;
                 starts[number] = here(&mut programs, &x, &state).ok_or(Obstacle::Group(group))?;
@@ -206,41 +189,6 @@ fn step<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
         next.slacks.push(slack);
     }
     Ok(next)
-}
-
-/// A state on another scale of lengths.
-fn scaled(variables: &[Variable], state: &[f64], scale: f64) -> Vec<f64> {
-    let numbers = variables.iter().flat_map(|variable| match variable {
-        Variable::Unit => [1.0; 2].iter(),
-        Variable::Length | Variable::Point | Variable::Conjugate => [0.0; 1].iter(),
-    });
-    let pairs = state.iter().zip(numbers);
-    pairs
-        .map(|(number, &unit)| if unit > 0.0 { *number } else { scale * number })
-        .collect()
-}
-
-/// Corrects a state; the determinant there, which keeps its sign (if it had one).
-fn settle(
-    programs: &mut impl Correction,
-    x: &[f64],
-    state: &mut [f64],
-    before: f64,
-) -> Option<f64> {
-    let mut allowed = FIRST;
-    for _ in 0..CORRECTIONS {
-        let step = programs.correct(x, state);
-        let sound =
-            step.size <= allowed && step.determinant * before >= 0.0 && step.determinant != 0.0;
-        if !sound {
-            return None;
-        }
-        if step.size <= SETTLED {
-            return Some(step.determinant);
-        }
-        allowed = CONTRACTION * step.size;
-    }
-    None
 }
 
 /// What later groups need of a solution: it is prepared at the reference inputs alone.

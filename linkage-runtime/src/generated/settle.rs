@@ -1,0 +1,68 @@
+//! A small step of a coupled group to other dimensions, certified.
+
+use crate::numeric::continuation::Correction;
+use crate::numeric::roots::Variable;
+use alloc::vec::Vec;
+
+/// A first correction must not be larger, in radians or scaled lengths.
+const FIRST: f64 = 0.05;
+
+/// Each correction is below this part of the one before, as where Newton's method is certain to find the nearest solution.
+const CONTRACTION: f64 = 0.25;
+
+/// Corrections of a step, at most, and one that leaves rounding only.
+const CORRECTIONS: usize = 8;
+const SETTLED: f64 = 1e-9;
+
+/// Lengths in states are scaled by a power of two, which changes on the way as links grow.
+const SCALES: [f64; 3] = [1.0, 0.5, 2.0];
+
+/// The state near `before` that solves the equations, and its determinant, which has the sign of `sign` (if that has one).
+pub(super) fn moved(
+    programs: &mut impl Correction,
+    variables: &[Variable],
+    x: &[f64],
+    before: &[f64],
+    sign: f64,
+) -> Option<(Vec<f64>, f64)> {
+    SCALES.into_iter().find_map(|scale| {
+        let mut state = scaled(variables, before, scale);
+        let determinant = settle(programs, x, &mut state, sign)?;
+        Some((state, determinant))
+    })
+}
+
+/// A state on another scale of lengths.
+fn scaled(variables: &[Variable], state: &[f64], scale: f64) -> Vec<f64> {
+    let numbers = variables.iter().flat_map(|variable| match variable {
+        Variable::Unit => [1.0; 2].iter(),
+        Variable::Length | Variable::Point | Variable::Conjugate => [0.0; 1].iter(),
+    });
+    let pairs = state.iter().zip(numbers);
+    pairs
+        .map(|(number, &unit)| if unit > 0.0 { *number } else { scale * number })
+        .collect()
+}
+
+/// Corrects a state; the determinant there, which keeps its sign (if it had one).
+fn settle(
+    programs: &mut impl Correction,
+    x: &[f64],
+    state: &mut [f64],
+    before: f64,
+) -> Option<f64> {
+    let mut allowed = FIRST;
+    for _ in 0..CORRECTIONS {
+        let step = programs.correct(x, state);
+        let sound =
+            step.size <= allowed && step.determinant * before >= 0.0 && step.determinant != 0.0;
+        if !sound {
+            return None;
+        }
+        if step.size <= SETTLED {
+            return Some(step.determinant);
+        }
+        allowed = CONTRACTION * step.size;
+    }
+    None
+}
