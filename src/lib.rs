@@ -115,8 +115,6 @@ pub mod __private {
     pub use linkage_macros::mechanism;
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::Columns;
-    #[cfg(feature = "rayon")]
-    pub use linkage_runtime::generated::fill_parallel;
     #[cfg(any(feature = "std", feature = "libm"))]
     pub use linkage_runtime::generated::{Along, Angle, Turns, turns, wind};
     #[cfg(feature = "alloc")]
@@ -132,9 +130,11 @@ pub mod __private {
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
         Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms,
-        CoupledUnknown, Extended, Range, Start, States, Step, Term, Variable, Wanted, nothing,
-        pairs, placed, put_state, starts, stepped,
+        CoupledUnknown, Extended, Followed, Moving, Range, Start, States, Step, Term, Variable,
+        Wanted, fill_followed, nothing, pairs, placed, put_state, starts, stepped,
     };
+    #[cfg(feature = "rayon")]
+    pub use linkage_runtime::generated::{fill_followed_parallel, fill_parallel};
     pub use linkage_runtime::generated::{
         Sealed, Single, close, explained, finite, inlined, single,
     };

@@ -33,12 +33,12 @@ pub use starts::{
     CoupledUnknown, Start, Wanted, couple, list, nothing, pairs, placed, prepared, prepared_over,
     put_state, starts, stepped,
 };
-#[cfg(feature = "rayon")]
-pub use sweep::fill_parallel;
 #[cfg(feature = "alloc")]
 pub use sweep::{Arguments, Block, Inputs, Kernel, Sets, fill, fill_slices, next_vectors, rows};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use sweep::{Extended, States};
+pub use sweep::{Extended, Followed, Moving, States, fill_followed};
+#[cfg(feature = "rayon")]
+pub use sweep::{fill_followed_parallel, fill_parallel};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use turns::{Along, Angle, Turns, turns, wind};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

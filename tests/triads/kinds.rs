@@ -53,6 +53,9 @@ pub(crate) struct Kind {
     pub(crate) assemblies: fn(&Dimensions, f64) -> Result<Vec<Evaluate>, String>,
     /// The assembly that the estimates choose for the first dimensions, followed to the second ones.
     pub(crate) assemble_from: fn(&Dimensions, &Dimensions) -> Result<Evaluate, AssemblyError>,
+    /// A sweep of the assembly that the estimates choose for the first dimensions over others, each at an input of its own: point and
+    /// direction of the ternary link.
+    pub(crate) sets: fn(&Dimensions, &[Dimensions], &[f64]) -> Vec<[Point; 2]>,
     /// All assemblies over a turn.
     pub(crate) circuits: fn(&Dimensions) -> Result<Circuits<Evaluate>, String>,
 }
@@ -135,6 +138,12 @@ macro_rules! kinds {
                 assemble_from: |from, to| {
                     let first = mechanism(from).assemble()?;
                     mechanism(to).assemble_from(&first).map(evaluate)
+                },
+                sets: |from, sets, phi| {
+                    let first = mechanism(from).assemble().expect("as written");
+                    let sets: Vec<Mechanism> = sets.iter().map(mechanism).collect();
+                    let rows = first.position_sweep_sets(&sets, phi);
+                    rows.iter().map(|row| [row.e1.into(), row.direction.into()]).collect()
                 },
                 circuits: |d| {
                     let found = mechanism(d).circuits().map_err(|why| why.to_string())?;

@@ -17,7 +17,9 @@ mod newton;
 mod pinned;
 mod platforms;
 mod polynomial;
+mod sets;
 mod sweeps;
+mod track;
 mod two_slides;
 mod ways;
 

@@ -3,6 +3,7 @@
 
 mod assemble;
 mod description;
+mod moving;
 mod preparing;
 mod states;
 
@@ -18,6 +19,7 @@ use super::{attribute, body, literal};
 use crate::unit::Unit;
 
 pub(super) use assemble::assemble;
+pub(super) use moving::followed;
 pub(super) use states::{states_name, with_states};
 
 /// The type of all starts.
@@ -52,6 +54,10 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let mut items = lookups(outline);
     items.extend(programs(outline, unit));
     items.extend(preparing::items(outline, unit));
+    // Sets of dimensions need some.
+    if !outline.parameters.is_empty() {
+        items.extend(moving::items(outline, unit));
+    }
     items
 }
 
@@ -164,7 +170,10 @@ fn programs(outline: &Outline, unit: &Unit) -> TokenStream {
         let statements = body::statements(program, Runs::Once, &loader(outline, &places));
         let outputs = body::outputs(program);
         let count = literal::index(program.outputs.len());
+        // Kernels of what is followed run it over rows.
+        let inline = (kind == "correct").then(|| quote!(#[inline(always)]));
         quote! {
+            #inline
             fn #method<const __FUSED: ::core::primitive::bool>(
                 __m: &#name<T>,
                 __modes: &#modes,

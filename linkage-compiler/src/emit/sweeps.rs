@@ -1,5 +1,7 @@
 //! Many positions at once: the sweeps of a function over inputs, and over mechanisms.
 
+mod rows;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -200,17 +202,36 @@ impl Sweeps<'_> {
         let inputs = quote!(#sets: &[#mechanism<T>], #(#arguments: &[T]),*);
         let panics =
             "a slice of inputs has neither one element nor as many as there are mechanisms";
-        let about = "for many mechanisms, each at inputs of its own, or all at one position where a slice has a \
-                     single element. Each is assembled in the modes of this one, and its angles count their turns from \
-                     those of this one; where one cannot be assembled at its position, the results are NaN.";
+        let follow = !self.function.states.is_empty();
+        let followed_from = match follow {
+            true => {
+                " Coupled groups are followed straight from the dimensions of this one, at the position."
+            }
+            false => "",
+        };
+        let about = format!(
+            "for many mechanisms, each at inputs of its own, or all at one position where a slice has a \
+             single element. Each is assembled in the modes of this one, and its angles count their turns from \
+             those of this one; where one cannot be assembled at its position, the results are NaN.{followed_from}"
+        );
         let behind = self.behind(Sweep::SetsInto);
         let rows = self.sets(quote!(__title));
-        let fill = quote!(#runtime::fill(&self.#kernel(), &#rows, #ty::__of_mut(#columns)););
+        let followed = follow.then(|| {
+            let followed = starts::followed(self.outline, self.function);
+            quote!(&#followed,)
+        });
+        let [all, all_parallel] = match follow {
+            true => ["fill_followed", "fill_followed_parallel"],
+            false => ["fill", "fill_parallel"],
+        }
+        .map(|name| format_ident!("{name}"));
+        let fill =
+            quote!(#runtime::#all(&self.#kernel(), &#rows, #followed #ty::__of_mut(#columns)););
         let fill = self.outline.body(fill);
         let [owned, into] = [Sweep::Sets, Sweep::SetsInto].map(|sweep| self.title(sweep));
         let sweep = self.method(
             Sweep::Sets,
-            about,
+            &about,
             panics,
             quote!((&self, #inputs) -> #ty<T>),
             quote! {
@@ -238,7 +259,9 @@ impl Sweeps<'_> {
                 (&self, #inputs, #columns: &mut #ty<T>)
                 where T: ::core::marker::Send + ::core::marker::Sync
             },
-            quote!(#runtime::fill_parallel(&self.#kernel(), &#source, #ty::__of_mut(#columns));),
+            quote! {
+                #runtime::#all_parallel(&self.#kernel(), &#source, #followed #ty::__of_mut(#columns));
+            },
         );
         quote! {
             fn #behind(&self, __title: &'static ::core::primitive::str, #inputs, #columns: &mut #ty<T>) { #fill }
@@ -247,50 +270,5 @@ impl Sweeps<'_> {
             #sweep_into
             #runtime::if_rayon! { #parallel }
         }
-    }
-
-    /// The runtime's `Inputs`.
-    fn inputs(&self, title: TokenStream) -> TokenStream {
-        let runtime = &self.outline.runtime;
-        let arguments = &self.function.arguments;
-        let names = arguments.iter().map(|name| plain(name));
-        let inputs = quote! {
-            #runtime::Inputs {
-                title: #title, names: [#(#names),*], slices: [#(#arguments),*],
-            }
-        };
-        self.extended(inputs, 0)
-    }
-
-    /// Rows of arguments with the states of coupled groups behind them; inputs follow `before` other arguments.
-    fn extended(&self, rows: TokenStream, before: usize) -> TokenStream {
-        if self.function.states.is_empty() {
-            return rows;
-        }
-        let runtime = &self.outline.runtime;
-        let states = starts::states_name(self.outline, self.function);
-        let first = literal::index(before);
-        quote!(#runtime::Extended { inner: #rows, first: #first, states: #states(self) })
-    }
-
-    /// The runtime's `Sets`.
-    fn sets(&self, title: TokenStream) -> TokenStream {
-        let runtime = &self.outline.runtime;
-        let (mechanism, sets) = (self.outline.name, &self.sets);
-        let arguments = &self.function.arguments;
-        let names = arguments.iter().map(|name| plain(name));
-        let fields = self.outline.scalar_fields();
-        let count = literal::index(arguments.len());
-        let inputs = (0..arguments.len()).map(literal::index);
-        let rows = quote! {
-            #runtime::Sets {
-                title: #title,
-                names: [#(#names),*],
-                sets: #sets,
-                slices: [#(#arguments),*],
-                row: |__m: &#mechanism<T>, __x: [T; #count]| [#(__m.#fields,)* #(__x[#inputs]),*],
-            }
-        };
-        self.extended(rows, self.outline.scalar_fields().len())
     }
 }

@@ -5,13 +5,13 @@ use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
 
 /// A first correction must not be larger, in radians or scaled lengths.
-const FIRST: f64 = 0.05;
+pub(super) const FIRST: f64 = 0.05;
 
 /// Each correction is below this part of the one before, as where Newton's method is certain to find the nearest solution.
-const CONTRACTION: f64 = 0.25;
+pub(super) const CONTRACTION: f64 = 0.25;
 
 /// Corrections of a step, at most, and one that leaves rounding only.
-const CORRECTIONS: usize = 8;
+pub(super) const CORRECTIONS: usize = 8;
 const SETTLED: f64 = 1e-9;
 
 /// Lengths in states are scaled by a power of two, which changes on the way as links grow.
@@ -25,15 +25,21 @@ pub(super) fn moved(
     before: &[f64],
     sign: f64,
 ) -> Option<(Vec<f64>, f64)> {
-    SCALES.into_iter().find_map(|scale| {
+    scales(variables).iter().find_map(|&scale| {
         let mut state = scaled(variables, before, scale);
         let determinant = settle(programs, x, &mut state, sign)?;
         Some((state, determinant))
     })
 }
 
+/// The scales of lengths to try: one, if there are none.
+pub(super) fn scales(variables: &[Variable]) -> &'static [f64] {
+    let lengths = variables.iter().any(|variable| *variable != Variable::Unit);
+    if lengths { &SCALES } else { &SCALES[..1] }
+}
+
 /// A state on another scale of lengths.
-fn scaled(variables: &[Variable], state: &[f64], scale: f64) -> Vec<f64> {
+pub(super) fn scaled(variables: &[Variable], state: &[f64], scale: f64) -> Vec<f64> {
     let numbers = variables.iter().flat_map(|variable| match variable {
         Variable::Unit => [1.0; 2].iter(),
         Variable::Length | Variable::Point | Variable::Conjugate => [0.0; 1].iter(),

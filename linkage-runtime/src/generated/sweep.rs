@@ -4,12 +4,18 @@ mod arguments;
 mod blocks;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod extended;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod followed;
 mod instruction_set;
 
 pub use arguments::{Arguments, Inputs, Sets};
 pub use blocks::{Block, next_vectors, rows};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use extended::{Extended, States};
+#[cfg(feature = "rayon")]
+pub use followed::fill_followed_parallel;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use followed::{Followed, Moving, fill_followed};
 
 use crate::{Columns, Scalar};
 
@@ -74,23 +80,25 @@ pub fn fill_parallel<T: Scalar + Send + Sync, const I: usize, const W: usize>(
     columns: &mut Columns<T>,
 ) {
     columns.resize(arguments.check());
-    split(kernel, arguments, 0, columns.all_mut());
+    split(0, columns.all_mut(), &|start, columns| {
+        instruction_set::run(kernel, arguments, start, columns);
+    });
 }
 
 /// Positions that are worth a task of their own, some ten microseconds of work.
 #[cfg(feature = "rayon")]
 const TASK: usize = 2048;
 
+/// Has `evaluate` fill the rows from `start` on, in tasks.
 #[cfg(feature = "rayon")]
-fn split<T: Scalar + Send + Sync, const I: usize, const W: usize>(
-    kernel: &(impl Kernel<T, I, W> + Sync),
-    arguments: &(impl Arguments<T, I> + Sync),
+fn split<T: Send, const W: usize>(
     start: usize,
     columns: [&mut [T]; W],
+    evaluate: &(impl Fn(usize, [&mut [T]; W]) + Sync),
 ) {
     let len = columns.first().map_or(0, |column| column.len());
     if len <= TASK {
-        return instruction_set::run(kernel, arguments, start, columns);
+        return evaluate(start, columns);
     }
     // Halves that begin where a block of positions begins.
     let half = (len / 2).next_multiple_of(TASK / 2);
@@ -105,7 +113,7 @@ fn split<T: Scalar + Send + Sync, const I: usize, const W: usize>(
     });
     let tails = tails.map(Option::unwrap_or_default);
     rayon::join(
-        || split(kernel, arguments, start, heads),
-        || split(kernel, arguments, start + half, tails),
+        || split(start, heads, evaluate),
+        || split(start + half, tails, evaluate),
     );
 }

@@ -20,6 +20,15 @@ impl<T: Scalar, const A: usize, const I: usize> Turns<T, A, I> {
             windings: [[T::from_f64(0.0); I]; A],
         }
     }
+
+    /// Those of one lane.
+    #[must_use]
+    pub fn lane(&self, lane: usize) -> Turns<f64, A, I> {
+        Turns {
+            centres: self.centres.map(|centre| centre.lane(lane)),
+            windings: self.windings.map(|own| own.map(|one| one.lane(lane))),
+        }
+    }
 }
 
 /// An angle to follow.

@@ -1,0 +1,194 @@
+//! The mechanism of sweeps over sets whose coupled groups are followed from its dimensions to others.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::emit::assembly::Types;
+use crate::emit::entries::entries;
+use crate::emit::load::Places;
+use crate::emit::outline::{Function, Outline};
+use crate::emit::{attribute, literal};
+use crate::unit::Unit;
+
+/// The type of the mechanism that changes its dimensions.
+fn moving_name(outline: &Outline) -> Ident {
+    format_ident!("__{}Moving", outline.name)
+}
+
+/// The runtime's `Moving`, and how an assembly begins to move.
+pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let moving = moving_name(outline);
+    let float = quote!(::core::primitive::f64);
+    let Types { modes, .. } = Types::new(outline, unit);
+    let dimensions = outline.scalar_fields().len();
+    let [parameters, angles, inputs, width, groups] = [
+        dimensions,
+        outline.continuous_angles,
+        outline.inputs.len(),
+        dimensions + Places::all(outline).width(),
+        outline.starts.len(),
+    ]
+    .map(literal::index);
+    let kernels = outline
+        .starts
+        .iter()
+        .enumerate()
+        .map(|(number, start)| kernel(outline, number, start.size + 2));
+    let last = outline.starts.len() - 1;
+    let corrections = (0..=last).map(|number| {
+        let kernel = kernel_name(outline, number);
+        let pattern = match number == last {
+            true => quote!(_),
+            false => {
+                let number = literal::index(number);
+                quote!(#number)
+            }
+        };
+        quote!(#pattern => #runtime::fill(&#kernel(self), __rows, __columns),)
+    });
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        struct #moving {
+            __m: #name<#float>,
+            __modes: #modes,
+            __turns: #runtime::Turns<#float, #angles, #inputs>,
+        }
+        #(#kernels)*
+        #allow
+        impl #runtime::Moving<#parameters, #width> for #moving {
+            const GROUPS: &'static [#runtime::CoupledGroup] = {
+                const __GROUPS: &[#runtime::CoupledGroup; #groups] = &#assembly::<#float>::__GROUPS;
+                __GROUPS
+            };
+
+            fn dimensions(&self) -> [#float; #parameters] { #runtime::Dimensions::values(&self.__m) }
+
+            fn correct(
+                &self,
+                __group: ::core::primitive::usize,
+                __rows: &impl #runtime::Arguments<#float, #width>,
+                __columns: &mut #runtime::Columns<#float>,
+            ) {
+                match __group { #(#corrections)* }
+            }
+        }
+        #allow
+        impl<T: #runtime::Scalar> #assembly<T> {
+            /// One lane, where it stands.
+            fn __moving(&self, __lane: ::core::primitive::usize) -> #moving {
+                #moving {
+                    __m: #name::__lane(&self.__core.__mechanism, __lane),
+                    __modes: self.__core.__modes,
+                    __turns: self.__core.__turns.lane(__lane),
+                }
+            }
+        }
+    }
+}
+
+fn kernel_name(outline: &Outline, number: usize) -> Ident {
+    format_ident!("__{}Correct{number}", outline.name)
+}
+
+/// The program that corrects a group, over rows of dimensions and arguments: it has so many outputs.
+fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    let float = quote!(::core::primitive::f64);
+    let size = quote!(::core::primitive::usize);
+    let (kernel, moving) = (kernel_name(outline, number), moving_name(outline));
+    let method = format_ident!("__correct{number}");
+    let dimensions = outline.scalar_fields().len();
+    let own = dimensions..dimensions + Places::all(outline).width();
+    let width = literal::index(own.end);
+    let arguments = own.map(|column| {
+        let column = literal::index(column);
+        quote!(__x.at(#column, __lane))
+    });
+    let found = entries("__found", outputs);
+    let columns = (0..outputs).map(literal::index);
+    let columns: Vec<_> = columns.collect();
+    let outputs = literal::index(outputs);
+    let allow = attribute::allow();
+    quote! {
+        #allow
+        struct #kernel<'a>(&'a #moving);
+        #allow
+        impl #runtime::Kernel<#float, #width, #outputs> for #kernel<'_> {
+            #[inline(always)]
+            fn evaluate<const __FUSED: ::core::primitive::bool, const __LANES: #size, const __BLOCK: #size>(
+                &self,
+                __arguments: &impl #runtime::Arguments<#float, #width>,
+                __first: #size,
+                mut __results: [&mut [#float]; #outputs],
+            ) {
+                let #moving { __modes, __turns, .. } = self.0;
+                let mut __x = #runtime::Block::<#float, __BLOCK, #width>::filled(0.0);
+                let mut __done = #runtime::Block::<#float, __LANES, #outputs>::filled(0.0);
+                let __count = #runtime::rows(&__results);
+                let mut __done_rows = 0;
+                while __done_rows < __count {
+                    let __row = ::core::cmp::Ord::min(__done_rows, __count - __BLOCK);
+                    __arguments.block::<__FUSED, __BLOCK>(__first + __row, &mut __x.0);
+                    let mut __start = 0;
+                    while __start < __BLOCK {
+                        let mut __lane = __start;
+                        while __lane < __start + __LANES {
+                            let __m = #name::<#float>::__at_lane(&__x, __lane);
+                            let __prepared =
+                                #assembly::<#float>::__prepare::<__FUSED>(&__m, __modes, __turns);
+                            let [#(#found),*] = #assembly::<#float>::#method::<__FUSED>(
+                                &__m, __modes, &__prepared, [#(#arguments),*],
+                            );
+                            #(__done.set(#columns, __lane - __start, #found);)*
+                            __lane += 1;
+                        }
+                        #(__done.write(#columns, &mut __results, #columns, __row + __start);)*
+                        __start += __LANES;
+                    }
+                    __done_rows = __row + __BLOCK;
+                }
+            }
+        }
+    }
+}
+
+/// The runtime's `Followed` for a function.
+pub(in crate::emit) fn followed(outline: &Outline, function: &Function) -> TokenStream {
+    let runtime = &outline.runtime;
+    let all = Places::all(outline);
+    let states = function.states.iter().flat_map(|&group| {
+        let first = all.state(group, 0);
+        first..=first + outline.starts[group].size
+    });
+    let dimensions = outline.scalar_fields().len();
+    let places = function.positions.iter().copied().chain(states);
+    let places = places.map(|place| literal::index(dimensions + place));
+    let groups = function.states.iter().map(|&group| {
+        let [number, first, size] = [
+            group,
+            dimensions + all.state(group, 0),
+            outline.starts[group].size,
+        ]
+        .map(literal::index);
+        quote!((#number, #first, #size))
+    });
+    quote! {
+        #runtime::Followed {
+            mechanism: |__lane: ::core::primitive::usize| self.__moving(__lane),
+            places: &[#(#places),*],
+            groups: &[#(#groups),*],
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Where the arguments of sweeps come from.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::Sweeps;
+use crate::emit::outline::plain;
+use crate::emit::{literal, starts};
+
+impl Sweeps<'_> {
+    /// The runtime's `Inputs`.
+    pub(super) fn inputs(&self, title: TokenStream) -> TokenStream {
+        let runtime = &self.outline.runtime;
+        let arguments = &self.function.arguments;
+        let names = arguments.iter().map(|name| plain(name));
+        let inputs = quote! {
+            #runtime::Inputs {
+                title: #title, names: [#(#names),*], slices: [#(#arguments),*],
+            }
+        };
+        self.extended(inputs, 0)
+    }
+
+    /// Rows of arguments with the states of coupled groups behind them; inputs follow `before` other arguments.
+    fn extended(&self, rows: TokenStream, before: usize) -> TokenStream {
+        if self.function.states.is_empty() {
+            return rows;
+        }
+        let runtime = &self.outline.runtime;
+        let states = starts::states_name(self.outline, self.function);
+        let first = literal::index(before);
+        quote!(#runtime::Extended { inner: #rows, first: #first, states: #states(self) })
+    }
+
+    /// The runtime's `Sets`.
+    pub(super) fn sets(&self, title: TokenStream) -> TokenStream {
+        let runtime = &self.outline.runtime;
+        let (mechanism, sets) = (self.outline.name, &self.sets);
+        let arguments = &self.function.arguments;
+        let names = arguments.iter().map(|name| plain(name));
+        let fields = self.outline.scalar_fields();
+        let count = literal::index(arguments.len());
+        let inputs = (0..arguments.len()).map(literal::index);
+        let rows = quote! {
+            #runtime::Sets {
+                title: #title,
+                names: [#(#names),*],
+                sets: #sets,
+                slices: [#(#arguments),*],
+                row: |__m: &#mechanism<T>, __x: [T; #count]| [#(__m.#fields,)* #(__x[#inputs]),*],
+            }
+        };
+        self.extended(rows, self.outline.scalar_fields().len())
+    }
+}

@@ -1,0 +1,202 @@
+//! Mechanisms too far from the one of the tables for the steps of a kernel: the states of their coupled groups are followed.
+
+mod travel;
+
+use super::instruction_set::run;
+use super::{Arguments, Kernel, rows};
+use crate::{Columns, FUSED, Scalar};
+use alloc::vec::Vec;
+use travel::{Place, Rows, Traveller, travel};
+
+pub use travel::Moving;
+
+/// Rows that are followed together: enough for vectors of rows, few enough for the processor's cache.
+const TOGETHER: usize = 256;
+
+/// A function's part of a mechanism that is followed.
+#[derive(Clone, Copy, Debug)]
+pub struct Followed<F, const P: usize> {
+    /// The mechanism of a lane, a [`Moving`].
+    pub mechanism: F,
+    /// Where inputs, states and floors of the function's rows stand in those of the mechanism; dimensions stand first in both.
+    pub places: &'static [usize],
+    /// The groups that the function uses, each with the first place and the size of its state.
+    pub groups: &'static [(usize, usize, usize)],
+}
+
+impl<F, const P: usize> Followed<F, P> {
+    /// Evaluates rows that are not a number anew, with followed states.
+    fn complete<T, M, const R: usize, const I: usize, const W: usize>(
+        &self,
+        kernel: &impl Kernel<T, I, W>,
+        arguments: &impl Arguments<T, I>,
+        start: usize,
+        columns: &mut [&mut [T]; W],
+    ) where
+        T: Scalar,
+        M: Moving<P, R>,
+        F: Fn(usize) -> M,
+    {
+        let mut numbers = Vec::new();
+        let count = rows(columns);
+        for number in 0..count {
+            if (0..T::LANES).any(|lane| is_missing(columns, number, lane)) {
+                numbers.push(number);
+            }
+            if numbers.len() == TOGETHER || number + 1 == count {
+                self.anew(kernel, arguments, start, &numbers, columns);
+                numbers.clear();
+            }
+        }
+    }
+
+    /// Evaluates some rows with followed states; where the way is blocked they stay as they are.
+    fn anew<T, M, const R: usize, const I: usize, const W: usize>(
+        &self,
+        kernel: &impl Kernel<T, I, W>,
+        arguments: &impl Arguments<T, I>,
+        start: usize,
+        numbers: &[usize],
+        columns: &mut [&mut [T]; W],
+    ) where
+        T: Scalar,
+        M: Moving<P, R>,
+        F: Fn(usize) -> M,
+    {
+        let groups = self.groups.iter();
+        let groups = groups.map(|&(number, first, size)| Place {
+            number,
+            first,
+            size,
+        });
+        let groups: Vec<Place> = groups.collect();
+        let one = |&number: &usize| one_row(arguments, start + number);
+        let mut all: Vec<[T; I]> = numbers.iter().map(one).collect();
+        for lane in 0..T::LANES {
+            let mechanism = (self.mechanism)(lane);
+            let from = mechanism.dimensions();
+            let pairs = numbers.iter().zip(&mut all);
+            let missing = pairs.filter(|&(&number, _)| is_missing(columns, number, lane));
+            let mut missing: Vec<&mut [T; I]> = missing.map(|(_, row)| row).collect();
+            let travellers = missing.iter();
+            let travellers =
+                travellers.map(|row| Traveller::new(from, self.whole(row, lane), &groups));
+            let mut travellers: Vec<Traveller<P, R>> = travellers.collect();
+            travel(&mechanism, &groups, &mut travellers);
+            for (row, traveller) in missing.iter_mut().zip(&travellers) {
+                if let Some(there) = traveller.arrived() {
+                    self.put(row, lane, there);
+                }
+            }
+        }
+        let mut found = Columns::new(W, numbers.len());
+        run(kernel, &Rows(&all), 0, found.all_mut());
+        for (index, column) in columns.iter_mut().enumerate() {
+            for (&number, &value) in numbers.iter().zip(found.column(index)) {
+                column[number] = value;
+            }
+        }
+    }
+
+    /// One lane of a function's row as a row of the mechanism; NaN where the function has nothing.
+    fn whole<T: Scalar, const R: usize, const I: usize>(
+        &self,
+        row: &[T; I],
+        lane: usize,
+    ) -> [f64; R] {
+        let mut whole = [f64::NAN; R];
+        let places = (0..P).chain(self.places.iter().copied());
+        for (place, value) in places.zip(row) {
+            whole[place] = value.lane(lane);
+        }
+        whole
+    }
+
+    /// Puts states into one lane of a function's row.
+    fn put<T: Scalar, const R: usize, const I: usize>(
+        &self,
+        row: &mut [T; I],
+        lane: usize,
+        whole: &[f64; R],
+    ) {
+        for (&place, value) in self.places.iter().zip(&mut row[P..]) {
+            *value = T::from_lanes(|other| match other == lane {
+                true => whole[place],
+                false => value.lane(other),
+            });
+        }
+    }
+}
+
+/// Whether a result is no number.
+fn is_missing<T: Scalar>(columns: &[&mut [T]], row: usize, lane: usize) -> bool {
+    columns.iter().any(|column| column[row].lane(lane).is_nan())
+}
+
+fn one_row<T: Scalar, const I: usize>(arguments: &impl Arguments<T, I>, number: usize) -> [T; I] {
+    let mut row = [[T::from_f64(0.0)]; I];
+    arguments.block::<{ FUSED }, 1>(number, &mut row);
+    row.map(|[value]| value)
+}
+
+/// As [`fill`](super::fill); where results are not a number, the states of coupled groups are followed to the dimensions of the row.
+///
+/// # Panics
+///
+/// Panics if the arguments differ in length.
+pub fn fill_followed<T, M, F, const P: usize, const R: usize, const I: usize, const W: usize>(
+    kernel: &impl Kernel<T, I, W>,
+    arguments: &impl Arguments<T, I>,
+    followed: &Followed<F, P>,
+    columns: &mut Columns<T>,
+) where
+    T: Scalar,
+    M: Moving<P, R>,
+    F: Fn(usize) -> M,
+{
+    columns.resize(arguments.check());
+    let mut columns = columns.all_mut();
+    run(
+        kernel,
+        arguments,
+        0,
+        columns.each_mut().map(|column| &mut **column),
+    );
+    followed.complete(kernel, arguments, 0, &mut columns);
+}
+
+/// As [`fill_followed`], on all threads of rayon's current pool.
+///
+/// # Panics
+///
+/// Panics if the arguments differ in length.
+#[cfg(feature = "rayon")]
+pub fn fill_followed_parallel<
+    T,
+    M,
+    F,
+    const P: usize,
+    const R: usize,
+    const I: usize,
+    const W: usize,
+>(
+    kernel: &(impl Kernel<T, I, W> + Sync),
+    arguments: &(impl Arguments<T, I> + Sync),
+    followed: &Followed<F, P>,
+    columns: &mut Columns<T>,
+) where
+    T: Scalar + Send + Sync,
+    M: Moving<P, R>,
+    F: Fn(usize) -> M + Sync,
+{
+    columns.resize(arguments.check());
+    super::split(0, columns.all_mut(), &|start, mut columns| {
+        run(
+            kernel,
+            arguments,
+            start,
+            columns.each_mut().map(|column| &mut **column),
+        );
+        followed.complete(kernel, arguments, start, &mut columns);
+    });
+}
