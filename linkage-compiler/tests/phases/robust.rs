@@ -1,13 +1,17 @@
 //! No input makes the compiler panic; its output is always Rust, and the same for the same input.
 
+mod traps;
+
 use std::fs;
-use std::panic::catch_unwind;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use linkage_compiler::compile;
 use linkage_random::Random;
-use proc_macro2::{Group, Literal, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Literal, TokenStream, TokenTree};
 use quote::quote;
+
+use traps::TRAPS;
 
 const SAMPLES: [&str; 6] = [
     "crank_rocker",
@@ -18,7 +22,7 @@ const SAMPLES: [&str; 6] = [
     "forces",
 ];
 
-/// Mutations of all samples together; `ROBUST_COUNT=100000` in the environment takes more.
+/// Mutations of the samples, and of the traps; `ROBUST_COUNT=100000` in the environment takes more.
 const COUNT: usize = 500;
 
 fn read(name: &str) -> TokenStream {
@@ -37,7 +41,7 @@ fn collect(tokens: TokenStream, all: &mut Vec<TokenTree>) {
     }
 }
 
-/// Deletes, doubles, swaps or replaces tokens, or changes a number, at one level.
+/// Deletes, doubles, swaps or replaces tokens, changes a number, or wraps a token as macros do that hand it on, at one level.
 fn mutate(tokens: TokenStream, pool: &[TokenTree], random: &mut Random) -> TokenStream {
     let mut tokens: Vec<TokenTree> = tokens.into_iter().collect();
     if tokens.is_empty() {
@@ -61,8 +65,12 @@ fn mutate(tokens: TokenStream, pool: &[TokenTree], random: &mut Random) -> Token
         return tokens.into_iter().collect();
     }
     let other = random.below(tokens.len());
-    match random.below(4) {
+    match random.below(5) {
         0 => drop(tokens.remove(place)),
+        4 => {
+            let inner = TokenStream::from(tokens[place].clone());
+            tokens[place] = Group::new(Delimiter::None, inner).into();
+        }
         1 => tokens.insert(place, tokens[place].clone()),
         2 => tokens.swap(place, other),
         _ => tokens[place] = pool[random.below(pool.len())].clone(),
@@ -93,10 +101,8 @@ fn other_number(literal: &Literal, random: &mut Random) -> Literal {
         .unwrap_or_else(|_| literal.clone())
 }
 
-#[test]
-fn mutated_mechanisms_compile_to_something() {
-    let mut random = Random::new(0x2545_f491_4f6c_dd1d);
-    let samples = SAMPLES.map(read);
+/// Compiles mutations of samples in turn, each in a moment: how many are accepted, and how many refused.
+fn compile_mutations(samples: &[TokenStream], random: &mut Random) -> [usize; 2] {
     let mut pool = Vec::new();
     samples
         .iter()
@@ -104,17 +110,15 @@ fn mutated_mechanisms_compile_to_something() {
     let wanted = std::env::var("ROBUST_COUNT")
         .ok()
         .and_then(|text| text.parse().ok());
-    let (mut accepted, mut refused) = (0, 0);
+    let [mut accepted, mut refused] = [0; 2];
     for round in 0..wanted.unwrap_or(COUNT) {
         let mut tokens = samples[round % samples.len()].clone();
         for _ in 0..1 + random.below(3) {
-            tokens = mutate(tokens, &pool, &mut random);
+            tokens = mutate(tokens, &pool, random);
         }
         let text = tokens.to_string();
-        let output = catch_unwind(|| {
-            let tokens: TokenStream = text.parse().expect("it was made of tokens");
-            compile(quote!([::linkage] #tokens)).to_string()
-        });
+        let compiled = || compile(quote!([::linkage] #tokens)).to_string();
+        let output = catch_unwind(AssertUnwindSafe(compiled));
         let output = output.unwrap_or_else(|_| panic!("round {round} panics:\n{text}"));
         if let Err(error) = syn::parse_str::<syn::File>(&output) {
             panic!("round {round}: {error}\n{text}\n{output}");
@@ -125,8 +129,26 @@ fn mutated_mechanisms_compile_to_something() {
         }
     }
     println!("{accepted} accepted, {refused} refused");
+    [accepted, refused]
+}
+
+#[test]
+fn mutated_mechanisms_compile_to_something() {
+    let mut random = Random::new(0x2545_f491_4f6c_dd1d);
+    let [accepted, refused] = compile_mutations(&SAMPLES.map(read), &mut random);
     assert!(
         accepted > 0 && refused > accepted / 10,
+        "the mutations are of both sorts"
+    );
+}
+
+#[test]
+fn mutated_traps_compile_to_something() {
+    let mut random = Random::new(16);
+    let traps = TRAPS.map(|text| text.parse().expect("it is made of tokens"));
+    let [accepted, refused] = compile_mutations(&traps, &mut random);
+    assert!(
+        accepted > refused / 50 && refused > accepted / 10,
         "the mutations are of both sorts"
     );
 }
