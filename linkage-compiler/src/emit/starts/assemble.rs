@@ -60,6 +60,7 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
         ) -> ::core::result::Result<#runtime::Vec<Self>, #runtime::AssemblyError> {
             Self::__finite(__m)?;
             let mut __found = #runtime::Vec::new();
+            let mut __missed = ::core::option::Option::None;
             let __all = Self::__on_lane(__m, __modes, __at, 0, #runtime::Wanted::All);
             let __all = match __all {
                 ::core::result::Result::Ok(__all) => __all,
@@ -76,9 +77,21 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
                     )?;
                     ::core::iter::Extend::extend(&mut __lanes, __next);
                 }
-                __found.push(Self::__with_starts(__m, __modes, __at, &__lanes)?);
+                match Self::__with_starts(__m, __modes, __at, &__lanes) {
+                    ::core::result::Result::Ok(__assembly) => __found.push(__assembly),
+                    // Others may let closed forms behind the coupled groups close.
+                    ::core::result::Result::Err(__error @ #runtime::AssemblyError::CannotClose { .. }) => {
+                        __missed = ::core::option::Option::Some(__error);
+                    }
+                    ::core::result::Result::Err(__error) => return ::core::result::Result::Err(__error),
+                }
             }
-            ::core::result::Result::Ok(__found)
+            match __missed {
+                ::core::option::Option::Some(__error) if __found.is_empty() => {
+                    ::core::result::Result::Err(__error)
+                }
+                _ => ::core::result::Result::Ok(__found),
+            }
         }
 
         /// What is prepared of the coupled groups in one lane, for the wanted assemblies.
