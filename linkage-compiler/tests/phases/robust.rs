@@ -67,7 +67,7 @@ fn mutate(tokens: TokenStream, pool: &[TokenTree], random: &mut Random) -> Token
     let other = random.below(tokens.len());
     match random.below(5) {
         0 => drop(tokens.remove(place)),
-        4 => {
+        4 if !passes_through(&tokens[place]) => {
             let inner = TokenStream::from(tokens[place].clone());
             tokens[place] = Group::new(Delimiter::None, inner).into();
         }
@@ -148,7 +148,7 @@ fn mutated_traps_compile_to_something() {
     let traps = TRAPS.map(|text| text.parse().expect("it is made of tokens"));
     let [accepted, refused] = compile_mutations(&traps, &mut random);
     assert!(
-        accepted > refused / 50 && refused > accepted / 10,
+        accepted > 0 && refused > accepted / 10,
         "the mutations are of both sorts"
     );
 }
