@@ -177,11 +177,13 @@ impl<const P: usize, const R: usize> Traveller<P, R> {
     ) {
         let place = places[at];
         let (size, determinant) = (Scalar::sqrt(output(place.size)), output(place.size + 1));
-        let sound = determinant * self.here[place.floor()] > 0.0 && self.corrections < CORRECTIONS;
+        let sound = size <= self.allowed
+            && determinant * self.here[place.floor()] > 0.0
+            && self.corrections < CORRECTIONS;
         if self.corrections == 0 {
             self.first = self.first.max(size);
         }
-        if !sound || !(size <= self.allowed) {
+        if !sound {
             return self.refuse(places, at, group);
         }
         for (k, number) in self.next[place.first..place.floor()].iter_mut().enumerate() {
