@@ -1,7 +1,7 @@
 //! `assemble_from`: the assembly that a straight way leads to, against poses that are found at many places of the way in another manner.
 
-use crate::kinds::{self, Dimensions};
-use crate::legs::{Pose, poses};
+use crate::kinds;
+use crate::track::{apart, pose, track};
 use linkage::AssemblyError;
 use linkage_random::Random;
 
@@ -11,44 +11,11 @@ const WAYS: usize = 60;
 /// By how much of themselves dimensions change.
 const PARTS: [f64; 2] = [0.2, 0.5];
 
-/// Places of a way at which all poses are found.
-const PLACES: usize = 1000;
-
-/// A pose that has moved by more from one place to the next is another one: millimetres, and a hundred for a radian.
-const JUMP: f64 = 2.0;
-
 /// The reference input.
 const PHI: f64 = 30.0 / 180.0 * std::f64::consts::PI;
 
-fn between(from: &Dimensions, to: &Dimensions, share: f64) -> Dimensions {
+fn mixed<const N: usize>(from: &[f64; N], to: &[f64; N], share: f64) -> [f64; N] {
     std::array::from_fn(|k| from[k] + share * (to[k] - from[k]))
-}
-
-fn apart(one: &Pose, other: &Pose) -> f64 {
-    let turned = 2.0 * ((one.theta - other.theta) / 2.0).sin().abs();
-    (one.x - other.x).hypot(one.y - other.y) + 100.0 * turned
-}
-
-/// Where a pose is at the end of the way, or the share of it where it is lost. `None` where it cannot be told.
-fn track(
-    kind: &kinds::Kind,
-    from: &Dimensions,
-    to: &Dimensions,
-    start: Pose,
-) -> Option<Result<Pose, f64>> {
-    let mut pose = start;
-    for place in 0..=PLACES {
-        let share = place as f64 / PLACES as f64;
-        let all = poses(&kind.legs(&between(from, to, share), PHI))?;
-        let next = all
-            .into_iter()
-            .min_by(|a, b| apart(a, &pose).total_cmp(&apart(b, &pose)));
-        match next {
-            Some(next) if apart(&next, &pose) < JUMP => pose = next,
-            _ => return Some(Err(share)),
-        }
-    }
-    Some(Ok(pose))
 }
 
 #[test]
@@ -64,41 +31,27 @@ fn the_assembly_is_the_one_that_the_way_leads_to() {
         let part = PARTS[number / kinds::KINDS.len() % 2];
         let to = random.near(from, part);
         let first = (kind.assemble)(&from).expect("as written")(PHI);
-        let [c, s] = first.direction;
-        let [x, y] = first.point;
-        let start = Pose {
-            x,
-            y,
-            theta: s.atan2(c),
-        };
-        let Some(known) = track(kind, &from, &to, start) else {
-            continue;
-        };
+        let start = pose(first.point, first.direction);
+        let known = track(start, |share| kind.legs(&mixed(&from, &to, share), PHI));
         let context = || format!("{}: {to:?}", kind.name);
         match ((kind.assemble_from)(&from, &to), known) {
-            (Ok(found), Ok(pose)) => {
+            (Ok(found), Ok(known)) => {
                 let found = found(PHI);
-                let [c, s] = found.direction;
-                let [x, y] = found.point;
-                let found = Pose {
-                    x,
-                    y,
-                    theta: s.atan2(c),
-                };
+                let found = pose(found.point, found.direction);
                 assert!(
-                    apart(&found, &pose) < 1e-6,
-                    "{found:?}, not {pose:?}: {}",
+                    apart(&found, &known) < 1e-6,
+                    "{found:?}, not {known:?}: {}",
                     context()
                 );
                 reached += 1;
                 // What the estimates choose may be another one.
                 let chosen = (kind.assemble)(&to).map(|chosen| chosen(PHI).point);
                 changed +=
-                    usize::from(chosen.is_ok_and(|[x, y]| (x - pose.x).hypot(y - pose.y) > 1e-6));
+                    usize::from(chosen.is_ok_and(|[x, y]| (x - known.x).hypot(y - known.y) > 1e-6));
             }
             (Err(AssemblyError::Blocked { share, .. }), Err(lost)) => {
                 assert!(
-                    (share - lost).abs() < 0.01,
+                    (share - lost).abs() < 1e-4,
                     "{share}, not {lost}: {}",
                     context()
                 );

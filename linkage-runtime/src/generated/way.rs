@@ -103,20 +103,69 @@ pub fn follow_way<W: Way>(way: &W, states: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>
         determinants: unknown,
         slacks: Vec::new(),
     };
-    let mut last = step(way, &start, 0.0).map_err(|obstacle| blocked(0.0, obstacle))?;
-    let mut length = if last.states.is_empty() { 1.0 } else { LONGEST };
-    while last.share < 1.0 {
-        let share = (last.share + length).min(1.0);
-        match step(way, &last, share) {
+    let first = step(way, &start, 0.0).map_err(|obstacle| blocked(0.0, obstacle))?;
+    if first.states.is_empty() {
+        return Ok(first.states);
+    }
+    let (mut places, obstacle) = walk(way, first);
+    if let Some((share, group)) = first_dip(way, &places) {
+        return Err(blocked(share, Obstacle::Group(group)));
+    }
+    let last = places.remove(places.len() - 1);
+    match obstacle {
+        Some(obstacle) => Err(blocked(last.share, obstacle)),
+        None => Ok(last.states),
+    }
+}
+
+/// The places from the first one to the end of the way, or to an obstacle.
+fn walk<W: Way>(way: &W, first: Place) -> (Vec<Place>, Option<Obstacle>) {
+    let mut places = vec![first];
+    let mut length = LONGEST;
+    while let last = &places[places.len() - 1]
+        && last.share < 1.0
+    {
+        match step(way, last, (last.share + length).min(1.0)) {
             Ok(next) => {
-                last = next;
+                places.push(next);
                 length = (2.0 * length).min(LONGEST);
             }
-            Err(obstacle) if length < SHORTEST => return Err(blocked(last.share, obstacle)),
+            Err(obstacle) if length < SHORTEST => return (places, Some(obstacle)),
             Err(_) => length *= 0.5,
         }
     }
-    Ok(last.states)
+    (places, None)
+}
+
+/// The first place between others where a group behind a coupled one comes apart, and the group.
+fn first_dip<W: Way>(way: &W, places: &[Place]) -> Option<(f64, usize)> {
+    let coupled = |group: &usize| matches!(W::LEVELS[*group], Level::Coupled(_));
+    let behind = (0..W::LEVELS.len()).skip_while(|group| !coupled(group));
+    let behind: Vec<usize> = behind.filter(|group| !coupled(group)).collect();
+    let (first, last) = (places.first()?, places.last()?);
+    if behind.is_empty() {
+        return None;
+    }
+    // The groups, by how much of its slack each has, the least first.
+    let least = |share: f64| -> (f64, usize) {
+        let nearest = places.partition_point(|place| place.share <= share).max(1) - 1;
+        let there = reach(way, &places[nearest], share);
+        let part = |&group: &usize| match &there {
+            Ok(there) => there.slacks[group] / first.slacks[group],
+            Err(_) => f64::NAN,
+        };
+        let parts = behind.iter().map(|group| (part(group), *group));
+        // NaN first, which nothing is less than.
+        parts.fold((f64::INFINITY, 0), |least, own| {
+            if own.0 >= least.0 || least.0.is_nan() {
+                least
+            } else {
+                own
+            }
+        })
+    };
+    let end = first_failure(0.0, last.share, 0.0, SAMPLES, |share| least(share).0)?;
+    Some((end.at, least(end.at).1))
 }
 
 /// The first place where a group that no coupled one stands before comes apart, and the group.
@@ -142,8 +191,25 @@ fn first_end<W: Way>(way: &W) -> Option<(f64, usize)> {
     ends.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// The place at another share of the way, if one step leads there.
+/// The place at another share of the way, if one step leads there and all groups are assembled.
 fn step<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
+    let next = reach(way, from, share)?;
+    for (group, level) in W::LEVELS.iter().enumerate() {
+        let slack = next.slacks[group];
+        let works = match (level, from.slacks.get(group)) {
+            (Level::Single, Some(before)) => before * slack > 0.0,
+            (Level::Single, None) => true,
+            (Level::Modes(_) | Level::Coupled(_), _) => slack > 0.0,
+        };
+        if !works {
+            return Err(Obstacle::Group(group));
+        }
+    }
+    Ok(next)
+}
+
+/// The place at another share of the way, if one step of the coupled groups leads there. Other groups may have come apart.
+fn reach<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
     let mut next = Place {
         share,
         states: from.states.clone(),
@@ -174,18 +240,6 @@ fn step<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
             }
             Level::Modes(_) | Level::Single => way.survey(share, &starts).as_ref()[1 + group],
         };
-        let before = from.slacks.get(group).copied();
-        let works = match *level {
-            Level::Single => before.is_none_or(|before| before * slack > 0.0),
-            Level::Modes(_) | Level::Coupled(_) => slack > 0.0,
-        };
-        // A slack that falls to less than half may have been below zero between.
-        let falls = before.is_some_and(|before| {
-            slack.abs() < 0.5 * before.abs() && share - from.share > LONGEST / 64.0
-        });
-        if !works || falls {
-            return Err(Obstacle::Group(group));
-        }
         next.slacks.push(slack);
     }
     Ok(next)
