@@ -19,51 +19,57 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         .inputs
         .iter()
         .map(|input| literal::float(input.reference));
-    let at = quote!([#(#at),*]);
+    let at = quote!([#(T::from_f64(#at)),*]);
+    let core = sealed::core(outline, &quote!(__assembly));
+    let modes = quote!(#core.__modes);
     if unit.groups.is_empty() {
-        let core = sealed::core(outline, &quote!(__assembly));
-        let body = quote!(#assembly::__assemble(self, #core.__modes, #at));
-        return method(outline, body);
+        return method(outline, quote!(#assembly::__assemble(self, #modes, #at)));
     }
     let way = way(outline, unit);
     let float = quote!(::core::primitive::f64);
-    let explained = |result: TokenStream| explained(outline, &float, &result);
+    let explained = |result: TokenStream| explained(outline, &quote!(T), &result);
     let body = match outline.starts.is_empty() {
         true => {
-            let assembled = explained(quote!(#assembly::__assemble(self, __way.modes, __way.at)));
+            let assembled = explained(quote!(#assembly::__assemble(self, #modes, #at)));
             quote! {
                 #way
                 #assembly::__finite(self)?;
-                #runtime::follow_way(&__way, #runtime::Vec::new())?;
+                for __lane in 0..T::LANES {
+                    #runtime::follow_way(&__way(__lane), #runtime::Vec::new())?;
+                }
                 #assembled
             }
         }
         false => {
             let assembled = explained(quote! {
-                #assembly::__with_starts(self, __way.modes, __way.at, ::core::slice::from_ref(&__lane))
+                #assembly::__with_starts(self, #modes, #at, &__lanes)
             });
             let prepared = sealed::starts(outline, &quote!(__assembly));
             let places = Places::all(outline);
             let states = outline.starts.iter().enumerate().map(|(number, start)| {
                 let first = places.state(number, 0);
-                let [first, end] = [first, first + start.size].map(literal::index);
-                quote!(__x[#first..#end].to_vec())
+                let numbers = (first..first + start.size).map(literal::index);
+                quote!(#runtime::Vec::from([#(T::lane(__x[#numbers], __lane)),*]))
             });
             quote! {
                 #way
                 #assembly::__finite(self)?;
-                let __x = #assembly::<#float>::__extend(#prepared, __way.at);
-                let mut __states = #runtime::Vec::new();
-                #(__states.push(#states);)*
-                let __states = #runtime::follow_way(&__way, __states)?;
-                let __lane = #runtime::prepared_over(
-                    &#assembly::<#float>::__GROUPS,
-                    &__way.at,
-                    &__states,
-                    |__number, __starts| {
-                        #assembly::<#float>::__coupled(self, &__way.modes, __way.at, __number, __starts)
-                    },
-                )?;
+                let __x = #assembly::<T>::__extend(#prepared, #at);
+                let mut __lanes = #runtime::Vec::new();
+                for __lane in 0..T::LANES {
+                    let __way = __way(__lane);
+                    let __states = #runtime::follow_way(&__way, #runtime::Vec::from([#(#states),*]))?;
+                    __lanes.push(#runtime::prepared_over(
+                        &#assembly::<#float>::__GROUPS,
+                        &__way.at,
+                        &__states,
+                        |__number, __starts| {
+                            #assembly::<#float>::__coupled(
+                                &__way.mechanism(1.0), &__way.modes, __way.at, __number, __starts,
+                            )
+                        },
+                    )?);
+                }
                 #assembled
             }
         }
@@ -156,9 +162,9 @@ fn way(outline: &Outline, unit: &Unit) -> TokenStream {
             }
             #coupled
         }
-        let __way = __Way {
-            from: #runtime::Dimensions::values(&#core.__mechanism),
-            to: #runtime::Dimensions::values(self),
+        let __way = |__lane: ::core::primitive::usize| __Way {
+            from: #runtime::Dimensions::values(&#name::__lane(&#core.__mechanism, __lane)),
+            to: #runtime::Dimensions::values(&#name::__lane(self, __lane)),
             modes: #core.__modes,
             at: [#(#at),*],
         };
@@ -177,22 +183,22 @@ fn method(outline: &Outline, body: TokenStream) -> TokenStream {
         assembly,
         ..
     } = outline;
-    let float = quote!(::core::primitive::f64);
     let (allow, body) = (attribute::allow(), outline.body(body));
     quote! {
         #runtime::if_alloc! {
             #allow
-            impl #name<#float> {
+            impl<T: #runtime::Scalar> #name<T> {
                 /// These dimensions in the assembly of a mechanism with others: it is followed along the straight way from those to these, at
-                /// the reference inputs, in steps too small to leave it.
+                /// the reference inputs, in steps too small to leave it. Each lane of `T` has a way of its own; it is followed in `f64`, on
+                /// real parts, and the assembly has the digits and derivatives of `T` as one from `assemble()` has.
                 ///
                 /// # Errors
                 ///
-                /// `Blocked` where the assembly ends on the way; what `assemble()` says of these dimensions.
+                /// `Blocked` where the assembly ends on the way, in one lane at least; what `assemble()` says of these dimensions.
                 pub fn assemble_from(
                     &self,
-                    __assembly: &#assembly<#float>,
-                ) -> ::core::result::Result<#assembly<#float>, #runtime::AssemblyError> {
+                    __assembly: &#assembly<T>,
+                ) -> ::core::result::Result<#assembly<T>, #runtime::AssemblyError> {
                     #body
                 }
             }
