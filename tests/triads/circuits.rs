@@ -29,8 +29,9 @@ fn mechanisms() -> usize {
     }
 }
 
-/// A ternary link farther out than this, in mm, is not looked at.
-const FAR: f64 = 2000.0;
+/// A ternary link farther out than this, in mm, is not looked at: guides are parallel to some 1e-5 there, and assemblies ten thousand times
+/// as far out as links are long come in pieces with lost ends.
+const FAR: f64 = 1e6;
 
 /// What is wrong with the circuits of some mechanisms.
 #[derive(Debug, Default)]
