@@ -81,9 +81,15 @@ fn covers<A>(branch: &Branch<A>, phi: f64) -> bool {
 /// Whether slides run off to where guides are almost parallel, and the mechanism is none.
 fn is_endless(kind: &Kind, dimensions: &kinds::Dimensions) -> bool {
     let at = (0..COUNTED).map(|row| TAU * row as f64 / COUNTED as f64);
-    at.filter_map(|phi| poses(&kind.legs(dimensions, phi)))
-        .flatten()
-        .any(|pose| pose.x.hypot(pose.y) > FAR)
+    let known: Vec<_> = at
+        .filter_map(|phi| poses(&kind.legs(dimensions, phi)))
+        .collect();
+    // So far out poses cannot be told apart from none, anywhere.
+    known.is_empty()
+        || known
+            .iter()
+            .flatten()
+            .any(|pose| pose.x.hypot(pose.y) > FAR)
 }
 
 fn look(kind: &Kind, dimensions: &kinds::Dimensions, random: &mut Random, faults: &mut Faults) {
