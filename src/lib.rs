@@ -133,11 +133,11 @@ pub mod __private {
         CoupledUnknown, Extended, Followed, Moving, Range, Start, States, Step, Term, Variable,
         Wanted, fill_followed, nothing, pairs, placed, put_state, starts, stepped,
     };
-    #[cfg(feature = "rayon")]
-    pub use linkage_runtime::generated::{fill_followed_parallel, fill_parallel};
     pub use linkage_runtime::generated::{
         Sealed, Single, close, explained, finite, inlined, single,
     };
+    #[cfg(feature = "rayon")]
+    pub use linkage_runtime::generated::{fill_followed_parallel, fill_parallel};
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, FUSED, Frame, FunctionInfo, Group,
         Guide, GuideOn, Heading, Input, Meaning, Operations, Parameter, Picture, PictureColumns,

@@ -2,9 +2,9 @@
 
 mod close;
 mod sealed;
-mod single;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod settle;
+mod single;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod starts;
 #[cfg(feature = "alloc")]

@@ -7,7 +7,7 @@ use crate::emit::assembly::Types;
 use crate::emit::entries::entries;
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline};
-use crate::emit::{attribute, literal};
+use crate::emit::{attribute, literal, sealed};
 use crate::unit::Unit;
 
 /// The type of the mechanism that changes its dimensions.
@@ -52,6 +52,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         };
         quote!(#pattern => #runtime::fill(&#kernel(self), __rows, __columns),)
     });
+    let core = sealed::core(outline, &quote!(self));
     let allow = attribute::allow();
     quote! {
         #allow
@@ -83,10 +84,11 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         impl<T: #runtime::Scalar> #assembly<T> {
             /// One lane, where it stands.
             fn __moving(&self, __lane: ::core::primitive::usize) -> #moving {
+                let __core = #core;
                 #moving {
-                    __m: #name::__lane(&self.__core.__mechanism, __lane),
-                    __modes: self.__core.__modes,
-                    __turns: self.__core.__turns.lane(__lane),
+                    __m: #name::__lane(&__core.__mechanism, __lane),
+                    __modes: __core.__modes,
+                    __turns: __core.__turns.lane(__lane),
                 }
             }
         }
@@ -139,10 +141,13 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
                 let __count = #runtime::rows(&__results);
                 let mut __done_rows = 0;
                 while __done_rows < __count {
-                    let __row = ::core::cmp::Ord::min(__done_rows, __count - __BLOCK);
-                    __arguments.block::<__FUSED, __BLOCK>(__first + __row, &mut __x.0);
-                    let mut __start = 0;
-                    while __start < __BLOCK {
+                    let __vectors = #runtime::next_vectors::<__LANES, __BLOCK>(__count - __done_rows);
+                    let __rows = __vectors * __LANES;
+                    let __row = ::core::cmp::Ord::min(__done_rows, __count - __rows);
+                    __arguments.block::<__FUSED, __LANES, __BLOCK>(__first + __row, __rows, &mut __x.0);
+                    let mut __vector = 0;
+                    while __vector < __vectors {
+                        let __start = __vector * __LANES;
                         let mut __lane = __start;
                         while __lane < __start + __LANES {
                             let __m = #name::<#float>::__at_lane(&__x, __lane);
@@ -155,9 +160,9 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
                             __lane += 1;
                         }
                         #(__done.write(#columns, &mut __results, #columns, __row + __start);)*
-                        __start += __LANES;
+                        __vector += 1;
                     }
-                    __done_rows = __row + __BLOCK;
+                    __done_rows = __row + __rows;
                 }
             }
         }

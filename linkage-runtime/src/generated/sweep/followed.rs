@@ -135,7 +135,7 @@ fn is_missing<T: Scalar>(columns: &[&mut [T]], row: usize, lane: usize) -> bool 
 
 fn one_row<T: Scalar, const I: usize>(arguments: &impl Arguments<T, I>, number: usize) -> [T; I] {
     let mut row = [[T::from_f64(0.0)]; I];
-    arguments.block::<{ FUSED }, 1>(number, &mut row);
+    arguments.block::<{ FUSED }, 1, 1>(number, 1, &mut row);
     row.map(|[value]| value)
 }
 

@@ -48,8 +48,13 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Rows<'_, T, I> {
     }
 
     #[inline(always)]
-    fn block<const FUSED: bool, const B: usize>(&self, start: usize, block: &mut [[T; B]; I]) {
-        for lane in 0..B {
+    fn block<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        start: usize,
+        rows: usize,
+        block: &mut [[T; B]; I],
+    ) {
+        for lane in 0..rows.min(B) {
             let row = &self.0[(start + lane).min(self.0.len() - 1)];
             for (column, value) in block.iter_mut().zip(row) {
                 column[lane] = *value;
