@@ -18,6 +18,7 @@ mod newton;
 mod pinned;
 mod platforms;
 mod polynomial;
+mod served;
 mod sets;
 mod sweeps;
 mod track;

@@ -24,7 +24,20 @@ pub(super) struct Numbers<'a> {
     inputs: Vec<f64>,
 }
 
-impl Numbers<'_> {
+impl<'a> Numbers<'a> {
+    /// A coupled group at these inputs of the mechanism, and those of them that are its own.
+    pub(super) fn new(machine: &'a Machine, number: usize, inputs: &[f64]) -> (Self, Vec<f64>) {
+        let own = &machine.closing.coupled[number].inputs;
+        let own = own.iter().map(|&input| inputs[input]).collect();
+        let inputs = inputs.to_vec();
+        let numbers = Self {
+            machine,
+            number,
+            inputs,
+        };
+        (numbers, own)
+    }
+
     fn group(&self) -> &Coupled {
         &self.machine.closing.coupled[self.number]
     }
@@ -162,8 +175,15 @@ impl<'m> Assembly<'_, 'm> {
         }
         match self.start(prepared, state) {
             Ok(start) => {
+                let left_out = match &start {
+                    Start::Grid(grid) => grid.left_out().cloned(),
+                    Start::Table(_) => None,
+                };
+                if let Some(left_out) = &left_out {
+                    self.leaves_out(solved, prepared, left_out);
+                }
                 self.machine.starts[prepared.number] = Some(start);
-                true
+                left_out.is_none()
             }
             Err(refusal) => {
                 self.refused(solved, prepared, refusal);
@@ -174,14 +194,7 @@ impl<'m> Assembly<'_, 'm> {
 
     /// A coupled group at the reference inputs, and those of them that are its own.
     pub(super) fn numbers(&self, number: usize) -> (Numbers<'_>, Vec<f64>) {
-        let inputs = &self.nominal.inputs;
-        let own = &self.machine.closing.coupled[number].inputs;
-        let numbers = Numbers {
-            machine: &self.machine,
-            number,
-            inputs: inputs.clone(),
-        };
-        (numbers, own.iter().map(|&input| inputs[input]).collect())
+        Numbers::new(&self.machine, number, &self.nominal.inputs)
     }
 
     /// All real assemblies, the nearest to the estimates first; `None` if some meet at a turning point.

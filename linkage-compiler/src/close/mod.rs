@@ -16,6 +16,7 @@ mod places;
 mod ranges;
 mod reference;
 mod refusal;
+mod several;
 mod sizes;
 mod unfollowed;
 mod unused;

@@ -22,7 +22,7 @@ const DEAD: f64 = 2e-12;
 const END: f64 = 1e-9;
 
 /// A slack that is negative by less is 0 but for rounding.
-const ROUNDING: f64 = 1e-12;
+pub(super) const ROUNDING: f64 = 1e-12;
 
 /// Where a slack touches zero as a square does, [`DEAD`] is reached so far from there, in radians: what is finer is not known.
 const FOUND: f64 = 2e-6;
@@ -214,22 +214,6 @@ impl Ranges<'_, '_> {
         } else {
             failure.at
         }
-    }
-
-    /// The first position of a grid over several inputs that cannot be assembled.
-    pub(super) fn grid_failure(&mut self, declared: &[usize]) -> Option<Broken> {
-        let grid = Grid::new(self.nominal, declared);
-        (0..grid.count).find_map(|position| {
-            let inputs = grid.inputs(self.nominal, position);
-            let (slack, group) = self.slack(&inputs);
-            let finite = !slack.is_nan();
-            let broken = Broken {
-                inputs,
-                group,
-                finite,
-            };
-            (!finite || slack < -ROUNDING).then_some(broken)
-        })
     }
 }
 

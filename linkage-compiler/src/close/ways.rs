@@ -3,7 +3,7 @@
 //! A dead point on such a way lies in the ranges: that is found in a moment, where a grid over ranges with dead points in them takes
 //! seconds.
 
-use linkage_runtime::numeric::continuation;
+use linkage_runtime::numeric::continuation::{self, LeftOut};
 
 use crate::formulate::{Prepared, Solved};
 use crate::structure::report::loop_list;
@@ -85,6 +85,36 @@ impl<'m> Assembly<'_, 'm> {
             .map(|(end, _)| end)
             .filter(|end| end != from)
             .collect()
+    }
+
+    /// Says that a grid leaves out positions at which the mechanism is regular.
+    pub(super) fn leaves_out(
+        &mut self,
+        solved: &Solved<'m>,
+        prepared: &Prepared<'m>,
+        left_out: &LeftOut,
+    ) {
+        let mut inputs = self.nominal.inputs.clone();
+        for (&input, &x) in prepared.inputs.iter().zip(&left_out.at) {
+            inputs[input] = x;
+        }
+        let ranges = prepared.inputs.iter();
+        let declared = ranges.map(|&input| &self.algebra.mechanism.inputs[input]);
+        let declared: Vec<_> = declared.filter(|input| input.range.is_some()).collect();
+        let origins = declared.first().map_or(
+            [self.algebra.mechanism.loops[solved.group.loops[0]].origin; 2],
+            |input| range_of(input),
+        );
+        let message = format!(
+            "{} ({}) cannot be prepared over these ranges: {:.1} % of their positions would be left out, {} among them, though no dead point \
+             is near; this is a limit of linkage, not a mistake of yours\n\
+             help: shorten the ranges",
+            loop_list(&solved.group.loops),
+            self.words.unknowns(&solved.group.unknowns),
+            100.0 * left_out.share,
+            self.words.inputs(&inputs, &prepared.inputs),
+        );
+        self.reporter.error_between(origins, message);
     }
 
     /// Says that the mechanism comes apart within the ranges of several inputs.

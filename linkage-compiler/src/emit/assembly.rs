@@ -64,7 +64,7 @@ fn structure(outline: &Outline) -> TokenStream {
     }
 }
 
-/// `mechanism()` and `modes()`, unless the user's functions have these names.
+/// `mechanism()`, `modes()` and, with prepared states over several inputs, `served()`, unless the user's functions have these names.
 fn accessors(outline: &Outline) -> TokenStream {
     let Outline {
         runtime,
@@ -89,10 +89,11 @@ fn accessors(outline: &Outline) -> TokenStream {
             pub const fn modes(&self) -> &[#runtime::AssemblyMode; #count] { &#core.__modes }
         }
     });
+    let served = free("served").then(|| starts::served(outline));
     let allow = attribute::allow();
     quote! {
         #allow
-        impl<T> #assembly<T> { #mechanism #modes }
+        impl<T> #assembly<T> { #mechanism #modes #served }
     }
 }
 

@@ -36,6 +36,26 @@ pub(super) fn coupled_name(outline: &Outline) -> Ident {
     format_ident!("__{}Coupled", outline.name)
 }
 
+/// `served()`; nothing where no group is prepared over several inputs.
+pub(super) fn served(outline: &Outline) -> TokenStream {
+    let groups = outline.starts.iter().enumerate();
+    let over_several = groups.filter(|(_, start)| start.inputs.len() > 1);
+    let shares = over_several.map(|(number, _)| {
+        let number = literal::index(number);
+        quote!(self.__starts.#number.served())
+    });
+    let share = shares.reduce(|least, share| quote!(::core::primitive::f64::min(#least, #share)));
+    share.map_or_else(TokenStream::new, |share| {
+        quote! {
+            /// The share of the ranges of the inputs in which groups without a closed form are assembled, from 0 to 1: elsewhere results are
+            /// NaN, because the links do not reach each other there or a dead point is near. Measured on a lattice of positions; of several
+            /// groups, and lanes of the scalar, the one that serves least counts.
+            #[must_use]
+            pub fn served(&self) -> ::core::primitive::f64 { #share }
+        }
+    })
+}
+
 /// A table over one input, or a grid over several or none.
 fn start_type(outline: &Outline, start: &Start) -> TokenStream {
     let runtime = &outline.runtime;

@@ -72,12 +72,20 @@ pub enum CoupledCause {
         /// The input where it ends.
         Value,
     ),
+    /// With several inputs: positions in the ranges, away from dead points, are not served, although the mechanism can be assembled there,
+    /// as far as is known. This is a limit of what is prepared, not a dead point.
+    LeavesOut {
+        /// The share of the ranges.
+        share: f64,
+        /// The inputs at one of the positions.
+        example: Placed,
+    },
 }
 
-/// The values of a group's unknowns in one assembly.
+/// The values of a group's unknowns in one assembly, or of its inputs at one position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed(
-    /// Those that have start estimates.
+    /// Of the unknowns those that have start estimates.
     pub Vec<Value>,
 );
 
@@ -153,6 +161,12 @@ impl fmt::Display for CoupledCause {
                 f,
                 "cannot be followed through the range of the input beyond {at}: another assembly is \
                  too near"
+            ),
+            Self::LeavesOut { share, example } => write!(
+                f,
+                "cannot be prepared over these ranges of the inputs: {} % of their positions would be left out, {example} among \
+                 them, though no dead point is near: this is a limit of linkage; shorter ranges are served",
+                rounded(100.0 * share)
             ),
         }
     }

@@ -21,7 +21,7 @@ mod table;
 mod turning;
 mod walk;
 
-pub use grid::{Grid, GridLookup};
+pub use grid::{Grid, GridLookup, LeftOut};
 pub use lookup::Lookup;
 pub use states::states;
 pub use straight::dead_point;

@@ -22,6 +22,13 @@ impl<const I: usize, const S: usize> CoupledGrid<I, S> {
         }
     }
 
+    /// The share of the ranges in which it serves: the least of all lanes.
+    #[must_use]
+    pub fn served(&self) -> f64 {
+        let others = self.others.iter().map(GridLookup::served);
+        others.fold(self.first.served(), f64::min)
+    }
+
     /// The state near `x` and the floor, without derivatives.
     #[must_use]
     #[inline(always)]

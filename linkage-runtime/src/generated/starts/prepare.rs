@@ -139,23 +139,48 @@ fn start(
     every: bool,
 ) -> Result<Start, AssemblyError> {
     let ranges: Vec<Range> = group.inputs.iter().map(|input| input.range).collect();
-    let made: Result<Start, Refusal> = match group.inputs {
+    let mut made = over(group, programs, x, state, &ranges, every);
+    if every && made.is_err() {
+        let here = x.iter().map(|&x| Range {
+            low: x,
+            high: x,
+            turn: false,
+        });
+        made = over(
+            group,
+            programs,
+            x,
+            state,
+            &here.collect::<Vec<Range>>(),
+            every,
+        );
+    }
+    let start = made.map_err(|refusal| group.refused(refusal))?;
+    match &start {
+        Start::Grid(grid) if !every => match grid.left_out() {
+            Some(left_out) => Err(group.leaves_out(left_out)),
+            None => Ok(start),
+        },
+        _ => Ok(start),
+    }
+}
+
+/// Prepares a group over these ranges.
+fn over(
+    group: &CoupledGroup,
+    programs: &mut impl CoupledPrograms,
+    x: &[f64],
+    state: &[f64],
+    ranges: &[Range],
+    every: bool,
+) -> Result<Start, Refusal> {
+    match group.inputs {
         [input] => {
             let partial = every || !input.declared;
-            let mut made = Table::build(programs, x[0], state, ranges[0], partial);
-            if every && made.is_err() {
-                let here = Range {
-                    low: x[0],
-                    high: x[0],
-                    turn: false,
-                };
-                made = Table::build(programs, x[0], state, here, partial);
-            }
-            made.map(Start::Table)
+            Table::build(programs, x[0], state, ranges[0], partial).map(Start::Table)
         }
-        _ => Grid::build(programs, x, state, &ranges).map(Start::Grid),
-    };
-    made.map_err(|refusal| group.refused(refusal))
+        _ => Grid::build(programs, x, state, ranges).map(Start::Grid),
+    }
 }
 
 /// Prepares a group from a solution at its inputs `x`, as far as it goes.

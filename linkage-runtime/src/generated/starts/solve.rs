@@ -1,7 +1,7 @@
 //! The assembly of a group at the reference inputs: all solutions are listed, the one nearest to the start estimates is
 //! taken.
 
-use crate::numeric::continuation::{Correction, Range, Refusal, states};
+use crate::numeric::continuation::{Correction, LeftOut, Range, Refusal, states};
 use crate::numeric::nearest::{Ambiguity, nearest};
 use crate::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
 use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value, math};
@@ -83,6 +83,17 @@ pub struct CoupledSolution {
     pub distance: f64,
 }
 
+impl CoupledInput {
+    fn value(&self, value: f64) -> Value {
+        Value {
+            name: self.name,
+            value,
+            unit: self.unit,
+            angle: self.range.turn,
+        }
+    }
+}
+
 impl CoupledGroup {
     fn error(&self, cause: CoupledCause) -> AssemblyError {
         AssemblyError::Coupled(Box::new(CoupledError {
@@ -105,15 +116,23 @@ impl CoupledGroup {
         }
     }
 
+    pub(super) fn leaves_out(&self, left_out: &LeftOut) -> AssemblyError {
+        let example = self.inputs.iter().zip(&left_out.at);
+        self.error(CoupledCause::LeavesOut {
+            share: left_out.share,
+            example: Placed(example.map(|(input, &at)| input.value(at)).collect()),
+        })
+    }
+
     pub(super) fn refused(&self, refusal: Refusal) -> AssemblyError {
-        let value = |at| {
-            let input = self.inputs.first();
-            Value {
-                name: input.map_or("the input", |input| input.name),
+        let value = |at| match self.inputs {
+            [first, ..] => first.value(at),
+            [] => Value {
+                name: "the input",
                 value: at,
-                unit: input.map_or("", |input| input.unit),
-                angle: input.is_some_and(|input| input.range.turn),
-            }
+                unit: "",
+                angle: false,
+            },
         };
         match refusal {
             Refusal::TurningPoint { at } => self.error(CoupledCause::DeadPoint(value(at))),

@@ -75,6 +75,11 @@ impl<'a, C: Correction> Follower<'a, C> {
         None
     }
 
+    /// How many corrections may still be made.
+    pub(super) fn left(&self) -> usize {
+        self.left
+    }
+
     /// Whether no more corrections may be made.
     pub(super) fn exhausted(&self) -> bool {
         self.left == 0

@@ -1,9 +1,13 @@
 //! Prepared states over the ranges of several inputs, or of none.
 
+mod border;
+mod cells;
+mod divide;
 mod layout;
 mod lookup;
 mod node;
 mod walk;
+mod way;
 
 use super::cell::Frame;
 use super::follow::Follower;
@@ -12,24 +16,17 @@ use super::shared::Shared;
 use super::{Correction, Range, Refusal};
 use alloc::vec;
 use alloc::vec::Vec;
+use cells::Cell;
 use core::f64::consts::TAU;
 use core::fmt;
+use divide::{Divided, divided};
 use node::Node;
-use walk::fill;
+use walk::Solution;
 
 pub use lookup::GridLookup;
 
-/// Corrections that building a grid may take.
-const CORRECTIONS: usize = 8_000_000;
-
-/// Cells of a grid, at most.
-const CELLS: usize = 1 << 12;
-
-/// The share of places on the borders of cells that four steps may fail to reach: near a singular position some always do.
-const MISSED: f64 = 0.005;
-
-/// Cells of a grid that contains the boundary of the solution, at least.
-const BOUNDARY: u32 = 64;
+/// Corrections that building a grid may take: less than a second. A grid of all cells takes a million.
+const CORRECTIONS: usize = 2_000_000;
 
 /// Inputs, at most: a cell has two corners for each of them.
 const INPUTS: usize = 8;
@@ -45,6 +42,17 @@ pub struct Grid {
     /// Cell by cell, the last input changing fastest; `None` where the solution cannot be reached.
     nodes: Shared<[Option<Node>]>,
     width: usize,
+    served: f64,
+    left_out: Option<LeftOut>,
+}
+
+/// Where a grid serves less than it should.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeftOut {
+    /// The share of the ranges.
+    pub share: f64,
+    /// The inputs at one of the positions.
+    pub at: Vec<f64>,
 }
 
 impl Grid {
@@ -78,37 +86,27 @@ impl Grid {
         let mut state = state.to_vec();
         let mut follower =
             Follower::new(correction, at, &mut state, CORRECTIONS).ok_or(Refusal::NotASolution)?;
+        let determinant = follower.settle(at, &mut state);
+        let reference = Solution {
+            at,
+            state: &state,
+            determinant: determinant.ok_or(Refusal::NotASolution)?,
+        };
+        Self::made(divided(&mut follower, &frames, &reference), &reference)
+    }
 
-        let mut counts: Vec<u32> = frames.iter().map(|(frame, _)| start(frame)).collect();
-        loop {
-            let axes: Vec<Scale> = frames
-                .iter()
-                .zip(&counts)
-                .map(|((frame, closed), &count)| Scale::new(*frame, count, *closed))
-                .collect();
-            let filled = fill(&mut follower, &axes, at, &state);
-            let cells: u32 = counts.iter().product();
-            let bends = filled.bends.iter().enumerate();
-            let finer = bends.max_by(|a, b| a.1.total_cmp(b.1));
-            let coarse = filled.missed as f64 > MISSED * filled.tested as f64
-                || filled.absent > 0 && cells < BOUNDARY;
-            match finer {
-                Some((axis, &bend)) if coarse && bend > 0.0 && 2 * cells as usize <= CELLS => {
-                    counts[axis] *= 2;
-                }
-                _ if filled.nodes.iter().all(Option::is_none) => {
-                    let at = at.first().copied().unwrap_or_default();
-                    return Err(Refusal::NotConverging { at });
-                }
-                _ => {
-                    return Ok(Self {
-                        axes,
-                        nodes: filled.nodes.into(),
-                        width: state.len(),
-                    });
-                }
-            }
+    fn made(divided: Divided, reference: &Solution<'_>) -> Result<Self, Refusal> {
+        if divided.sum.served == 0 {
+            let at = reference.at.first().copied().unwrap_or_default();
+            return Err(Refusal::NotConverging { at });
         }
+        Ok(Self {
+            width: reference.state.len(),
+            served: divided.sum.share(divided.sum.served),
+            left_out: divided.left_out(),
+            nodes: divided.cells.into_iter().map(Cell::node).collect(),
+            axes: divided.axes,
+        })
     }
 
     /// How many cells it has.
@@ -121,6 +119,18 @@ impl Grid {
     #[must_use]
     pub fn reached(&self) -> usize {
         self.nodes.iter().flatten().count()
+    }
+
+    /// The share of the ranges in which it serves: of the places on the borders of cells, those that four steps reach.
+    #[must_use]
+    pub fn served(&self) -> f64 {
+        self.served
+    }
+
+    /// What is not served although the solution exists, or may exist, away from its boundary: more of the ranges than may be.
+    #[must_use]
+    pub fn left_out(&self) -> Option<&LeftOut> {
+        self.left_out.as_ref()
     }
 
     /// How many numbers the state has.
@@ -183,11 +193,6 @@ fn frame(at: f64, range: Range) -> Option<(Frame, bool)> {
         Frame::new(low, high)
     };
     Some((frame, closed))
-}
-
-/// Cells along an input to begin with.
-fn start(frame: &Frame) -> u32 {
-    if frame.length > 0.0 { 2 } else { 1 }
 }
 
 impl fmt::Debug for Grid {

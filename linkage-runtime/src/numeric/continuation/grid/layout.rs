@@ -47,6 +47,18 @@ impl Layout<'_> {
         pairs.fold(0, |number, (axis, &slot)| number * axis.slots() + slot)
     }
 
+    /// The cell of a number.
+    pub(super) fn slots(&self, number: usize) -> Vec<usize> {
+        let mut rest = number;
+        let mut cell: Vec<usize> = Vec::with_capacity(self.0.len());
+        for axis in self.0.iter().rev() {
+            cell.push(rest % axis.slots());
+            rest /= axis.slots();
+        }
+        cell.reverse();
+        cell
+    }
+
     /// The number of a corner.
     pub(super) fn corner(&self, cell: &[usize], offsets: &[f64]) -> usize {
         let mut number = 0;
@@ -84,21 +96,44 @@ impl Layout<'_> {
     }
 }
 
-/// Places on the border of a cell, as offsets from its centre in cells: all corners, then, if they are not too many, the
-/// middles of edges and faces.
-pub(super) fn places(axes: usize) -> Vec<Vec<f64>> {
-    let corner = |number: usize| {
-        let side = |axis: usize| if number >> axis & 1 == 1 { 0.5 } else { -0.5 };
-        (0..axes).map(side).collect()
-    };
-    let middle = |number: usize| {
-        let side = |axis: usize| [0.0, -0.5, 0.5][number / 3_usize.pow(axis as u32) % 3];
-        (0..axes).map(side).collect()
-    };
-    let mut places: Vec<Vec<f64>> = (0..1 << axes).map(corner).collect();
-    if axes <= 4 {
-        let middles = (1..3_usize.pow(axes as u32)).map(middle);
-        places.extend(middles.filter(|offsets: &Vec<f64>| offsets.contains(&0.0)));
+/// Places on the border of a cell: all corners, then, if they are not too many, the middles of edges and faces.
+pub(super) struct Places {
+    /// As offsets from its centre, in cells.
+    pub(super) offsets: Vec<Vec<f64>>,
+    /// How many of them are corners.
+    pub(super) corners: usize,
+    /// The number of the place on the other side of the cell, axis by axis.
+    pub(super) opposite: Vec<Vec<usize>>,
+}
+
+impl Places {
+    pub(super) fn new(axes: usize) -> Self {
+        let corner = |number: usize| {
+            let side = |axis: usize| if number >> axis & 1 == 1 { 0.5 } else { -0.5 };
+            (0..axes).map(side).collect()
+        };
+        let middle = |number: usize| {
+            let side = |axis: usize| [0.0, -0.5, 0.5][number / 3_usize.pow(axis as u32) % 3];
+            (0..axes).map(side).collect()
+        };
+        let corners = 1 << axes;
+        let mut offsets: Vec<Vec<f64>> = (0..corners).map(corner).collect();
+        if axes <= 4 {
+            let middles = (1..3_usize.pow(axes as u32)).map(middle);
+            offsets.extend(middles.filter(|offsets: &Vec<f64>| offsets.contains(&0.0)));
+        }
+        let across = |axis: usize| {
+            let other = |place: &Vec<f64>| {
+                let mut other = place.clone();
+                other[axis] = -other[axis];
+                offsets.iter().position(|place| *place == other)
+            };
+            offsets.iter().filter_map(other).collect()
+        };
+        Self {
+            corners,
+            opposite: (0..axes).map(across).collect(),
+            offsets,
+        }
     }
-    places
 }

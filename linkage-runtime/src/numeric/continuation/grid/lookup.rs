@@ -15,6 +15,7 @@ pub struct GridLookup<const I: usize, const S: usize> {
     axes: [Scale; I],
     /// As many as the axes have cells together.
     cells: Shared<[Fixed<I, S>]>,
+    served: f64,
 }
 
 /// A cell with a fixed number of inputs and state numbers.
@@ -52,6 +53,7 @@ impl<const I: usize, const S: usize> GridLookup<I, S> {
         Some(Self {
             axes: grid.axes.as_slice().try_into().ok()?,
             cells: cells.collect(),
+            served: grid.served(),
         })
     }
 
@@ -62,7 +64,14 @@ impl<const I: usize, const S: usize> GridLookup<I, S> {
         Self {
             axes: [Scale::new(frame, 1, false); I],
             cells: core::iter::once(Fixed::NOTHING).collect(),
+            served: 0.0,
         }
+    }
+
+    /// The share of the ranges in which it serves.
+    #[must_use]
+    pub fn served(&self) -> f64 {
+        self.served
     }
 
     /// The state near `x` from which four steps are made, and the floor; NaN where there is none.

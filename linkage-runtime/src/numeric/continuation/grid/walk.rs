@@ -3,15 +3,14 @@
 use super::super::Correction;
 use super::super::follow::Follower;
 use super::super::scale::Scale;
-use super::layout::{Layout, places};
+use super::border::{Border, Joint, Place, agree};
+use super::cells::{Cell, Found};
+use super::layout::{Layout, Places};
 use super::node::Node;
+use super::way::{Way, follow};
 use alloc::collections::VecDeque;
-use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
-
-/// A step to another cell is halved so many times, at most.
-const HALVINGS: u32 = 5;
 
 /// Slopes are taken over this part of a cell, to both sides.
 const PART: f64 = 1.0 / 16.0;
@@ -19,146 +18,136 @@ const PART: f64 = 1.0 / 16.0;
 /// Newton steps that evaluators make from a cell's state.
 const STEPS: usize = 4;
 
-/// Two cells that agree this well at a corner are on one solution.
-const AGREEMENT: f64 = 1e-6;
-
-/// The cells of a grid.
-pub(super) struct Filled {
-    pub(super) nodes: Vec<Option<Node>>,
-    /// How many places on the borders of cells were tested.
-    pub(super) tested: usize,
-    /// At how many of these the solution exists, but four steps do not reach it.
-    pub(super) missed: usize,
-    /// At how many it does not exist.
-    pub(super) absent: usize,
-    /// How much the state bends along the cells, input by input.
-    pub(super) bends: Vec<f64>,
+/// A solution at a place.
+pub(super) struct Solution<'a> {
+    pub(super) at: &'a [f64],
+    pub(super) state: &'a [f64],
+    pub(super) determinant: f64,
 }
 
-/// Fills the grid from a known solution.
+/// Fills the grid from the solution at the reference.
 pub(super) fn fill<C: Correction>(
     follower: &mut Follower<'_, C>,
     axes: &[Scale],
-    at: &[f64],
-    state: &[f64],
-) -> Filled {
+    places: &Places,
+    reference: &Solution<'_>,
+) -> Vec<Cell> {
     let layout = Layout(axes);
     let mut walk = Walk {
         follower,
-        places: places(axes.len()).into(),
-        corners: vec![None; layout.corners()],
-        reached: vec![Vec::new(); layout.cells()],
-        filled: Filled {
-            nodes: vec![None; layout.cells()],
-            tested: 0,
-            missed: 0,
-            absent: 0,
-            bends: vec![0.0; axes.len()],
-        },
+        border: Border::new(&layout, places),
+        reference: reference.determinant,
+        centres: vec![None; layout.cells()],
+        cells: vec![Cell::default(); layout.cells()],
         layout,
     };
-    walk.run(at, state);
-    walk.filled
+    walk.run(reference);
+    walk.cells
 }
 
 struct Walk<'f, 'c, 'a, C> {
     follower: &'f mut Follower<'c, C>,
     layout: Layout<'a>,
-    /// The places on the border of a cell that are tested.
-    places: Rc<[Vec<f64>]>,
-    /// The solution at the corners of the cells.
-    corners: Vec<Option<Vec<f64>>>,
-    /// The solution at the places of the cells that are filled.
-    reached: Vec<Vec<Option<Vec<f64>>>>,
-    filled: Filled,
+    border: Border<'a>,
+    /// The determinant at the reference.
+    reference: f64,
+    /// State and determinant at the centres that were reached, also of cells that were refused.
+    centres: Vec<Option<(Vec<f64>, f64)>>,
+    cells: Vec<Cell>,
 }
 
 impl<C: Correction> Walk<'_, '_, '_, C> {
-    fn run(&mut self, at: &[f64], state: &[f64]) {
-        let first = self.layout.cell(at);
-        let mut queue = VecDeque::new();
-        let mut seen = vec![false; self.filled.nodes.len()];
-        seen[self.layout.number(&first)] = true;
-        match self.reach(&first, at, state) {
-            Some(()) => queue.push_back(first),
-            // Its centre is out of reach: smaller cells may help.
-            None => {
-                self.filled.missed += 1;
-                self.filled.bends.fill(1.0);
-            }
-        }
+    fn run(&mut self, reference: &Solution<'_>) {
+        let mut queue = self.begin(reference);
         while let Some(cell) = queue.pop_front() {
-            let Some(node) = self.filled.nodes[self.layout.number(&cell)].clone() else {
+            let Some((state, determinant)) = self.centres[self.layout.number(&cell)].clone() else {
                 continue;
             };
-            let from = self.layout.centre(&cell);
-            for axis in 0..self.layout.0.len() {
-                for up in [false, true] {
-                    let Some(next) = self.layout.neighbour(&cell, axis, up) else {
-                        continue;
-                    };
-                    let number = self.layout.number(&next);
-                    if seen[number] {
-                        continue;
-                    }
-                    // Across the seam of a full turn the centre is taken where it lies beside this one.
-                    let to = self.layout.beside(&from, &cell, axis, up);
-                    if self.reach_at(&next, &from, &node.state, &to).is_some() {
-                        seen[number] = true;
-                        queue.push_back(next);
-                    }
+            let at = self.layout.centre(&cell);
+            let from = Solution {
+                at: &at,
+                state: &state,
+                determinant,
+            };
+            queue.extend(self.spread(&cell, &from));
+        }
+    }
+
+    /// The cell of the reference; where its centre is out of reach, those beside it.
+    fn begin(&mut self, reference: &Solution<'_>) -> VecDeque<Vec<usize>> {
+        let first = self.layout.cell(reference.at);
+        let to = self.layout.centre(&first);
+        if self.reach(&first, reference, &to) {
+            return [first].into();
+        }
+        // How the state bends at the reference says which sides of the cells are too long.
+        let (_, bends) = self.slopes(reference.at, reference.state);
+        let number = self.layout.number(&first);
+        self.cells[number].bends = bends;
+        self.spread(&first, reference).into()
+    }
+
+    /// Fills the neighbours of a cell, from a solution in it; those that are filled now.
+    fn spread(&mut self, cell: &[usize], from: &Solution<'_>) -> Vec<Vec<usize>> {
+        let centre = self.layout.centre(cell);
+        let mut filled = Vec::new();
+        for axis in 0..self.layout.0.len() {
+            for up in [false, true] {
+                let Some(next) = self.layout.neighbour(cell, axis, up) else {
+                    continue;
+                };
+                // Across the seam of a full turn the centre is taken where it lies beside this one.
+                let to = self.layout.beside(&centre, cell, axis, up);
+                if self.reach(&next, from, &to) {
+                    filled.push(next);
                 }
             }
         }
+        filled
     }
 
-    /// Follows the solution from `from` to the centre of a cell.
-    fn reach(&mut self, cell: &[usize], from: &[f64], state: &[f64]) -> Option<()> {
-        let to = self.layout.centre(cell);
-        self.reach_at(cell, from, state, &to)
-    }
-
-    fn reach_at(&mut self, cell: &[usize], from: &[f64], state: &[f64], to: &[f64]) -> Option<()> {
-        let mut state = state.to_vec();
-        let determinant = self.follow(from, to, &mut state, HALVINGS)?;
-        let slopes = self.slopes(to, &state);
-        let mut node = Node {
+    /// Follows the solution to the centre of a cell, and fills the cell from there. False if it is not filled, or was before.
+    fn reach(&mut self, cell: &[usize], from: &Solution<'_>, to: &[f64]) -> bool {
+        let number = self.layout.number(cell);
+        if matches!(self.cells[number].found, Found::Filled(_)) {
+            return false;
+        }
+        let mut state = from.state.to_vec();
+        let determinants = [from.determinant, self.reference];
+        let determinant = match follow(self.follower, from.at, to, &mut state, determinants) {
+            Way::There(determinant) => determinant,
+            Way::Dead => return false,
+            Way::Lost => {
+                let found = &mut self.cells[number].found;
+                if matches!(found, Found::Beyond) {
+                    *found = Found::Lost;
+                }
+                return false;
+            }
+        };
+        // From another neighbour it may be another solution; the same one would be refused again.
+        let before = self.centres[number].as_ref();
+        if before.is_some_and(|(before, _)| agree(before, &state)) {
+            return false;
+        }
+        self.centres[number] = Some((state.clone(), determinant));
+        let (slopes, bends) = self.slopes(to, &state);
+        let node = Node {
             state,
             slopes,
             floor: determinant,
         };
-        self.check(cell, to, &mut node)?;
-        let number = self.layout.number(cell);
-        self.filled.nodes[number] = Some(node);
-        Some(())
+        self.cells[number] = Cell {
+            bends,
+            ..self.checked(cell, to, node)
+        };
+        matches!(self.cells[number].found, Found::Filled(_))
     }
 
-    /// Brings a solution from one place to another, in smaller steps if need be.
-    fn follow(
-        &mut self,
-        from: &[f64],
-        to: &[f64],
-        state: &mut [f64],
-        halvings: u32,
-    ) -> Option<f64> {
-        let mut moved = state.to_vec();
-        if let Some(determinant) = self.follower.settle(to, &mut moved) {
-            state.copy_from_slice(&moved);
-            return Some(determinant);
-        }
-        let halvings = halvings.checked_sub(1)?;
-        let middle: Vec<f64> = from
-            .iter()
-            .zip(to)
-            .map(|(a, b)| a + 0.5 * (b - a))
-            .collect();
-        self.follow(from, &middle, state, halvings)?;
-        self.follow(&middle, to, state, halvings)
-    }
-
-    /// The changes of the state along the cell, input by input.
-    fn slopes(&mut self, centre: &[f64], state: &[f64]) -> Vec<f64> {
+    /// The changes of the state along the cell, input by input, and how much it bends along them.
+    fn slopes(&mut self, centre: &[f64], state: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut slopes = Vec::with_capacity(centre.len() * state.len());
+        let mut bends = vec![0.0; centre.len()];
         for (axis, scale) in self.layout.0.iter().enumerate() {
             let mut side = |part: f64| {
                 let mut x = centre.to_vec();
@@ -177,7 +166,7 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
                     .map(|side| side.as_ref().map(|side| (side[index] - here) / PART));
                 slopes.push(match (down, up) {
                     (Some(down), Some(up)) => {
-                        self.filled.bends[axis] += (up + down).abs();
+                        bends[axis] += (up + down).abs();
                         0.5 * (up - down)
                     }
                     (Some(down), None) => -down,
@@ -186,91 +175,55 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
                 });
             }
         }
-        slopes
+        (slopes, bends)
     }
 
-    /// Whether the steps reach the solution wherever it exists on the border of the cell. `None` if another cell has
-    /// reached another solution at a common corner.
-    fn check(&mut self, cell: &[usize], centre: &[f64], node: &mut Node) -> Option<()> {
+    /// The cell with this node: whether four steps reach the solution wherever it exists on the border. Refused if it does not
+    /// continue its neighbours.
+    fn checked(&mut self, slots: &[usize], centre: &[f64], mut node: Node) -> Cell {
+        let mut cell = Cell::default();
         let mut least = node.floor;
-        let mut state = vec![0.0; node.state.len()];
-        let mut reached = Vec::new();
-        let mut places = vec![None; self.places.len()];
-        for (place, offsets) in self.places.clone().iter().enumerate() {
+        let mut places = Vec::with_capacity(self.border.places.offsets.len());
+        for offsets in &self.border.places.offsets {
             let x = self.layout.moved(centre, offsets);
+            let mut state = vec![0.0; node.state.len()];
             node.state(offsets, &mut state);
-            self.filled.tested += 1;
-            let Some(determinant) = self.follower.settle_within(&x, &mut state, STEPS) else {
-                let mut there = node.state.clone();
-                let exists = self.follow(centre, &x, &mut there, HALVINGS).is_some();
-                self.filled.missed += usize::from(exists);
-                self.filled.absent += usize::from(!exists);
-                continue;
-            };
-            places[place] = Some(state.clone());
-            if determinant.abs() < least.abs() {
-                least = determinant;
-            }
-            if place >> self.layout.0.len() == 0 {
-                let number = self.layout.corner(cell, offsets);
-                match &self.corners[number] {
-                    Some(other) if !agree(other, &state) => return None,
-                    Some(_) => {}
-                    None => reached.push((number, state.clone())),
+            if let Some(determinant) = self.follower.settle_within(&x, &mut state, STEPS) {
+                cell.served += 1;
+                if determinant.abs() < least.abs() {
+                    least = determinant;
                 }
+                places.push(Place::Served(state));
+                continue;
             }
+            state.copy_from_slice(&node.state);
+            let determinants = [node.floor, self.reference];
+            places.push(
+                match follow(self.follower, centre, &x, &mut state, determinants) {
+                    Way::Dead => {
+                        cell.absent += 1;
+                        Place::Absent
+                    }
+                    way => {
+                        cell.missed += 1;
+                        cell.example.get_or_insert_with(|| offsets.clone());
+                        match way {
+                            Way::There(_) => Place::Missed(state),
+                            _ => Place::Unknown,
+                        }
+                    }
+                },
+            );
         }
-        if !self.joins(cell, &places) {
-            return None;
-        }
-        self.reached[self.layout.number(cell)] = places;
-        for (number, state) in reached {
-            self.corners[number] = Some(state);
-        }
-        node.floor = 0.5 * least;
-        Some(())
-    }
-
-    /// Whether a cell has the same solution as every neighbour on the whole face between them. Where only one of them reaches it, as
-    /// around a cusp, they may hold different assemblies.
-    fn joins(&self, cell: &[usize], places: &[Option<Vec<f64>>]) -> bool {
-        (0..cell.len()).all(|axis| {
-            [false, true].into_iter().all(|up| {
-                let next = self.layout.neighbour(cell, axis, up);
-                next.is_none_or(|next| {
-                    let other = &self.reached[self.layout.number(&next)];
-                    next == cell || other.is_empty() || self.same_on_face(axis, up, places, other)
-                })
-            })
-        })
-    }
-
-    /// Whether two cells reach the same solutions on the face that is the upper or lower one of the first.
-    fn same_on_face(
-        &self,
-        axis: usize,
-        up: bool,
-        places: &[Option<Vec<f64>>],
-        other: &[Option<Vec<f64>>],
-    ) -> bool {
-        let side = if up { 0.5 } else { -0.5 };
-        let on_face = self.places.iter().zip(places);
-        let mut on_face = on_face.filter(|(offsets, _)| offsets[axis] == side);
-        on_face.all(|(offsets, here)| {
-            let mut opposite = offsets.clone();
-            opposite[axis] = -side;
-            let there = self.places.iter().position(|place| *place == opposite);
-            match (here, there.and_then(|there| other[there].as_ref())) {
-                (Some(one), Some(two)) => agree(one, two),
-                (None, None) => true,
-                _ => false,
+        cell.found = match self.border.joint(&self.layout, slots, &places) {
+            Joint::Same => {
+                self.border.keep(&self.layout, slots, places);
+                node.floor = 0.5 * least;
+                Found::Filled(node)
             }
-        })
+            Joint::Unclear => Found::Refused,
+            Joint::Other => Found::Other,
+        };
+        cell
     }
-}
-
-fn agree(one: &[f64], other: &[f64]) -> bool {
-    one.iter()
-        .zip(other)
-        .all(|(a, b)| (a - b).abs() <= AGREEMENT)
 }

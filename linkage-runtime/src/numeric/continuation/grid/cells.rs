@@ -1,0 +1,141 @@
+//! What a walk finds out about the cells of a grid.
+
+use super::layout::Layout;
+use super::node::Node;
+use alloc::vec::Vec;
+
+/// A cell after a walk.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Cell {
+    pub(super) found: Found,
+    /// At how many places on its border four steps from its centre reach the solution,
+    pub(super) served: usize,
+    /// at how many they do not, although it exists,
+    pub(super) missed: usize,
+    /// and at how many it does not exist.
+    pub(super) absent: usize,
+    /// A place where it is missed, as offsets from the centre in cells.
+    pub(super) example: Option<Vec<f64>>,
+    /// How much the state bends along it, input by input; nothing if its centre was not reached.
+    pub(super) bends: Vec<f64>,
+}
+
+/// How far the walk came with a cell.
+#[derive(Clone, Debug, Default)]
+pub(super) enum Found {
+    /// There was no cell beside it from which a way leads here, or a dead point was on the way.
+    #[default]
+    Beyond,
+    /// Its centre was not reached, and no dead point was met.
+    Lost,
+    /// Its solution does not exist at the same places of a face as a neighbour's.
+    Refused,
+    /// A neighbour holds another solution.
+    Other,
+    /// Its centre was reached.
+    Filled(Node),
+}
+
+impl Cell {
+    pub(super) fn node(self) -> Option<Node> {
+        match self.found {
+            Found::Filled(node) => Some(node),
+            Found::Beyond | Found::Lost | Found::Refused | Found::Other => None,
+        }
+    }
+
+    /// Whether the solution ends in it.
+    fn has_boundary(&self) -> bool {
+        matches!(self.found, Found::Beyond) || self.absent > 0
+    }
+
+    /// Places at which the solution exists, or may exist, and is not served.
+    fn left_out(&self, places: usize) -> usize {
+        match self.found {
+            Found::Beyond => 0,
+            Found::Lost => places,
+            Found::Refused | Found::Other => self.served + self.missed,
+            Found::Filled(_) => self.missed,
+        }
+    }
+}
+
+/// What the cells are together, in places on their borders.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sum {
+    /// All places.
+    pub(super) places: usize,
+    pub(super) served: usize,
+    /// Places at which the solution is not served where it exists.
+    pub(super) left_out: usize,
+    /// Those of them for which no boundary of the solution is to blame: neither in the cell nor in a neighbour, and anywhere for cells
+    /// beside which another solution is held, since both ways around a cusp of the boundary may lead to different ones.
+    pub(super) regular: usize,
+    /// Whether the solution ends in some cell.
+    pub(super) boundary: bool,
+    /// The number of the cell that leaves out most of the regular places.
+    pub(super) worst: Option<usize>,
+    /// How much the state bends, input by input, along the cells that leave out regular places; else along those that leave out any, else
+    /// along all.
+    pub(super) bends: Vec<f64>,
+}
+
+impl Sum {
+    /// The sum of all cells, each with so many places.
+    pub(super) fn new(cells: &[Cell], layout: &Layout<'_>, places: usize) -> Self {
+        let mut sum = Self {
+            places: cells.len() * places,
+            boundary: cells.iter().any(Cell::has_boundary),
+            ..Self::default()
+        };
+        let mut most = 0;
+        let mut bends = [const { Vec::new() }; 3];
+        for (number, cell) in cells.iter().enumerate() {
+            if matches!(cell.found, Found::Filled(_)) {
+                sum.served += cell.served;
+            }
+            let left_out = cell.left_out(places);
+            sum.left_out += left_out;
+            let around = sum.boundary && matches!(cell.found, Found::Other);
+            let regular = left_out > 0 && !around && !is_beside_boundary(cells, layout, number);
+            let rank = usize::from(left_out > 0) + usize::from(regular);
+            add(&mut bends[rank], &cell.bends);
+            if regular {
+                sum.regular += left_out;
+            }
+            if regular && left_out > most {
+                most = left_out;
+                sum.worst = Some(number);
+            }
+        }
+
+        let bent = |bends: &Vec<f64>| bends.iter().any(|&bend| bend > 0.0);
+        sum.bends = bends.into_iter().rev().find(bent).unwrap_or_default();
+        sum
+    }
+
+    /// So many places as a share of all.
+    pub(super) fn share(&self, places: usize) -> f64 {
+        places as f64 / self.places as f64
+    }
+}
+
+fn add(sum: &mut Vec<f64>, own: &[f64]) {
+    if sum.len() < own.len() {
+        sum.resize(own.len(), 0.0);
+    }
+    for (sum, own) in sum.iter_mut().zip(own) {
+        *sum += own;
+    }
+}
+
+fn is_beside_boundary(cells: &[Cell], layout: &Layout<'_>, number: usize) -> bool {
+    let slots = layout.slots(number);
+    let beside = (0..slots.len()).any(|axis| {
+        [false, true].into_iter().any(|up| {
+            let next = layout.neighbour(&slots, axis, up);
+            next.is_some_and(|next| cells[layout.number(&next)].has_boundary())
+        })
+    });
+    beside || cells[number].has_boundary()
+}
