@@ -245,6 +245,15 @@ fn groups_without_a_closed_form_say_what_is_wrong() {
              is too near"
                 .into(),
         ),
+        (
+            CoupledCause::LeavesOut {
+                share: 0.0125,
+                example: Placed(vec![angle("phi", 84.25), slide(2.0)]),
+            },
+            "cannot be prepared over these ranges of the inputs: 1.2 % of their positions would be left out, \
+             phi = 84.25 deg, s = 2 mm among them, though no dead point is near; this is a limit of linkage: shorten the ranges"
+                .into(),
+        ),
     ] {
         let error = CoupledError {
             mechanism: "M",

@@ -56,6 +56,25 @@ linkage::mechanism! {
     impl Six { fn plate(f1, f2, f3, l1, l2, l3) -> SixPlate { e1, direction: dir(t) } }
 }
 
+linkage::mechanism! {
+    /// Two pivots that go around sixty times in the ranges of two inputs.
+    struct Waves {
+        unit mm;
+        param wave = 1mm;
+        input a = 0deg in -180deg..180deg;
+        input b = 0deg in -180deg..180deg;
+        unknown x1 = 58deg;
+        unknown x2 = 133deg;
+        unknown x3 = 200deg;
+        unknown t = 40deg;
+        let e1 = polar(wave, 60 * a) + polar(90mm, x1);
+        loop e1 + polar(80mm, t) = (200mm, 0mm) + polar(wave, 60 * b) + polar(90mm, x2);
+        loop e1 + polar(80mm, t + 60deg) = (100mm, 120mm) + polar(60mm, x3);
+    }
+
+    impl Waves { fn plate(a, b) -> WavesPlate { e1 } }
+}
+
 const HALF: f64 = 15.0 / 180.0 * std::f64::consts::PI;
 
 /// Positions along each input.
@@ -270,4 +289,30 @@ fn six_inputs() {
     }
     println!("{} {served}", six.served());
     assert!(served > 990 && six.served() > 0.99);
+}
+
+#[test]
+fn ranges_that_would_be_left_out_are_refused() {
+    let waves = Waves::default().assemble().expect("small waves are served");
+    assert!(waves.served() > 0.999);
+    let refused = Waves { wave: 15.0 }.assemble();
+    let error = refused.expect_err("there are no cells for so many waves");
+    let AssemblyError::Coupled(own) = &error else {
+        panic!("{error}");
+    };
+    let CoupledCause::LeavesOut { share, example } = &own.cause else {
+        panic!("{error}");
+    };
+    assert!(*share > 0.01 && *share <= 1.0, "{share}");
+    assert_eq!(
+        example.0.iter().map(|own| own.name).collect::<Vec<_>>(),
+        ["a", "b"]
+    );
+    assert!(
+        example
+            .0
+            .iter()
+            .all(|own| own.value.abs() <= std::f64::consts::PI)
+    );
+    assert!(error.to_string().contains("this is a limit of linkage"));
 }

@@ -164,9 +164,9 @@ impl fmt::Display for CoupledCause {
             ),
             Self::LeavesOut { share, example } => write!(
                 f,
-                "cannot be prepared over these ranges of the inputs: {} % of their positions would be left out, {example} among \
-                 them, though no dead point is near: this is a limit of linkage; shorter ranges are served",
-                rounded(100.0 * share)
+                "cannot be prepared over these ranges of the inputs: {:.1} % of their positions would be left out, {example} among \
+                 them, though no dead point is near; this is a limit of linkage: shorten the ranges",
+                100.0 * share
             ),
         }
     }

@@ -1,7 +1,7 @@
 //! Prepared states over several inputs.
 
 use crate::triads::EyeNeedle;
-use crate::{TURN, range};
+use crate::{TURN, range, root};
 use linkage_random::Random;
 use linkage_runtime::numeric::continuation::{Correction, Grid, Range, Refusal, Step};
 
@@ -135,4 +135,79 @@ fn what_is_no_solution_is_refused() {
     assert_eq!(most.reached(), most.cells());
     let none = Grid::build(&mut fixed, &[0.0; 9], &start, &[range(0.0, 1.0); 9]);
     assert_eq!(none, Err(Refusal::NotConverging { at: 0.0 }));
+}
+
+/// A length that is the root of a function of two inputs, and how often it is corrected.
+struct Length<F> {
+    square: F,
+    corrected: usize,
+}
+
+impl<F: Fn(f64, f64) -> f64> Correction for Length<F> {
+    fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step {
+        self.corrected += 1;
+        root(|_| (self.square)(x[0], x[1])).correct(x, state)
+    }
+}
+
+fn length(square: impl Fn(f64, f64) -> f64, half: f64) -> (Result<Grid, Refusal>, usize) {
+    let start = square(0.0, 0.0).sqrt();
+    let mut length = Length {
+        square,
+        corrected: 0,
+    };
+    let ranges = [range(-half, half); 2];
+    let grid = Grid::build(&mut length, &[0.0; 2], &[start], &ranges);
+    (grid, length.corrected)
+}
+
+#[test]
+fn what_is_served_is_the_part_where_the_solution_exists() {
+    // Inside a circle, in a square around it.
+    let (grid, corrected) = length(|x, y| 1.0 - x * x - y * y, 1.0);
+    let grid = grid.unwrap();
+    let circle = std::f64::consts::FRAC_PI_4;
+    assert!(
+        grid.served() < circle && grid.served() > 0.95 * circle,
+        "{}",
+        grid.served()
+    );
+    // The boundary is the mechanism's own.
+    assert_eq!(grid.left_out(), None);
+    assert!(corrected < 1_000_000, "{corrected}");
+
+    let (grid, _) = length(|x, y| 3.0 + x + y, 1.0);
+    let grid = grid.unwrap();
+    assert!(grid.served() == 1.0 && grid.left_out().is_none());
+}
+
+#[test]
+fn what_is_left_out_away_from_boundaries_is_told() {
+    // More waves than there can be cells.
+    let wave = |x: f64, y: f64| 1.2 + (300.0 * x).sin() * (290.0 * y).cos();
+    let (grid, corrected) = length(wave, 1.0);
+    let grid = grid.unwrap();
+    let left_out = grid.left_out().expect("too many waves");
+    assert!(left_out.share > 0.3 && grid.served() < 0.7, "{left_out:?}");
+    assert!(left_out.at.iter().all(|x| x.abs() <= 1.0), "{left_out:?}");
+    let [x, y] = [left_out.at[0], left_out.at[1]];
+    let mut state = [0.0];
+    grid.state(&[x, y], &mut state);
+    let off = state[0] - wave(x, y).sqrt();
+    assert!(off.is_nan() || off.abs() > 1e-3, "{left_out:?}: {off:e}");
+    assert!(corrected <= 2_000_000, "{corrected}");
+}
+
+#[test]
+fn a_reference_beside_a_boundary_is_enough() {
+    // The centres of the first cells are beyond the boundary.
+    let strip = |x: f64, y: f64| 0.04 - (x - y) * (x - y);
+    let (grid, _) = length(strip, 1.0);
+    let grid = grid.unwrap();
+    assert!(
+        grid.served() > 0.15 && grid.served() < 0.2,
+        "{}",
+        grid.served()
+    );
+    assert_eq!(grid.left_out(), None);
 }

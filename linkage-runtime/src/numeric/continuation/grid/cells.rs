@@ -14,6 +14,8 @@ pub(super) struct Cell {
     pub(super) missed: usize,
     /// and at how many it does not exist.
     pub(super) absent: usize,
+    /// Whether the determinant nearly vanishes in it: a boundary is near, although it may lie between all places.
+    pub(super) vanishing: bool,
     /// A place where it is missed, as offsets from the centre in cells.
     pub(super) example: Option<Vec<f64>>,
     /// How much the state bends along it, input by input; nothing if its centre was not reached.
@@ -44,9 +46,9 @@ impl Cell {
         }
     }
 
-    /// Whether the solution ends in it.
+    /// Whether the solution ends in it, or nearly does.
     fn has_boundary(&self) -> bool {
-        matches!(self.found, Found::Beyond) || self.absent > 0
+        matches!(self.found, Found::Beyond) || self.absent > 0 || self.vanishing
     }
 
     /// Places at which the solution exists, or may exist, and is not served.
@@ -68,10 +70,10 @@ pub(super) struct Sum {
     pub(super) served: usize,
     /// Places at which the solution is not served where it exists.
     pub(super) left_out: usize,
-    /// Those of them for which no boundary of the solution is to blame: neither in the cell nor in a neighbour, and anywhere for cells
-    /// beside which another solution is held, since both ways around a cusp of the boundary may lead to different ones.
+    /// Those of them for which no boundary of the solution is to blame: it is neither in the cell nor in a neighbour, and nowhere for cells
+    /// that do not continue a neighbour, since ways around a cusp of the boundary may lead to different solutions anywhere.
     pub(super) regular: usize,
-    /// Whether the solution ends in some cell.
+    /// Whether the solution ends in some cell, or nearly does.
     pub(super) boundary: bool,
     /// The number of the cell that leaves out most of the regular places.
     pub(super) worst: Option<usize>,
@@ -96,7 +98,7 @@ impl Sum {
             }
             let left_out = cell.left_out(places);
             sum.left_out += left_out;
-            let around = sum.boundary && matches!(cell.found, Found::Other);
+            let around = sum.boundary && matches!(cell.found, Found::Refused | Found::Other);
             let regular = left_out > 0 && !around && !is_beside_boundary(cells, layout, number);
             let rank = usize::from(left_out > 0) + usize::from(regular);
             add(&mut bends[rank], &cell.bends);
@@ -108,7 +110,6 @@ impl Sum {
                 sum.worst = Some(number);
             }
         }
-
         let bent = |bends: &Vec<f64>| bends.iter().any(|&bend| bend > 0.0);
         sum.bends = bends.into_iter().rev().find(bent).unwrap_or_default();
         sum

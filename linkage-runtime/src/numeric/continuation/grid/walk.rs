@@ -18,6 +18,9 @@ const PART: f64 = 1.0 / 16.0;
 /// Newton steps that evaluators make from a cell's state.
 const STEPS: usize = 4;
 
+/// Where the determinant is a smaller share of the one at the reference a dead point is near: its distance goes with the square of it.
+const NEAR: f64 = 0.1;
+
 /// A solution at a place.
 pub(super) struct Solution<'a> {
     pub(super) at: &'a [f64],
@@ -185,36 +188,21 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
         let mut least = node.floor;
         let mut places = Vec::with_capacity(self.border.places.offsets.len());
         for offsets in &self.border.places.offsets {
-            let x = self.layout.moved(centre, offsets);
-            let mut state = vec![0.0; node.state.len()];
-            node.state(offsets, &mut state);
-            if let Some(determinant) = self.follower.settle_within(&x, &mut state, STEPS) {
-                cell.served += 1;
-                if determinant.abs() < least.abs() {
-                    least = determinant;
+            let (place, determinant) = self.place(centre, &node, offsets);
+            match place {
+                Place::Served(_) => cell.served += 1,
+                Place::Absent => cell.absent += 1,
+                Place::Missed(_) | Place::Unknown => {
+                    cell.missed += 1;
+                    cell.example.get_or_insert_with(|| offsets.clone());
                 }
-                places.push(Place::Served(state));
-                continue;
             }
-            state.copy_from_slice(&node.state);
-            let determinants = [node.floor, self.reference];
-            places.push(
-                match follow(self.follower, centre, &x, &mut state, determinants) {
-                    Way::Dead => {
-                        cell.absent += 1;
-                        Place::Absent
-                    }
-                    way => {
-                        cell.missed += 1;
-                        cell.example.get_or_insert_with(|| offsets.clone());
-                        match way {
-                            Way::There(_) => Place::Missed(state),
-                            _ => Place::Unknown,
-                        }
-                    }
-                },
-            );
+            if determinant.abs() < least.abs() {
+                least = determinant;
+            }
+            places.push(place);
         }
+        cell.vanishing = least.abs() < NEAR * self.reference.abs();
         cell.found = match self.border.joint(&self.layout, slots, &places) {
             Joint::Same => {
                 self.border.keep(&self.layout, slots, places);
@@ -225,5 +213,22 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
             Joint::Other => Found::Other,
         };
         cell
+    }
+
+    /// A place on the border of a cell, and the determinant there, as far as it is known.
+    fn place(&mut self, centre: &[f64], node: &Node, offsets: &[f64]) -> (Place, f64) {
+        let x = self.layout.moved(centre, offsets);
+        let mut state = vec![0.0; node.state.len()];
+        node.state(offsets, &mut state);
+        if let Some(determinant) = self.follower.settle_within(&x, &mut state, STEPS) {
+            return (Place::Served(state), determinant);
+        }
+        state.copy_from_slice(&node.state);
+        let determinants = [node.floor, self.reference];
+        match follow(self.follower, centre, &x, &mut state, determinants) {
+            Way::There(determinant) => (Place::Missed(state), determinant),
+            Way::Dead => (Place::Absent, f64::INFINITY),
+            Way::Lost => (Place::Unknown, f64::INFINITY),
+        }
     }
 }
