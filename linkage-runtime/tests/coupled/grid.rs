@@ -196,6 +196,12 @@ fn what_is_left_out_away_from_boundaries_is_told() {
     let off = state[0] - wave(x, y).sqrt();
     assert!(off.is_nan() || off.abs() > 1e-3, "{left_out:?}: {off:e}");
     assert!(corrected <= 2_000_000, "{corrected}");
+    // Nothing is known but beside the reference, and that is no dead point.
+    let known = |x: f64, _| if x.abs() < 1e-8 { 4.0 + x } else { f64::NAN };
+    let (grid, _) = length(known, 1.0);
+    let grid = grid.unwrap();
+    assert_eq!((grid.reached(), grid.served()), (0, 0.0));
+    assert_eq!(grid.left_out().map(|left_out| left_out.share), Some(1.0));
 }
 
 #[test]

@@ -140,7 +140,12 @@ fn start(
 ) -> Result<Start, AssemblyError> {
     let ranges: Vec<Range> = group.inputs.iter().map(|input| input.range).collect();
     let mut made = over(group, programs, x, state, &ranges, every);
-    if every && made.is_err() {
+    let nothing = match &made {
+        Ok(Start::Grid(grid)) => grid.reached() == 0,
+        Ok(_) => false,
+        Err(_) => true,
+    };
+    if every && nothing {
         let here = x.iter().map(|&x| Range {
             low: x,
             high: x,

@@ -51,15 +51,16 @@ impl<'a, C: Correction> Follower<'a, C> {
     /// Corrects a state until it solves the equations; returns the determinant. `None` if that does not happen quickly and
     /// evenly.
     pub(super) fn settle(&mut self, x: &[f64], state: &mut [f64]) -> Option<f64> {
-        self.settle_within(x, state, STEPS)
+        self.settle_within(x, state, STEPS, CONTRACTION)
     }
 
-    /// The same in so many steps.
+    /// The same in so many steps, each smaller than the one before by this factor.
     pub(super) fn settle_within(
         &mut self,
         x: &[f64],
         state: &mut [f64],
         steps: usize,
+        contraction: f64,
     ) -> Option<f64> {
         let mut allowed = FAR;
         for _ in 0..steps {
@@ -70,7 +71,7 @@ impl<'a, C: Correction> Follower<'a, C> {
             if step.size > allowed {
                 return None;
             }
-            allowed = CONTRACTION * step.size;
+            allowed = contraction * step.size;
         }
         None
     }

@@ -96,7 +96,7 @@ impl Grid {
     }
 
     fn made(divided: Divided, reference: &Solution<'_>) -> Result<Self, Refusal> {
-        if divided.sum.served == 0 {
+        if divided.sum.served == 0 && divided.sum.boundary {
             let at = reference.at.first().copied().unwrap_or_default();
             return Err(Refusal::NotConverging { at });
         }

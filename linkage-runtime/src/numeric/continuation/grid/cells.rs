@@ -4,6 +4,9 @@ use super::layout::Layout;
 use super::node::Node;
 use alloc::vec::Vec;
 
+/// Cells between which a boundary is beside: across an edge it takes two.
+const BESIDE: usize = 2;
+
 /// A cell after a walk.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cell {
@@ -25,8 +28,10 @@ pub(super) struct Cell {
 /// How far the walk came with a cell.
 #[derive(Clone, Debug, Default)]
 pub(super) enum Found {
-    /// There was no cell beside it from which a way leads here, or a dead point was on the way.
+    /// No cell beside it was filled.
     #[default]
+    Unseen,
+    /// A dead point is on the way to its centre.
     Beyond,
     /// Its centre was not reached, and no dead point was met.
     Lost,
@@ -42,7 +47,7 @@ impl Cell {
     pub(super) fn node(self) -> Option<Node> {
         match self.found {
             Found::Filled(node) => Some(node),
-            Found::Beyond | Found::Lost | Found::Refused | Found::Other => None,
+            Found::Unseen | Found::Beyond | Found::Lost | Found::Refused | Found::Other => None,
         }
     }
 
@@ -51,10 +56,11 @@ impl Cell {
         matches!(self.found, Found::Beyond) || self.absent > 0 || self.vanishing
     }
 
-    /// Places at which the solution exists, or may exist, and is not served.
-    fn left_out(&self, places: usize) -> usize {
+    /// Places at which the solution exists, or may exist, and is not served. What no way leads to is behind the `boundary`, if there is one.
+    fn left_out(&self, places: usize, boundary: bool) -> usize {
         match self.found {
-            Found::Beyond => 0,
+            Found::Unseen if !boundary => places,
+            Found::Unseen | Found::Beyond => 0,
             Found::Lost => places,
             Found::Refused | Found::Other => self.served + self.missed,
             Found::Filled(_) => self.missed,
@@ -70,7 +76,7 @@ pub(super) struct Sum {
     pub(super) served: usize,
     /// Places at which the solution is not served where it exists.
     pub(super) left_out: usize,
-    /// Those of them for which no boundary of the solution is to blame: it is neither in the cell nor in a neighbour, and nowhere for cells
+    /// Those of them for which no boundary of the solution is to blame: it is neither in the cell nor beside it, and nowhere for cells
     /// that do not continue a neighbour, since ways around a cusp of the boundary may lead to different solutions anywhere.
     pub(super) regular: usize,
     /// Whether the solution ends in some cell, or nearly does.
@@ -90,16 +96,17 @@ impl Sum {
             boundary: cells.iter().any(Cell::has_boundary),
             ..Self::default()
         };
+        let beside = beside_boundary(cells, layout);
         let mut most = 0;
         let mut bends = [const { Vec::new() }; 3];
         for (number, cell) in cells.iter().enumerate() {
             if matches!(cell.found, Found::Filled(_)) {
                 sum.served += cell.served;
             }
-            let left_out = cell.left_out(places);
+            let left_out = cell.left_out(places, sum.boundary);
             sum.left_out += left_out;
             let around = sum.boundary && matches!(cell.found, Found::Refused | Found::Other);
-            let regular = left_out > 0 && !around && !is_beside_boundary(cells, layout, number);
+            let regular = left_out > 0 && !around && !beside[number];
             let rank = usize::from(left_out > 0) + usize::from(regular);
             add(&mut bends[rank], &cell.bends);
             if regular {
@@ -130,13 +137,22 @@ fn add(sum: &mut Vec<f64>, own: &[f64]) {
     }
 }
 
-fn is_beside_boundary(cells: &[Cell], layout: &Layout<'_>, number: usize) -> bool {
-    let slots = layout.slots(number);
-    let beside = (0..slots.len()).any(|axis| {
-        [false, true].into_iter().any(|up| {
-            let next = layout.neighbour(&slots, axis, up);
-            next.is_some_and(|next| cells[layout.number(&next)].has_boundary())
-        })
-    });
-    beside || cells[number].has_boundary()
+/// Which cells have a boundary, or are so many steps from neighbour to neighbour away from one: how hard a cell is to fill goes with its
+/// distance from a boundary in cells, however small they are.
+fn beside_boundary(cells: &[Cell], layout: &Layout<'_>) -> Vec<bool> {
+    let mut near: Vec<bool> = cells.iter().map(Cell::has_boundary).collect();
+    for _ in 0..BESIDE {
+        let before = near.clone();
+        for number in (0..cells.len()).filter(|&number| before[number]) {
+            let slots = layout.slots(number);
+            for axis in 0..slots.len() {
+                for up in [false, true] {
+                    if let Some(next) = layout.neighbour(&slots, axis, up) {
+                        near[layout.number(&next)] = true;
+                    }
+                }
+            }
+        }
+    }
+    near
 }

@@ -18,6 +18,10 @@ const PART: f64 = 1.0 / 16.0;
 /// Newton steps that evaluators make from a cell's state.
 const STEPS: usize = 4;
 
+/// On the border of a cell each step is smaller than the one before by this factor. Evaluators allow a quarter: the difference is for what
+/// lies between the places that are tested.
+const CONTRACTION: f64 = 0.1;
+
 /// Where the determinant is a smaller share of the one at the reference a dead point is near: its distance goes with the square of it.
 const NEAR: f64 = 0.1;
 
@@ -119,11 +123,12 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
         let determinants = [from.determinant, self.reference];
         let determinant = match follow(self.follower, from.at, to, &mut state, determinants) {
             Way::There(determinant) => determinant,
-            Way::Dead => return false,
-            Way::Lost => {
-                let found = &mut self.cells[number].found;
-                if matches!(found, Found::Beyond) {
-                    *found = Found::Lost;
+            ended => {
+                let cell = &mut self.cells[number];
+                match (ended, &cell.found) {
+                    (Way::Dead, Found::Unseen | Found::Lost) => cell.found = Found::Beyond,
+                    (_, Found::Unseen) => cell.found = Found::Lost,
+                    _ => {}
                 }
                 return false;
             }
@@ -220,7 +225,10 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
         let x = self.layout.moved(centre, offsets);
         let mut state = vec![0.0; node.state.len()];
         node.state(offsets, &mut state);
-        if let Some(determinant) = self.follower.settle_within(&x, &mut state, STEPS) {
+        if let Some(determinant) = self
+            .follower
+            .settle_within(&x, &mut state, STEPS, CONTRACTION)
+        {
             return (Place::Served(state), determinant);
         }
         state.copy_from_slice(&node.state);
