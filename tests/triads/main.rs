@@ -14,6 +14,7 @@ mod inputs;
 mod kinds;
 mod legs;
 mod machines;
+mod many_inputs;
 mod newton;
 mod pinned;
 mod platforms;
