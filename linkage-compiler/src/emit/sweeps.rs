@@ -221,12 +221,13 @@ impl Sweeps<'_> {
             quote!(&#followed,)
         });
         let [all, all_parallel] = match follow {
-            true => ["fill_followed", "fill_followed_parallel"],
-            false => ["fill", "fill_parallel"],
-        }
-        .map(|name| format_ident!("{name}"));
-        let fill =
-            quote!(#runtime::#all(&self.#kernel(), &#rows, #followed #ty::__of_mut(#columns)););
+            true => [
+                quote!(#runtime::fill_followed),
+                quote!(#runtime::fill_followed_parallel),
+            ],
+            false => [quote!(#runtime::fill), quote!(#runtime::fill_parallel)],
+        };
+        let fill = quote!(#all(&self.#kernel(), &#rows, #followed #ty::__of_mut(#columns)););
         let fill = self.outline.body(fill);
         let [owned, into] = [Sweep::Sets, Sweep::SetsInto].map(|sweep| self.title(sweep));
         let sweep = self.method(
@@ -260,7 +261,7 @@ impl Sweeps<'_> {
                 where T: ::core::marker::Send + ::core::marker::Sync
             },
             quote! {
-                #runtime::#all_parallel(&self.#kernel(), &#source, #followed #ty::__of_mut(#columns));
+                #all_parallel(&self.#kernel(), &#source, #followed #ty::__of_mut(#columns));
             },
         );
         quote! {
