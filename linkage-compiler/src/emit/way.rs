@@ -46,10 +46,11 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
             });
             let prepared = sealed::starts(outline, &quote!(__assembly));
             let places = Places::all(outline);
+            let vec = quote!(#runtime::Vec);
             let states = outline.starts.iter().enumerate().map(|(number, start)| {
                 let first = places.state(number, 0);
                 let numbers = (first..first + start.size).map(literal::index);
-                quote!(#runtime::Vec::from([#(T::lane(__x[#numbers], __lane)),*]))
+                quote!(<#vec<_> as ::core::convert::From<[_; _]>>::from([#(T::lane(__x[#numbers], __lane)),*]))
             });
             quote! {
                 #way
@@ -58,7 +59,10 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
                 let mut __lanes = #runtime::Vec::new();
                 for __lane in 0..T::LANES {
                     let __way = __way(__lane);
-                    let __states = #runtime::follow_way(&__way, #runtime::Vec::from([#(#states),*]))?;
+                    let __states = #runtime::follow_way(
+                        &__way,
+                        <#vec<_> as ::core::convert::From<[_; _]>>::from([#(#states),*]),
+                    )?;
                     __lanes.push(#runtime::prepared_over(
                         &#assembly::<#float>::__GROUPS,
                         &__way.at,
