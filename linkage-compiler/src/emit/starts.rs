@@ -15,7 +15,7 @@ use super::assembly::Types;
 use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::{Outline, Start};
-use super::{attribute, body, literal};
+use super::{attribute, body, literal, sealed};
 use crate::unit::Unit;
 
 pub(super) use assemble::assemble;
@@ -38,11 +38,12 @@ pub(super) fn coupled_name(outline: &Outline) -> Ident {
 
 /// `served()`; nothing where no group is prepared over several inputs.
 pub(super) fn served(outline: &Outline) -> TokenStream {
+    let prepared = sealed::starts(outline, &quote!(self));
     let groups = outline.starts.iter().enumerate();
     let over_several = groups.filter(|(_, start)| start.inputs.len() > 1);
     let shares = over_several.map(|(number, _)| {
         let number = literal::index(number);
-        quote!(self.__starts.#number.served())
+        quote!(#prepared.#number.served())
     });
     let share = shares.reduce(|least, share| quote!(::core::primitive::f64::min(#least, #share)));
     share.map_or_else(TokenStream::new, |share| {
