@@ -81,18 +81,14 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
     });
     let modes = (!used.is_empty()).then(|| quote!(let #core { __modes, __turns, .. } = __core;));
     let prepare = modes.is_some().then(|| {
+        // All lanes of the block, also those without a row: only a loop of a fixed length becomes vectors of full width.
         quote! {
-            let mut __vector = 0;
-            while __vector < __vectors {
-                let __start = __vector * __LANES;
-                let mut __lane = __start;
-                while __lane < __start + __LANES {
-                    let __mechanism = #name::__at_lane(&__x, __lane);
-                    let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
-                    #(#stores)*
-                    __lane += 1;
-                }
-                __vector += 1;
+            let mut __lane = 0;
+            while __lane < __BLOCK {
+                let __mechanism = #name::__at_lane(&__x, __lane);
+                let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
+                #(#stores)*
+                __lane += 1;
             }
         }
     });

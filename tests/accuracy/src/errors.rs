@@ -159,10 +159,15 @@ fn compare_one(
                 None => reference.error(k, number),
             };
             let in_unit = |unit: &Big| ratio(number, &error, unit);
+            // An angle that counts many turns is rounded as a whole, however little it changes with what it is computed from.
+            let own = match by {
+                [] if number.is_finite() => Big::from(number.abs()) * ROUNDOFF,
+                _ => Big::zero(),
+            };
             let errors = Errors {
                 raw: in_unit(&(&sizes[k] * ROUNDOFF)),
-                conditioned: in_unit(&joint[k]),
-                alone: in_unit(&alone[k]),
+                conditioned: in_unit(&joint[k].clone().max(&own)),
+                alone: in_unit(&alone[k].clone().max(&own)),
             };
             report.add(*program, measure, errors, || {
                 format!(

@@ -67,29 +67,24 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
         for (column, slice) in block.iter_mut().zip(&self.slices) {
             match slice.get(start..).and_then(|rest| rest.first_chunk()) {
                 Some(values) => *column = *values,
-                None => behind_whole_blocks::<T, V>(&mut column[..rows.min(B)], slice, start),
+                None => last_rows(&mut column[..rows.min(B)], slice, start),
             }
         }
     }
 }
 
-/// The last rows, fewer than a block.
-#[inline(always)]
-fn behind_whole_blocks<T: Copy, const V: usize>(column: &mut [T], slice: &[T], start: usize) {
+/// The last rows, fewer than a block: rare, and so behind a call.
+#[inline(never)]
+fn last_rows<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
     if let [value] = slice {
-        column.fill(*value);
-        return;
+        return column.fill(*value);
     }
-    let rest = slice.get(start..).unwrap_or_default();
-    if rest.len() < column.len() {
-        return repeat_last(column, slice, start);
-    }
-    for (rows, values) in column.chunks_exact_mut(V).zip(rest.chunks_exact(V)) {
-        rows.copy_from_slice(values);
+    match slice.get(start..start + column.len()) {
+        Some(values) => column.copy_from_slice(values),
+        None => repeat_last(column, slice, start),
     }
 }
 
-#[inline(never)]
 fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
     for (lane, place) in column.iter_mut().enumerate() {
         *place = slice[(start + lane).min(slice.len() - 1)];

@@ -1,6 +1,6 @@
 //! The best instruction set that the running machine has.
 
-use super::{Arguments, Kernel, blocks};
+use super::{Arguments, Kernel, blocks, one_by_one};
 use crate::Scalar;
 use crate::scalar::FUSED;
 
@@ -17,31 +17,10 @@ pub(super) fn run<T, K, A, const I: usize, const W: usize>(
 {
     match size_of::<T>() {
         _ if blocks::rows(&columns) == 0 => {}
-        _ if !T::VECTORISES => one_by_one(kernel, arguments, start, columns),
+        _ if !T::VECTORISES => one_by_one::run(kernel, arguments, start, columns),
         4 => vectors::<T, K, A, 16, 64, I, W>(kernel, arguments, start, columns),
         _ => vectors::<T, K, A, 8, 32, I, W>(kernel, arguments, start, columns),
     }
-}
-
-/// Up to so many rows take less time one by one than side by side.
-const FEW: usize = 2;
-
-/// Rows as single calls compute them.
-fn one_by_one<T, K, A, const I: usize, const W: usize>(
-    kernel: &K,
-    arguments: &A,
-    start: usize,
-    columns: [&mut [T]; W],
-) where
-    T: Scalar,
-    K: Kernel<T, I, W>,
-    A: Arguments<T, I>,
-{
-    #[cfg(all(target_arch = "x86_64", feature = "std"))]
-    let Some(columns) = avx2::run::<T, K, A, 1, 1, I, W>(kernel, arguments, start, columns) else {
-        return;
-    };
-    kernel.evaluate::<FUSED, 1, 1>(arguments, start, columns);
 }
 
 /// `V` rows side by side, in blocks of `B`.
@@ -55,8 +34,8 @@ fn vectors<T, K, A, const V: usize, const B: usize, const I: usize, const W: usi
     K: Kernel<T, I, W>,
     A: Arguments<T, I>,
 {
-    if blocks::rows(&columns) <= FEW {
-        return one_by_one(kernel, arguments, start, columns);
+    if blocks::rows(&columns) <= one_by_one::FEW {
+        return one_by_one::run(kernel, arguments, start, columns);
     }
     if blocks::rows(&columns) < V {
         return blocks::few::<T, V, W>(columns, |block| {

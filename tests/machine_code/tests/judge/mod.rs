@@ -219,6 +219,6 @@ fn only_repeats(loops: &Loops, looked_up: bool) -> bool {
     let others = loops
         .calls
         .iter()
-        .filter(|name| !name.contains("repeat_last"));
+        .filter(|name| !name.contains("9arguments9last_rows"));
     loops.strange.is_empty() && others.count() <= 2 * usize::from(looked_up)
 }
