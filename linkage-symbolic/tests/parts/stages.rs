@@ -1,0 +1,151 @@
+//! Where long programs are cut.
+
+use linkage_symbolic::interpret::run;
+use linkage_symbolic::passes::stages::{Stage, split};
+use linkage_symbolic::program::{Binary, Instruction, Program, Source, Unary, Value};
+
+/// What a processor looks ahead for two positions, in operations.
+const SIZE: u32 = 64;
+
+/// Blocks one after the other, each from the last value of the block before: `wide` values that are all needed until the end of the
+/// block, then their sum. Every sum is a result.
+fn blocks(count: usize, wide: usize) -> Program {
+    let mut program = Program::default();
+    let factor = program.push(Instruction::Load(Source::Input(0)));
+    let mut last = factor;
+    for _ in 0..count {
+        let mut values = Vec::new();
+        for _ in 0..wide {
+            last = program.push(Instruction::Binary(Binary::Mul, last, factor));
+            values.push(last);
+        }
+        for value in values {
+            last = program.push(Instruction::Binary(Binary::Sub, value, last));
+        }
+        program.outputs.push(last);
+    }
+    program
+}
+
+fn run_stages(stages: &[Stage], x: f64, count: usize) -> Vec<f64> {
+    let mut results = vec![f64::NAN; count];
+    let mut carried: Vec<f64> = Vec::new();
+    for stage in stages {
+        let outputs = run(&stage.program, |source| match source {
+            Source::Carried(index) => carried[index],
+            _ => x,
+        });
+        assert_eq!(outputs.len(), stage.carried + stage.results.len());
+        for (&result, &value) in stage.results.iter().zip(&outputs[stage.carried..]) {
+            assert!(results[result].is_nan(), "result {result} comes twice");
+            results[result] = value;
+        }
+        carried = outputs[..stage.carried].to_vec();
+    }
+    results
+}
+
+fn size(program: &Program) -> u32 {
+    program.instructions.iter().map(Instruction::size).sum()
+}
+
+fn carried(program: &Program) -> usize {
+    let is_carried = |own: &&Instruction| matches!(own, Instruction::Load(Source::Carried(_)));
+    program.instructions.iter().filter(is_carried).count()
+}
+
+/// Between blocks one value is alive, within them many are.
+#[test]
+fn cuts_are_where_one_value_is_alive() {
+    for wide in [8, 14, 20, 30] {
+        let program = blocks(40, wide);
+        let stages = split(&program);
+        assert_eq!(
+            run_stages(&stages, 0.9, 40),
+            run(&program, |_| 0.9),
+            "{wide}"
+        );
+        let (last, others) = stages.split_last().expect("there is one");
+        assert_eq!((last.carried, carried(&stages[0].program)), (0, 0));
+        for (stage, next) in others.iter().zip(&stages[1..]) {
+            assert_eq!((stage.carried, carried(&next.program)), (1, 1), "{wide}");
+        }
+        // As large as may be without cost, or little larger: a block does not end where the limit is.
+        let block = 2 * wide as u32;
+        for stage in others {
+            let size = size(&stage.program);
+            assert!(size + block > SIZE && size < SIZE + block, "{wide}: {size}");
+        }
+    }
+}
+
+#[test]
+fn what_fits_into_one_stage_is_not_cut() {
+    assert_eq!(split(&blocks(1, 32)).len(), 1);
+    assert_eq!(split(&blocks(4, 8)).len(), 1, "exactly 64");
+    assert!(split(&blocks(12, 8)).len() > 1);
+    let empty = Program::default();
+    assert_eq!(split(&empty).len(), 0);
+}
+
+/// Where everything is alive for long, to carry it costs more than a stage that is too large.
+#[test]
+fn wide_blocks_are_cut_less() {
+    let narrow = split(&blocks(30, 2));
+    let wide = split(&blocks(2, 30));
+    let most = |stages: &[Stage]| stages.iter().map(|own| size(&own.program)).max();
+    assert_eq!(narrow.len(), 2);
+    assert_eq!(wide.len(), 2);
+    // The first product of a block is as good a place.
+    assert_eq!(most(&wide), Some(61));
+    assert!(most(&narrow) < Some(SIZE + 8));
+    let tangled = split(&blocks(1, 60));
+    assert_eq!(tangled.len(), 1, "{:?}", most(&tangled));
+}
+
+/// A sine and its cosine stay together although a cut between them would be the cheapest.
+#[test]
+fn pairs_are_not_separated() {
+    let mut program = Program::default();
+    let x = program.push(Instruction::Load(Source::Input(0)));
+    let mut last = x;
+    for _ in 0..12 {
+        let sine = program.push(Instruction::SinCos(last));
+        let cosine = program.push(Instruction::Second(sine));
+        program.outputs.push(sine);
+        last = program.push(Instruction::Binary(Binary::Mul, cosine, x));
+        for _ in 0..3 {
+            last = program.push(Instruction::Unary(Unary::Sqrt, last));
+        }
+    }
+    program.outputs.push(last);
+    let stages = split(&program);
+    assert!(stages.len() > 3);
+    for stage in &stages {
+        assert_eq!(stage.program.mistake(), None);
+    }
+    let expected = run(&program, |_| 0.3);
+    assert_eq!(run_stages(&stages, 0.3, expected.len()), expected);
+}
+
+/// Results that are loads or constants come from the last stage, and nothing that is free is carried.
+#[test]
+fn what_is_free_is_not_carried() {
+    let mut program = blocks(10, 10);
+    let constant = program.push(Instruction::Constant(2.5));
+    let last = program.outputs[9];
+    let scaled = program.push(Instruction::Binary(Binary::Mul, constant, last));
+    program.outputs.extend([Value(0), constant, scaled]);
+    let stages = split(&program);
+    assert!(stages.len() > 2);
+    assert!(stages.iter().all(|own| own.carried <= 1));
+    let (last, others) = stages.split_last().expect("there is one");
+    assert!(
+        others
+            .iter()
+            .flat_map(|own| &own.results)
+            .all(|&result| result < 10)
+    );
+    assert!(last.results.ends_with(&[10, 11, 12]));
+    assert_eq!(run_stages(&stages, 0.8, 13), run(&program, |_| 0.8));
+}
