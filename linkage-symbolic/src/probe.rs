@@ -125,3 +125,111 @@ fn number(symbol: SymbolId, place: Place) -> f64 {
     let sign = if x & 1 == 0 { 1.0 } else { -1.0 };
     sign * near * 10f64.powi((x >> 1 & 7) as i32 - 3)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::Source;
+
+    /// Numbers of some symbols, each at many places.
+    fn numbers(place: fn(u64) -> Place) -> Vec<Vec<f64>> {
+        let of = |symbol| (0..TRIED).map(move |k| number(SymbolId(symbol), place(k)));
+        (0..20).map(|symbol| of(symbol).collect()).collect()
+    }
+
+    fn mean(numbers: impl Iterator<Item = f64>) -> f64 {
+        let numbers: Vec<f64> = numbers.collect();
+        numbers.iter().sum::<f64>() / numbers.len() as f64
+    }
+
+    /// Near numbers fill 0.5 to 1.5 evenly: the mean is 1, that of the squared distances from it 1/12.
+    #[test]
+    fn near_numbers_fill_their_range() {
+        let numbers = numbers(Place::Near);
+        let mut all = numbers.concat();
+        assert!(all.iter().all(|x| (0.5..1.5).contains(x)));
+        assert!((mean(all.iter().copied()) - 1.0).abs() < 0.03);
+        let distances = all.iter().map(|x| (x - 1.0).powi(2));
+        assert!((mean(distances) - 1.0 / 12.0).abs() < 0.005);
+        all.sort_by(f64::total_cmp);
+        let widest = all
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .fold(0.0, f64::max);
+        assert!(widest < 0.02, "{widest}");
+        assert!(
+            all.windows(2).all(|pair| pair[0] < pair[1]),
+            "none comes twice"
+        );
+    }
+
+    /// No symbol tells anything of another, nor a place of the next one.
+    #[test]
+    fn numbers_have_no_pattern() {
+        let numbers = numbers(Place::Near);
+        let product = |(x, y): (&f64, &f64)| (x - 1.0) * (y - 1.0) * 12.0;
+        let mut products = Vec::new();
+        for k in 1..numbers.len() {
+            for other in 0..k {
+                let pairs = numbers[k].iter().zip(&numbers[other]);
+                products.push(mean(pairs.map(product)));
+            }
+            let next = numbers[k].iter().zip(&numbers[k][1..]);
+            products.push(mean(next.map(product)));
+        }
+        // Of 64 random numbers it is 1/8 on average, and beyond 5/8 once in two millions.
+        assert!(products.iter().all(|x| x.abs() < 0.625), "{products:?}");
+        let size = mean(products.iter().map(|x| x * x)).sqrt();
+        assert!((0.1..0.15).contains(&size), "{size}");
+    }
+
+    /// Far numbers have both signs, and sizes from a thousandth to ten thousand.
+    #[test]
+    fn far_numbers_have_all_signs_and_sizes() {
+        let all = numbers(Place::Far).concat();
+        let negative = mean(all.iter().map(|x| f64::from(x.is_sign_negative())));
+        assert!((negative - 0.5).abs() < 0.05, "{negative}");
+        let mut decades = [0; 8];
+        for x in &all {
+            let exponent = (x.abs() / 0.5).log10().floor();
+            let rest = x.abs() / 10_f64.powf(exponent);
+            assert!((0.5..1.5).contains(&rest), "{x}");
+            decades[(exponent + 3.0) as usize] += 1;
+        }
+        let share = all.len() / decades.len();
+        assert!(
+            decades
+                .iter()
+                .all(|count| (share / 2..2 * share).contains(count)),
+            "{decades:?}"
+        );
+        let near = numbers(Place::Near).concat();
+        assert!(
+            near.iter().zip(&all).all(|(x, y)| x != y),
+            "places of their own"
+        );
+    }
+
+    #[test]
+    fn cosine_and_sine_are_of_one_angle() {
+        let graph = Graph::new();
+        let ((c, _), (s, _), (free, _)) = (
+            graph.unknown("c"),
+            graph.unknown("s"),
+            graph.unknown("free"),
+        );
+        graph.pair(c, s);
+        let of_source = graph.source(Source::Input(0));
+        let of_source = graph.symbols_of(&[of_source])[0];
+        for k in 0..TRIED {
+            for place in [Place::Near(k), Place::Far(k)] {
+                let [cos, sin] = [c, s].map(|symbol| sample(&graph, symbol, place));
+                assert!((cos * cos + sin * sin - 1.0).abs() < 1e-15);
+                assert_eq!(cos, number(c, place).cos());
+                for symbol in [free, of_source] {
+                    assert_eq!(sample(&graph, symbol, place), number(symbol, place));
+                }
+            }
+        }
+    }
+}

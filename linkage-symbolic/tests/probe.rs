@@ -1,7 +1,7 @@
 //! Equal or not, by trying.
 
 use linkage_symbolic::program::{Binary, Source, Unary};
-use linkage_symbolic::{Ex, Graph, agree};
+use linkage_symbolic::{Ex, Graph, agree, agree_within};
 
 fn symbols(graph: &Graph) -> [Ex<'_>; 3] {
     [0, 1, 2].map(|k| graph.ex(graph.source(Source::Parameter(k))))
@@ -51,4 +51,61 @@ fn what_is_not_defined_everywhere_is_compared_where_it_is() {
     let twice = angle + angle;
     assert!(agree(twice - angle, angle));
     assert!(!agree(graph.number(f64::NAN), a));
+}
+
+/// The share is of the larger side.
+#[test]
+fn a_difference_counts_beside_its_terms() {
+    let graph = Graph::new();
+    let [a, b, _] = symbols(&graph);
+    for scale in [1e-200, 1.0, 1e200] {
+        let product = scale * (a * b);
+        assert!(agree(product * (1.0 + 1e-11), product));
+        assert!(!agree(product * (1.0 + 1e-9), product));
+        assert!(agree_within(product * 1.01, product, 0.02));
+        assert!(!agree_within(product * 1.01, product, 0.005));
+        assert!(!agree(product, -product));
+    }
+    let nothing = graph.number(0.0);
+    assert!(!agree(1e-30 * a, nothing), "small is not nothing");
+}
+
+/// A square as what remains of terms that are `size^2` times as large: it is known less well.
+fn remainder<'g>([a, b, _]: [Ex<'g>; 3], size: f64) -> Ex<'g> {
+    let large = size * a;
+    (large + b).square() - large.square() - 2.0 * (large * b)
+}
+
+#[test]
+fn what_remains_of_large_terms_is_known_less_well() {
+    let graph = Graph::new();
+    let all = symbols(&graph);
+    let [_, b, c] = all;
+    let (rounded, exact) = (remainder(all, 1e5), b.square());
+    assert!(agree(rounded, exact) && !agree(rounded, exact + 100.0));
+    // What it is multiplied by or divided by multiplies the error, too.
+    let (factor, divisor) = (1e12 * c, 1e-12 * c);
+    assert!(agree(rounded * factor, exact * factor));
+    assert!(agree(factor * rounded, exact * factor));
+    assert!(agree(rounded / divisor, exact / divisor));
+    assert!(!agree(rounded * factor, (exact + 100.0) * factor));
+    assert!(!agree(rounded / divisor, (exact + 100.0) / divisor));
+    // A root of it is known as well as the root's share of it.
+    let (rounded, exact) = (remainder(all, 1e4), b.square());
+    let root = (rounded * factor).sqrt();
+    assert!(agree(root, (exact * factor).sqrt()));
+    assert!(!agree(root, 2.0 * (exact * factor).sqrt()));
+}
+
+#[test]
+fn both_sides_must_be_defined_somewhere() {
+    let graph = Graph::new();
+    let [a, b, _] = symbols(&graph);
+    let nowhere = (-1.0 - a.square()).sqrt();
+    assert!(!agree(nowhere, 2.0 * nowhere));
+    // Defined on one side only is no equality.
+    let below = (a - 1.0).sqrt();
+    assert!(!agree(below.square(), a - 1.0));
+    // Roots are compared where all symbols are positive.
+    assert!(agree((a * b).sqrt(), a.sqrt() * b.sqrt()));
 }
