@@ -201,6 +201,7 @@ mod tests {
         let mut map: Map<Vec<usize>, usize> = Map::new();
         assert!(map.is_empty() && map.get(&[1][..]).is_none());
         assert_eq!(map.insert(vec![1], 10), None);
+        assert!(!map.is_empty());
         assert_eq!(map.insert(vec![1], 11), Some(10));
         *map.entry(vec![2]).or_insert(20) += 1;
         *map.entry(vec![2]).or_insert(20) += 1;
@@ -221,7 +222,7 @@ mod tests {
     #[test]
     fn a_set_tells_what_is_in_it() {
         let mut set = Set::new();
-        assert!(set.insert(3) && !set.insert(3) && set.contains(&3));
+        assert!(set.insert(3) && !set.insert(3) && set.contains(&3) && !set.is_empty());
         assert!(set.remove(&3) && !set.remove(&3) && set.is_empty());
         set.extend([1, 2, 2]);
         assert_eq!(set.len(), 2);

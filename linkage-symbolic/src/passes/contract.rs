@@ -133,15 +133,57 @@ mod tests {
     }
 
     #[test]
-    fn a_determinant_that_is_divided_by_is_not_fused() {
+    fn the_first_product_is_fused_if_it_is_later() {
+        let operations = [
+            binary(Binary::Div, 2, 3),
+            binary(Binary::Mul, 4, 0),
+            binary(Binary::Mul, 0, 1),
+            binary(Binary::Sub, 5, 6),
+        ];
+        let contracted = contract(program(&operations, &[7]));
+        let last = contracted.instructions.last();
+        assert_eq!(last, Some(&fused(Fused::MulSub, 4, 0, 5)));
+    }
+
+    #[test]
+    fn of_products_known_at_one_time_the_second_is_fused() {
         let operations = [
             binary(Binary::Mul, 0, 1),
             binary(Binary::Mul, 2, 3),
             binary(Binary::Sub, 4, 5),
-            binary(Binary::Div, 0, 6),
         ];
-        let written = program(&operations, &[7]);
-        assert_eq!(contract(written.clone()), written);
+        let contracted = contract(program(&operations, &[6]));
+        let last = contracted.instructions.last();
+        assert_eq!(last, Some(&fused(Fused::SubMul, 2, 3, 4)));
+    }
+
+    #[test]
+    fn a_determinant_that_is_compared_with_zero_is_not_fused() {
+        for last in [
+            binary(Binary::Div, 0, 6),
+            Instruction::Unary(Unary::Abs, Value(6)),
+        ] {
+            let operations = [
+                binary(Binary::Mul, 0, 1),
+                binary(Binary::Mul, 2, 3),
+                binary(Binary::Sub, 4, 5),
+                last,
+            ];
+            let written = program(&operations, &[7]);
+            assert_eq!(contract(written.clone()), written);
+        }
+    }
+
+    /// Its size is that of the sum, not of a rounding error.
+    #[test]
+    fn a_divisor_with_one_product_is_fused() {
+        let operations = [
+            binary(Binary::Mul, 0, 1),
+            binary(Binary::Sub, 4, 2),
+            binary(Binary::Div, 3, 5),
+        ];
+        let contracted = contract(program(&operations, &[6]));
+        assert_eq!(contracted.instructions[4], fused(Fused::MulSub, 0, 1, 2));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 
-use linkage_symbolic::program::Source;
+use linkage_symbolic::program::{Binary, Source, Ternary, Unary};
 use linkage_symbolic::{Ex, Graph, NodeId};
 
 use crate::{inputs, value};
@@ -95,12 +95,28 @@ fn graphs_and_operators_make_the_same_nodes() {
 }
 
 #[test]
+fn operations_of_numbers_are_numbers() {
+    let graph = Graph::new();
+    let numbers = [0.75, -0.3, 12.0];
+    let [a, b, c] = numbers.map(|own| graph.number(own));
+    let unary = Unary::ALL.iter().map(|&op| (a.unary(op), op.apply([0.75])));
+    let binary = Binary::ALL.iter();
+    let binary = binary.map(|&op| (a.binary(op, b), op.apply([0.75, -0.3])));
+    let ternary = Ternary::ALL.iter();
+    let ternary = ternary.map(|&op| (a.ternary(op, b, c), op.apply(numbers)));
+    for (made, expected) in unary.chain(binary).chain(ternary) {
+        assert_eq!(made.constant_value(), Some(expected));
+    }
+}
+
+#[test]
 fn expressions_are_equal_as_nodes() {
     let graph = Graph::new();
     let [x, y] = inputs(&graph);
     let p = graph.ex(graph.source(Source::Parameter(0)));
     assert!(x == graph.ex(x.id()) && x != y);
-    assert_eq!(x + y, y + x);
+    assert_eq!([x + y, x * y, x.hypot(y)], [y + x, y * x, y.hypot(x)]);
+    assert!(x.atan2(y) != y.atan2(x));
     let hasher = BuildHasherDefault::<DefaultHasher>::default();
     assert_eq!(hasher.hash_one(x), hasher.hash_one(x.id()));
     let hashes = [x, y, p].map(|own| hasher.hash_one(own));

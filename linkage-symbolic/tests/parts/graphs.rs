@@ -178,7 +178,7 @@ fn graphs_share_their_slots() {
         let graph = Graph::new();
         let [p, q] = [first, 1 - first].map(|k| graph.ex(graph.source(Source::Parameter(k))));
         let [x] = inputs(&graph);
-        let all = [p * q + p, p / q, p.atan2(q)];
+        let all = [p * q + p, p / q, p.atan2(q), p * q, p + q];
         let outputs = all.map(|own| (own.abs() * x).id());
         schedule(&graph, &outputs, slots)
     };
@@ -189,13 +189,13 @@ fn graphs_share_their_slots() {
             .count()
     };
     let one = program(0, &mut slots);
-    assert_eq!((prepared(&one), slots.prepare().outputs.len()), (3, 3));
+    assert_eq!((prepared(&one), slots.prepare().outputs.len()), (5, 5));
     let again = program(0, &mut slots);
-    assert_eq!((again == one, slots.prepare().outputs.len()), (true, 3));
+    assert_eq!((again == one, slots.prepare().outputs.len()), (true, 5));
     program(1, &mut slots);
     assert_eq!(
         slots.prepare().outputs.len(),
-        6,
+        8,
         "q p + q, q / p and the other angle are new"
     );
     let values = linkage_symbolic::interpret::run(&slots.prepare(), |source| match source {
@@ -203,7 +203,10 @@ fn graphs_share_their_slots() {
         _ => 2.0,
     });
     let angles = [(-3.0_f64).atan2(2.0), 2.0_f64.atan2(-3.0)].map(f64::abs);
-    assert_eq!(values, [9.0, 1.5, angles[0], 4.0, 2.0 / 3.0, angles[1]]);
+    assert_eq!(
+        values,
+        [9.0, 1.5, angles[0], 6.0, 1.0, 4.0, 2.0 / 3.0, angles[1]]
+    );
 }
 
 /// Negative zero has no node, and the numbers 0 and 1 are what they are.

@@ -6,11 +6,11 @@ use linkage_symbolic::{
     Ex, Graph, MAX_DEGREE, Obstacle, Polynomial, SymbolId, collect, evaluate, obstacle,
 };
 
-/// Three symbols and two parameters.
+/// Three symbols, and what coefficients are made of: a parameter and an input, which is divided by and not inverted before a call.
 struct Names<'g> {
     symbols: [SymbolId; 3],
     unknowns: [Ex<'g>; 3],
-    parameters: [Ex<'g>; 2],
+    free: [Ex<'g>; 2],
 }
 
 fn names(graph: &Graph) -> Names<'_> {
@@ -18,16 +18,16 @@ fn names(graph: &Graph) -> Names<'_> {
     Names {
         symbols: all.map(|(symbol, _)| symbol),
         unknowns: all.map(|(_, node)| graph.ex(node)),
-        parameters: [0, 1].map(|k| graph.ex(graph.source(Source::Parameter(k)))),
+        free: [Source::Parameter(0), Source::Input(1)].map(|own| graph.ex(graph.source(own))),
     }
 }
 
 /// A random expression of total degree `degree` at most.
 fn expression<'g>(random: &mut Random, names: &Names<'g>, degree: usize, depth: usize) -> Ex<'g> {
     let leaf = |random: &mut Random| match random.below(4) {
-        0 => names.parameters[0].number(random.between(-4.0, 5.0).round()),
-        1 => *random.pick(&names.parameters),
-        _ if degree == 0 => *random.pick(&names.parameters),
+        0 => names.free[0].number(random.between(-4.0, 5.0).round()),
+        1 => *random.pick(&names.free),
+        _ if degree == 0 => *random.pick(&names.free),
         _ => *random.pick(&names.unknowns),
     };
     if depth == 0 {
@@ -75,7 +75,7 @@ fn polynomials_have_the_values_of_their_expressions() {
         let found = collect(root, &names.symbols, pairs).expect("a polynomial");
         let numbers = [0; 2].map(|_| random.between(0.5, 2.0));
         let load = |source: Source| match source {
-            Source::Parameter(k) => numbers[k],
+            Source::Parameter(k) | Source::Input(k) => numbers[k],
             other => panic!("{other}"),
         };
         for (monomial, coefficient) in &found {
@@ -112,7 +112,7 @@ fn degrees_are_counted() {
     let Names {
         symbols,
         unknowns: [x, y, z],
-        parameters: [p, q],
+        free: [p, q],
     } = names(&graph);
     let fourth = x.square() * y * z;
     let cases = [
@@ -144,7 +144,7 @@ fn functions_of_the_symbols_are_in_the_way() {
     let Names {
         symbols,
         unknowns: [x, y, _],
-        parameters: [p, q],
+        free: [p, q],
     } = names(&graph);
     let cases = [
         (p * (x + y).sqrt(), Obstacle::Root),
@@ -182,7 +182,7 @@ fn what_cancels_is_no_term() {
     let Names {
         symbols,
         unknowns: [x, y, _],
-        parameters: [p, q],
+        free: [p, q],
     } = names(&graph);
     let root = (x + p) * (y - q) + q * (x + p) - x * y;
     let found = collect(root, &symbols, &[]).expect("a polynomial");
