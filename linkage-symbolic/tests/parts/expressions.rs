@@ -95,6 +95,20 @@ fn graphs_and_operators_make_the_same_nodes() {
 }
 
 #[test]
+fn what_is_divided_by_zero_is_infinite() {
+    let graph = Graph::new();
+    let [x] = inputs(&graph);
+    for dividend in [x, -x, 2.0 * x] {
+        let quotient = dividend / 0.0;
+        for number in [3.0, -0.5] {
+            let infinite = value(dividend, &[number]).signum() * f64::INFINITY;
+            assert_eq!(value(quotient, &[number]), infinite);
+        }
+        assert!(value(quotient, &[0.0]).is_nan());
+    }
+}
+
+#[test]
 fn operations_of_numbers_are_numbers() {
     let graph = Graph::new();
     let numbers = [0.75, -0.3, 12.0];

@@ -1,6 +1,7 @@
 //! The parts of the engine one by one, each against numbers that were found in another way.
 
 mod counts;
+mod cuts;
 mod derivatives;
 mod expressions;
 mod graphs;
