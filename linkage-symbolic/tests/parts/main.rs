@@ -6,6 +6,7 @@ mod derivatives;
 mod expressions;
 mod graphs;
 mod lengths;
+mod multiples;
 mod operations;
 mod polynomials;
 mod programs;
