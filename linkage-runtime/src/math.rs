@@ -1,24 +1,27 @@
 //! Elementary functions of plain numbers, from the standard library or from `libm`: the only
 //! place that knows which.
 
+#[cfg(not(feature = "std"))]
+mod root;
+
 macro_rules! functions {
-    ($module:ident, $float:ty, $sqrt:ident, $tan:ident, $asin:ident, $acos:ident,
+    ($module:ident, $float:ty, $root:path, $tan:ident, $asin:ident, $acos:ident,
      $atan:ident) => {
         pub(crate) mod $module {
-            functions!(@one $float, sqrt, $sqrt);
-            functions!(@one $float, tan, $tan);
-            functions!(@one $float, asin, $asin);
-            functions!(@one $float, acos, $acos);
-            functions!(@one $float, atan, $atan);
+            functions!(@one $float, sqrt, $root);
+            functions!(@one $float, tan, libm::$tan);
+            functions!(@one $float, asin, libm::$asin);
+            functions!(@one $float, acos, libm::$acos);
+            functions!(@one $float, atan, libm::$atan);
         }
     };
-    (@one $float:ty, $name:ident, $libm:ident) => {
+    (@one $float:ty, $name:ident, $without:path) => {
         #[inline(always)]
         pub(crate) fn $name(x: $float) -> $float {
             #[cfg(feature = "std")]
             return x.$name();
             #[cfg(not(feature = "std"))]
-            return libm::$libm(x);
+            return $without(x);
         }
     };
 }
@@ -32,5 +35,5 @@ pub(crate) fn cube_root(x: f64) -> f64 {
     return libm::cbrt(x);
 }
 
-functions!(double, f64, sqrt, tan, asin, acos, atan);
-functions!(single, f32, sqrtf, tanf, asinf, acosf, atanf);
+functions!(double, f64, libm::sqrt, tan, asin, acos, atan);
+functions!(single, f32, super::root::single, tanf, asinf, acosf, atanf);
