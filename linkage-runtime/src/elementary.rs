@@ -5,6 +5,7 @@
 //! `cfg!(target_feature)` does not see the features of a single function.
 
 mod atan2;
+mod ends;
 mod multiply;
 mod sin_cos;
 mod sin_cos_single;

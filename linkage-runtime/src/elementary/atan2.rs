@@ -9,6 +9,7 @@
 //! 1.04 for `f32`; without: 1.06 and 1.28. Angles of vectors with a component a thousand times
 //! the other are rounded correctly or nearly so.
 
+use super::ends::{least, least_single, most, most_single};
 use super::multiply::{double as mul_add, one_rounding, single as mul_add_single};
 use core::hint::select_unpredictable;
 
@@ -75,7 +76,7 @@ fn arc_single<const FUSED: bool>(z: f32) -> f32 {
 }
 
 macro_rules! atan2 {
-    ($name:ident, $float:ident, $bits:ident, $mul_add:ident, $arc:ident,
+    ($name:ident, $float:ident, $bits:ident, $mul_add:ident, $arc:ident, $least:ident, $most:ident,
      half: $half:literal, right_low: $right_low:literal) => {
         /// The angle of the vector (`x`, `y`), from -pi to pi.
         ///
@@ -98,16 +99,16 @@ macro_rules! atan2 {
 
             // One over the power of two in the larger component. Zero and infinity are replaced.
             let power = $float::from_bits(long.to_bits() & $float::INFINITY.to_bits());
-            let power = power.min(MOST);
+            let power = $least(power, MOST);
             let scale =
                 $float::from_bits((2 * (1.0 as $float).to_bits()).wrapping_sub(power.to_bits()));
             // NaN gets lost, and comes back at the end.
             let (short, long) = (short * scale, long * scale);
-            let (short, long) = (short.min(MOST), long.min(MOST));
+            let (short, long) = ($least(short, MOST), $least(long, MOST));
 
             let turned = x.to_bits() ^ steep_sign;
             let short = $float::from_bits(short.to_bits() ^ (turned & SIGN));
-            let reciprocal = 1.0 / long.max(LEAST);
+            let reciprocal = 1.0 / $most(long, LEAST);
             let ratio = short * reciprocal;
             let (ratio, low) = if one_rounding::<FUSED>() {
                 (ratio, $mul_add::<FUSED>(-ratio, long, short) * reciprocal)
@@ -145,10 +146,10 @@ macro_rules! atan2 {
 }
 
 atan2!(
-    double, f64, u64, mul_add, arc,
+    double, f64, u64, mul_add, arc, least, most,
     half: 27, right_low: 6.123_233_995_736_766e-17
 );
 atan2!(
-    single, f32, u32, mul_add_single, arc_single,
+    single, f32, u32, mul_add_single, arc_single, least_single, most_single,
     half: 12, right_low: -4.371_139e-8
 );
