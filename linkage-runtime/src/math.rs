@@ -35,5 +35,5 @@ pub(crate) fn cube_root(x: f64) -> f64 {
     return libm::cbrt(x);
 }
 
-functions!(double, f64, libm::sqrt, tan, asin, acos, atan);
+functions!(double, f64, super::root::double, tan, asin, acos, atan);
 functions!(single, f32, super::root::single, tanf, asinf, acosf, atanf);
