@@ -64,6 +64,11 @@ pub mod language {
     #![doc = include_str!("../docs/language.md")]
 }
 
+/// Mechanisms on small processors, in single precision: what is called, bytes and instructions.
+pub mod controllers {
+    #![doc = include_str!("../docs/controllers.md")]
+}
+
 /// Accuracy: what tolerances do, and which tolerances an allowed error needs.
 #[cfg(feature = "tolerance")]
 pub mod tolerance {
