@@ -84,3 +84,17 @@ fn nothing_is_divided_by_a_factor() {
     assert_eq!(shared[1], of_r);
     assert!(graph.contains(shared[0], of_r) && shared[0] != both);
 }
+
+/// Only what is known before a call is gathered in front of terms, and only that is a common factor.
+#[test]
+fn factors_are_known_before_a_call() {
+    for source in [Source::Input, Source::Parameter] {
+        let graph = Graph::new();
+        let [u, v] = [4, 5].map(|k| graph.ex(graph.source(source(k))));
+        let both = u * v;
+        let [x, y] = inputs(&graph);
+        let sums = [u, both].map(|own| (own * x + own * y).id());
+        let shared = share_multiples(&graph, &sums) != sums;
+        assert_eq!(shared, u.is_fixed());
+    }
+}
