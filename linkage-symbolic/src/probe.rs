@@ -190,11 +190,11 @@ mod tests {
         let negative = mean(all.iter().map(|x| f64::from(x.is_sign_negative())));
         assert!((negative - 0.5).abs() < 0.05, "{negative}");
         let mut decades = [0; 8];
-        for x in &all {
-            let exponent = (x.abs() / 0.5).log10().floor();
-            let rest = x.abs() / 10_f64.powf(exponent);
-            assert!((0.5..1.5).contains(&rest), "{x}");
-            decades[(exponent + 3.0) as usize] += 1;
+        let exponent = |x: f64| (x.abs() / 0.5).log10().floor();
+        let rest = |x: f64| x.abs() / 10_f64.powf(exponent(x));
+        for &x in &all {
+            assert!((0.5..1.5).contains(&rest(x)), "{x}");
+            decades[(exponent(x) + 3.0) as usize] += 1;
         }
         let share = all.len() / decades.len();
         assert!(
@@ -203,11 +203,11 @@ mod tests {
                 .all(|count| (share / 2..2 * share).contains(count)),
             "{decades:?}"
         );
-        let near = numbers(Place::Near).concat();
-        assert!(
-            near.iter().zip(&all).all(|(x, y)| x != y),
-            "places of their own"
-        );
+        // At places of their own: none is a near number with another sign or size.
+        for (near, far) in numbers(Place::Near).iter().zip(numbers(Place::Far)) {
+            let is_near = |x: f64| near.iter().any(|y| (rest(x) - y).abs() < 1e-9);
+            assert!(!far.into_iter().any(is_near));
+        }
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Derivatives against differences at many places, and what operands contribute to them.
 
 use linkage_random::Random;
-use linkage_symbolic::program::{Binary, Ternary, Unary};
+use linkage_symbolic::program::{Binary, Source, Ternary, Unary};
 use linkage_symbolic::{
-    Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, differentiate, pull_back,
+    Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, differentiate, pull_back, rules,
 };
 
 use crate::{assert_near, inputs, value, values};
@@ -139,4 +139,22 @@ fn forwards_and_backwards_agree() {
             assert_near(&found, &expected, 1e-13 * size);
         }
     }
+}
+
+/// A length joins the direction that it is multiplied by elsewhere; what is known at a call does not, nor does it join another length.
+#[test]
+fn lengths_join_their_directions_in_rates() {
+    let graph = Graph::new();
+    let [x, y, z] = inputs(&graph);
+    let [p, q, r] = [0, 1, 2].map(|k| graph.ex(graph.source(Source::Parameter(k))));
+    let vectors = [p * y, z * y, p * q];
+    let rule = &rules::of_rates(Binary::Mul)[0];
+    let rewritten = |factor: Ex, rate: Ex| {
+        let operands = [factor.id(), rate.id()];
+        rule.rewrite(&graph, Binary::Mul, operands)
+    };
+    assert_eq!(rewritten(p, x * y), Some((x * vectors[0]).id()));
+    assert_eq!(rewritten(z, x * y), None);
+    assert_eq!(rewritten(p, q * x), None);
+    assert_eq!(rewritten(r, x * y), None, "no such vector");
 }
