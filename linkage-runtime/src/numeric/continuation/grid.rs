@@ -6,6 +6,7 @@ mod divide;
 mod layout;
 mod lookup;
 mod node;
+mod slopes;
 mod walk;
 mod way;
 

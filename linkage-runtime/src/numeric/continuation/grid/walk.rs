@@ -7,13 +7,11 @@ use super::border::{Border, Joint, Place, agree};
 use super::cells::{Cell, Found};
 use super::layout::{Layout, Places};
 use super::node::Node;
+use super::slopes::slopes;
 use super::way::{Way, follow};
 use alloc::collections::VecDeque;
 use alloc::vec;
 use alloc::vec::Vec;
-
-/// Slopes are taken over this part of a cell, to both sides.
-const PART: f64 = 1.0 / 16.0;
 
 /// Newton steps that evaluators make from a cell's state.
 const STEPS: usize = 4;
@@ -88,7 +86,7 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
             return [first].into();
         }
         // How the state bends at the reference says which sides of the cells are too long.
-        let (_, bends) = self.slopes(reference.at, reference.state);
+        let (_, bends) = slopes(self.follower, &self.layout, reference.at, reference.state);
         let number = self.layout.number(&first);
         self.cells[number].bends = bends;
         self.spread(&first, reference).into()
@@ -139,7 +137,7 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
             return false;
         }
         self.centres[number] = Some((state.clone(), determinant));
-        let (slopes, bends) = self.slopes(to, &state);
+        let (slopes, bends) = slopes(self.follower, &self.layout, to, &state);
         let node = Node {
             state,
             slopes,
@@ -150,40 +148,6 @@ impl<C: Correction> Walk<'_, '_, '_, C> {
             ..self.checked(cell, to, node)
         };
         matches!(self.cells[number].found, Found::Filled(_))
-    }
-
-    /// The changes of the state along the cell, input by input, and how much it bends along them.
-    fn slopes(&mut self, centre: &[f64], state: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let mut slopes = Vec::with_capacity(centre.len() * state.len());
-        let mut bends = vec![0.0; centre.len()];
-        for (axis, scale) in self.layout.0.iter().enumerate() {
-            let mut side = |part: f64| {
-                let mut x = centre.to_vec();
-                x[axis] += part * scale.spacing();
-                let mut moved = state.to_vec();
-                self.follower.settle(&x, &mut moved).map(|_| moved)
-            };
-            let empty = scale.spacing() == 0.0;
-            let (below, above) = if empty {
-                (None, None)
-            } else {
-                (side(-PART), side(PART))
-            };
-            for (index, &here) in state.iter().enumerate() {
-                let [down, up] = [&below, &above]
-                    .map(|side| side.as_ref().map(|side| (side[index] - here) / PART));
-                slopes.push(match (down, up) {
-                    (Some(down), Some(up)) => {
-                        bends[axis] += (up + down).abs();
-                        0.5 * (up - down)
-                    }
-                    (Some(down), None) => -down,
-                    (None, Some(up)) => up,
-                    (None, None) => 0.0,
-                });
-            }
-        }
-        (slopes, bends)
     }
 
     /// The cell with this node: whether four steps reach the solution wherever it exists on the border. Refused if it does not
