@@ -87,20 +87,21 @@ impl<'m> Solver<'_, 'm> {
         let equations = self.core_equations(form);
         let system = System::new(self.algebra, &equations);
 
-        let state = self.prepared_state(&form.core);
-        let size = state.iter().flat_map(|part| part.numbers()).count();
+        let rows: Vec<Ex> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
+        let inputs = self.algebra.inputs_below(&rows);
+        let looked_up = self.prepared_state(&form.core);
+        let size = looked_up.iter().flat_map(|part| part.numbers()).count();
         let floor = self.prepared_number(size);
+        let plans = Plan::of(inputs.len());
+        let state = plans[0].start(&looked_up);
         let first = self.step(&equations, &state);
         let next = first.corrected(&first.corrections);
         let numbers = next.into_iter().flat_map(Part::numbers);
         let step = numbers.chain([first.size2, first.determinant]).collect();
 
-        let rows: Vec<Ex> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
-        let inputs = self.algebra.inputs_below(&rows);
-        let plans = Plan::of(inputs.len());
         let [called, beside] = plans.map(|plan| self.solution(&equations, &state, floor, plan));
         let unit = equations.unit;
-        let meanings = [&state, &called, &beside].map(|state| self.meanings(state, unit));
+        let meanings = [&looked_up, &called, &beside].map(|state| self.meanings(state, unit));
         self.define_core(&called, unit);
 
         let determinant = self.algebra.determinant(&equations.matrix);

@@ -19,6 +19,11 @@ const FIRST_CORRECTION: f64 = 0.05;
 /// each correction is below a quarter of the one before.
 const CONTRACTION: f64 = 1.0 / 16.0;
 
+/// Steps of the inverse root before the one that each step begins with, for unit vectors that were extrapolated in a cell of a grid. They
+/// bring a length that is off by a quarter to rounding; a length that is off by more than the correction would make the
+/// next correction the larger one.
+const LENGTHS: usize = 3;
+
 /// How a solution is reached.
 #[derive(Clone, Copy)]
 pub(super) struct Plan {
@@ -27,6 +32,8 @@ pub(super) struct Plan {
     first: Option<f64>,
     /// The determinant must keep half of its least size near the state, beside its sign.
     half: bool,
+    /// Steps of the inverse root that unit vectors need.
+    lengths: usize,
 }
 
 impl Plan {
@@ -35,6 +42,7 @@ impl Plan {
         steps: 1,
         first: None,
         half: true,
+        lengths: 0,
     };
 
     /// From such a table for dimensions, derivatives or digits that it does not know.
@@ -42,6 +50,7 @@ impl Plan {
         steps: STEPS,
         first: Some(FIRST_CORRECTION),
         half: false,
+        lengths: 0,
     };
 
     /// From the nearest of prepared states over several inputs.
@@ -49,6 +58,7 @@ impl Plan {
         steps: STEPS,
         first: None,
         half: false,
+        lengths: LENGTHS,
     };
 
     /// For calls and for sweeps over dimensions, if the group depends on so many inputs.
@@ -57,6 +67,15 @@ impl Plan {
             1 => [Self::FROM_TABLE, Self::BESIDE_TABLE],
             _ => [Self::FROM_GRID, Self::FROM_GRID],
         }
+    }
+
+    /// The state that steps begin with, from the one that was looked up.
+    pub(super) fn start<'m>(&self, looked_up: &[Part<'m>]) -> Vec<Part<'m>> {
+        let mut state = looked_up.to_vec();
+        for _ in 0..self.lengths {
+            state = state.into_iter().map(Part::unit_length).collect();
+        }
+        state
     }
 }
 

@@ -27,7 +27,8 @@ impl<'m> Part<'m> {
         }
     }
 
-    /// A prepared unit vector has the length 1 to about ten digits: one step of the inverse root makes it exact.
+    /// A step of the inverse root: it makes the length of a unit vector exact that is 1 to about eight digits, as those of tables and those
+    /// after a correction are.
     pub(super) fn unit_length(self) -> Self {
         match self {
             Self::Angle(angle, unit) => {
