@@ -268,7 +268,7 @@ impl<'m> Assembly<'_, 'm> {
                 let partial = self.nominal.ranges[prepared.inputs[0]].is_none();
                 Table::build(&mut numbers, at[0], state, *range, partial).map(Start::Table)
             }
-            _ => Grid::build(&mut numbers, &at, state, &ranges).map(Start::Grid),
+            _ => Grid::build_all(&mut numbers, &at, state, &ranges).map(Start::Grid),
         }
     }
 }

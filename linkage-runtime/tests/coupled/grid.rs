@@ -151,13 +151,20 @@ impl<F: Fn(f64, f64) -> f64> Correction for Length<F> {
 }
 
 fn length(square: impl Fn(f64, f64) -> f64, half: f64) -> (Result<Grid, Refusal>, usize) {
+    built(square, half, false)
+}
+
+fn built(square: impl Fn(f64, f64) -> f64, half: f64, all: bool) -> (Result<Grid, Refusal>, usize) {
     let start = square(0.0, 0.0).sqrt();
     let mut length = Length {
         square,
         corrected: 0,
     };
     let ranges = [range(-half, half); 2];
-    let grid = Grid::build(&mut length, &[0.0; 2], &[start], &ranges);
+    let grid = match all {
+        true => Grid::build_all(&mut length, &[0.0; 2], &[start], &ranges),
+        false => Grid::build(&mut length, &[0.0; 2], &[start], &ranges),
+    };
     (grid, length.corrected)
 }
 
@@ -202,6 +209,39 @@ fn what_is_left_out_away_from_boundaries_is_told() {
     let grid = grid.unwrap();
     assert_eq!((grid.reached(), grid.served()), (0, 0.0));
     assert_eq!(grid.left_out().map(|left_out| left_out.share), Some(1.0));
+}
+
+#[test]
+fn ranges_without_hope_are_refused_after_a_look() {
+    let wave = |x: f64, y: f64| 1.2 + (300.0 * x).sin() * (290.0 * y).cos();
+    let (whole, corrected) = length(wave, 1.0);
+    let (looked, few) = built(wave, 1.0, true);
+    let [whole, looked] = [whole, looked].map(|grid| grid.unwrap().left_out().cloned().unwrap());
+    assert!(
+        (whole.share - looked.share).abs() < 0.2,
+        "{whole:?} {looked:?}"
+    );
+    assert!(few < 60_000 && 5 * few < corrected, "{few} of {corrected}");
+    assert!(looked.at.iter().all(|x| x.abs() <= 1.0), "{looked:?}");
+    // Waves that need all cells, and ranges with a boundary, are as without a look.
+    let waves = |x: f64, y: f64| 1.5 + (18.0 * x).sin() * (17.0 * y).cos();
+    let (grid, _) = built(waves, 1.0, true);
+    let grid = grid.unwrap();
+    assert!(grid.cells() > 1000 && grid.served() > 0.995, "{grid:?}");
+    assert_eq!(grid, length(waves, 1.0).0.unwrap());
+    let circle = |x: f64, y: f64| 1.0 - x * x - y * y;
+    assert_eq!(built(circle, 1.0, true).0, length(circle, 1.0).0);
+}
+
+/// What evaluators give is what the grid says they do.
+#[test]
+fn served_places_are_those_that_evaluators_reach() {
+    let circle = |x: f64, y: f64| 1.0 - x * x - y * y;
+    let grid = length(circle, 1.0).0.unwrap();
+    let mut circle = |x: &[f64], state: &mut [f64]| root(|_| circle(x[0], x[1])).correct(x, state);
+    let mut at = |x: f64, y: f64| grid.serves(&mut circle, &[x, y]);
+    assert!(at(0.0, 0.0) && at(0.5, 0.5));
+    assert!(!at(0.8, 0.8) && !at(0.70710678, 0.70710678));
 }
 
 #[test]

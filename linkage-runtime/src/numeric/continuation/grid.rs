@@ -6,6 +6,7 @@ mod divide;
 mod layout;
 mod lookup;
 mod node;
+mod outlook;
 mod slopes;
 mod walk;
 mod way;
@@ -22,7 +23,7 @@ use core::f64::consts::TAU;
 use core::fmt;
 use divide::{Divided, divided};
 use node::Node;
-use walk::Solution;
+use walk::{STEPS, Solution};
 
 pub use lookup::GridLookup;
 
@@ -72,6 +73,35 @@ impl Grid {
         state: &[f64],
         ranges: &[Range],
     ) -> Result<Self, Refusal> {
+        Self::followed(correction, at, state, ranges, false)
+    }
+
+    /// The same for ranges that must be served: where a look at a few places says that much of them would be left out, all of it is, in a
+    /// part of the time.
+    ///
+    /// # Errors
+    ///
+    /// As those of [`build`](Self::build).
+    ///
+    /// # Panics
+    ///
+    /// If there are not as many ranges as inputs.
+    pub fn build_all(
+        correction: &mut impl Correction,
+        at: &[f64],
+        state: &[f64],
+        ranges: &[Range],
+    ) -> Result<Self, Refusal> {
+        Self::followed(correction, at, state, ranges, true)
+    }
+
+    fn followed(
+        correction: &mut impl Correction,
+        at: &[f64],
+        state: &[f64],
+        ranges: &[Range],
+        all: bool,
+    ) -> Result<Self, Refusal> {
         assert!(at.len() == ranges.len(), "a range for every input");
         if at.len() > INPUTS {
             return Err(Refusal::NotConverging { at: at[0] });
@@ -93,7 +123,8 @@ impl Grid {
             state: &state,
             determinant: determinant.ok_or(Refusal::NotASolution)?,
         };
-        Self::made(divided(&mut follower, &frames, &reference), &reference)
+        let divided = divided(&mut follower, &frames, &reference, all);
+        Self::made(divided, &reference)
     }
 
     fn made(divided: Divided, reference: &Solution<'_>) -> Result<Self, Refusal> {
@@ -169,12 +200,31 @@ impl Grid {
         }
     }
 
+    /// Whether evaluators give the solution at `x`: four steps, each a quarter of the one before, the last one tiny.
+    ///
+    /// # Panics
+    ///
+    /// As those of [`state`](Self::state).
+    pub fn serves(&self, correction: &mut impl Correction, x: &[f64]) -> bool {
+        let mut state = vec![0.0; self.width];
+        let floor = self.state(x, &mut state);
+        let steps = [(); STEPS].map(|()| correction.correct(x, &mut state));
+        let sound = steps.iter().all(|step| step.determinant * floor >= 0.0);
+        let mut pairs = steps.windows(2);
+        let smaller = pairs.all(|pair| pair[1].size <= f64::max(QUARTER * pair[0].size, TINY));
+        sound && smaller && steps[STEPS - 1].size <= TINY
+    }
+
     /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are not `I` and `S`.
     #[must_use]
     pub fn lookup<const I: usize, const S: usize>(&self) -> Option<GridLookup<I, S>> {
         GridLookup::new(self)
     }
 }
+
+/// What evaluators ask of a step: this part of the one before, or less than so much, which is what the last one must be.
+const QUARTER: f64 = 0.25;
+const TINY: f64 = <f64 as crate::Scalar>::CORRECTION_LIMIT;
 
 /// A range that misses a full turn by this share or less is one: users write 360 degrees.
 const TURN: f64 = 1e-9;

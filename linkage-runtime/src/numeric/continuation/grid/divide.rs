@@ -7,14 +7,19 @@ use super::super::scale::Scale;
 use super::LeftOut;
 use super::cells::{Cell, Sum};
 use super::layout::{Layout, Places};
+use super::outlook::outlook;
 use super::walk::{Solution, fill};
+use alloc::vec;
 use alloc::vec::Vec;
 
 /// Cells of a grid, at most.
-const CELLS: usize = 1 << 12;
+pub(super) const CELLS: usize = 1 << 12;
 
 /// Up to so many cells, which take two milliseconds, nothing is left out and the boundary of the solution is looked at closely.
 const FEW: usize = 64;
+
+/// Before more places than these are looked at, a few cells say whether the ranges can be served at all.
+const MANY: usize = 256;
 
 /// The share of places on the borders of more cells at which the solution may be left out although it exists: near its boundary it always
 /// is at some. A grid that leaves out more even away from boundaries is not what was declared.
@@ -28,11 +33,16 @@ pub(super) struct Divided {
     pub(super) axes: Vec<Scale>,
     pub(super) cells: Vec<Cell>,
     pub(super) sum: Sum,
+    /// What a look at a few places has shown not to be served by any cells.
+    hopeless: Option<LeftOut>,
 }
 
 impl Divided {
     /// What should be served and is not.
     pub(super) fn left_out(&self) -> Option<LeftOut> {
+        if self.hopeless.is_some() {
+            return self.hopeless.clone();
+        }
         let share = self.sum.share(self.sum.regular);
         let worst = self.sum.worst.filter(|_| share > MISSED)?;
         let layout = Layout(&self.axes);
@@ -54,25 +64,43 @@ impl Divided {
 }
 
 /// Divides the ranges until the solution is served wherever it exists, or as far as cells and corrections go. Each range is given with
-/// whether it is a full turn.
+/// whether it is a full turn. Where `all` of the ranges must be served and cannot be, nothing is.
 pub(super) fn divided<C: Correction>(
     follower: &mut Follower<'_, C>,
     ranges: &[(Frame, bool)],
     reference: &Solution<'_>,
+    all: bool,
 ) -> Divided {
     let places = Places::new(ranges.len());
     let mut counts: Vec<u32> = ranges.iter().map(|(frame, _)| start(frame)).collect();
+    let mut asked = !all;
     loop {
-        let axes: Vec<Scale> = ranges
-            .iter()
-            .zip(&counts)
-            .map(|((frame, closed), &count)| Scale::new(*frame, count, *closed))
-            .collect();
+        let axes = scales(ranges, &counts);
+        let layout = Layout(&axes);
+        if !asked && layout.cells() * places.offsets.len() > MANY {
+            asked = true;
+            let hopeless = outlook(follower, ranges, counts.clone(), &places, reference);
+            if hopeless.is_some() {
+                let cells = vec![Cell::default(); layout.cells()];
+                let sum = Sum::new(&cells, &layout, places.offsets.len());
+                return Divided {
+                    axes,
+                    cells,
+                    sum,
+                    hopeless,
+                };
+            }
+        }
         let left = follower.left();
         let cells = fill(follower, &axes, &places, reference);
         let taken = left - follower.left();
-        let sum = Sum::new(&cells, &Layout(&axes), places.offsets.len());
-        let divided = Divided { axes, cells, sum };
+        let sum = Sum::new(&cells, &layout, places.offsets.len());
+        let divided = Divided {
+            axes,
+            cells,
+            sum,
+            hopeless: None,
+        };
         let full = 2 * divided.cells.len() > CELLS || GROWTH * taken > follower.left();
         match longest(&divided.sum.bends, &counts) {
             Some(axis) if divided.is_coarse() && !full => counts[axis] *= 2,
@@ -81,13 +109,21 @@ pub(super) fn divided<C: Correction>(
     }
 }
 
+/// The ranges in so many cells each.
+pub(super) fn scales(ranges: &[(Frame, bool)], counts: &[u32]) -> Vec<Scale> {
+    let pairs = ranges.iter().zip(counts);
+    pairs
+        .map(|((frame, closed), &count)| Scale::new(*frame, count, *closed))
+        .collect()
+}
+
 /// Cells along an input to begin with.
 fn start(range: &Frame) -> u32 {
     if range.length > 0.0 { 2 } else { 1 }
 }
 
 /// The input along which the state bends most in a cell; of equal ones, the one that is divided least. `None` if no range has a length.
-fn longest(bends: &[f64], counts: &[u32]) -> Option<usize> {
+pub(super) fn longest(bends: &[f64], counts: &[u32]) -> Option<usize> {
     let bend = |axis: usize| bends.get(axis).copied().unwrap_or_default();
     let ranges = (0..counts.len()).filter(|&axis| counts[axis] > 1);
     ranges.max_by(|&a, &b| {

@@ -14,14 +14,14 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 /// Newton steps that evaluators make from a cell's state.
-const STEPS: usize = 4;
+pub(super) const STEPS: usize = 4;
 
 /// On the border of a cell each step is smaller than the one before by this factor. Evaluators allow a quarter: the difference is for what
 /// lies between the places that are tested.
-const CONTRACTION: f64 = 0.1;
+pub(super) const CONTRACTION: f64 = 0.1;
 
 /// Where the determinant is a smaller share of the one at the reference a dead point is near: its distance goes with the square of it.
-const NEAR: f64 = 0.1;
+pub(super) const NEAR: f64 = 0.1;
 
 /// A solution at a place.
 pub(super) struct Solution<'a> {

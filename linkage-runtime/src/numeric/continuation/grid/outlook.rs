@@ -1,0 +1,192 @@
+//! Whether ranges can be served at all: looked at in a few places, before all of them are divided.
+
+use super::super::Correction;
+use super::super::cell::Frame;
+use super::super::follow::Follower;
+use super::LeftOut;
+use super::divide::{CELLS, longest, scales};
+use super::layout::{Layout, Places};
+use super::node::Node;
+use super::slopes::slopes;
+use super::walk::{CONTRACTION, NEAR, STEPS, Solution};
+use super::way::{Way, follow};
+use crate::math;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// Cells that are looked at, spread over the ranges.
+const LOOKS: usize = 16;
+
+/// Where the smallest cells that there can be leave out more than this at the places that are looked at, they do not serve all but half a
+/// percent of the ranges: a chance of one to a hundred million, if what is left out lies anywhere.
+const HOPELESS: f64 = 0.3;
+
+/// Corrections on the way to a place that is missed, at least, when a grid is filled.
+const WAY: usize = 8;
+
+/// So far apart are places along an input, as shares of its range: square roots of primes, so that they never repeat.
+const PRIMES: [f64; 8] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
+
+/// A solution at a place.
+#[derive(Clone)]
+struct Known {
+    at: Vec<f64>,
+    state: Vec<f64>,
+    determinant: f64,
+}
+
+/// The looks at cells of one size.
+#[derive(Default)]
+struct Looks {
+    /// Places on borders, and those that four steps do not reach.
+    places: usize,
+    missed: usize,
+    /// The centres of cells of which places are missed, each with the first of these.
+    examples: Vec<(Known, Vec<f64>)>,
+    /// How much the state bends along the cells, input by input.
+    bends: Vec<f64>,
+    /// Corrections to fill one cell.
+    each: usize,
+}
+
+/// What cells as small as they may be would leave out, at least. `None` if that is little, or if a boundary of the solution is met, which
+/// changes what counts as left out.
+pub(super) fn outlook<C: Correction>(
+    follower: &mut Follower<'_, C>,
+    ranges: &[(Frame, bool)],
+    mut counts: Vec<u32>,
+    places: &Places,
+    reference: &Solution<'_>,
+) -> Option<LeftOut> {
+    let mut known = starts(follower, ranges, reference)?;
+    loop {
+        let axes = scales(ranges, &counts);
+        let layout = Layout(&axes);
+        let looks = look(follower, &layout, places, reference, &mut known)?;
+        let share = looks.missed as f64 / looks.places as f64;
+        if share <= HOPELESS {
+            return None;
+        }
+        let next = 2 * layout.cells();
+        // All cells of all sizes before take as much again as those of the last one.
+        let affordable = 2 * next * looks.each <= follower.left();
+        match longest(&looks.bends, &counts) {
+            Some(axis) if next <= CELLS && affordable => counts[axis] *= 2,
+            _ => return hopeless(follower, reference, share, &looks.examples),
+        }
+    }
+}
+
+/// Solutions at places all over the ranges, each brought there from the nearest one that is known.
+fn starts<C: Correction>(
+    follower: &mut Follower<'_, C>,
+    ranges: &[(Frame, bool)],
+    reference: &Solution<'_>,
+) -> Option<Vec<Known>> {
+    let mut known: Vec<Known> = Vec::with_capacity(LOOKS + 1);
+    known.push(Known {
+        at: reference.at.to_vec(),
+        state: reference.state.to_vec(),
+        determinant: reference.determinant,
+    });
+    for look in 0..LOOKS {
+        let along = |((frame, _), prime): (&(Frame, bool), &f64)| {
+            let share = (look as f64 + 0.5) * math::double::sqrt(*prime);
+            frame.x(share % 1.0 - 0.5)
+        };
+        let to: Vec<f64> = ranges.iter().zip(&PRIMES).map(along).collect();
+        let distance = |one: &Known| -> f64 {
+            let pairs = one.at.iter().zip(&to).zip(ranges);
+            let part = |((a, b), (frame, _)): ((&f64, &f64), &(Frame, bool))| {
+                (frame.place(*a) - frame.place(*b)).abs()
+            };
+            pairs.map(part).sum()
+        };
+        let nearest = |a: &&Known, b: &&Known| distance(a).total_cmp(&distance(b));
+        let from = known.iter().min_by(nearest)?;
+        known.push(from.moved(follower, reference, to)?);
+    }
+    Some(known.split_off(1))
+}
+
+impl Known {
+    /// Brought to another place; `None` if a boundary is met or near, or if it is not reached.
+    fn moved<C: Correction>(
+        &self,
+        follower: &mut Follower<'_, C>,
+        reference: &Solution<'_>,
+        to: Vec<f64>,
+    ) -> Option<Self> {
+        let mut state = self.state.clone();
+        let determinants = [self.determinant, reference.determinant];
+        match follow(follower, &self.at, &to, &mut state, determinants) {
+            Way::There(determinant) if determinant.abs() >= NEAR * reference.determinant.abs() => {
+                Some(Self {
+                    at: to,
+                    state,
+                    determinant,
+                })
+            }
+            Way::There(_) | Way::Dead | Way::Lost => None,
+        }
+    }
+}
+
+/// Looks at the cells of a layout in which the known solutions are, and moves these to the centres.
+fn look<C: Correction>(
+    follower: &mut Follower<'_, C>,
+    layout: &Layout<'_>,
+    places: &Places,
+    reference: &Solution<'_>,
+    known: &mut [Known],
+) -> Option<Looks> {
+    let before = follower.left();
+    let mut looks = Looks {
+        bends: vec![0.0; layout.0.len()],
+        ..Looks::default()
+    };
+    for one in known.iter_mut() {
+        *one = one.moved(follower, reference, layout.centre(&layout.cell(&one.at)))?;
+        let (slopes, bends) = slopes(follower, layout, &one.at, &one.state);
+        let sums = looks.bends.iter_mut().zip(bends);
+        sums.for_each(|(sum, own)| *sum += own);
+        let node = Node {
+            state: one.state.clone(),
+            slopes,
+            floor: one.determinant,
+        };
+        let mut example = None;
+        let mut near = one.state.clone();
+        for offsets in &places.offsets {
+            let x = layout.moved(&one.at, offsets);
+            node.state(offsets, &mut near);
+            let settled = follower.settle_within(&x, &mut near, STEPS, CONTRACTION);
+            if settled.is_none() {
+                looks.missed += 1;
+                example.get_or_insert(x);
+            }
+        }
+        looks.places += places.offsets.len();
+        let example = example.map(|x| (one.clone(), x));
+        looks.examples.extend(example);
+    }
+    let ways = WAY * looks.missed;
+    looks.each = (before - follower.left() + ways) / known.len();
+    Some(looks)
+}
+
+/// The answer, unless solutions end at one of the examples.
+fn hopeless<C: Correction>(
+    follower: &mut Follower<'_, C>,
+    reference: &Solution<'_>,
+    share: f64,
+    examples: &[(Known, Vec<f64>)],
+) -> Option<LeftOut> {
+    let mut exists = |(centre, x): &(Known, Vec<f64>)| {
+        let there = centre.moved(follower, reference, x.clone());
+        there.is_some()
+    };
+    let regular = examples.iter().all(&mut exists);
+    let at = examples.first()?.1.clone();
+    regular.then_some(LeftOut { share, at })
+}
