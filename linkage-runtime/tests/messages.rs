@@ -254,6 +254,12 @@ fn groups_without_a_closed_form_say_what_is_wrong() {
              phi = 84.25 deg, s = 2 mm among them, though no dead point is near; this is a limit of linkage: shorten the ranges"
                 .into(),
         ),
+        (
+            CoupledCause::BesideDeadPoint(Placed(vec![angle("phi", 84.25), slide(2.0)])),
+            "cannot be prepared at the reference inputs, phi = 84.25 deg, s = 2 mm: a dead point is so near that the smallest cells \
+             of linkage do not reach the assembly there; move the reference away from it, or shorten the ranges"
+                .into(),
+        ),
     ] {
         let error = CoupledError {
             mechanism: "M",

@@ -190,11 +190,10 @@ fn nothing_is_left_out_silently() {
         more => 100 * more,
     };
     let mut random = Random::new(1607);
-    let (mut whole, mut part, mut refused, mut ambiguous) = (0, 0, 0, 0);
+    let (mut whole, mut part, mut refused, mut ambiguous, mut beside) = (0, 0, 0, 0, 0);
     let mut all = Survey::default();
     let mut slowest = 0.0_f64;
-    let mut unseen = 0;
-    while whole + part + refused < count {
+    while whole + part + refused + beside < count {
         let mut near = |nominal: f64| nominal * random.between(0.9, 1.1);
         let cranks = Cranks {
             r: near(50.0),
@@ -213,6 +212,7 @@ fn nothing_is_left_out_silently() {
             Err(AssemblyError::Coupled(error)) => {
                 match error.cause {
                     CoupledCause::LeavesOut { share, .. } if share > 0.005 => refused += 1,
+                    CoupledCause::BesideDeadPoint(_) => beside += 1,
                     CoupledCause::NoneReal { .. } | CoupledCause::Ambiguous { .. } => {
                         ambiguous += 1;
                     }
@@ -220,19 +220,12 @@ fn nothing_is_left_out_silently() {
                 }
                 continue;
             }
-            // The reference lies so near to a dead point that it is not served itself.
-            Err(AssemblyError::NotFinite { .. }) => {
-                refused += 1;
-                continue;
-            }
             Err(error) => panic!("{cranks:?}: {error}"),
         };
         let own = survey(&cranks, &assembly);
         let told = assembly.served();
-        // `served()` looks at the borders of cells: between their places single positions are NaN although it says 1.
         if told == 1.0 {
-            assert!(own.missing <= 1 && own.other == 0, "{cranks:?}: {own:?}");
-            unseen += own.missing;
+            assert!(own.missing == 0 && own.other == 0, "{cranks:?}: {own:?}");
         }
         assert!(
             (told - own.share).abs() < 0.05,
@@ -249,11 +242,9 @@ fn nothing_is_left_out_silently() {
         all.other += own.other;
     }
     println!(
-        "{whole} served wholly, {part} in part, {refused} refused, {ambiguous} not real or ambiguous; {all:?}; slowest {slowest:.3} s"
+        "{whole} served wholly, {part} in part, {refused} refused, {beside} beside a dead point, {ambiguous} not real or ambiguous; {all:?}; slowest {slowest:.3} s"
     );
-    println!("{unseen} positions missing where everything is said to be served");
-    assert!(20_000 * unseen <= all.served);
     // Around a cusp the pose depends on the way to it.
     assert!(200 * all.missing < all.served && 500 * all.other < all.served);
-    assert!(20 * refused <= count);
+    assert!(20 * (refused + beside) <= count);
 }

@@ -80,6 +80,11 @@ pub enum CoupledCause {
         /// The inputs at one of the positions.
         example: Placed,
     },
+    /// With several inputs: a dead point is so near to the reference that the assembly is not served there.
+    BesideDeadPoint(
+        /// The reference inputs.
+        Placed,
+    ),
 }
 
 /// The values of a group's unknowns in one assembly, or of its inputs at one position.
@@ -167,6 +172,11 @@ impl fmt::Display for CoupledCause {
                 "cannot be prepared over these ranges of the inputs: {:.1} % of their positions would be left out, {example} among \
                  them, though no dead point is near; this is a limit of linkage: shorten the ranges",
                 100.0 * share
+            ),
+            Self::BesideDeadPoint(reference) => write!(
+                f,
+                "cannot be prepared at the reference inputs, {reference}: a dead point is so near that the smallest cells of linkage do not \
+                 reach the assembly there; move the reference away from it, or shorten the ranges"
             ),
         }
     }

@@ -140,11 +140,11 @@ fn start(
 ) -> Result<Start, AssemblyError> {
     let ranges: Vec<Range> = group.inputs.iter().map(|input| input.range).collect();
     let mut made = over(group, programs, x, state, &ranges, every);
-    let nothing = match &made {
-        Ok(Start::Grid(grid)) => grid.reached() == 0,
-        Ok(_) => false,
-        Err(_) => true,
+    let mut serves = |start: &Start| match start {
+        Start::Grid(grid) => grid.serves(programs, x),
+        Start::Nothing | Start::Table(_) => true,
     };
+    let nothing = !made.as_ref().is_ok_and(&mut serves);
     if every && nothing {
         let here = x.iter().map(|&x| Range {
             low: x,
@@ -164,6 +164,7 @@ fn start(
     match &start {
         Start::Grid(grid) if !every => match grid.left_out() {
             Some(left_out) => Err(group.leaves_out(left_out)),
+            None if nothing => Err(group.beside_dead_point(x)),
             None => Ok(start),
         },
         _ => Ok(start),

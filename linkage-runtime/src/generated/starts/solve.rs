@@ -117,11 +117,19 @@ impl CoupledGroup {
     }
 
     pub(super) fn leaves_out(&self, left_out: &LeftOut) -> AssemblyError {
-        let example = self.inputs.iter().zip(&left_out.at);
         self.error(CoupledCause::LeavesOut {
             share: left_out.share,
-            example: Placed(example.map(|(input, &at)| input.value(at)).collect()),
+            example: self.position(&left_out.at),
         })
+    }
+
+    pub(super) fn beside_dead_point(&self, x: &[f64]) -> AssemblyError {
+        self.error(CoupledCause::BesideDeadPoint(self.position(x)))
+    }
+
+    fn position(&self, x: &[f64]) -> Placed {
+        let pairs = self.inputs.iter().zip(x);
+        Placed(pairs.map(|(input, &at)| input.value(at)).collect())
     }
 
     pub(super) fn refused(&self, refusal: Refusal) -> AssemblyError {
