@@ -316,16 +316,20 @@ fn a_dimension_that_is_no_number_is_named() {
     refused(|sums, x| sums.tilt = x, "tilt");
     refused(|sums, x| sums.lift.y = x, "lift.y");
     refused(|sums, x| sums.lead = x, "lead");
-    let mut slider = Slider::default();
-    slider.rod = f64::INFINITY;
+    let slider = Slider {
+        rod: f64::INFINITY,
+        ..Slider::default()
+    };
     let error = slider.assemble().unwrap_err();
     assert!(error.to_string().contains("dimension rod is"), "{error}");
 }
 
 #[test]
 fn a_dimension_that_no_loop_needs_may_be_any() {
-    let mut sums = Sums::default();
-    sums.shown = f64::INFINITY;
+    let sums = Sums {
+        shown: f64::INFINITY,
+        ..Sums::default()
+    };
     let linkage = sums.assemble().expect("the loops are finite");
     assert_eq!(linkage.pose(0.5).beside, f64::INFINITY);
 }
