@@ -37,6 +37,9 @@ pub(crate) enum Joints {
     Rp,
 }
 
+/// A sweep over many dimensions.
+type Sets = fn(&Dimensions, &[Dimensions], &[f64]) -> Vec<[Point; 2]>;
+
 /// A mechanism for one kind of triad.
 pub(crate) struct Kind {
     pub(crate) name: &'static str,
