@@ -38,7 +38,7 @@ pub(crate) enum Joints {
 }
 
 /// A sweep over many dimensions.
-type Sets = fn(&Dimensions, &[Dimensions], &[f64]) -> Vec<[Point; 2]>;
+pub(crate) type Sets = fn(&Dimensions, &[Dimensions], &[f64]) -> Vec<[Point; 2]>;
 
 /// A mechanism for one kind of triad.
 pub(crate) struct Kind {
@@ -58,7 +58,7 @@ pub(crate) struct Kind {
     pub(crate) assemble_from: fn(&Dimensions, &Dimensions) -> Result<Evaluate, AssemblyError>,
     /// A sweep of the assembly that the estimates choose for the first dimensions over others, each at an input of its own: point and
     /// direction of the ternary link.
-    pub(crate) sets: fn(&Dimensions, &[Dimensions], &[f64]) -> Vec<[Point; 2]>,
+    pub(crate) sets: Sets,
     /// All assemblies over a turn.
     pub(crate) circuits: fn(&Dimensions) -> Result<Circuits<Evaluate>, String>,
 }
