@@ -7,7 +7,6 @@ mod extended;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod followed;
 mod instruction_set;
-mod one_by_one;
 
 pub use arguments::{Arguments, Inputs, Sets};
 pub use blocks::{Block, next_vectors, rows};

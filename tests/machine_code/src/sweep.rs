@@ -48,7 +48,7 @@ pub struct Loops {
 }
 
 /// The loops of a sweep: of the function at `entry` and of those that it calls whose names contain `sweep`, by what they
-/// are compiled for. One or two rows go one by one, by the code of single calls: that is left out.
+/// are compiled for.
 pub fn sweep(entry: *const ()) -> BTreeMap<Set, Loops> {
     let mut clones: BTreeMap<Set, Loops> = BTreeMap::new();
     let mut seen = BTreeSet::new();
@@ -60,9 +60,7 @@ pub fn sweep(entry: *const ()) -> BTreeMap<Set, Loops> {
         let function = Function::read(symbol);
         let called = function.called.values().copied();
         open.extend(called.filter(|&called| {
-            symbols::at(called).is_some_and(|symbol| {
-                symbol.name.contains("sweep") && !symbol.name.contains("one_by_one")
-            })
+            symbols::at(called).is_some_and(|symbol| symbol.name.contains("sweep"))
         }));
         function.judge(clones.entry(set(&symbol.name)).or_default());
     }

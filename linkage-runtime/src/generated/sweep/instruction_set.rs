@@ -1,6 +1,6 @@
 //! The best instruction set that the running machine has.
 
-use super::{Arguments, Kernel, blocks, one_by_one};
+use super::{Arguments, Kernel, blocks};
 use crate::Scalar;
 use crate::scalar::FUSED;
 
@@ -17,7 +17,9 @@ pub(super) fn run<T, K, A, const I: usize, const W: usize>(
 {
     match size_of::<T>() {
         _ if blocks::rows(&columns) == 0 => {}
-        _ if !T::VECTORISES => one_by_one::run(kernel, arguments, start, columns),
+        _ if !T::VECTORISES => {
+            kernel.evaluate::<FUSED, 1, 1>(arguments, start, columns);
+        }
         4 => vectors::<T, K, A, 16, 64, I, W>(kernel, arguments, start, columns),
         _ => vectors::<T, K, A, 8, 32, I, W>(kernel, arguments, start, columns),
     }
@@ -34,9 +36,6 @@ fn vectors<T, K, A, const V: usize, const B: usize, const I: usize, const W: usi
     K: Kernel<T, I, W>,
     A: Arguments<T, I>,
 {
-    if blocks::rows(&columns) <= one_by_one::FEW {
-        return one_by_one::run(kernel, arguments, start, columns);
-    }
     if blocks::rows(&columns) < V {
         return blocks::few::<T, V, W>(columns, |block| {
             vectors::<T, K, A, V, B, I, W>(kernel, arguments, start, block);
