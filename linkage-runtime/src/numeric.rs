@@ -4,6 +4,8 @@
 //! do not see it.
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub mod cholesky;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod continuation;
 pub(crate) mod minimum;
 pub mod nearest;

@@ -1,5 +1,6 @@
 //! All loops on numbers, closed together: equations may be more than unknowns.
 
+use linkage_runtime::numeric::cholesky;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
@@ -120,30 +121,14 @@ pub(super) fn independent(columns: &[Vec<f64>]) -> bool {
     true
 }
 
-/// The numbers with which `columns` come nearest to `right`: the normal equations, by Cholesky's method.
+/// The numbers with which `columns` come nearest to `right`, by the normal equations.
 fn least_squares(columns: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
-    let n = columns.len();
     let trace: f64 = columns.iter().map(|column| dot(column, column)).sum();
-    let mut lower = vec![vec![0.0; n]; n];
-    for i in 0..n {
-        for j in 0..=i {
-            let damping = if i == j { DAMPING * trace } else { 0.0 };
-            let rest =
-                dot(&columns[i], &columns[j]) + damping - dot(&lower[i][..j], &lower[j][..j]);
-            lower[i][j] = match i == j {
-                true if rest > 0.0 => rest.sqrt(),
-                true => return None,
-                false => rest / lower[j][j],
-            };
-        }
-    }
-    let mut x = vec![0.0; n];
-    for i in 0..n {
-        x[i] = (dot(&columns[i], right) - dot(&lower[i][..i], &x[..i])) / lower[i][i];
-    }
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|k| lower[k][i] * x[k]).sum();
-        x[i] = (x[i] - known) / lower[i][i];
-    }
-    Some(x)
+    let lower = columns.iter().enumerate().map(|(i, column)| {
+        let mut row: Vec<f64> = columns[..=i].iter().map(|own| dot(column, own)).collect();
+        row[i] += DAMPING * trace;
+        row
+    });
+    let right: Vec<f64> = columns.iter().map(|column| dot(column, right)).collect();
+    cholesky::solve(lower.collect(), &right)
 }

@@ -9,6 +9,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::{Cheapest, Condition, Term, length, vector};
+use crate::numeric::cholesky;
 
 /// Newton steps for each `mu`, and values of `mu`.
 const STEPS: usize = 60;
@@ -101,7 +102,8 @@ impl Problem {
         let mut merit = self.merit(point, mu);
         for _ in 0..STEPS {
             let (gradient, hessian) = self.derivatives(point, mu);
-            let Some(step) = newton_step(hessian, &gradient) else {
+            let downhill: Vec<f64> = gradient.iter().map(|g| -g).collect();
+            let Some(step) = cholesky::solve(hessian, &downhill) else {
                 return;
             };
             let decrement: f64 = -step.iter().zip(&gradient).map(|(s, g)| s * g).sum::<f64>();
@@ -185,32 +187,6 @@ impl Problem {
         });
         (lowest.sum::<f64>() - total).max(0.0)
     }
-}
-
-/// Solves `hessian step = -gradient` by Cholesky's factorisation of the lower triangle.
-fn newton_step(mut matrix: Vec<Vec<f64>>, gradient: &[f64]) -> Option<Vec<f64>> {
-    let n = gradient.len();
-    for j in 0..n {
-        for i in j..n {
-            let inner: f64 = (0..j).map(|k| matrix[i][k] * matrix[j][k]).sum();
-            let rest = matrix[i][j] - inner;
-            matrix[i][j] = match i == j {
-                true if rest > 0.0 => rest.sqrt(),
-                true => return None,
-                false => rest / matrix[j][j],
-            };
-        }
-    }
-    let mut step: Vec<f64> = gradient.iter().map(|g| -g).collect();
-    for i in 0..n {
-        let inner: f64 = (0..i).map(|k| matrix[i][k] * step[k]).sum();
-        step[i] = (step[i] - inner) / matrix[i][i];
-    }
-    for i in (0..n).rev() {
-        let inner: f64 = (i + 1..n).map(|k| matrix[k][i] * step[k]).sum();
-        step[i] = (step[i] - inner) / matrix[i][i];
-    }
-    Some(step)
 }
 
 fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
