@@ -10,7 +10,7 @@ use quote::{ToTokens, format_ident, quote};
 use super::entries::{entries, entry};
 use super::evaluator::{Version, stage_name};
 use super::outline::{Function, Outline};
-use super::{attribute, literal, sealed, sweeps};
+use super::{attribute, blocks, literal, sealed, sweeps};
 
 /// The kernels over inputs and over mechanisms; nothing for a function without inputs. `beside` are the stages of the program for
 /// dimensions that tables do not know, if that is another one.
@@ -179,6 +179,7 @@ fn kernel(
 ) -> TokenStream {
     let Outline { runtime, core, .. } = outline;
     let [arguments, width] = [arguments, function.width()].map(literal::index);
+    let loops = blocks::over_blocks(outline, body);
     quote! {
         struct __Kernel<'a, T>(&'a #core<T>);
         impl<T: #runtime::Scalar> #runtime::Kernel<T, #arguments, #width> for __Kernel<'_, T> {
@@ -197,16 +198,7 @@ fn kernel(
                 let __zero = T::from_f64(0.0);
                 let mut __x = #runtime::Block::<T, __BLOCK, #arguments>::filled(__zero);
                 #buffers
-                let __count = #runtime::rows(&__results);
-                let mut __done_rows = 0;
-                while __done_rows < __count {
-                    let __vectors = #runtime::next_vectors::<__LANES, __BLOCK>(__count - __done_rows);
-                    let __rows = __vectors * __LANES;
-                    let __row = ::core::cmp::Ord::min(__done_rows, __count - __rows);
-                    __arguments.block::<__FUSED, __LANES, __BLOCK>(__first + __row, __rows, &mut __x.0);
-                    #body
-                    __done_rows = __row + __rows;
-                }
+                #loops
             }
         }
     }
@@ -267,22 +259,13 @@ fn loops(
             let [k, result] = [k, result].map(literal::index);
             quote!(#done.write(#k, &mut __results, #result, __row + __start);)
         });
-        loops.extend(quote! {
-            let mut __vector = 0;
-            while __vector < __vectors {
-                let __start = __vector * __LANES;
-                let mut __lane = __start;
-                while __lane < __start + __LANES {
-                    let ([#(#next),*], [#(#finished),*]) =
-                        #core.#method::<__FUSED, true>([#(#inputs),*], [#(#read),*]);
-                    #(#carry)*
-                    #(#finish)*
-                    __lane += 1;
-                }
-                #(#write)*
-                __vector += 1;
-            }
-        });
+        let one = quote! {
+            let ([#(#next),*], [#(#finished),*]) =
+                #core.#method::<__FUSED, true>([#(#inputs),*], [#(#read),*]);
+            #(#carry)*
+            #(#finish)*
+        };
+        loops.extend(blocks::over_vectors(&one, &quote!(#(#write)*)));
         carried_before = stage.carried;
     }
     loops

@@ -7,6 +7,7 @@
 mod assembly;
 mod at_word;
 mod attribute;
+mod blocks;
 mod body;
 mod circuits;
 mod closing;

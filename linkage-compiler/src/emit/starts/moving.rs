@@ -7,7 +7,7 @@ use crate::emit::assembly::Types;
 use crate::emit::entries::entries;
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline};
-use crate::emit::{attribute, literal, sealed};
+use crate::emit::{attribute, blocks, literal, sealed};
 use crate::unit::Unit;
 
 /// The type of the mechanism that changes its dimensions.
@@ -122,6 +122,16 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
     let columns = (0..outputs).map(literal::index);
     let columns: Vec<_> = columns.collect();
     let outputs = literal::index(outputs);
+    let one = quote! {
+        let __m = #name::<#float>::__at_lane(&__x, __lane);
+        let __prepared = #assembly::<#float>::__prepare::<__FUSED>(&__m, __modes, __turns);
+        let [#(#found),*] = #assembly::<#float>::#method::<__FUSED>(
+            &__m, __modes, &__prepared, [#(#arguments),*],
+        );
+        #(__done.set(#columns, __lane - __start, #found);)*
+    };
+    let write = quote!(#(__done.write(#columns, &mut __results, #columns, __row + __start);)*);
+    let loops = blocks::over_blocks(outline, &blocks::over_vectors(&one, &write));
     let allow = attribute::allow();
     quote! {
         #allow
@@ -138,32 +148,7 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
                 let #moving { __modes, __turns, .. } = self.0;
                 let mut __x = #runtime::Block::<#float, __BLOCK, #width>::filled(0.0);
                 let mut __done = #runtime::Block::<#float, __LANES, #outputs>::filled(0.0);
-                let __count = #runtime::rows(&__results);
-                let mut __done_rows = 0;
-                while __done_rows < __count {
-                    let __vectors = #runtime::next_vectors::<__LANES, __BLOCK>(__count - __done_rows);
-                    let __rows = __vectors * __LANES;
-                    let __row = ::core::cmp::Ord::min(__done_rows, __count - __rows);
-                    __arguments.block::<__FUSED, __LANES, __BLOCK>(__first + __row, __rows, &mut __x.0);
-                    let mut __vector = 0;
-                    while __vector < __vectors {
-                        let __start = __vector * __LANES;
-                        let mut __lane = __start;
-                        while __lane < __start + __LANES {
-                            let __m = #name::<#float>::__at_lane(&__x, __lane);
-                            let __prepared =
-                                #assembly::<#float>::__prepare::<__FUSED>(&__m, __modes, __turns);
-                            let [#(#found),*] = #assembly::<#float>::#method::<__FUSED>(
-                                &__m, __modes, &__prepared, [#(#arguments),*],
-                            );
-                            #(__done.set(#columns, __lane - __start, #found);)*
-                            __lane += 1;
-                        }
-                        #(__done.write(#columns, &mut __results, #columns, __row + __start);)*
-                        __vector += 1;
-                    }
-                    __done_rows = __row + __rows;
-                }
+                #loops
             }
         }
     }

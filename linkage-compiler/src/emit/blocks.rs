@@ -1,0 +1,42 @@
+//! The loops of a kernel over its rows: blocks of rows, and in a block the rows that stand side by side. They name `__count` rows, the arguments `__x` from
+//! `__first` on, and for what is inside `__row`, where the block begins, `__start`, where its vector does, and `__lane`.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::outline::Outline;
+
+/// Runs `body` for every block of arguments.
+pub(super) fn over_blocks(outline: &Outline, body: &TokenStream) -> TokenStream {
+    let runtime = &outline.runtime;
+    quote! {
+        let __count = #runtime::rows(&__results);
+        let mut __done_rows = 0;
+        while __done_rows < __count {
+            let __vectors = #runtime::next_vectors::<__LANES, __BLOCK>(__count - __done_rows);
+            let __rows = __vectors * __LANES;
+            let __row = ::core::cmp::Ord::min(__done_rows, __count - __rows);
+            __arguments.block::<__FUSED, __LANES, __BLOCK>(__first + __row, __rows, &mut __x.0);
+            #body
+            __done_rows = __row + __rows;
+        }
+    }
+}
+
+/// Runs `one` for every row of a block, and `then` behind the rows that stand side by side. Vectors are counted and not rows: so the optimiser
+/// knows that they fit.
+pub(super) fn over_vectors(one: &TokenStream, then: &TokenStream) -> TokenStream {
+    quote! {
+        let mut __vector = 0;
+        while __vector < __vectors {
+            let __start = __vector * __LANES;
+            let mut __lane = __start;
+            while __lane < __start + __LANES {
+                #one
+                __lane += 1;
+            }
+            #then
+            __vector += 1;
+        }
+    }
+}
