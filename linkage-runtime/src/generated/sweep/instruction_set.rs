@@ -15,13 +15,16 @@ pub(super) fn run<T, K, A, const I: usize, const W: usize>(
     K: Kernel<T, I, W>,
     A: Arguments<T, I>,
 {
-    match size_of::<T>() {
-        _ if blocks::rows(&columns) == 0 => {}
-        _ if !T::VECTORISES => {
-            kernel.evaluate::<FUSED, 1, 1>(arguments, start, columns);
-        }
-        4 => vectors::<T, K, A, 16, 64, I, W>(kernel, arguments, start, columns),
-        _ => vectors::<T, K, A, 8, 32, I, W>(kernel, arguments, start, columns),
+    if blocks::rows(&columns) == 0 {
+        return;
+    }
+    // Constants, which are known before code is made: none is made for what is not chosen.
+    if const { !T::VECTORISES } {
+        kernel.evaluate::<FUSED, 1, 1>(arguments, start, columns);
+    } else if const { size_of::<T>() == 4 } {
+        vectors::<T, K, A, 16, 64, I, W>(kernel, arguments, start, columns);
+    } else {
+        vectors::<T, K, A, 8, 32, I, W>(kernel, arguments, start, columns);
     }
 }
 
