@@ -36,12 +36,32 @@ where
 
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 mod avx2 {
+    use core::sync::atomic::{AtomicU8, Ordering};
+
     use super::Single;
+
+    /// What has been found of the machine: one load and one comparison for each call. (The standard library's own flags are tested one by one.)
+    static FOUND: AtomicU8 = AtomicU8::new(UNKNOWN);
+    const UNKNOWN: u8 = 0;
+    const MISSING: u8 = 1;
+    const THERE: u8 = 2;
 
     /// Whether the machine has AVX2 and FMA.
     #[inline(always)]
     pub(super) fn detected() -> bool {
-        std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
+        match FOUND.load(Ordering::Relaxed) {
+            THERE => true,
+            MISSING => false,
+            _ => detect(),
+        }
+    }
+
+    #[cold]
+    fn detect() -> bool {
+        let found = std::arch::is_x86_feature_detected!("avx2")
+            && std::arch::is_x86_feature_detected!("fma");
+        FOUND.store(if found { THERE } else { MISSING }, Ordering::Relaxed);
+        found
     }
 
     /// The value by code for AVX2 with FMA, which [`detected`] has found. Up to three numbers are handed over in registers: an array
@@ -51,11 +71,15 @@ mod avx2 {
     pub(super) fn at<A: Single<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, x: [T; I]) -> R {
         // SAFETY: the machine has the instruction set.
         unsafe {
-            match x[..] {
-                [a] => one(assembly, a),
-                [a, b] => two(assembly, a, b),
-                [a, b, c] => three(assembly, a, b, c),
-                _ => many(assembly, &x),
+            // Constants: of the others no code is made.
+            if const { I == 1 } {
+                one(assembly, x[0])
+            } else if const { I == 2 } {
+                two(assembly, x[0], x[1])
+            } else if const { I == 3 } {
+                three(assembly, x[0], x[1], x[2])
+            } else {
+                many(assembly, &x)
             }
         }
     }

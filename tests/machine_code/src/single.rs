@@ -103,7 +103,8 @@ pub fn chosen(entry: *const ()) -> Option<*const ()> {
         let instruction = decode(address);
         registers.extend(loaded(&instruction));
         address = instruction.next_ip();
-        if let FlowControl::Call | FlowControl::UnconditionalBranch = instruction.flow_control()
+        if let FlowControl::Call | FlowControl::UnconditionalBranch | FlowControl::ConditionalBranch =
+            instruction.flow_control()
             && let Some(target) = target(&instruction, &registers).map(destination)
             && symbols::at(target).is_some_and(|symbol| symbol.name.contains("6single4avx2"))
         {
