@@ -117,14 +117,15 @@ macro_rules! scalar {
             #[inline(always)]
             fn root(self, scale: Self) -> Self {
                 const SLACK: $float = ROUNDINGS as $float * <$float>::EPSILON;
-                let slack = SLACK * <$float>::abs(scale);
+                // What is negative is none of rounding's beside a scale that is no number.
+                let size = <$float>::abs(scale);
+                let size = select_unpredictable(size <= <$float>::MAX, size, 0.0);
                 // The root does not wait for the test. NaN stays, -0 does not.
                 let positive = <$float>::abs(select_unpredictable(self < 0.0, 0.0, self));
                 let root = math::$functions::sqrt(positive).to_bits();
-                // Negative if more is missing, or anything where the scale is infinite. Then all bits are set: NaN.
-                let infinite = <$float>::MAX.to_bits().wrapping_sub(slack.to_bits());
-                let missing = (self + slack).to_bits() | (infinite & self.to_bits());
-                let nan = missing.cast_signed() >> (<$bits>::BITS - 1);
+                // Negative if more is missing: then all bits are set, NaN.
+                let missing = SLACK * size + self;
+                let nan = missing.to_bits().cast_signed() >> (<$bits>::BITS - 1);
                 <$float>::from_bits(root | nan.cast_unsigned())
             }
 
