@@ -77,11 +77,13 @@ impl<'m> Solver<'_, 'm> {
         let n2 = m - squares.imbalance;
         let n = m - size; // of the smaller circle
         let q = squares.twice * m - n.square();
-        let mut noise = (m + size) * n;
+        // At both dead points the root's terms are of the size `r1 r2 L2`: what is there of `(m + size) n`, in one product.
+        let [r1, r2] = squares.radii;
+        let mut noise = (2.0 * r1 * r2) * m;
         if let Some(noise2) = squares.noise2 {
             // The derivative of `h^2` by the second circle's square is `n1`.
             let own = noise2 * n1;
-            noise = noise.abs() + own.abs();
+            noise = ((m + size) * n).abs() + own.abs();
         }
         let h = q.root(noise);
 
