@@ -1,16 +1,15 @@
 //! `circuits()`: every assembly is there, a turning point ends two of them, and both belong to one circuit.
 
+mod chained;
+
 use crate::kinds::{self, Kind};
 use crate::legs::poses;
-use linkage::{Branch, BranchEnd, Circuits, mechanism};
+use linkage::{Branch, BranchEnd, Circuits};
 use linkage_random::Random;
 use std::f64::consts::TAU;
 
 /// Mechanisms of all kinds together.
 const MECHANISMS: usize = 60;
-
-/// Mechanisms of a dyad, a triad and another dyad.
-const CHAINS: usize = 20;
 
 /// Ends that are one turning point agree to this part of the range.
 const TOGETHER: f64 = 1e-9;
@@ -141,67 +140,6 @@ fn run(mechanisms: usize) -> Faults {
     }
     println!("{faults:?}");
     faults
-}
-
-mechanism! {
-    /// A four-bar whose crank may be too long to turn, a platform on its rocker, and a dyad on the platform.
-    struct Chain {
-        unit mm;
-        param crank = 20mm;
-        param rocker = 60mm;
-        param leg = 50mm;
-        param rod = 70mm;
-        input phi = 60deg;
-        unknown theta = 80deg;
-        unknown psi = 130deg;
-        unknown tilt = 20deg;
-        unknown leg_a = 20deg;
-        unknown leg_b = 100deg;
-        unknown leg_c = 290deg;
-        unknown lean = 100deg;
-        unknown slide = 80mm;
-        loop (-60mm, -30mm) + polar(crank, phi) + polar(60mm, theta) = polar(rocker, psi);
-        let a = polar(40mm, psi) + polar(leg, leg_a);
-        loop a + polar(60mm, tilt) = (120mm, 0) + polar(leg, leg_b);
-        loop a + polar(60mm, tilt + 60deg) = (60mm, 110mm) + polar(leg, leg_c);
-        loop a + polar(rod, lean) = (0, slide);
-    }
-    impl Chain {
-        fn places(phi) -> Places { a, slide }
-    }
-}
-
-#[test]
-fn groups_before_and_behind_turn_back_with_it() {
-    let mut random = Random::new(17);
-    let (mut ends, mut lonely) = (0, 0);
-    for _ in 0..CHAINS * crate::effort() {
-        let Chain {
-            crank,
-            rocker,
-            leg,
-            rod,
-        } = Chain::default();
-        let [rocker, leg, rod] = random.near([rocker, leg, rod], 0.3);
-        let crank = crank * random.ratio(0.7, 4.0);
-        let chain = Chain {
-            crank,
-            rocker,
-            leg,
-            rod,
-        };
-        let circuits = chain.circuits().expect("it can be listed");
-        let turning = turning(&circuits);
-        let alone = alone(&turning);
-        if alone > 0 {
-            println!("{chain:?}\n{circuits}");
-        }
-        ends += turning.len();
-        lonely += alone;
-    }
-    println!("{lonely} of {ends} ends");
-    assert!(ends > CHAINS);
-    assert_eq!(lonely, 0);
 }
 
 #[test]

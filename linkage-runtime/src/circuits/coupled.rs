@@ -109,13 +109,15 @@ impl Strand {
         [0, last].map(|k| slab.x(self.nodes[k].u))
     }
 
-    /// The node to prepare a table from: between the ends, as far from singular as possible.
+    /// The node to prepare a table from: between the ends, as far from singular as possible. At the ends of a slab groups before may turn
+    /// back; the slope of the inputs vanishes there as their determinants do, and a table from there would go nowhere.
     pub(super) fn best(&self) -> &Node {
         let between = match self.nodes.len() {
             0..3 => &self.nodes[..],
             more => &self.nodes[1..more - 1],
         };
-        let by_size = |a: &&Node, b: &&Node| a.determinant.abs().total_cmp(&b.determinant.abs());
+        let regular = |node: &Node| Slab::slope(node.u) * node.determinant.abs();
+        let by_size = |a: &&Node, b: &&Node| regular(a).total_cmp(&regular(b));
         between.iter().max_by(by_size).unwrap_or(&self.nodes[0])
     }
 

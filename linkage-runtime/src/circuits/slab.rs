@@ -23,6 +23,11 @@ impl Slab {
         }
     }
 
+    /// How fast the input grows with the parameter, compared with the middle.
+    pub(super) fn slope(u: f64) -> f64 {
+        1.0 - u * u
+    }
+
     /// The parameter of an input: bisection, since it is asked for rarely.
     pub(super) fn parameter(&self, x: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);

@@ -1,0 +1,113 @@
+//! Coupled groups between groups that turn back themselves.
+
+use super::{BESIDE, alone, covers, turning};
+use linkage::{BranchEnd, Circuits, mechanism};
+use linkage_random::Random;
+
+/// Mechanisms of a dyad, a triad and another dyad.
+const CHAINS: usize = 20;
+
+/// Inputs at which the assemblies of a chain are counted.
+const LISTED: usize = 6;
+
+mechanism! {
+    /// A four-bar whose crank may be too long to turn, a platform on its rocker, and a dyad on the platform.
+    struct Chain {
+        unit mm;
+        param crank = 20mm;
+        param rocker = 60mm;
+        param leg = 50mm;
+        param rod = 70mm;
+        input phi = 60deg;
+        unknown theta = 80deg;
+        unknown psi = 130deg;
+        unknown tilt = 20deg;
+        unknown leg_a = 20deg;
+        unknown leg_b = 100deg;
+        unknown leg_c = 290deg;
+        unknown lean = 100deg;
+        unknown slide = 80mm;
+        loop (-60mm, -30mm) + polar(crank, phi) + polar(60mm, theta) = polar(rocker, psi);
+        let a = polar(40mm, psi) + polar(leg, leg_a);
+        loop a + polar(60mm, tilt) = (120mm, 0) + polar(leg, leg_b);
+        loop a + polar(60mm, tilt + 60deg) = (60mm, 110mm) + polar(leg, leg_c);
+        loop a + polar(rod, lean) = (0, slide);
+    }
+    impl Chain {
+        fn places(phi) -> Places { a, slide }
+    }
+}
+
+/// A chain whose platform has solutions that are farthest from singular beside a turning point of the four-bar, where nothing can be
+/// prepared from.
+const STEEP: Chain<f64> = Chain {
+    crank: 70.85757685172423,
+    rocker: 74.96030584329164,
+    leg: 56.177762131241714,
+    rod: 73.02487326524478,
+};
+
+type Found = Circuits<ChainAssembly<f64>>;
+
+/// How many assemblies a chain has at an input: from its circuits, and listed.
+fn counts(chain: &Chain<f64>, circuits: &Found, phi: f64) -> [usize; 2] {
+    let branches = circuits.branches.iter();
+    let here = branches.filter(|branch| covers(branch, phi));
+    let listed = chain.assemblies_at(phi).map_or(0, |all| all.len());
+    [here.count(), listed]
+}
+
+/// Counts the assemblies of a chain at some inputs that are not beside an end.
+fn assert_counted(chain: &Chain<f64>, circuits: &Found, random: &mut Random) {
+    for _ in 0..LISTED {
+        let [low, high] = [circuits.cycle.low, circuits.cycle.high];
+        let phi = random.between(low, high);
+        let ends = circuits.branches.iter().flat_map(|branch| branch.ends);
+        if ends.map(BranchEnd::x).all(|x| (x - phi).abs() >= BESIDE) {
+            let [here, listed] = counts(chain, circuits, phi);
+            assert_eq!(here, listed, "{chain:?} at {phi}\n{circuits}");
+        }
+    }
+}
+
+#[test]
+fn solutions_that_are_farthest_from_singular_beside_an_end_are_kept() {
+    let circuits = STEEP.circuits().expect("it can be listed");
+    assert_eq!(alone(&turning(&circuits)), 0, "{circuits}");
+    assert_counted(&STEEP, &circuits, &mut Random::new(18));
+}
+
+#[test]
+fn groups_before_and_behind_turn_back_with_it() {
+    let mut random = Random::new(17);
+    let mut places = Random::new(19);
+    let (mut ends, mut lonely) = (0, 0);
+    for _ in 0..CHAINS * crate::effort() {
+        let Chain {
+            crank,
+            rocker,
+            leg,
+            rod,
+        } = Chain::default();
+        let [rocker, leg, rod] = random.near([rocker, leg, rod], 0.3);
+        let crank = crank * random.ratio(0.7, 4.0);
+        let chain = Chain {
+            crank,
+            rocker,
+            leg,
+            rod,
+        };
+        let circuits = chain.circuits().expect("it can be listed");
+        let turning = turning(&circuits);
+        let alone = alone(&turning);
+        if alone > 0 {
+            println!("{chain:?}\n{circuits}");
+        }
+        assert_counted(&chain, &circuits, &mut places);
+        ends += turning.len();
+        lonely += alone;
+    }
+    println!("{lonely} of {ends} ends");
+    assert!(ends > CHAINS);
+    assert_eq!(lonely, 0);
+}
