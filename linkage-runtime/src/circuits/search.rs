@@ -7,6 +7,7 @@ use super::stretches::{Border, stretches};
 use super::trace::CurveEnd;
 use super::{Cycle, MOST_MODES};
 use crate::generated::{CoupledGroup, CoupledPrograms, Start, prepared};
+use crate::numeric::continuation::Range;
 use crate::{AssemblyError, AssemblyMode};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -183,7 +184,7 @@ impl<'a, M: Levels> Search<'a, M> {
         };
         let leaf = |state: Vec<f64>| {
             let mut next = before.clone();
-            next.chosen.starts[number] = prepared(description, programs, &[], &state)?;
+            next.chosen.starts[number] = prepared(description, programs, &[], &state, &[])?;
             next.ways.push((group, Way::States([state.clone(), state])));
             Ok(next)
         };
@@ -224,7 +225,8 @@ impl<'a, M: Levels> Search<'a, M> {
             }
             let best = strand.best();
             let x = slab.x(best.u);
-            match prepared(description, programs, &[x], &best.state) {
+            let range = next.range(description.inputs[0].range);
+            match prepared(description, programs, &[x], &best.state, &[range]) {
                 Ok(start) => next.chosen.starts[number] = start,
                 Err(error) => {
                     self.error.get_or_insert(error);
@@ -244,6 +246,15 @@ impl<'a, M: Levels> Search<'a, M> {
 }
 
 impl Leaf {
+    /// Where a table of it is to serve: over the whole range, or between its ends, however near they are to each other.
+    fn range(&self, whole: Range) -> Range {
+        let [low, high] = self.inputs;
+        match self.ends {
+            [End::Range, End::Range] => whole,
+            _ => Range { low, high, ..whole },
+        }
+    }
+
     fn slab(&self) -> Slab {
         let [low, high] = self.inputs;
         Slab { low, high }

@@ -10,6 +10,9 @@ const CHAINS: usize = 20;
 /// Inputs at which the assemblies of a chain are counted.
 const LISTED: usize = 6;
 
+/// Where on its way from end to end an assembly is looked at.
+const SHARES: [f64; 5] = [0.02, 0.2, 0.5, 0.8, 0.98];
+
 mechanism! {
     /// A four-bar whose crank may be too long to turn, a platform on its rocker, and a dyad on the platform.
     struct Chain {
@@ -47,6 +50,17 @@ const STEEP: Chain<f64> = Chain {
     rod: 73.02487326524478,
 };
 
+/// A chain with assemblies that end after 0.0003 degrees, and an input there, in degrees.
+const SHORT: (Chain<f64>, f64) = (
+    Chain {
+        crank: 65.02299848476191,
+        rocker: 50.13139601926462,
+        leg: 41.871892788541935,
+        rod: 54.395321837427154,
+    },
+    34.9456,
+);
+
 type Found = Circuits<ChainAssembly<f64>>;
 
 /// How many assemblies a chain has at an input: from its circuits, and listed.
@@ -55,6 +69,19 @@ fn counts(chain: &Chain<f64>, circuits: &Found, phi: f64) -> [usize; 2] {
     let here = branches.filter(|branch| covers(branch, phi));
     let listed = chain.assemblies_at(phi).map_or(0, |all| all.len());
     [here.count(), listed]
+}
+
+/// How many places on the way of assemblies from end to end are not known.
+fn unserved(circuits: &Found) -> usize {
+    let branches = circuits.branches.iter();
+    let unknown = branches.flat_map(|branch| {
+        let [low, high] = branch.ends.map(BranchEnd::x);
+        let places = SHARES.map(|share| branch.assembly.places(low + share * (high - low)));
+        places
+            .into_iter()
+            .filter(|places| !places.slide.is_finite())
+    });
+    unknown.count()
 }
 
 /// Counts the assemblies of a chain at some inputs that are not beside an end.
@@ -74,7 +101,18 @@ fn assert_counted(chain: &Chain<f64>, circuits: &Found, random: &mut Random) {
 fn solutions_that_are_farthest_from_singular_beside_an_end_are_kept() {
     let circuits = STEEP.circuits().expect("it can be listed");
     assert_eq!(alone(&turning(&circuits)), 0, "{circuits}");
+    assert_eq!(unserved(&circuits), 0, "{circuits}");
     assert_counted(&STEEP, &circuits, &mut Random::new(18));
+}
+
+#[test]
+fn assemblies_between_ends_that_are_close_together_are_known() {
+    let (chain, at) = SHORT;
+    let circuits = chain.circuits().expect("it can be listed");
+    let [here, listed] = counts(&chain, &circuits, at.to_radians());
+    assert!(listed > 0);
+    assert_eq!(here, listed, "{circuits}");
+    assert_eq!(unserved(&circuits), 0, "{circuits}");
 }
 
 #[test]
@@ -103,6 +141,7 @@ fn groups_before_and_behind_turn_back_with_it() {
         if alone > 0 {
             println!("{chain:?}\n{circuits}");
         }
+        assert_eq!(unserved(&circuits), 0, "{chain:?}\n{circuits}");
         assert_counted(&chain, &circuits, &mut places);
         ends += turning.len();
         lonely += alone;

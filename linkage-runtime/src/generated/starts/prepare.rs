@@ -38,6 +38,13 @@ impl Start {
     }
 }
 
+impl CoupledGroup {
+    /// The ranges of its inputs.
+    fn ranges(&self) -> Vec<Range> {
+        self.inputs.iter().map(|input| input.range).collect()
+    }
+}
+
 impl<const S: usize> Coupled<S> {
     /// The tables of all lanes.
     pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a Start) -> Self {
@@ -107,7 +114,8 @@ pub fn starts<const K: usize, P: CoupledPrograms>(
             for solution in solutions {
                 let every = matches!(wanted, Wanted::All);
                 let mut starts = before.clone();
-                starts[number] = start(group, &mut programs, &x, &solution.state, every)?;
+                let ranges = group.ranges();
+                starts[number] = start(group, &mut programs, &x, &solution.state, &ranges, every)?;
                 next.push(starts);
             }
         }
@@ -136,10 +144,10 @@ fn start(
     programs: &mut impl CoupledPrograms,
     x: &[f64],
     state: &[f64],
+    ranges: &[Range],
     every: bool,
 ) -> Result<Start, AssemblyError> {
-    let ranges: Vec<Range> = group.inputs.iter().map(|input| input.range).collect();
-    let mut made = over(group, programs, x, state, &ranges, every);
+    let mut made = over(group, programs, x, state, ranges, every);
     let mut serves = |start: &Start| match start {
         Start::Grid(grid) => grid.serves(programs, x),
         Start::Nothing | Start::Table(_) => true,
@@ -190,7 +198,7 @@ fn over(
     }
 }
 
-/// Prepares a group from a solution at its inputs `x`, as far as it goes.
+/// Prepares a group from a solution at its inputs `x` over these ranges, as far as it goes.
 ///
 /// # Errors
 ///
@@ -200,8 +208,9 @@ pub fn prepared(
     programs: &mut impl CoupledPrograms,
     x: &[f64],
     state: &[f64],
+    ranges: &[Range],
 ) -> Result<Start, AssemblyError> {
-    start(group, programs, x, state, true)
+    start(group, programs, x, state, ranges, true)
 }
 
 /// Prepares all groups from known states, as `assemble()` does from those that estimates choose; `at` are all inputs of the mechanism.
@@ -219,7 +228,8 @@ pub fn prepared_over<const K: usize, P: CoupledPrograms>(
     for (number, group) in groups.iter().enumerate() {
         let x: Vec<f64> = group.inputs.iter().map(|input| at[input.index]).collect();
         let mut programs = programs(number, &starts)?;
-        starts[number] = start(group, &mut programs, &x, &states[number], false)?;
+        let ranges = group.ranges();
+        starts[number] = start(group, &mut programs, &x, &states[number], &ranges, false)?;
     }
     Ok(starts)
 }
