@@ -4,9 +4,9 @@
 //! `V . column`. A private slide leaves `guide x rest = 0`. The steps work with unit vectors, one division each, and neither root nor
 //! arc function.
 
-mod bound;
 mod differentiate;
 mod equations;
+mod largest;
 mod laurent;
 mod newton;
 mod state;

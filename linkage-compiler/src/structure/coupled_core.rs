@@ -8,6 +8,7 @@ use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
 
 use super::classify::Polynomials;
 use super::equations::{Coordinate, CoordinateKind, Equation};
+use super::squared::Link;
 use super::{Analysis, Form, Rotor};
 
 /// More core unknowns than this are refused: the work of listing their assemblies grows without bound.
@@ -34,8 +35,8 @@ pub(crate) struct Block<'m> {
     pub(crate) private: Option<Private<'m>>,
     /// The rows as polynomials.
     pub(crate) terms: Vec<Product<'m>>,
-    /// The length of a link in space, if the row is about the square of its vector.
-    pub(crate) distance: Option<Ex<'m>>,
+    /// A link in space, if the row is about the square of its vector.
+    pub(crate) distance: Option<Link<'m>>,
 }
 
 impl Block<'_> {
@@ -250,7 +251,7 @@ impl<'m> Analysis<'_, 'm> {
             rest: substitute(&equation.rows, &removed),
             rows: equation.rows.clone(),
             private,
-            distance: equation.distance,
+            distance: equation.distance.clone(),
         }
     }
 }

@@ -6,6 +6,7 @@ use crate::algebra::{Bound, Scalar, Translate, Value};
 use crate::model::Loop;
 
 use super::Analysis;
+use super::squared::Link;
 
 /// A loop, or what became of one: one to three scalar equations `row = 0`.
 #[derive(Clone, Debug)]
@@ -13,8 +14,8 @@ pub(crate) struct Equation<'m> {
     pub(crate) rows: Vec<Ex<'m>>,
     /// A scalar loop as a linear form in angles.
     pub(crate) relation: Option<Scalar<'m>>,
-    /// The length of a link in space, if the row is about the square of its vector.
-    pub(crate) distance: Option<Ex<'m>>,
+    /// A link in space, if the row is about the square of its vector.
+    pub(crate) distance: Option<Link<'m>>,
     /// The loop that its rows were written as.
     pub(crate) written: usize,
     /// The loops it comes from.

@@ -30,6 +30,7 @@ use crate::model::{Dimension, Mechanism, Type};
 pub(crate) use coupled_core::{Block, Core, Coupled, Private, Product};
 pub(crate) use equations::{Coordinate, Equation};
 pub(crate) use form::{Form, Plane, Rotor, Sphere};
+pub(crate) use squared::Link;
 
 /// One Assur group.
 #[derive(Clone, Debug)]

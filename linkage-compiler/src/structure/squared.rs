@@ -5,10 +5,11 @@ use linkage_symbolic::{Ex, V3};
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 
-/// A distance that was squared.
-struct Link<'m> {
-    vector: V3<'m>,
-    length: Ex<'m>,
+/// A link in space, whose distance was squared.
+#[derive(Clone, Debug)]
+pub(crate) struct Link<'m> {
+    pub(crate) vector: V3<'m>,
+    pub(crate) length: Ex<'m>,
 }
 
 impl<'m> Analysis<'_, 'm> {
@@ -35,7 +36,7 @@ impl<'m> Analysis<'_, 'm> {
                 None => square_of_link(&link),
             };
             equation.rows = vec![row];
-            equation.distance = Some(length);
+            equation.distance = Some(link.clone());
             links.push(link);
         }
         squared

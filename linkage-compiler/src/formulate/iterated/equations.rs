@@ -134,9 +134,9 @@ impl<'m> Solver<'_, 'm> {
         let links = products
             .filter(|product| matches!(product.powers[..], [(symbol, 1)] if turns(symbol)))
             .map(|product| product.coefficient.clone());
-        let distances = form.blocks.iter().filter_map(|block| block.distance);
+        let distances = form.blocks.iter().filter_map(|b| b.distance.as_ref());
         let fixed = links
-            .chain(distances.map(|distance| vec![distance]))
+            .chain(distances.map(|link| vec![link.length]))
             .filter(|link| link.iter().all(|x| x.is_fixed()));
         let zero = self.algebra.zero();
         fixed.fold(zero, |sum, link| sum + vector(&link).length())
