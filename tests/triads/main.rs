@@ -2,6 +2,7 @@
 //! assemblies there are, where they are, and that each stays itself over the whole cycle.
 
 mod assemblies;
+mod beside;
 mod bulges;
 mod chains;
 mod circuits;

@@ -175,15 +175,12 @@ impl<'m> Assembly<'_, 'm> {
         }
         match self.start(prepared, state) {
             Ok(start) => {
-                let left_out = match &start {
-                    Start::Grid(grid) => grid.left_out().cloned(),
-                    Start::Table(_) => None,
+                let served = match &start {
+                    Start::Grid(grid) => self.is_served(solved, prepared, grid),
+                    Start::Table(_) => true,
                 };
-                if let Some(left_out) = &left_out {
-                    self.leaves_out(solved, prepared, left_out);
-                }
                 self.machine.starts[prepared.number] = Some(start);
-                left_out.is_none()
+                served
             }
             Err(refusal) => {
                 self.refused(solved, prepared, refusal);

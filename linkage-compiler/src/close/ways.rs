@@ -3,7 +3,7 @@
 //! A dead point on such a way lies in the ranges: that is found in a moment, where a grid over ranges with dead points in them takes
 //! seconds.
 
-use linkage_runtime::numeric::continuation::{self, LeftOut};
+use linkage_runtime::numeric::continuation::{self, Grid, LeftOut};
 
 use crate::formulate::{Prepared, Solved};
 use crate::structure::report::loop_list;
@@ -87,13 +87,48 @@ impl<'m> Assembly<'_, 'm> {
             .collect()
     }
 
-    /// Says that a grid leaves out positions at which the mechanism is regular.
-    pub(super) fn leaves_out(
+    /// Whether a grid serves what it should, and says so if not: the reference, and as far as is known all positions at which the mechanism
+    /// is regular.
+    pub(super) fn is_served(
         &mut self,
         solved: &Solved<'m>,
         prepared: &Prepared<'m>,
-        left_out: &LeftOut,
-    ) {
+        grid: &Grid,
+    ) -> bool {
+        if let Some(left_out) = grid.left_out() {
+            self.leaves_out(solved, prepared, left_out);
+            return false;
+        }
+        let (mut numbers, reference) = self.numbers(prepared.number);
+        let served = grid.serves(&mut numbers, &reference);
+        if !served {
+            self.beside_dead_point(solved, prepared);
+        }
+        served
+    }
+
+    /// Says that a grid does not reach the reference: its margin would be that of a dead point, which it is not.
+    fn beside_dead_point(&mut self, solved: &Solved<'m>, prepared: &Prepared<'m>) {
+        let mechanism = self.algebra.mechanism;
+        let origin = prepared
+            .inputs
+            .first()
+            .map_or(mechanism.loops[solved.group.loops[0]].origin, |&input| {
+                mechanism.inputs[input].origin
+            });
+        let message = format!(
+            "{} ({}) cannot be prepared at the reference inputs {}: a dead point is so near that the smallest cells of linkage do not reach \
+             the assembly there; the reference itself is none\n\
+             help: move the reference away from the dead point, or shorten the ranges",
+            loop_list(&solved.group.loops),
+            self.words.unknowns(&solved.group.unknowns),
+            self.words.inputs(&self.nominal.inputs, &prepared.inputs),
+        );
+        self.reporter.error(origin, message);
+    }
+
+    /// Says that a grid leaves out positions at which the mechanism is regular.
+    fn leaves_out(&mut self, solved: &Solved<'m>, prepared: &Prepared<'m>, left_out: &LeftOut) {
         let mut inputs = self.nominal.inputs.clone();
         for (&input, &x) in prepared.inputs.iter().zip(&left_out.at) {
             inputs[input] = x;
