@@ -80,3 +80,18 @@ fn multiple(a: f64, b: f64, angle: f64) -> Option<f64> {
     let next = low + step;
     (next > low && next < high).then_some(next)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{PI, multiple};
+
+    /// Strictly between: an angle at the lower end is met half a turn later.
+    #[test]
+    fn multiples_lie_between() {
+        assert_eq!(multiple(0.5, 4.0, 0.5), Some(0.5 + PI));
+        assert_eq!(multiple(4.0, 0.5, 0.5), Some(0.5 + PI));
+        assert_eq!(multiple(0.5, 0.5 + PI, 0.5), None);
+        assert_eq!(multiple(0.4, 0.6, 0.5), Some(0.5));
+        assert_eq!(multiple(0.6, 0.7, 0.5), None);
+    }
+}

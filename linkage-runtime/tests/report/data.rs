@@ -105,8 +105,8 @@ fn columns_tell_what_they_mean() {
 #[test]
 fn the_picture_has_places_links_and_traces() {
     let phi = PHI.positions(361);
-    let json = json(&four_bar(FourBar::NOMINAL));
-    let picture = &json["picture"];
+    let whole = json(&four_bar(FourBar::NOMINAL));
+    let picture = &whole["picture"];
     assert_eq!(picture["dimension"], 2);
     assert_eq!(picture["unit"], "mm");
     assert_eq!(picture["points"][4]["kind"], "tip");
@@ -115,6 +115,16 @@ fn the_picture_has_places_links_and_traces() {
         picture["traces"],
         serde_json::json!([4]),
         "tips without being asked"
+    );
+    let asked = four_bar(FourBar::NOMINAL)
+        .trace("b")
+        .trace("tracer")
+        .trace("b");
+    let asked = json(&asked);
+    assert_eq!(
+        asked["picture"]["traces"],
+        serde_json::json!([3, 4]),
+        "each once"
     );
     let tracer = numbers(&picture["points"][4]["at"][1]);
     let expected: Vec<f64> = phi

@@ -49,6 +49,8 @@ fn everything_is_written() {
         4,
         "two kinds about both coordinates"
     );
+    let rates = std::fs::read_to_string(folder.join("plots/motion-true.svg")).unwrap();
+    assert!(rates.contains("true velocities and accelerations at 20 rad/s"));
     for file in &files {
         assert!(
             std::fs::metadata(file).unwrap().len() > 100,

@@ -196,3 +196,20 @@ fn errors() {
         Some(SummaryError::NotAssembled { positions: 9 })
     );
 }
+
+/// An angle that turns backwards and stands still at the seam: the ends of the turn are its limits, in that order.
+#[test]
+fn a_turn_backwards_from_a_standstill() {
+    for (sense, first, last) in [(-1.0, Kind::High, Kind::Low), (1.0, Kind::Low, Kind::High)] {
+        let course = turn(|x: f64| {
+            [
+                sense * (x - x.sin()),
+                sense * (1.0 - x.cos()),
+                sense * x.sin(),
+            ]
+        });
+        let ends = course.position().points.iter().filter(|point| point.end);
+        let ends: Vec<_> = ends.map(|point| (point.at, point.kind)).collect();
+        assert_eq!(ends, [(0.0, first), (TAU, last)]);
+    }
+}
