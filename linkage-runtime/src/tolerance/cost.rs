@@ -152,3 +152,28 @@ fn vector(condition: &Condition, values: &[f64]) -> [f64; 3] {
 fn length(condition: &Condition, values: &[f64]) -> f64 {
     norm(&vector(condition, values))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Term, closed};
+
+    /// Nothing is cheaper than what one condition allows: the bound is the cost itself, with one exponent and with two.
+    #[test]
+    fn one_condition_is_solved_to_its_bound() {
+        for exponents in [[1.0, 1.0], [1.0, 2.0]] {
+            let [first, second] = exponents;
+            let term = |cost, exponent| Term { cost, exponent };
+            let terms = [term(3.0, first), term(5.0, second)];
+            let row = [0.5, 2.0];
+            let found = closed(&terms, &row);
+            let used = found.values[0] * row[0] + found.values[1] * row[1];
+            let cost = terms[0].at(found.values[0]) + terms[1].at(found.values[1]);
+            assert!((used - 1.0).abs() < 1e-12, "{used}");
+            assert!(
+                (found.bound - cost).abs() < 1e-12 * cost,
+                "{} and {cost}",
+                found.bound
+            );
+        }
+    }
+}
