@@ -22,7 +22,7 @@ mod check;
 
 use check::Check;
 use dyads::{DYADS, Dyad};
-use linkage_accuracy::{Big, ROUNDOFF, Random, Reference, approach};
+use linkage_reference::{Big, ROUNDOFF, Random, Reference, approach};
 use picture::{Curve, Panel};
 use std::error::Error;
 

@@ -3,7 +3,7 @@
 use super::systems::{ROD_AND_GUIDE, TURNING_GUIDE, TWO_LINKS};
 use super::textbook;
 use core::f64::consts::FRAC_PI_2;
-use linkage_accuracy::{Random, System};
+use linkage_reference::{Random, System};
 
 linkage::mechanism! {
     /// RRR: two links between the origin and a given point.

@@ -1,6 +1,6 @@
 //! The dyads as equations, for the reference.
 
-use linkage_accuracy::{Big, Datum, Output, Plane, Position, System, Unknown, reach_gap};
+use linkage_reference::{Big, Datum, Output, Plane, Position, System, Unknown, reach_gap};
 
 fn given_point(p: &Position) -> Plane {
     Plane::new(p.value("x").clone(), p.value("y").clone())
@@ -48,7 +48,7 @@ pub(crate) const TWO_LINKS: System = System {
     turned: nothing_turned,
     pairs: &[],
     linear: false,
-    margin: Some(|_| linkage_accuracy::Big::one()),
+    margin: Some(|_| linkage_reference::Big::one()),
 };
 
 /// A rod between a given point and a line through the origin.

@@ -17,7 +17,7 @@ pub mod space;
 pub mod textbook;
 pub mod timing;
 
-pub use linkage_accuracy::{ROUNDOFF, Random};
+pub use linkage_reference::{ROUNDOFF, Random};
 pub use num_dual;
 
 /// `x, y`.

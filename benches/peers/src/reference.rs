@@ -2,7 +2,7 @@
 //! differences with tiny steps.
 
 use crate::{Motion, Position};
-use linkage_accuracy::{Big, Plane};
+use linkage_reference::{Big, Plane};
 
 /// Steps are this power of two: 1.1e-36, so that second differences keep 80 digits.
 const STEP: i32 = -120;

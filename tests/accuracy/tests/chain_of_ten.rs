@@ -1,6 +1,6 @@
 //! A chain of ten dyads: the errors of each go into the next.
 
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Kind, Limits, Output, Plane, Position, System, Unknown, compare,
     forms, nearby_cases,
 };
@@ -165,7 +165,7 @@ fn points(p: &Position) -> Vec<(Plane, Plane)> {
     result
 }
 
-linkage_accuracy::form! {
+linkage_reference::form! {
     chain(phi) -> [
         theta_1, psi_1, theta_2, s_2, psi_3, s_3, theta_4, psi_4, theta_5, s_5, psi_6, s_6, theta_7, psi_7, theta_8, s_8, psi_9, s_9, theta_10, psi_10,
         p1, p2, p3, p4, p5, p6, p7, p8, p9, p10,

@@ -1,6 +1,6 @@
 //! Dyads that build on dyads: a six-bar and a guide on a moving link.
 
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Limits, Output, Plane, Position, System, Unknown, compare, forms,
     nearby_cases,
 };
@@ -63,7 +63,7 @@ const SIX_BAR: System = System {
         angles.into_iter().chain(tip).collect()
     },
     gap: |_| Big::one(),
-    turned: |_| linkage_accuracy::Big::one(),
+    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 9), (5, 10)],
     linear: false,
     margin: None,
@@ -71,7 +71,7 @@ const SIX_BAR: System = System {
 
 macro_rules! six_bar {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [theta, psi, alpha, beta, tip];
             pairs crank link, arm out;
             fields |g| {
@@ -174,7 +174,7 @@ const MOVING_GUIDE: System = System {
         ]
     },
     gap: |_| Big::one(),
-    turned: |_| linkage_accuracy::Big::one(),
+    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 9), (5, 10)],
     linear: false,
     margin: None,
@@ -182,7 +182,7 @@ const MOVING_GUIDE: System = System {
 
 macro_rules! moving_guide {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [theta, psi, t, beta, tip];
             pairs crank gamma, arm out;
             fields |g| {

@@ -3,7 +3,7 @@
 //! all of them grow alike, and a coordinate grows with them.
 
 use linkage::{Dual, Lanes, Scalar};
-use linkage_accuracy::{ROUNDOFF, Random};
+use linkage_reference::{ROUNDOFF, Random};
 use num_dual::{Dual2_64, Dual3_64, Dual64};
 use simba::simd::{AutoF64x4, WideF64x4};
 

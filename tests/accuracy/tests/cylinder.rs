@@ -1,7 +1,7 @@
 //! A hydraulic cylinder: the input is a slide inside a turning link, so the loop is an RRR dyad of
 //! moving lengths.
 
-use linkage_accuracy::{
+use linkage_reference::{
     Datum, Depth, Form, Limits, Output, Plan, Plane, System, Unknown, compare, cycle_cases,
     dead_point_cases, forms, proportion_cases, triangle_gap,
 };
@@ -47,15 +47,15 @@ const BOOM: System = System {
         let rod = Plane::new(p.value("stroke").clone(), p.value("shift").clone());
         triangle_gap(&rod.norm(), p.value("arm"), &p.point("pivot").norm())
     },
-    turned: |_| linkage_accuracy::Big::one(),
+    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 3), (3, 3)],
     linear: false,
-    margin: Some(|_| linkage_accuracy::Big::one()),
+    margin: Some(|_| linkage_reference::Big::one()),
 };
 
 macro_rules! boom {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(stroke) -> [theta, psi, tip];
             pairs arm shift, shift shift;
             fields |g| {

@@ -1,6 +1,6 @@
 //! The comparison itself: it accepts a good program and notices every kind of bad one.
 
-use linkage_accuracy::{
+use linkage_reference::{
     Answers, Datum, Depth, Evaluate, Form, Limits, Measure, Output, Plan, Report, System, Unknown,
     Variant, compare, cycle_cases, dead_point_cases, proportion_cases, scale_cases, triangle_gap,
 };
@@ -29,10 +29,10 @@ const TRIANGLE: System = System {
         ]
     },
     gap: |p| triangle_gap(p.value("left"), p.value("right"), &p.value("base").abs()),
-    turned: |_| linkage_accuracy::Big::one(),
+    turned: |_| linkage_reference::Big::one(),
     pairs: &[],
     linear: false,
-    margin: Some(|_| linkage_accuracy::Big::one()),
+    margin: Some(|_| linkage_reference::Big::one()),
 };
 
 const PLAN: Plan = Plan {

@@ -3,7 +3,7 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use linkage::Scalar;
-use linkage_accuracy::{Big, Random};
+use linkage_reference::{Big, Random};
 
 /// Half the distance of numbers next to 1 on the upper side.
 const ROUNDOFF: f64 = f64::EPSILON / 2.0;

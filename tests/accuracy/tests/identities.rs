@@ -2,7 +2,7 @@
 //! derivatives do not change when all lengths grow alike, and a coordinate and its derivatives grow
 //! with them: `sum r_i d(angle)/d r_i = 0`, `sum r_i d(x)/d r_i = x`.
 
-use linkage_accuracy::{Random, identities};
+use linkage_reference::{Random, identities};
 
 /// A number within 3 % of the given one.
 fn near(random: &mut Random, x: f64) -> f64 {

@@ -2,7 +2,7 @@
 //! the scalar.
 
 use linkage::{AssemblyError, Dual, Lanes, Scalar};
-use linkage_accuracy::Random;
+use linkage_reference::Random;
 use num_dual::Dual64;
 use simba::simd::AutoF64x4;
 

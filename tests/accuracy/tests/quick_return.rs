@@ -1,6 +1,6 @@
 //! A quick-return drive: an RPR dyad and an RRP dyad in a row.
 
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Limits, Output, System, Unknown, compare, forms, nearby_cases,
 };
 
@@ -59,7 +59,7 @@ const QUICK_RETURN: System = System {
         ]
     },
     gap: |_| Big::one(),
-    turned: |_| linkage_accuracy::Big::one(),
+    turned: |_| linkage_reference::Big::one(),
     pairs: &[(0, 3), (4, 5)],
     linear: false,
     margin: None,
@@ -67,7 +67,7 @@ const QUICK_RETURN: System = System {
 
 macro_rules! quick_return {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [psi, s, theta, ram, end];
             pairs crank offset, lever rod;
             fields |g| {

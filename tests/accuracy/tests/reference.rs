@@ -1,6 +1,6 @@
 //! The reference itself, against figures known from elsewhere.
 
-use linkage_accuracy::{Big, Datum, Output, Plane, Position, Reference, System, Unknown};
+use linkage_reference::{Big, Datum, Output, Plane, Position, Reference, System, Unknown};
 
 const FOUR_BAR: System = System {
     name: "four-bar",
@@ -30,10 +30,10 @@ const FOUR_BAR: System = System {
         ]
     },
     gap: |_: &Position| Big::one(),
-    turned: |_| linkage_accuracy::Big::one(),
+    turned: |_| linkage_reference::Big::one(),
     pairs: &[],
     linear: false,
-    margin: Some(|_| linkage_accuracy::Big::one()),
+    margin: Some(|_| linkage_reference::Big::one()),
 };
 
 fn data() -> Vec<f64> {

@@ -1,6 +1,6 @@
 //! Loops of one equation and one unknown.
 
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare,
     cycle_cases, dead_point_cases, forms, reach_gap, scale_cases,
 };
@@ -50,7 +50,7 @@ const ON_A_LINE: System = System {
 
 macro_rules! on_a_line {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [psi, end];
             pairs link crank, distance normal;
             fields |g| { link: g[0], crank: g[1], distance: g[2], normal: g[3] }
@@ -142,7 +142,7 @@ const GEARS: System = System {
     turned: wheel_angle,
     pairs: &[(0, 2), (0, 1)],
     linear: true,
-    margin: Some(|_| linkage_accuracy::Big::one()),
+    margin: Some(|_| linkage_reference::Big::one()),
 };
 
 fn wheel_angle(p: &Position) -> Big {
@@ -151,7 +151,7 @@ fn wheel_angle(p: &Position) -> Big {
 
 macro_rules! gears {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [psi, pin];
             pairs ratio radius, ratio offset;
             fields |g| { ratio: g[0], offset: g[1], radius: g[2] }

@@ -2,7 +2,7 @@
 //! precision.
 
 use linkage::{Dual, Lanes, Scalar};
-use linkage_accuracy::Random;
+use linkage_reference::Random;
 use num_dual::{Dual2_64, Dual3_64, Dual64};
 use simba::simd::{AutoF64x4, WideF64x4};
 
@@ -55,7 +55,7 @@ linkage::mechanism! {
 /// Asserts that two numbers agree to so many roundoffs of the larger of their size and `size`.
 #[track_caller]
 fn close(found: f64, expected: f64, size: f64, roundoffs: f64) {
-    let allowed = roundoffs * linkage_accuracy::ROUNDOFF * expected.abs().max(size);
+    let allowed = roundoffs * linkage_reference::ROUNDOFF * expected.abs().max(size);
     assert!(
         (found - expected).abs() <= allowed,
         "{found:e}, expected {expected:e}"

@@ -5,7 +5,7 @@
 mod drive;
 
 use drive::EYE_NEEDLE;
-use linkage_accuracy::{Big, Reference, concatenate};
+use linkage_reference::{Big, Reference, concatenate};
 
 linkage::mechanism! {
     struct EyeNeedle {

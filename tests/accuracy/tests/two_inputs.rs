@@ -1,6 +1,8 @@
 //! Two degrees of freedom: all partial derivatives by both inputs and by parameters.
 
-use linkage_accuracy::{Big, Components, Datum, Output, Plane, Random, Reference, System, Unknown};
+use linkage_reference::{
+    Big, Components, Datum, Output, Plane, Random, Reference, System, Unknown,
+};
 
 /// A five-bar: one crank turns, the other one slides along the frame.
 const FIVE_BAR: System = System {
@@ -33,10 +35,10 @@ const FIVE_BAR: System = System {
         ]
     },
     gap: |_| Big::one(),
-    turned: |_| linkage_accuracy::Big::one(),
+    turned: |_| linkage_reference::Big::one(),
     pairs: &[],
     linear: false,
-    margin: Some(|_| linkage_accuracy::Big::one()),
+    margin: Some(|_| linkage_reference::Big::one()),
 };
 
 linkage::mechanism! {

@@ -1,7 +1,7 @@
 //! A closed contour of four links, class IV.
 
 use crate::{LIMITS, cases, sizes};
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plane, Position, System, Unknown, compare, forms,
 };
 
@@ -61,7 +61,7 @@ const CONTOUR: System = System {
 
 macro_rules! contour {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [alpha, beta, gamma, delta, end];
             $($pairs)*
             fields |g| {

@@ -1,7 +1,7 @@
 //! The eye-needle drive as the reference sees it: three binary legs on a ternary link that is given by its
 //! sides.
 
-use linkage_accuracy::{Big, Datum, Output, Plane, Position, System, Unknown};
+use linkage_reference::{Big, Datum, Output, Plane, Position, System, Unknown};
 
 fn third(p: &Position) -> Plane {
     p.polar("l12", "phi") + p.polar("l23", "phi23")

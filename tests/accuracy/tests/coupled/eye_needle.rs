@@ -2,11 +2,11 @@
 
 use crate::drive::EYE_NEEDLE;
 use crate::{LIMITS, cases, sizes};
-use linkage_accuracy::{Depth, Form, compare, forms};
+use linkage_reference::{Depth, Form, compare, forms};
 
 macro_rules! eye_needle {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [phi23, phi34, phi64, phi75, p8];
             $($pairs)*
             fields |g| {

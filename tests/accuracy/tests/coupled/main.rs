@@ -10,7 +10,7 @@ mod platforms;
 mod triads;
 mod two_cranks;
 
-use linkage_accuracy::{Case, Kind, Limits, Random, System, rescaled};
+use linkage_reference::{Case, Kind, Limits, Random, System, rescaled};
 
 const LIMITS: Limits = Limits {
     condition: 10.0,

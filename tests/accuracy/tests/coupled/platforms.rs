@@ -1,7 +1,7 @@
 //! Two ternary links on a common pin, each on two legs: six unknowns in three loops.
 
 use crate::{LIMITS, cases};
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plane, Position, System, Unknown, compare, forms,
 };
 
@@ -68,7 +68,7 @@ const PLATFORMS: System = System {
     margin: None,
 };
 
-linkage_accuracy::form! {
+linkage_reference::form! {
     plain(phi) -> [x1, x2, x3, x4, one, two, pin];
     fields |g| {
         crank: g[0], a2: [g[1], g[2]].into(), a3: [g[3], g[4]].into(), a4: [g[5], g[6]].into(),

@@ -1,7 +1,7 @@
 //! Triads with sliders on the frame and on the ternary link.
 
 use crate::{LIMITS, cases, sizes};
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plane, Position, System, Unknown, compare, forms,
 };
 
@@ -83,7 +83,7 @@ macro_rules! triad {
                 margin: None,
             };
 
-            linkage_accuracy::form! {
+            linkage_reference::form! {
                 plain(phi) -> [x1, x2, x3, theta, e3];
                 $($pairs)*
                 fields |g| {

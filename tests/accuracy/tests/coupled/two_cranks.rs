@@ -1,7 +1,7 @@
 //! The two-crank drive: two binary legs and a slider on the frame.
 
 use crate::{LIMITS, cases, sizes};
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plane, Position, System, Unknown, compare, forms,
 };
 
@@ -66,7 +66,7 @@ fn on_the_guide(p: &Position) -> Plane {
 
 macro_rules! two_cranks {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [phi23, phi34, phi64, s, p8];
             $($pairs)*
             fields |g| {

@@ -2,7 +2,7 @@
 
 mod stress;
 
-use linkage_accuracy::{
+use linkage_reference::{
     Case, Datum, Depth, Form, Limits, Output, Plan, System, Unknown, compare, cycle_cases,
     dead_point_cases, forms, proportion_cases, reach_gap, scale_cases,
 };
@@ -48,7 +48,7 @@ const SWINGING_BLOCK: System = System {
         let known = p.polar("crank", "phi") - p.point("pivot");
         reach_gap(&known.norm(), &p.polar("offset", "beta").y)
     },
-    turned: |_| linkage_accuracy::Big::one(),
+    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 3), (4, 4)],
     linear: false,
     margin: Some(|p| {
@@ -63,7 +63,7 @@ const SWINGING_BLOCK: System = System {
 
 macro_rules! swinging_block {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [psi, s, corner];
             pairs crank offset, beta beta;
             fields |g| { pivot: [g[0], g[1]].into(), crank: g[2], offset: g[3], beta: g[4] }

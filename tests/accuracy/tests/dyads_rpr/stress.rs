@@ -1,7 +1,7 @@
 //! Hostile sets: short offsets, coincident pivots, far inputs, both sides of the dead point.
 
 use super::{FORMS, LIMITS, PLAN, SWINGING_BLOCK};
-use linkage_accuracy::{
+use linkage_reference::{
     Depth, Random, compare, decade_cases, edge, far_input_cases, wide_scale_cases,
 };
 

@@ -3,7 +3,7 @@
 mod moving;
 mod stress;
 
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare,
     cycle_cases, dead_point_cases, forms, proportion_cases, reach_gap, scale_cases,
 };
@@ -36,7 +36,7 @@ const SLIDER_CRANK: System = System {
     turned: guide_angle,
     pairs: &[(0, 1), (4, 4)],
     linear: false,
-    margin: Some(|_| linkage_accuracy::Big::one()),
+    margin: Some(|_| linkage_reference::Big::one()),
 };
 
 fn guide_angle(p: &Position) -> Big {
@@ -70,7 +70,7 @@ fn slider_gap(p: &Position) -> Big {
 
 macro_rules! slider_crank {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [theta, s, pin];
             pairs crank rod, gamma gamma;
             fields |g| { crank: g[0], rod: g[1], guide: [g[2], g[3]].into(), gamma: g[4] }
@@ -159,7 +159,7 @@ slider_crank!(relative_angle {
 });
 
 /// Everything but the ratio, for the guide's angle at the reference input.
-fn geometry(random: &mut linkage_accuracy::Random, spread: f64, ratio: f64) -> Vec<f64> {
+fn geometry(random: &mut linkage_reference::Random, spread: f64, ratio: f64) -> Vec<f64> {
     let [crank, rod, s] = [0; 3].map(|_| random.length(spread));
     let gamma = random.angle();
     let phi = 30f64.to_radians();

@@ -1,7 +1,7 @@
 //! The same with a guide that turns with the input.
 
 use super::{LIMITS, SLIDER_CRANK, geometry};
-use linkage_accuracy::{
+use linkage_reference::{
     Datum, Depth, Form, Plan, System, Unknown, compare, cycle_cases, dead_point_cases, forms,
     proportion_cases, scale_cases,
 };
@@ -25,7 +25,7 @@ const MOVING_GUIDE: System = System {
 
 macro_rules! moving_guide {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [theta, s, pin];
             pairs crank rod, gamma ratio;
             fields |g| {

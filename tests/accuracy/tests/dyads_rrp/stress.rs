@@ -1,7 +1,7 @@
 //! Hostile sets: short rods, rods along the guide, far inputs, both sides of the dead point.
 
 use super::{FITTING, FIXED, FIXED_PLAN, LIMITS, SLIDER_CRANK};
-use linkage_accuracy::{
+use linkage_reference::{
     Depth, Random, compare, decade_cases, edge, far_input_cases, wide_scale_cases,
 };
 

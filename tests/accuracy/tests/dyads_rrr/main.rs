@@ -2,7 +2,7 @@
 
 mod stress;
 
-use linkage_accuracy::{
+use linkage_reference::{
     Datum, Depth, Form, Limits, Output, Plan, System, Unknown, compare, cycle_cases,
     dead_point_cases, forms, proportion_cases, scale_cases, triangle_gap,
 };
@@ -50,15 +50,15 @@ const FOUR_BAR: System = System {
         let known = p.point("pivot_d") - p.polar("crank", "phi");
         triangle_gap(p.value("coupler"), p.value("rocker"), &known.norm())
     },
-    turned: |_| linkage_accuracy::Big::one(),
+    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 4), (3, 3)],
     linear: false,
-    margin: Some(|_| linkage_accuracy::Big::one()),
+    margin: Some(|_| linkage_reference::Big::one()),
 };
 
 macro_rules! four_bar {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [theta, psi, tracer];
             pairs crank rocker, coupler coupler;
             fields |g| {

@@ -1,7 +1,7 @@
 //! Hostile sets: needle triangles, coincident pivots, far inputs, both sides of the dead point.
 
 use super::{FITTING, FORMS, FOUR_BAR, FOUR_BAR_PLAN, LIMITS};
-use linkage_accuracy::{
+use linkage_reference::{
     Depth, Random, compare, decade_cases, edge, far_input_cases, wide_scale_cases,
 };
 

@@ -2,7 +2,7 @@
 
 mod stress;
 
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Case, Datum, Depth, Form, Limits, Output, Plan, Plane, Position, Random, System, Unknown,
     compare, cycle_cases, forms, proportion_cases, scale_cases,
 };
@@ -49,7 +49,7 @@ const TWO_SLIDES: System = System {
     turned: guide_angle,
     pairs: &[(0, 3), (4, 5)],
     linear: true,
-    margin: Some(|_| linkage_accuracy::Big::one()),
+    margin: Some(|_| linkage_reference::Big::one()),
 };
 
 fn guide_angle(p: &Position) -> Big {
@@ -58,7 +58,7 @@ fn guide_angle(p: &Position) -> Big {
 
 macro_rules! two_slides {
     ($name:ident { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [s, t, pin];
             pairs crank alpha, beta ratio;
             fields |g| {

@@ -1,7 +1,7 @@
 //! Hostile sets: guides all but parallel, a crank and a pivot all but in one place, far inputs.
 
 use super::{FORMS, LIMITS, PLAN, TWO_SLIDES, geometry};
-use linkage_accuracy::{Depth, Random, compare, decade_cases, far_input_cases, wide_scale_cases};
+use linkage_reference::{Depth, Random, compare, decade_cases, far_input_cases, wide_scale_cases};
 
 fn parallel(random: &mut Random, angle: f64) -> Vec<f64> {
     geometry(random, 6.0, angle)

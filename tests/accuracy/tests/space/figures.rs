@@ -1,7 +1,7 @@
 //! Figures known from elsewhere: the reference against them, and the programs.
 
 use crate::rssr::RSSR;
-use linkage_accuracy::Reference;
+use linkage_reference::Reference;
 
 /// Input and both solutions of `psi`, its first and second derivative, in degrees and radians.
 const RSSR_FIGURES: [(f64, [[f64; 3]; 2]); 2] = [

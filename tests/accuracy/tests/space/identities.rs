@@ -1,7 +1,7 @@
 //! Euler's theorem on homogeneous functions, in space: all sensitivities of values, velocities and
 //! accelerations at once.
 
-use linkage_accuracy::{Random, identities};
+use linkage_reference::{Random, identities};
 
 /// A number within 3 % of the given one.
 fn near(random: &mut Random, x: f64) -> f64 {

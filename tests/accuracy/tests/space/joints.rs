@@ -1,7 +1,7 @@
 //! The spherical four-bar and the universal joint: mechanisms without a length.
 
 use super::LIMITS;
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, compare, cycle_cases,
     dead_point_cases, edge, far_input_cases, forms,
 };
@@ -63,7 +63,7 @@ const SPHERICAL: System = System {
 
 macro_rules! spherical {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [psi, w];
             $($pairs)*
             fields |g| { eta: g[0], alpha: g[1], beta: g[2], bend: g[3] }
@@ -137,7 +137,7 @@ const UNIVERSAL: System = System {
     margin: None,
 };
 
-linkage_accuracy::form! {
+linkage_reference::form! {
     universal(phi) -> [psi];
     pairs bend bend, bend bend;
     fields |g| { bend: g[0] }

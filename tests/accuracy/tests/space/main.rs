@@ -12,7 +12,7 @@ mod rssr;
 mod scalars;
 mod unit_vector;
 
-use linkage_accuracy::{Limits, Random};
+use linkage_reference::{Limits, Random};
 use nalgebra::Vector3;
 
 const LIMITS: Limits = Limits {

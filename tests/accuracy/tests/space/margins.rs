@@ -3,7 +3,7 @@
 
 use crate::points::three_distances;
 use crate::{rssp, rssr};
-use linkage_accuracy::{Form, Plan, Random, Variant};
+use linkage_reference::{Form, Plan, Random, Variant};
 use nalgebra::{Matrix3, Vector3};
 
 /// Compares the margins of all forms with a function of geometry and values.

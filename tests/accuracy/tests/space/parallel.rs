@@ -1,6 +1,6 @@
 //! RSSR with parallel axes is the four-bar of the plane.
 
-use linkage_accuracy::Random;
+use linkage_reference::Random;
 
 /// A mechanism as a module with a function that gives all its numbers.
 macro_rules! four_bar {

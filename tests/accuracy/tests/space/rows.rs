@@ -1,7 +1,7 @@
 //! Vector loops in space: three lengths; two lengths and an angle.
 
 use super::LIMITS;
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, compare, cycle_cases,
     dead_point_cases, edge, far_input_cases, forms, proportion_cases, reach_gap, scale_cases,
     wide_scale_cases,
@@ -67,7 +67,7 @@ const LENGTHS: System = System {
 
 macro_rules! lengths {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [s, t, v, corner];
             $($pairs)*
             fields |g| {
@@ -165,7 +165,7 @@ const ANGLE: System = System {
 
 macro_rules! angle {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [s, t, psi, end];
             $($pairs)*
             fields |g| {

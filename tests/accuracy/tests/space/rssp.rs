@@ -1,7 +1,7 @@
 //! RSSP: a slide on any line, at a given distance from a point.
 
 use super::{LIMITS, direction};
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plan, Position, Random, Space, System, Unknown, compare,
     cycle_cases, dead_point_cases, decade_cases, edge, forms, line_gap, proportion_cases,
     scale_cases,
@@ -49,7 +49,7 @@ const RSSP: System = System {
 
 macro_rules! rssp {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [s, slider];
             $($pairs)*
             fields |g| {

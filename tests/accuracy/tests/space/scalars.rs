@@ -2,7 +2,7 @@
 //! precision, sweeps.
 
 use linkage::Dual;
-use linkage_accuracy::{ROUNDOFF, Random};
+use linkage_reference::{ROUNDOFF, Random};
 use num_dual::{Dual2_64, Dual64};
 
 linkage::mechanism! {

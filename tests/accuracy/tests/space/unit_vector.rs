@@ -1,7 +1,7 @@
 //! A unit vector at given angles to two known vectors.
 
 use super::{LIMITS, direction};
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plan, Position, Random, Space, System, Unknown, compare,
     cycle_cases, dead_point_cases, decade_cases, edge, forms, line_gap, planes_line, scale_cases,
 };
@@ -66,7 +66,7 @@ const NORMAL: System = System {
 
 macro_rules! normal {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [n];
             $($pairs)*
             fields |g| { reach: g[0], lift: g[1], shadow: g[2], tilt: g[3], beta: g[4] }

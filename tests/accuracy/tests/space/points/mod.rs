@@ -5,7 +5,7 @@ pub(crate) mod three_distances;
 mod two_distances;
 
 use crate::direction;
-use linkage_accuracy::{Big, Output, Position, Random, Space};
+use linkage_reference::{Big, Output, Position, Random, Space};
 use nalgebra::{Matrix3, Vector3};
 
 /// The input at the reference, in every mechanism of this module.

@@ -2,7 +2,7 @@
 
 use super::{directions, distance, outputs, pin, pin_of, plane};
 use crate::LIMITS;
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Plan, System, Unknown, compare, cycle_cases, dead_point_cases, edge,
     forms, line_gap, planes_line, proportion_cases, scale_cases,
 };
@@ -49,7 +49,7 @@ const ONE: System = System {
 
 macro_rules! one {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [p];
             $($pairs)*
             fields |g| {

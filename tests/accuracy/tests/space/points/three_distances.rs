@@ -2,7 +2,7 @@
 
 use super::{PHI, directions, distance, outputs, pin, pin_of, radical};
 use crate::{LIMITS, direction};
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Plan, Random, System, Unknown, compare, cycle_cases, dead_point_cases,
     decade_cases, edge, forms, line_gap, planes_line, proportion_cases, scale_cases,
 };
@@ -52,7 +52,7 @@ const THREE: System = System {
 
 macro_rules! three {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [p];
             $($pairs)*
             fields |g| {

@@ -3,7 +3,7 @@
 mod stress;
 
 use super::{LIMITS, direction};
-use linkage_accuracy::{
+use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, circle_gap, compare,
     cycle_cases, dead_point_cases, forms, proportion_cases, scale_cases,
 };
@@ -70,7 +70,7 @@ pub(crate) const RSSR: System = System {
 
 macro_rules! rssr {
     ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
-        linkage_accuracy::form! {
+        linkage_reference::form! {
             $name(phi) -> [psi, end];
             $($pairs)*
             fields |g| {

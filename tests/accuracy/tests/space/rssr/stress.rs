@@ -2,7 +2,7 @@
 
 use super::{FORMS, PLAN, RSSR, closed, frame_of};
 use crate::{LIMITS, direction};
-use linkage_accuracy::{
+use linkage_reference::{
     Depth, Limits, Measure, Random, compare, decade_cases, edge, far_input_cases, wide_scale_cases,
 };
 use nalgebra::Vector3;

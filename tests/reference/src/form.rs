@@ -20,20 +20,20 @@ macro_rules! form {
 
             pub(super) fn assemble(
                 $g: &[f64],
-                variant: linkage_accuracy::Variant,
-            ) -> Result<linkage_accuracy::Evaluate, String> {
+                variant: linkage_reference::Variant,
+            ) -> Result<linkage_reference::Evaluate, String> {
                 let mechanism = Mechanism { $($fields)* };
                 if variant.fused {
-                    evaluate(&mechanism.cast::<linkage_accuracy::Fused>(), variant.flipped)
+                    evaluate(&mechanism.cast::<linkage_reference::Fused>(), variant.flipped)
                 } else {
                     evaluate(&mechanism, variant.flipped)
                 }
             }
 
-            fn evaluate<T: linkage::Scalar + linkage_accuracy::Components>(
+            fn evaluate<T: linkage::Scalar + linkage_reference::Components>(
                 mechanism: &Mechanism<T>,
                 flipped: bool,
-            ) -> Result<linkage_accuracy::Evaluate, String> {
+            ) -> Result<linkage_reference::Evaluate, String> {
                 let $linkage = if flipped {
                     // The default mechanism closes: its modes are those of the estimates.
                     let usual = Mechanism::default().assemble().map_err(|why| why.to_string())?;
@@ -49,13 +49,13 @@ macro_rules! form {
                     let first = $linkage.first($input);
                     let second = $linkage.second($input);
                     let sensitivity = $linkage.sensitivities($input);
-                    let mut $answers = linkage_accuracy::Answers {
+                    let mut $answers = linkage_reference::Answers {
                         values: $crate::concatenate(&[$(&values.$out),+]),
                         margin: values.margin.lane(0),
                         first: $crate::concatenate(&[$(&first.$out),+]),
                         second: $crate::concatenate(&[$(&second.$out),+]),
                         sensitivity: $crate::by_column(&[$($crate::rows(&sensitivity.$out)),+]),
-                        ..linkage_accuracy::Answers::default()
+                        ..linkage_reference::Answers::default()
                     };
                     $further
                     $answers
