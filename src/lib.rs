@@ -129,7 +129,7 @@ pub mod __private {
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
-        Chosen, Level, Levels, NoPrograms, SurveyedUnknown, Way, circuits, follow_way,
+        Chosen, Level, Levels, NoPrograms, Searched, SurveyedUnknown, Way, circuits, follow_way,
         prepared_over,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -5,7 +5,8 @@
 //! assembly and range, `request` puts the programs of all functions into one [`mod@unit`], `emit` prints that. `algebra` is what the
 //! middle phases share; `forces` and `picture` make expressions of what functions ask for.
 //!
-//! [`compile`] is the macro. Without Rust at the end, [`check`] gives a mechanism's programs, or messages with their places:
+//! [`compile`] is the macro. Without Rust at the end, [`check`] gives a mechanism's programs, or messages with their places; a text with several
+//! mechanisms is divided by [`mechanisms`]:
 //!
 //! ```
 //! use linkage_compiler::check;
@@ -53,6 +54,7 @@ mod algebra;
 mod close;
 mod diagnostic;
 mod emit;
+mod file;
 mod forces;
 mod formulate;
 mod lower;
@@ -76,11 +78,12 @@ use diagnostic::{Diagnostics, Origins, Reporter};
 use forces::Forces;
 use model::Mechanism;
 use request::{AtReference, State};
-use syntax::MechanismDef;
+use syntax::{Attribute, MechanismDef};
 use unit::Unit;
 use watch::Watch;
 
 pub use diagnostic::{Message, SourceSpan};
+pub use file::mechanisms;
 pub use oracle::Oracle;
 
 /// Compiles the macro's input: the path of the facade in brackets, then the mechanism. Mistakes become `compile_error!`s
@@ -98,11 +101,15 @@ pub fn check(body: TokenStream) -> Checked {
 /// What [`check`] says of a mechanism.
 #[derive(Clone, Debug)]
 pub struct Checked {
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// Its doc comment, line by line as written.
+    pub documentation: String,
     /// Its programs, if there is no mistake.
     pub unit: Option<Unit>,
     /// The mistakes, in the order in which phases found them.
     pub messages: Vec<Message>,
-    /// What is no mistake, but hardly meant.
+    /// What is no mistake, but hardly meant, unless the mechanism allows it.
     pub warnings: Vec<Message>,
 }
 
@@ -145,8 +152,14 @@ impl Analysed {
     }
 
     fn checked(self) -> Checked {
-        let (messages, warnings) = self.diagnostics.into_messages();
+        let (messages, mut warnings) = self.diagnostics.into_messages();
+        let definition = self.definition.as_ref();
+        if definition.is_some_and(|own| own.attributes.iter().any(Attribute::allows_warnings)) {
+            warnings.clear();
+        }
         Checked {
+            name: definition.map(MechanismDef::title),
+            documentation: definition.map_or_else(String::new, MechanismDef::documentation),
             unit: self.unit.filter(|_| messages.is_empty()),
             messages,
             warnings,

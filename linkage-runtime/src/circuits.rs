@@ -15,7 +15,7 @@ use crate::numeric::range::minimum;
 use alloc::vec::Vec;
 use search::{End, Leaf, Search};
 
-pub use levels::{Chosen, Level, Levels, NoPrograms, SurveyedUnknown};
+pub use levels::{Chosen, Level, Levels, NoPrograms, Searched, SurveyedUnknown};
 
 /// The range of an input whose assemblies are looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,14 +165,14 @@ pub fn circuits<M: Levels>(
     let seams: Vec<[Vec<f64>; 2]> = leaves
         .iter()
         .zip(&assemblies)
-        .map(|(leaf, (assembly, _))| leaf.inputs.map(|x| numbers::<M>(assembly, x)))
+        .map(|(leaf, (assembly, _))| leaf.inputs.map(|x| numbers(mechanism, assembly, x)))
         .collect();
     let (circuits, closed) = join::circuits(&leaves, &seams, cycle.is_turn());
     let branches = leaves.iter().zip(assemblies).zip(circuits).zip(closed);
     let branches = branches.map(|(((leaf, (assembly, input)), circuit), closed)| {
-        let (at, margin) = least::<M>(leaf, &assembly);
+        let (at, margin) = least(mechanism, leaf, &assembly);
         Branch {
-            unknowns: estimates::<M>(&assembly, input),
+            unknowns: estimates(mechanism, &assembly, input),
             assembly,
             circuit,
             ends: leaf.branch_ends(),
@@ -184,7 +184,7 @@ pub fn circuits<M: Levels>(
     });
     Ok(Circuits {
         cycle: *cycle,
-        input: M::INPUT,
+        input: mechanism.searched().input,
         branches: branches.collect(),
     })
 }
@@ -195,21 +195,23 @@ fn assemble<M: Levels>(mechanism: &M, leaf: &Leaf) -> Result<(M::Assembly, f64),
     let middle = leaf.known.filter(|x| low < *x && *x < high);
     let middle = middle.unwrap_or(0.5 * (low + high));
     let assembly = mechanism.assembled(&leaf.chosen, middle)?;
-    let known = low < M::REFERENCE
-        && M::REFERENCE < high
-        && numbers::<M>(&assembly, M::REFERENCE)
+    let reference = mechanism.searched().reference;
+    let known = low < reference
+        && reference < high
+        && numbers(mechanism, &assembly, reference)
             .iter()
             .all(|x| x.is_finite());
-    Ok((assembly, if known { M::REFERENCE } else { middle }))
+    Ok((assembly, if known { reference } else { middle }))
 }
 
 /// The numbers of the unknowns.
-fn numbers<M: Levels>(assembly: &M::Assembly, x: f64) -> Vec<f64> {
-    M::survey(assembly, x).as_ref()[1 + M::LEVELS.len()..].to_vec()
+fn numbers<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> Vec<f64> {
+    let before = 1 + mechanism.searched().levels.len();
+    mechanism.survey(assembly, x).as_ref()[before..].to_vec()
 }
 
-fn estimates<M: Levels>(assembly: &M::Assembly, x: f64) -> Vec<Estimate> {
-    let numbers = numbers::<M>(assembly, x);
+fn estimates<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> Vec<Estimate> {
+    let numbers = numbers(mechanism, assembly, x);
     let mut next = numbers.iter().copied();
     let estimate = |unknown: &SurveyedUnknown| {
         let own: Vec<f64> = next.by_ref().take(unknown.numbers).collect();
@@ -223,12 +225,13 @@ fn estimates<M: Levels>(assembly: &M::Assembly, x: f64) -> Vec<Estimate> {
             },
         }
     };
-    M::UNKNOWNS.iter().map(estimate).collect()
+    let unknowns = mechanism.searched().unknowns;
+    unknowns.iter().map(estimate).collect()
 }
 
 /// Where the margin is smallest, and the margin there. Shortly before a turning point, and where another assembly is too near, that
 /// of a coupled group is not known.
-fn least<M: Levels>(leaf: &Leaf, assembly: &M::Assembly) -> (f64, f64) {
+fn least<M: Levels>(mechanism: &M, leaf: &Leaf, assembly: &M::Assembly) -> (f64, f64) {
     for (end, x) in leaf.ends.into_iter().zip(leaf.inputs) {
         if let End::Turning { .. } = end {
             return (x, 0.0);
@@ -236,7 +239,7 @@ fn least<M: Levels>(leaf: &Leaf, assembly: &M::Assembly) -> (f64, f64) {
     }
     let [low, high] = leaf.inputs;
     minimum(low, high, MARGINS, |x| {
-        let margin = M::survey(assembly, x).as_ref()[0];
+        let margin = mechanism.survey(assembly, x).as_ref()[0];
         if margin.is_nan() {
             f64::INFINITY
         } else {

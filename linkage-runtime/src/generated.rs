@@ -15,7 +15,7 @@ mod turns;
 mod way;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use crate::circuits::{Chosen, Level, Levels, NoPrograms, SurveyedUnknown, circuits};
+pub use crate::circuits::{Chosen, Level, Levels, NoPrograms, Searched, SurveyedUnknown, circuits};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::numeric::continuation::{Correction, Range, Step};
 #[cfg(feature = "alloc")]
@@ -30,8 +30,8 @@ pub use single::{Single, inlined, single};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use starts::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,
-    CoupledUnknown, Start, Wanted, couple, list, nothing, pairs, placed, prepared, prepared_over,
-    put_state, starts, stepped,
+    CoupledUnknown, Start, Wanted, Which, couple, list, nothing, pairs, placed, prepared,
+    prepared_over, put_state, starts, starts_of, stepped,
 };
 #[cfg(feature = "alloc")]
 pub use sweep::{Arguments, Block, Inputs, Kernel, Sets, fill, fill_slices, next_vectors, rows};
@@ -40,7 +40,7 @@ pub use sweep::{Extended, Followed, Moving, States, fill_followed};
 #[cfg(feature = "rayon")]
 pub use sweep::{fill_followed_parallel, fill_parallel};
 #[cfg(any(feature = "std", feature = "libm"))]
-pub use turns::{Along, Angle, Turns, turns, wind};
+pub use turns::{Along, Angle, Turns, turns, wind, wind_one};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use way::{Way, follow_way};
 

@@ -183,7 +183,7 @@ fn the_longest_of_several_vectors_gives_the_turns() {
             f64::angle_near(sin, cos, guide) + PI / 4.0
         };
         let here = angle(start, whole * TAU);
-        let (centre, turns) = uniform(&vectors, &turns, start, here).unwrap();
+        let (centre, turns) = uniform(&vectors, &turns, &start, here).unwrap();
         assert_eq!(turns, [1.0, -2.5]);
         let mut last = here;
         for step in 0..=4000 {
@@ -202,7 +202,7 @@ fn vectors_that_do_not_decide() {
     let most = (0.45 * PI).sin();
     let of = |vectors: &[[f64; 2]]| {
         let turns = [Some([0.0]), Some([1.0])];
-        uniform(vectors, &turns[..vectors.len()], [0.0], 0.1)
+        uniform(vectors, &turns[..vectors.len()], &[0.0], 0.1)
     };
     for (beside, decides) in [(most - 1e-12, true), (most + 1e-12, false)] {
         assert_eq!(of(&[[0.0, 1.0], [beside, 0.0]]).is_some(), decides);
@@ -213,7 +213,7 @@ fn vectors_that_do_not_decide() {
     assert_eq!(of(&[[f64::NAN, 0.0]]), None);
     assert_eq!(of(&[[1.0, 0.0], [f64::NAN, 0.0]]), None);
     assert_eq!(of(&[[f64::INFINITY, 0.0], [1.0, 0.0]]), None);
-    assert_eq!(uniform(&[[1.0, 0.0]], &[None::<[f64; 0]>], [], 0.0), None);
+    assert_eq!(uniform(&[[1.0, 0.0]], &[None::<[f64; 0]>], &[], 0.0), None);
     let (centre, _) = of(&[[0.0, 1.0]]).unwrap();
     assert_eq!(centre, PI / 2.0);
 }

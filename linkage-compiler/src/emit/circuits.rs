@@ -1,5 +1,6 @@
 //! Which assemblies of a mechanism with one input run through its range.
 
+use linkage_runtime::Cycle;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -7,9 +8,6 @@ use super::assembly::Types;
 use super::outline::Outline;
 use super::{attribute, literal, starts, survey};
 use crate::unit::{Input, Unit};
-
-/// At how many positions of a turn, or of a range of lengths, assemblies are listed.
-const SAMPLES: usize = 72;
 
 /// `circuits()`; nothing for a mechanism without groups or with another number of inputs than one.
 pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
@@ -32,15 +30,14 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
 /// The range, and at how many inputs coupled groups are listed.
 fn cycle(outline: &Outline, input: &Input) -> TokenStream {
     let runtime = &outline.runtime;
-    let angle = input.angle;
-    let (low, high) = input.range.unwrap_or(input.followed);
-    let turns = (high - low) / std::f64::consts::TAU;
-    let samples = match angle {
-        true => (turns * SAMPLES as f64).ceil().clamp(24.0, 1000.0) as usize,
-        false => SAMPLES,
-    };
+    let Cycle {
+        low,
+        high,
+        angle,
+        samples,
+    } = input.cycle();
     let (low, high) = (literal::float(low), literal::float(high));
-    let samples = literal::index(samples + 1);
+    let samples = literal::index(samples);
     quote!(#runtime::Cycle { low: #low, high: #high, angle: #angle, samples: #samples })
 }
 
@@ -70,7 +67,8 @@ fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
         let numbers = literal::index(own.numbers);
         quote!(#runtime::SurveyedUnknown { name: #name, unit: #unit, angle: #angle, numbers: #numbers })
     });
-    let counts = [outline.modes.len(), outline.starts.len()].map(literal::index);
+    let [mode_count, coupled_count] =
+        [outline.modes.len(), outline.starts.len()].map(literal::index);
     let modes = quote!(let __modes: #modes = ::core::array::from_fn(|__k| __chosen.modes[__k]););
     let starts = literal::index(outline.starts.len());
     let lane = quote! {
@@ -124,17 +122,21 @@ fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
             type Survey = [#float; #count];
             type Programs = #programs;
 
-            const NAME: &'static ::core::primitive::str = #title;
-            const INPUT: &'static ::core::primitive::str = #input_name;
-            const REFERENCE: #float = #reference;
-            const LEVELS: &'static [#runtime::Level] = &#levels;
-            const UNKNOWNS: &'static [#runtime::SurveyedUnknown] = &[#(#unknowns),*];
-            const COUNTS: [::core::primitive::usize; 2] = [#(#counts),*];
-
+            fn searched(&self) -> #runtime::Searched {
+                #runtime::Searched {
+                    name: #title,
+                    input: #input_name,
+                    reference: #reference,
+                    levels: &#levels,
+                    unknowns: &[#(#unknowns),*],
+                    modes: #mode_count,
+                    coupled: #coupled_count,
+                }
+            }
             fn surveyor(&self, __chosen: &#runtime::Chosen, __at: #float) -> #assembly<#float> {
                 #assembly::__surveyor(self.0, &__chosen.modes, &__chosen.starts, [__at])
             }
-            fn survey(__assembly: &#assembly<#float>, __at: #float) -> [#float; #count] {
+            fn survey(&self, __assembly: &#assembly<#float>, __at: #float) -> [#float; #count] {
                 __assembly.__survey::<{ #runtime::FUSED }>([__at])
             }
             fn assembled(

@@ -47,19 +47,3 @@ pub(super) fn words(count: &Count) -> String {
         words.join(", ")
     }
 }
-
-/// Whether a program takes longer than a call to other code for it, which is 1 to 2 ns: some ten operations without a sine, a root or a
-/// quotient are inlined into the loop that wants them.
-pub(super) fn is_worth_a_call(count: &Count) -> bool {
-    const FEW: u32 = 12;
-    let Count {
-        add,
-        mul,
-        div,
-        sqrt,
-        sin_cos,
-        atan2,
-        other,
-    } = *count;
-    div + sqrt + sin_cos + atan2 > 0 || add + mul + other > FEW
-}

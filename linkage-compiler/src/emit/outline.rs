@@ -298,7 +298,7 @@ fn complete_function<'a>(def: &'a FunctionDef, own: &unit::Function, unit: &Unit
         positions: own.arguments.clone(),
         states: own.states.clone(),
         beside: own.beside.is_some(),
-        chooses: count::is_worth_a_call(&own.called.count),
+        chooses: own.called.is_worth_a_call(),
         ..function(def, fields)
     }
 }

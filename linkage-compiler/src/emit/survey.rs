@@ -1,5 +1,6 @@
 //! What is asked of a mechanism to compare its assemblies: the least margin, how far each group is from its ends, where its unknowns are.
 
+use linkage_runtime::generated::Level;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -58,18 +59,16 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
 /// What assemblies of each group there are.
 pub(super) fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
     let runtime = &outline.runtime;
-    let mut next = 0..;
-    let groups = unit.groups.iter();
-    let levels = groups.map(|group| match (group.mode, group.coupled) {
-        (Some(mode), _) => {
+    let levels = unit.levels().into_iter().map(|level| match level {
+        Level::Modes(mode) => {
             let mode = literal::index(mode);
             quote!(#runtime::Level::Modes(#mode))
         }
-        (None, true) => {
-            let number = literal::index(next.next().unwrap_or_default());
+        Level::Coupled(number) => {
+            let number = literal::index(number);
             quote!(#runtime::Level::Coupled(#number))
         }
-        (None, false) => quote!(#runtime::Level::Single),
+        Level::Single => quote!(#runtime::Level::Single),
     });
     quote!([#(#levels),*])
 }

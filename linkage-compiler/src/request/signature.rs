@@ -65,6 +65,7 @@ pub(super) fn signature<'m>(
     let own = own_parameters(algebra, formulation);
     let groups = formulation.groups.iter().zip(own);
     Unit {
+        length: mechanism.unit.name(),
         parameters: parameters.collect(),
         inputs: inputs.collect(),
         arguments: arguments.collect(),

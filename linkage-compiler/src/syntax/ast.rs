@@ -1,6 +1,8 @@
 //! The syntax tree: one type per grammar rule, names with their spans, numbers as written.
 
 use proc_macro2::{Ident, TokenStream};
+use syn::LitStr;
+use syn::ext::IdentExt;
 
 use super::vocabulary::vocabulary;
 use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
@@ -16,6 +18,24 @@ pub(crate) struct MechanismDef {
     pub(crate) name: Ident,
     pub(crate) items: Vec<Item>,
     pub(crate) functions: Vec<FunctionDef>,
+}
+
+impl MechanismDef {
+    /// Its name as it is read: `loop` for `r#loop`.
+    pub(crate) fn title(&self) -> String {
+        self.name.unraw().to_string()
+    }
+
+    /// The lines of its doc comment, without the blank in front.
+    pub(crate) fn documentation(&self) -> String {
+        let docs = self.attributes.iter().filter(|own| own.name == "doc");
+        let text = |own: &Attribute| {
+            let literal = own.arguments.clone().into_iter().last()?;
+            let text = syn::parse2::<LitStr>(literal.into()).ok()?.value();
+            Some(text.strip_prefix(' ').map_or(text.clone(), str::to_owned))
+        };
+        docs.filter_map(text).collect::<Vec<_>>().join("\n")
+    }
 }
 
 /// One outer attribute.

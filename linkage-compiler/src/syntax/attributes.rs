@@ -41,6 +41,12 @@ impl MechanismDef {
 }
 
 impl Attribute {
+    /// `allow(deprecated)`, `allow(warnings)`: rustc keeps warnings to itself, which are made of uses of what is deprecated.
+    pub(crate) fn allows_warnings(&self) -> bool {
+        let lints = self.arguments.to_string();
+        self.name == "allow" && (lints.contains("deprecated") || lints.contains("warnings"))
+    }
+
     /// `allow(unused)`, `allow(dead_code)`: what is not used is meant so.
     pub(crate) fn allows_unused(&self) -> bool {
         let lints = self.arguments.to_string();

@@ -58,6 +58,25 @@ pub struct Body {
     pub count: Count,
 }
 
+impl Body {
+    /// Whether it takes longer than a call to other code for it, which is 1 to 2 ns: some ten operations without a sine, a root or a
+    /// quotient are inlined into the loop that wants them, and then run with the instructions of the build; others choose those of the
+    /// machine.
+    pub fn is_worth_a_call(&self) -> bool {
+        const FEW: u32 = 12;
+        let Count {
+            add,
+            mul,
+            div,
+            sqrt,
+            sin_cos,
+            atan2,
+            other,
+        } = self.count;
+        div + sqrt + sin_cos + atan2 > 0 || add + mul + other > FEW
+    }
+}
+
 /// A field of a function's result.
 #[derive(Clone, Debug)]
 pub struct Field {

@@ -11,6 +11,7 @@ mod picture;
 mod picture_words;
 mod signature;
 
+use linkage_runtime::generated::Level;
 use linkage_symbolic::program::Program;
 
 pub use crate::model::Shape;
@@ -24,6 +25,8 @@ pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Sc
 /// What a mechanism is after lowering.
 #[derive(Clone, Debug, Default)]
 pub struct Unit {
+    /// The unit of all lengths: `mm`, `m`, ...
+    pub length: &'static str,
     /// The parameters, in order.
     pub parameters: Vec<Parameter>,
     /// The driving coordinates, in order.
@@ -80,6 +83,17 @@ impl Unit {
             .collect();
         modes.sort_unstable();
         modes.into_iter().map(|(_, plus)| plus).collect()
+    }
+
+    /// What assemblies of each group there are.
+    pub fn levels(&self) -> Vec<Level> {
+        let mut next = 0..;
+        let level = |group: &Group| match (group.mode, group.coupled) {
+            (Some(mode), _) => Level::Modes(mode),
+            (None, true) => Level::Coupled(next.next().unwrap_or_default()),
+            (None, false) => Level::Single,
+        };
+        self.groups.iter().map(level).collect()
     }
 
     /// How many slots `assemble()` prepares.

@@ -1,6 +1,13 @@
 //! What goes into the programs of a mechanism: names, units, numbers as they were declared.
 
+use std::f64::consts::TAU;
+
+use linkage_runtime::Cycle;
+
 use crate::model::Shape;
+
+/// At how many positions of a turn, or of a range of lengths, assemblies are listed.
+const SAMPLES: usize = 72;
 
 /// A parameter as the user declared it.
 #[derive(Clone, Debug)]
@@ -41,6 +48,24 @@ pub struct Input {
     pub followed: (f64, f64),
     /// Candidates for the turns that an unknown angle makes for each turn of this input.
     pub rates: Vec<f64>,
+}
+
+impl Input {
+    /// The range over which its assemblies are looked for, and at how many positions they are listed.
+    pub fn cycle(&self) -> Cycle {
+        let (low, high) = self.range.unwrap_or(self.followed);
+        let turns = (high - low) / TAU;
+        let samples = match self.angle {
+            true => (turns * SAMPLES as f64).ceil().clamp(24.0, 1000.0) as usize,
+            false => SAMPLES,
+        };
+        Cycle {
+            low,
+            high,
+            angle: self.angle,
+            samples: samples + 1,
+        }
+    }
 }
 
 /// What functions may take behind the inputs.

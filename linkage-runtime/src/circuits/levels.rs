@@ -38,6 +38,25 @@ pub struct Chosen {
     pub starts: Vec<Start>,
 }
 
+/// What is known of a mechanism with one input before it is searched.
+#[derive(Clone, Copy, Debug)]
+pub struct Searched {
+    /// Name of the mechanism.
+    pub name: &'static str,
+    /// Name of the input.
+    pub input: &'static str,
+    /// The input that start estimates are for.
+    pub reference: f64,
+    /// The groups in order.
+    pub levels: &'static [Level],
+    /// The unknowns in the order of their numbers in a survey.
+    pub unknowns: &'static [SurveyedUnknown],
+    /// How many groups have modes.
+    pub modes: usize,
+    /// How many groups are coupled.
+    pub coupled: usize,
+}
+
 /// A mechanism with one input.
 pub trait Levels {
     /// An assembled mechanism.
@@ -47,23 +66,12 @@ pub trait Levels {
     /// The programs of a coupled group.
     type Programs: CoupledPrograms;
 
-    /// Name of the mechanism.
-    const NAME: &'static str;
-    /// Name of the input.
-    const INPUT: &'static str;
-    /// The input that start estimates are for.
-    const REFERENCE: f64;
-    /// The groups in order.
-    const LEVELS: &'static [Level];
-    /// The unknowns in the order of their numbers in a survey.
-    const UNKNOWNS: &'static [SurveyedUnknown];
-    /// Modes, and coupled groups.
-    const COUNTS: [usize; 2];
-
+    /// What is known of it.
+    fn searched(&self) -> Searched;
     /// An assembly of which only what belongs to the chosen groups means anything.
     fn surveyor(&self, chosen: &Chosen, at: f64) -> Self::Assembly;
     /// What an assembly is at an input.
-    fn survey(assembly: &Self::Assembly, at: f64) -> Self::Survey;
+    fn survey(&self, assembly: &Self::Assembly, at: f64) -> Self::Survey;
     /// The assembly in which all groups are chosen.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! Group after group: where it can be assembled given the groups before it, and in which ways.
 
 use super::coupled::{self, Found};
-use super::levels::{Chosen, Level, Levels};
+use super::levels::{Chosen, Level, Levels, Searched};
 use super::slab::Slab;
 use super::stretches::{Border, stretches};
 use super::trace::CurveEnd;
@@ -55,6 +55,7 @@ pub(super) struct Leaf {
 /// The search through all groups.
 pub(super) struct Search<'a, M> {
     pub(super) mechanism: &'a M,
+    searched: Searched,
     pub(super) cycle: Cycle,
     pub(super) leaves: Vec<Leaf>,
     pub(super) error: Option<AssemblyError>,
@@ -63,15 +64,17 @@ pub(super) struct Search<'a, M> {
 
 impl<'a, M: Levels> Search<'a, M> {
     pub(super) fn run(mechanism: &'a M, cycle: Cycle) -> Result<Self, AssemblyError> {
-        let [modes, coupled] = M::COUNTS;
+        let searched = mechanism.searched();
+        let modes = searched.modes;
         if modes > MOST_MODES {
             return Err(AssemblyError::TooManyAssemblies {
-                mechanism: M::NAME,
+                mechanism: searched.name,
                 modes,
             });
         }
         let mut search = Self {
             mechanism,
+            searched,
             cycle,
             leaves: Vec::new(),
             error: None,
@@ -80,7 +83,7 @@ impl<'a, M: Levels> Search<'a, M> {
         let root = Leaf {
             chosen: Chosen {
                 modes: vec![AssemblyMode::Plus; modes],
-                starts: vec![Start::Nothing; coupled],
+                starts: vec![Start::Nothing; searched.coupled],
             },
             ways: Vec::new(),
             inputs: [cycle.low, cycle.high],
@@ -93,7 +96,7 @@ impl<'a, M: Levels> Search<'a, M> {
 
     /// All assemblies of the groups from `group` on, given those before it.
     fn level(&mut self, group: usize, before: Leaf) {
-        let Some(level) = M::LEVELS.get(group) else {
+        let Some(level) = self.searched.levels.get(group) else {
             self.leaves.push(before);
             return;
         };
@@ -111,7 +114,8 @@ impl<'a, M: Levels> Search<'a, M> {
         let samples = (samples as usize).max(LEAST_SAMPLES);
         let middle = before.known.unwrap_or_else(|| slab.x(0.0));
         let surveyor = self.mechanism.surveyor(&before.chosen, middle);
-        let slack = |x: f64| M::survey(&surveyor, x).as_ref()[1 + group];
+        let mechanism = self.mechanism;
+        let slack = |x: f64| mechanism.survey(&surveyor, x).as_ref()[1 + group];
         let served = before.known.is_none();
         for borders in stretches(&slab, samples, mode.is_none(), served, slack) {
             let mut next = before.clone();

@@ -75,16 +75,17 @@ pub fn close<T: Scalar>(
 
 /// An error that is about no loop but about a dimension, which is too large. `values` gives the dimensions in the order of
 /// `parameters`; those that a loop needs are finite.
-pub fn explained<A, T: Scalar, const COUNT: usize>(
+pub fn explained<A, T: Scalar, V: AsRef<[T]>>(
     result: Result<A, AssemblyError>,
     parameters: &'static [Parameter],
-    values: impl Fn() -> [T; COUNT],
+    values: impl Fn() -> V,
 ) -> Result<A, AssemblyError> {
     let Err(AssemblyError::Undefined { mechanism, .. }) = result else {
         return result;
     };
     let values = values();
-    let mut lanes = (0..COUNT).flat_map(|k| (0..T::LANES).map(move |lane| (k, lane)));
+    let values = values.as_ref();
+    let mut lanes = (0..values.len()).flat_map(|k| (0..T::LANES).map(move |lane| (k, lane)));
     let mut all = core::iter::from_fn(|| {
         let (k, lane) = lanes.next()?;
         Some((&parameters[k], values[k].lane(lane)))
@@ -125,24 +126,27 @@ const MOST_MODES: usize = 16;
 /// Every assembly that closes, the default modes first; `assemble` gives all with some modes. An error that is not about a loop that
 /// cannot close is returned if nothing closes.
 #[cfg(feature = "alloc")]
-pub fn assemblies<A, const MODES: usize>(
+pub fn assemblies<A, M: AsRef<[AssemblyMode]> + AsMut<[AssemblyMode]> + Clone>(
     mechanism: &'static str,
-    default: [AssemblyMode; MODES],
-    assemble: impl Fn([AssemblyMode; MODES]) -> Result<Vec<A>, AssemblyError>,
+    default: M,
+    assemble: impl Fn(M) -> Result<Vec<A>, AssemblyError>,
 ) -> Result<Vec<A>, AssemblyError> {
-    if MODES > MOST_MODES {
+    let count = default.as_ref().len();
+    if count > MOST_MODES {
         return Err(AssemblyError::TooManyAssemblies {
             mechanism,
-            modes: MODES,
+            modes: count,
         });
     }
     let mut found = Vec::new();
     let mut failure = None;
-    for flips in 0..1_u32 << MODES {
-        let modes = core::array::from_fn(|mode| match flips >> mode & 1 {
-            0 => default[mode],
-            _ => default[mode].flipped(),
-        });
+    for flips in 0..1_u32 << count {
+        let mut modes = default.clone();
+        for (number, mode) in modes.as_mut().iter_mut().enumerate() {
+            if flips >> number & 1 == 1 {
+                *mode = mode.flipped();
+            }
+        }
         match assemble(modes) {
             Ok(assemblies) => found.extend(assemblies),
             Err(error) if error.is_a_miss() => {}

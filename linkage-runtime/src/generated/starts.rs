@@ -8,7 +8,8 @@ mod solve;
 pub use grid::CoupledGrid;
 pub use lanes::Coupled;
 pub use prepare::{
-    Start, Wanted, nothing, pairs, placed, prepared, prepared_over, put_state, starts, stepped,
+    Start, Wanted, Which, nothing, pairs, placed, prepared, prepared_over, put_state, starts,
+    starts_of, stepped,
 };
 pub use solve::{
     CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution, CoupledUnknown, couple, list,

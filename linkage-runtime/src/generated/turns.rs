@@ -31,9 +31,9 @@ impl<T: Scalar, const A: usize, const I: usize> Turns<T, A, I> {
     }
 }
 
-/// An angle to follow.
+/// An angle to follow; `X` are numbers for all inputs.
 #[derive(Clone, Copy, Debug)]
-pub struct Angle<const I: usize> {
+pub struct Angle<X: 'static> {
     /// Its name.
     pub unknown: &'static str,
     /// Its value at the reference inputs, about.
@@ -42,7 +42,7 @@ pub struct Angle<const I: usize> {
     pub along: &'static [Along],
     /// How many turns each of the vectors makes for a turn of each input whose sum the angle keeps within a quarter turn of, `None` for one that
     /// turns with something else, too; none where no closed form says so.
-    pub phases: &'static [Option<[f64; I]>],
+    pub phases: &'static [Option<X>],
 }
 
 /// The range of one input along which an angle is followed.
@@ -90,7 +90,7 @@ pub fn turns<T: Scalar, const A: usize, const I: usize>(
 ///
 /// The name of the first angle that cannot be followed.
 pub fn wind<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
-    angles: &[Angle<I>; A],
+    angles: &[Angle<[f64; I]>; A],
     phases: &[[f64; 2]],
     count: usize,
     reference: [f64; I],
@@ -104,7 +104,7 @@ pub fn wind<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
 }
 
 fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
-    angles: &[Angle<I>; A],
+    angles: &[Angle<[f64; I]>; A],
     mut phases: &[[f64; 2]],
     count: usize,
     start: [f64; I],
@@ -116,20 +116,20 @@ fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
         phases = rest;
         let directions = prepare(&turns);
         let (centre, windings) =
-            wind_one(angle, own, start, |x| directions(x)[index]).ok_or(angle.unknown)?;
+            wind_one(angle, own, &start, |x| directions(*x)[index]).ok_or(angle.unknown)?;
         turns.centres[index] = centre;
         turns.windings[index] = windings;
     }
     Ok(turns)
 }
 
-/// Centre and windings of one angle.
-fn wind_one<const I: usize>(
-    angle: &Angle<I>,
+/// Centre and windings of one angle, from the vectors of its phases or by following it. `direction` is its cosine and sine.
+pub fn wind_one<X: AsRef<[f64]> + AsMut<[f64]> + Clone>(
+    angle: &Angle<X>,
     phases: &[[f64; 2]],
-    start: [f64; I],
-    direction: impl Fn([f64; I]) -> [f64; 2],
-) -> Option<(f64, [f64; I])> {
+    start: &X,
+    direction: impl Fn(&X) -> [f64; 2],
+) -> Option<(f64, X)> {
     let [cosine, sine] = direction(start);
     let here = <f64 as Scalar>::angle_near(sine, cosine, angle.estimate);
     if !here.is_finite() {
@@ -140,13 +140,14 @@ fn wind_one<const I: usize>(
 }
 
 /// Centre and windings of an angle that is `here` at the start, followed along each of its inputs.
-fn follow_inputs<const I: usize>(
-    angle: &Angle<I>,
-    start: [f64; I],
+fn follow_inputs<X: AsRef<[f64]> + AsMut<[f64]> + Clone>(
+    angle: &Angle<X>,
+    start: &X,
     here: f64,
-    direction: impl Fn([f64; I]) -> [f64; 2],
-) -> Option<(f64, [f64; I])> {
-    let mut windings = [0.0; I];
+    direction: impl Fn(&X) -> [f64; 2],
+) -> Option<(f64, X)> {
+    let mut windings = start.clone();
+    windings.as_mut().fill(0.0);
     let mut centre = Centre::new(here);
     for &Along {
         input,
@@ -155,17 +156,17 @@ fn follow_inputs<const I: usize>(
         rates,
     } in angle.along
     {
-        let x = start[input];
+        let x = start.as_ref()[input];
         let (low, high) = (low.min(x), high.max(x));
         if low == high {
             continue;
         }
         let along = follow(low, high, x, here, rates, |x| {
-            let mut inputs = start;
-            inputs[input] = x;
-            direction(inputs)
+            let mut inputs = start.clone();
+            inputs.as_mut()[input] = x;
+            direction(&inputs)
         })?;
-        windings[input] = along.turns;
+        windings.as_mut()[input] = along.turns;
         centre.add(along, x);
     }
     Some((centre.value(), windings))

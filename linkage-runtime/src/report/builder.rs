@@ -115,11 +115,17 @@ impl Report {
     /// The mechanism's dimensions with nominal values and tolerances. With them, sensitivities become bands about their
     /// quantities and a table of accuracy.
     #[must_use]
-    pub fn dimensions<M: Dimensions<N>, const N: usize>(mut self, mechanism: &M) -> Self {
-        let values = mechanism.values();
-        let pairs = M::PARAMETERS.iter().zip(values);
+    pub fn dimensions<M: Dimensions<N>, const N: usize>(self, mechanism: &M) -> Self {
+        self.dimensions_listed(M::PARAMETERS, &mechanism.values())
+    }
+
+    /// As [`dimensions`](Self::dimensions), from the parameters of the declaration and their values in this mechanism: for who reads
+    /// mechanisms at run time.
+    #[must_use]
+    pub fn dimensions_listed(mut self, parameters: &[Parameter], values: &[f64]) -> Self {
+        let pairs = parameters.iter().zip(values);
         self.dimensions = pairs
-            .map(|(&parameter, value)| Dimension { parameter, value })
+            .map(|(&parameter, &value)| Dimension { parameter, value })
             .collect();
         self
     }

@@ -1,6 +1,8 @@
 //! Assemblies over the range of an input.
 
-use linkage_runtime::generated::{Chosen, Level, Levels, NoPrograms, SurveyedUnknown, circuits};
+use linkage_runtime::generated::{
+    Chosen, Level, Levels, NoPrograms, Searched, SurveyedUnknown, circuits,
+};
 use linkage_runtime::{AssemblyError, AssemblyMode, BranchEnd, Circuits, Cycle};
 use std::f64::consts::{PI, TAU};
 
@@ -39,17 +41,22 @@ impl Levels for FourBar {
     type Survey = [f64; 4];
     type Programs = NoPrograms;
 
-    const NAME: &'static str = "FourBar";
-    const INPUT: &'static str = "phi";
-    const REFERENCE: f64 = 0.5;
-    const LEVELS: &'static [Level] = &[Level::Modes(0)];
-    const UNKNOWNS: &'static [SurveyedUnknown] = &[SurveyedUnknown {
-        name: "joint",
-        unit: "mm",
-        angle: false,
-        numbers: 2,
-    }];
-    const COUNTS: [usize; 2] = [1, 0];
+    fn searched(&self) -> Searched {
+        Searched {
+            name: "FourBar",
+            input: "phi",
+            reference: 0.5,
+            levels: &[Level::Modes(0)],
+            unknowns: &[SurveyedUnknown {
+                name: "joint",
+                unit: "mm",
+                angle: false,
+                numbers: 2,
+            }],
+            modes: 1,
+            coupled: 0,
+        }
+    }
 
     fn surveyor(&self, chosen: &Chosen, _at: f64) -> Self::Assembly {
         let mode = match chosen.modes[0] {
@@ -59,7 +66,7 @@ impl Levels for FourBar {
         (*self, mode)
     }
 
-    fn survey(&(four_bar, mode): &Self::Assembly, at: f64) -> [f64; 4] {
+    fn survey(&self, &(four_bar, mode): &Self::Assembly, at: f64) -> [f64; 4] {
         four_bar.at(mode, at)
     }
 

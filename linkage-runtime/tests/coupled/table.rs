@@ -27,6 +27,8 @@ fn the_look_up_of_generated_code_is_the_same() {
         let x = random.between(-10.0, 10.0);
         let (state, floor) = lookup.at(x);
         let mut checked = [0.0; 4];
+        assert_eq!(floor, table.look_up(x, &mut checked));
+        assert_eq!(state, checked);
         assert_eq!(floor, table.state(x, &mut checked));
         for (a, b) in state.iter().zip(checked) {
             assert!((a - b).abs() < 1e-15);

@@ -20,6 +20,22 @@ pub enum Start {
 }
 
 impl Start {
+    /// Writes the state at the group's inputs `x` as calls of generated code look it up, and returns the floor; NaN where there is none.
+    ///
+    /// # Panics
+    ///
+    /// If `state` is not as long as the states that were prepared.
+    pub fn look_up(&self, x: &[f64], state: &mut [f64]) -> f64 {
+        match self {
+            Self::Nothing => {
+                state.fill(f64::NAN);
+                f64::NAN
+            }
+            Self::Table(table) => table.look_up(x[0], state),
+            Self::Grid(grid) => grid.state(x, state),
+        }
+    }
+
     /// The state near the group's inputs `x`, and the floor.
     fn state(&self, x: &[f64]) -> Vec<f64> {
         match self {
@@ -88,7 +104,38 @@ pub fn starts<const K: usize, P: CoupledPrograms>(
     wanted: Wanted<'_, K>,
     programs: impl Fn(usize, &[Start; K]) -> Result<P, AssemblyError>,
 ) -> Result<Vec<[Start; K]>, AssemblyError> {
-    let mut found = vec![[const { Start::Nothing }; K]];
+    let which = match wanted {
+        Wanted::Nearest => Which::Nearest,
+        Wanted::All => Which::All,
+        Wanted::Like(like) => Which::Like(like),
+    };
+    starts_of(groups, [const { Start::Nothing }; K], at, which, programs)
+}
+
+/// As [`Wanted`], where the number of groups is known at run time only.
+#[derive(Clone, Copy, Debug)]
+pub enum Which<'a> {
+    /// The one nearest to the start estimates.
+    Nearest,
+    /// Every real one, the nearest to the estimates first.
+    All,
+    /// The one nearest to another.
+    Like(&'a [Start]),
+}
+
+/// As [`starts`], for any list `S` of as many starts as groups; `nothing` is the one with [`Start::Nothing`] alone.
+///
+/// # Errors
+///
+/// Where a wanted assembly is not there, or cannot be prepared.
+pub fn starts_of<S: AsMut<[Start]> + Clone, P: CoupledPrograms>(
+    groups: &[CoupledGroup],
+    nothing: S,
+    at: &[f64],
+    wanted: Which<'_>,
+    programs: impl Fn(usize, &S) -> Result<P, AssemblyError>,
+) -> Result<Vec<S>, AssemblyError> {
+    let mut found = vec![nothing];
     for (number, group) in groups.iter().enumerate() {
         let x: Vec<f64> = group.inputs.iter().map(|input| at[input.index]).collect();
         let mut next = Vec::new();
@@ -96,8 +143,8 @@ pub fn starts<const K: usize, P: CoupledPrograms>(
         for before in found {
             let mut programs = programs(number, &before)?;
             let solutions = match wanted {
-                Wanted::Nearest => vec![couple(group, &mut programs, &x)?],
-                Wanted::All => match list(group, &mut programs, &x) {
+                Which::Nearest => vec![couple(group, &mut programs, &x)?],
+                Which::All => match list(group, &mut programs, &x) {
                     // Other assemblies of the groups before may let it close.
                     Err(error) if error.is_a_miss() => {
                         missed = Some(error);
@@ -105,17 +152,18 @@ pub fn starts<const K: usize, P: CoupledPrograms>(
                     }
                     listed => listed?,
                 },
-                Wanted::Like(like) => {
+                Which::Like(like) => {
                     let state = like[number].state(&x);
                     let all = list(group, &mut programs, &x)?;
                     nearest(all, &state).into_iter().collect()
                 }
             };
             for solution in solutions {
-                let every = matches!(wanted, Wanted::All);
+                let every = matches!(wanted, Which::All);
                 let mut starts = before.clone();
                 let ranges = group.ranges();
-                starts[number] = start(group, &mut programs, &x, &solution.state, &ranges, every)?;
+                let own = start(group, &mut programs, &x, &solution.state, &ranges, every)?;
+                starts.as_mut()[number] = own;
                 next.push(starts);
             }
         }

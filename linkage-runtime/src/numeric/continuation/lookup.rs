@@ -1,11 +1,10 @@
 //! The look-up of generated code: no branch, no call, no panic.
 
 use super::cell::{Cell, Frame};
-use super::polynomial::TERMS;
+use super::polynomial::{TERMS, by_pairs};
 use super::scale::{Scale, guard};
 use super::shared::Shared;
 use super::table::Table;
-use crate::Scalar;
 use crate::scalar::FUSED;
 use core::fmt;
 
@@ -98,15 +97,10 @@ impl<const S: usize> Lookup<S> {
         let cell = self.cell(slot.to_bits() as usize);
         let t = (place - cell.centre) * cell.inverse;
         let guard = guard(t, OUTSIDE);
-        let (t2, c) = (t * t, &cell.coefficients);
-        let t4 = t2 * t2;
+        let c = &cell.coefficients;
         let mut state = [0.0; S];
         for (index, number) in state.iter_mut().enumerate() {
-            let sum = |a: f64, factor: f64, b: f64| Scalar::mul_add::<FUSED>(b, factor, a);
-            let pair = |power: usize| sum(c[power][index], t, c[power + 1][index]);
-            let low = sum(pair(0), t2, pair(2));
-            let high = sum(pair(4), t2, pair(6));
-            *number = sum(low, t4, high) + guard;
+            *number = by_pairs::<FUSED>(|power| c[power][index], t) + guard;
         }
         (state, cell.floor + guard)
     }

@@ -1,5 +1,7 @@
 //! Polynomials through eight nodes, for several numbers at once.
 
+use crate::Scalar;
+
 /// Coefficients of a polynomial.
 pub(super) const TERMS: usize = 8;
 
@@ -80,6 +82,18 @@ pub(super) fn fit(values: &[f64], coefficients: &mut [f64], width: usize) -> f64
     let last = &coefficients[(TERMS - 1) * width..];
     last.iter()
         .fold(0.0, |most: f64, last| most.max(last.abs() / LAST))
+}
+
+/// The value of one polynomial at `t`, pairs of powers side by side: generated code waits for fewer operations than one after the other.
+#[inline(always)]
+pub(super) fn by_pairs<const FUSED: bool>(coefficient: impl Fn(usize) -> f64, t: f64) -> f64 {
+    let t2 = t * t;
+    let t4 = t2 * t2;
+    let sum = |a: f64, factor: f64, b: f64| Scalar::mul_add::<FUSED>(b, factor, a);
+    let pair = |power: usize| sum(coefficient(power), t, coefficient(power + 1));
+    let low = sum(pair(0), t2, pair(2));
+    let high = sum(pair(4), t2, pair(6));
+    sum(low, t4, high)
 }
 
 /// The values of the polynomials at `t`.

@@ -3,10 +3,12 @@
 use super::cell::{Cell, Frame};
 use super::follow::Follower;
 use super::lookup::{Lookup, OUTSIDE};
+use super::polynomial::by_pairs;
 use super::scale::{Scale, guard};
 use super::shared::Shared;
 use super::walk::{FULL, Piece, Walk};
 use super::{Correction, End, Range, Refusal};
+use crate::scalar::FUSED;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
@@ -125,6 +127,24 @@ impl Table {
         let guard = guard(cell.t(place), OUTSIDE);
         cell.state(place, state);
         state.iter_mut().for_each(|number| *number += guard);
+        cell.floor + guard
+    }
+
+    /// As [`state`](Self::state), to the last bit what [`Lookup::at`] gives.
+    ///
+    /// # Panics
+    ///
+    /// As [`state`](Self::state).
+    pub fn look_up(&self, x: f64, state: &mut [f64]) -> f64 {
+        let width = self.width;
+        assert!(state.len() == width, "a state has {width} numbers");
+        let (place, slot) = self.scale.find(x);
+        let cell = &self.cells[usize::from(self.index[slot])];
+        let (t, c) = (cell.t(place), &cell.coefficients);
+        let guard = guard(t, OUTSIDE);
+        for (index, number) in state.iter_mut().enumerate() {
+            *number = by_pairs::<FUSED>(|power| c[power * width + index], t) + guard;
+        }
         cell.floor + guard
     }
 

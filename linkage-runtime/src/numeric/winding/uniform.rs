@@ -19,24 +19,25 @@ const MOST_BESIDE: f64 = 0.987_688_340_595_137_8;
 /// // Seen from a pivot at (-10, 0), a crank of 40 that turns with the input; across of that the angle at 0.6 rad.
 /// let base = [[0.0, 10.0], [0.0, 40.0]];
 /// let turns = [Some([0.0]), Some([1.0])];
-/// let (centre, turns) = uniform(&base, &turns, [0.6], 2.5).unwrap();
+/// let (centre, turns) = uniform(&base, &turns, &[0.6], 2.5).unwrap();
 /// assert_eq!(turns, [1.0]);
 /// assert!((centre - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
-/// assert!(uniform(&[[40.0, 0.0], [39.9, 0.0]], &[None, Some([1.0])], [0.0], 0.0).is_none());
+/// assert!(uniform(&[[40.0, 0.0], [39.9, 0.0]], &[None, Some([1.0])], &[0.0], 0.0).is_none());
 /// ```
-pub fn uniform<const I: usize>(
+pub fn uniform<X: AsRef<[f64]> + Clone>(
     vectors: &[[f64; 2]],
-    turns: &[Option<[f64; I]>],
-    start: [f64; I],
+    turns: &[Option<X>],
+    start: &X,
     here: f64,
-) -> Option<(f64, [f64; I])> {
+) -> Option<(f64, X)> {
     let length = |[x, y]: [f64; 2]| Scalar::hypot(x, y);
     let all: f64 = vectors.iter().map(|own| length(*own)).sum();
     let mut phases = vectors.iter().zip(turns);
     let decides = |own: f64| own > 0.0 && all - own <= MOST_BESIDE * own;
-    let (&[x, y], &turns) = phases.find(|(own, _)| decides(length(**own)))?;
-    let turns = turns?;
-    let turned: f64 = turns.iter().zip(start).map(|(turns, x)| turns * x).sum();
+    let (&[x, y], turns) = phases.find(|(own, _)| decides(length(**own)))?;
+    let turns = turns.clone()?;
+    let pairs = turns.as_ref().iter().zip(start.as_ref());
+    let turned: f64 = pairs.map(|(turns, x)| turns * x).sum();
     let centre = Scalar::atan2(y, x);
     let behind = here - (centre + turned);
     Some((centre + TAU * whole(behind / TAU), turns))
