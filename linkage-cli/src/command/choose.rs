@@ -1,0 +1,107 @@
+//! The mechanism and the function that a command is about.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use linkage_compiler::check;
+
+use super::is_coloured;
+use crate::failure::{Failure, listed};
+use crate::mechanism::Mechanism;
+use crate::messages::rendered;
+use crate::source::Source;
+
+/// A file and, where it holds several, one of its mechanisms.
+#[derive(Debug, Args)]
+pub(super) struct Chosen {
+    /// File with what stands between the braces of `mechanism! { ... }`, or a Rust file
+    file: PathBuf,
+    /// The mechanism, if there are several in the file
+    #[arg(long, value_name = "NAME")]
+    mechanism: Option<String>,
+}
+
+impl Chosen {
+    /// The file.
+    pub(super) fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// All mechanisms that are meant; mistakes in any of the file are told.
+    pub(super) fn all(&self) -> Result<Vec<Mechanism>, Failure> {
+        let mut all = read(&self.file)?;
+        let Some(name) = &self.mechanism else {
+            return Ok(all);
+        };
+        let names: Vec<&'static str> = all.iter().map(|own| own.name).collect();
+        all.retain(|own| own.name == name);
+        match all.is_empty() {
+            true => Err(Failure::Told(format!(
+                "there is no mechanism `{name}` in `{}`; there is {}",
+                self.file.display(),
+                listed(names)
+            ))),
+            false => Ok(all),
+        }
+    }
+
+    /// The one mechanism that is meant.
+    pub(super) fn only(&self) -> Result<Mechanism, Failure> {
+        let mut all = self.all()?;
+        match &all[..] {
+            [_] => Ok(all.swap_remove(0)),
+            several => Err(self.ambiguous("there are", several)),
+        }
+    }
+
+    /// The mechanism with a function of this name, and the function's number.
+    pub(super) fn with_function(&self, name: &str) -> Result<(Mechanism, usize), Failure> {
+        let number = |own: &Mechanism| own.headings.iter().position(|own| own.function == name);
+        let all = self.all()?;
+        let functions: Vec<&str> = all
+            .iter()
+            .flat_map(|own| own.headings.iter().map(|own| own.function))
+            .collect();
+        let (mut with, _): (Vec<_>, Vec<_>) =
+            all.into_iter().partition(|own| number(own).is_some());
+        match &with[..] {
+            [] => Err(Failure::Told(format!(
+                "there is no function `{name}` in `{}`; there is {}",
+                self.file.display(),
+                listed(functions)
+            ))),
+            [only] => {
+                let number = number(only).unwrap_or_default();
+                Ok((with.swap_remove(0), number))
+            }
+            several => Err(self.ambiguous(&format!("the function `{name}` is in"), several)),
+        }
+    }
+
+    fn ambiguous(&self, what: &str, several: &[Mechanism]) -> Failure {
+        Failure::Told(format!(
+            "{what} {} in `{}`: choose one by `--mechanism NAME`",
+            listed(several.iter().map(|own| own.name)),
+            self.file.display()
+        ))
+    }
+}
+
+/// All mechanisms of a file.
+fn read(file: &Path) -> Result<Vec<Mechanism>, Failure> {
+    let source = Source::read(file)?;
+    let mut all = Vec::new();
+    let mut sound = true;
+    for found in source.mechanisms() {
+        let checked = check(found.tokens.clone());
+        eprint!("{}", rendered(&source, found, &checked, is_coloured()));
+        match Mechanism::new(&checked) {
+            Some(mechanism) => all.push(mechanism),
+            None => sound = false,
+        }
+    }
+    match sound {
+        true => Ok(all),
+        false => Err(Failure::Silent),
+    }
+}

@@ -1,0 +1,148 @@
+//! Functions over a range of one input.
+
+use linkage_runtime::{Heading, Input, Table};
+
+use super::values::{number, parts};
+use crate::engine::Assembly;
+use crate::failure::{Failure, listed};
+use crate::mechanism::Mechanism;
+
+/// The results of a function over positions, column by column.
+pub(super) struct Rows {
+    heading: &'static Heading,
+    rows: usize,
+    columns: Vec<Vec<f64>>,
+}
+
+impl Table for Rows {
+    fn heading(&self) -> &'static Heading {
+        self.heading
+    }
+
+    fn rows(&self) -> usize {
+        self.rows
+    }
+
+    fn column(&self, index: usize) -> &[f64] {
+        &self.columns[index]
+    }
+}
+
+impl Rows {
+    /// Evaluates a function where the argument at `place` runs through `positions`, the others staying as they are.
+    pub(super) fn new(
+        mechanism: &Mechanism,
+        assembly: &Assembly<'_>,
+        function: usize,
+        arguments: &[f64],
+        place: Option<usize>,
+        positions: &[f64],
+    ) -> Self {
+        let heading = mechanism.headings[function];
+        let mut columns = vec![Vec::with_capacity(positions.len()); heading.columns.len()];
+        let mut arguments = arguments.to_vec();
+        for &x in positions {
+            if let Some(place) = place {
+                arguments[place] = x;
+            }
+            let row = assembly.call(function, &arguments);
+            for (column, number) in columns.iter_mut().zip(row) {
+                column.push(number);
+            }
+        }
+        Self {
+            heading,
+            rows: positions.len(),
+            columns,
+        }
+    }
+
+    /// At how many positions a number is not finite.
+    pub(super) fn missing(&self) -> usize {
+        let gap = |row: &usize| self.columns.iter().any(|column| !column[*row].is_finite());
+        (0..self.rows).filter(gap).count()
+    }
+}
+
+/// The arguments of a function: inputs at their references, unless `given` says another value; what is no input must be given.
+pub(super) fn arguments(
+    mechanism: &Mechanism,
+    function: usize,
+    given: &[String],
+) -> Result<Vec<f64>, Failure> {
+    let heading = mechanism.headings[function];
+    let places = &mechanism.unit.functions[function].arguments;
+    let mut values: Vec<Option<f64>> = places
+        .iter()
+        .map(|&place| mechanism.inputs.get(place).map(|input| input.reference))
+        .collect();
+    for given in given {
+        let (name, text) = parts("--at", given)?;
+        let Some(index) = heading.arguments.iter().position(|own| *own == name) else {
+            return Err(Failure::Told(format!(
+                "`{}` does not take `{name}`; it takes {}",
+                heading.function,
+                listed(heading.arguments.iter().copied())
+            )));
+        };
+        let (_, unit) = mechanism.argument(places[index]);
+        values[index] = Some(number(mechanism, name, text, unit)?);
+    }
+    let named = heading.arguments.iter().zip(values);
+    named
+        .map(|(name, value)| {
+            value.ok_or_else(|| {
+                Failure::Told(format!(
+                    "`{}` takes `{name}`, too: give it by `--at {name}=VALUE`",
+                    heading.function
+                ))
+            })
+        })
+        .collect()
+}
+
+/// The input that runs: the one of this name, else the first one of the function. `None` for a function without inputs.
+pub(super) fn running(
+    mechanism: &Mechanism,
+    function: usize,
+    name: Option<&str>,
+) -> Result<Option<(usize, &'static Input)>, Failure> {
+    let places = &mechanism.unit.functions[function].arguments;
+    let mut inputs = places.iter().enumerate().filter_map(|(index, &place)| {
+        let input: Option<&'static Input> = mechanism.inputs.get(place);
+        Some((index, input?))
+    });
+    let Some(name) = name else {
+        return Ok(inputs.next());
+    };
+    let found = inputs.clone().find(|(_, input)| input.name == name);
+    match found {
+        Some(found) => Ok(Some(found)),
+        None => Err(Failure::Told(format!(
+            "`{}` has no input `{name}`; it has {}",
+            mechanism.headings[function].function,
+            listed(inputs.map(|(_, input)| input.name))
+        ))),
+    }
+}
+
+/// Evenly spaced values over the input's range, or over another one.
+pub(super) fn positions(
+    mechanism: &Mechanism,
+    input: &Input,
+    [from, to]: [Option<&str>; 2],
+    steps: usize,
+) -> Result<Vec<f64>, Failure> {
+    let (mut low, mut high) = input.ends();
+    if let Some(from) = from {
+        low = number(mechanism, input.name, from, input.unit)?;
+    }
+    if let Some(to) = to {
+        high = number(mechanism, input.name, to, input.unit)?;
+    }
+    let over = Input {
+        range: Some((low, high)),
+        ..*input
+    };
+    Ok(over.positions(steps))
+}

@@ -1,0 +1,178 @@
+//! `linkage table`: a function over a range of its input, for spreadsheets and programs.
+
+use std::path::PathBuf;
+
+use clap::{Args, CommandFactory, error::ErrorKind};
+use linkage_runtime::Table;
+use serde_json::{Value, json};
+
+use super::choose::Chosen;
+use super::numbers::Style;
+use super::output::put;
+use super::sweep::{Rows, arguments, positions, running};
+use super::values::Dimensions;
+use crate::failure::Failure;
+use crate::mechanism::Mechanism;
+
+/// Options of the command.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    #[command(flatten)]
+    chosen: Chosen,
+    /// The function
+    function: String,
+    /// First value of the input, with its unit; the lower end of its range by default
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    from: Option<String>,
+    /// Last value of the input
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    to: Option<String>,
+    /// How many positions, both ends included
+    #[arg(long, default_value_t = 361, value_name = "COUNT")]
+    steps: usize,
+    /// The input that runs from one position to the next; the first one of the function by default
+    #[arg(long, value_name = "INPUT")]
+    over: Option<String>,
+    /// Another argument of the function, as `omega=20rad/s`; inputs stand at their reference by default
+    #[arg(long = "at", value_name = "NAME=VALUE")]
+    at: Vec<String>,
+    #[command(flatten)]
+    dimensions: Dimensions,
+    /// Angles in degrees; their rates stay in radians
+    #[arg(long)]
+    degrees: bool,
+    /// Significant digits; by default as many as it takes to read the numbers back exactly
+    #[arg(long, value_name = "COUNT")]
+    digits: Option<usize>,
+    /// What stands between columns
+    #[arg(long, default_value = ",", value_name = "TEXT")]
+    separator: String,
+    /// The decimal mark
+    #[arg(long, default_value_t = '.', value_name = "CHARACTER")]
+    decimal: char,
+    /// JSON instead of CSV, with all digits
+    #[arg(long)]
+    json: bool,
+    /// A file instead of the standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// A column with its name and unit.
+struct Column<'a> {
+    name: &'a str,
+    unit: &'a str,
+    values: Vec<f64>,
+}
+
+/// Writes the table.
+pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    if !options.json && options.separator.contains(options.decimal) {
+        let text =
+            "the decimal mark would be read as the end of a column: give another `--separator`";
+        let mut command = super::Arguments::command();
+        command.error(ErrorKind::ArgumentConflict, text).exit();
+    }
+    let (mechanism, function) = options.chosen.with_function(&options.function)?;
+    let dimensions = options.dimensions.of(&mechanism)?;
+    let assembly = mechanism.assemble(&dimensions);
+    let assembly = assembly.map_err(|error| Failure::Told(error.to_string()))?;
+    let running = running(&mechanism, function, options.over.as_deref())?;
+    let given = arguments(&mechanism, function, &options.at)?;
+    let positions = match running {
+        Some((_, input)) => {
+            let ends = [options.from.as_deref(), options.to.as_deref()];
+            positions(&mechanism, input, ends, options.steps)?
+        }
+        None => vec![f64::NAN],
+    };
+    let place = running.map(|(place, _)| place);
+    let rows = Rows::new(&mechanism, &assembly, function, &given, place, &positions);
+    let missing = rows.missing();
+    if missing > 0 {
+        let count = positions.len();
+        eprintln!(
+            "note: at {missing} of {count} positions there is a number missing: the mechanism cannot be assembled there, or stands at a dead point"
+        );
+    }
+    let input = running.map(|(_, input)| Column {
+        name: input.name,
+        unit: input.unit,
+        values: positions,
+    });
+    let mut columns: Vec<Column> = input.into_iter().collect();
+    let heading = rows.heading().columns.iter().enumerate();
+    columns.extend(heading.map(|(index, own)| Column {
+        name: own.name,
+        unit: own.unit,
+        values: rows.column(index).to_vec(),
+    }));
+    if options.degrees {
+        columns.iter_mut().for_each(Column::to_degrees);
+    }
+    let text = match options.json {
+        true => in_json(&mechanism, &options.function, &dimensions, &columns),
+        false => in_lines(options, &columns),
+    };
+    put(&text, options.output.as_deref())
+}
+
+impl Column<'_> {
+    fn to_degrees(&mut self) {
+        if self.unit == "rad" {
+            self.unit = "deg";
+            self.values.iter_mut().for_each(|x| *x = x.to_degrees());
+        }
+    }
+
+    fn title(&self) -> String {
+        match self.unit {
+            "" => self.name.to_owned(),
+            unit => format!("{} [{unit}]", self.name),
+        }
+    }
+}
+
+/// A line for each position, names and units in the first one.
+fn in_lines(options: &Options, columns: &[Column]) -> String {
+    let style = Style {
+        digits: options.digits,
+        decimal: options.decimal,
+    };
+    let separator = options.separator.replace("\\t", "\t");
+    let line = |cells: Vec<String>| cells.join(&separator) + "\r\n";
+    let quoted = |title: String| match title.contains(&separator) || title.contains('"') {
+        true => format!("\"{}\"", title.replace('"', "\"\"")),
+        false => title,
+    };
+    let titles = columns.iter().map(|own| quoted(own.title()));
+    let mut text = line(titles.collect());
+    for row in 0..columns.first().map_or(0, |own| own.values.len()) {
+        let cells = columns.iter().map(|own| style.written(own.values[row]));
+        text += &line(cells.collect());
+    }
+    text
+}
+
+fn in_json(
+    mechanism: &Mechanism,
+    function: &str,
+    dimensions: &[f64],
+    columns: &[Column],
+) -> String {
+    let parameters = mechanism.parameters.iter().zip(dimensions);
+    let parameters: Vec<Value> = parameters
+        .map(|(own, value)| json!({ "name": own.name, "unit": own.unit, "value": value }))
+        .collect();
+    let columns: Vec<Value> = columns
+        .iter()
+        .map(|own| json!({ "name": own.name, "unit": own.unit, "values": own.values }))
+        .collect();
+    let all = json!({
+        "mechanism": mechanism.name,
+        "function": function,
+        "dimensions": parameters,
+        "columns": columns,
+    });
+    format!("{all}\n")
+}

@@ -1,0 +1,116 @@
+//! Values on the command line: numbers with units, as in a mechanism.
+
+use clap::Args;
+use linkage_compiler::check;
+
+use crate::failure::{Failure, listed};
+use crate::mechanism::Mechanism;
+
+/// Dimensions other than those of the file.
+#[derive(Debug, Args)]
+pub(super) struct Dimensions {
+    /// A dimension, as `crank=51mm` or `pivot=(140mm, 0mm)`; may be given several times
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    set: Vec<String>,
+}
+
+impl Dimensions {
+    /// All dimensions of the mechanism, in the order of its parameters.
+    pub(super) fn of(&self, mechanism: &Mechanism) -> Result<Vec<f64>, Failure> {
+        let mut values = mechanism.dimensions();
+        for given in &self.set {
+            let (name, text) = parts("--set", given)?;
+            let places = places(mechanism, name)?;
+            let units = places.iter().map(|&place| mechanism.parameters[place].unit);
+            let units: Vec<&str> = units.collect();
+            let numbers = quantity(mechanism, name, text, &units)?;
+            for (place, number) in places.into_iter().zip(numbers) {
+                values[place] = number;
+            }
+        }
+        Ok(values)
+    }
+}
+
+/// The scalars of a parameter, or one of them: `pivot`, `pivot.x`.
+fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
+    let whole = |own: &str| own == name || own.split_once('.').is_some_and(|own| own.0 == name);
+    let all = mechanism.parameters.iter().enumerate();
+    let found: Vec<usize> = all
+        .filter(|(_, own)| whole(own.name))
+        .map(|(place, _)| place)
+        .collect();
+    match found.is_empty() {
+        true => Err(Failure::Told(format!(
+            "there is no dimension `{name}` in {}; there is {}",
+            mechanism.name,
+            listed(mechanism.parameters.iter().map(|own| own.name))
+        ))),
+        false => Ok(found),
+    }
+}
+
+/// `NAME=VALUE`
+pub(super) fn parts<'a>(option: &str, given: &'a str) -> Result<(&'a str, &'a str), Failure> {
+    let pair = given.split_once('=').map(|(a, b)| (a.trim(), b.trim()));
+    pair.ok_or_else(|| Failure::Told(format!("`{option} {given}`: write `{option} NAME=VALUE`")))
+}
+
+/// The value of one number, in its unit.
+pub(super) fn number(
+    mechanism: &Mechanism,
+    name: &str,
+    text: &str,
+    unit: &str,
+) -> Result<f64, Failure> {
+    Ok(quantity(mechanism, name, text, &[unit])?[0])
+}
+
+/// The numbers that a text stands for, in these units. It is read as the value of a parameter.
+fn quantity(
+    mechanism: &Mechanism,
+    name: &str,
+    text: &str,
+    units: &[&str],
+) -> Result<Vec<f64>, Failure> {
+    let wrong = |why: &str| Failure::Told(format!("`{name}={text}`: {why}"));
+    let length = mechanism.unit.length;
+    let declaration = format!("struct Value {{ unit {length}; param value = ({text}); }}");
+    let tokens = declaration.parse();
+    let tokens =
+        tokens.map_err(|_| wrong("a bracket has no partner, or a character no meaning"))?;
+    let checked = check(tokens);
+    if let Some(message) = checked.messages.first() {
+        return Err(wrong(&message.text));
+    }
+    let unit = checked.unit.unwrap_or_default();
+    let found: Vec<_> = unit.scalars().collect();
+    if found.len() != units.len() {
+        return Err(wrong(&format!(
+            "{} numbers, where {} belong",
+            found.len(),
+            units.len()
+        )));
+    }
+    let pairs = found.iter().zip(units);
+    pairs
+        .map(
+            |(own, &unit)| match own.unit == unit || own.nominal == 0.0 {
+                true => Ok(own.nominal),
+                false => Err(wrong(&format!(
+                    "this is {}, `{name}` is {}",
+                    in_words(&own.unit),
+                    in_words(unit)
+                ))),
+            },
+        )
+        .collect()
+}
+
+fn in_words(unit: &str) -> String {
+    match unit {
+        "" => "a number".to_owned(),
+        "rad" => "an angle, `30deg`".to_owned(),
+        unit => format!("in {unit}"),
+    }
+}

@@ -1,0 +1,10 @@
+//! Mechanisms on numbers: what the macro's code does, by an interpreter of the same programs and with the same parts of the runtime.
+
+mod assemble;
+mod circuits;
+mod coupled;
+mod numbers;
+mod operations;
+mod turns;
+
+pub use assemble::Assembly;

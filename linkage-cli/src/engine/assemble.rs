@@ -1,0 +1,242 @@
+//! Closing the loops, and evaluating functions.
+
+use linkage_runtime::generated::{Start, Which, assemblies, close, explained, finite, starts_of};
+use linkage_runtime::{AssemblyError, AssemblyMode};
+
+use super::coupled::Programs;
+use super::numbers::{Numbers, states};
+use super::operations::{by_build, by_machine};
+use super::turns::{Turning, Turns};
+use crate::mechanism::Mechanism;
+
+/// An assembled mechanism.
+#[derive(Clone, Debug)]
+pub struct Assembly<'m> {
+    mechanism: &'m Mechanism,
+    dimensions: Vec<f64>,
+    modes: Vec<AssemblyMode>,
+    starts: Vec<Start>,
+    turns: Turns,
+    prepared: Vec<f64>,
+}
+
+impl Assembly<'_> {
+    /// The mode of each group that has two.
+    #[must_use]
+    pub fn modes(&self) -> &[AssemblyMode] {
+        &self.modes
+    }
+
+    /// The dimensions that it was assembled with.
+    #[must_use]
+    pub fn dimensions(&self) -> &[f64] {
+        &self.dimensions
+    }
+
+    /// The results of a function, by its number: one for each of its columns.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such function or it takes another number of arguments.
+    #[must_use]
+    pub fn call(&self, function: usize, arguments: &[f64]) -> Vec<f64> {
+        let unit = &self.mechanism.unit;
+        let function = &unit.functions[function];
+        assert_eq!(arguments.len(), function.arguments.len(), "its arguments");
+        let mut inputs = vec![f64::NAN; unit.inputs.len() + unit.arguments.len()];
+        for (&place, x) in function.arguments.iter().zip(arguments) {
+            inputs[place] = *x;
+        }
+        let states = states(self.mechanism, &self.starts, &inputs);
+        let numbers = self.numbers(&inputs, &states);
+        match function.called.is_worth_a_call() {
+            true => by_machine(&function.called.program, |source| numbers.load(source)),
+            false => by_build(&function.called.program, |source| numbers.load(source)),
+        }
+    }
+
+    /// The least margin of all groups, the slack of every group, the numbers of the unknowns.
+    pub(super) fn survey(&self, inputs: &[f64]) -> Vec<f64> {
+        let states = states(self.mechanism, &self.starts, inputs);
+        let numbers = self.numbers(inputs, &states);
+        by_build(&self.mechanism.unit.survey, |source| numbers.load(source))
+    }
+
+    /// Whether all groups close at these inputs.
+    fn close(&self, inputs: &[f64]) -> Result<(), AssemblyError> {
+        let states = states(self.mechanism, &self.starts, inputs);
+        let numbers = self.numbers(inputs, &states);
+        let gaps = by_build(&self.mechanism.unit.gaps, |source| numbers.load(source));
+        let Mechanism {
+            name,
+            structure,
+            gap_units,
+            ..
+        } = self.mechanism;
+        close(name, structure.groups, gap_units, &gaps)
+    }
+
+    fn numbers<'a>(&'a self, inputs: &'a [f64], states: &'a [Vec<f64>]) -> Numbers<'a> {
+        Numbers {
+            dimensions: &self.dimensions,
+            modes: &self.modes,
+            turns: &self.turns,
+            prepared: &self.prepared,
+            inputs,
+            states,
+        }
+    }
+}
+
+impl Mechanism {
+    /// The assembly that the start estimates choose, closed at the reference inputs.
+    ///
+    /// # Errors
+    ///
+    /// As the method `assemble` of the macro's struct.
+    pub fn assemble(&self, dimensions: &[f64]) -> Result<Assembly<'_>, AssemblyError> {
+        let at = self.reference();
+        let result = self.assembled(dimensions, self.modes(), &at);
+        explained::<_, f64, _>(result, self.parameters, || dimensions)
+    }
+
+    /// Every assembly at the inputs `at`, the one that the start estimates choose first.
+    ///
+    /// # Errors
+    ///
+    /// As the method `assemblies` of the macro's struct.
+    pub fn assemblies(
+        &self,
+        dimensions: &[f64],
+        at: &[f64],
+    ) -> Result<Vec<Assembly<'_>>, AssemblyError> {
+        let result = assemblies(self.name, self.modes(), |modes| {
+            self.all_assembled(dimensions, modes, at)
+        });
+        explained::<_, f64, _>(result, self.parameters, || dimensions)
+    }
+
+    pub(super) fn assembled(
+        &self,
+        dimensions: &[f64],
+        modes: Vec<AssemblyMode>,
+        at: &[f64],
+    ) -> Result<Assembly<'_>, AssemblyError> {
+        self.finite(dimensions)?;
+        let mut all = self.starts(dimensions, &modes, at, Which::Nearest)?;
+        self.with_starts(dimensions, modes, at, all.swap_remove(0))
+    }
+
+    /// All assemblies in these modes: coupled groups have further ones.
+    fn all_assembled(
+        &self,
+        dimensions: &[f64],
+        modes: Vec<AssemblyMode>,
+        at: &[f64],
+    ) -> Result<Vec<Assembly<'_>>, AssemblyError> {
+        self.finite(dimensions)?;
+        let mut found = Vec::new();
+        let mut missed = None;
+        for starts in self.starts(dimensions, &modes, at, Which::All)? {
+            match self.with_starts(dimensions, modes.clone(), at, starts) {
+                Ok(assembly) => found.push(assembly),
+                // Others may let closed forms behind the coupled groups close.
+                Err(error @ AssemblyError::CannotClose { .. }) => missed = Some(error),
+                Err(error) => return Err(error),
+            }
+        }
+        match missed {
+            Some(error) if found.is_empty() => Err(error),
+            _ => Ok(found),
+        }
+    }
+
+    /// What is prepared of the coupled groups, for the wanted assemblies; of a mechanism without any one list of none.
+    fn starts(
+        &self,
+        dimensions: &[f64],
+        modes: &[AssemblyMode],
+        at: &[f64],
+        wanted: Which<'_>,
+    ) -> Result<Vec<Vec<Start>>, AssemblyError> {
+        let nothing = vec![Start::Nothing; self.groups.len()];
+        let found = starts_of(
+            self.groups,
+            nothing.clone(),
+            at,
+            wanted,
+            |number, starts| Programs::new(self, dimensions, modes, at, number, starts),
+        );
+        found.map_err(|error| {
+            // A group with a closed form that does not close before a coupled one is needed.
+            let turns = Turns::at_estimates(self);
+            let closed = self
+                .prepared(dimensions, modes.to_vec(), turns, nothing)
+                .close(at);
+            match closed {
+                Err(first @ AssemblyError::CannotClose { .. }) => first,
+                _ => error,
+            }
+        })
+    }
+
+    pub(super) fn with_starts(
+        &self,
+        dimensions: &[f64],
+        modes: Vec<AssemblyMode>,
+        at: &[f64],
+        starts: Vec<Start>,
+    ) -> Result<Assembly<'_>, AssemblyError> {
+        let turning = Turning {
+            mechanism: self,
+            dimensions,
+            modes: &modes,
+            starts: &starts,
+        };
+        let found = turning.wind(self.angles.len(), at);
+        let turns = match &found {
+            Ok(turns) => turns.clone(),
+            Err(_) => Turns::at_estimates(self),
+        };
+        let assembly = self.prepared(dimensions, modes, turns, starts);
+        assembly.close(at)?;
+        match found {
+            Ok(_) => Ok(assembly),
+            Err(unknown) => Err(AssemblyError::NoWinding {
+                mechanism: self.name,
+                unknown,
+            }),
+        }
+    }
+
+    /// An assembly that need not close.
+    pub(super) fn prepared(
+        &self,
+        dimensions: &[f64],
+        modes: Vec<AssemblyMode>,
+        turns: Turns,
+        starts: Vec<Start>,
+    ) -> Assembly<'_> {
+        let turning = Turning {
+            mechanism: self,
+            dimensions,
+            modes: &modes,
+            starts: &starts,
+        };
+        let prepared = turning.prepare(&turns);
+        Assembly {
+            mechanism: self,
+            dimensions: dimensions.to_vec(),
+            modes,
+            starts,
+            turns,
+            prepared,
+        }
+    }
+
+    fn finite(&self, dimensions: &[f64]) -> Result<(), AssemblyError> {
+        let groups = self.unit.groups.iter();
+        let needed: Vec<usize> = groups.flat_map(|own| own.parameters.clone()).collect();
+        finite(self.name, self.parameters, &needed, dimensions)
+    }
+}

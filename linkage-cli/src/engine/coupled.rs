@@ -1,0 +1,115 @@
+//! The programs of a coupled group, as the runtime prepares it.
+
+use linkage_runtime::generated::{
+    Correction, CoupledPrograms, Start, Step, pairs, placed, stepped,
+};
+use linkage_runtime::{AssemblyError, AssemblyMode};
+
+use super::numbers::{Numbers, states};
+use super::operations::by_build;
+use super::turns::{Turning, Turns};
+use crate::mechanism::Mechanism;
+
+/// A group, and what is prepared of those before it.
+pub(crate) struct Programs<'m> {
+    mechanism: &'m Mechanism,
+    number: usize,
+    dimensions: Vec<f64>,
+    modes: Vec<AssemblyMode>,
+    turns: Turns,
+    prepared: Vec<f64>,
+    starts: Vec<Start>,
+    at: Vec<f64>,
+}
+
+impl<'m> Programs<'m> {
+    /// Group `number`; `at` are all inputs of the mechanism.
+    ///
+    /// # Errors
+    ///
+    /// If an angle that it depends on cannot be followed.
+    pub(super) fn new(
+        mechanism: &'m Mechanism,
+        dimensions: &[f64],
+        modes: &[AssemblyMode],
+        at: &[f64],
+        number: usize,
+        starts: &[Start],
+    ) -> Result<Self, AssemblyError> {
+        let turning = Turning {
+            mechanism,
+            dimensions,
+            modes,
+            starts,
+        };
+        let turns = turning.wind(mechanism.unit.coupled[number].turning, at);
+        let turns = turns.map_err(|unknown| AssemblyError::NoWinding {
+            mechanism: mechanism.name,
+            unknown,
+        })?;
+        Ok(Self {
+            mechanism,
+            number,
+            dimensions: dimensions.to_vec(),
+            modes: modes.to_vec(),
+            prepared: turning.prepare(&turns),
+            turns,
+            starts: starts.to_vec(),
+            at: at.to_vec(),
+        })
+    }
+
+    /// The states of all groups where this one's inputs are `own`.
+    fn place(&mut self, own: &[f64]) -> Vec<Vec<f64>> {
+        let group = &self.mechanism.groups[self.number];
+        for (input, x) in group.inputs.iter().zip(own) {
+            self.at[input.index] = *x;
+        }
+        states(self.mechanism, &self.starts, &self.at)
+    }
+
+    fn place_with(&mut self, own: &[f64], state: &[f64]) -> Vec<Vec<f64>> {
+        let mut states = self.place(own);
+        states[self.number][..state.len()].copy_from_slice(state);
+        states
+    }
+
+    fn numbers<'a>(&'a self, states: &'a [Vec<f64>]) -> Numbers<'a> {
+        Numbers {
+            dimensions: &self.dimensions,
+            modes: &self.modes,
+            turns: &self.turns,
+            prepared: &self.prepared,
+            inputs: &self.at,
+            states,
+        }
+    }
+}
+
+impl Correction for Programs<'_> {
+    fn correct(&mut self, own: &[f64], state: &mut [f64]) -> Step {
+        let states = self.place_with(own, state);
+        let numbers = self.numbers(&states);
+        let program = &self.mechanism.unit.coupled[self.number].correct;
+        stepped(state, &by_build(program, |source| numbers.load(source)))
+    }
+}
+
+impl CoupledPrograms for Programs<'_> {
+    fn system(&mut self, own: &[f64]) -> Vec<[f64; 2]> {
+        let states = self.place(own);
+        let numbers = self.numbers(&states);
+        let program = &self.mechanism.unit.coupled[self.number].system;
+        pairs(&by_build(program, |source| numbers.load(source)))
+    }
+
+    fn placed(&mut self, own: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
+        let states = self.place_with(own, state);
+        let numbers = self.numbers(&states);
+        let group = &self.mechanism.unit.coupled[self.number];
+        let angles = group.unknowns.iter().map(|unknown| unknown.angle);
+        let angles: Vec<bool> = angles.collect();
+        let outputs = by_build(&group.placed, |source| numbers.load(source));
+        placed(&angles, group.reach, &outputs)
+    }
+}

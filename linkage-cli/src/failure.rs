@@ -1,0 +1,43 @@
+//! Why a command ends without a result.
+
+use std::fmt::{self, Display, Formatter};
+use std::io;
+use std::path::Path;
+
+/// What is told before the command ends with exit status 1.
+#[derive(Clone, Debug)]
+pub enum Failure {
+    /// What is wrong.
+    Told(String),
+    /// The same with the source under it.
+    Rendered(String),
+    /// Everything has been told already.
+    Silent,
+}
+
+impl Failure {
+    /// A file that cannot be read or written; `doing` says which.
+    pub(crate) fn file(doing: &str, path: &Path, error: &io::Error) -> Self {
+        Self::Told(format!("cannot {doing} `{}`: {error}", path.display()))
+    }
+}
+
+impl Display for Failure {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Told(text) => writeln!(f, "error: {text}"),
+            Self::Rendered(text) => writeln!(f, "{text}"),
+            Self::Silent => Ok(()),
+        }
+    }
+}
+
+/// `a`, `b` and `c`, in back-ticks.
+pub(crate) fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+    let quoted: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
+    match &quoted[..] {
+        [] => "none".to_owned(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}

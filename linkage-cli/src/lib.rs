@@ -1,0 +1,45 @@
+//! The command `linkage`: mechanisms in text files are checked, tabulated and shown, without a Rust toolchain.
+//!
+//! A file holds what stands between the braces of `mechanism! { ... }`, one or several mechanisms, or is a Rust file with calls of that
+//! macro. The compiler of the macro reads it, so that the language and all messages are the same; values come from an interpreter of its
+//! programs and are, to the last bit, those of the macro's code on the same machine.
+//!
+//! `docs/command.md` says what the commands do. As a library:
+//!
+//! ```
+//! use linkage_cli::{Mechanism, Source};
+//!
+//! let text = "
+//!     pub struct SliderCrank {
+//!         unit mm;
+//!         param crank = 30mm;
+//!         param rod = 80mm;
+//!         input phi = 60deg in 0deg..360deg;
+//!         unknown theta = -20deg;
+//!         unknown s = 90mm;
+//!         loop polar(crank, phi) + polar(rod, theta) = (s, 0);
+//!     }
+//!     impl SliderCrank {
+//!         pub fn motion(phi) -> Motion { s, speed: velocity(s) }
+//!     }";
+//! let source = Source::new("slider.mech", text).expect("brackets have partners");
+//! let checked = linkage_compiler::check(source.mechanisms()[0].tokens.clone());
+//! let mechanism = Mechanism::new(&checked).expect("a mechanism without a mistake");
+//! let assembly = mechanism.assemble(&mechanism.dimensions()).expect("it closes");
+//! let motion = assembly.call(0, &[0.0]);
+//! assert!((motion[0] - 110.0).abs() < 1e-12 && motion[1].abs() < 1e-12);
+//! ```
+
+mod command;
+mod engine;
+mod failure;
+mod mechanism;
+mod messages;
+mod source;
+
+pub use command::run;
+pub use engine::Assembly;
+pub use failure::Failure;
+pub use mechanism::Mechanism;
+pub use messages::rendered;
+pub use source::{Found, Source};

@@ -1,0 +1,34 @@
+//! Messages of the compiler with the source under them, as rustc prints them.
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use linkage_compiler::{Checked, Message};
+
+use crate::source::{Found, Source};
+
+/// All messages about a mechanism, one after the other, a blank line behind each; with colours for a terminal. Warnings are told if there
+/// is no mistake.
+#[must_use]
+pub fn rendered(source: &Source, found: &Found, checked: &Checked, coloured: bool) -> String {
+    let (level, messages) = match checked.messages.is_empty() {
+        true => (Level::WARNING, &checked.warnings),
+        false => (Level::ERROR, &checked.messages),
+    };
+    let renderer = match coloured {
+        true => Renderer::styled(),
+        false => Renderer::plain(),
+    };
+    let one = |message: &Message| {
+        let [first, last] = [message.span.first, message.span.last].map(|own| own.byte_range());
+        // Only what was made up by the compiler begins and ends with the text.
+        let span = match first.start..last.end {
+            nowhere if nowhere == (0..0) => found.place.clone(),
+            somewhere => somewhere,
+        };
+        let snippet = Snippet::source(source.text())
+            .path(source.name())
+            .annotation(AnnotationKind::Primary.span(span));
+        let title = level.clone().primary_title(&message.text);
+        renderer.render(&[title.element(snippet)]) + "\n\n"
+    };
+    messages.iter().map(one).collect()
+}

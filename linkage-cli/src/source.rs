@@ -1,0 +1,135 @@
+//! Files with mechanisms.
+
+use std::fs;
+use std::ops::Range;
+use std::path::Path;
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use proc_macro2::{LexError, TokenStream, TokenTree};
+
+use crate::failure::Failure;
+
+/// A file and the mechanisms in it.
+#[derive(Clone, Debug)]
+pub struct Source {
+    name: String,
+    text: String,
+    mechanisms: Vec<Found>,
+}
+
+/// A mechanism in a file.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// As the compiler takes it.
+    pub tokens: TokenStream,
+    /// Where messages stand that are about no token: the call of the macro in a Rust file, else the beginning.
+    pub place: Range<usize>,
+}
+
+impl Source {
+    /// Reads a file.
+    ///
+    /// # Errors
+    ///
+    /// If it cannot be read, has a bracket without partner or the like, or is a Rust file without a mechanism.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let text = fs::read_to_string(path);
+        let text = text.map_err(|error| Failure::file("read", path, &error))?;
+        Self::new(&path.display().to_string(), &text)
+    }
+
+    /// A text; `name` stands in messages and says by its ending whether it is Rust.
+    ///
+    /// # Errors
+    ///
+    /// As [`read`](Self::read).
+    pub fn new(name: &str, text: &str) -> Result<Self, Failure> {
+        // Editors of some systems put a mark in front, which is no token.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let tokens: TokenStream = text
+            .parse()
+            .map_err(|error| Failure::Rendered(no_tokens(name, text, &error)))?;
+        let mut calls = Vec::new();
+        collect(tokens.clone(), &mut calls);
+        let ending = Path::new(name).extension();
+        let is_rust = ending.is_some_and(|ending| ending == "rs");
+        let mechanisms = match (calls.is_empty(), is_rust) {
+            (true, true) => {
+                let text = format!("there is no call of `mechanism!` in `{name}`");
+                return Err(Failure::Told(text));
+            }
+            (true, false) => {
+                let parts = linkage_compiler::mechanisms(tokens).into_iter();
+                let found = |tokens| Found {
+                    tokens,
+                    place: 0..0,
+                };
+                parts.map(found).collect()
+            }
+            (false, _) => calls,
+        };
+        Ok(Self {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            mechanisms,
+        })
+    }
+
+    /// What messages call it.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What stands in it.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The mechanisms in it, in order.
+    #[must_use]
+    pub fn mechanisms(&self) -> &[Found] {
+        &self.mechanisms
+    }
+}
+
+/// What stands between the brackets of all calls of `mechanism!`, within functions and modules, too.
+fn collect(tokens: TokenStream, calls: &mut Vec<Found>) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    for (index, token) in tokens.iter().enumerate() {
+        let TokenTree::Group(group) = token else {
+            continue;
+        };
+        match &tokens[..index] {
+            [.., TokenTree::Ident(word), TokenTree::Punct(mark)]
+                if word == "mechanism" && mark.as_char() == '!' =>
+            {
+                let start = word.span().byte_range().start;
+                calls.push(Found {
+                    tokens: group.stream(),
+                    place: start..group.span_close().byte_range().end,
+                });
+            }
+            _ => collect(group.stream(), calls),
+        }
+    }
+}
+
+/// A text that is no sequence of tokens, by the place from which it is none.
+fn no_tokens(name: &str, text: &str, error: &LexError) -> String {
+    let start = error.span().byte_range().start;
+    let found = text.get(start..).and_then(|rest| rest.chars().next());
+    let title = match found {
+        Some(own) if !own.is_ascii() => format!("the character `{own}` means nothing here"),
+        _ => {
+            "this cannot be read: a bracket has no partner, or a text or comment no end".to_owned()
+        }
+    };
+    let end = start + found.map_or(0, char::len_utf8);
+    let snippet = Snippet::source(text)
+        .path(name)
+        .annotation(AnnotationKind::Primary.span(start..end));
+    let report = [Level::ERROR.primary_title(title).element(snippet)];
+    Renderer::plain().render(&report)
+}
