@@ -6,12 +6,16 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+mod assemblies;
 mod check;
 mod choose;
+mod new;
 mod numbers;
 mod output;
+mod page;
 mod sweep;
 mod table;
+mod tolerance;
 mod values;
 
 /// Mechanisms from their loop equations: checked, tabulated, shown.
@@ -24,6 +28,11 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Writes a commented slider-crank to start from
+    New {
+        /// The file, which must not be there yet
+        file: PathBuf,
+    },
     /// Tells all mistakes, then structure, assemblies, ranges and operation counts
     Check {
         /// Files with mechanisms
@@ -32,6 +41,14 @@ enum Command {
     },
     /// A function over a range of its input, as CSV or JSON
     Table(table::Options),
+    /// The report of all functions: drawing, plots, tables, data
+    Page(page::Options),
+    /// What the tolerances do: worst case, statistics, contributions
+    Tolerance(tolerance::Options),
+    /// Every way in which the links can be put together at one position
+    Assemblies(assemblies::AtInputs),
+    /// How far each assembly reaches over the range of the input
+    Circuits(assemblies::Options),
 }
 
 /// Does what the arguments of the process say: exit status 0, 1 for bad input, 2 for wrong usage.
@@ -41,6 +58,11 @@ pub fn run() -> ExitCode {
     let result = match &command {
         Command::Check { files } => check::run(files),
         Command::Table(options) => table::run(options),
+        Command::New { file } => new::run(file),
+        Command::Page(options) => page::run(options),
+        Command::Tolerance(options) => tolerance::run(options),
+        Command::Assemblies(options) => assemblies::run(options),
+        Command::Circuits(options) => assemblies::circuits(options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use linkage_compiler::check;
 use linkage_runtime::Input;
 
+use super::assemblies::{placed, shown};
 use super::is_coloured;
 use super::output::print;
 use crate::failure::Failure;
@@ -59,19 +60,14 @@ fn known(mechanism: &Mechanism) -> String {
     text
 }
 
-/// `input phi: 30 deg in 0 .. 360 deg`
+/// `input phi = 30 deg, in 0 deg .. 360 deg`
 fn range(input: &Input) -> String {
-    let (unit, number): (&str, fn(f64) -> f64) = match input.unit {
-        "rad" => ("deg", f64::to_degrees),
-        other => (other, |x| x),
-    };
-    let name = input.name;
-    let reference = number(input.reference);
+    let reference = placed(input, input.reference);
     match input.range {
         Some((low, high)) => {
-            let (low, high) = (number(low), number(high));
-            format!("input {name}: {reference} {unit}, in {low} .. {high} {unit}")
+            let [low, high] = [low, high].map(|x| shown(input, x));
+            format!("input {reference}, in {low} .. {high}")
         }
-        None => format!("input {name}: {reference} {unit}, without a range"),
+        None => format!("input {reference}, without a range"),
     }
 }

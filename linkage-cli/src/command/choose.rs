@@ -45,15 +45,6 @@ impl Chosen {
         }
     }
 
-    /// The one mechanism that is meant.
-    pub(super) fn only(&self) -> Result<Mechanism, Failure> {
-        let mut all = self.all()?;
-        match &all[..] {
-            [_] => Ok(all.swap_remove(0)),
-            several => Err(self.ambiguous("there are", several)),
-        }
-    }
-
     /// The mechanism with a function of this name, and the function's number.
     pub(super) fn with_function(&self, name: &str) -> Result<(Mechanism, usize), Failure> {
         let number = |own: &Mechanism| own.headings.iter().position(|own| own.function == name);

@@ -64,12 +64,32 @@ impl Rows {
     }
 }
 
+/// The arguments of a function, as far as they are known.
+pub(super) struct Given {
+    names: &'static [&'static str],
+    values: Vec<Option<f64>>,
+}
+
+impl Given {
+    /// All arguments, or which one is missing.
+    pub(super) fn complete(self) -> Result<Vec<f64>, String> {
+        let pairs = self.names.iter().zip(self.values);
+        pairs
+            .map(|(name, value)| {
+                value.ok_or_else(|| {
+                    format!("it takes `{name}`, too, which is given by `--at {name}=VALUE`")
+                })
+            })
+            .collect()
+    }
+}
+
 /// The arguments of a function: inputs at their references, unless `given` says another value; what is no input must be given.
 pub(super) fn arguments(
     mechanism: &Mechanism,
     function: usize,
     given: &[String],
-) -> Result<Vec<f64>, Failure> {
+) -> Result<Given, Failure> {
     let heading = mechanism.headings[function];
     let places = &mechanism.unit.functions[function].arguments;
     let mut values: Vec<Option<f64>> = places
@@ -88,17 +108,21 @@ pub(super) fn arguments(
         let (_, unit) = mechanism.argument(places[index]);
         values[index] = Some(number(mechanism, name, text, unit)?);
     }
-    let named = heading.arguments.iter().zip(values);
-    named
-        .map(|(name, value)| {
-            value.ok_or_else(|| {
-                Failure::Told(format!(
-                    "`{}` takes `{name}`, too: give it by `--at {name}=VALUE`",
-                    heading.function
-                ))
-            })
-        })
-        .collect()
+    Ok(Given {
+        names: heading.arguments,
+        values,
+    })
+}
+
+/// All arguments of a function.
+pub(super) fn all_arguments(
+    mechanism: &Mechanism,
+    function: usize,
+    given: &[String],
+) -> Result<Vec<f64>, Failure> {
+    let all = arguments(mechanism, function, given)?.complete();
+    let name = mechanism.headings[function].function;
+    all.map_err(|why| Failure::Told(format!("`{name}` cannot be evaluated: {why}")))
 }
 
 /// The input that runs: the one of this name, else the first one of the function. `None` for a function without inputs.

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::choose::Chosen;
 use super::numbers::Style;
 use super::output::put;
-use super::sweep::{Rows, arguments, positions, running};
+use super::sweep::{Rows, all_arguments, positions, running};
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
@@ -78,7 +78,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let assembly = mechanism.assemble(&dimensions);
     let assembly = assembly.map_err(|error| Failure::Told(error.to_string()))?;
     let running = running(&mechanism, function, options.over.as_deref())?;
-    let given = arguments(&mechanism, function, &options.at)?;
+    let given = all_arguments(&mechanism, function, &options.at)?;
     let positions = match running {
         Some((_, input)) => {
             let ends = [options.from.as_deref(), options.to.as_deref()];

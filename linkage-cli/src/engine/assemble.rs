@@ -1,13 +1,14 @@
 //! Closing the loops, and evaluating functions.
 
+use linkage_compiler::unit::Surveyed;
 use linkage_runtime::generated::{Start, Which, assemblies, close, explained, finite, starts_of};
-use linkage_runtime::{AssemblyError, AssemblyMode};
+use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 
 use super::coupled::Programs;
 use super::numbers::{Numbers, states};
 use super::operations::{by_build, by_machine};
 use super::turns::{Turning, Turns};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, forever};
 
 /// An assembled mechanism.
 #[derive(Clone, Debug)]
@@ -53,6 +54,28 @@ impl Assembly<'_> {
             true => by_machine(&function.called.program, |source| numbers.load(source)),
             false => by_build(&function.called.program, |source| numbers.load(source)),
         }
+    }
+
+    /// Where the unknowns are at these inputs.
+    #[must_use]
+    pub fn unknowns(&self, inputs: &[f64]) -> Vec<Estimate> {
+        let unit = &self.mechanism.unit;
+        let numbers = self.survey(inputs);
+        let mut next = numbers[1 + unit.groups.len()..].iter().copied();
+        let estimate = |surveyed: &Surveyed| {
+            let own: Vec<f64> = next.by_ref().take(surveyed.numbers).collect();
+            let unknown = &unit.unknowns[surveyed.unknown];
+            Estimate {
+                name: forever(unknown.name.as_str()),
+                unit: forever(unknown.unit.as_str()),
+                angle: surveyed.angle,
+                numbers: match own[..] {
+                    [cosine, sine] if surveyed.angle => vec![Scalar::atan2(sine, cosine)],
+                    _ => own,
+                },
+            }
+        };
+        unit.surveyed.iter().map(estimate).collect()
     }
 
     /// The least margin of all groups, the slack of every group, the numbers of the unknowns.

@@ -31,6 +31,7 @@ pub struct Report {
     pub(super) summary: Vec<SummaryRow>,
     pub(super) figures: Vec<Figures>,
     pub(super) facts: Vec<Fact>,
+    pub(super) version: Option<u64>,
 }
 
 /// A parameter and its value in this mechanism.
@@ -73,6 +74,7 @@ impl Report {
             summary: Vec::new(),
             figures: Vec::new(),
             facts: Vec::new(),
+            version: None,
         }
     }
 
@@ -142,6 +144,14 @@ impl Report {
     #[must_use]
     pub fn trace(mut self, point: impl Into<String>) -> Self {
         self.traces.push(point.into());
+        self
+    }
+
+    /// Which version of a report this is that is written anew again and again: the open page of another version loads itself anew when
+    /// this one is [written](Self::write).
+    #[must_use]
+    pub fn version(mut self, version: u64) -> Self {
+        self.version = Some(version);
         self
     }
 

@@ -37,6 +37,9 @@ const SCRIPTS: [&str; 23] = [
     include_str!("page/start.js"),
 ];
 
+/// Of a page that is written anew while it is open.
+const FOLLOW: &str = include_str!("page/follow.js");
+
 impl Report {
     /// An interactive page as one file that needs no network: the moving mechanism, plots, tables.
     ///
@@ -45,8 +48,13 @@ impl Report {
     /// As [`check`](Self::check).
     pub fn html(&self) -> Result<String, ReportError> {
         let data = embedded(&self.json()?);
+        let follow = match self.version {
+            Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
+            None => String::new(),
+        };
         // In a function, so that the names in it do not meet those of the browser.
-        let script = std::format!("(() => {{\n\"use strict\";\n{}}})();", SCRIPTS.join("\n"));
+        let script = SCRIPTS.join("\n") + &follow;
+        let script = std::format!("(() => {{\n\"use strict\";\n{script}}})();");
         // The data come last: they may contain anything, even the words that are replaced.
         Ok(FRAME
             .replace("<!-- title -->", &escaped(&self.title))

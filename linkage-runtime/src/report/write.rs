@@ -21,6 +21,7 @@ impl Report {
     /// | `FUNCTION.csv` | each table |
     /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
     /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | each function's values and derivatives; true velocities and accelerations |
+    /// | `version.js` | which [version](Self::version) it is, if that was said |
     /// | `plots/errors-by-tolerances.svg` | errors over the range, if there are sensitivities and tolerances |
     ///
     /// Files of an earlier report are replaced when all files are complete: where one cannot be written, as on a full disk, the earlier
@@ -44,6 +45,11 @@ impl Report {
         }
         for (name, plot) in self.all_plots()? {
             files.push((folder.join(format!("plots/{name}.svg")), plot.svg()?));
+        }
+        // Put in its place last: who loads the page anew then finds the new one.
+        if let Some(version) = self.version {
+            let text = format!("linkageVersion({version});\n");
+            files.push((folder.join("version.js"), text));
         }
         let mut written = Vec::new();
         for (path, text) in &files {

@@ -1,0 +1,116 @@
+//! `linkage assemblies`, `linkage circuits`: the ways in which the links can be put together.
+
+use std::fmt::Write;
+
+use clap::Args;
+use linkage_runtime::Input;
+
+use super::choose::Chosen;
+use super::output::print;
+use super::values::{Dimensions, number, parts};
+use crate::failure::{Failure, listed};
+use crate::mechanism::Mechanism;
+
+/// Options of `linkage circuits`.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    #[command(flatten)]
+    chosen: Chosen,
+    #[command(flatten)]
+    dimensions: Dimensions,
+}
+
+/// Options of `linkage assemblies`.
+#[derive(Debug, Args)]
+pub(super) struct AtInputs {
+    #[command(flatten)]
+    options: Options,
+    /// Where the input is, as `phi=45deg`; at its reference by default
+    #[arg(long = "at", value_name = "NAME=VALUE")]
+    at: Vec<String>,
+}
+
+/// Lists the assemblies of each mechanism.
+pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
+    let AtInputs { options, at } = options;
+    for mechanism in options.chosen.all()? {
+        let dimensions = options.dimensions.of(&mechanism)?;
+        let at = inputs(&mechanism, at)?;
+        let all = mechanism.assemblies(&dimensions, &at);
+        let all = all.map_err(|error| Failure::Told(error.to_string()))?;
+        let pairs = mechanism.inputs.iter().zip(&at);
+        let places: Vec<String> = pairs.map(|(input, &x)| placed(input, x)).collect();
+        let places = match places.is_empty() {
+            true => String::new(),
+            false => format!(" at {}", places.join(", ")),
+        };
+        let mut text = match all.len() {
+            0 => format!("{}{places}: no assembly\n", mechanism.name),
+            1 => format!("{}{places}: 1 assembly\n", mechanism.name),
+            count => format!("{}{places}: {count} assemblies\n", mechanism.name),
+        };
+        for (index, assembly) in all.iter().enumerate() {
+            let modes: String = assembly.modes().iter().map(ToString::to_string).collect();
+            let modes = match modes.is_empty() {
+                true => String::new(),
+                false => format!("modes {modes}: "),
+            };
+            let unknowns = assembly.unknowns(&at).into_iter();
+            let unknowns: Vec<String> = unknowns.map(|own| own.to_string()).collect();
+            let _ = writeln!(text, "{}  {modes}{}", index + 1, unknowns.join(", "));
+        }
+        print(&text)?;
+    }
+    Ok(())
+}
+
+/// Prints the circuits of each mechanism.
+pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
+    for mechanism in options.chosen.all()? {
+        let dimensions = options.dimensions.of(&mechanism)?;
+        let name = mechanism.name;
+        match mechanism.circuits(&dimensions) {
+            Some(found) => {
+                let found = found.map_err(|error| Failure::Told(error.to_string()))?;
+                print(&format!("{name}\n{found}"))?;
+            }
+            None => {
+                let text = format!(
+                    "{name} has no circuits: they are for mechanisms with loops and one input"
+                );
+                return Err(Failure::Told(text));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// All inputs: at their references, unless `given` says another value.
+fn inputs(mechanism: &Mechanism, given: &[String]) -> Result<Vec<f64>, Failure> {
+    let mut at = mechanism.reference();
+    for given in given {
+        let (name, text) = parts("--at", given)?;
+        let Some(index) = mechanism.inputs.iter().position(|own| own.name == name) else {
+            return Err(Failure::Told(format!(
+                "{} has no input `{name}`; it has {}",
+                mechanism.name,
+                listed(mechanism.inputs.iter().map(|own| own.name))
+            )));
+        };
+        at[index] = number(mechanism, name, text, mechanism.inputs[index].unit)?;
+    }
+    Ok(at)
+}
+
+/// `phi = 30 deg`
+pub(super) fn placed(input: &Input, x: f64) -> String {
+    format!("{} = {}", input.name, shown(input, x))
+}
+
+/// `30 deg`, without the last bits of the conversion.
+pub(super) fn shown(input: &Input, x: f64) -> String {
+    match input.unit {
+        "rad" => format!("{} deg", (x.to_degrees() * 1e9).round() / 1e9),
+        unit => format!("{x} {unit}"),
+    }
+}

@@ -1,0 +1,219 @@
+//! `linkage page`: the report of all functions.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+use clap::Args;
+use linkage_runtime::report::{Index, Report, ReportError};
+
+use super::choose::Chosen;
+use super::output::print;
+use super::sweep::{Rows, arguments, positions};
+use super::values::{Dimensions, parts};
+use crate::failure::{Failure, listed};
+use crate::mechanism::Mechanism;
+
+/// Options of the command.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    #[command(flatten)]
+    chosen: Chosen,
+    /// The folder; by default one with the name of the file and `_page`
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// How many positions over the range of the first input
+    #[arg(long, default_value_t = 361, value_name = "COUNT")]
+    steps: usize,
+    /// Another argument of functions, as `omega=20rad/s`
+    #[arg(long = "at", value_name = "NAME=VALUE")]
+    at: Vec<String>,
+    #[command(flatten)]
+    dimensions: Dimensions,
+    /// Writes the page anew whenever the file changes; the open page follows
+    #[arg(long)]
+    watch: bool,
+    /// Shows the page in the browser
+    #[arg(long)]
+    open: bool,
+}
+
+/// How often a watched file is looked at.
+const LOOK_EVERY: Duration = Duration::from_millis(200);
+
+/// Writes the page, again and again if the file is watched.
+pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    let file = options.chosen.file();
+    let folder = options.output.clone().unwrap_or_else(|| {
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        PathBuf::from(format!("{stem}_page"))
+    });
+    let page = folder.join("index.html");
+    let mut seen = changed(file);
+    let mut result = write(options, &folder);
+    if let (Err(failure), true) = (&result, options.watch) {
+        eprint!("{failure}");
+    }
+    if options.open && result.is_ok() {
+        open(&page)?;
+    }
+    while options.watch {
+        sleep(LOOK_EVERY);
+        let now = changed(file);
+        // A file that an editor is just writing anew is not there for a moment.
+        if now.is_some() && now != seen {
+            seen = now;
+            result = write(options, &folder);
+            if let Err(failure) = &result {
+                eprint!("{failure}");
+            }
+        }
+    }
+    result
+}
+
+/// When a file was changed last, and how long it is.
+fn changed(file: &Path) -> Option<(SystemTime, u64)> {
+    let data = fs::metadata(file).ok()?;
+    Some((data.modified().ok()?, data.len()))
+}
+
+fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
+    let all = options.chosen.all()?;
+    let reports: Vec<Report> = all
+        .iter()
+        .map(|mechanism| report(options, mechanism))
+        .collect::<Result<_, _>>()?;
+    match &reports[..] {
+        [only] => {
+            only.write(folder).map_err(told)?;
+        }
+        several => {
+            let title = options.chosen.file().file_stem().unwrap_or_default();
+            let mut index = Index::new(title.to_string_lossy());
+            for (report, mechanism) in several.iter().zip(&all) {
+                report.write(folder.join(mechanism.name)).map_err(told)?;
+                index = index.report(mechanism.name, report);
+            }
+            index.write(folder).map_err(told)?;
+        }
+    }
+    print(&format!("{}\n", folder.join("index.html").display()))
+}
+
+fn told(error: ReportError) -> Failure {
+    Failure::Told(error.to_string())
+}
+
+/// All functions over the range of the first input.
+fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
+    let Some(input) = mechanism.inputs.first() else {
+        let text = format!("{} has no input: nothing of it moves", mechanism.name);
+        return Err(Failure::Told(text));
+    };
+    let dimensions = options.dimensions.of(mechanism)?;
+    let assembly = mechanism.assemble(&dimensions);
+    let assembly = assembly.map_err(|error| Failure::Told(error.to_string()))?;
+    let positions = positions(mechanism, input, [None; 2], options.steps)?;
+    let mut report = Report::new(mechanism.name, input, &positions)
+        .about(first_paragraph(&mechanism.documentation))
+        .structure(mechanism.structure)
+        .modes(assembly.modes())
+        .dimensions_listed(mechanism.parameters, assembly.dimensions());
+    if options.watch {
+        report = report.version(milliseconds());
+    }
+    known(mechanism, &options.at)?;
+    let mut drawn = false;
+    for (function, heading) in mechanism.headings.iter().enumerate() {
+        let again = drawn && heading.picture.is_some();
+        let place = heading.arguments.iter().position(|own| *own == input.name);
+        let own = arguments(
+            mechanism,
+            function,
+            &given(mechanism, function, &options.at),
+        )?;
+        let why = match (again, place, own.complete()) {
+            (false, Some(place), Ok(own)) => {
+                drawn |= heading.picture.is_some();
+                let rows = Rows::new(
+                    mechanism,
+                    &assembly,
+                    function,
+                    &own,
+                    Some(place),
+                    &positions,
+                );
+                report = report.table(&rows);
+                continue;
+            }
+            (true, ..) => "there is one drawing".to_owned(),
+            (_, None, _) => format!("it does not take `{}`", input.name),
+            (.., Err(why)) => why,
+        };
+        let note = format!("`{}` is not shown: {why}", heading.function);
+        eprintln!("note: {}: {note}", mechanism.name);
+        report = report.note(note);
+    }
+    Ok(report)
+}
+
+/// Whether some function takes each of the given arguments.
+fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
+    let takes = mechanism.headings.iter().flat_map(|own| own.arguments);
+    let takes: BTreeSet<&str> = takes.copied().collect();
+    for given in all {
+        let (name, _) = parts("--at", given)?;
+        if !takes.contains(name) {
+            return Err(Failure::Told(format!(
+                "no function of {} takes `{name}`; they take {}",
+                mechanism.name,
+                listed(takes)
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// The given arguments that a function takes: others may be for other functions.
+fn given(mechanism: &Mechanism, function: usize, all: &[String]) -> Vec<String> {
+    let takes = mechanism.headings[function].arguments;
+    let own = all.iter().filter(|given| {
+        let name = given.split_once('=').map_or("", |pair| pair.0.trim());
+        takes.contains(&name)
+    });
+    own.cloned().collect()
+}
+
+fn first_paragraph(text: &str) -> String {
+    let lines = text.lines().map(str::trim);
+    let lines: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
+    lines.join(" ")
+}
+
+/// A number that later versions exceed.
+fn milliseconds() -> u64 {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH);
+    since.map_or(0, |own| own.as_millis() as u64)
+}
+
+/// Shows a page by the system's way of opening files.
+fn open(page: &Path) -> Result<(), Failure> {
+    let mut command = match () {
+        () if cfg!(target_os = "macos") => Command::new("open"),
+        () if cfg!(windows) => Command::new("explorer"),
+        () => Command::new("xdg-open"),
+    };
+    let started = command
+        .arg(page)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn();
+    match started {
+        Ok(_) => Ok(()),
+        Err(error) => Err(Failure::file("show", page, &error)),
+    }
+}

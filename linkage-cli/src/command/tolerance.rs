@@ -1,0 +1,244 @@
+//! `linkage tolerance`: what the tolerances of the declaration do to the results of a function.
+
+mod effects;
+
+use std::fmt::Write;
+
+use clap::Args;
+use linkage_compiler::unit::{Field, Meaning, Shape};
+use linkage_runtime::Input;
+use linkage_runtime::tolerance::largest;
+
+use super::choose::Chosen;
+use super::numbers::Style;
+use super::output::print;
+use super::sweep::{all_arguments, positions, running};
+use super::values::Dimensions;
+use crate::engine::Assembly;
+use crate::failure::Failure;
+use crate::mechanism::Mechanism;
+use effects::Figures;
+
+/// Options of the command.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    #[command(flatten)]
+    chosen: Chosen,
+    /// A function with `sensitivity(...)` among its results
+    function: String,
+    /// First value of the input; the lower end of its range by default
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    from: Option<String>,
+    /// Last value of the input
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    to: Option<String>,
+    /// How many positions, both ends included
+    #[arg(long, default_value_t = 37, value_name = "COUNT")]
+    steps: usize,
+    /// The input that runs from one position to the next
+    #[arg(long, value_name = "INPUT")]
+    over: Option<String>,
+    /// Another argument of the function
+    #[arg(long = "at", value_name = "NAME=VALUE")]
+    at: Vec<String>,
+    #[command(flatten)]
+    dimensions: Dimensions,
+}
+
+/// A quantity with its derivatives by parameters.
+struct Sensitive {
+    /// The field, with the number of a component where it has further indices.
+    name: String,
+    /// The parameters, by index.
+    parameters: Vec<usize>,
+    /// For each of them, the columns of the components.
+    columns: Vec<Vec<usize>>,
+}
+
+/// Prints the errors over the range, and at the worst position what each parameter contributes.
+pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    let (mechanism, function) = options.chosen.with_function(&options.function)?;
+    let all = sensitive(&mechanism, function);
+    if all.is_empty() {
+        let name = &options.function;
+        return Err(Failure::Told(format!(
+            "`{name}` has no sensitivities: ask for `e: sensitivity(...)` among its results"
+        )));
+    }
+    if mechanism.parameters.iter().all(|own| own.tolerance == 0.0) {
+        let name = mechanism.name;
+        return Err(Failure::Told(format!(
+            "no dimension of {name} has a tolerance: declare it as `param crank = 40mm +- 10um;`"
+        )));
+    }
+    let dimensions = options.dimensions.of(&mechanism)?;
+    let assembly = mechanism.assemble(&dimensions);
+    let assembly = assembly.map_err(|error| Failure::Told(error.to_string()))?;
+    let given = all_arguments(&mechanism, function, &options.at)?;
+    let running = running(&mechanism, function, options.over.as_deref())?;
+    let ends = [options.from.as_deref(), options.to.as_deref()];
+    let positions = match running {
+        Some((_, input)) => positions(&mechanism, input, ends, options.steps)?,
+        None => Vec::new(),
+    };
+    for own in all {
+        let at = Position {
+            mechanism: &mechanism,
+            assembly: &assembly,
+            function,
+            given: &given,
+            own: &own,
+        };
+        print(&match running {
+            Some((place, input)) => at.over(place, input, &positions)?,
+            None => format!("{}\n{}\n", at.title(), at.figures(&given)?.text),
+        })?;
+    }
+    Ok(())
+}
+
+/// One quantity of an assembly.
+struct Position<'a> {
+    mechanism: &'a Mechanism,
+    assembly: &'a Assembly<'a>,
+    function: usize,
+    given: &'a [f64],
+    own: &'a Sensitive,
+}
+
+impl Position<'_> {
+    /// The figures with these arguments.
+    fn figures(&self, arguments: &[f64]) -> Result<Figures, Failure> {
+        let row = self.assembly.call(self.function, arguments);
+        let parameters = self.own.parameters.iter();
+        let parameters: Vec<_> = parameters
+            .map(|&index| self.mechanism.parameters[index])
+            .collect();
+        let values = self.own.columns.iter();
+        let values: Vec<Vec<f64>> = values
+            .map(|columns| columns.iter().map(|&column| row[column]).collect())
+            .collect();
+        effects::figures(&parameters, &values)
+    }
+
+    /// `e [mm]`: the unit of the errors is that of a derivative times its dimension.
+    fn title(&self) -> String {
+        let column = &self.mechanism.headings[self.function].columns[self.own.columns[0][0]];
+        let per = self.mechanism.parameters[self.own.parameters[0]].unit;
+        let divided = column.unit.strip_suffix(per);
+        let name = &self.own.name;
+        match divided.and_then(|unit| unit.strip_suffix('/')) {
+            Some("1") => name.clone(),
+            Some(unit) => format!("{name} [{unit}]"),
+            None if per.is_empty() && !column.unit.is_empty() => {
+                format!("{name} [{}]", column.unit)
+            }
+            None => name.clone(),
+        }
+    }
+
+    /// The errors at positions, then all figures where the worst case is largest.
+    fn over(&self, place: usize, input: &Input, positions: &[f64]) -> Result<String, Failure> {
+        let at = |x: f64| {
+            let mut arguments = self.given.to_vec();
+            arguments[place] = x;
+            self.figures(&arguments)
+        };
+        let style = Style {
+            digits: Some(6),
+            decimal: '.',
+        };
+        let (unit, shown): (&str, fn(f64) -> f64) = match input.unit {
+            "rad" => ("deg", f64::to_degrees),
+            other => (other, |x| x),
+        };
+        let title = format!("{} [{unit}]", input.name);
+        let mut text = format!(
+            "{}\n{title:<16} {:>14} {:>14}\n",
+            self.title(),
+            "worst case",
+            "statistical"
+        );
+        for &x in positions {
+            let figures = at(x)?;
+            let numbers = [figures.worst, figures.statistical].map(|x| style.written(x));
+            let shown = style.written(shown(x));
+            let _ = writeln!(text, "{shown:<16} {:>14} {:>14}", numbers[0], numbers[1]);
+        }
+        let [Some(&low), Some(&high)] = [positions.first(), positions.last()] else {
+            return Ok(text);
+        };
+        let figure = |x: f64| at(x).map_or(f64::NAN, |own| own.worst);
+        let worst = largest(low..high, positions.len().max(2), figure);
+        let worst = worst.map_err(|error| Failure::Told(error.to_string()))?;
+        let place = super::assemblies::placed(input, worst.at);
+        let _ = writeln!(text, "\nworst at {place}\n{}", at(worst.at)?.text);
+        Ok(text)
+    }
+}
+
+/// The fields of a function that are arrays over parameters; where an entry is no number or vector, each number of it by itself.
+fn sensitive(mechanism: &Mechanism, function: usize) -> Vec<Sensitive> {
+    let own = &mechanism.unit.functions[function];
+    let mut first = 0;
+    let mut all = Vec::new();
+    for field in &own.fields {
+        let width = width(&field.shape);
+        let columns = &own.columns[first..first + width];
+        let parameters: Vec<usize> = columns
+            .iter()
+            .filter_map(|column| match column.meaning {
+                Meaning::Sensitivity { parameter, .. } => Some(parameter),
+                Meaning::Value | Meaning::Rate { .. } | Meaning::Margin | Meaning::Picture => None,
+            })
+            .collect();
+        if parameters.len() == width && width > 0 {
+            all.extend(quantities(field, &parameters, first));
+        }
+        first += width;
+    }
+    all
+}
+
+/// The quantities of a field whose columns are derivatives by these parameters.
+fn quantities(field: &Field, parameters: &[usize], first: usize) -> Vec<Sensitive> {
+    // A derivative by one parameter has no index.
+    let (entries, entry) = match &field.shape {
+        Shape::Array(count, entry) if parameters.windows(2).any(|pair| pair[0] != pair[1]) => {
+            (*count, &**entry)
+        }
+        whole => (1, whole),
+    };
+    let inner = width(entry);
+    let together = match entry {
+        Shape::Scalar | Shape::Vector(_) => inner,
+        Shape::Array(..) | Shape::Frame => 1,
+    };
+    let part = |start: usize| {
+        let components = start..start + together;
+        let columns = |entry: usize| {
+            let components = components.clone();
+            components.map(move |k| first + entry * inner + k).collect()
+        };
+        Sensitive {
+            name: match together == inner {
+                true => field.name.clone(),
+                false => format!("{}, number {}", field.name, start + 1),
+            },
+            parameters: (0..entries)
+                .map(|entry| parameters[entry * inner])
+                .collect(),
+            columns: (0..entries).map(columns).collect(),
+        }
+    };
+    (0..inner).step_by(together).map(part).collect()
+}
+
+fn width(shape: &Shape) -> usize {
+    match shape {
+        Shape::Scalar => 1,
+        Shape::Vector(count) => *count,
+        Shape::Array(count, entry) => count * width(entry),
+        Shape::Frame => 12,
+    }
+}

@@ -1,0 +1,17 @@
+// The report is written anew while its page is open: the page asks for the newest version and shows that. A script is what a page may load
+// that was opened as a file.
+
+const ASK_EVERY = 500;
+
+function follow(own) {
+  window.linkageVersion = (newest) => {
+    if (newest !== own) location.reload();
+  };
+  setInterval(() => {
+    const script = document.createElement("script");
+    script.src = `version.js?${Date.now()}`;
+    script.onload = () => script.remove();
+    script.onerror = script.onload;
+    document.head.append(script);
+  }, ASK_EVERY);
+}

@@ -1,0 +1,138 @@
+//! Writes a module for each mechanism of the examples and of the golden files: the mechanism as the macro takes it, and how its functions
+//! are called with a list of numbers.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use linkage_cli::{Found, Source};
+use linkage_compiler::check;
+use linkage_compiler::unit::Unit;
+
+fn main() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut text = String::new();
+    let mut names = Vec::new();
+    for (folder, ending) in [
+        ("examples", "rs"),
+        ("linkage-compiler/tests/golden", "mech"),
+    ] {
+        println!("cargo:rerun-if-changed={}", root.join(folder).display());
+        for path in files(&root.join(folder), ending) {
+            // Files without a mechanism draw or compare.
+            let Ok(source) = Source::read(&path) else {
+                continue;
+            };
+            for (number, found) in source.mechanisms().iter().enumerate() {
+                let stem = path.file_stem().expect("a name").to_string_lossy();
+                let name = format!("{ending}_{stem}_{number}");
+                text += &module(&name, &path, number, &source, found);
+                names.push(name);
+            }
+        }
+    }
+    let calls = names.iter().map(|name| format!("    {name}::subject(),\n"));
+    let list = calls.collect::<String>();
+    let _ = write!(
+        text,
+        "\n/// All of them.\npub fn all() -> Vec<Subject> {{\n    vec![\n{list}    ]\n}}\n"
+    );
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo says it"));
+    fs::write(out.join("mechanisms.rs"), text).expect("it can be written");
+}
+
+fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
+    let files = fs::read_dir(folder).expect("the folder can be read");
+    let paths = files.map(|file| file.expect("a file").path());
+    let mut paths: Vec<PathBuf> = paths
+        .filter(|path| path.extension().is_some_and(|own| own == ending))
+        .collect();
+    paths.sort();
+    paths
+}
+
+fn module(name: &str, path: &Path, number: usize, source: &Source, found: &Found) -> String {
+    let checked = check(found.tokens.clone());
+    let unit = checked.unit.expect("an example has no mistake");
+    let title = checked.name.expect("it has a name");
+    let tokens: Vec<_> = found.tokens.clone().into_iter().collect();
+    let first = tokens.first().expect("a token").span().byte_range().start;
+    let last = tokens.last().expect("a token").span().byte_range().end;
+    let body = &source.text()[first..last];
+    let count = unit.scalars().count();
+    let calls: String = unit.functions.iter().enumerate().map(call).collect();
+    let circuits = match has_circuits(&unit) {
+        true => {
+            "Some(own.circuits().map_or_else(|error| error.to_string(), |all| all.to_string()))"
+        }
+        false => "None",
+    };
+    let at = (0..unit.inputs.len()).map(|k| format!("unit.inputs[{k}]"));
+    let at = at.collect::<Vec<_>>().join(", ");
+    let listed = match unit.inputs.is_empty() {
+        true => "own.assemblies()".to_owned(),
+        false => {
+            format!("{{ let unit = Reference::of({title}::INPUTS); own.assemblies_at({at}) }}")
+        }
+    };
+    let path = path.canonicalize().expect("it is there");
+    format!(
+        "
+mod {name} {{
+    #![allow(dead_code, unused_variables, unreachable_pub, missing_docs, clippy::all)]
+    use super::*;
+    linkage::mechanism! {{
+{body}
+    }}
+
+    pub fn subject() -> Subject {{
+        Subject {{
+            name: \"{name}\",
+            path: {path:?},
+            number: {number},
+            assembled: |dimensions| {{
+                let values: &[f64; {count}] = dimensions.try_into().expect(\"all dimensions\");
+                let own = <{title} as linkage::Dimensions<{count}>>::from_values(values);
+                let linkage = own.assemble().map_err(|error| error.to_string())?;
+                Ok(Box::new(move |function, x| {{
+                    let mut out = Vec::new();
+                    match function {{
+{calls}                        _ => unreachable!(\"no such function\"),
+                    }}
+                    out
+                }}))
+            }},
+            listed: || {{
+                let own = {title}::default();
+                let all = {listed};
+                let modes = all.iter().flatten().map(|own| own.modes().to_vec());
+                modes.collect()
+            }},
+            circuits: || {{
+                let own = {title}::default();
+                {circuits}
+            }},
+            structure: || {title}::STRUCTURE.to_string(),
+        }}
+    }}
+}}
+"
+    )
+}
+
+fn has_circuits(unit: &Unit) -> bool {
+    unit.inputs.len() == 1 && !unit.groups.is_empty()
+}
+
+fn call((number, function): (usize, &linkage_compiler::unit::Function)) -> String {
+    let arguments = (0..function.arguments.len()).map(|k| format!("x[{k}]"));
+    let arguments = arguments.collect::<Vec<_>>().join(", ");
+    let fields = function.fields.iter();
+    let flat: String = fields
+        .map(|field| format!(" result.{}.flat(&mut out);", field.name))
+        .collect();
+    format!(
+        "                        {number} => {{ let result = linkage.{}({arguments});{flat} }}\n",
+        function.name
+    )
+}

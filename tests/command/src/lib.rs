@@ -1,0 +1,74 @@
+//! All mechanisms of the examples and of the golden files as the macro compiles them, to be compared with the command `linkage`.
+
+use linkage::{AssemblyMode, Frame, Input, Vector2, Vector3};
+
+/// A mechanism that the macro compiled.
+pub struct Subject {
+    /// What messages call it.
+    pub name: &'static str,
+    /// The file that it stands in.
+    pub path: &'static str,
+    /// Its number in that file.
+    pub number: usize,
+    /// Assembles it with these dimensions.
+    pub assembled: fn(&[f64]) -> Result<Box<Call>, String>,
+    /// The modes of all assemblies at the reference.
+    pub listed: fn() -> Vec<Vec<AssemblyMode>>,
+    /// Its circuits, printed.
+    pub circuits: fn() -> Option<String>,
+    /// Its structure, printed.
+    pub structure: fn() -> String,
+}
+
+/// The results of a function, by its number, at some arguments.
+pub type Call = dyn Fn(usize, &[f64]) -> Vec<f64>;
+
+/// A result as a list of numbers, components innermost.
+trait Flat {
+    fn flat(&self, out: &mut Vec<f64>);
+}
+
+impl Flat for f64 {
+    fn flat(&self, out: &mut Vec<f64>) {
+        out.push(*self);
+    }
+}
+
+impl Flat for Vector2<f64> {
+    fn flat(&self, out: &mut Vec<f64>) {
+        out.extend(self.iter());
+    }
+}
+
+impl Flat for Vector3<f64> {
+    fn flat(&self, out: &mut Vec<f64>) {
+        out.extend(self.iter());
+    }
+}
+
+impl Flat for Frame<f64> {
+    fn flat(&self, out: &mut Vec<f64>) {
+        [self.origin, self.x, self.y, self.z].flat(out);
+    }
+}
+
+impl<F: Flat, const N: usize> Flat for [F; N] {
+    fn flat(&self, out: &mut Vec<f64>) {
+        self.iter().for_each(|one| one.flat(out));
+    }
+}
+
+/// The reference inputs.
+struct Reference {
+    inputs: Vec<f64>,
+}
+
+impl Reference {
+    fn of(inputs: &[Input]) -> Self {
+        Self {
+            inputs: inputs.iter().map(|input| input.reference).collect(),
+        }
+    }
+}
+
+include!(concat!(env!("OUT_DIR"), "/mechanisms.rs"));
