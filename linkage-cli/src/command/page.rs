@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use clap::Args;
+use clap::{Args, value_parser};
 use linkage_runtime::report::{Index, Report, ReportError};
 
 use super::choose::Chosen;
@@ -26,8 +26,8 @@ pub(super) struct Options {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// How many positions over the range of the first input
-    #[arg(long, default_value_t = 361, value_name = "COUNT")]
-    steps: usize,
+    #[arg(long, default_value_t = 361, value_name = "COUNT", value_parser = value_parser!(u32).range(2..))]
+    steps: u32,
     /// Another argument of functions, as `omega=20rad/s`
     #[arg(long = "at", value_name = "NAME=VALUE")]
     at: Vec<String>,

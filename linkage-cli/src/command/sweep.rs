@@ -155,7 +155,7 @@ pub(super) fn positions(
     mechanism: &Mechanism,
     input: &Input,
     [from, to]: [Option<&str>; 2],
-    steps: usize,
+    steps: u32,
 ) -> Result<Vec<f64>, Failure> {
     let (mut low, mut high) = input.ends();
     if let Some(from) = from {
@@ -168,5 +168,5 @@ pub(super) fn positions(
         range: Some((low, high)),
         ..*input
     };
-    Ok(over.positions(steps))
+    Ok(over.positions(steps as usize))
 }

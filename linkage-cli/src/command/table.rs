@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, CommandFactory, error::ErrorKind};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory, value_parser};
 use linkage_runtime::Table;
 use serde_json::{Value, json};
 
@@ -28,8 +29,8 @@ pub(super) struct Options {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     to: Option<String>,
     /// How many positions, both ends included
-    #[arg(long, default_value_t = 361, value_name = "COUNT")]
-    steps: usize,
+    #[arg(long, default_value_t = 361, value_name = "COUNT", value_parser = value_parser!(u32).range(1..))]
+    steps: u32,
     /// The input that runs from one position to the next; the first one of the function by default
     #[arg(long, value_name = "INPUT")]
     over: Option<String>,
@@ -42,8 +43,8 @@ pub(super) struct Options {
     #[arg(long)]
     degrees: bool,
     /// Significant digits; by default as many as it takes to read the numbers back exactly
-    #[arg(long, value_name = "COUNT")]
-    digits: Option<usize>,
+    #[arg(long, value_name = "COUNT", value_parser = value_parser!(u8).range(1..=17))]
+    digits: Option<u8>,
     /// What stands between columns
     #[arg(long, default_value = ",", value_name = "TEXT")]
     separator: String,
@@ -92,7 +93,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     if missing > 0 {
         let count = positions.len();
         eprintln!(
-            "note: at {missing} of {count} positions there is a number missing: the mechanism cannot be assembled there, or stands at a dead point"
+            "note: at {missing} of {count} positions a number is missing: the mechanism cannot be assembled there, or stands at a dead point"
         );
     }
     let input = running.map(|(_, input)| Column {
@@ -136,7 +137,7 @@ impl Column<'_> {
 /// A line for each position, names and units in the first one.
 fn in_lines(options: &Options, columns: &[Column]) -> String {
     let style = Style {
-        digits: options.digits,
+        digits: options.digits.map(usize::from),
         decimal: options.decimal,
     };
     let separator = options.separator.replace("\\t", "\t");

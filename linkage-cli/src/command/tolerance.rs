@@ -4,7 +4,7 @@ mod effects;
 
 use std::fmt::Write;
 
-use clap::Args;
+use clap::{Args, value_parser};
 use linkage_compiler::unit::{Field, Meaning, Shape};
 use linkage_runtime::Input;
 use linkage_runtime::tolerance::largest;
@@ -33,8 +33,8 @@ pub(super) struct Options {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     to: Option<String>,
     /// How many positions, both ends included
-    #[arg(long, default_value_t = 37, value_name = "COUNT")]
-    steps: usize,
+    #[arg(long, default_value_t = 37, value_name = "COUNT", value_parser = value_parser!(u32).range(2..))]
+    steps: u32,
     /// The input that runs from one position to the next
     #[arg(long, value_name = "INPUT")]
     over: Option<String>,

@@ -86,11 +86,11 @@ fn quantity(
     let unit = checked.unit.unwrap_or_default();
     let found: Vec<_> = unit.scalars().collect();
     if found.len() != units.len() {
-        return Err(wrong(&format!(
-            "{} numbers, where {} belong",
-            found.len(),
-            units.len()
-        )));
+        let [found, wanted] = [found.len(), units.len()].map(|count| match count {
+            1 => "one number".to_owned(),
+            count => format!("a vector of {count} numbers"),
+        });
+        return Err(wrong(&format!("this is {found}, `{name}` is {wanted}")));
     }
     let pairs = found.iter().zip(units);
     pairs
