@@ -288,7 +288,7 @@ fn tolerances_add_up() {
     ];
     let all = [&["tolerance", "own.mech", "accuracy"], &line[..]].concat();
     let text = printed(&folder, &all);
-    assert!(text.starts_with("e [mm]\nphi [deg]"), "{text}");
+    assert!(text.starts_with("e [mm]\nphi [deg]  worst case"), "{text}");
     let row: Vec<f64> = text
         .lines()
         .nth(2)
@@ -296,7 +296,7 @@ fn tolerances_add_up() {
         .flat_map(|line| line.split_whitespace())
         .map(|cell| cell.parse().expect("a number"))
         .collect();
-    assert_eq!(row, [0.0, 0.03, 0.022_360_7]);
+    assert_eq!(row, [0.0, 0.03, 0.022_360_7, 0.01, 0.02, 0.0]);
     let (_, worst) = text
         .split_once("worst at phi = ")
         .expect("the worst position");
@@ -321,6 +321,28 @@ fn a_page_has_all_functions() {
     let html = fs::read_to_string(page.join("index.html")).expect("a page");
     assert!(html.contains("<title>Favorit</title>") && !html.contains("follow("));
     assert!(page.join("drawing.svg").is_file() && !page.join("version.js").exists());
+}
+
+/// The best of some tries: others use the machine, too.
+fn shortest(folder: &Path, arguments: &[&str]) -> Duration {
+    let once = || {
+        let start = Instant::now();
+        printed(folder, arguments);
+        start.elapsed()
+    };
+    (0..5).map(|_| once()).min().expect("some tries")
+}
+
+#[test]
+fn nobody_waits_for_a_table_or_a_page() {
+    let folder = folder("time");
+    let table = shortest(&folder, &["table", favorit(), "motion", "-o", "motion.csv"]);
+    let page = shortest(&folder, &["page", favorit(), "-o", "page"]);
+    println!("table {table:?}, page {page:?}");
+    let text = fs::read_to_string(folder.join("motion.csv")).expect("a table");
+    assert_eq!(text.lines().count(), 362);
+    // Without optimisation, too.
+    assert!(table < Duration::from_millis(300) && page < Duration::from_secs(1));
 }
 
 #[test]

@@ -152,19 +152,31 @@ impl Position<'_> {
             "rad" => ("deg", f64::to_degrees),
             other => (other, |x| x),
         };
-        let title = format!("{} [{unit}]", input.name);
-        let mut text = format!(
-            "{}\n{title:<16} {:>14} {:>14}\n",
-            self.title(),
-            "worst case",
-            "statistical"
-        );
+        let parameters = self.own.parameters.iter();
+        let parameters = parameters.map(|&index| self.mechanism.parameters[index]);
+        let parameters: Vec<_> = parameters.collect();
+        let toleranced = |parts: Vec<f64>| {
+            let pairs = parts.into_iter().zip(&parameters);
+            let with = pairs.filter(|(_, own)| own.tolerance > 0.0);
+            with.map(|(part, _)| style.written(part))
+        };
+        let names = parameters.iter().filter(|own| own.tolerance > 0.0);
+        let names = names.map(|own| own.name.to_owned());
+        let titles = ["worst case", "statistical"].map(str::to_owned);
+        let mut rows: Vec<Vec<String>> = vec![
+            [format!("{} [{unit}]", input.name)]
+                .into_iter()
+                .chain(titles)
+                .chain(names)
+                .collect(),
+        ];
         for &x in positions {
             let figures = at(x)?;
-            let numbers = [figures.worst, figures.statistical].map(|x| style.written(x));
-            let shown = style.written(shown(x));
-            let _ = writeln!(text, "{shown:<16} {:>14} {:>14}", numbers[0], numbers[1]);
+            let numbers = [shown(x), figures.worst, figures.statistical];
+            let numbers = numbers.map(|x| style.written(x)).into_iter();
+            rows.push(numbers.chain(toleranced(figures.parts)).collect());
         }
+        let mut text = format!("{}\n{}", self.title(), aligned(&rows));
         let [Some(&low), Some(&high)] = [positions.first(), positions.last()] else {
             return Ok(text);
         };
@@ -175,6 +187,21 @@ impl Position<'_> {
         let _ = writeln!(text, "\nworst at {place}\n{}", at(worst.at)?.text);
         Ok(text)
     }
+}
+
+/// Rows of cells below each other.
+fn aligned(rows: &[Vec<String>]) -> String {
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
+    let columns = rows.first().map_or(0, Vec::len);
+    let widths: Vec<usize> = (0..columns).filter_map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cells = row.iter().zip(&widths);
+        let cells: Vec<String> = cells
+            .map(|(cell, &width)| format!("{cell:>width$}"))
+            .collect();
+        cells.join("  ") + "\n"
+    };
+    rows.iter().map(line).collect()
 }
 
 /// The fields of a function that are arrays over parameters; where an entry is no number or vector, each number of it by itself.

@@ -11,6 +11,8 @@ pub(super) struct Figures {
     pub(super) worst: f64,
     /// The root of the sum of squares.
     pub(super) statistical: f64,
+    /// The length of each parameter's effect.
+    pub(super) parts: Vec<f64>,
     /// All definitions, and what each parameter contributes.
     pub(super) text: String,
 }
@@ -72,6 +74,10 @@ where
     Ok(Figures {
         worst: effects.worst_modulus(),
         statistical: effects.root_sum_square_modulus(),
+        parts: effects.contributions()[..parameters.len()]
+            .iter()
+            .map(|part| part.modulus)
+            .collect(),
         text: lines[..own].join("\n") + "\n",
     })
 }
