@@ -20,9 +20,9 @@ pub fn rendered(source: &Source, found: &Found, checked: &Checked, coloured: boo
     let one = |message: &Message| {
         let [first, last] = [message.span.first, message.span.last].map(|own| own.byte_range());
         // Only what was made up by the compiler begins and ends with the text.
-        let span = match first.start..last.end {
-            nowhere if nowhere == (0..0) => found.place.clone(),
-            somewhere => somewhere,
+        let span = match (first.start, last.end) {
+            (0, 0) => found.place.clone(),
+            (start, end) => start..end,
         };
         let snippet = Snippet::source(source.text())
             .path(source.name())

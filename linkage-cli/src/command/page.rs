@@ -53,26 +53,28 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     });
     let page = folder.join("index.html");
     let mut seen = changed(file);
-    let mut result = write(options, &folder);
-    if let (Err(failure), true) = (&result, options.watch) {
-        eprint!("{failure}");
-    }
-    if options.open && result.is_ok() {
+    let written = write(options, &folder);
+    if options.open && written.is_ok() {
         open(&page)?;
     }
-    while options.watch {
+    if !options.watch {
+        return written;
+    }
+    let tell = |written: Result<(), Failure>| {
+        if let Err(failure) = written {
+            eprint!("{failure}");
+        }
+    };
+    tell(written);
+    loop {
         sleep(LOOK_EVERY);
         let now = changed(file);
         // A file that an editor is just writing anew is not there for a moment.
         if now.is_some() && now != seen {
             seen = now;
-            result = write(options, &folder);
-            if let Err(failure) = &result {
-                eprint!("{failure}");
-            }
+            tell(write(options, &folder));
         }
     }
-    result
 }
 
 /// When a file was changed last, and how long it is.

@@ -109,7 +109,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         values: rows.column(index).to_vec(),
     }));
     if options.degrees {
-        columns.iter_mut().for_each(Column::to_degrees);
+        columns.iter_mut().for_each(Column::show_degrees);
     }
     let text = match options.json {
         true => in_json(&mechanism, &options.function, &dimensions, &columns),
@@ -119,7 +119,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
 }
 
 impl Column<'_> {
-    fn to_degrees(&mut self) {
+    fn show_degrees(&mut self) {
         if self.unit == "rad" {
             self.unit = "deg";
             self.values.iter_mut().for_each(|x| *x = x.to_degrees());
