@@ -6,6 +6,8 @@ use std::process::{Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use linkage_cli::Source;
+
 /// A folder of its own for each test, empty.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
@@ -309,7 +311,13 @@ fn tolerances_add_up() {
 #[test]
 fn a_page_has_all_functions() {
     let folder = folder("page");
-    printed(&folder, &["page", favorit()]);
+    // The hook-needle drive as a text file.
+    let source = Source::read(Path::new(favorit())).expect("the example");
+    let tokens: Vec<_> = source.mechanisms()[0].tokens.clone().into_iter().collect();
+    let [first, last] = [&tokens[0], &tokens[tokens.len() - 1]].map(|own| own.span().byte_range());
+    let text = &source.text()[first.start..last.end];
+    fs::write(folder.join("favorit.mech"), text).expect("it can be written");
+    printed(&folder, &["page", "favorit.mech"]);
     let page = folder.join("favorit_page");
     let data = fs::read_to_string(page.join("data.json")).expect("data");
     let data: serde_json::Value = serde_json::from_str(&data).expect("JSON");
@@ -357,6 +365,28 @@ fn several_mechanisms_have_a_page_that_leads_to_them() {
     for link in links {
         let (target, _) = link.split_once('"').expect("an address");
         assert!(folder.join("all").join(target).is_file(), "{target}");
+    }
+}
+
+#[test]
+fn what_does_not_move_is_left_out_of_pages_and_circuits() {
+    let folder = folder("still");
+    let gears = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/gears.rs");
+    let output = linkage(&folder, &["page", gears, "-o", "gears"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert_eq!(said, "note: Bracket has no input: nothing of it moves\n");
+    assert!(folder.join("gears/index.html").is_file());
+    let bracket = ["--mechanism", "Bracket"];
+    for (command, expected) in [
+        ("page", "error: Bracket has no input: nothing of it moves\n"),
+        (
+            "circuits",
+            "error: Bracket has no circuits: they are for mechanisms with loops and one input\n",
+        ),
+    ] {
+        let said = refused(&folder, &[&[command, gears], &bracket[..]].concat(), 1);
+        assert_eq!(said, expected);
     }
 }
 

@@ -66,6 +66,8 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
 
 /// Prints the circuits of each mechanism.
 pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
+    let mut without = Vec::new();
+    let mut some = false;
     for mechanism in options.chosen.all()? {
         let dimensions = options.dimensions.of(&mechanism)?;
         let name = mechanism.name;
@@ -73,16 +75,20 @@ pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
             Some(found) => {
                 let found = found.map_err(|error| Failure::Told(error.to_string()))?;
                 print(&format!("{name}\n{found}"))?;
+                some = true;
             }
-            None => {
-                let text = format!(
-                    "{name} has no circuits: they are for mechanisms with loops and one input"
-                );
-                return Err(Failure::Told(text));
-            }
+            None => without.push(format!(
+                "{name} has no circuits: they are for mechanisms with loops and one input"
+            )),
         }
     }
-    Ok(())
+    match (some, without.first()) {
+        (false, Some(text)) => Err(Failure::Told(text.clone())),
+        _ => {
+            without.iter().for_each(|text| eprintln!("note: {text}"));
+            Ok(())
+        }
+    }
 }
 
 /// All inputs: at their references, unless `given` says another value.

@@ -84,7 +84,7 @@ fn changed(file: &Path) -> Option<(SystemTime, u64)> {
 }
 
 fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
-    let all = options.chosen.all()?;
+    let all = moving(options.chosen.all()?)?;
     let reports: Vec<Report> = all
         .iter()
         .map(|mechanism| report(options, mechanism))
@@ -110,12 +110,24 @@ fn told(error: ReportError) -> Failure {
     Failure::Told(error.to_string())
 }
 
+/// The mechanisms with an input.
+fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
+    let (moving, still): (Vec<_>, Vec<_>) = all.into_iter().partition(|own| !own.inputs.is_empty());
+    let text = |own: &Mechanism| format!("{} has no input: nothing of it moves", own.name);
+    match (&moving[..], &still[..]) {
+        ([], [first, ..]) => Err(Failure::Told(text(first))),
+        _ => {
+            still
+                .iter()
+                .for_each(|own| eprintln!("note: {}", text(own)));
+            Ok(moving)
+        }
+    }
+}
+
 /// All functions over the range of the first input.
 fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
-    let Some(input) = mechanism.inputs.first() else {
-        let text = format!("{} has no input: nothing of it moves", mechanism.name);
-        return Err(Failure::Told(text));
-    };
+    let input = &mechanism.inputs[0];
     let dimensions = options.dimensions.of(mechanism)?;
     let assembly = mechanism.assemble(&dimensions);
     let assembly = assembly.map_err(|error| Failure::Told(error.to_string()))?;

@@ -3,6 +3,7 @@
 mod checks;
 mod colours;
 mod drawing;
+mod follow;
 mod gallery;
 mod gaps;
 mod phone;
