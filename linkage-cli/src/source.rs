@@ -111,6 +111,13 @@ fn collect(tokens: TokenStream, calls: &mut Vec<Found>) {
                     place: start..group.span_close().byte_range().end,
                 });
             }
+            // What a macro is made of is no mechanism yet.
+            [
+                ..,
+                TokenTree::Ident(word),
+                TokenTree::Punct(_),
+                TokenTree::Ident(_),
+            ] if word == "macro_rules" => {}
             _ => collect(group.stream(), calls),
         }
     }

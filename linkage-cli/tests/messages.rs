@@ -113,7 +113,18 @@ fn what_is_no_token_is_told_with_its_place() {
         let failure = Source::new("a.mech", text).expect_err("no tokens");
         assert!(failure.to_string().starts_with(told), "{failure}");
     }
-    let failure = Source::new("a.rs", "fn main() {}").expect_err("no mechanism");
+    for text in [
+        "fn main() {}",
+        "macro_rules! two { ($name:ident) => { mechanism! { struct $name {} impl $name {} } } }",
+        "// mechanism! { struct A {} }",
+    ] {
+        let failure = Source::new("a.rs", text).expect_err("no mechanism");
+        assert_eq!(
+            failure.to_string(),
+            "error: there is no call of `mechanism!` in `a.rs`\n"
+        );
+    }
+    let failure = Source::new("a.rs", "").expect_err("no mechanism");
     assert_eq!(
         failure.to_string(),
         "error: there is no call of `mechanism!` in `a.rs`\n"
