@@ -29,11 +29,15 @@ pub(super) fn put(text: &str, file: Option<&Path>) -> Result<(), Failure> {
     }
 }
 
-/// The file is written beside its place and put there in one step: nobody finds half of it.
+/// A file is written beside its place and put there in one step: nobody finds half of it.
 fn write_whole(file: &Path, text: &str) -> io::Result<()> {
     let place = fs::canonicalize(file).unwrap_or_else(|_| file.to_path_buf());
     if place.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
+    }
+    // A pipe or a device stays what it is.
+    if place.exists() && !place.is_file() {
+        return fs::write(&place, text);
     }
     let name = place.file_name().ok_or(io::ErrorKind::InvalidFilename)?;
     let beside = format!(".{}.{}.part", name.to_string_lossy(), process::id());
