@@ -31,7 +31,8 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// If it cannot be read, has a bracket without partner or the like, or is a Rust file without a mechanism.
+    /// If it cannot be read, has a bracket without partner or the like or too many within each other, or is a Rust file without a
+    /// mechanism.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let text = fs::read_to_string(path);
         let text = text.map_err(|error| Failure::file("read", path, &error))?;
@@ -50,7 +51,11 @@ impl Source {
             .parse()
             .map_err(|error| Failure::Rendered(no_tokens(name, text, &error)))?;
         let mut calls = Vec::new();
-        collect(tokens.clone(), &mut calls);
+        collect(tokens.clone(), 0, &mut calls).map_err(|()| {
+            Failure::Told(format!(
+                "brackets in `{name}` are nested more than {DEEPEST} deep, which is not read; this is a limit of linkage"
+            ))
+        })?;
         let ending = Path::new(name).extension();
         let is_rust = ending.is_some_and(|ending| ending == "rs");
         let mechanisms = match (calls.is_empty(), is_rust) {
@@ -94,8 +99,15 @@ impl Source {
     }
 }
 
-/// What stands between the brackets of all calls of `mechanism!`, within functions and modules, too.
-fn collect(tokens: TokenStream, calls: &mut Vec<Found>) {
+/// Brackets within brackets: who reads them needs room for each. rustc stops at the same number.
+const DEEPEST: usize = 128;
+
+/// What stands between the brackets of all calls of `mechanism!`, within functions and modules, too. An error where brackets are nested too
+/// deep.
+fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<Found>) -> Result<(), ()> {
+    if depth > DEEPEST {
+        return Err(());
+    }
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     for (index, token) in tokens.iter().enumerate() {
         let TokenTree::Group(group) = token else {
@@ -106,6 +118,8 @@ fn collect(tokens: TokenStream, calls: &mut Vec<Found>) {
                 if word == "mechanism" && mark.as_char() == '!' =>
             {
                 let start = word.span().byte_range().start;
+                // What is in it is looked at for its depth alone.
+                collect(group.stream(), depth + 1, &mut Vec::new())?;
                 calls.push(Found {
                     tokens: group.stream(),
                     place: start..group.span_close().byte_range().end,
@@ -118,9 +132,10 @@ fn collect(tokens: TokenStream, calls: &mut Vec<Found>) {
                 TokenTree::Punct(_),
                 TokenTree::Ident(_),
             ] if word == "macro_rules" => {}
-            _ => collect(group.stream(), calls),
+            _ => collect(group.stream(), depth + 1, calls)?,
         }
     }
+    Ok(())
 }
 
 /// A text that is no sequence of tokens, by the place from which it is none.

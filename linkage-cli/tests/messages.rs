@@ -99,6 +99,33 @@ impl Second {
 }
 
 #[test]
+fn deep_nesting_is_a_limit() {
+    let text = |depth: usize| {
+        let [open, close] = ["(", ")"].map(|bracket| bracket.repeat(depth));
+        format!("struct A {{ let a = {open}1mm{close}; }} impl A {{}}")
+    };
+    let messages = |depth| {
+        let source = Source::new("a.mech", &text(depth)).expect("it is read");
+        check(source.mechanisms()[0].tokens.clone()).messages
+    };
+    assert!(messages(60).is_empty());
+    // The macro has a limit of its own.
+    assert!(
+        messages(120)[0]
+            .text
+            .contains("nested more than 64 levels deep")
+    );
+    for text in [
+        text(20_000),
+        format!("fn main() {{ mechanism!{{ {} }} }}", text(200)),
+    ] {
+        let failure = Source::new("a.mech", &text).expect_err("too deep");
+        let said = failure.to_string();
+        assert!(said.contains("nested more than 128 deep"), "{said}");
+    }
+}
+
+#[test]
 fn what_is_no_token_is_told_with_its_place() {
     for (text, told) in [
         (

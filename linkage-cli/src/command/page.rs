@@ -12,7 +12,7 @@ use linkage_runtime::report::{Index, Report, ReportError};
 
 use super::choose::Chosen;
 use super::output::print;
-use super::sweep::{Rows, arguments, positions};
+use super::sweep::{Rows, arguments, positions, still};
 use super::values::{Dimensions, parts};
 use crate::failure::{Failure, listed};
 use crate::mechanism::Mechanism;
@@ -141,6 +141,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
         report = report.version(milliseconds());
     }
     known(mechanism, &options.at)?;
+    still(input, &options.at)?;
     let mut drawn = false;
     for (function, heading) in mechanism.headings.iter().enumerate() {
         let again = drawn && heading.picture.is_some();

@@ -150,6 +150,19 @@ pub(super) fn running(
     }
 }
 
+/// Whether the arguments that are given stay as they are.
+pub(super) fn still(running: &Input, given: &[String]) -> Result<(), Failure> {
+    for given in given {
+        let (name, _) = parts("--at", given)?;
+        if name == running.name {
+            return Err(Failure::Told(format!(
+                "`{name}` runs from one position to the next and cannot be given by `--at`, too"
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Evenly spaced values over the input's range, or over another one.
 pub(super) fn positions(
     mechanism: &Mechanism,

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::choose::Chosen;
 use super::numbers::Style;
 use super::output::put;
-use super::sweep::{Rows, all_arguments, positions, running};
+use super::sweep::{Rows, all_arguments, positions, running, still};
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
@@ -82,6 +82,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let given = all_arguments(&mechanism, function, &options.at)?;
     let positions = match running {
         Some((_, input)) => {
+            still(input, &options.at)?;
             let ends = [options.from.as_deref(), options.to.as_deref()];
             positions(&mechanism, input, ends, options.steps)?
         }

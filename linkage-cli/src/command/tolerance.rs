@@ -12,7 +12,7 @@ use linkage_runtime::tolerance::largest;
 use super::choose::Chosen;
 use super::numbers::Style;
 use super::output::print;
-use super::sweep::{all_arguments, positions, running};
+use super::sweep::{all_arguments, positions, running, still};
 use super::values::Dimensions;
 use crate::engine::Assembly;
 use crate::failure::Failure;
@@ -78,7 +78,10 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let running = running(&mechanism, function, options.over.as_deref())?;
     let ends = [options.from.as_deref(), options.to.as_deref()];
     let positions = match running {
-        Some((_, input)) => positions(&mechanism, input, ends, options.steps)?,
+        Some((_, input)) => {
+            still(input, &options.at)?;
+            positions(&mechanism, input, ends, options.steps)?
+        }
         None => Vec::new(),
     };
     for own in all {

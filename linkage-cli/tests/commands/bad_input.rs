@@ -54,6 +54,10 @@ fn bad_input_is_told_in_one_message() {
             "error: `stroke` does not take `omega`; it takes `phi`\n",
         ),
         (
+            table(&["--at", "phi=3deg"]),
+            "error: `phi` runs from one position to the next and cannot be given by `--at`, too\n",
+        ),
+        (
             table(&["--over", "psi"]),
             "error: `stroke` has no input `psi`; it has `phi`\n",
         ),
