@@ -74,11 +74,15 @@ fn every_number_is_that_of_the_macro() {
         assert_eq!((subject.structure)(), mechanism.structure.to_string());
         let nominal = mechanism.dimensions();
         let mut random = Random::new(3);
-        let other = nominal
-            .iter()
-            .map(|x| x * random.between(0.998, 1.002))
-            .collect::<Vec<_>>();
-        for dimensions in [nominal, other] {
+        let mut off = |part: f64| -> Vec<f64> {
+            let factors = nominal
+                .iter()
+                .map(|x| x * random.between(1.0 - part, 1.0 + part));
+            factors.collect()
+        };
+        // Slightly others, and such that some do not assemble, or not everywhere: then it is said in the same words.
+        let others = [off(0.002), off(0.15), off(0.4)];
+        for dimensions in [nominal.clone()].into_iter().chain(others) {
             let [own, sound] = compare(subject, &mechanism, &dimensions);
             count += own;
             finite += sound;
@@ -88,7 +92,7 @@ fn every_number_is_that_of_the_macro() {
         "{} mechanisms, {count} numbers, {finite} of them finite",
         subjects.len()
     );
-    assert!(count > 50_000 && finite > count * 9 / 10);
+    assert!(count > 80_000 && finite > count / 2 && finite < count);
 }
 
 #[test]
