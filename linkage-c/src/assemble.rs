@@ -1,0 +1,179 @@
+//! Assembling: are dimensions numbers, how do angles turn, do the groups close?
+
+use std::fmt::Write;
+
+use crate::comment::comment;
+use crate::header::reference;
+use crate::helper::Helper;
+use crate::real::Real;
+use crate::refusal::Why;
+use crate::source::Writer;
+use crate::surface::Surface;
+use crate::template::fill;
+
+/// The function that says whether the groups close; nothing if nobody asks for it.
+pub(crate) fn close(writer: &mut Writer) {
+    let surface = writer.surface;
+    let Surface {
+        unit,
+        prefix,
+        own,
+        real,
+        ..
+    } = surface;
+    if unit.groups.is_empty() {
+        if !unit.angles.is_empty() {
+            let number = real.name();
+            let _ = writeln!(
+                writer.text,
+                "/* There is nothing to close. */\nstatic int {own}close(const {prefix} *m, const {number} *at)\n{{\n    \
+                 (void)m;\n    (void)at;\n    return 0;\n}}\n"
+            );
+        }
+        return;
+    }
+    writer.plain("gaps", &unit.gaps, "By how much each group misses closing.");
+    let text = overflows(surface);
+    writer.text += &text;
+    let numbers = |why: fn(usize) -> Why| {
+        let numbers = (0..unit.groups.len()).map(|group| surface.code(why(group)).to_string());
+        format!("{{ {} }}", numbers.collect::<Vec<_>>().join(", "))
+    };
+    let close = fill(include_str!("templates/close.c"), *real, own, |word| {
+        Some(match word {
+            "MECHANISM" => prefix.clone(),
+            "GROUPS" => unit.groups.len().to_string(),
+            "OPEN" => numbers(Why::CannotClose),
+            "UNDEFINED" => numbers(Why::Undefined),
+            "TOO_LARGE" => surface.code(Why::TooLarge).to_string(),
+            _ => return None,
+        })
+    });
+    writer.text += &close;
+    writer.text.push('\n');
+}
+
+/// The function that says whether what is computed of a dimension may overflow.
+fn overflows(surface: &Surface) -> String {
+    let Surface {
+        own,
+        real,
+        dimensions_type,
+        ..
+    } = surface;
+    // Squares of larger numbers overflow.
+    let (abs, largest) = match real {
+        Real::Double => ("fabs", 1e154),
+        Real::Single => ("fabsf", 1e19),
+    };
+    let largest = real.literal(largest);
+    let one = |scalar: &String| format!("{abs}(dimensions->{scalar}) > {largest}");
+    let all: Vec<String> = surface.scalars.iter().map(one).collect();
+    let body = match all.is_empty() {
+        true => "    (void)dimensions;\n    return 0;\n".to_owned(),
+        false => format!("    return {};\n", all.join("\n        || ")),
+    };
+    format!(
+        "/* Whether a dimension is so large that its square is beyond the largest number. */\n\
+         static int {own}overflows(const {dimensions_type} *dimensions)\n{{\n{body}}}\n\n"
+    )
+}
+
+/// The function that assembles.
+pub(crate) fn assemble(writer: &mut Writer) {
+    let surface = writer.surface;
+    let Surface {
+        unit,
+        prefix,
+        own,
+        real,
+        assemble,
+        dimensions_type,
+        ..
+    } = surface;
+    let mut declared = String::new();
+    if !(unit.groups.is_empty() && unit.angles.is_empty()) {
+        let references = unit.inputs.iter().map(|own| real.literal(own.reference));
+        let mut references: Vec<String> = references.collect();
+        if references.is_empty() {
+            references.push("0".to_owned());
+        }
+        let _ = writeln!(
+            declared,
+            "    static const {} at[] = {{ {} }}; /* {} */",
+            real.name(),
+            references.join(", "),
+            reference(surface)
+        );
+    }
+    let (turn, prepared) = match unit.angles.is_empty() {
+        true => (String::new(), format!("    {own}prepare(m);\n")),
+        false => {
+            let _ = writeln!(declared, "    {own}turns turns;\n    int code;");
+            (
+                format!("    code = {own}turn(m, at, &turns);\n    if (code != 0) return code;\n"),
+                format!("    {own}prepare(m, &turns);\n"),
+            )
+        }
+    };
+    let closed = match unit.groups.is_empty() {
+        true => "0".to_owned(),
+        false => format!("{own}close(m, at)"),
+    };
+    let finite = finite(writer);
+    let zero = real.literal(0.0);
+    let _ = writeln!(
+        writer.text,
+        "int {assemble}({prefix} *m, const {dimensions_type} *dimensions)\n{{\n{declared}    m->dimensions = *dimensions;\n    \
+         m->miss = {zero};\n{finite}{turn}{prepared}    return {closed};\n}}\n"
+    );
+}
+
+/// Statements that return the number of a dimension that is none.
+fn finite(writer: &mut Writer) -> String {
+    let Surface {
+        own,
+        scalars,
+        codes,
+        ..
+    } = writer.surface;
+    let mut checks = String::new();
+    for (index, code) in codes.iter().enumerate() {
+        if let Why::NotFinite(place) = code.why {
+            writer.printer.helpers.need(Helper::Infinite);
+            let scalar = &scalars[place];
+            let _ = writeln!(
+                checks,
+                "    if ({own}infinite(m->dimensions.{scalar})) return {};",
+                index + 1
+            );
+        }
+    }
+    checks
+}
+
+/// The function that gives texts.
+pub(crate) fn error(writer: &mut Writer) {
+    let Surface {
+        title,
+        error,
+        codes,
+        ..
+    } = writer.surface;
+    let mut texts = vec![format!("{title}: assembled")];
+    texts.extend(codes.iter().map(|own| own.text.clone()));
+    let quoted = texts.iter().map(|own| {
+        format!(
+            "        \"{}\"",
+            own.replace('\\', "\\\\").replace('"', "\\\"")
+        )
+    });
+    let quoted = quoted.collect::<Vec<_>>().join(",\n");
+    writer.text += &comment("", "One text for each number that assembling returns.");
+    let _ = writeln!(
+        writer.text,
+        "const char *{error}(int code)\n{{\n    static const char *const texts[] = {{\n{quoted}\n    }};\n    \
+         return code < 0 || code > {} ? \"{title}: assembling returns no such number\" : texts[code];\n}}\n",
+        codes.len()
+    );
+}

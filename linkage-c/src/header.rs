@@ -1,0 +1,230 @@
+//! The header: what users see.
+
+use std::fmt::Write;
+
+use linkage_symbolic::count::Count;
+
+use crate::comment::comment;
+use crate::surface::{Evaluator, Surface, decimal};
+
+/// The text of the header.
+pub(crate) fn header(surface: &Surface) -> String {
+    let Surface {
+        prefix,
+        title,
+        real,
+        ..
+    } = surface;
+    let guard = surface.constant("h");
+    let length = length_unit(surface);
+    let mut text = comment(
+        "",
+        &format!(
+            "{title}: its loops are closed by formulas. Written by linkage; not to be changed by hand.\n\
+             All numbers are {}s; angles are radians{length}. A result that does not exist, because links do not reach each other, is NaN.\n\
+             Not for -ffast-math, which takes it that there is no NaN.",
+            real.name()
+        ),
+    );
+    let _ = write!(
+        text,
+        "#ifndef {guard}\n#define {guard}\n\n#include <stddef.h>\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n"
+    );
+    for own in surface.vector_types() {
+        text += &own;
+        text.push('\n');
+    }
+    text += &dimensions(surface);
+    text += &assembled(surface);
+    text += &codes(surface);
+    let Surface {
+        assemble,
+        error,
+        dimensions_type,
+        ..
+    } = surface;
+    text += &comment(
+        "",
+        "Closes the loops at the reference inputs in the assembly that the start estimates of the declaration choose, and computes what \
+         depends on the dimensions alone. 0, or why not: then `m` is of no use.",
+    );
+    let _ = writeln!(
+        text,
+        "int {assemble}({prefix} *m, const {dimensions_type} *dimensions);\n"
+    );
+    text += &comment("", "What a number from assembling means, in words.");
+    let _ = writeln!(text, "const char *{error}(int code);\n");
+    for own in &surface.functions {
+        text += &evaluator(surface, own);
+    }
+    let _ = write!(text, "#ifdef __cplusplus\n}}\n#endif\n\n#endif\n");
+    text
+}
+
+/// `, lengths mm`, if there is one unit of length.
+fn length_unit(surface: &Surface) -> String {
+    let unknowns = surface.unit.unknowns.iter();
+    let mut lengths = unknowns.filter(|own| !own.is_number && !own.unit.is_empty());
+    lengths
+        .next()
+        .map_or_else(String::new, |own| format!(", lengths {}", own.unit))
+}
+
+fn dimensions(surface: &Surface) -> String {
+    let name = &surface.dimensions_type;
+    let defaults = surface.constant("defaults");
+    let mut text = comment(
+        "",
+        &format!("The dimensions; `{name} d = {defaults};` are those of the declaration."),
+    );
+    let _ = writeln!(text, "typedef struct {name} {{");
+    for own in &surface.dimensions {
+        let declared = surface.declared(&own.name, &own.shape);
+        let _ = writeln!(
+            text,
+            "    {declared}; {}",
+            comment("", &own.note).trim_end()
+        );
+    }
+    // A struct of nothing is not C.
+    if surface.dimensions.is_empty() {
+        text += "    char nothing;\n";
+    }
+    let _ = writeln!(text, "}} {name};\n");
+    let values = surface.dimensions.iter().map(|own| {
+        let numbers: Vec<String> = own
+            .values
+            .iter()
+            .map(|x| surface.real.literal(*x))
+            .collect();
+        match &numbers[..] {
+            [one] => one.clone(),
+            several => format!("{{ {} }}", several.join(", ")),
+        }
+    });
+    let values: Vec<String> = values.collect();
+    let values = if values.is_empty() {
+        "0".to_owned()
+    } else {
+        values.join(", \\\n    ")
+    };
+    let _ = writeln!(text, "#define {defaults} {{ \\\n    {values} }}\n");
+    text
+}
+
+fn assembled(surface: &Surface) -> String {
+    let Surface {
+        prefix,
+        real,
+        dimensions_type,
+        unit,
+        ..
+    } = surface;
+    let number = real.name();
+    let mut text = comment(
+        "",
+        "The assembled mechanism. Functions only read it, so that several tasks may share one.",
+    );
+    let _ = writeln!(text, "typedef struct {prefix} {{");
+    let _ = writeln!(text, "    {dimensions_type} dimensions;");
+    let _ = writeln!(
+        text,
+        "    {number} miss; /* by how much a loop misses closing, if one does */"
+    );
+    if unit.slots() > 0 {
+        let _ = writeln!(
+            text,
+            "    {number} prepared[{}]; /* what depends on the dimensions alone */",
+            unit.slots()
+        );
+    }
+    let _ = writeln!(text, "}} {prefix};\n");
+    text
+}
+
+fn codes(surface: &Surface) -> String {
+    let mut text = comment("", "What assembling may return.");
+    text += "enum {\n";
+    let _ = write!(text, "    {} = 0", surface.constant("ok"));
+    for (index, code) in surface.codes.iter().enumerate() {
+        let _ = write!(text, ",\n    {} = {}", code.name, index + 1);
+    }
+    text + "\n};\n\n"
+}
+
+fn evaluator(surface: &Surface, own: &Evaluator) -> String {
+    let Evaluator { name, result, .. } = own;
+    let prefix = &surface.prefix;
+    let number = surface.real.name();
+    let mut text = format!("typedef struct {result} {{\n");
+    for field in &own.fields {
+        let declared = surface.declared(&field.name, &field.shape);
+        let _ = writeln!(
+            text,
+            "    {declared}; {}",
+            comment("", &field.note).trim_end()
+        );
+    }
+    if own.fields.is_empty() {
+        text += "    char nothing;\n";
+    }
+    let _ = writeln!(text, "}} {result};\n");
+    let notes = own.arguments.iter().zip(&own.argument_notes);
+    let notes: Vec<String> = notes
+        .map(|(name, note)| format!("{name}: {note}."))
+        .collect();
+    let cost = cost(&own.function.called.count);
+    text += &comment("", &[&[cost][..], &notes].concat().join("\n"));
+    let arguments: String = own
+        .arguments
+        .iter()
+        .map(|own| format!(", {number} {own}"))
+        .collect();
+    let _ = writeln!(text, "{result} {name}(const {prefix} *m{arguments});\n");
+    if let Some(sweep) = &own.sweep {
+        text += &comment("", "The same at `count` positions.");
+        let arrays: String = own
+            .arguments
+            .iter()
+            .map(|own| format!(", const {number} *{own}"))
+            .collect();
+        let _ = writeln!(
+            text,
+            "void {sweep}(const {prefix} *m, size_t count{arrays}, {result} *results);\n"
+        );
+    }
+    text
+}
+
+/// `12 additions, 20 multiplications, 1 root.`
+fn cost(count: &Count) -> String {
+    let kinds = [
+        (count.add, "addition"),
+        (count.mul, "multiplication"),
+        (count.div, "division"),
+        (count.sqrt, "root"),
+        (count.sin_cos, "sine and cosine"),
+        (count.atan2, "arc tangent"),
+        (count.other, "other operation"),
+    ];
+    let words = kinds.iter().filter(|(count, _)| *count > 0);
+    let words = words.map(|(count, word)| match (count, *word) {
+        (1, word) => format!("1 {word}"),
+        (count, "sine and cosine") => format!("{count} sines and cosines"),
+        (count, word) => format!("{count} {word}s"),
+    });
+    let words: Vec<String> = words.collect();
+    match words.is_empty() {
+        true => "No operation at all.".to_owned(),
+        false => words.join(", ") + ".",
+    }
+}
+
+/// What an input's reference is called in comments.
+pub(crate) fn reference(surface: &Surface) -> String {
+    let inputs = surface.unit.inputs.iter();
+    let places: Vec<String> = inputs
+        .map(|own| format!("{} = {}", own.name, decimal(own.reference)))
+        .collect();
+    places.join(", ")
+}

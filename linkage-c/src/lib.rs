@@ -1,0 +1,101 @@
+//! Mechanisms of linkage as C99 for controllers: a header and a source that need nothing else.
+//!
+//! [`sources`] prints what [`linkage_compiler::check`] makes of a mechanism. The C has no allocation, no file, no global state, and no call but
+//! of `sqrt` and `fabs`; sine, cosine and arc tangent are its own, those of generated Rust, in `double` or in `float`. Without fused
+//! multiply-adds (`-ffp-contract=off`) its results are those of generated Rust to the last bit.
+//!
+//! ```
+//! use linkage_c::{Real, sources};
+//!
+//! let text = "
+//!     pub struct SliderCrank {
+//!         unit mm;
+//!         param crank = 30mm;
+//!         param rod = 80mm;
+//!         input phi = 60deg in 0deg..360deg;
+//!         unknown theta = -20deg;
+//!         unknown s = 90mm;
+//!         loop polar(crank, phi) + polar(rod, theta) = (s, 0);
+//!     }
+//!     impl SliderCrank {
+//!         pub fn motion(phi) -> Motion { s, speed: velocity(s) }
+//!     }";
+//! let checked = linkage_compiler::check(text.parse().expect("brackets have partners"));
+//! let unit = checked.unit.expect("a mechanism without a mistake");
+//! let c = sources("SliderCrank", &unit, Real::Double)?;
+//! assert_eq!(c.name, "slider_crank");
+//! assert!(c.header.contains("slider_crank_motion_result slider_crank_motion(const slider_crank *m, double phi);"));
+//! assert!(c.source.starts_with("/* SliderCrank: see slider_crank.h."));
+//! # Ok::<(), linkage_c::Refused>(())
+//! ```
+
+mod assemble;
+mod comment;
+mod header;
+mod helper;
+mod instruction;
+mod names;
+mod real;
+mod refusal;
+mod source;
+mod surface;
+mod template;
+mod winding;
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+
+use linkage_compiler::unit::Unit;
+
+pub use real::Real;
+
+/// A mechanism as C.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sources {
+    /// What files are called, without `.h` and `.c`, and what all names in them begin with.
+    pub name: String,
+    /// The text of the header.
+    pub header: String,
+    /// The text of the source, which includes the header by its name.
+    pub source: String,
+}
+
+/// Why a mechanism is not printed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused {
+    message: String,
+}
+
+impl Display for Refused {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl Error for Refused {}
+
+/// Prints a mechanism that is called `name` in its declaration.
+///
+/// Names of C are those of the user, in small letters at the beginning: `favorit_needle` of the function `needle` of `Favorit`. A name that
+/// C has itself gets an underscore behind it.
+///
+/// # Errors
+///
+/// For what exported C cannot do, which is a limit of ours: the message says what.
+pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> {
+    if let Some(coupled) = unit.coupled.first() {
+        let group = &unit.groups[coupled.group];
+        return Err(Refused {
+            message: format!(
+                "{name}: {} have to be solved together without a closed form, and exported C has closed forms only: a limit of ours",
+                group.unknowns.join(", ")
+            ),
+        });
+    }
+    let surface = surface::Surface::new(name, unit, real);
+    Ok(Sources {
+        header: header::header(&surface),
+        source: source::source(&surface),
+        name: surface.prefix.clone(),
+    })
+}

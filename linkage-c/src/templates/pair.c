@@ -1,0 +1,1 @@
+typedef struct own_pair { real sine, cosine; } own_pair;

@@ -1,0 +1,164 @@
+//! Angles with turns: by the closed form if one of the vectors that they are found from decides, else followed through the ranges.
+
+use std::fmt::Write;
+
+use linkage_compiler::unit::Unit;
+
+use crate::helper::Helper;
+use crate::refusal::Why;
+use crate::source::{Writer, used, written};
+use crate::surface::Surface;
+use crate::template::fill;
+
+/// The type of the turns of all angles; nothing if no angle counts them.
+pub(crate) fn turns_type(surface: &Surface) -> String {
+    let Surface {
+        unit, own, real, ..
+    } = surface;
+    let (angles, inputs) = (unit.angles.len(), unit.inputs.len().max(1));
+    match angles {
+        0 => String::new(),
+        _ => format!(
+            "/* An angle is the one of its direction nearest to centre + the sum of winding * input. */\n\
+             typedef struct {own}turns {{ {real} centre[{angles}], winding[{angles}][{inputs}]; }} {own}turns;\n\n",
+            real = real.name()
+        ),
+    }
+}
+
+/// What finds the turns; nothing if no angle counts them.
+pub(crate) fn items(writer: &mut Writer) {
+    let surface = writer.surface;
+    let unit = surface.unit;
+    if unit.angles.is_empty() {
+        return;
+    }
+    writer.plain(
+        "directions",
+        &unit.directions,
+        "Cosine and sine, of some length, of each angle whose turns are counted.",
+    );
+    bearings(writer);
+    for helper in [
+        Helper::Nan,
+        Helper::Infinite,
+        Helper::Whole,
+        Helper::Hypot,
+        Helper::Atan2,
+        Helper::AngleNear,
+    ] {
+        writer.printer.helpers.need(helper);
+    }
+    let text = tables(surface);
+    writer.text += &text;
+    let rates = unit.inputs.iter().map(|own| own.rates.len()).max();
+    let number = |word: &str| {
+        Some(match word {
+            "MECHANISM" => surface.prefix.clone(),
+            "DIRECTIONS" => (2 * unit.angles.len()).to_string(),
+            "BEARINGS" => unit.bearings.outputs.len().max(1).to_string(),
+            "ANGLES" => unit.angles.len().to_string(),
+            "INPUTS" => unit.inputs.len().max(1).to_string(),
+            "NO_TURNS" => surface.code(Why::NoTurns(0)).to_string(),
+            "RATES" => rates.unwrap_or(0).max(1).to_string(),
+            _ => return None,
+        })
+    };
+    for template in [
+        include_str!("templates/follow.c"),
+        include_str!("templates/wind.c"),
+    ] {
+        writer.text += &fill(template, surface.real, &surface.own, number);
+        writer.text.push('\n');
+    }
+}
+
+/// The vectors of all angles, where all inputs are 0.
+fn bearings(writer: &mut Writer) {
+    let surface = writer.surface;
+    let printed = writer.printed(&surface.unit.bearings);
+    let body = used(&["m", "out"], written(&printed));
+    let (own, prefix, real) = (&surface.own, &surface.prefix, surface.real.name());
+    writer.text += "/* The vectors that angles are found from, where all inputs are 0. */\n";
+    let _ = writeln!(
+        writer.text,
+        "static void {own}bearings(const {prefix} *m, {real} *out)\n{{\n{body}}}\n"
+    );
+}
+
+/// What is known of each angle.
+fn tables(surface: &Surface) -> String {
+    let Surface {
+        unit, own, real, ..
+    } = surface;
+    let name = real.name();
+    let numbers = |all: &mut dyn Iterator<Item = f64>| list(all.map(|x| real.literal(x)), "0");
+    let estimates = numbers(&mut unit.angles.iter().map(|own| own.estimate));
+    let phases = unit.angles.iter().flat_map(|own| &own.phases);
+    let turning = list(
+        phases
+            .clone()
+            .map(|own| u8::from(own.turns.is_some()).to_string()),
+        "0",
+    );
+    let inputs = unit.inputs.len().max(1);
+    let turns = phases.map(|own| {
+        let none = vec![0.0; inputs];
+        let turns = own.turns.as_ref().unwrap_or(&none);
+        list(turns.iter().map(|x| real.literal(*x)), "0")
+    });
+    let turns = list(turns, "{ 0 }");
+    let first_phase = list(firsts(unit, |k| unit.angles[k].phases.len()), "0");
+    let first_along = list(firsts(unit, |k| unit.angles[k].inputs.len()), "0");
+    let first_rate = |input: usize| -> usize {
+        let before = unit.inputs[..input].iter();
+        before.map(|own| own.rates.len()).sum()
+    };
+    let along = unit
+        .angles
+        .iter()
+        .flat_map(|own| &own.inputs)
+        .map(|&input| {
+            let (low, high) = unit.inputs[input].followed;
+            let (low, high) = (real.literal(low), real.literal(high));
+            let rates = unit.inputs[input].rates.len();
+            format!(
+                "{{ {input}, {low}, {high}, {}, {rates} }}",
+                first_rate(input)
+            )
+        });
+    let along = list(along, "{ 0, 0, 0, 0, 0 }");
+    let rates = numbers(&mut unit.inputs.iter().flat_map(|own| own.rates.clone()));
+    format!(
+        "/* For each angle: its value at the reference, about; its vectors, whether they turn with the inputs alone, and how often; the inputs that it is\n   \
+         followed along, over which range, and which rates are tried. */\n\
+         static const {name} {own}estimates[] = {estimates};\n\
+         static const int {own}first_phase[] = {first_phase};\n\
+         static const int {own}turning[] = {turning};\n\
+         static const {name} {own}phase_turns[][{inputs}] = {turns};\n\
+         typedef struct {own}along {{ int input; {name} low, high; int first_rate, rates; }} {own}along;\n\
+         static const int {own}first_along[] = {first_along};\n\
+         static const {own}along {own}all_along[] = {along};\n\
+         static const {name} {own}rates[] = {rates};\n\n"
+    )
+}
+
+/// Where the entries of each angle begin, and the end of all.
+fn firsts(unit: &Unit, count: impl Fn(usize) -> usize) -> impl Iterator<Item = String> {
+    let mut first = 0;
+    let mut firsts = vec![0];
+    for angle in 0..unit.angles.len() {
+        first += count(angle);
+        firsts.push(first);
+    }
+    firsts.into_iter().map(|own| own.to_string())
+}
+
+/// An initializer; an array of nothing is not C.
+fn list(entries: impl Iterator<Item = String>, nothing: &str) -> String {
+    let entries: Vec<String> = entries.collect();
+    match entries.is_empty() {
+        true => format!("{{ {nothing} }}"),
+        false => format!("{{ {} }}", entries.join(", ")),
+    }
+}

@@ -1,0 +1,12 @@
+//! Exported C, compiled by the system's compiler and run: against the same programs on the runtime's numbers, against published figures,
+//! and for what it promises: no warning, no call, no double in single precision.
+
+mod batch;
+mod favorit;
+mod given;
+mod machine;
+mod mechanisms;
+mod operations;
+mod promises;
+mod reference;
+mod refusals;

@@ -1,0 +1,185 @@
+//! Every operation alone: C against the runtime.
+
+use linkage_c::Real;
+use linkage_compiler::unit::{Body, Column, Field, Function, Input, Meaning, Shape, Unit};
+use linkage_random::Random;
+use linkage_symbolic::program::{
+    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
+};
+
+use crate::batch::{Batch, Number, Request};
+use crate::given::Given;
+use crate::machine::Compiler;
+use crate::reference::run;
+
+/// All operations, each of the first ones of three inputs.
+fn operations() -> Vec<Instruction> {
+    let [a, b, c] = [0, 1, 2].map(Value);
+    let unary = Unary::ALL.iter().map(|&op| Instruction::Unary(op, a));
+    let binary = Binary::ALL.iter().map(|&op| Instruction::Binary(op, a, b));
+    let ternary = Ternary::ALL
+        .iter()
+        .map(|&op| Instruction::Ternary(op, a, b, c));
+    let fused = Fused::ALL.iter().map(|&op| Instruction::Fused(op, a, b, c));
+    unary.chain(binary).chain(ternary).chain(fused).collect()
+}
+
+/// A unit with a function for each operation.
+fn unit() -> Unit {
+    let input = |index: usize| Input {
+        name: format!("x{index}"),
+        unit: String::new(),
+        angle: false,
+        reference: 0.0,
+        range: None,
+        followed: (0.0, 0.0),
+        rates: Vec::new(),
+    };
+    let function = |(index, operation): (usize, Instruction)| {
+        let mut program = Program::default();
+        for input in 0..3 {
+            program.push(Instruction::Load(Source::Input(input)));
+        }
+        let value = program.push(operation);
+        program.outputs.push(value);
+        Function {
+            name: format!("operation_{index}"),
+            arguments: vec![0, 1, 2],
+            states: Vec::new(),
+            called: Body {
+                program,
+                ..Body::default()
+            },
+            beside: None,
+            fields: vec![Field {
+                name: "value".to_owned(),
+                shape: Shape::Scalar,
+                unit: String::new(),
+            }],
+            columns: vec![Column {
+                name: "value".to_owned(),
+                unit: String::new(),
+                meaning: Meaning::Value,
+            }],
+            sensitivities: None,
+        }
+    };
+    Unit {
+        inputs: (0..3).map(input).collect(),
+        functions: operations().into_iter().enumerate().map(function).collect(),
+        ..Unit::default()
+    }
+}
+
+/// Zeros, infinities, NaN, subnormal numbers, and numbers whose squares are none.
+fn special(real: Real) -> Vec<f64> {
+    let (least, normal, large) = match real {
+        Real::Double => (f64::from_bits(1), f64::MIN_POSITIVE, f64::MAX),
+        Real::Single => (
+            f64::from(f32::from_bits(1)),
+            f64::from(f32::MIN_POSITIVE),
+            f64::from(f32::MAX),
+        ),
+    };
+    let mut special = vec![
+        0.0,
+        1.0,
+        f64::INFINITY,
+        least,
+        9.0 * least,
+        normal,
+        large,
+        large.sqrt() * 1e3,
+    ];
+    special.extend(special.clone().iter().map(|x| -x));
+    special.push(f64::NAN);
+    special
+}
+
+/// How many random operands each operation is tried on.
+const RANDOM: usize = 4000;
+
+fn operands<T: Number>(arity: usize) -> Vec<Vec<T>> {
+    let special = special(T::REAL);
+    let choices = special.len().pow(arity as u32);
+    let place = |choice: usize, place: usize| match place < arity {
+        true => special[choice / special.len().pow(place as u32) % special.len()],
+        false => 0.0,
+    };
+    let chosen =
+        (0..choices).map(|choice| [0, 1, 2].map(|k| T::from_f64(place(choice, k))).to_vec());
+    let mut random = Random::new(arity as u64);
+    let random = (0..RANDOM).map(|round| {
+        let size = match round % 3 {
+            0 => random.ratio(1e-30, 1e30),
+            1 => random.ratio(1e-3, 1e5),
+            _ => 1.0,
+        };
+        let operands = [0; 3].map(|_| T::from_f64(size * random.between(-1.0, 1.0)));
+        operands.to_vec()
+    });
+    chosen.chain(random).collect()
+}
+
+/// Whether C and Rust may differ: in tangents and arc functions, which are C's own.
+fn near(operation: Instruction, c: f64, rust: f64, roundoff: f64) -> bool {
+    let other = matches!(
+        operation,
+        Instruction::Unary(Unary::Tan | Unary::Asin | Unary::Acos | Unary::Atan, _)
+    );
+    // The tangent is a quotient of two that are right to 0.83 units in the last place; the arc functions have an argument that was rounded.
+    other && (c - rust).abs() <= 3.0 * roundoff * rust.abs()
+}
+
+fn compare<T: Number>(name: &str) {
+    let Some(compiler) = Compiler::find() else {
+        return;
+    };
+    let given = [Given {
+        name: "Operations".to_owned(),
+        unit: unit(),
+    }];
+    let batch = Batch::new::<T>(&compiler, name, &given, &["-O2", "-ffp-contract=off"]);
+    let unit = &given[0].unit;
+    let mut requests = Vec::new();
+    for (function, operation) in operations().iter().enumerate() {
+        let arity = operation.operands().count();
+        requests.extend(operands::<T>(arity).into_iter().map(|arguments| Request {
+            mechanism: 0,
+            function,
+            dimensions: Vec::new(),
+            arguments,
+        }));
+    }
+    let results = batch.run(&given, &requests);
+    for (request, (_, own)) in requests.iter().zip(&results) {
+        let operation = operations()[request.function];
+        let program = &unit.functions[request.function].called.program;
+        let rust = run(program, |source| match source {
+            Source::Input(index) => request.arguments[index],
+            _ => unreachable!("there is nothing else"),
+        });
+        let (c, rust) = (own[0].lane(0), rust[0].lane(0));
+        let same = c.to_bits() == rust.to_bits() || (c.is_nan() && rust.is_nan());
+        // The sine of a large angle is noise, and no number here; the library computes the tangent.
+        let large = matches!(operation, Instruction::Unary(Unary::Tan, _))
+            && c.is_nan()
+            && request.arguments[0].lane(0).abs() >= 2.0_f64.powi(20);
+        assert!(
+            same || large || near(operation, c, rust, T::ROUNDOFF),
+            "{operation:?} of {:?}: {c:e} in C, {rust:e} in Rust",
+            request.arguments
+        );
+    }
+    println!("{name}: {} results", results.len());
+}
+
+#[test]
+fn operations_on_doubles_are_those_of_rust() {
+    compare::<f64>("operations_double");
+}
+
+#[test]
+fn operations_on_singles_are_those_of_rust() {
+    compare::<f32>("operations_single");
+}

@@ -1,0 +1,234 @@
+//! What exported C promises of itself: no warning, no call of others, no double in single precision, names that C can have.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use linkage_c::{Real, Sources, sources};
+
+use crate::given::{Given, examples, golden};
+use crate::machine::{self, Compiler, WARNINGS};
+
+const REALS: [Real; 2] = [Real::Double, Real::Single];
+
+/// A mechanism whose names are words of C, of C++ or of its own functions, or written in other letters.
+const NAMES: &str = "
+    pub struct Double {
+        unit mm;
+        param register = 30mm;
+        param default = 80mm;
+        param size_t = 1mm;
+        input signed = 60deg in 0deg..360deg;
+        unknown v1 = -20deg;
+        unknown λ = 90mm;
+        loop polar(register, signed) + polar(default, v1) = (λ, size_t);
+    }
+    impl Double {
+        pub fn error(signed) -> Motion { λ, class: velocity(λ), int: v1 }
+        pub fn own_pair(signed) -> Other { m: λ }
+    }";
+
+/// A mechanism without dimensions, and a function without arguments.
+const NOTHING: &str = "
+    pub struct Nothing {
+        unit mm;
+        input phi = 60deg;
+        unknown psi = 120deg;
+        loop psi = 2 * phi;
+        let p = polar(30mm, psi);
+    }
+    impl Nothing {
+        pub fn place(phi) -> Place { p }
+        pub fn fixed() -> Fixed { two: 2 }
+    }";
+
+fn all() -> Vec<Given> {
+    let mut all = golden();
+    all.extend(examples());
+    all.extend([NAMES, NOTHING].map(Given::text));
+    all.retain(|own| own.unit.coupled.is_empty());
+    all
+}
+
+fn written(folder: &Path, given: &[Given], real: Real) -> Vec<Sources> {
+    let given = given.iter().enumerate();
+    let sources = given.map(|(index, own)| {
+        let name = match &own.name[..] {
+            "Double" => own.name.clone(),
+            name => format!("M{index}{name}"),
+        };
+        let sources = sources(&name, &own.unit, real).expect("it can be exported");
+        machine::write(folder, &sources);
+        sources
+    });
+    sources.collect()
+}
+
+#[test]
+fn no_compiler_warns() {
+    let given = all();
+    let commands = ["gcc", "clang", "g++", "clang++"];
+    let compilers = commands
+        .iter()
+        .filter_map(|own| Some((own, Compiler::named(own)?)));
+    let compilers: Vec<_> = compilers.collect();
+    for real in REALS {
+        let folder = machine::folder(&format!("warnings_{}", real.name()));
+        let sources = written(&folder, &given, real);
+        let files: Vec<String> = sources
+            .iter()
+            .map(|own| format!("{}.c", own.name))
+            .collect();
+        for (command, compiler) in &compilers {
+            let language = match command.contains("++") {
+                // Some warnings need what optimisation finds out.
+                true => ["-x", "c++", "-std=c++11", "-fsyntax-only"],
+                false => ["-x", "c", "-std=c99", "-O1"],
+            };
+            let mut arguments = vec!["-c"];
+            arguments.extend(language);
+            arguments.extend(WARNINGS);
+            arguments.extend(files.iter().map(String::as_str));
+            compiler.run(&folder, &arguments);
+            println!("{command}: {} files of {}s", files.len(), real.name());
+        }
+    }
+}
+
+#[test]
+fn nothing_is_called_but_roots() {
+    let Some(compiler) = Compiler::find() else {
+        return;
+    };
+    if Command::new("nm").arg("--version").output().is_err() {
+        println!("skipped: there is no `nm`");
+        return;
+    }
+    let given = golden();
+    let given: Vec<Given> = given
+        .into_iter()
+        .filter(|own| own.unit.coupled.is_empty())
+        .collect();
+    for real in REALS {
+        let folder = machine::folder(&format!("calls_{}", real.name()));
+        let allowed = match real {
+            Real::Double => ["sqrt", "fabs"],
+            Real::Single => ["sqrtf", "fabsf"],
+        };
+        for own in written(&folder, &given, real) {
+            let file = format!("{}.c", own.name);
+            // As for a machine without an operating system: compilers take nothing for their own.
+            compiler.run(
+                &folder,
+                &[
+                    "-std=c99",
+                    "-O0",
+                    "-ffreestanding",
+                    "-fno-builtin",
+                    "-c",
+                    &file,
+                    "-o",
+                    "one.o",
+                ],
+            );
+            let output = Command::new("nm")
+                .current_dir(&folder)
+                .args(["-u", "one.o"])
+                .output();
+            let output = String::from_utf8(output.expect("it runs").stdout).expect("names");
+            let called: Vec<&str> = output
+                .split_whitespace()
+                .filter(|word| *word != "U")
+                .collect();
+            let of_platform = |name: &&str| !name.starts_with('_');
+            let others: Vec<&&str> = called
+                .iter()
+                .filter(|own| !allowed.contains(own))
+                .filter(|own| of_platform(own))
+                .collect();
+            assert!(others.is_empty(), "{file} calls {others:?}");
+            assert!(
+                called.contains(&allowed[0]),
+                "{file} takes a root: {called:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn nothing_in_singles_is_double() {
+    for own in all() {
+        let Sources { header, source, .. } =
+            sources(&own.name, &own.unit, Real::Single).expect("it can be exported");
+        let code = without_texts(&(header + &source));
+        let of_name = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
+        for word in code.split(|c| !of_name(c)) {
+            let number = word.starts_with(|c: char| c.is_ascii_digit()) && word.contains('.');
+            assert!(
+                word != "double" && word != "uint64_t" && word != "sqrt" && word != "fabs",
+                "{}: {word}",
+                own.name
+            );
+            assert!(
+                !number || word.ends_with('f') || word.ends_with('e'),
+                "{}: {word}",
+                own.name
+            );
+        }
+    }
+}
+
+/// C without comments and strings.
+fn without_texts(code: &str) -> String {
+    let mut kept = String::new();
+    let mut rest = code;
+    while let Some(start) = rest.find(['"', '/']) {
+        kept += &rest[..start];
+        let behind = &rest[start + 1..];
+        let length = match &rest[start..=start] {
+            "\"" => behind.find('"').map(|end| end + 1),
+            _ if behind.starts_with('*') => behind.find("*/").map(|end| end + 2),
+            slash => {
+                kept += slash;
+                Some(0)
+            }
+        };
+        rest = &behind[length.expect("what begins ends")..];
+    }
+    kept + rest
+}
+
+#[test]
+fn names_are_those_of_the_user_where_c_can_have_them() {
+    let own = Given::text(NAMES);
+    let Sources { name, header, .. } =
+        sources(&own.name, &own.unit, Real::Double).expect("it can be exported");
+    assert_eq!(name, "double_");
+    for line in [
+        "double register_; /* mm */",
+        "double default_; /* mm */",
+        "double size_t; /* mm */",
+        "double u3bb; /* mm */",
+        "double class_; /* mm */",
+        "double int_; /* rad */",
+        "double__error_result double__error_(const double_ *m, double signed_);",
+        "double__own_pair_result double__own_pair(const double_ *m, double signed_);",
+    ] {
+        assert!(header.contains(line), "`{line}` in\n{header}");
+    }
+}
+
+#[test]
+fn files_are_the_same_each_time() {
+    let given = golden();
+    let own = &given[0];
+    let text = fs::read_to_string(
+        Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("../linkage-compiler/tests/golden/crank_rocker.mech"),
+    );
+    let again = Given::text(&text.expect("it can be read"));
+    assert_eq!(
+        sources(&own.name, &own.unit, Real::Double),
+        sources(&again.name, &again.unit, Real::Double)
+    );
+}

@@ -1,0 +1,217 @@
+//! The programs of a mechanism on the runtime's numbers, as generated Rust runs them where multiply-adds are not fused.
+
+use linkage_compiler::unit::{ContinuousAngle, Function, Unit};
+use linkage_runtime::Scalar;
+use linkage_runtime::numeric::winding::{Centre, follow, uniform};
+use linkage_symbolic::program::{
+    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
+};
+
+/// Runs a program.
+pub(crate) fn run<T: Scalar>(program: &Program, load: impl Fn(Source) -> T) -> Vec<T> {
+    let mut values: Vec<T> = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        let of = |value: Value| values[value.0];
+        let value = match *instruction {
+            Instruction::Constant(x) => T::from_f64(x),
+            Instruction::Load(source) => load(source),
+            Instruction::Unary(op, a) => unary(op, of(a)),
+            Instruction::Binary(op, a, b) => binary(op, of(a), of(b)),
+            Instruction::Ternary(op, a, b, c) => ternary(op, of(a), of(b), of(c)),
+            Instruction::Fused(op, a, b, c) => fused(op, of(a), of(b), of(c)),
+            Instruction::SinCos(a) => of(a).sin_cos_with::<false>().0,
+            Instruction::Second(pair) => match program.instructions[pair.0] {
+                Instruction::SinCos(a) => of(a).sin_cos_with::<false>().1,
+                _ => unreachable!("nothing else has two results"),
+            },
+        };
+        values.push(value);
+    }
+    program.outputs.iter().map(|own| values[own.0]).collect()
+}
+
+fn unary<T: Scalar>(op: Unary, a: T) -> T {
+    match op {
+        Unary::Neg => -a,
+        Unary::Abs => a.abs(),
+        Unary::Sqrt => a.sqrt(),
+        Unary::Sin => a.sin_cos_with::<false>().0,
+        Unary::Cos => a.sin_cos_with::<false>().1,
+        Unary::Tan => a.tan(),
+        Unary::Asin => a.asin(),
+        Unary::Acos => a.acos(),
+        Unary::Atan => a.atan(),
+        Unary::Sign => a.sign(),
+        Unary::InverseScale => a.inverse_scale(),
+    }
+}
+
+fn binary<T: Scalar>(op: Binary, a: T, b: T) -> T {
+    match op {
+        Binary::Add => a + b,
+        Binary::Sub => a - b,
+        Binary::Mul => a * b,
+        Binary::Div => a / b,
+        Binary::Atan2 => a.atan2_with::<false>(b),
+        Binary::Hypot => a.hypot(b),
+        Binary::Min => a.min(b),
+        Binary::Max => a.max(b),
+        Binary::Root => a.root(b),
+    }
+}
+
+fn ternary<T: Scalar>(op: Ternary, a: T, b: T, c: T) -> T {
+    match op {
+        Ternary::AngleNear => T::angle_near_with::<false>(a, b, c),
+        Ternary::Select => T::select(a, b, c),
+    }
+}
+
+fn fused<T: Scalar>(op: Fused, a: T, b: T, c: T) -> T {
+    match op {
+        Fused::MulAdd => a.mul_add::<false>(b, c),
+        Fused::MulSub => a.mul_add::<false>(b, -c),
+        Fused::SubMul => (-a).mul_add::<false>(b, c),
+    }
+}
+
+/// An assembled mechanism.
+pub(crate) struct Assembled<'a, T> {
+    unit: &'a Unit,
+    dimensions: Vec<T>,
+    centres: Vec<f64>,
+    windings: Vec<Vec<f64>>,
+    prepared: Vec<T>,
+}
+
+impl<'a, T: Scalar> Assembled<'a, T> {
+    /// Assembles a mechanism; `None` where that does not go.
+    pub(crate) fn new(unit: &'a Unit, dimensions: &[T]) -> Option<Self> {
+        let at: Vec<f64> = unit.inputs.iter().map(|own| own.reference).collect();
+        // Turns are counted in double precision.
+        let plain: Vec<f64> = dimensions.iter().map(|x| x.lane(0)).collect();
+        let (centres, windings) = Assembled::<f64>::unturned(unit, plain).turns(&at)?;
+        let mut own = Assembled::unturned(unit, dimensions.to_vec());
+        (own.centres, own.windings) = (centres, windings);
+        own.prepare();
+        let at: Vec<T> = at.into_iter().map(T::from_f64).collect();
+        let gaps = run(&unit.gaps, |source| own.load(source, &at));
+        gaps.iter().all(|gap| gap.lane(0) <= 0.0).then_some(own)
+    }
+
+    fn unturned(unit: &'a Unit, dimensions: Vec<T>) -> Self {
+        let mut own = Self {
+            unit,
+            dimensions,
+            centres: unit.angles.iter().map(|own| own.estimate).collect(),
+            windings: vec![vec![0.0; unit.inputs.len()]; unit.angles.len()],
+            prepared: Vec::new(),
+        };
+        own.prepare();
+        own
+    }
+
+    fn prepare(&mut self) {
+        self.prepared = run(&self.unit.prepare, |source| self.load(source, &[]));
+    }
+
+    /// The results of a function at its arguments.
+    pub(crate) fn call(&self, function: &Function, arguments: &[T]) -> Vec<T> {
+        let mut all =
+            vec![T::from_f64(f64::NAN); self.unit.inputs.len() + self.unit.arguments.len()];
+        for (&place, &x) in function.arguments.iter().zip(arguments) {
+            all[place] = x;
+        }
+        run(&function.called.program, |source| self.load(source, &all))
+    }
+
+    fn load(&self, source: Source, inputs: &[T]) -> T {
+        match source {
+            Source::Parameter(index) => self.dimensions[index],
+            Source::Input(index) => inputs[index],
+            Source::Mode(index) => T::from_f64(if self.unit.modes()[index] { 1.0 } else { -1.0 }),
+            Source::Centre(angle) => T::from_f64(self.centres[angle]),
+            Source::Winding(angle, input) => T::from_f64(self.windings[angle][input]),
+            Source::Prepared(slot) => self.prepared[slot],
+            Source::State(..) | Source::Carried(_) | Source::Limit => {
+                unreachable!("there is no coupled group, and programs are whole")
+            }
+        }
+    }
+}
+
+/// Inputs that the closed form of turns is tried for here, at most.
+const INPUTS: usize = 4;
+
+impl Assembled<'_, f64> {
+    /// Centres and windings of all angles.
+    fn turns(mut self, at: &[f64]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
+        let vectors = run(&self.unit.bearings, |source| self.load(source, &[]));
+        let (vectors, _) = vectors.as_chunks::<2>();
+        let mut vectors = vectors;
+        for (index, angle) in self.unit.angles.iter().enumerate() {
+            let (own, rest) = vectors.split_at(angle.phases.len());
+            vectors = rest;
+            self.prepare();
+            let [cosine, sine] = self.direction(index, at);
+            let here = f64::angle_near_with::<false>(sine, cosine, angle.estimate);
+            if !here.is_finite() {
+                return None;
+            }
+            let (centre, windings) = closed_form(own, angle, at, here)
+                .or_else(|| self.followed(index, angle, at, here))?;
+            self.centres[index] = centre;
+            self.windings[index] = windings[..at.len()].to_vec();
+        }
+        Some((self.centres, self.windings))
+    }
+
+    fn direction(&self, angle: usize, at: &[f64]) -> [f64; 2] {
+        let all = run(&self.unit.directions, |source| self.load(source, at));
+        [all[2 * angle], all[2 * angle + 1]]
+    }
+
+    fn followed(
+        &self,
+        index: usize,
+        angle: &ContinuousAngle,
+        at: &[f64],
+        here: f64,
+    ) -> Option<(f64, Vec<f64>)> {
+        let mut windings = vec![0.0; at.len()];
+        let mut centre = Centre::new(here);
+        for &input in &angle.inputs {
+            let (low, high) = self.unit.inputs[input].followed;
+            let x = at[input];
+            let (low, high) = (low.min(x), high.max(x));
+            if low == high {
+                continue;
+            }
+            let rates = &self.unit.inputs[input].rates;
+            let along = follow(low, high, x, here, rates, |x| {
+                let mut there = at.to_vec();
+                there[input] = x;
+                self.direction(index, &there)
+            })?;
+            windings[input] = along.turns;
+            centre.add(along, x);
+        }
+        Some((centre.value(), windings))
+    }
+}
+
+fn closed_form(
+    vectors: &[[f64; 2]],
+    angle: &ContinuousAngle,
+    at: &[f64],
+    here: f64,
+) -> Option<(f64, Vec<f64>)> {
+    let padded = |own: &[f64]| std::array::from_fn(|k| own.get(k).copied().unwrap_or(0.0));
+    let turns = angle
+        .phases
+        .iter()
+        .map(|own| own.turns.as_deref().map(padded));
+    let turns: Vec<Option<[f64; INPUTS]>> = turns.collect();
+    let (centre, windings) = uniform(vectors, &turns, padded(at), here)?;
+    Some((centre, windings.to_vec()))
+}
