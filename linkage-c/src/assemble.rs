@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::comment::comment;
+use crate::coupled::deciding;
 use crate::header::reference;
 use crate::helper::Helper;
 use crate::real::Real;
@@ -106,12 +107,22 @@ pub(crate) fn assemble(writer: &mut Writer) {
             reference(surface)
         );
     }
+    let coupled = !unit.coupled.is_empty();
+    if coupled || !unit.angles.is_empty() {
+        declared += "    int code;\n";
+    }
     let (turn, prepared) = match unit.angles.is_empty() {
         true => (String::new(), format!("    {own}prepare(m);\n")),
         false => {
-            let _ = writeln!(declared, "    {own}turns turns;\n    int code;");
+            let _ = writeln!(declared, "    {own}turns turns;");
+            let fails = match coupled {
+                true => format!(
+                    "return m->moved && {own}too_far(m, at) != 0 ? {own}too_far(m, at) : code;"
+                ),
+                false => "return code;".to_owned(),
+            };
             (
-                format!("    code = {own}turn(m, at, &turns);\n    if (code != 0) return code;\n"),
+                format!("    code = {own}turn(m, at, &turns);\n    if (code != 0) {fails}\n"),
                 format!("    {own}prepare(m, &turns);\n"),
             )
         }
@@ -120,13 +131,39 @@ pub(crate) fn assemble(writer: &mut Writer) {
         true => "0".to_owned(),
         false => format!("{own}close(m, at)"),
     };
+    let (moved, reached) = match coupled {
+        true => (
+            format!("    m->moved = {};\n", moved(surface)),
+            format!(
+                "    code = m->moved ? {own}too_far(m, at) : 0;\n    if (code != 0) return code;\n"
+            ),
+        ),
+        false => (String::new(), String::new()),
+    };
     let finite = finite(writer);
     let zero = real.literal(0.0);
     let _ = writeln!(
         writer.text,
         "int {assemble}({prefix} *m, const {dimensions_type} *dimensions)\n{{\n{declared}    m->dimensions = *dimensions;\n    \
-         m->miss = {zero};\n{finite}{turn}{prepared}    return {closed};\n}}\n"
+         m->miss = {zero};\n{moved}{finite}{turn}{prepared}{reached}    return {closed};\n}}\n"
     );
+}
+
+/// Whether dimensions are not those of the tables.
+fn moved(surface: &Surface) -> String {
+    let nominal: Vec<f64> = surface.unit.scalars().map(|own| own.nominal).collect();
+    let different = deciding(surface.unit).into_iter().map(|place| {
+        let (scalar, nominal) = (
+            &surface.scalars[place],
+            surface.real.literal(nominal[place]),
+        );
+        format!("m->dimensions.{scalar} != {nominal}")
+    });
+    let different: Vec<String> = different.collect();
+    match different.is_empty() {
+        true => "0".to_owned(),
+        false => different.join(" || "),
+    }
 }
 
 /// Statements that return the number of a dimension that is none.

@@ -131,6 +131,9 @@ fn assembled(surface: &Surface) -> String {
         text,
         "    {number} miss; /* by how much a loop misses closing, if one does */"
     );
+    if !unit.coupled.is_empty() {
+        text += "    int moved; /* whether dimensions are not those for which tables are made */\n";
+    }
     if unit.slots() > 0 {
         let _ = writeln!(
             text,

@@ -31,6 +31,7 @@
 
 mod assemble;
 mod comment;
+mod coupled;
 mod header;
 mod helper;
 mod instruction;
@@ -83,12 +84,15 @@ impl Error for Refused {}
 ///
 /// For what exported C cannot do, which is a limit of ours: the message says what.
 pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> {
-    if let Some(coupled) = unit.coupled.first() {
-        let group = &unit.groups[coupled.group];
+    let mut coupled = unit.coupled.iter();
+    if let Some(own) = coupled.find(|own| coupled::table(own).is_none()) {
+        let group = &unit.groups[own.group];
         return Err(Refused {
             message: format!(
-                "{name}: {} have to be solved together without a closed form, and exported C has closed forms only: a limit of ours",
-                group.unknowns.join(", ")
+                "{name}: {} are solved together without a closed form and depend on {} inputs; exported C has such groups over one input only, \
+                 a limit of ours. Give them one input, or turn the others into parameters",
+                group.unknowns.join(", "),
+                own.inputs.len()
             ),
         });
     }

@@ -252,10 +252,12 @@ impl Names {
     }
 }
 
-/// Programs call their values `v17`.
+/// Programs call their values `v17`, and states `state_0`.
 fn is_temporary(name: &str) -> bool {
-    let digits = name.strip_prefix('v').unwrap_or_default();
-    !digits.is_empty() && digits.bytes().all(|c| c.is_ascii_digit())
+    let digits = name
+        .strip_prefix("state_")
+        .or_else(|| name.strip_prefix('v'));
+    digits.is_some_and(|own| !own.is_empty() && own.bytes().all(|c| c.is_ascii_digit()))
 }
 
 /// A name of Rust with numbers in place of letters that C does not know.

@@ -6,8 +6,8 @@ use linkage_symbolic::program::{Program, Source};
 
 use crate::assemble::{assemble, close, error};
 use crate::comment::comment;
+use crate::coupled;
 use crate::instruction::{Printed, Printer};
-use crate::real::Real;
 use crate::surface::{Evaluator, Surface, places};
 use crate::winding;
 
@@ -64,8 +64,10 @@ impl Writer<'_> {
         let turns = winding::turns_type(self.surface);
         self.text += &turns;
         self.prepare();
+        coupled::items(self);
         close(self);
         winding::items(self);
+        coupled::served(self);
     }
 
     /// What depends on the dimensions alone.
@@ -97,13 +99,32 @@ impl Writer<'_> {
         } = self.surface;
         let real = real.name();
         let printed = self.printed(program);
-        let body = written(&printed);
+        let body = coupled::look_up(self.surface, program, None, "x") + &written(&printed);
         self.text += &comment("", note);
         let body = used(&["m", "x"], body);
         let takes = format!("const {prefix} *m, const {real} *x, {real} *out");
         let _ = writeln!(
             self.text,
             "static void {own}{name}({takes})\n{{\n{body}}}\n"
+        );
+    }
+
+    /// A Newton step of a coupled group from a state.
+    pub(crate) fn correct(&mut self, number: usize, program: &Program) {
+        let Surface {
+            prefix, own, real, ..
+        } = self.surface;
+        let real = real.name();
+        let printed = self.printed(program);
+        let body = coupled::look_up(self.surface, program, Some(number), "x") + &written(&printed);
+        let state = format!("state_{number}");
+        let body = used(&["m", "x", &state], body);
+        let takes =
+            format!("const {prefix} *m, const {real} *x, const {real} *{state}, {real} *out");
+        let _ = writeln!(
+            self.text,
+            "/* The state after a Newton step, the square of its change, the determinant before. */\n\
+             static void {own}correct_{number}({takes})\n{{\n{body}}}\n"
         );
     }
 
@@ -134,7 +155,7 @@ impl Writer<'_> {
             }
             other => place(surface, other),
         });
-        let mut body = printed.statements;
+        let mut body = states(surface, own) + &printed.statements;
         let fields = own.fields.iter();
         let targets = fields.flat_map(|field| places(&field.name, &field.shape));
         for (target, value) in targets.zip(&printed.results) {
@@ -170,6 +191,26 @@ impl Writer<'_> {
     }
 }
 
+/// Statements that find the states of the coupled groups that a function needs.
+fn states(surface: &Surface, own: &Evaluator) -> String {
+    let function = own.function;
+    let found = coupled::look_up(surface, &function.called.program, None, "inputs");
+    if found.is_empty() {
+        return found;
+    }
+    let inputs = surface.unit.inputs.iter().enumerate().map(|(input, of)| {
+        let place = function.arguments.iter().position(|own| *own == input);
+        // What a function does not take, its groups do not depend on.
+        place.map_or_else(
+            || surface.real.literal(of.reference),
+            |place| own.arguments[place].clone(),
+        )
+    });
+    let inputs: Vec<String> = inputs.collect();
+    let (number, inputs) = (surface.real.name(), inputs.join(", "));
+    format!("    const {number} inputs[] = {{ {inputs} }};\n{found}")
+}
+
 /// Results written to an array.
 pub(crate) fn written(printed: &Printed) -> String {
     let mut body = printed.statements.clone();
@@ -200,10 +241,7 @@ pub(crate) fn place(surface: &Surface, source: Source) -> String {
         Source::Winding(angle, input) => format!("turns->winding[{angle}][{input}]"),
         Source::Prepared(slot) => format!("m->prepared[{slot}]"),
         Source::State(group, component) => format!("state_{group}[{component}]"),
-        Source::Limit => surface.real.literal(match surface.real {
-            Real::Double => 1e-7,
-            Real::Single => 1e-4,
-        }),
+        Source::Limit => coupled::limit(surface.real),
         Source::Input(_) | Source::Carried(_) => {
             unreachable!("inputs stand elsewhere, and whole programs carry nothing")
         }

@@ -200,7 +200,10 @@ fn evaluator<'a>(
 ) -> Evaluator<'a> {
     let name = plain(&function.name);
     // What else the function has in scope.
-    let mut scope = Names::new(Place::Function, &["m", "count", "results", "result", "k"]);
+    let mut scope = Names::new(
+        Place::Function,
+        &["m", "count", "results", "result", "k", "inputs"],
+    );
     let mut arguments = Vec::new();
     let mut argument_notes = Vec::new();
     for &place in &function.arguments {

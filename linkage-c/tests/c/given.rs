@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use linkage_compiler::check;
-use linkage_compiler::unit::Unit;
+use linkage_compiler::unit::{Coupled, Start, Unit};
 use proc_macro2::{TokenStream, TokenTree};
 
 /// A mechanism with its name.
@@ -36,6 +36,15 @@ fn name(body: &TokenStream) -> String {
     let mut words = body.clone().into_iter().map(|token| token.to_string());
     words.find(|word| word == "struct");
     words.next().expect("a mechanism has a name")
+}
+
+/// Golden mechanisms and examples that can be exported: coupled groups depend on one input.
+pub(crate) fn exported() -> Vec<Given> {
+    let mut all = golden();
+    all.extend(examples());
+    let has_table = |own: &Coupled| matches!(own.start, Some(Start::Table(_)));
+    all.retain(|own| own.unit.coupled.iter().all(has_table));
+    all
 }
 
 /// The mechanisms of the golden files.

@@ -5,21 +5,13 @@ use linkage_random::Random;
 use linkage_symbolic::program::{Instruction, Unary};
 
 use crate::batch::{Batch, Number, Request};
-use crate::given::{Given, examples, golden};
+use crate::given::{Given, exported};
 use crate::machine::Compiler;
 use crate::reference::Assembled;
 
 /// Sets of dimensions of each mechanism, and positions for each: the defaults and the reference first.
 const SETS: usize = 4;
 const POSITIONS: usize = 12;
-
-/// Golden mechanisms and examples that have closed forms.
-fn all() -> Vec<Given> {
-    let mut all = golden();
-    all.extend(examples());
-    all.retain(|own| own.unit.coupled.is_empty());
-    all
-}
 
 /// Dimensions near the defaults.
 fn dimensions<T: Number>(unit: &Unit, set: usize, random: &mut Random) -> Vec<T> {
@@ -90,7 +82,8 @@ fn same<T: Number>(name: &str) {
     let Some(compiler) = Compiler::find() else {
         return;
     };
-    let given = all();
+    let mut given = exported();
+    given.retain(|own| own.unit.coupled.is_empty());
     let batch = Batch::new::<T>(&compiler, name, &given, &["-O1", "-ffp-contract=off"]);
     let (requests, expected) = asked::<T>(&given);
     let results = batch.run(&given, &requests);

@@ -6,7 +6,7 @@ use std::process::Command;
 
 use linkage_c::{Real, Sources, sources};
 
-use crate::given::{Given, examples, golden};
+use crate::given::{Given, exported, golden};
 use crate::machine::{self, Compiler, WARNINGS};
 
 const REALS: [Real; 2] = [Real::Double, Real::Single];
@@ -43,10 +43,8 @@ const NOTHING: &str = "
     }";
 
 fn all() -> Vec<Given> {
-    let mut all = golden();
-    all.extend(examples());
+    let mut all = exported();
     all.extend([NAMES, NOTHING].map(Given::text));
-    all.retain(|own| own.unit.coupled.is_empty());
     all
 }
 
@@ -105,10 +103,6 @@ fn nothing_is_called_but_roots() {
         return;
     }
     let given = golden();
-    let given: Vec<Given> = given
-        .into_iter()
-        .filter(|own| own.unit.coupled.is_empty())
-        .collect();
     for real in REALS {
         let folder = machine::folder(&format!("calls_{}", real.name()));
         let allowed = match real {

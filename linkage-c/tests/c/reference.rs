@@ -1,6 +1,6 @@
 //! The programs of a mechanism on the runtime's numbers, as generated Rust runs them where multiply-adds are not fused.
 
-use linkage_compiler::unit::{ContinuousAngle, Function, Unit};
+use linkage_compiler::unit::{ContinuousAngle, Function, Start, Unit};
 use linkage_runtime::Scalar;
 use linkage_runtime::numeric::winding::{Centre, follow, uniform};
 use linkage_symbolic::program::{
@@ -125,6 +125,18 @@ impl<'a, T: Scalar> Assembled<'a, T> {
         run(&function.called.program, |source| self.load(source, &all))
     }
 
+    /// The state of a coupled group in its table, and the floor.
+    fn state(&self, group: usize, inputs: &[T]) -> Vec<f64> {
+        let coupled = &self.unit.coupled[group];
+        let Some(Start::Table(table)) = &coupled.start else {
+            unreachable!("exported groups have a table");
+        };
+        let mut state = vec![0.0; coupled.size];
+        let floor = table.state(inputs[coupled.inputs[0]].lane(0), &mut state);
+        state.push(floor);
+        state
+    }
+
     fn load(&self, source: Source, inputs: &[T]) -> T {
         match source {
             Source::Parameter(index) => self.dimensions[index],
@@ -133,9 +145,9 @@ impl<'a, T: Scalar> Assembled<'a, T> {
             Source::Centre(angle) => T::from_f64(self.centres[angle]),
             Source::Winding(angle, input) => T::from_f64(self.windings[angle][input]),
             Source::Prepared(slot) => self.prepared[slot],
-            Source::State(..) | Source::Carried(_) | Source::Limit => {
-                unreachable!("there is no coupled group, and programs are whole")
-            }
+            Source::State(group, component) => T::from_f64(self.state(group, inputs)[component]),
+            Source::Limit => T::from_f64(T::CORRECTION_LIMIT),
+            Source::Carried(_) => unreachable!("programs are whole"),
         }
     }
 }

@@ -9,11 +9,11 @@ use crate::algebra::Algebra;
 use crate::formulate::{Prepared, Solved};
 use crate::structure::report::loop_list;
 use crate::structure::unsolved::OURS;
-use crate::unit::Coupled;
+use crate::unit::{Coupled, Start};
 
 use super::estimates::{LISTED, Position};
 use super::follow::followed_range;
-use super::machine::{Machine, Start};
+use super::machine::Machine;
 use super::reference::Assembly;
 use super::refusal::WITHIN_RANGE;
 

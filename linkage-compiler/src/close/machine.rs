@@ -3,14 +3,13 @@
 use linkage_symbolic::unordered::Map;
 
 use linkage_runtime::Scalar;
-use linkage_runtime::numeric::continuation::{Grid, Table};
 use linkage_symbolic::interpret::{run, run_steps};
 use linkage_symbolic::program::{Program, Source, Value};
 use linkage_symbolic::{Ex, evaluate};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::formulate::Formulation;
-use crate::unit::{Closing, ContinuousAngle, Coupled};
+use crate::unit::{Closing, ContinuousAngle, Coupled, Start};
 
 /// The programs with their data.
 #[derive(Clone, Debug)]
@@ -24,25 +23,16 @@ pub(crate) struct Machine {
     pub(crate) starts: Vec<Option<Start>>,
 }
 
-/// What is prepared of a coupled group.
-#[derive(Clone, Debug)]
-pub(crate) enum Start {
-    Table(Table),
-    Grid(Grid),
-}
-
-impl Start {
-    /// The state near some inputs, then the least determinant that is certified.
-    fn numbers(&self, group: &Coupled, inputs: &[f64]) -> Vec<f64> {
-        let mut numbers = vec![0.0; group.size];
-        let own: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
-        let floor = match self {
-            Self::Table(table) => table.state(own[0], &mut numbers),
-            Self::Grid(grid) => grid.state(&own, &mut numbers),
-        };
-        numbers.push(floor);
-        numbers
-    }
+/// The state of a group near some inputs, then the least determinant that is certified.
+fn state(start: &Start, group: &Coupled, inputs: &[f64]) -> Vec<f64> {
+    let mut numbers = vec![0.0; group.size];
+    let own: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
+    let floor = match start {
+        Start::Table(table) => table.state(own[0], &mut numbers),
+        Start::Grid(grid) => grid.state(&own, &mut numbers),
+    };
+    numbers.push(floor);
+    numbers
 }
 
 impl Machine {
@@ -107,7 +97,7 @@ impl Machine {
             .map(|(start, group)| {
                 start
                     .as_ref()
-                    .map_or_else(Vec::new, |start| start.numbers(group, inputs))
+                    .map_or_else(Vec::new, |start| state(start, group, inputs))
             })
             .collect()
     }

@@ -3,8 +3,8 @@
 use linkage_runtime::numeric::continuation::{Correction, dead_point};
 
 use super::listing::Numbers;
-use super::machine::Start;
 use super::ranges::{Broken, Grid, ROUNDING, Ranges};
+use crate::unit::Start;
 
 impl Ranges<'_, '_> {
     /// The first position of a grid over several inputs that cannot be assembled. Where a coupled group is not prepared, the dead point on

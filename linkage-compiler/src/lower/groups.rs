@@ -91,6 +91,7 @@ pub(crate) fn groups<'m>(
             correct: program(&own.correct),
             placed: program(&own.placed),
             turning: 0,
+            start: None,
             reach: nominal.evaluate(&[prepared.reach])[0],
             unknowns: placed_unknowns(algebra, formulation, index)
                 .into_iter()

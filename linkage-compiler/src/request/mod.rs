@@ -100,6 +100,9 @@ pub(crate) fn unit<'m>(
         schedule(graph, nodes, &mut slots)
     });
     find_turning(&mut coupled, &nodes, graph, &angles);
+    for (group, start) in coupled.iter_mut().zip(&at.reference.machine.starts) {
+        group.start.clone_from(start);
+    }
     let valued = valued_angles(graph, &survey);
     let last = angles.iter().rposition(|angle| valued.contains(angle));
     let [gaps, survey, directions] =

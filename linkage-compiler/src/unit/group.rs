@@ -1,5 +1,6 @@
 //! The groups of a mechanism: what is said of them, and what is prepared of coupled ones.
 
+use linkage_runtime::numeric::continuation::{Grid, Table};
 use linkage_runtime::numeric::roots::Variable;
 use linkage_symbolic::program::Program;
 
@@ -55,6 +56,17 @@ pub struct Coupled {
     pub unknowns: Vec<Placed>,
     /// How many continuous angles, the first ones, must be followed before its programs can be run.
     pub turning: usize,
+    /// The states of the default mechanism, from which Newton steps begin; `None` until its loops are closed.
+    pub start: Option<Start>,
+}
+
+/// What is prepared of the states of a coupled group over the ranges of its inputs.
+#[derive(Clone, Debug)]
+pub enum Start {
+    /// Over one input.
+    Table(Table),
+    /// Over several inputs, or none.
+    Grid(Grid),
 }
 
 impl Coupled {

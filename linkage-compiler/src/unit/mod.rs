@@ -18,7 +18,7 @@ pub use crate::model::Shape;
 pub use closing::{Closing, Outputs};
 pub use dump::dump;
 pub use function::{Body, Column, Field, Function, Meaning};
-pub use group::{Coupled, Group, Placed, Surveyed};
+pub use group::{Coupled, Group, Placed, Start, Surveyed};
 pub use picture::{Guide, GuideOn, Link, Picture, Point, PointKind};
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};
 

@@ -11,6 +11,7 @@
 mod cell;
 mod follow;
 mod grid;
+mod layout;
 mod lookup;
 mod polynomial;
 mod scale;
@@ -22,6 +23,7 @@ mod turning;
 mod walk;
 
 pub use grid::{Grid, GridLookup, LeftOut};
+pub use layout::{Axis, CellLayout, TableLayout};
 pub use lookup::Lookup;
 pub use states::states;
 pub use straight::dead_point;

@@ -16,9 +16,9 @@ const ROUND: f64 = 6_755_399_441_055_744.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
     pub(super) frame: Frame,
-    rate: f64,
+    pub(super) rate: f64,
     /// The rate in a table that repeats, else 0.
-    turns: f64,
+    pub(super) turns: f64,
     slots: f64,
     last: f64,
     count: usize,

@@ -1,0 +1,227 @@
+//! Groups without a closed form: tables in C against those of the runtime, for the dimensions of the declaration and for others.
+
+use linkage_c::{Real, sources};
+use linkage_compiler::unit::Unit;
+
+use crate::batch::{Batch, Number, Request};
+use crate::given::{Given, exported};
+use crate::machine::Compiler;
+use crate::reference::Assembled;
+
+/// Positions of each function over the range of the input.
+const POSITIONS: usize = 100;
+
+fn all() -> Vec<Given> {
+    let mut all = exported();
+    all.retain(|own| !own.unit.coupled.is_empty());
+    assert!(all.len() > 3, "there are some: {}", all.len());
+    all
+}
+
+/// Requests for all functions over the range, and a little beyond.
+fn requests<T: Number>(mechanism: usize, unit: &Unit, dimensions: &[f64]) -> Vec<Request<T>> {
+    let mut requests = Vec::new();
+    for (function, own) in unit.functions.iter().enumerate() {
+        for position in 0..POSITIONS {
+            let share = (position as f64 - 1.0) / (POSITIONS as f64 - 3.0);
+            let argument = |&place: &usize| match unit.inputs.get(place) {
+                Some(input) => {
+                    let (low, high) = input.followed;
+                    low + share * (high - low)
+                }
+                None => 1.5,
+            };
+            requests.push(Request {
+                mechanism,
+                function,
+                dimensions: dimensions.iter().map(|x| T::from_f64(*x)).collect(),
+                arguments: own
+                    .arguments
+                    .iter()
+                    .map(|own| T::from_f64(argument(own)))
+                    .collect(),
+            });
+        }
+    }
+    requests
+}
+
+fn defaults(unit: &Unit) -> Vec<f64> {
+    unit.scalars().map(|own| own.nominal).collect()
+}
+
+/// The largest difference of each function's results, in roundoffs of the largest result of its column; a result that only one of them has is
+/// as many as one likes.
+fn differences<T: Number>(c: &[Vec<T>], rust: &[Vec<f64>]) -> f64 {
+    let columns = rust[0].len();
+    let mut most = 0.0_f64;
+    for column in 0..columns {
+        let finite = rust.iter().map(|row| row[column]).filter(|x| x.is_finite());
+        let size = finite.fold(0.0_f64, |most, x| most.max(x.abs())).max(1.0);
+        for (c, rust) in c.iter().zip(rust) {
+            let (c, rust) = (c[column].lane(0), rust[column]);
+            most = most.max(match (c.is_nan(), rust.is_nan()) {
+                (true, true) => 0.0,
+                (false, false) => (c - rust).abs() / (size * T::ROUNDOFF),
+                _ => f64::INFINITY,
+            });
+        }
+    }
+    most
+}
+
+#[test]
+fn doubles_are_those_of_rust() {
+    let Some(compiler) = Compiler::find() else {
+        return;
+    };
+    let given = all();
+    let batch = Batch::new::<f64>(
+        &compiler,
+        "coupled_double",
+        &given,
+        &["-O1", "-ffp-contract=off"],
+    );
+    for (mechanism, Given { name, unit }) in given.iter().enumerate() {
+        let requests = requests::<f64>(mechanism, unit, &defaults(unit));
+        let results = batch.run(&given, &requests);
+        let assembled = Assembled::new(unit, &defaults(unit)).expect("it is assembled");
+        let mut finite = 0;
+        for (request, (code, c)) in requests.iter().zip(&results) {
+            assert_eq!(*code, 0, "{name}");
+            let function = &unit.functions[request.function];
+            let rust = assembled.call(function, &request.arguments);
+            for (c, rust) in c.iter().zip(&rust) {
+                let same = c.to_bits() == rust.to_bits() || (c.is_nan() && rust.is_nan());
+                let at = &request.arguments;
+                assert!(
+                    same,
+                    "{name}::{} at {at:?}: {c:e} in C, {rust:e} in Rust",
+                    function.name
+                );
+                finite += usize::from(c.is_finite());
+            }
+        }
+        println!(
+            "{name}: {finite} finite results of {} calls",
+            requests.len()
+        );
+        assert!(finite > requests.len(), "{name}");
+    }
+}
+
+#[test]
+fn singles_are_near_doubles() {
+    let Some(compiler) = Compiler::find() else {
+        return;
+    };
+    let given = all();
+    let batch = Batch::new::<f32>(
+        &compiler,
+        "coupled_single",
+        &given,
+        &["-O1", "-ffp-contract=off"],
+    );
+    for (mechanism, Given { name, unit }) in given.iter().enumerate() {
+        let requests = requests::<f32>(mechanism, unit, &defaults(unit));
+        let results = batch.run(&given, &requests);
+        let assembled = Assembled::new(unit, &defaults(unit)).expect("it is assembled");
+        for (function, own) in unit.functions.iter().enumerate() {
+            let (mut c, mut rust) = (Vec::new(), Vec::new());
+            for (request, (code, result)) in requests.iter().zip(&results) {
+                assert_eq!(*code, 0, "{name}");
+                if request.function == function {
+                    let arguments: Vec<f64> =
+                        request.arguments.iter().map(|x| f64::from(*x)).collect();
+                    c.push(result.clone());
+                    rust.push(assembled.call(own, &arguments));
+                }
+            }
+            println!("{name}::{}: {} roundoffs", own.name, differences(&c, &rust));
+        }
+    }
+}
+
+/// A triad, its third leg of this length.
+fn triad(length: &str) -> String {
+    let text = include_str!("../../../linkage-compiler/tests/golden/eye_needle.mech");
+    let moved = text.replacen("l57 = 261mm", &format!("l57 = {length}"), 1);
+    assert!(length == "261mm" || moved != text, "the leg is there");
+    moved
+}
+
+/// What assembling returns for another length of the leg, and how far results are from those of a mechanism that was declared with it.
+fn moved<T: Number>(name: &str, length: f64) -> Option<(usize, f64)> {
+    let compiler = Compiler::find()?;
+    let given = [Given::text(&triad("261mm"))];
+    let batch = Batch::new::<T>(&compiler, name, &given, &["-O1", "-ffp-contract=off"]);
+    let other = Given::text(&triad(&format!("{length}mm")));
+    let dimensions = defaults(&other.unit);
+    let assembled = Assembled::new(&other.unit, &dimensions).expect("it is assembled");
+    let requests = requests::<T>(0, &given[0].unit, &dimensions);
+    let results = batch.run(&given, &requests);
+    let mut most = 0.0_f64;
+    for (function, own) in other.unit.functions.iter().enumerate() {
+        let (mut c, mut rust) = (Vec::new(), Vec::new());
+        for (request, (_, result)) in requests.iter().zip(&results) {
+            if request.function == function {
+                let arguments: Vec<f64> = request.arguments.iter().map(|x| x.lane(0)).collect();
+                c.push(result.clone());
+                rust.push(assembled.call(own, &arguments));
+            }
+        }
+        most = most.max(differences(&c, &rust));
+    }
+    let code = results[0].0;
+    assert!(results.iter().all(|own| own.0 == code), "one mechanism");
+    Some((code, most))
+}
+
+/// Other dimensions are reached, and what is too far is refused.
+fn reached_or_refused<T: Number>(name: &str) {
+    for length in [261.02, 258.0, 266.0] {
+        let Some((code, most)) = moved::<T>(name, length) else {
+            return;
+        };
+        println!("{name}, {length} mm: {most:.1} roundoffs");
+        assert!(code == 0 && most < 40.0, "{length} mm: {code}, {most}");
+    }
+    let (code, _) = moved::<T>(name, 300.0).expect("there is a compiler");
+    let own = Given::text(&triad("261mm"));
+    let header = sources(&own.name, &own.unit, T::REAL)
+        .expect("it can be exported")
+        .header;
+    assert!(
+        header.contains(&format!("EYE_NEEDLE_LOOPS_1_2_TOO_FAR = {code}\n")),
+        "{code}"
+    );
+}
+
+#[test]
+fn other_dimensions_of_doubles_are_reached_or_refused() {
+    reached_or_refused::<f64>("moved_double");
+}
+
+#[test]
+fn other_dimensions_of_singles_are_reached_or_refused() {
+    reached_or_refused::<f32>("moved_single");
+}
+
+#[test]
+fn groups_over_several_inputs_are_refused() {
+    let text = triad("261mm")
+        .replace(
+            "unknown phi23",
+            "input lift = 0mm in -1mm..1mm; unknown phi23",
+        )
+        .replace("= p7 +", "= p7 + (0, lift) +")
+        .replace("(phi)", "(phi, lift)")
+        .replace("velocity(p8)", "d(p8, phi)");
+    let own = Given::text(&text);
+    let refused = sources(&own.name, &own.unit, Real::Double).expect_err("there are two inputs");
+    assert_eq!(
+        refused.to_string(),
+        "EyeNeedle: phi23, phi34, phi64, phi75 are solved together without a closed form and depend on 2 inputs; exported C has such groups over \
+         one input only, a limit of ours. Give them one input, or turn the others into parameters"
+    );
+}

@@ -1,0 +1,80 @@
+//! Tables in numbers, for who prints them.
+
+use super::scale::Scale;
+use super::table::Table;
+use alloc::vec::Vec;
+
+/// From an input to a place, -1/2 at the lower end of the range and 1/2 at the upper one, and to a slot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis {
+    /// The input in the middle of the range.
+    pub middle: f64,
+    /// How long the range is.
+    pub length: f64,
+    /// Places for each unit of the input.
+    pub rate: f64,
+    /// The same where the range repeats, else 0: the place less its nearest integer is taken.
+    pub turns: f64,
+    /// How many slots there are.
+    pub slots: usize,
+}
+
+impl Axis {
+    fn new(scale: &Scale) -> Self {
+        Self {
+            middle: scale.frame.middle,
+            length: scale.frame.length,
+            rate: scale.rate,
+            turns: scale.turns,
+            slots: scale.slots(),
+        }
+    }
+}
+
+/// A table as [`Table::state`] reads it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableLayout<'a> {
+    /// Of its input.
+    pub axis: Axis,
+    /// For each slot the number of its cell.
+    pub index: &'a [u16],
+    /// The cells, from the lower end of the range.
+    pub cells: Vec<CellLayout<'a>>,
+}
+
+/// A cell of a table. The state is a polynomial in `t = (place - centre) * inverse`, and there is none for `|t|` above
+/// [`OUTSIDE`](Self::OUTSIDE).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CellLayout<'a> {
+    /// The place of its centre.
+    pub centre: f64,
+    /// 2 over its length.
+    pub inverse: f64,
+    /// Half of the smallest determinant, with its sign.
+    pub floor: f64,
+    /// Power by power, the numbers of the state side by side.
+    pub coefficients: &'a [f64],
+}
+
+impl CellLayout<'_> {
+    /// Beyond this there is no state: half a cell outside the table.
+    pub const OUTSIDE: f64 = super::lookup::OUTSIDE;
+}
+
+impl Table {
+    /// Its numbers.
+    #[must_use]
+    pub fn layout(&self) -> TableLayout<'_> {
+        let cells = self.cells.iter().map(|cell| CellLayout {
+            centre: cell.centre,
+            inverse: cell.inverse,
+            floor: cell.floor,
+            coefficients: &cell.coefficients,
+        });
+        TableLayout {
+            axis: Axis::new(&self.scale),
+            index: &self.index,
+            cells: cells.collect(),
+        }
+    }
+}
