@@ -5,9 +5,11 @@ static inline real own_atan2(real y, real x)
 {
     const real width = fabs(x);
     const real height = fabs(y);
+    /* Bits of numbers that are not negative are in their order. */
     const word steep = (own_bits(width) - own_bits(height)) & SIGN_BITS;
-    const real lesser = height > width ? width : height;
-    const real larger = height > width ? height : width;
+    const word swapped = (own_bits(width) ^ own_bits(height)) & ((word)0 - (steep >> TOP));
+    const real lesser = own_number(own_bits(height) ^ swapped);
+    const real larger = own_number(own_bits(width) ^ swapped);
     const word size = own_bits(larger) & INFINITE_BITS;
     const real scale = own_number(TWO_ONES - (size < MOST_BITS ? size : MOST_BITS));
     /* NaN gets lost, and comes back at the end. */

@@ -3,7 +3,8 @@
 static inline real own_root(real q, real scale)
 {
     const real slack = EIGHT_ROUNDOFFS * fabs(scale);
-    const real root = sqrt(fabs(q < 0.0 ? 0.0 : q));
+    /* Zero if the sign is set. */
+    const real root = sqrt(own_number(own_bits(q) & ((own_bits(q) >> TOP) - 1u)));
     const word infinite = GREATEST_BITS - own_bits(slack);
     const word missing = own_bits(q + slack) | (infinite & own_bits(q));
     return own_number(own_bits(root) | ((word)0 - (missing >> TOP)));
