@@ -69,6 +69,11 @@ pub mod controllers {
     #![doc = include_str!("../docs/controllers.md")]
 }
 
+/// Mechanisms as C99, for controllers: what is printed, a control loop, a block of a PLC.
+pub mod c {
+    #![doc = include_str!("../docs/c.md")]
+}
+
 /// Accuracy: what tolerances do, and which tolerances an allowed error needs.
 #[cfg(feature = "tolerance")]
 pub mod tolerance {

@@ -8,6 +8,7 @@ mod given;
 mod machine;
 mod mechanisms;
 mod operations;
+mod page;
 mod promises;
 mod reference;
 mod refusals;

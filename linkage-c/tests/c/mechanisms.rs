@@ -13,6 +13,13 @@ use crate::reference::Assembled;
 const SETS: usize = 4;
 const POSITIONS: usize = 12;
 
+/// Mechanisms of closed forms alone.
+fn with_closed_forms() -> Vec<Given> {
+    let mut all = exported();
+    all.retain(|own| own.unit.coupled.is_empty());
+    all
+}
+
 /// Dimensions near the defaults.
 fn dimensions<T: Number>(unit: &Unit, set: usize, random: &mut Random) -> Vec<T> {
     let part = 0.03 * set as f64;
@@ -82,8 +89,7 @@ fn same<T: Number>(name: &str) {
     let Some(compiler) = Compiler::find() else {
         return;
     };
-    let mut given = exported();
-    given.retain(|own| own.unit.coupled.is_empty());
+    let given = with_closed_forms();
     let batch = Batch::new::<T>(&compiler, name, &given, &["-O1", "-ffp-contract=off"]);
     let (requests, expected) = asked::<T>(&given);
     let results = batch.run(&given, &requests);
@@ -137,4 +143,75 @@ fn doubles_are_those_of_rust() {
 #[test]
 fn singles_are_those_of_rust() {
     same::<f32>("singles");
+}
+
+/// Roundoffs by which fused multiply-adds may change most results; positions next to a dead point multiply roundings.
+const FEW: f64 = 2.0;
+const MANY: f64 = 4096.0;
+
+/// Fused multiply-adds change roundings and nothing else.
+fn fused<T: Number>(name: &str) {
+    let Some(compiler) = Compiler::find() else {
+        return;
+    };
+    if !machine_has_fma() {
+        println!("skipped: this machine has no fused multiply-add");
+        return;
+    }
+    let given = with_closed_forms();
+    let mut arguments = vec!["-O2", "-ffp-contract=fast"];
+    if cfg!(target_arch = "x86_64") {
+        arguments.push("-mfma");
+    }
+    let batch = Batch::new::<T>(&compiler, name, &given, &arguments);
+    let (requests, expected) = asked::<T>(&given);
+    let results = batch.run(&given, &requests);
+    let (mut count, mut few, mut different) = (0, 0, 0);
+    for ((request, expected), (_, own)) in requests.iter().zip(&expected).zip(&results) {
+        let Given { name, unit } = &given[request.mechanism];
+        let function = &unit.functions[request.function].name;
+        let rust: Vec<f64> = expected.iter().flatten().map(|x| x.lane(0)).collect();
+        let finite = rust.iter().filter(|x| x.is_finite());
+        let size = finite.fold(1.0_f64, |most, x| most.max(x.abs()));
+        for (index, (c, rust)) in own.iter().zip(&rust).enumerate() {
+            let c = c.lane(0);
+            let off = match c.is_nan() && rust.is_nan() {
+                true => 0.0,
+                false => (c - rust).abs() / (size * T::ROUNDOFF),
+            };
+            assert!(
+                off <= MANY,
+                "{name}::{function}, result {index}: {c:e} in C, {rust:e} in Rust"
+            );
+            count += 1;
+            few += usize::from(off <= FEW);
+            different += usize::from(off > 0.0);
+        }
+    }
+    println!("{name}: {count} results, {different} differ, {few} by {FEW} roundoffs at most");
+    assert!(few * 100 > count * 98, "{few} of {count}");
+    assert!(
+        different * 10 > count,
+        "multiply-adds are fused: {different} of {count}"
+    );
+}
+
+#[cfg(target_arch = "x86_64")]
+fn machine_has_fma() -> bool {
+    std::arch::is_x86_feature_detected!("fma")
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn machine_has_fma() -> bool {
+    cfg!(target_arch = "aarch64")
+}
+
+#[test]
+fn fused_doubles_are_near() {
+    fused::<f64>("fused_doubles");
+}
+
+#[test]
+fn fused_singles_are_near() {
+    fused::<f32>("fused_singles");
 }

@@ -1,0 +1,132 @@
+//! The programs of the page on C: compiled and run.
+
+use std::fs;
+use std::process::Command;
+
+use linkage_c::{Real, sources};
+
+use crate::given::Given;
+use crate::machine::{self, Compiler, WARNINGS};
+
+const PAGE: &str = include_str!("../../../docs/c.md");
+
+/// What calls the block of a PLC.
+const CYCLES: &str = r#"
+#include <stdio.h>
+#include <string.h>
+int main(void)
+{
+    static press_block_variables block;
+    const double angles[] = { 0.5, 1.0 }, rods[] = { 150, 150, 160, 20, 5, 160 };
+    int cycle;
+    for (cycle = 0; cycle < 6; cycle++) {
+        block.angle = angles[cycle % 2];
+        block.speed = 10;
+        block.rod = rods[cycle];
+        press_block(&block);
+        printf("%d %.12g %.12g %.12g\n", (int)block.error, block.ram, block.velocity, block.acceleration);
+    }
+    return 0;
+}
+"#;
+
+/// The blocks of the page in a language, in order.
+fn blocks(language: &str) -> Vec<&'static str> {
+    let fence = format!("```{language}\n");
+    let parts = PAGE.split(&fence).skip(1);
+    let blocks = parts.map(|own| own.split("```").next().expect("a part before the end"));
+    blocks.collect()
+}
+
+/// What a program prints that calls the mechanism of the page.
+fn printed(name: &str, program: &str, real: Real) -> Option<String> {
+    let compiler = Compiler::find()?;
+    let own = Given::text(blocks("text")[0]);
+    let folder = machine::folder(name);
+    machine::write(
+        &folder,
+        &sources(&own.name, &own.unit, real).expect("it can be exported"),
+    );
+    fs::write(folder.join("main.c"), program).expect("C can be written");
+    let mut arguments = vec!["-std=c99", "-O2", "main.c", "press.c", "-o", "main", "-lm"];
+    arguments.extend(WARNINGS);
+    compiler.run(&folder, &arguments);
+    let output = Command::new(folder.join("main")).output();
+    let output = output.expect("the program runs");
+    assert!(output.status.success());
+    Some(String::from_utf8(output.stdout).expect("a text"))
+}
+
+/// Crank and offset of the page's press.
+const CRANK: f64 = 40.0;
+const OFFSET: f64 = 10.0;
+
+/// Position, first and second derivative of the ram by the crank's angle.
+fn ram(rod: f64, phi: f64) -> [f64; 3] {
+    let (sin, cos) = phi.sin_cos();
+    let height = OFFSET - CRANK * sin;
+    let along = (rod * rod - height * height).sqrt();
+    // along^2 = rod^2 - height^2, twice differentiated.
+    let slope = -height * (-CRANK * cos) / along;
+    let bend = (-(CRANK * cos).powi(2) - height * CRANK * sin - slope * slope) / along;
+    [
+        CRANK * cos + along,
+        -CRANK * sin + slope,
+        -CRANK * cos + bend,
+    ]
+}
+
+#[test]
+fn the_control_loop_prints_what_the_page_says() {
+    let Some(printed) = printed("page_loop", blocks("c")[0], Real::Single) else {
+        return;
+    };
+    assert_eq!(printed, blocks("text")[1]);
+    for (tick, line) in printed.lines().enumerate() {
+        let time = 1e-3 * tick as f64;
+        let [_, v, a] = ram(150.02, 0.5 + 200.0 * time * time);
+        let acceleration = a * (400.0 * time).powi(2) + v * 400.0;
+        let torque = 12.0 * acceleration * v * 1e-6;
+        let own: f64 = line.parse().expect("a number");
+        assert!((own - torque).abs() < 0.0006, "{own} N m, by hand {torque}");
+    }
+}
+
+#[test]
+fn the_block_of_a_plc_follows_its_variables() {
+    let program = blocks("c")[1].to_owned() + CYCLES;
+    let Some(printed) = printed("page_block", &program, Real::Double) else {
+        return;
+    };
+    let lines: Vec<Vec<f64>> = printed
+        .lines()
+        .map(|line| {
+            line.split(' ')
+                .map(|word| word.parse().expect("a number"))
+                .collect()
+        })
+        .collect();
+    // The number is that of an error, of which only the sign is known here.
+    let expected = [
+        (150.0, 0.5, 0.0),
+        (150.0, 1.0, 0.0),
+        (160.0, 0.5, 0.0),
+        (20.0, 1.0, -1.0),
+        (5.0, 0.5, 1.0),
+        (160.0, 1.0, 0.0),
+    ];
+    assert_eq!(lines.len(), expected.len());
+    for (line, (rod, phi, error)) in lines.iter().zip(expected) {
+        assert_eq!(f64::clamp(line[0], -1.0, 1.0), error, "rod {rod}: {line:?}");
+        if error != 0.0 {
+            continue;
+        }
+        let [s, v, a] = ram(rod, phi);
+        for (own, by_hand) in line[1..].iter().zip([s, 10.0 * v, 100.0 * a]) {
+            assert!(
+                (own - by_hand).abs() < 1e-9 * by_hand.abs(),
+                "{own}, by hand {by_hand}"
+            );
+        }
+    }
+}
