@@ -7,10 +7,12 @@
 //! it. "Sweep" is `*_sweep_into`, beside the same kernels in C as vector code with a sine of their own,
 //! for the best instruction set of the machine.
 //!
-//! The numbers of both languages are compared before they are timed.
+//! "Exported" is the same mechanism as `linkage-c` prints it, one position at a time; its goal is 1.1 of ours.
+//!
+//! The numbers of all are compared before they are timed.
 
 use linkage_peers::timing::{Candidate, Spread, Times, clock, interleave, only_tested};
-use linkage_peers::{c, mechanisms as m, space as s};
+use linkage_peers::{c, exported, mechanisms as m, space as s};
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -33,10 +35,14 @@ const GOALS: [(&str, Option<f64>); 12] = [
     ("K4c", None),
 ];
 
-/// Times of one kernel: C, ours, both again by latency, both sweeps, the clock.
+/// What exported C may take of the time of ours.
+const EXPORTED: f64 = 1.1;
+
+/// Times of one kernel: C, ours, exported C, the first two again by latency, both sweeps, the clock.
 struct Row {
     c: Times,
     ours: Times,
+    exported: Times,
     c_latency: Times,
     ours_latency: Times,
     sweep: Times,
@@ -67,6 +73,10 @@ fn main() {
         four.assemble().expect("K4 assembles"),
         c::space::K4::new(s::dimensions4(&four)),
     );
+    let e1 = exported::K1::new(m::dimensions1(&one));
+    let e2 = exported::K2::new(m::dimensions2(&two));
+    let e3 = exported::K3::new(s::dimensions3(&three));
+    let e4 = exported::K4::new(s::dimensions4(&four));
     let all = |factor: usize, step: f64| -> [f64; POSITIONS] {
         std::array::from_fn(|i| (i * factor % POSITIONS) as f64 * step)
     };
@@ -74,7 +84,7 @@ fn main() {
     let [x, y, z] = &[619, 287, 411].map(|factor| all(factor, step / 6.0));
 
     macro_rules! rows {
-        ($($linkage:ident $c:ident $assembly:ident $function:ident $sweep:ident
+        ($($linkage:ident $c:ident $exported:ident $assembly:ident $function:ident $sweep:ident
            $module:ident $result:ident.$point:ident $columns:ident $numbers:ty;
            $first:ident $($more:ident)*),* $(,)?) => {
             [$({
@@ -87,6 +97,7 @@ fn main() {
                 for i in 0..POSITIONS {
                     $c.$function($first[i], $($more[i],)* &mut numbers);
                     agree(&numbers, &<$numbers>::from($linkage.$function($first[i], $($more[i]),*)));
+                    agree(&numbers, &$exported.$function($first[i], $($more[i]),*));
                 }
                 let mut last = numbers;
                 let mut columns = $linkage.$sweep($first, $($more),*);
@@ -102,6 +113,11 @@ fn main() {
                         Candidate::new("ours", POSITIONS, || {
                             for i in 0..POSITIONS {
                                 black_box(&ours(&$linkage, $first[i], $($more[i]),*));
+                            }
+                        }),
+                        Candidate::new("exported C", POSITIONS, || {
+                            for i in 0..POSITIONS {
+                                black_box(&$exported.$function($first[i], $($more[i]),*));
                             }
                         }),
                         Candidate::new("C, latency", POSITIONS, || {
@@ -133,6 +149,7 @@ fn main() {
                 Row {
                     c: next(),
                     ours: next(),
+                    exported: next(),
                     c_latency: next(),
                     ours_latency: next(),
                     sweep: next(),
@@ -143,18 +160,18 @@ fn main() {
         };
     }
     let rows = rows![
-        k1 c1 K1Assembly point point_sweep m K1Point.tracer point_sweep_into linkage_peers::Position; phi,
-        k1 c1 K1Assembly motion motion_sweep m K1Motion.tracer motion_sweep_into linkage_peers::Motion; phi,
-        k1 c1 K1Assembly accuracy accuracy_sweep m K1Accuracy.tracer accuracy_sweep_into linkage_peers::Sensitivities1; phi,
-        k2 c2 K2Assembly point point_sweep m K2Point.p10 point_sweep_into linkage_peers::Position; phi,
-        k2 c2 K2Assembly motion motion_sweep m K2Motion.p10 motion_sweep_into linkage_peers::Motion; phi,
-        k2 c2 K2Assembly accuracy accuracy_sweep m K2Accuracy.p10 accuracy_sweep_into linkage_peers::Sensitivities2; phi,
-        k3 c3 K3Assembly point point_sweep s K3Point.end point_sweep_into [f64; 3]; phi,
-        k3 c3 K3Assembly motion motion_sweep s K3Motion.end motion_sweep_into [f64; 11]; phi,
-        k3 c3 K3Assembly accuracy accuracy_sweep s K3Accuracy.end accuracy_sweep_into [f64; 27]; phi,
-        k4 c4 K4Assembly point point_sweep s K4Point.p point_sweep_into [f64; 3]; x y z,
-        k4 c4 K4Assembly motion motion_sweep s K4Motion.p motion_sweep_into [f64; 12]; x y z,
-        k4 c4 K4Assembly curvature curvature_sweep s K4Curvature.p curvature_sweep_into [f64; 39]; x y z,
+        k1 c1 e1 K1Assembly point point_sweep m K1Point.tracer point_sweep_into linkage_peers::Position; phi,
+        k1 c1 e1 K1Assembly motion motion_sweep m K1Motion.tracer motion_sweep_into linkage_peers::Motion; phi,
+        k1 c1 e1 K1Assembly accuracy accuracy_sweep m K1Accuracy.tracer accuracy_sweep_into linkage_peers::Sensitivities1; phi,
+        k2 c2 e2 K2Assembly point point_sweep m K2Point.p10 point_sweep_into linkage_peers::Position; phi,
+        k2 c2 e2 K2Assembly motion motion_sweep m K2Motion.p10 motion_sweep_into linkage_peers::Motion; phi,
+        k2 c2 e2 K2Assembly accuracy accuracy_sweep m K2Accuracy.p10 accuracy_sweep_into linkage_peers::Sensitivities2; phi,
+        k3 c3 e3 K3Assembly point point_sweep s K3Point.end point_sweep_into [f64; 3]; phi,
+        k3 c3 e3 K3Assembly motion motion_sweep s K3Motion.end motion_sweep_into [f64; 11]; phi,
+        k3 c3 e3 K3Assembly accuracy accuracy_sweep s K3Accuracy.end accuracy_sweep_into [f64; 27]; phi,
+        k4 c4 e4 K4Assembly point point_sweep s K4Point.p point_sweep_into [f64; 3]; x y z,
+        k4 c4 e4 K4Assembly motion motion_sweep s K4Motion.p motion_sweep_into [f64; 12]; x y z,
+        k4 c4 e4 K4Assembly curvature curvature_sweep s K4Curvature.p curvature_sweep_into [f64; 39]; x y z,
     ];
     print(&rows);
 }
@@ -196,6 +213,13 @@ fn print(rows: &[Row]) {
             cost(&row.c, &row.clock),
             cost(&row.ours, &row.clock),
         );
+    }
+    println!("\nExported C      exported/ours        goal      exported, ns (c)");
+    for ((name, _), row) in GOALS.iter().zip(rows) {
+        let ratio = row.exported.ratio(&row.ours);
+        let met = if ratio.median <= EXPORTED { " met" } else { "" };
+        let cost = cost(&row.exported, &row.clock);
+        println!("{name:<14}  {ratio:<19.3}  {EXPORTED:4.2}{met:<4}  {cost}");
     }
     let set = c::sweep::instruction_set().unwrap_or("single calls");
     println!(

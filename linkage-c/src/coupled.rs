@@ -1,13 +1,14 @@
-//! Groups without a closed form: a table of states over the range of their input, from which Newton steps begin.
+//! Groups without a closed form: states that are known over the ranges of their inputs, from which Newton steps begin.
+
+mod constants;
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use linkage_compiler::unit::{Coupled, Start, Unit};
-use linkage_runtime::numeric::continuation::{CellLayout, Table, TableLayout};
+use linkage_runtime::numeric::continuation::{Axis, CellLayout, NodeLayout};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
-use crate::comment::comment;
 use crate::helper::Helper;
 use crate::real::Real;
 use crate::refusal::Why;
@@ -29,14 +30,6 @@ pub(crate) fn limit(real: Real) -> String {
     })
 }
 
-/// The table of a group; `None` if it has none over one input.
-pub(crate) fn table(coupled: &Coupled) -> Option<&Table> {
-    match &coupled.start {
-        Some(Start::Table(table)) => Some(table),
-        Some(Start::Grid(_)) | None => None,
-    }
-}
-
 /// Statements that find the states that a program loads, in front of it, but for that of group `own`; `inputs` is the array of all inputs.
 pub(crate) fn look_up(
     surface: &Surface,
@@ -55,25 +48,26 @@ pub(crate) fn look_up(
     let number = surface.real.name();
     let all = groups.iter().map(|&group| {
         let size = surface.unit.coupled[group].size;
+        let own = &surface.own;
         (
             format!("    {number} state_{group}[{}];\n", size + 1),
-            format!(
-                "    {}state_{group}(m, {inputs}, state_{group});\n",
-                surface.own
-            ),
+            format!("    {own}state_{group}(m, {inputs}, state_{group});\n"),
         )
     });
     let (declared, found): (Vec<String>, Vec<String>) = all.unzip();
     declared.concat() + &found.concat()
 }
 
+/// The templates of a group: what looks up a state, and what is made of it.
+struct Templates {
+    table: &'static str,
+    state: &'static str,
+}
+
 /// Tables and steps of all coupled groups.
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
     for (number, coupled) in surface.unit.coupled.iter().enumerate() {
-        let Some(table) = table(coupled) else {
-            continue;
-        };
         for helper in [
             Helper::Nan,
             Helper::Select,
@@ -83,113 +77,80 @@ pub(crate) fn items(writer: &mut Writer) {
         ] {
             writer.printer.helpers.need(helper);
         }
-        let layout = table.layout();
-        writer.text += &cells(surface, number, coupled.size, &layout);
-        let words = |word: &str| word_of(surface, number, coupled, &layout, word);
-        let (real, own) = (surface.real, &surface.own);
-        writer.text += &numbered(include_str!("templates/state.c"), number, |text| {
-            fill(text, real, own, words)
-        });
-        writer.text.push('\n');
+        let (text, words, templates) = match &coupled.start {
+            Some(Start::Table(table)) => {
+                let layout = table.layout();
+                let mut words = of_axis(surface.real, &layout.axis);
+                words.push(("OUTSIDE", surface.real.literal(CellLayout::OUTSIDE)));
+                words.push(("CELLS", layout.cells.len().to_string()));
+                let degree = layout.cells[0].coefficients.len() / coupled.size - 1;
+                words.push(("DEGREE", degree.to_string()));
+                words.push(("INPUT", coupled.inputs[0].to_string()));
+                let templates = Templates {
+                    table: include_str!("templates/table.c"),
+                    state: include_str!("templates/table_state.c"),
+                };
+                (constants::table(surface, number, &layout), words, templates)
+            }
+            Some(Start::Grid(grid)) => {
+                let layout = grid.layout();
+                let words = vec![
+                    ("OUTSIDE", surface.real.literal(NodeLayout::OUTSIDE)),
+                    ("CELLS", layout.nodes.len().to_string()),
+                    ("AXES", layout.axes.len().to_string()),
+                ];
+                let templates = Templates {
+                    table: include_str!("templates/grid.c"),
+                    state: include_str!("templates/grid_state.c"),
+                };
+                (constants::grid(surface, number, &layout), words, templates)
+            }
+            None => unreachable!("what is exported has been closed"),
+        };
+        let words = |word: &str| {
+            let own = words.iter().find(|(name, _)| *name == word);
+            own.map(|(_, text)| text.clone())
+                .or_else(|| of_group(surface, coupled, word))
+        };
+        let filled = |template: &str| {
+            let template = template.replace("_NUMBER", &format!("_{number}"));
+            fill(&template, surface.real, &surface.own, words) + "\n"
+        };
+        writer.text += &text;
+        writer.text += &filled(templates.table);
         writer.correct(number, &coupled.correct);
-        writer.text += &numbered(include_str!("templates/settle.c"), number, |text| {
-            fill(text, real, own, words)
-        });
-        writer.text.push('\n');
+        writer.text += &filled(include_str!("templates/settle.c"));
+        writer.text += &filled(templates.state);
     }
 }
 
-/// A template in which names end with the number of the group.
-fn numbered(template: &str, number: usize, fill: impl Fn(&str) -> String) -> String {
-    fill(&template.replace("_NUMBER", &format!("_{number}")))
+fn of_axis(real: Real, axis: &Axis) -> Vec<(&'static str, String)> {
+    let slots = axis.slots as f64;
+    vec![
+        ("MIDDLE", real.literal(axis.middle)),
+        ("LENGTH", real.literal(axis.length)),
+        ("RATE", real.literal(axis.rate)),
+        ("REPEATS", real.literal(axis.turns)),
+        ("SLOTS", real.literal(slots)),
+        ("HALF_SLOTS", real.literal(0.5 * slots)),
+        ("LAST_SLOT", real.literal(slots - 1.0)),
+    ]
 }
 
-/// What names in the templates stand for.
-fn word_of(
-    surface: &Surface,
-    number: usize,
-    coupled: &Coupled,
-    layout: &TableLayout,
-    word: &str,
-) -> Option<String> {
+/// What names in all templates stand for.
+fn of_group(surface: &Surface, coupled: &Coupled, word: &str) -> Option<String> {
     let real = surface.real;
-    let axis = layout.axis;
-    let slots = axis.slots as f64;
     Some(match word {
         "MECHANISM" => surface.prefix.clone(),
-        "MIDDLE" => real.literal(axis.middle),
-        "LENGTH" => real.literal(axis.length),
-        "RATE" => real.literal(axis.rate),
-        "REPEATS" => real.literal(axis.turns),
-        "SLOTS" => real.literal(slots),
-        "HALF_SLOTS" => real.literal(0.5 * slots),
-        "LAST_SLOT" => real.literal(slots - 1.0),
-        "OUTSIDE" => real.literal(CellLayout::OUTSIDE),
-        "DEGREE" => (degree(layout, coupled.size)).to_string(),
-        "CELLS" => layout.cells.len().to_string(),
         "SIZE" => coupled.size.to_string(),
         "STEPPED" => (coupled.size + 2).to_string(),
-        "INPUT" => coupled.inputs[0].to_string(),
         "INPUTS" => surface.unit.inputs.len().to_string(),
         "STEPS" => STEPS.to_string(),
         "LIMIT" => limit(real),
         "FIRST" => real.literal(FIRST),
         "CONTRACTION" => real.literal(CONTRACTION),
-        "NUMBER" => number.to_string(),
         _ => return None,
     })
-}
-
-fn degree(layout: &TableLayout, size: usize) -> usize {
-    layout.cells[0].coefficients.len() / size - 1
-}
-
-/// The table as constants.
-fn cells(surface: &Surface, number: usize, size: usize, layout: &TableLayout) -> String {
-    let Surface {
-        unit, own, real, ..
-    } = surface;
-    let name = real.name();
-    let coupled = &unit.coupled[number];
-    let unknowns = unit.groups[coupled.group].unknowns.join(", ");
-    let mut text = comment(
-        "",
-        &format!(
-            "{unknowns} are solved together, from states that are known over the range of {}: polynomials in cells, the lowest power first.",
-            unit.inputs[coupled.inputs[0]].name
-        ),
-    );
-    let terms = degree(layout, size) + 1;
-    let _ = writeln!(
-        text,
-        "typedef struct {own}cell_{number} {{ {name} centre, inverse, floor, state[{terms}][{size}]; }} {own}cell_{number};\n"
-    );
-    let _ = writeln!(
-        text,
-        "static const {own}cell_{number} {own}cells_{number}[] = {{"
-    );
-    for cell in &layout.cells {
-        let rows = cell.coefficients.chunks(size).map(|row| {
-            let row: Vec<String> = row.iter().map(|x| real.literal(*x)).collect();
-            format!("{{ {} }}", row.join(", "))
-        });
-        let rows: Vec<String> = rows.collect();
-        let [centre, inverse, floor] =
-            [cell.centre, cell.inverse, cell.floor].map(|x| real.literal(x));
-        let _ = writeln!(
-            text,
-            "    {{ {centre}, {inverse}, {floor}, {{\n        {} }} }},",
-            rows.join(",\n        ")
-        );
-    }
-    text +=
-        "};\n\n/* Which cell is where, in parts of the range as long as the shortest cell. */\n";
-    let _ = write!(text, "static const uint16_t {own}index_{number}[] = {{");
-    for (place, cell) in layout.index.iter().enumerate() {
-        text += if place % 24 == 0 { "\n    " } else { " " };
-        let _ = write!(text, "{cell},");
-    }
-    text + "\n};\n\n"
 }
 
 /// Scalars of dimensions that the tables depend on.

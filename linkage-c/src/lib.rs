@@ -46,7 +46,7 @@ mod winding;
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::unit::{Coupled, Unit};
 
 pub use real::Real;
 
@@ -85,14 +85,14 @@ impl Error for Refused {}
 /// For what exported C cannot do, which is a limit of ours: the message says what.
 pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> {
     let mut coupled = unit.coupled.iter();
-    if let Some(own) = coupled.find(|own| coupled::table(own).is_none()) {
+    let without = |own: &&Coupled| own.inputs.is_empty() || own.start.is_none();
+    if let Some(own) = coupled.find(without) {
         let group = &unit.groups[own.group];
         return Err(Refused {
             message: format!(
-                "{name}: {} are solved together without a closed form and depend on {} inputs; exported C has such groups over one input only, \
-                 a limit of ours. Give them one input, or turn the others into parameters",
-                group.unknowns.join(", "),
-                own.inputs.len()
+                "{name}: {} are solved together without a closed form and depend on no input; exported C has such groups over inputs only, a \
+                 limit of ours. Turn a dimension into an input",
+                group.unknowns.join(", ")
             ),
         });
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use linkage_compiler::check;
-use linkage_compiler::unit::{Coupled, Start, Unit};
+use linkage_compiler::unit::Unit;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// A mechanism with its name.
@@ -38,12 +38,10 @@ fn name(body: &TokenStream) -> String {
     words.next().expect("a mechanism has a name")
 }
 
-/// Golden mechanisms and examples that can be exported: coupled groups depend on one input.
+/// Golden mechanisms and examples.
 pub(crate) fn exported() -> Vec<Given> {
     let mut all = golden();
     all.extend(examples());
-    let has_table = |own: &Coupled| matches!(own.start, Some(Start::Table(_)));
-    all.retain(|own| own.unit.coupled.iter().all(has_table));
     all
 }
 

@@ -128,11 +128,14 @@ impl<'a, T: Scalar> Assembled<'a, T> {
     /// The state of a coupled group in its table, and the floor.
     fn state(&self, group: usize, inputs: &[T]) -> Vec<f64> {
         let coupled = &self.unit.coupled[group];
-        let Some(Start::Table(table)) = &coupled.start else {
-            unreachable!("exported groups have a table");
-        };
+        let own = coupled.inputs.iter().map(|&input| inputs[input].lane(0));
+        let own: Vec<f64> = own.collect();
         let mut state = vec![0.0; coupled.size];
-        let floor = table.state(inputs[coupled.inputs[0]].lane(0), &mut state);
+        let floor = match &coupled.start {
+            Some(Start::Table(table)) => table.state(own[0], &mut state),
+            Some(Start::Grid(grid)) => grid.state(&own, &mut state),
+            None => unreachable!("it is closed"),
+        };
         state.push(floor);
         state
     }

@@ -23,7 +23,7 @@ mod turning;
 mod walk;
 
 pub use grid::{Grid, GridLookup, LeftOut};
-pub use layout::{Axis, CellLayout, TableLayout};
+pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};
 pub use lookup::Lookup;
 pub use states::states;
 pub use straight::dead_point;

@@ -26,6 +26,7 @@ use node::Node;
 use walk::{STEPS, Solution};
 
 pub use lookup::GridLookup;
+pub(super) use lookup::OUTSIDE;
 
 /// Corrections that building a grid may take: less than a second. A grid of all cells takes a million.
 const CORRECTIONS: usize = 2_000_000;
@@ -40,9 +41,9 @@ const INPUTS: usize = 8;
 /// to cell. Where the solution cannot be reached, beyond the mechanism's reach for instance, there is none.
 #[derive(Clone, PartialEq)]
 pub struct Grid {
-    axes: Vec<Scale>,
+    pub(super) axes: Vec<Scale>,
     /// Cell by cell, the last input changing fastest; `None` where the solution cannot be reached.
-    nodes: Shared<[Option<Node>]>,
+    pub(super) nodes: Shared<[Option<Node>]>,
     width: usize,
     served: f64,
     left_out: Option<LeftOut>,

@@ -1,5 +1,6 @@
-//! Tables in numbers, for who prints them.
+//! Tables and grids in numbers, for who prints them.
 
+use super::grid::Grid;
 use super::scale::Scale;
 use super::table::Table;
 use alloc::vec::Vec;
@@ -75,6 +76,49 @@ impl Table {
             axis: Axis::new(&self.scale),
             index: &self.index,
             cells: cells.collect(),
+        }
+    }
+}
+
+/// A grid as [`Grid::state`] reads it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GridLayout<'a> {
+    /// Of its inputs.
+    pub axes: Vec<Axis>,
+    /// Cell by cell, the last input changing fastest; `None` where the solution cannot be reached.
+    pub nodes: Vec<Option<NodeLayout<'a>>>,
+}
+
+/// A cell of a grid. There is no state farther from its centre, in cells along any input, than [`OUTSIDE`](Self::OUTSIDE).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodeLayout<'a> {
+    /// The state at its centre.
+    pub state: &'a [f64],
+    /// How the state changes along the cell, input by input.
+    pub slopes: &'a [f64],
+    /// Half of the smallest determinant, with its sign.
+    pub floor: f64,
+}
+
+impl NodeLayout<'_> {
+    /// Beyond this there is no state: half a cell outside the grid.
+    pub const OUTSIDE: f64 = super::grid::OUTSIDE;
+}
+
+impl Grid {
+    /// Its numbers.
+    #[must_use]
+    pub fn layout(&self) -> GridLayout<'_> {
+        let nodes = self.nodes.iter().map(|node| {
+            node.as_ref().map(|node| NodeLayout {
+                state: &node.state,
+                slopes: &node.slopes,
+                floor: node.floor,
+            })
+        });
+        GridLayout {
+            axes: self.axes.iter().map(Axis::new).collect(),
+            nodes: nodes.collect(),
         }
     }
 }

@@ -7,7 +7,7 @@ use super::Grid;
 use core::fmt;
 
 /// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
-pub(super) const OUTSIDE: f64 = 1.0;
+pub(in super::super) const OUTSIDE: f64 = 1.0;
 
 /// A [`Grid`] of `I` inputs and `S` state numbers. Cheap to clone.
 #[derive(Clone, PartialEq)]

@@ -6,13 +6,13 @@ use alloc::vec::Vec;
 
 /// The state in a cell.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Node {
+pub(in super::super) struct Node {
     /// At its centre.
-    pub(super) state: Vec<f64>,
+    pub(in super::super) state: Vec<f64>,
     /// How the state changes along the cell, input by input.
-    pub(super) slopes: Vec<f64>,
+    pub(in super::super) slopes: Vec<f64>,
     /// Half of the smallest determinant, with its sign.
-    pub(super) floor: f64,
+    pub(in super::super) floor: f64,
 }
 
 impl Node {

@@ -1,7 +1,7 @@
-/* The state of GROUP_NAME near an input, by polynomials in cells of its range, then half of the least determinant near it; NaN outside. */
-static void own_table_NUMBER(real input, real *state)
+/* The state near an input, by polynomials in cells of its range, then half of the least determinant near it; NaN outside. */
+static void own_table_NUMBER(const real *x, real *state)
 {
-    const real from_middle = input - MIDDLE;
+    const real from_middle = x[INPUT] - MIDDLE;
     const real place = from_middle * RATE - own_whole(from_middle * REPEATS);
     const real inner = place * SLOTS + HALF_SLOTS;
     const real above = inner > 0.0 ? inner : 0.0;

@@ -1,0 +1,129 @@
+//! Tables and grids as constants of C.
+
+use std::fmt::Write;
+
+use linkage_runtime::numeric::continuation::{GridLayout, TableLayout};
+
+use crate::comment::comment;
+use crate::surface::Surface;
+
+/// A table over one input.
+pub(super) fn table(surface: &Surface, number: usize, layout: &TableLayout) -> String {
+    let Surface { own, real, .. } = surface;
+    let name = real.name();
+    let size = surface.unit.coupled[number].size;
+    let terms = layout.cells[0].coefficients.len() / size;
+    let mut text = about(
+        surface,
+        number,
+        "polynomials in cells, the lowest power first",
+    );
+    let _ = writeln!(
+        text,
+        "typedef struct {own}cell_{number} {{ {name} centre, inverse, floor, state[{terms}][{size}]; }} {own}cell_{number};\n\n\
+         static const {own}cell_{number} {own}cells_{number}[] = {{"
+    );
+    for cell in &layout.cells {
+        let rows = cell
+            .coefficients
+            .chunks(size)
+            .map(|row| numbers(surface, row));
+        let rows: Vec<String> = rows.collect();
+        let rows = rows.join(",\n        ");
+        let head = [cell.centre, cell.inverse, cell.floor].map(|x| real.literal(x));
+        let head = head.join(", ");
+        let _ = writeln!(text, "    {{ {head}, {{\n        {rows} }} }},");
+    }
+    text +=
+        "};\n\n/* Which cell is where, in parts of the range as long as the shortest cell. */\n";
+    text + &indices(
+        surface,
+        number,
+        layout.index.iter().map(|own| usize::from(*own)),
+    )
+}
+
+/// A grid over several inputs, or none.
+pub(super) fn grid(surface: &Surface, number: usize, layout: &GridLayout) -> String {
+    let Surface { own, real, .. } = surface;
+    let name = real.name();
+    let coupled = &surface.unit.coupled[number];
+    let (size, axes) = (coupled.size, layout.axes.len());
+    let mut text = about(
+        surface,
+        number,
+        "at the centre of each cell, and how they change along it",
+    );
+    let _ = writeln!(
+        text,
+        "typedef struct {own}axis_{number} {{ int input; {name} middle, length, rate, repeats, slots; }} {own}axis_{number};\n\
+         typedef struct {own}node_{number} {{ {name} state[{size}], slopes[{axes}][{size}], floor; }} {own}node_{number};\n\n\
+         static const {own}axis_{number} {own}axes_{number}[] = {{"
+    );
+    for (axis, input) in layout.axes.iter().zip(&coupled.inputs) {
+        let slots = axis.slots as f64;
+        let all = [axis.middle, axis.length, axis.rate, axis.turns, slots];
+        let all = all.map(|x| real.literal(x)).join(", ");
+        let _ = writeln!(text, "    {{ {input}, {all} }},");
+    }
+    let _ = writeln!(
+        text,
+        "}};\n\n/* The first one has no solution. */\nstatic const {own}node_{number} {own}nodes_{number}[] = {{"
+    );
+    let nothing = vec![f64::NAN; size];
+    let no_slopes = vec![f64::NAN; size * axes];
+    let nothing = (&nothing[..], &no_slopes[..], f64::NAN);
+    let reached = layout.nodes.iter().flatten();
+    let reached = reached.map(|own| (own.state, own.slopes, own.floor));
+    for (state, slopes, floor) in std::iter::once(nothing).chain(reached) {
+        let slopes = slopes.chunks(size).map(|row| numbers(surface, row));
+        let slopes: Vec<String> = slopes.collect();
+        let (state, slopes) = (numbers(surface, state), slopes.join(", "));
+        let floor = real.literal(floor);
+        let _ = writeln!(text, "    {{ {state},\n        {{ {slopes} }}, {floor} }},");
+    }
+    text += "};\n\n/* Which of them belongs to each cell, the last input changing fastest. */\n";
+    let mut count = 0;
+    let index = layout.nodes.iter().map(|node| {
+        count += usize::from(node.is_some());
+        if node.is_some() { count } else { 0 }
+    });
+    text + &indices(surface, number, index)
+}
+
+/// A comment about a group's states.
+fn about(surface: &Surface, number: usize, what: &str) -> String {
+    let unit = surface.unit;
+    let coupled = &unit.coupled[number];
+    let unknowns = unit.groups[coupled.group].unknowns.join(", ");
+    let inputs = coupled
+        .inputs
+        .iter()
+        .map(|&input| &unit.inputs[input].name[..]);
+    let inputs: Vec<&str> = inputs.collect();
+    let inputs = inputs.join(", ");
+    comment(
+        "",
+        &format!(
+            "{unknowns} are solved together, from states that are known over the ranges of {inputs}: {what}."
+        ),
+    )
+}
+
+fn numbers(surface: &Surface, row: &[f64]) -> String {
+    let row: Vec<String> = row.iter().map(|x| surface.real.literal(*x)).collect();
+    format!("{{ {} }}", row.join(", "))
+}
+
+/// An array of numbers of cells.
+fn indices(surface: &Surface, number: usize, all: impl Iterator<Item = usize>) -> String {
+    let all: Vec<usize> = all.collect();
+    let small = all.iter().all(|own| u16::try_from(*own).is_ok());
+    let word = if small { "uint16_t" } else { "uint32_t" };
+    let mut text = format!("static const {word} {}index_{number}[] = {{", surface.own);
+    for (place, cell) in all.iter().enumerate() {
+        text += if place % 24 == 0 { "\n    " } else { " " };
+        let _ = write!(text, "{cell},");
+    }
+    text + "\n};\n\n"
+}

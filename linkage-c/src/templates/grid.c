@@ -1,0 +1,26 @@
+/* The state near these inputs, by the cell of the grid in which they are, then half of the least determinant near it; NaN outside. */
+static void own_table_NUMBER(const real *x, real *state)
+{
+    const own_node_NUMBER *node;
+    real offsets[AXES], outside = 0.0;
+    uint32_t number = 0;
+    int axis, k;
+    for (axis = 0; axis < AXES; axis++) {
+        const own_axis_NUMBER *const along = &own_axes_NUMBER[axis];
+        const real from_middle = x[along->input] - along->middle;
+        const real place = from_middle * along->rate - own_whole(from_middle * along->repeats);
+        const real inner = place * along->slots + 0.5 * along->slots;
+        const real above = inner > 0.0 ? inner : 0.0;
+        const int slot = (int)(above < along->slots - 1.0 ? above : along->slots - 1.0);
+        number = number * (uint32_t)along->slots + (uint32_t)slot;
+        offsets[axis] = place * along->slots - ((real)slot + 0.5 - 0.5 * along->slots);
+        outside += own_select(OUTSIDE - fabs(offsets[axis]), 0.0, own_nan());
+    }
+    node = &own_nodes_NUMBER[own_index_NUMBER[number]];
+    for (k = 0; k < SIZE; k++) {
+        real value = node->state[k];
+        for (axis = 0; axis < AXES; axis++) value += node->slopes[axis][k] * offsets[axis];
+        state[k] = value + outside;
+    }
+    state[SIZE] = node->floor + outside;
+}
