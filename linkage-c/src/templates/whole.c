@@ -1,5 +1,5 @@
 /* The nearest integer. */
-static inline real own_whole(real x)
+INLINE real own_whole(real x)
 {
     return (x + ROUND) - ROUND;
 }
