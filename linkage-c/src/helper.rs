@@ -118,13 +118,7 @@ impl Helpers {
     /// All of them as C.
     pub(crate) fn text(&self, real: Real, own: &str) -> String {
         let needed = Helper::ALL.iter().filter(|own| self.0.contains(own));
-        let inline = format!("{own}inline").to_uppercase();
-        let word = |word: &str| (word == "INLINE").then(|| inline.clone());
-        let texts = needed.map(|helper| fill(helper.template(real), real, own, word));
-        let texts = texts.collect::<Vec<_>>().join("\n");
-        match self.0.is_empty() {
-            true => texts,
-            false => include_str!("templates/inline.c").replace("INLINE", &inline) + "\n" + &texts,
-        }
+        let texts = needed.map(|helper| fill(helper.template(real), real, own, |_| None));
+        texts.collect::<Vec<_>>().join("\n")
     }
 }

@@ -1,5 +1,5 @@
 /* (atan(t) - t) / t^3 in powers of z = t^2, for t up to 1; terms stand side by side. */
-INLINE real own_arc(real z)
+static inline real own_arc(real z)
 {
     const real z2 = z * z;
     const real z4 = z2 * z2;

@@ -1,5 +1,5 @@
 /* (atan(t) - t) / t^3 in powers of z = t^2, for t up to 1; terms stand side by side. */
-INLINE real own_arc(real z)
+static inline real own_arc(real z)
 {
     const real z2 = z * z;
     const real a1 = (-0.08400618 * z + 0.10951178) * z2 + (-0.14264041 * z + 0.1999853);

@@ -1,5 +1,5 @@
 /* NaN outside of -1 to 1. */
-INLINE real own_asin(real x)
+static inline real own_asin(real x)
 {
     return own_atan2(x, sqrt((1.0 - x) * (1.0 + x)));
 }

@@ -1,7 +1,7 @@
 /* The angle of the vector (x, y), from -pi to pi, to about a unit in the last place: the arc tangent of the smaller component over the larger,
    by a division whose rounding is compensated, then up to two right angles more. Both are scaled by a power of two before, so that nothing
    overflows. */
-INLINE real own_atan2(real y, real x)
+static inline real own_atan2(real y, real x)
 {
     const real width = fabs(x);
     const real height = fabs(y);

@@ -1,5 +1,5 @@
 /* The length of (a, b), without overflow on the way. */
-INLINE real own_hypot(real a, real b)
+static inline real own_hypot(real a, real b)
 {
     const real scale = own_inverse_scale(own_max(fabs(a), fabs(b)));
     const real x = a * scale;

@@ -1,5 +1,5 @@
 /* Whether a number is infinite or NaN. */
-INLINE int own_infinite(real x)
+static inline int own_infinite(real x)
 {
     return (own_bits(x) & INFINITE_BITS) == INFINITE_BITS;
 }

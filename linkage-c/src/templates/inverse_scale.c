@@ -1,5 +1,5 @@
 /* A power of two near 1/|x|, 1 for zero and what is not finite: scales lengths without rounding. */
-INLINE real own_inverse_scale(real x)
+static inline real own_inverse_scale(real x)
 {
     const word size = own_bits(x) & ~SIGN_BITS;
     word exponent = size & INFINITE_BITS;

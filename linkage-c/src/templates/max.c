@@ -1,5 +1,5 @@
 /* The larger number; NaN if either is. */
-INLINE real own_max(real a, real b)
+static inline real own_max(real a, real b)
 {
     return own_number(own_bits(a > b ? a : b) | own_bits(b > a ? b : a));
 }

@@ -1,4 +1,4 @@
-INLINE real own_nan(void)
+static inline real own_nan(void)
 {
     return own_number(INFINITE_BITS | (INFINITE_BITS >> 1));
 }

@@ -1,6 +1,6 @@
 /* The square root of a discriminant whose terms have the size of scale: 0 where it is negative by no more than 8 roundoffs of them,
    so that a group closes up to its dead point, and NaN beyond. The root waits for nothing, and its bits stay where they are. */
-INLINE real own_root(real q, real scale)
+static inline real own_root(real q, real scale)
 {
     const real slack = EIGHT_ROUNDOFFS * fabs(scale);
     /* Negative if more is missing, or anything where the scale is infinite. Then all bits are set: NaN. */

@@ -1,5 +1,5 @@
 /* a where s >= 0, b where it is negative, NaN where it is NaN. All choices are made without branches. */
-INLINE real own_select(real s, real a, real b)
+static inline real own_select(real s, real a, real b)
 {
     const word bits = own_bits(s);
     /* All bits where s is negative, none where it is -0. */

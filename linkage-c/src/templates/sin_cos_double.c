@@ -1,7 +1,7 @@
 /* Both to 0.80 units in the last place up to 1e5, to as many roundoffs of 1 beyond; NaN from 2^30 on, where they would be noise.
    The angle is reduced to high + low within a quarter of pi by n right angles; n is rounded by adding a large number, whose low bits then
    hold it. */
-INLINE own_pair own_sin_cos(real x)
+static inline own_pair own_sin_cos(real x)
 {
     const real shifted = x * TWO_OVER_PI + ROUND;
     const real n = shifted - ROUND;

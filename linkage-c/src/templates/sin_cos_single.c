@@ -1,7 +1,7 @@
 /* a - b with its rounding, for a b that is smaller, or an exact difference. */
 typedef struct own_difference { real high, low; } own_difference;
 
-INLINE own_difference own_subtract(real a, real b)
+static inline own_difference own_subtract(real a, real b)
 {
     own_difference own;
     own.high = a - b;
@@ -11,7 +11,7 @@ INLINE own_difference own_subtract(real a, real b)
 
 /* Both to 0.83 units in the last place; NaN from 2^20 on, where they would be noise. The angle is reduced by a multiple of 1024 right
    angles and by at most 513 more, so that products with words of 14 bits are exact. */
-INLINE own_pair own_sin_cos(real x)
+static inline own_pair own_sin_cos(real x)
 {
     const real most = (x * TWO_OVER_PI + 1024.0 * ROUND) - 1024.0 * ROUND;
     const real coarse = x - most * RIGHT_FIRST;

@@ -1,5 +1,5 @@
 /* The nearest integer. */
-INLINE real own_whole(real x)
+static inline real own_whole(real x)
 {
     return (x + ROUND) - ROUND;
 }

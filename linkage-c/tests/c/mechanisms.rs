@@ -17,6 +17,11 @@ const POSITIONS: usize = 12;
 fn with_closed_forms() -> Vec<Given> {
     let mut all = exported();
     all.retain(|own| own.unit.coupled.is_empty());
+    // An angle that has made turns before.
+    let text = include_str!("../../../linkage-compiler/tests/golden/crank_rocker.mech");
+    let turned = text.replace("psi   = 80deg", "psi   = 800deg");
+    assert_ne!(text, turned);
+    all.push(Given::text(&turned));
     all
 }
 
