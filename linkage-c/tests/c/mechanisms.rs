@@ -22,8 +22,40 @@ fn with_closed_forms() -> Vec<Given> {
     let turned = text.replace("psi   = 80deg", "psi   = 800deg");
     assert_ne!(text, turned);
     all.push(Given::text(&turned));
+    all.extend([FAST, TWO_CRANKS].map(Given::text));
     all
 }
+
+/// The pin passes so near to the lever's pivot that the lever makes half a turn between two steps along the range.
+const FAST: &str = "
+    pub struct Fast {
+        unit mm;
+        param frame = 100mm;
+        param crank = 100.004mm;
+        input phi = 40deg in 0deg..1440deg;
+        unknown psi = 65deg;
+        unknown along = 180mm;
+        loop (0, frame) + polar(crank, phi) = polar(along, psi);
+    }
+    impl Fast {
+        pub fn motion(phi) -> Motion { psi, along }
+    }";
+
+/// An angle that is followed along two inputs, from far off the middle of its motion along each.
+const TWO_CRANKS: &str = "
+    pub struct TwoCranks {
+        unit mm;
+        param a = 100mm;
+        param b = 101mm;
+        input first = 172deg in 0deg..360deg;
+        input second = 0deg in -180deg..180deg;
+        unknown psi = 82deg;
+        unknown along = 14mm;
+        loop polar(a, first) + polar(b, second) = polar(along, psi);
+    }
+    impl TwoCranks {
+        pub fn motion(first, second) -> Motion { psi, along }
+    }";
 
 /// Dimensions near the defaults.
 fn dimensions<T: Number>(unit: &Unit, set: usize, random: &mut Random) -> Vec<T> {
