@@ -107,27 +107,44 @@ impl Leg {
 /// All poses; `None` where two of them nearly coincide, so that rounding decides whether they are
 /// there.
 pub(crate) fn poses(legs: &[Leg; 3]) -> Option<Vec<Pose>> {
+    let found = uncertain(legs)?.into_iter().collect::<Option<Vec<_>>>()?;
+    simple(legs, found)
+}
+
+/// The poses that a condition holds for; `None` where one of them nearly coincides with another. What the others do does not matter: they may
+/// run off to infinity.
+pub(crate) fn poses_where(legs: &[Leg; 3], wanted: impl Fn(&Pose) -> bool) -> Option<Vec<Pose>> {
+    let found = uncertain(legs)?.into_iter().flatten();
+    simple(legs, found.filter(wanted).collect())
+}
+
+/// The pose for every direction of the link, `None` for one that is at infinity but for rounding.
+fn uncertain(legs: &[Leg; 3]) -> Option<Vec<Option<Pose>>> {
     let free = legs.iter().find_map(|leg| match leg {
         Leg::Pp { direction } => Some(*direction),
         _ => None,
     });
-    let mut found = match free {
-        Some(direction) => held_by_two(legs, direction)?,
+    let mut found: Vec<Option<Pose>> = match free {
+        Some(direction) => held_by_two(legs, direction)?
+            .into_iter()
+            .map(Some)
+            .collect(),
         None => {
             let zeros = characteristic(legs).zeros()?;
-            zeros
-                .into_iter()
-                .map(|theta| point(legs, theta))
-                .collect::<Option<Vec<_>>>()?
+            zeros.into_iter().map(|theta| point(legs, theta)).collect()
         }
     };
-    for pose in &mut found {
+    for pose in found.iter_mut().flatten() {
         (0..4).for_each(|_| step(legs, pose));
     }
-    let simple = found
-        .iter()
-        .all(|pose| determinant(legs, pose).abs() > 1e-5);
-    simple.then_some(found)
+    Some(found)
+}
+
+/// The poses, if rounding does not decide whether they are there.
+fn simple(legs: &[Leg; 3], poses: Vec<Pose>) -> Option<Vec<Pose>> {
+    let mut all = poses.iter();
+    all.all(|pose| determinant(legs, pose).abs() > 1e-5)
+        .then_some(poses)
 }
 
 /// The characteristic polynomial in the direction of the ternary link.

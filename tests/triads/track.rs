@@ -1,6 +1,6 @@
 //! Poses along a way, found at many places of it in another manner than by following equations.
 
-use crate::legs::{Leg, Pose, poses};
+use crate::legs::{Leg, Pose, poses_where};
 
 /// A pose must not move by more in one step: millimetres, and a hundred for a radian.
 const JUMP: f64 = 5.0;
@@ -44,9 +44,10 @@ pub(crate) fn track(start: Pose, legs: impl Fn(f64) -> [Leg; 3]) -> Result<Pose,
     Ok(pose)
 }
 
-/// The pose that is clearly the next one.
+/// The pose that is clearly the next one. Those too far away to make it unclear are not looked at: where one of them ends, or runs off to
+/// infinity, this one goes on.
 fn nearest(from: &Pose, legs: &[Leg; 3]) -> Option<Pose> {
-    let mut all = poses(legs)?;
+    let mut all = poses_where(legs, |pose| apart(pose, from) < CLEARLY * JUMP)?;
     all.sort_by(|a, b| apart(a, from).total_cmp(&apart(b, from)));
     let [first, rest @ ..] = &all[..] else {
         return None;

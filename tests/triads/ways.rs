@@ -1,6 +1,7 @@
 //! `assemble_from`: the assembly that a straight way leads to, against poses that are found at many places of the way in another manner.
 
 use crate::kinds;
+use crate::legs::poses;
 use crate::track::{apart, pose, track};
 use linkage::AssemblyError;
 use linkage_random::Random;
@@ -67,4 +68,29 @@ fn the_assembly_is_the_one_that_the_way_leads_to() {
         "{reached} reached, {ended} ended, {refused} refused over the range; the estimates choose another assembly for {changed}"
     );
     assert!(reached > ways / 3 && ended + refused > 0);
+}
+
+/// Where two slides on the ternary link become parallel two of the four assemblies run off to infinity and come back from its other side. The
+/// others do not notice.
+#[test]
+fn assemblies_go_on_where_others_are_at_infinity() {
+    let kind = kinds::KINDS.iter().find(|kind| kind.name == "PR-RP-RP");
+    let kind = kind.expect("it is one of the kinds");
+    let from = (kind.dimensions)();
+    let mut to = from;
+    to[9] = from[10] - (from[9] - from[10]);
+    let legs = |share: f64| kind.legs(&mixed(&from, &to, share), PHI);
+    let far = |share: f64| {
+        let poses = poses(&legs(share)).expect("all are finite there");
+        poses
+            .iter()
+            .filter(|pose| pose.x.hypot(pose.y) > 800.0)
+            .count()
+    };
+    assert_eq!((far(0.0), poses(&legs(0.5)), far(1.0)), (2, None, 2));
+    let first = (kind.assemble)(&from).expect("as written")(PHI);
+    let known = track(pose(first.point, first.direction), legs).expect("it goes on");
+    let found = (kind.assemble_from)(&from, &to).expect("it goes on")(PHI);
+    let found = pose(found.point, found.direction);
+    assert!(apart(&found, &known) < 1e-9, "{found:?}, not {known:?}");
 }
