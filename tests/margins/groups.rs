@@ -113,3 +113,32 @@ fn dyads_in_mixed_loops() {
         }
     }
 }
+
+// A guide at a joint of a coupled group, which all of its legs lead to.
+spellings! {
+    [
+        input phi = 30deg;
+        unknown x1 = 86deg; unknown x2 = -177deg; unknown x3 = -24deg; unknown theta = -71deg;
+        let e1 = polar(18mm, phi) + polar(79mm, x1);
+        let e2 = (126mm, -13mm) + polar(69mm, x2);
+        loop e1 + polar(110mm, theta) = e2;
+        loop e1 + polar(107mm, theta + 75deg) = (30mm, 139mm) + polar(107mm, x3);
+        unknown tau = -11deg; unknown s = 48mm;
+        let slider = (-3mm, -77mm) + polar(s, tau) + polar(70mm, tau + 90deg);
+    ]
+    at_the_leg { loop slider = e2; }
+    at_the_link { loop slider = e1 + polar(110mm, theta); }
+    by_the_third_leg { loop slider + polar(107mm, theta + 75deg) - polar(110mm, theta) = (30mm, 139mm) + polar(107mm, x3); }
+}
+
+#[test]
+fn a_guide_at_a_coupled_group() {
+    for k in 0..12 {
+        let phi = 0.5 * f64::from(k);
+        expect_alike(&[
+            ("at the leg", at_the_leg(phi)),
+            ("at the link", at_the_link(phi)),
+            ("by the third leg", by_the_third_leg(phi)),
+        ]);
+    }
+}

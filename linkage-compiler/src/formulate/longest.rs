@@ -4,13 +4,6 @@ use linkage_symbolic::{Ex, V2};
 
 use super::Solver;
 
-/// How long a vector can become.
-struct Longest<'m> {
-    length: Ex<'m>,
-    /// Whether its parts can all point the same way: each turns, and keeps its length.
-    reached: bool,
-}
-
 impl<'m> Solver<'_, 'm> {
     /// The margin of a group whose determinant is `h = sqrt(vector.vector - level^2)`: over the largest value that it has for these lengths. Where
     /// nothing moves, and where it is not known how far (in space), over the vector's length.
@@ -23,11 +16,16 @@ impl<'m> Solver<'_, 'm> {
         level: Ex<'m>,
         scale: Ex<'m>,
     ) -> Ex<'m> {
-        let longest = self.longest(vector);
-        if vector.is_fixed() || !longest.reached {
+        // What leads to a point in several ways bounds it in each of them; the shortest way is the same however the vector is written.
+        let ways = match vector.is_fixed() {
+            true => Vec::new(),
+            false => self.ways_to(self.without_explicit(vector)),
+        };
+        let lengths = ways.into_iter().filter_map(|way| self.longest(way));
+        let Some(longest) = lengths.reduce(|least, length| least.min(length)) else {
             return h / (scale * vector).length();
-        }
-        let longest = scale * longest.length;
+        };
+        let longest = scale * longest;
         let largest = match level.is_fixed() {
             true => longest.difference_of_squares(scale * level).sqrt(),
             false => longest,
@@ -36,14 +34,13 @@ impl<'m> Solver<'_, 'm> {
         (h / largest).min(h.number(1.0))
     }
 
-    /// The sum of the lengths of a vector's parts.
-    fn longest(&self, vector: V2<'m>) -> Longest<'m> {
+    /// The sum of the lengths of a vector's parts, if they can all point the same way: each turns, and keeps its length.
+    fn longest(&self, vector: V2<'m>) -> Option<Ex<'m>> {
         let parts = self.algebra.parts(vector);
-        let rotors = parts.turning.iter().all(|(_, part)| part.is_rotor());
+        let mut turning = parts.turning.iter().map(|(_, part)| part);
+        let rigid = turning.all(|part| part.is_rotor() && part.arm().is_fixed());
         let arms = parts.turning.iter().map(|(_, part)| part.arm().length());
-        Longest {
-            length: arms.fold(parts.fixed.length(), |sum, length| sum + length),
-            reached: parts.rest_is_fixed && rotors,
-        }
+        (parts.rest_is_fixed && rigid)
+            .then(|| arms.fold(parts.fixed.length(), |sum, length| sum + length))
     }
 }

@@ -4,6 +4,7 @@
 //! derivatives follow from the group's equations (see [`Solution`](crate::algebra::Solution)).
 
 mod circles;
+mod contour;
 mod iterated;
 mod link_to_rotor;
 mod link_to_slide;
@@ -31,6 +32,7 @@ use crate::algebra::{Algebra, Rule};
 use crate::model::{Dimension, Mechanism};
 use crate::structure::{Group, Structure};
 
+use contour::Contour;
 use solver::Solver;
 
 pub(crate) use iterated::{Prepared, Version};
@@ -150,8 +152,11 @@ pub(crate) fn formulate<'m>(
         mobility: structure.mobility,
         ..Default::default()
     };
+    let mut explicit_values = Map::new();
+    let mut contours = Vec::new();
     for explicit in &structure.explicit {
         let value = explicit.value;
+        explicit_values.insert(explicit.symbol, value);
         algebra.graph.define(explicit.symbol, value.id());
         let rule = Rule::Follow(value);
         algebra.solutions.set_rule(explicit.symbol, rule);
@@ -167,12 +172,16 @@ pub(crate) fn formulate<'m>(
             mode: modes,
             number: coupled,
             dimension,
+            explicit: &explicit_values,
+            contours: &contours,
             defined: Vec::new(),
             prepared: None,
         };
         let mut closed = solver.solve(&group.form);
+        let contour = Contour::of(&group.form, &solver);
         let defined = std::mem::take(&mut solver.defined);
         let prepared = solver.prepared.take();
+        contours.extend(contour);
         coupled += usize::from(prepared.is_some());
         if closed.class == 0 && group.finds_point(algebra.mechanism) {
             // A point on a line at a distance from another: the slide has no name, but the group is a dyad.

@@ -1,12 +1,14 @@
 //! What the closed forms of all kinds of groups share: giving unknowns their definitions and rules.
 
 use linkage_symbolic::program::{Source, Ternary};
+use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::{Algebra, AngleRule, Bearing, Rule, Solution, Turning};
 use crate::model::Dimension;
 use crate::structure::{Form, Rotor};
 
+use super::contour::Contour;
 use super::{Closed, Prepared};
 
 /// Where the closed forms of one group are built.
@@ -20,6 +22,10 @@ pub(super) struct Solver<'a, 'm> {
     pub(super) number: usize,
     /// The dimension of its loop.
     pub(super) dimension: Option<Dimension>,
+    /// Unknowns that are expressions of others.
+    pub(super) explicit: &'a Map<SymbolId, Ex<'m>>,
+    /// Of the groups before, in order.
+    pub(super) contours: &'a [Contour<'m>],
     /// The unknown symbols that were given definitions.
     pub(super) defined: Vec<SymbolId>,
     /// For a coupled group.

@@ -123,3 +123,152 @@ fn a_guide_with_an_offset() {
          loop (r, 0) + polar(40mm, phi + 10deg) = polar(s, theta);",
     ]);
 }
+
+/// The margins of all spellings are the same at each position; where one has none the others have none either.
+fn expect_same(spellings: &[&str]) {
+    let first = margins(spellings[0]);
+    assert!(first.iter().any(|x| x.is_finite()));
+    for other in &spellings[1..] {
+        for (k, (a, b)) in first.iter().zip(margins(other)).enumerate() {
+            let same = (a - b).abs() < 1e-9 || a.is_nan() && b.is_nan();
+            assert!(same, "{other} at {k}: {a} and {b}");
+        }
+    }
+}
+
+/// A guide through a fixed point, with and without an offset, at points of a four-bar: the way to them through crank and coupler and the one through
+/// the rocker are one mechanism.
+#[test]
+fn a_guide_at_a_point_of_a_four_bar() {
+    let loops =
+        "unknown theta = 30deg; unknown psi = 90deg; let a = polar(40mm, phi); let d = (150mm, 0);
+                 loop a + polar(l, theta) = d + polar(r, psi);";
+    for guide in ["polar(s, tau)", "polar(s, tau) + polar(15mm, tau + 90deg)"] {
+        let spelled = |loops: &str, point: &str| {
+            format!(
+                "{loops} unknown tau = 40deg; unknown s = 90mm; loop {point} = (60mm, 20mm) + {guide};"
+            )
+        };
+        let points = [
+            "a + polar(l, theta)",
+            "d + polar(r, psi)",
+            "0.5 * (a + polar(l, theta) + d + polar(r, psi))",
+            "3 * d + 3 * polar(r, psi) - 2 * a - 2 * polar(l, theta)",
+        ];
+        let end = points.map(|point| spelled(loops, point));
+        expect_same(&end.each_ref().map(|text| &text[..]));
+        let coupler = [
+            "a + polar(70mm, theta + 25deg)",
+            "d + polar(r, psi) - polar(l, theta) + polar(70mm, theta + 25deg)",
+        ];
+        let coupler = coupler.map(|point| spelled(loops, point));
+        expect_same(&coupler.each_ref().map(|text| &text[..]));
+        let rocker = [
+            "d + polar(30mm, psi - 40deg)",
+            "a + polar(l, theta) - polar(r, psi) + polar(30mm, psi - 40deg)",
+        ];
+        let rocker = rocker.map(|point| spelled(loops, point));
+        expect_same(&rocker.each_ref().map(|text| &text[..]));
+        // Other spellings of the four-bar.
+        let distance = "unknown psi = 90deg; let a = polar(40mm, phi); let d = (150mm, 0);
+                        loop distance(a, d + polar(r, psi)) = l;";
+        let point = "unknown p = (150mm, 80mm); loop distance(p, polar(40mm, phi)) = l; loop distance(p, (150mm, 0)) = r;";
+        let relative = "unknown theta = 30deg; unknown chi = 60deg; let a = polar(40mm, phi); let d = (150mm, 0);
+                        loop a + polar(l, theta) = d + polar(r, theta + chi);";
+        let others = [
+            end[0].clone(),
+            spelled(distance, "d + polar(r, psi)"),
+            spelled(point, "p"),
+            spelled(relative, "d + polar(r, theta + chi)"),
+            spelled(relative, "a + polar(l, theta)"),
+        ];
+        expect_same(&others.each_ref().map(|text| &text[..]));
+    }
+}
+
+#[test]
+fn a_guide_at_the_slider_of_a_crank() {
+    let loops = "unknown theta = -20deg; unknown x = 130mm; let a = polar(40mm, phi);
+                 loop a + polar(l, theta) = (x, 10mm);";
+    let spelled = |point: &str| {
+        format!(
+            "{loops} unknown tau = 100deg; unknown s = 90mm; loop {point} = (60mm, -80mm) + polar(s, tau);"
+        )
+    };
+    expect_same(&[&spelled("(x, 10mm)"), &spelled("a + polar(l, theta)")]);
+}
+
+/// The second four-bar hangs on the first, and the guide on both; then a guide on the lever of a swinging guide.
+#[test]
+fn a_guide_behind_two_loops() {
+    let loops = "unknown theta = 30deg; unknown psi = 90deg; let a = polar(40mm, phi); let d = (150mm, 0);
+                 loop a + polar(l, theta) = d + polar(r, psi);
+                 let e = d + polar(60mm, psi + 20deg); let f = (270mm, 10mm);
+                 unknown alpha = 0deg; unknown beta = 80deg; loop e + polar(130mm, alpha) = f + polar(90mm, beta);";
+    let spelled = |point: &str| {
+        format!(
+            "{loops} unknown tau = 60deg; unknown s = 90mm; loop {point} = (200mm, -30mm) + polar(s, tau);"
+        )
+    };
+    expect_same(&[
+        &spelled("f + polar(90mm, beta)"),
+        &spelled("e + polar(130mm, alpha)"),
+        &spelled(
+            "a + polar(l, theta) - polar(r, psi) + polar(60mm, psi + 20deg) + polar(130mm, alpha)",
+        ),
+    ]);
+    let loops = "unknown theta = 20deg; unknown x = 110mm; loop (r, 0) + polar(40mm, phi) = polar(x, theta) + polar(7mm, theta + 90deg);";
+    let spelled = |point: &str| {
+        format!(
+            "{loops} unknown tau = 130deg; unknown s = 60mm; loop {point} = (90mm, -30mm) + polar(s, tau);"
+        )
+    };
+    expect_same(&[
+        &spelled("polar(50mm, theta)"),
+        &spelled(
+            "(r, 0) + polar(40mm, phi) - polar(x, theta) - polar(7mm, theta + 90deg) + polar(50mm, theta)",
+        ),
+    ]);
+}
+
+/// The joint of coupler and rocker on a guide through a fixed point: that point is nearer to it by way of the rocker, or by way of the crank.
+#[test]
+fn a_guide_at_a_joint_is_measured_by_the_shortest_way() {
+    let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let (origin, d) = ([0.0, 0.0], [150.0, 0.0]);
+    for (fixed, guide, by_rocker) in [
+        ([60.0, 20.0], [40, 90], true),
+        ([-40.0, -100.0], [45, 250], false),
+    ] {
+        let ways = [40.0 + 120.0 + apart(fixed, origin), 80.0 + apart(fixed, d)];
+        assert_eq!(ways[1] < ways[0], by_rocker);
+        let longest = ways[0].min(ways[1]);
+        let ([x, y], [tau, s]) = (fixed, guide);
+        let found = margins(&format!(
+            "unknown theta = 30deg; unknown psi = 90deg;
+             loop polar(40mm, phi) + polar(l, theta) = (150mm, 0) + polar(r, psi);
+             unknown tau = {tau}deg; unknown s = {s}mm; loop (150mm, 0) + polar(r, psi) = ({x}mm, {y}mm) + polar(s, tau);"
+        ));
+        let mut seen = 0;
+        for (k, margin) in found.iter().enumerate() {
+            let phi = TAU * k as f64 / POSITIONS as f64;
+            let a = [40.0 * phi.cos(), 40.0 * phi.sin()];
+            let diagonal = apart(a, d);
+            // The transmission angle, and the joint above the line from crank to frame.
+            let mu =
+                (120.0_f64.powi(2) + 80.0_f64.powi(2) - diagonal.powi(2)) / (2.0 * 120.0 * 80.0);
+            let foot = (diagonal.powi(2) + (120.0 + 80.0) * (120.0 - 80.0)) / (2.0 * diagonal);
+            let height = (120.0_f64.powi(2) - foot * foot).sqrt();
+            let [u, v] = [0, 1].map(|k| (d[k] - a[k]) / diagonal);
+            let joint = [a[0] + foot * u - height * v, a[1] + foot * v + height * u];
+            let guide = apart(joint, fixed) / longest;
+            let expected = guide.min((1.0 - mu * mu).sqrt());
+            assert!(
+                (margin - expected).abs() < 1e-12,
+                "{fixed:?} at {k}: {margin}, not {expected}"
+            );
+            seen += usize::from(expected == guide);
+        }
+        assert!(seen > 50, "{seen}");
+    }
+}
