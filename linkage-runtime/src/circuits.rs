@@ -8,6 +8,8 @@ mod print;
 mod search;
 mod slab;
 mod stretches;
+#[cfg(test)]
+mod tests;
 mod trace;
 
 use crate::AssemblyError;
@@ -282,21 +284,4 @@ fn near(a: &[f64], b: &[f64], size: f64, share: f64) -> bool {
 /// The largest of some numbers.
 fn size(place: &[f64]) -> f64 {
     place.iter().fold(0.0, |size: f64, x| size.max(x.abs()))
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn samples_are_even_and_reach_both_ends() {
-        let (low, high) = (-1.0, 3.0);
-        let (angle, samples) = (false, 5);
-        let cycle = super::Cycle {
-            low,
-            high,
-            angle,
-            samples,
-        };
-        let all = [0, 1, 2, 3, 4].map(|index| cycle.sample(index));
-        assert_eq!(all, [-1.0, 0.0, 1.0, 2.0, 3.0]);
-    }
 }

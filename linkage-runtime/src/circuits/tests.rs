@@ -1,0 +1,166 @@
+//! Curves whose shape is known by a formula, and the places in them that decide something.
+
+use super::curve::{Curve, Node};
+use super::slab::Slab;
+use super::stretches::{Border, stretches};
+use super::trace::{CurveEnd, Strand};
+use crate::numeric::continuation::{Correction, Step};
+use crate::numeric::roots::Variable;
+use alloc::vec::Vec;
+
+#[test]
+fn samples_are_even_and_reach_both_ends() {
+    let (low, high) = (-1.0, 3.0);
+    let (angle, samples) = (false, 5);
+    let cycle = super::Cycle {
+        low,
+        high,
+        angle,
+        samples,
+    };
+    let all = [0, 1, 2, 3, 4].map(|index| cycle.sample(index));
+    assert_eq!(all, [-1.0, 0.0, 1.0, 2.0, 3.0]);
+}
+
+const SLAB: Slab = Slab {
+    low: -2.0,
+    high: 2.0,
+};
+
+/// Newton's step for an equation with this value and derivative.
+fn newton(state: &mut [f64], (value, determinant): (f64, f64)) -> Step {
+    let change = -value / determinant;
+    state[0] += change;
+    let size = change.abs();
+    Step { size, determinant }
+}
+
+fn curve<C>(correction: &mut C) -> Curve<'_, C> {
+    Curve {
+        correction,
+        variables: &[Variable::Length],
+        slab: SLAB,
+        left: 100_000,
+    }
+}
+
+/// An ellipse comes back to where it began, once, and turns where its inputs end: a circle, and a needle that is followed from close beside its
+/// tip.
+#[test]
+fn an_ellipse_is_two_strands_between_its_turning_points() {
+    for (width, x) in [(1.0_f64, 0.3_f64), (2e-3, 1.0 - 1e-6)] {
+        let mut ellipse = |at: &[f64], state: &mut [f64]| {
+            let (x, s) = (at[0], state[0]);
+            newton(state, (s * s - width * width * (1.0 - x * x), 2.0 * s))
+        };
+        expect_round(&mut ellipse, x, 0.98 * width * (1.0 - x * x).sqrt());
+    }
+}
+
+fn expect_round<C: Correction>(ellipse: &mut C, x: f64, s: f64) {
+    let mut curve = curve(ellipse);
+    let start = curve
+        .node(SLAB.parameter(x), &[s])
+        .expect("near the ellipse");
+    let mut turning = 0;
+    let strands = curve.strands(start, &mut turning);
+    assert_eq!((strands.len(), turning), (2, 2));
+    for strand in &strands {
+        for (k, input) in strand.inputs(&SLAB).into_iter().enumerate() {
+            assert!(
+                matches!(strand.ends[k], CurveEnd::Turning(_)),
+                "{:?}",
+                strand.ends
+            );
+            let expected = [-1.0, 1.0][k];
+            assert!((input - expected).abs() < 1e-10, "{input}");
+        }
+        let side = strand.best().state[0].signum();
+        let inner = &strand.nodes[1..strand.nodes.len() - 1];
+        assert!(inner.iter().all(|node| node.state[0] * side > 0.0));
+        // No part of it is left out, and the last step is no longer than others.
+        let mut pairs = strand.nodes.windows(2);
+        let length = |a: &Node, b: &Node| (b.u - a.u).hypot(b.state[0] - a.state[0]);
+        assert!(pairs.all(|pair| length(&pair[0], &pair[1]) < 0.0605));
+    }
+    let [one, other] = [0, 1].map(|k| strands[k].best().state[0]);
+    assert!(one * other < 0.0);
+}
+
+/// A solution aside of the straight way by more than a tenth of the step is not the next one, though it points the same way.
+#[test]
+fn a_node_is_not_reached_across_a_ledge() {
+    fn ledge(x: f64) -> f64 {
+        0.15 * (1.0 + (x / 0.05).tanh())
+    }
+    let mut correction = |at: &[f64], state: &mut [f64]| {
+        let miss = state[0] - ledge(at[0]);
+        newton(state, (miss, 1.0))
+    };
+    let mut curve = curve(&mut correction);
+    let before = curve
+        .node(SLAB.parameter(-0.5), &[0.0])
+        .expect("a solution");
+    assert!(curve.at(&before, 0.05).is_some());
+    assert!(curve.at(&before, 0.9).is_none());
+}
+
+/// Where rounding keeps corrections from vanishing the last one counts.
+#[test]
+fn a_node_is_found_in_spite_of_noise() {
+    let mut calls = 0;
+    // Two for each correction: one for the rate.
+    let mut noisy = |_: &[f64], state: &mut [f64]| {
+        let sign = [1.0, -1.0][calls / 2 % 2];
+        calls += 1;
+        let miss = state[0] - 0.5 - sign * 4e-8;
+        newton(state, (miss, 1.0))
+    };
+    // The second correction is more than the part of the first that it might be.
+    let start = 0.5 + 4e-8 - 1.5e-7;
+    let node = curve(&mut noisy).node(0.0, &[start]);
+    let node = node.expect("rounding is no obstacle");
+    assert!((node.state[0] - 0.5).abs() < 5e-8, "{}", node.state[0]);
+}
+
+/// A table is prepared from between the ends, where input and determinant both change fast.
+#[test]
+fn the_best_node_is_far_from_singular() {
+    let node = |(u, determinant): (f64, f64)| Node {
+        u,
+        state: Vec::new(),
+        determinant,
+        direction: Vec::new(),
+    };
+    let places = [
+        (-0.995, 900.0),
+        (-0.99, 2.0),
+        (0.0, 0.1),
+        (0.5, -1.0),
+        (0.7, 900.0),
+    ];
+    let strand = Strand {
+        nodes: places.map(node).into(),
+        ends: [CurveEnd::Slab; 2],
+    };
+    assert_eq!(strand.best().u, 0.5);
+}
+
+/// Gaps and islands between two samples.
+#[test]
+fn what_happens_between_samples_is_seen() {
+    let near = |border: Border, x: f64| matches!(border, Border::Root(at) if (at - x).abs() < 1e-9);
+    let found = stretches(&SLAB, 8, false, true, |x| (x - 0.31).powi(2) - 1e-4);
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert_eq!((found[0][0], found[1][1]), (Border::Slab, Border::Slab));
+    assert!(
+        near(found[0][1], 0.30) && near(found[1][0], 0.32),
+        "{found:?}"
+    );
+    let found = stretches(&SLAB, 8, false, true, |x| 1e-4 - (x - 0.31).powi(2));
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(
+        near(found[0][0], 0.30) && near(found[0][1], 0.32),
+        "{found:?}"
+    );
+}
