@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 mod assemblies;
+mod c;
 mod check;
 mod choose;
 mod new;
@@ -49,6 +50,8 @@ enum Command {
     Assemblies(assemblies::AtInputs),
     /// How far each assembly reaches over the range of the input
     Circuits(assemblies::Options),
+    /// A header and a source in C99 for controllers
+    C(c::Options),
 }
 
 /// Does what the arguments of the process say: exit status 0, 1 for bad input, 2 for wrong usage.
@@ -63,6 +66,7 @@ pub fn run() -> ExitCode {
         Command::Tolerance(options) => tolerance::run(options),
         Command::Assemblies(options) => assemblies::run(options),
         Command::Circuits(options) => assemblies::circuits(options),
+        Command::C(options) => c::run(options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,6 +1,7 @@
 //! The program as its user meets it: what it prints, which files it leaves, its exit status.
 
 mod bad_input;
+mod c;
 mod files;
 mod pages;
 mod start;

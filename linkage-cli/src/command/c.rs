@@ -1,0 +1,71 @@
+//! `linkage c`: mechanisms as C99 for controllers.
+
+use std::fs;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use linkage_c::{Real, Sources, sources};
+
+use super::choose::Chosen;
+use super::output::{print, put};
+use crate::failure::Failure;
+use crate::mechanism::Mechanism;
+
+/// Options of the command.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    #[command(flatten)]
+    chosen: Chosen,
+    /// The folder; by default the one at hand
+    #[arg(short, long, value_name = "DIR", default_value = ".")]
+    output: PathBuf,
+    /// What is computed with; with `float` nothing is computed in double
+    #[arg(long, value_enum, default_value_t = Scalar::Double)]
+    scalar: Scalar,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Scalar {
+    Double,
+    Float,
+}
+
+impl Scalar {
+    fn real(self) -> Real {
+        match self {
+            Self::Double => Real::Double,
+            Self::Float => Real::Single,
+        }
+    }
+}
+
+/// Writes a header and a source for each mechanism; none of them if one cannot be printed.
+pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    let real = options.scalar.real();
+    let all: Vec<Sources> = options
+        .chosen
+        .all()?
+        .iter()
+        .map(|mechanism| exported(mechanism, real))
+        .collect::<Result<_, _>>()?;
+    let folder = &options.output;
+    fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;
+    for Sources {
+        name,
+        header,
+        source,
+    } in &all
+    {
+        for (ending, text) in [("h", header), ("c", source)] {
+            let path = folder.join(format!("{name}.{ending}"));
+            put(text, Some(&path))?;
+            print(&format!("{}\n", path.display()))?;
+        }
+    }
+    Ok(())
+}
+
+fn exported(mechanism: &Mechanism, real: Real) -> Result<Sources, Failure> {
+    sources(mechanism.name, &mechanism.unit, real)
+        .map_err(|refused| Failure::Told(format!("{}: {refused}", mechanism.name)))
+}
