@@ -227,6 +227,6 @@ fn closed_form(
         .iter()
         .map(|own| own.turns.as_deref().map(padded));
     let turns: Vec<Option<[f64; INPUTS]>> = turns.collect();
-    let (centre, windings) = uniform(vectors, &turns, padded(at), here)?;
+    let (centre, windings) = uniform(vectors, &turns, &padded(at), here)?;
     Some((centre, windings.to_vec()))
 }

@@ -58,6 +58,7 @@ impl<'a> Printer<'a> {
             survey,
             coupled,
             functions,
+            length: _,
             parameters: _,
             inputs: _,
             arguments: _,
