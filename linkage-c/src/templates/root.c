@@ -3,9 +3,9 @@
 static inline real own_root(real q, real scale)
 {
     const real slack = EIGHT_ROUNDOFFS * fabs(scale);
-    /* Negative if more is missing, or anything where the scale is infinite. Then all bits are set: NaN. */
+    /* Negative if more is missing, or anything where the scale is infinite. Then all bits are set: NaN. Of -0 nothing is missing. */
     const word infinite = GREATEST_BITS - own_bits(slack);
-    const word missing = own_bits(q + slack) | (infinite & own_bits(q));
+    const word missing = own_bits(q + slack) | (infinite & own_bits(q + 0.0));
     const real none = own_number((word)0 - (missing >> TOP));
     const real kept = own_number(ONE_BITS & ((own_bits(q) >> TOP) - 1u));
     return sqrt(fabs(q)) * kept + none;
