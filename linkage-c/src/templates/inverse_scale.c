@@ -3,8 +3,10 @@ static inline real own_inverse_scale(real x)
 {
     const word size = own_bits(x) & ~SIGN_BITS;
     word exponent = size & INFINITE_BITS;
-    exponent = exponent < LEAST_BITS ? LEAST_BITS : exponent;
-    exponent = exponent > MOST_BITS ? MOST_BITS : exponent;
-    exponent = size >= INFINITE_BITS || size == 0u ? ONE_BITS : exponent;
+    /* What is outside becomes negative, and its highest bit says so. */
+    const word other = (word)0 - (((size - 1u) | (GREATEST_BITS - size)) >> TOP);
+    exponent += ((exponent - 1u) >> TOP) * LEAST_BITS;
+    exponent -= ((MOST_BITS - exponent) >> TOP) * LEAST_BITS;
+    exponent = (exponent & ~other) | (ONE_BITS & other);
     return own_number(TWO_ONES - exponent);
 }

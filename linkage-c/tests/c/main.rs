@@ -2,6 +2,7 @@
 //! and for what it promises: no warning, no call, no double in single precision.
 
 mod batch;
+mod controller;
 mod coupled;
 mod favorit;
 mod given;

@@ -11,7 +11,7 @@ use crate::reference::Assembled;
 
 /// Sets of dimensions of each mechanism, and positions for each: the defaults and the reference first.
 const SETS: usize = 4;
-const POSITIONS: usize = 12;
+pub(crate) const POSITIONS: usize = 12;
 
 /// Mechanisms of closed forms alone.
 fn with_closed_forms() -> Vec<Given> {
@@ -66,7 +66,7 @@ fn dimensions<T: Number>(unit: &Unit, set: usize, random: &mut Random) -> Vec<T>
 }
 
 /// Arguments of a function: the reference, then places in the range and around it.
-fn arguments<T: Number>(
+pub(crate) fn arguments<T: Number>(
     unit: &Unit,
     function: usize,
     position: usize,

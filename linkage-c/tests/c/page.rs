@@ -38,10 +38,15 @@ fn blocks(language: &str) -> Vec<&'static str> {
     blocks.collect()
 }
 
+/// The mechanism of the page.
+pub(crate) fn press() -> Given {
+    Given::text(blocks("text")[0])
+}
+
 /// What a program prints that calls the mechanism of the page.
 fn printed(name: &str, program: &str, real: Real) -> Option<String> {
     let compiler = Compiler::find()?;
-    let own = Given::text(blocks("text")[0]);
+    let own = press();
     let folder = machine::folder(name);
     machine::write(
         &folder,
