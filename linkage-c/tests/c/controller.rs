@@ -45,15 +45,20 @@ const FIGURES: [(&str, &str); 5] = [
 /// Arguments in which no mechanism is assembled, or all are alike.
 const SPECIAL: [f32; 6] = [0.0, -0.0, 1e7, -1e30, f32::INFINITY, f32::NAN];
 
-/// Compiler and emulator. Without both tests pass and say so, unless `LINKAGE_EMULATOR=required` is in the environment.
+/// Compiler, its C library and emulator. Without them tests pass and say so, unless `LINKAGE_EMULATOR=required` is in the environment.
 fn tools() -> Option<Compiler> {
-    let (compiler, emulator) = (Compiler::named(COMPILER), Compiler::named(EMULATOR));
-    if let (Some(compiler), Some(_)) = (compiler, emulator) {
+    let compiler = Compiler::named(COMPILER).filter(|_| {
+        // A library that it does not find has no folder.
+        let library = printed(COMPILER, Path::new("."), &["-print-file-name=libc.a"]);
+        library.contains('/')
+    });
+    if let (Some(compiler), Some(_)) = (compiler, Compiler::named(EMULATOR)) {
         return Some(compiler);
     }
+    let missing = format!("there is no `{COMPILER}` with its C library, or no `{EMULATOR}`");
     let required = env::var("LINKAGE_EMULATOR").is_ok_and(|word| word == "required");
-    assert!(!required, "there is no `{COMPILER}`, or no `{EMULATOR}`");
-    println!("skipped: there is no `{COMPILER}`, or no `{EMULATOR}`");
+    assert!(!required, "{missing}");
+    println!("skipped: {missing}");
     None
 }
 
