@@ -1,15 +1,13 @@
 //! Singles on an emulated Cortex-M4: results to the last bit, and how many instructions a call takes.
 
-use std::env;
 use std::fmt::Write;
-use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use linkage_c::{Real, sources};
 use linkage_compiler::unit::Function;
 use linkage_random::Random;
 
+use crate::emulated::{COMPILER, FLAGS, build, emulate, printed, tools};
 use crate::given::{Given, exported};
 use crate::machine::{self, Compiler};
 use crate::mechanisms::{POSITIONS, arguments};
@@ -18,20 +16,6 @@ use crate::reference::Assembled;
 
 /// The page that has figures.
 const PAGE: &str = include_str!("../../../docs/c.md");
-const COMPILER: &str = "arm-none-eabi-gcc";
-const EMULATOR: &str = "qemu-system-arm";
-
-/// The processor, and what the page advises.
-const FLAGS: [&str; 8] = [
-    "-mcpu=cortex-m4",
-    "-mthumb",
-    "-mfpu=fpv4-sp-d16",
-    "-mfloat-abi=hard",
-    "-std=c99",
-    "-O2",
-    "-fno-math-errno",
-    "-ffunction-sections",
-];
 
 /// Mechanisms and functions that the page has figures of.
 const FIGURES: [(&str, &str); 5] = [
@@ -44,23 +28,6 @@ const FIGURES: [(&str, &str); 5] = [
 
 /// Arguments in which no mechanism is assembled, or all are alike.
 const SPECIAL: [f32; 6] = [0.0, -0.0, 1e7, -1e30, f32::INFINITY, f32::NAN];
-
-/// Compiler, its C library and emulator. Without them tests pass and say so, unless `LINKAGE_EMULATOR=required` is in the environment.
-fn tools() -> Option<Compiler> {
-    let compiler = Compiler::named(COMPILER).filter(|_| {
-        // A library that it does not find has no folder.
-        let library = printed(COMPILER, Path::new("."), &["-print-file-name=libc.a"]);
-        library.contains('/')
-    });
-    if let (Some(compiler), Some(_)) = (compiler, Compiler::named(EMULATOR)) {
-        return Some(compiler);
-    }
-    let missing = format!("there is no `{COMPILER}` with its C library, or no `{EMULATOR}`");
-    let required = env::var("LINKAGE_EMULATOR").is_ok_and(|word| word == "required");
-    assert!(!required, "{missing}");
-    println!("skipped: {missing}");
-    None
-}
 
 /// A function and its positions.
 struct Asked<'a> {
@@ -86,88 +53,6 @@ fn asked(all: &[Given]) -> Vec<Asked<'_>> {
         }
     }
     asked
-}
-
-/// Writes the program, compiles it and links it: for memory from 0 on, as the board has it.
-fn build(compiler: &Compiler, folder: &Path, all: &[Given]) {
-    let [mut includes, mut functions, mut table] = [const { String::new() }; 3];
-    let mut files = vec!["main.c".to_owned()];
-    let mut count = 0;
-    for (index, Given { name, unit }) in all.iter().enumerate() {
-        let name = format!("M{index}{name}");
-        let sources = sources(&name, unit, Real::Single).expect("it can be exported");
-        machine::write(folder, &sources);
-        let own = &sources.name;
-        files.push(format!("{own}.c"));
-        let width = unit.scalars().count();
-        let _ = writeln!(includes, "#include \"{own}.h\"");
-        let _ = writeln!(
-            functions,
-            "static {own} of_{own};\n\nstatic uint32_t assemble_{own}(const float *in)\n{{\n    {own}_dimensions d;\n    \
-             memcpy(&d, in, {width} * sizeof *in);\n    return (uint32_t){own}_assemble(&of_{own}, &d);\n}}\n"
-        );
-        for function in &unit.functions {
-            let call = format!("{own}_{}", function.name);
-            let takes = function.arguments.len();
-            let types = ", float".repeat(takes);
-            let values: String = (0..takes).map(|k| format!(", in[{k}]")).collect();
-            let gives = function.called.program.outputs.len();
-            let _ = writeln!(
-                functions,
-                "static uint32_t call_{count}(address what, const float *in, float *out)\n{{\n    \
-                 {call}_result (*const function)(const {own} *{types}) = ({call}_result (*)(const {own} *{types}))what;\n    \
-                 const uint32_t before = now();\n    const {call}_result r = function(&of_{own}{values});\n    const uint32_t after = now();\n    \
-                 memcpy(out, &r, {gives} * sizeof *out);\n    return between(before, after);\n}}\n"
-            );
-            let _ = writeln!(
-                table,
-                "    {{ assemble_{own}, call_{count}, (address){call}, {width}, {takes}, {gives} }},"
-            );
-            count += 1;
-        }
-    }
-    let main = include_str!("controller.c")
-        .replace("/* INCLUDES */", &includes)
-        .replace("/* FUNCTIONS */", &functions)
-        .replace("/* TABLE */", &table);
-    fs::write(folder.join("main.c"), main).expect("C can be written");
-    let mut all = FLAGS.to_vec();
-    all.extend(files.iter().map(String::as_str));
-    all.extend(["-nostartfiles", "-Wl,-e,start", "-o", "program"]);
-    all.extend([
-        "-Wl,--section-start=.vectors=0",
-        "-Wl,-Ttext=0x400",
-        "-Wl,-Tdata=0x20000000",
-    ]);
-    compiler.run(folder, &all);
-}
-
-/// Runs it with requests; the words that it writes.
-fn emulate(folder: &Path, requests: &[u8]) -> Vec<u32> {
-    fs::write(folder.join("requests"), requests).expect("numbers can be written");
-    let mut command = Command::new(EMULATOR);
-    // Time goes on by 2^10 ns in each instruction.
-    command.args([
-        "-M",
-        "mps2-an386",
-        "-icount",
-        "shift=10",
-        "-display",
-        "none",
-    ]);
-    command.args(["-monitor", "none", "-serial", "none"]);
-    command.args(["-semihosting-config", "enable=on,target=native"]);
-    let output = command
-        .current_dir(folder)
-        .args(["-kernel", "program"])
-        .output();
-    let output = output.expect("the emulator runs");
-    let messages = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{}: {messages}", output.status);
-    let bytes = fs::read(folder.join("results")).expect("there are results");
-    let (words, rest) = bytes.as_chunks();
-    assert!(rest.is_empty(), "whole words");
-    words.iter().map(|x| u32::from_le_bytes(*x)).collect()
 }
 
 fn requests(asked: &[Asked]) -> Vec<u8> {
@@ -229,15 +114,6 @@ fn counts(asked: &[Asked], mut words: &[u32]) -> Vec<u32> {
     assert!(finite > 20 * asked.len(), "{finite} finite results");
     assert!(uneven.is_empty(), "instructions differ:\n{uneven}");
     counts
-}
-
-/// What a compiler or a tool beside it prints.
-fn printed(tool: &str, folder: &Path, arguments: &[&str]) -> String {
-    let mut command = Command::new(tool);
-    let output = command.current_dir(folder).args(arguments).output();
-    let output = output.expect("it is there");
-    assert!(output.status.success(), "{tool} {arguments:?}");
-    String::from_utf8(output.stdout).expect("a text")
 }
 
 /// The bytes that a program takes for a function, with its constants and what it calls.

@@ -4,6 +4,7 @@
 mod batch;
 mod controller;
 mod coupled;
+mod emulated;
 mod favorit;
 mod given;
 mod machine;

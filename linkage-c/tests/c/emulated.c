@@ -75,7 +75,7 @@ static void start(void)
 {
     static float in[1024], out[1024];
     uint32_t head[2], counted[2], position, requests, results;
-    /* Numbers with a point are of use to this program only when they are switched on. */
+    /* After a reset what computes with numbers with a point is off. */
     *(volatile uint32_t *)0xe000ed88u |= 0xf00000u;
     __asm__ volatile("dsb\n\tisb");
     clock[1] = 0xffffffu;
