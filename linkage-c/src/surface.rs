@@ -1,6 +1,6 @@
 //! What users of the C see: names, types, comments.
 
-use linkage_compiler::unit::{Column, Function, Shape, Unit};
+use linkage_compiler::unit::{COMPONENTS, Column, Function, Shape, Unit};
 
 use crate::Real;
 use crate::names::{Names, Place, plain, snake};
@@ -60,8 +60,7 @@ pub(crate) struct Field {
     pub(crate) note: String,
 }
 
-/// Components of vectors and of frames.
-const AXES: [&str; 3] = ["x", "y", "z"];
+/// Components of frames.
 const OF_FRAME: [&str; 4] = ["origin", "x", "y", "z"];
 
 impl<'a> Surface<'a> {
@@ -176,7 +175,7 @@ fn innermost(shape: &Shape) -> &Shape {
 pub(crate) fn places(name: &str, shape: &Shape) -> Vec<String> {
     match shape {
         Shape::Scalar => vec![name.to_owned()],
-        Shape::Vector(count) => AXES[..*count]
+        Shape::Vector(count) => COMPONENTS[..*count]
             .iter()
             .map(|axis| format!("{name}.{axis}"))
             .collect(),

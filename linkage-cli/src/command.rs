@@ -10,6 +10,7 @@ mod assemblies;
 mod c;
 mod check;
 mod choose;
+mod course;
 mod new;
 mod numbers;
 mod output;

@@ -4,6 +4,8 @@ use std::fmt::{self, Display, Formatter};
 use std::io;
 use std::path::Path;
 
+use linkage_runtime::AssemblyError;
+
 /// What is told before the command ends with exit status 1.
 #[derive(Clone, Debug)]
 pub enum Failure {
@@ -19,6 +21,12 @@ impl Failure {
     /// A file that cannot be read or written; `doing` says which.
     pub(crate) fn file(doing: &str, path: &Path, error: &io::Error) -> Self {
         Self::Told(format!("cannot {doing} `{}`: {error}", path.display()))
+    }
+}
+
+impl From<AssemblyError> for Failure {
+    fn from(error: AssemblyError) -> Self {
+        Self::Told(error.to_string())
     }
 }
 

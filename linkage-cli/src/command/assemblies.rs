@@ -36,8 +36,7 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
     for mechanism in options.chosen.all()? {
         let dimensions = options.dimensions.of(&mechanism)?;
         let at = inputs(&mechanism, at)?;
-        let all = mechanism.assemblies(&dimensions, &at);
-        let all = all.map_err(|error| Failure::Told(error.to_string()))?;
+        let all = mechanism.assemblies(&dimensions, &at)?;
         let pairs = mechanism.inputs.iter().zip(&at);
         let places: Vec<String> = pairs.map(|(input, &x)| placed(input, x)).collect();
         let places = match places.is_empty() {
@@ -73,7 +72,7 @@ pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
         let name = mechanism.name;
         match mechanism.circuits(&dimensions) {
             Some(found) => {
-                let found = found.map_err(|error| Failure::Told(error.to_string()))?;
+                let found = found?;
                 print(&format!("{name}\n{found}"))?;
                 some = true;
             }

@@ -129,8 +129,7 @@ fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
 fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let input = &mechanism.inputs[0];
     let dimensions = options.dimensions.of(mechanism)?;
-    let assembly = mechanism.assemble(&dimensions);
-    let assembly = assembly.map_err(|error| Failure::Told(error.to_string()))?;
+    let assembly = mechanism.assemble(&dimensions)?;
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
     let mut report = Report::new(mechanism.name, input, &positions)
         .about(first_paragraph(&mechanism.documentation))

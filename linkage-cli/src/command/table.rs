@@ -8,9 +8,10 @@ use linkage_runtime::Table;
 use serde_json::{Value, json};
 
 use super::choose::Chosen;
+use super::course::{Along, Course};
 use super::numbers::Style;
 use super::output::put;
-use super::sweep::{Rows, all_arguments, positions, running, still};
+use super::sweep::Rows;
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
@@ -22,21 +23,11 @@ pub(super) struct Options {
     chosen: Chosen,
     /// The function
     function: String,
-    /// First value of the input, with its unit; the lower end of its range by default
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    from: Option<String>,
-    /// Last value of the input
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    to: Option<String>,
+    #[command(flatten)]
+    course: Course,
     /// How many positions, both ends included
     #[arg(long, default_value_t = 361, value_name = "COUNT", value_parser = value_parser!(u32).range(1..))]
     steps: u32,
-    /// The input that runs from one position to the next; the first one of the function by default
-    #[arg(long, value_name = "INPUT")]
-    over: Option<String>,
-    /// Another argument of the function, as `omega=20rad/s`; inputs stand at their reference by default
-    #[arg(long = "at", value_name = "NAME=VALUE")]
-    at: Vec<String>,
     #[command(flatten)]
     dimensions: Dimensions,
     /// Angles in degrees; their rates stay in radians
@@ -76,18 +67,12 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     }
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
     let dimensions = options.dimensions.of(&mechanism)?;
-    let assembly = mechanism.assemble(&dimensions);
-    let assembly = assembly.map_err(|error| Failure::Told(error.to_string()))?;
-    let running = running(&mechanism, function, options.over.as_deref())?;
-    let given = all_arguments(&mechanism, function, &options.at)?;
-    let positions = match running {
-        Some((_, input)) => {
-            still(input, &options.at)?;
-            let ends = [options.from.as_deref(), options.to.as_deref()];
-            positions(&mechanism, input, ends, options.steps)?
-        }
-        None => vec![f64::NAN],
-    };
+    let assembly = mechanism.assemble(&dimensions)?;
+    let Along {
+        given,
+        running,
+        positions,
+    } = options.course.of(&mechanism, function, options.steps)?;
     let place = running.map(|(place, _)| place);
     let rows = Rows::new(&mechanism, &assembly, function, &given, place, &positions);
     let missing = rows.missing();

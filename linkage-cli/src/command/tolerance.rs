@@ -10,9 +10,9 @@ use linkage_runtime::Input;
 use linkage_runtime::tolerance::largest;
 
 use super::choose::Chosen;
+use super::course::{Along, Course};
 use super::numbers::Style;
 use super::output::print;
-use super::sweep::{all_arguments, positions, running, still};
 use super::values::Dimensions;
 use crate::engine::Assembly;
 use crate::failure::Failure;
@@ -26,21 +26,11 @@ pub(super) struct Options {
     chosen: Chosen,
     /// A function with `sensitivity(...)` among its results
     function: String,
-    /// First value of the input; the lower end of its range by default
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    from: Option<String>,
-    /// Last value of the input
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    to: Option<String>,
+    #[command(flatten)]
+    course: Course,
     /// How many positions, both ends included
     #[arg(long, default_value_t = 37, value_name = "COUNT", value_parser = value_parser!(u32).range(2..))]
     steps: u32,
-    /// The input that runs from one position to the next
-    #[arg(long, value_name = "INPUT")]
-    over: Option<String>,
-    /// Another argument of the function
-    #[arg(long = "at", value_name = "NAME=VALUE")]
-    at: Vec<String>,
     #[command(flatten)]
     dimensions: Dimensions,
 }
@@ -72,18 +62,12 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         )));
     }
     let dimensions = options.dimensions.of(&mechanism)?;
-    let assembly = mechanism.assemble(&dimensions);
-    let assembly = assembly.map_err(|error| Failure::Told(error.to_string()))?;
-    let given = all_arguments(&mechanism, function, &options.at)?;
-    let running = running(&mechanism, function, options.over.as_deref())?;
-    let ends = [options.from.as_deref(), options.to.as_deref()];
-    let positions = match running {
-        Some((_, input)) => {
-            still(input, &options.at)?;
-            positions(&mechanism, input, ends, options.steps)?
-        }
-        None => Vec::new(),
-    };
+    let assembly = mechanism.assemble(&dimensions)?;
+    let Along {
+        given,
+        running,
+        positions,
+    } = options.course.of(&mechanism, function, options.steps)?;
     for own in all {
         let at = Position {
             mechanism: &mechanism,

@@ -1,6 +1,6 @@
 //! The runtime's descriptions of a unit, as generated code has them as constants.
 
-use linkage_compiler::unit::{Coupled, Function, Meaning, Picture, Unit};
+use linkage_compiler::unit::{Coupled, Function, Meaning, Picture, Shown, Unit};
 use linkage_runtime::generated::{
     Along, Angle, CoupledGroup, CoupledInput, CoupledUnknown, Range, Term,
 };
@@ -11,9 +11,6 @@ use linkage_runtime::{
 use linkage_symbolic::count::Count;
 
 use super::{forever, plain};
-
-/// Names of the components of vectors.
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 pub(super) fn inputs(unit: &Unit) -> &'static [Input] {
     let inputs = unit.inputs.iter().map(|own| Input {
@@ -172,19 +169,12 @@ pub(super) fn groups(mechanism: &'static str, unit: &Unit) -> &'static [CoupledG
 fn group(mechanism: &'static str, unit: &Unit, coupled: &Coupled) -> CoupledGroup {
     let own = &unit.groups[coupled.group];
     let unknowns = coupled.unknowns.iter().map(|placed| {
-        let unknown = &unit.unknowns[placed.unknown];
-        let name = match placed.component {
-            None => unknown.name.clone(),
-            Some(k) => format!("{}.{}", unknown.name, AXES[k]),
-        };
+        let Shown { name, unit, scale } = placed.shown(unit);
         CoupledUnknown {
             name: forever(name),
             estimate: placed.estimate,
-            scale: if unknown.is_number { 1.0 } else { unit.longest },
-            unit: match placed.angle {
-                true => "",
-                false => forever(unknown.unit.as_str()),
-            },
+            scale,
+            unit: forever(unit),
             angle: placed.angle,
         }
     });

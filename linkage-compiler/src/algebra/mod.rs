@@ -110,6 +110,3 @@ impl<'m> Algebra<'m> {
         frame::vanishes(x)
     }
 }
-
-/// Names of vector components.
-pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];

@@ -2,9 +2,9 @@
 
 use linkage_symbolic::{Ex, Graph, SymbolId, V2, Vector};
 
-use crate::model::{Mechanism, Type};
+use crate::model::{COMPONENTS, Mechanism, Type};
 
-use super::{AXES, Atom, Bearing, Value};
+use super::{Atom, Bearing, Value};
 
 /// An unknown angle. Loops see its cosine and sine; its value is computed only where somebody asks for it.
 #[derive(Clone, Debug)]
@@ -78,7 +78,7 @@ impl<'m> Names<'m> {
                     Bound::Angle(names.add_angle(name, Some(index)))
                 }
                 Type::Vector(count, _) => Bound::Lengths(
-                    AXES[..count]
+                    COMPONENTS[..count]
                         .iter()
                         .map(|axis| names.symbol(format!("{name}.{axis}")))
                         .collect(),

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::load::Places;
 use super::{count, docs};
-use crate::model::{ASSEMBLY, COLUMNS, Shape};
+use crate::model::{ASSEMBLY, COLUMNS, COMPONENTS, Shape};
 use crate::syntax::{Attribute, FunctionDef, Item, MechanismDef, ParamItem, QuantityDef};
 use crate::unit::{self, Unit};
 
@@ -189,7 +189,7 @@ impl Parameter<'_> {
     pub(super) fn scalar_fields(&self) -> Vec<TokenStream> {
         let name = self.name;
         match self.shape {
-            Shape::Vector(n) => ["x", "y", "z"][..n.min(3)]
+            Shape::Vector(n) => COMPONENTS[..n.min(3)]
                 .iter()
                 .map(|component| {
                     let component = format_ident!("{component}");

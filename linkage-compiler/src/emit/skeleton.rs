@@ -12,7 +12,9 @@ use super::{
     assembly, circuits, columns, dimensions, evaluator, guess::Guess, home, mechanism, picture,
     structure, sweeps, table, way,
 };
-use crate::model::{ASSEMBLY, COLUMNS, Mechanism, MotionWord, Shape, Sweep, TYPE_PARAMETER};
+use crate::model::{
+    ASSEMBLY, COLUMNS, COMPONENTS, Mechanism, MotionWord, Shape, Sweep, TYPE_PARAMETER,
+};
 use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
 use crate::unit::Picture;
 
@@ -168,7 +170,7 @@ impl Seen {
 fn components(name: &Ident, shape: &Shape) -> Vec<Component> {
     let name = plain(name);
     let names = match shape {
-        Shape::Vector(n) => ["x", "y", "z"][..(*n).min(3)]
+        Shape::Vector(n) => COMPONENTS[..(*n).min(3)]
             .iter()
             .map(|c| format!("{name}.{c}"))
             .collect(),

@@ -43,6 +43,7 @@ pub(crate) use dump::dump;
 pub(crate) use frame::PARTS as FRAME_PARTS;
 pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
 pub(crate) use generated::{ASSEMBLY, COLUMNS, Sweep, TYPE_PARAMETER};
+pub use parameter::COMPONENTS;
 pub(crate) use presentation::significant;
 pub use shape::Shape;
 pub(crate) use types::*;

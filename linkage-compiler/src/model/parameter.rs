@@ -9,7 +9,7 @@ use crate::diagnostic::SourceSpan;
 use crate::syntax::{self, Attribute, ParamItem, Toleranced};
 
 /// Names of the components of a vector.
-pub(super) const COMPONENTS: [&str; 3] = ["x", "y", "z"];
+pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
 impl Resolver<'_> {
     pub(super) fn param_item(

@@ -1,9 +1,8 @@
 //! What each number of a result is: its name, its unit, what it was derived from.
 
-use crate::algebra::AXES;
 use crate::model::{
-    Derived, EvaluatorDef, Expr, ExprKind, FRAME_PARTS, LengthUnit, Mechanism, Quantity, Shape,
-    Type, Variable,
+    COMPONENTS, Derived, EvaluatorDef, Expr, ExprKind, FRAME_PARTS, LengthUnit, Mechanism,
+    Quantity, Shape, Type, Variable,
 };
 use crate::unit::{Column, Meaning, Picture};
 
@@ -46,7 +45,7 @@ impl Namer<'_> {
     fn picture(&self, quantity: &Quantity, picture: &Picture, all: &mut Vec<Column>) {
         let unit = self.mechanism.unit.name();
         for (index, name) in picture.names().enumerate() {
-            for axis in &AXES[..picture.dimension] {
+            for axis in &COMPONENTS[..picture.dimension] {
                 all.push(Column {
                     name: format!("{}[{name}].{axis}", quantity.field),
                     unit: match index < picture.points.len() {
@@ -236,7 +235,11 @@ impl Namer<'_> {
 
 /// Names of all numbers of a value.
 fn names(ty: &Type, labels: &[Vec<String>], name: String) -> Vec<String> {
-    let components = |count: usize| AXES[..count].iter().map(|axis| format!("{name}.{axis}"));
+    let components = |count: usize| {
+        COMPONENTS[..count]
+            .iter()
+            .map(|axis| format!("{name}.{axis}"))
+    };
     match ty {
         Type::Array(entries) => {
             let (own, inner) = labels.split_first().unzip();
@@ -249,7 +252,7 @@ fn names(ty: &Type, labels: &[Vec<String>], name: String) -> Vec<String> {
         }
         Type::Frame => FRAME_PARTS
             .into_iter()
-            .flat_map(|part| AXES.map(|axis| format!("{name}.{part}.{axis}")))
+            .flat_map(|part| COMPONENTS.map(|axis| format!("{name}.{part}.{axis}")))
             .collect(),
         Type::Vector(count, _) => components(*count).collect(),
         Type::Zero(count) if *count > 1 => components(*count).collect(),

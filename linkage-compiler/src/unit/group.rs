@@ -4,6 +4,9 @@ use linkage_runtime::numeric::continuation::{Grid, Table};
 use linkage_runtime::numeric::roots::Variable;
 use linkage_symbolic::program::Program;
 
+use super::Unit;
+use crate::model::COMPONENTS;
+
 /// What is known of a group.
 #[derive(Clone, Debug)]
 pub struct Group {
@@ -87,6 +90,35 @@ pub struct Placed {
     pub angle: bool,
     /// Start estimate at the reference inputs.
     pub estimate: f64,
+}
+
+/// How a number that assemblies are told apart by is shown and measured.
+#[derive(Clone, Debug)]
+pub struct Shown<'u> {
+    /// `theta`, `p.x`
+    pub name: String,
+    /// `mm`; nothing for an angle.
+    pub unit: &'u str,
+    /// What its size is compared with: the longest length, 1 for a plain number.
+    pub scale: f64,
+}
+
+impl Placed {
+    /// See [`Shown`].
+    pub fn shown<'u>(&self, unit: &'u Unit) -> Shown<'u> {
+        let unknown = &unit.unknowns[self.unknown];
+        Shown {
+            name: match self.component {
+                None => unknown.name.clone(),
+                Some(k) => format!("{}.{}", unknown.name, COMPONENTS[k]),
+            },
+            unit: match self.angle {
+                true => "",
+                false => &unknown.unit,
+            },
+            scale: if unknown.is_number { 1.0 } else { unit.longest },
+        }
+    }
 }
 
 /// An unknown whose numbers are surveyed.

@@ -14,11 +14,11 @@ mod signature;
 use linkage_runtime::generated::Level;
 use linkage_symbolic::program::Program;
 
-pub use crate::model::Shape;
+pub use crate::model::{COMPONENTS, Shape};
 pub use closing::{Closing, Outputs};
 pub use dump::dump;
 pub use function::{Body, Column, Field, Function, Meaning};
-pub use group::{Coupled, Group, Placed, Start, Surveyed};
+pub use group::{Coupled, Group, Placed, Shown, Start, Surveyed};
 pub use picture::{Guide, GuideOn, Link, Picture, Point, PointKind};
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};
 

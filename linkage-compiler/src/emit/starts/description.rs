@@ -4,10 +4,9 @@ use linkage_runtime::numeric::roots::Variable;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::algebra::AXES;
 use crate::emit::literal;
 use crate::emit::outline::Outline;
-use crate::unit::{Coupled, Unit};
+use crate::unit::{Coupled, Shown, Unit};
 
 /// The runtime's description of a group.
 pub(super) fn description(outline: &Outline, unit: &Unit, group: &Coupled) -> TokenStream {
@@ -19,18 +18,9 @@ pub(super) fn description(outline: &Outline, unit: &Unit, group: &Coupled) -> To
     let loops = own.loops.iter().map(|n| literal::index(*n));
     let names = &own.unknowns;
     let unknowns = group.unknowns.iter().map(|placed| {
-        let unknown = &unit.unknowns[placed.unknown];
-        let name = match placed.component {
-            None => unknown.name.clone(),
-            Some(k) => format!("{}.{}", unknown.name, AXES[k]),
-        };
+        let Shown { name, unit, scale } = placed.shown(unit);
         let estimate = literal::float(placed.estimate);
-        let scale = if unknown.is_number { 1.0 } else { unit.longest };
         let scale = literal::float(scale);
-        let unit = match placed.angle {
-            true => "",
-            false => &unknown.unit,
-        };
         let angle = placed.angle;
         quote! {
             #runtime::CoupledUnknown { name: #name, estimate: #estimate, scale: #scale, unit: #unit, angle: #angle }

@@ -1,0 +1,61 @@
+//! What runs from one position to the next, and what stands still meanwhile: options that several commands have.
+
+use clap::Args;
+use linkage_runtime::Input;
+
+use super::sweep::{all_arguments, positions, running, still};
+use crate::failure::Failure;
+use crate::mechanism::Mechanism;
+
+/// Options for the arguments of a function.
+#[derive(Debug, Args)]
+pub(super) struct Course {
+    /// First value of the input, with its unit; the lower end of its range by default
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    from: Option<String>,
+    /// Last value of the input
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    to: Option<String>,
+    /// The input that runs from one position to the next; the first one of the function by default
+    #[arg(long, value_name = "INPUT")]
+    over: Option<String>,
+    /// Another argument of the function, as `omega=20rad/s`; inputs stand at their reference by default
+    #[arg(long = "at", value_name = "NAME=VALUE")]
+    at: Vec<String>,
+}
+
+/// The arguments of a function over a course.
+pub(super) struct Along {
+    /// All of them, as far as they stand still.
+    pub(super) given: Vec<f64>,
+    /// The place and the input that runs; `None` for a function without inputs.
+    pub(super) running: Option<(usize, &'static Input)>,
+    /// What it runs through; one number that is none if nothing runs.
+    pub(super) positions: Vec<f64>,
+}
+
+impl Course {
+    /// The arguments of a function over as many positions.
+    pub(super) fn of(
+        &self,
+        mechanism: &Mechanism,
+        function: usize,
+        steps: u32,
+    ) -> Result<Along, Failure> {
+        let running = running(mechanism, function, self.over.as_deref())?;
+        let given = all_arguments(mechanism, function, &self.at)?;
+        let positions = match running {
+            Some((_, input)) => {
+                still(input, &self.at)?;
+                let ends = [self.from.as_deref(), self.to.as_deref()];
+                positions(mechanism, input, ends, steps)?
+            }
+            None => vec![f64::NAN],
+        };
+        Ok(Along {
+            given,
+            running,
+            positions,
+        })
+    }
+}
