@@ -7,7 +7,7 @@ use quote::{ToTokens, format_ident, quote};
 use super::at_word::type_at;
 use super::body::Runs;
 use super::docs::{doc, documented, in_unit, tokens, with_note};
-use super::entries::entries;
+use super::entries::{entries, entry};
 use super::load::{CARRIED, loader};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
@@ -180,12 +180,10 @@ pub(super) fn kernel(
     let methods = (0..stages.len()).map(|index| stage(outline, function, stages, index, version));
     let calls = (0..stages.len()).map(|index| {
         let method = stage_name(function, index, version);
-        let results = results(index, &stages[index]);
-        let before = match index {
-            0 => quote!([]),
-            _ => quote!(__carried),
-        };
-        quote!(let (__carried, [#(#results),*]) = self.#method::<__FUSED, false>(__x, #before);)
+        let stage = &stages[index];
+        let results = results(index, stage);
+        let [taken, kept] = [&stage.taken, &stage.kept].map(|places| in_memory(places));
+        quote!(let ([#(#kept),*], [#(#results),*]) = self.#method::<__FUSED, false>(__x, [#(#taken),*]);)
     });
     let mut outputs = vec![TokenStream::new(); function.width()];
     for (index, stage) in stages.iter().enumerate() {
@@ -242,7 +240,15 @@ fn results(index: usize, stage: &Stage) -> Vec<Ident> {
     entries(&format!("__results{index}_"), stage.results.len())
 }
 
-/// From what the stage before carries to what it carries on itself, and results.
+/// The variables for places of the stages' memory.
+fn in_memory(places: &[usize]) -> Vec<Ident> {
+    places
+        .iter()
+        .map(|&place| entry("__memory", place))
+        .collect()
+}
+
+/// From what it takes of stages before to what it keeps for later ones, and results.
 fn stage(
     outline: &Outline,
     function: &Function,
@@ -252,30 +258,28 @@ fn stage(
 ) -> TokenStream {
     let Stage {
         program,
-        carried,
+        taken,
+        kept,
         results,
     } = &stages[index];
-    let before = index
-        .checked_sub(1)
-        .map_or(0, |index| stages[index].carried);
     let method = stage_name(function, index, version);
     let places = function.places(outline);
     let statements = body::statements(program, Runs::InRows, &loader(outline, &places));
-    let (next, finished) = program.outputs.split_at(*carried);
+    let (next, finished) = program.outputs.split_at(kept.len());
     let [next, finished] = [next, finished].map(|values| {
         let names = values.iter().map(|value| body::name(*value));
         quote!([#(#names),*])
     });
-    let entries = entries(CARRIED, before);
-    let [count, before, carried, results] =
-        [places.width(), before, *carried, results.len()].map(literal::index);
+    let entries = entries(CARRIED, taken.len());
+    let [count, taken, kept, results] =
+        [places.width(), taken.len(), kept.len(), results.len()].map(literal::index);
     quote! {
         #[inline(always)]
         fn #method<const __FUSED: ::core::primitive::bool, const __ROWS: ::core::primitive::bool>(
             &self,
             __x: [T; #count],
-            [#(#entries),*]: [T; #before],
-        ) -> ([T; #carried], [T; #results]) {
+            [#(#entries),*]: [T; #taken],
+        ) -> ([T; #kept], [T; #results]) {
             let Self { __mechanism: __m, __modes, __prepared, .. } = self;
             #statements
             (#next, #finished)

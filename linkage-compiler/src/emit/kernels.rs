@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use linkage_symbolic::passes::stages::Stage;
+use linkage_symbolic::passes::stages::{Stage, memory};
 use linkage_symbolic::program::{Instruction, Source};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -100,12 +100,12 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
         dimensions,
         &quote!(#assembly::#at_lane(&__core, &__x, &__slots, __lane)),
     );
-    let carried = buffers(outline, stages.0);
+    let memory = buffers(outline, stages.0);
     let count = literal::index(used.len());
     let buffers = quote! {
         #modes
         let mut __slots = #runtime::Block::<T, __BLOCK, #count>::filled(__zero);
-        #carried
+        #memory
     };
     let body = quote!(#prepare #loops);
     let kernel = kernel(outline, function, arguments, &buffers, &body);
@@ -204,18 +204,18 @@ fn kernel(
     }
 }
 
-/// Blocks for what is carried from stage to stage and for what a stage finishes, made once for all rows.
+/// Blocks for the stages' memory and for what a stage finishes, made once for all rows.
 fn buffers(outline: &Outline, stages: &[Stage]) -> TokenStream {
     let runtime = &outline.runtime;
-    let buffers = stages.iter().enumerate().map(|(index, stage)| {
-        let (carried, done) = (carried(index + 1), done(index));
-        let [next, finished] = [stage.carried, stage.results.len()].map(literal::index);
-        quote! {
-            let mut #carried = #runtime::Block::<T, __BLOCK, #next>::filled(__zero);
-            let mut #done = #runtime::Block::<T, __LANES, #finished>::filled(__zero);
-        }
+    let memory = literal::index(memory(stages));
+    let done = stages.iter().enumerate().map(|(index, stage)| {
+        let (done, finished) = (done(index), literal::index(stage.results.len()));
+        quote!(let mut #done = #runtime::Block::<T, __LANES, #finished>::filled(__zero);)
     });
-    buffers.collect()
+    quote! {
+        let mut __memory = #runtime::Block::<T, __BLOCK, #memory>::filled(__zero);
+        #(#done)*
+    }
 }
 
 /// The stages of one of a function's programs.
@@ -235,20 +235,18 @@ fn loops(
             quote!(__x.at(#input, __lane))
         })
         .collect();
-    let mut carried_before = 0;
     let mut loops = TokenStream::new();
     for (index, stage) in stages.iter().enumerate() {
         let method = stage_name(function, index, version);
-        let (from, to) = (carried(index), carried(index + 1));
-        let read = (0..carried_before).map(|k| {
-            let k = literal::index(k);
-            quote!(#from.at(#k, __lane))
+        let read = stage.taken.iter().map(|&place| {
+            let place = literal::index(place);
+            quote!(__memory.at(#place, __lane))
         });
         let done = done(index);
-        let next = entries("__next", stage.carried);
-        let carry = next.iter().enumerate().map(|(k, next)| {
-            let k = literal::index(k);
-            quote!(#to.set(#k, __lane, #next);)
+        let next = entries("__next", stage.kept.len());
+        let keep = next.iter().zip(&stage.kept).map(|(next, &place)| {
+            let place = literal::index(place);
+            quote!(__memory.set(#place, __lane, #next);)
         });
         let finished = entries("__finished", stage.results.len());
         let finish = finished.iter().enumerate().map(|(k, finished)| {
@@ -262,18 +260,12 @@ fn loops(
         let one = quote! {
             let ([#(#next),*], [#(#finished),*]) =
                 #core.#method::<__FUSED, true>([#(#inputs),*], [#(#read),*]);
-            #(#carry)*
+            #(#keep)*
             #(#finish)*
         };
         loops.extend(blocks::over_vectors(&one, &quote!(#(#write)*)));
-        carried_before = stage.carried;
     }
     loops
-}
-
-/// The block of values that stage `index` reads.
-fn carried(index: usize) -> Ident {
-    format_ident!("__carried{index}", span = Span::mixed_site())
 }
 
 /// What stage `index` has finished, for some rows side by side.

@@ -4,6 +4,7 @@ mod directions;
 mod forms;
 mod forms_space;
 mod golden;
+mod growth;
 mod margins;
 mod proposals;
 mod robust;

@@ -1,6 +1,5 @@
 //! How long an expansion takes, in whatever build the tests run in: by the clock of this thread, which stands while others run.
 
-use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 use std::time::Duration;
@@ -25,7 +24,7 @@ fn worked() -> Duration {
 }
 
 /// The shortest of several runs: what it takes when the caches are warm and nothing else uses them.
-fn time(text: &str, runs: usize) -> Duration {
+pub(super) fn time(text: &str, runs: usize) -> Duration {
     let once = || {
         let tokens: TokenStream = text.parse().expect("tokens");
         let start = worked();
@@ -80,44 +79,4 @@ fn a_platform_that_comes_apart_is_refused_within_a_second() {
         assert!(messages[0].text.starts_with(apart), "{messages:?}");
     }
     assert!(platform("68mm..72mm", "204mm..208mm").is_empty());
-}
-
-/// A chain of parallelogram-like dyads, each driven by the last link of the one before.
-fn chain(groups: usize) -> String {
-    let mut text = String::from(
-        "pub struct Chain { unit mm; input phi = 60deg in 55deg..65deg;\n\
-         param crank = 30mm; let p0 = polar(crank, phi);\n",
-    );
-    for k in 1..=groups {
-        let before = k - 1;
-        let (x, y) = (40 * k, 0);
-        let _ = writeln!(
-            text,
-            "param rod{k} = 40mm; param arm{k} = 30mm; const pivot{k} = ({x}mm, {y}mm);\n\
-             unknown theta{k} = 5deg; unknown psi{k} = 62deg;\n\
-             loop p{before} + polar(rod{k}, theta{k}) = pivot{k} + polar(arm{k}, psi{k});\n\
-             let p{k} = pivot{k} + polar(arm{k}, psi{k});"
-        );
-    }
-    let _ = writeln!(
-        text,
-        "}}\nimpl Chain {{\n\
-         pub fn motion(phi) -> Motion {{ p{groups}, v: velocity(p{groups}), a: acceleration(p{groups}), m: margin() }}\n\
-         pub fn first(phi) -> First {{ psi1, e: sensitivity(psi1, [crank, rod1, arm1]) }}\n}}"
-    );
-    text
-}
-
-#[test]
-fn time_grows_linearly_with_the_number_of_groups() {
-    for groups in [1, 2, 5, 20] {
-        println!("{groups} groups {:?}", time(&chain(groups), 5));
-    }
-    let (small, large) = (time(&chain(10), 5), time(&chain(50), 3));
-    let ratio = large.as_secs_f64() / small.as_secs_f64();
-    println!("10 groups {small:?}, 50 groups {large:?}: {ratio:.1} times");
-    assert!(
-        ratio < 10.0,
-        "10 groups {small:?}, 50 groups {large:?}: {ratio:.1} times"
-    );
 }

@@ -2,48 +2,73 @@
 //!
 //! A processor overlaps the computations of neighbouring positions only as far as it looks ahead, some hundred
 //! operations. A loop over a long dependent program therefore waits for results; several short loops, each over the same
-//! positions, do not. What is carried from one loop to the next costs memory traffic, so cuts are made where few values are
-//! alive.
+//! positions, do not. What one loop leaves for others costs memory traffic, so cuts are made where little is left.
 
-use std::collections::BTreeMap;
+mod cuts;
+
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use crate::program::{Instruction, Program, Source, Value};
 
-/// A part of a program.
+/// A part of a program. What one stage leaves for others stands in a memory that they share: so a stage has to do with what it uses
+/// and makes itself, and not with what only passes it by. Places are used again where nothing needs what stands there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
-    /// Loads [`Source::Carried`] from the stage before. Its outputs are first the values that are carried on, then
-    /// results.
+    /// Loads [`Source::Carried`], one for each of `taken`. Its outputs are first what is `kept`, then results.
     pub program: Program,
-    /// How many outputs are carried on.
-    pub carried: usize,
+    /// The places in memory of what comes from stages before.
+    pub taken: Vec<usize>,
+    /// The places in memory of what later stages need; all of `taken` is read before.
+    pub kept: Vec<usize>,
     /// Which results of the whole program the other outputs are.
     pub results: Vec<usize>,
 }
 
-/// Operations that a stage may have without cost, about what a processor looks ahead for two positions.
-const SIZE: usize = 64;
-
-/// What a carried value costs, a store and a load, and what a loop costs, in operations.
-const CARRY: usize = 2;
-const LOOP: usize = 8;
+/// How many places the memory of stages has.
+pub fn memory(stages: &[Stage]) -> usize {
+    let kept = stages.iter().flat_map(|stage| &stage.kept);
+    kept.max().map_or(0, |last| last + 1)
+}
 
 /// Cuts `program` into stages, one if it is short.
 pub fn split(program: &Program) -> Vec<Stage> {
     let program = loads_first(program);
     let last_uses = last_uses(&program);
+    let mut memory = Memory::default();
     let mut stages = Vec::new();
-    let mut carried = Vec::new();
     let mut start = 0;
-    for end in cuts(&program, &last_uses) {
-        let is_alive =
-            |value: &usize| last_uses[*value] >= end && !is_free(&program.instructions[*value]);
-        let next: Vec<usize> = (0..end).filter(is_alive).collect();
-        stages.push(stage(&program, start..end, &carried, &next));
-        (start, carried) = (end, next);
+    for end in cuts::ends(&program, &last_uses) {
+        stages.push(stage(&program, start..end, &last_uses, &mut memory));
+        start = end;
     }
     stages
+}
+
+/// What stands where while stages run.
+#[derive(Default)]
+struct Memory {
+    /// The places of values that are still needed.
+    places: BTreeMap<usize, usize>,
+    /// Places that nothing needs any more.
+    free: BTreeSet<usize>,
+    /// How many places there are.
+    size: usize,
+}
+
+impl Memory {
+    /// A place for `value`.
+    fn keep(&mut self, value: usize) -> usize {
+        let place = self.free.pop_first().unwrap_or(self.size);
+        self.size = self.size.max(place + 1);
+        self.places.insert(value, place);
+        place
+    }
+
+    /// Forgets `value`.
+    fn drop(&mut self, value: usize) {
+        self.free.extend(self.places.remove(&value));
+    }
 }
 
 /// The index of the last instruction that needs each value; 0 if none does.
@@ -55,10 +80,15 @@ fn last_uses(program: &Program) -> Vec<usize> {
     last
 }
 
-/// The instructions of `range`, with `carried` values from before, values that are needed later, and the results that
-/// are known now.
-fn stage(program: &Program, range: Range<usize>, carried: &[usize], next: &[usize]) -> Stage {
-    let is_last = range.end == program.instructions.len();
+/// The instructions of `range`, with what they need from stages before, what is needed later, and the results that are known now.
+fn stage(
+    program: &Program,
+    range: Range<usize>,
+    last_uses: &[usize],
+    memory: &mut Memory,
+) -> Stage {
+    let end = range.end;
+    let is_last = end == program.instructions.len();
     let finished = |&(_, value): &(usize, usize)| match is_free(&program.instructions[value]) {
         true => is_last,
         false => range.contains(&value),
@@ -72,52 +102,75 @@ fn stage(program: &Program, range: Range<usize>, carried: &[usize], next: &[usiz
         .collect();
     let mut builder = Builder {
         whole: program,
-        carried,
+        range: range.clone(),
         program: Program::default(),
+        taken: Vec::new(),
         places: BTreeMap::new(),
     };
-    for index in range {
-        if !is_free(&program.instructions[index]) {
-            builder.place(index);
-        }
+    let own: Vec<usize> = range
+        .filter(|&index| !is_free(&program.instructions[index]))
+        .collect();
+    for &index in &own {
+        builder.place(index);
     }
+    let next: Vec<usize> = own
+        .into_iter()
+        .filter(|&index| last_uses[index] >= end)
+        .collect();
     let outputs = next.iter().chain(results.iter().map(|(_, value)| value));
-    let outputs: Vec<Value> = outputs.map(|&value| builder.place(value)).collect();
-    builder.program.outputs = outputs;
+    builder.program.outputs = outputs.map(|&value| builder.place(value)).collect();
+    let taken = builder
+        .taken
+        .iter()
+        .map(|value| memory.places[value])
+        .collect();
+    for &value in builder
+        .taken
+        .iter()
+        .filter(|&&value| last_uses[value] < end)
+    {
+        memory.drop(value);
+    }
     Stage {
         program: builder.program,
-        carried: next.len(),
+        taken,
+        kept: next.into_iter().map(|value| memory.keep(value)).collect(),
         results: results.into_iter().map(|(result, _)| result).collect(),
     }
 }
 
 struct Builder<'a> {
     whole: &'a Program,
-    carried: &'a [usize],
+    range: Range<usize>,
     program: Program,
+    /// Values of stages before that are needed here.
+    taken: Vec<usize>,
     /// Where values of the whole program are in this one.
     places: BTreeMap<usize, Value>,
 }
 
 impl Builder<'_> {
-    /// Where a value is, appended if it is not there yet: an instruction of this stage whose operands are there or
-    /// free, or what is carried.
+    /// Where a value is, appended if it is not there yet: an instruction of this stage whose operands are there, one that is free, or what a
+    /// stage before has kept.
     fn place(&mut self, value: usize) -> Value {
         if let Some(&place) = self.places.get(&value) {
             return place;
         }
-        let instruction = match self.carried.binary_search(&value) {
-            Ok(index) => Instruction::Load(Source::Carried(index)),
-            Err(_) => {
-                let instruction = self.whole.instructions[value];
+        let instruction = self.whole.instructions[value];
+        let own = match self.range.contains(&value) || is_free(&instruction) {
+            true => {
                 let operands: Vec<Value> = instruction.operands().collect();
                 operands.iter().for_each(|operand| {
                     self.place(operand.0);
                 });
                 instruction.with_operands(|operand| self.places[&operand.0])
             }
+            false => {
+                self.taken.push(value);
+                Instruction::Load(Source::Carried(self.taken.len() - 1))
+            }
         };
-        let place = self.program.push(instruction);
+        let place = self.program.push(own);
         self.places.insert(value, place);
         place
     }
@@ -142,63 +195,6 @@ fn loads_first(program: &Program) -> Program {
 /// Loads and constants are repeated where they are needed and never carried.
 fn is_free(instruction: &Instruction) -> bool {
     matches!(instruction, Instruction::Load(_) | Instruction::Constant(_))
-}
-
-/// The ends of the stages, the cheapest that there are.
-fn cuts(program: &Program, last_uses: &[usize]) -> Vec<usize> {
-    let count = program.instructions.len();
-    let alive = alive(program, last_uses);
-    let mut weights = vec![0];
-    for instruction in &program.instructions {
-        weights.push(weights[weights.len() - 1] + instruction.size() as usize);
-    }
-    // The least cost of stages up to each instruction, and where the last of them starts.
-    let mut best: Vec<(usize, usize)> = vec![(0, 0)];
-    for end in 1..=count {
-        let mut least = (usize::MAX, 0);
-        for start in (0..end).rev().filter(|&start| !splits_pair(program, start)) {
-            let size = weights[end] - weights[start];
-            let excess = size.saturating_sub(SIZE);
-            let cost = best[start].0 + CARRY * alive[start] + LOOP + excess * excess / SIZE;
-            if cost < least.0 {
-                least = (cost, start);
-            }
-            if size > 4 * SIZE {
-                break;
-            }
-        }
-        best.push(least);
-    }
-    let mut ends = Vec::new();
-    let mut end = count;
-    while end > 0 {
-        ends.push(end);
-        end = best[end].1;
-    }
-    ends.reverse();
-    ends
-}
-
-/// How many values are carried over a cut before each instruction.
-fn alive(program: &Program, last_uses: &[usize]) -> Vec<usize> {
-    let mut alive: Vec<usize> = vec![0; last_uses.len() + 1];
-    let mut ending = vec![0; last_uses.len() + 1];
-    for (index, &last) in last_uses.iter().enumerate() {
-        alive[index + 1] = alive[index] - ending[index];
-        if last > index && !is_free(&program.instructions[index]) {
-            alive[index + 1] += 1;
-            ending[last] += 1;
-        }
-    }
-    alive
-}
-
-/// Whether a cut before `place` would separate a result from what computes it.
-fn splits_pair(program: &Program, place: usize) -> bool {
-    matches!(
-        program.instructions.get(place),
-        Some(Instruction::Second(_))
-    )
 }
 
 #[cfg(test)]
@@ -236,16 +232,19 @@ mod tests {
     /// All results, stage after stage.
     fn run_stages(stages: &[Stage], x: f64, count: usize) -> Vec<f64> {
         let mut results = vec![f64::NAN; count];
-        let mut carried: Vec<f64> = Vec::new();
+        let mut places = vec![f64::NAN; memory(stages)];
         for stage in stages {
             let outputs = run(&stage.program, |source| match source {
-                Source::Carried(index) => carried[index],
+                Source::Carried(index) => places[stage.taken[index]],
                 _ => x,
             });
-            for (&result, &value) in stage.results.iter().zip(&outputs[stage.carried..]) {
+            let (kept, finished) = outputs.split_at(stage.kept.len());
+            for (&place, &value) in stage.kept.iter().zip(kept) {
+                places[place] = value;
+            }
+            for (&result, &value) in stage.results.iter().zip(finished) {
                 results[result] = value;
             }
-            carried = outputs[..stage.carried].to_vec();
         }
         results
     }

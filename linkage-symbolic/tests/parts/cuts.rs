@@ -1,17 +1,19 @@
 //! The cuts of long programs against all cuts that there could be.
 
+use std::ops::Range;
+
 use linkage_random::Random;
 use linkage_symbolic::passes::stages::{Stage, split};
 use linkage_symbolic::program::{Binary, Instruction, Program, Source, Unary, Value};
 
-/// What stages cost, in operations: what of one is beyond that counts by its square, each value carried into it and itself.
+/// What stages cost, in operations: what of one is beyond that counts by its square, each value that it takes or keeps and itself.
 const SIZE: u32 = 64;
-const CARRY: u32 = 2;
+const ACCESS: u32 = 1;
 const LOOP: u32 = 8;
 
-fn cost(size: u32, carried: usize) -> u32 {
+fn cost(size: u32, accesses: usize) -> u32 {
     let excess = size.saturating_sub(SIZE);
-    LOOP + CARRY * carried as u32 + excess * excess / SIZE
+    LOOP + ACCESS * accesses as u32 + excess * excess / SIZE
 }
 
 fn size(instructions: &[Instruction]) -> u32 {
@@ -44,45 +46,47 @@ fn program(random: &mut Random, count: usize) -> Program {
     program
 }
 
-/// How many values are computed before a place and needed behind it; loads are repeated.
-fn carried(program: &Program, place: usize) -> usize {
+/// How many values of `from` are needed in `to`; loads are repeated.
+fn passed(program: &Program, from: Range<usize>, to: Range<usize>) -> usize {
     let needed = |value: &usize| {
-        let behind = &program.instructions[place..];
-        behind
-            .iter()
-            .any(|own| own.operands().any(|x| x.0 == *value))
+        let mut behind = program.instructions[to.clone()].iter();
+        behind.any(|own| own.operands().any(|x| x.0 == *value))
     };
-    (2..place).filter(needed).count()
+    from.filter(|&value| value >= 2).filter(needed).count()
 }
 
 /// The least cost among all choices of places.
 fn least(program: &Program) -> u32 {
-    let places: Vec<usize> = (3..program.instructions.len())
+    let count = program.instructions.len();
+    let places: Vec<usize> = (3..count)
         .filter(|&place| !matches!(program.instructions[place], Instruction::Second(_)))
         .collect();
-    let carried: Vec<usize> = places
-        .iter()
-        .map(|&place| carried(program, place))
-        .collect();
+    let one = |range: Range<usize>| {
+        let taken = passed(program, 0..range.start, range.clone());
+        let kept = passed(program, range.clone(), range.end..count);
+        cost(size(&program.instructions[range]), taken + kept)
+    };
     let choices = 0..1_u32 << places.len();
     let of = |choice: u32| {
         let chosen = (0..places.len()).filter(|k| choice >> k & 1 == 1);
-        let (mut total, mut start, mut into) = (0, 0, 0);
+        let (mut total, mut start) = (0, 0);
         for k in chosen {
-            total += cost(size(&program.instructions[start..places[k]]), into);
-            (start, into) = (places[k], carried[k]);
+            total += one(start..places[k]);
+            start = places[k];
         }
-        total + cost(size(&program.instructions[start..]), into)
+        total + one(start..count)
     };
     choices.map(of).min().expect("one is not to cut")
 }
 
 fn found(stages: &[Stage]) -> u32 {
-    let into = [0].into_iter().chain(stages.iter().map(|own| own.carried));
-    let stages = stages.iter().zip(into);
-    stages
-        .map(|(own, into)| cost(size(&own.program.instructions), into))
-        .sum()
+    let one = |own: &Stage| {
+        cost(
+            size(&own.program.instructions),
+            own.taken.len() + own.kept.len(),
+        )
+    };
+    stages.iter().map(one).sum()
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Where long programs are cut.
 
 use linkage_symbolic::interpret::run;
-use linkage_symbolic::passes::stages::{Stage, split};
+use linkage_symbolic::passes::stages::{Stage, memory, split};
 use linkage_symbolic::program::{Binary, Instruction, Program, Source, Unary, Value};
 
 /// What a processor looks ahead for two positions, in operations.
@@ -29,18 +29,22 @@ fn blocks(count: usize, wide: usize) -> Program {
 
 fn run_stages(stages: &[Stage], x: f64, count: usize) -> Vec<f64> {
     let mut results = vec![f64::NAN; count];
-    let mut carried: Vec<f64> = Vec::new();
+    let mut places = vec![f64::NAN; memory(stages)];
     for stage in stages {
         let outputs = run(&stage.program, |source| match source {
-            Source::Carried(index) => carried[index],
+            Source::Carried(index) => places[stage.taken[index]],
             _ => x,
         });
-        assert_eq!(outputs.len(), stage.carried + stage.results.len());
-        for (&result, &value) in stage.results.iter().zip(&outputs[stage.carried..]) {
+        assert_eq!(carried(&stage.program), stage.taken.len());
+        assert_eq!(outputs.len(), stage.kept.len() + stage.results.len());
+        let (kept, finished) = outputs.split_at(stage.kept.len());
+        for (&place, &value) in stage.kept.iter().zip(kept) {
+            places[place] = value;
+        }
+        for (&result, &value) in stage.results.iter().zip(finished) {
             assert!(results[result].is_nan(), "result {result} comes twice");
             results[result] = value;
         }
-        carried = outputs[..stage.carried].to_vec();
     }
     results
 }
@@ -66,10 +70,11 @@ fn cuts_are_where_one_value_is_alive() {
             "{wide}"
         );
         let (last, others) = stages.split_last().expect("there is one");
-        assert_eq!((last.carried, carried(&stages[0].program)), (0, 0));
+        assert_eq!((last.kept.len(), stages[0].taken.len()), (0, 0));
         for (stage, next) in others.iter().zip(&stages[1..]) {
-            assert_eq!((stage.carried, carried(&next.program)), (1, 1), "{wide}");
+            assert_eq!((stage.kept.len(), next.taken.len()), (1, 1), "{wide}");
         }
+        assert_eq!(memory(&stages), 1, "the place is used again");
         // As large as may be without cost, or little larger: a block does not end where the limit is.
         let block = 2 * wide as u32;
         for stage in others {
@@ -128,6 +133,33 @@ fn pairs_are_not_separated() {
     assert_eq!(run_stages(&stages, 0.3, expected.len()), expected);
 }
 
+/// As in derivatives backwards: what the way there has made is needed on the way back, last made first. What passes a stage by costs it
+/// nothing.
+#[test]
+fn a_way_there_and_back_grows_with_its_length() {
+    let accesses = |length: usize| {
+        let mut program = Program::default();
+        let x = program.push(Instruction::Load(Source::Input(0)));
+        let mut there = vec![x];
+        for k in 0..length {
+            let value = Instruction::Binary(Binary::Mul, there[k], there[k / 2]);
+            there.push(program.push(value));
+        }
+        let mut last = x;
+        for &value in there.iter().rev() {
+            last = program.push(Instruction::Binary(Binary::Sub, value, last));
+        }
+        program.outputs.push(last);
+        let stages = split(&program);
+        assert_eq!(run_stages(&stages, 0.99, 1), run(&program, |_| 0.99));
+        assert!(memory(&stages) <= length + 1, "{}", memory(&stages));
+        let accesses = stages.iter().map(|own| own.taken.len() + own.kept.len());
+        accesses.sum::<usize>()
+    };
+    let [short, long] = [500, 4000].map(accesses);
+    assert!(short > 500 && long < 9 * short, "{short} and {long}");
+}
+
 /// Results that are loads or constants come from the last stage, and nothing that is free is carried.
 #[test]
 fn what_is_free_is_not_carried() {
@@ -138,7 +170,7 @@ fn what_is_free_is_not_carried() {
     program.outputs.extend([Value(0), constant, scaled]);
     let stages = split(&program);
     assert!(stages.len() > 2);
-    assert!(stages.iter().all(|own| own.carried <= 1));
+    assert!(stages.iter().all(|own| own.taken.len() <= 1));
     let (last, others) = stages.split_last().expect("there is one");
     assert!(
         others

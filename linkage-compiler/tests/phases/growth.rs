@@ -1,0 +1,98 @@
+//! How an expansion grows with the mechanism: the time it takes, and what it gives to rustc, which costs users more.
+
+use std::fmt::Write;
+
+use linkage_compiler::compile;
+use proc_macro2::{TokenStream, TokenTree};
+
+use super::speed::time;
+
+/// A chain of parallelogram-like dyads, each driven by the last link of the one before.
+fn chain(groups: usize, functions: &str) -> String {
+    let mut text = String::from(
+        "pub struct Chain { unit mm; input phi = 60deg in 55deg..65deg;\n\
+         param crank = 30mm; let p0 = polar(crank, phi);\n",
+    );
+    for k in 1..=groups {
+        let before = k - 1;
+        let (x, y) = (40 * k, 0);
+        let _ = writeln!(
+            text,
+            "param rod{k} = 40mm; param arm{k} = 30mm; const pivot{k} = ({x}mm, {y}mm);\n\
+             unknown theta{k} = 5deg; unknown psi{k} = 62deg;\n\
+             loop p{before} + polar(rod{k}, theta{k}) = pivot{k} + polar(arm{k}, psi{k});\n\
+             let p{k} = pivot{k} + polar(arm{k}, psi{k});"
+        );
+    }
+    let _ = writeln!(text, "}}\nimpl Chain {{ {functions} }}");
+    text
+}
+
+/// A point at the end, its derivatives, the margin, and an angle at the beginning.
+fn motion(groups: usize) -> String {
+    let end = format!("p{groups}");
+    chain(
+        groups,
+        &format!(
+            "pub fn motion(phi) -> Motion {{ {end}, v: velocity({end}), a: acceleration({end}), m: margin() }}\n\
+             pub fn first(phi) -> First {{ psi1, e: sensitivity(psi1, [crank, rod1, arm1]) }}"
+        ),
+    )
+}
+
+#[test]
+fn time_grows_linearly_with_the_number_of_groups() {
+    for groups in [1, 2, 5, 20] {
+        println!("{groups} groups {:?}", time(&motion(groups), 5));
+    }
+    let (small, large) = (time(&motion(10), 5), time(&motion(50), 3));
+    let ratio = large.as_secs_f64() / small.as_secs_f64();
+    println!("10 groups {small:?}, 50 groups {large:?}: {ratio:.1} times");
+    assert!(
+        ratio < 10.0,
+        "10 groups {small:?}, 50 groups {large:?}: {ratio:.1} times"
+    );
+}
+
+fn count(tokens: TokenStream) -> usize {
+    let one = |tree| match tree {
+        TokenTree::Group(group) => 2 + count(group.stream()),
+        _ => 1,
+    };
+    tokens.into_iter().map(one).sum()
+}
+
+/// What rustc gets for one field of a function, with `END` for the last point.
+fn tokens(groups: usize, field: &str) -> usize {
+    let field = field.replace("END", &format!("p{groups}"));
+    let text = chain(
+        groups,
+        &format!("pub fn motion(phi) -> Motion {{ it: {field} }}"),
+    );
+    let output = compile(text.parse().expect("tokens"));
+    assert!(!output.to_string().contains("compile_error !"), "{output}");
+    count(output)
+}
+
+/// `exponent`: of the number of groups, when it is doubled; of `sensitivity(sensitivity(..))` there are as many results as pairs of parameters.
+#[test]
+fn tokens_grow_with_the_number_of_results() {
+    for (field, exponent) in [
+        ("END", 1.0),
+        ("acceleration(END)", 1.0),
+        ("sensitivity(END)", 1.0),
+        ("sensitivity(acceleration(END))", 1.0),
+        ("sensitivity(sensitivity(END))", 2.0),
+        ("picture()", 1.0),
+    ] {
+        // A square is soon large enough to be seen.
+        let groups = if exponent > 1.0 { 6 } else { 20 };
+        let [small, large] = [groups, 2 * groups].map(|groups| tokens(groups, field));
+        let found = (large as f64 / small as f64).log2();
+        println!("{field}: {small} and {large} tokens, exponent {found:.2}");
+        assert!(
+            found < exponent + 0.1,
+            "{field}: {small} tokens for {groups} groups, {large} for twice as many"
+        );
+    }
+}
