@@ -29,7 +29,7 @@ pub(super) struct Found {
 /// The first error of the listing if it fails everywhere.
 pub(super) fn follow(
     group: &CoupledGroup,
-    programs: &mut impl CoupledPrograms,
+    programs: &mut dyn CoupledPrograms,
     slab: Slab,
     samples: &[f64],
 ) -> Result<Found, AssemblyError> {
@@ -77,11 +77,7 @@ pub(super) fn follow(
 
 impl Strand {
     /// Whether a node is on the strand.
-    fn passes<C: crate::numeric::continuation::Correction>(
-        &self,
-        curve: &mut Curve<'_, C>,
-        node: &Node,
-    ) -> bool {
+    fn passes(&self, curve: &mut Curve<'_>, node: &Node) -> bool {
         let last = self.nodes.len() - 1;
         if node.u < self.nodes[0].u || node.u > self.nodes[last].u {
             return false;

@@ -65,15 +65,15 @@ impl Node {
 }
 
 /// The curve within a slab.
-pub(super) struct Curve<'a, C> {
-    pub(super) correction: &'a mut C,
+pub(super) struct Curve<'a> {
+    pub(super) correction: &'a mut dyn Correction,
     pub(super) variables: &'a [Variable],
     pub(super) slab: Slab,
     /// Newton steps that may still be made.
     pub(super) left: usize,
 }
 
-impl<C: Correction> Curve<'_, C> {
+impl Curve<'_> {
     /// The node at a known solution, towards higher inputs.
     pub(super) fn node(&mut self, u: f64, state: &[f64]) -> Option<Node> {
         let mut plane = vec![0.0; 1 + self.coordinates()];

@@ -205,7 +205,7 @@ impl<'a, M: Levels> Search<'a, M> {
         number: usize,
         before: &Leaf,
         description: &CoupledGroup,
-        programs: &mut impl CoupledPrograms,
+        programs: &mut dyn CoupledPrograms,
     ) -> Result<Vec<Leaf>, AssemblyError> {
         let slab = before.slab();
         let inner = (0..self.cycle.samples).map(|index| self.cycle.sample(index));

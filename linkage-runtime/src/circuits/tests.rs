@@ -35,7 +35,7 @@ fn newton(state: &mut [f64], (value, determinant): (f64, f64)) -> Step {
     Step { size, determinant }
 }
 
-fn curve<C>(correction: &mut C) -> Curve<'_, C> {
+fn curve(correction: &mut dyn Correction) -> Curve<'_> {
     Curve {
         correction,
         variables: &[Variable::Length],
@@ -57,7 +57,7 @@ fn an_ellipse_is_two_strands_between_its_turning_points() {
     }
 }
 
-fn expect_round<C: Correction>(ellipse: &mut C, x: f64, s: f64) {
+fn expect_round(ellipse: &mut dyn Correction, x: f64, s: f64) {
     let mut curve = curve(ellipse);
     let start = curve
         .node(SLAB.parameter(x), &[s])

@@ -2,7 +2,6 @@
 
 use super::curve::{Curve, Node, dot};
 use crate::math;
-use crate::numeric::continuation::Correction;
 use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 
@@ -46,7 +45,7 @@ struct Trace {
     closed: bool,
 }
 
-impl<C: Correction> Curve<'_, C> {
+impl Curve<'_> {
     /// The strands of the curve through a node; `count` numbers the turning points.
     pub(super) fn strands(&mut self, start: Node, count: &mut usize) -> Vec<Strand> {
         let mut trace = self.trace(start);

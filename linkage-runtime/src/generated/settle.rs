@@ -19,7 +19,7 @@ const SCALES: [f64; 3] = [1.0, 0.5, 2.0];
 
 /// The state near `before` that solves the equations, and its determinant, which has the sign of `sign` (if that has one).
 pub(super) fn moved(
-    programs: &mut impl Correction,
+    programs: &mut dyn Correction,
     variables: &[Variable],
     x: &[f64],
     before: &[f64],
@@ -51,12 +51,7 @@ pub(super) fn scaled(variables: &[Variable], state: &[f64], scale: f64) -> Vec<f
 }
 
 /// Corrects a state; the determinant there, which keeps its sign (if it had one).
-fn settle(
-    programs: &mut impl Correction,
-    x: &[f64],
-    state: &mut [f64],
-    before: f64,
-) -> Option<f64> {
+fn settle(programs: &mut dyn Correction, x: &[f64], state: &mut [f64], before: f64) -> Option<f64> {
     let mut allowed = FIRST;
     for _ in 0..CORRECTIONS {
         let step = programs.correct(x, state);

@@ -246,7 +246,7 @@ fn reach<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
 }
 
 /// What later groups need of a solution: it is prepared at the reference inputs alone.
-fn here(programs: &mut impl Correction, x: &[f64], state: &[f64]) -> Option<Start> {
+fn here(programs: &mut dyn Correction, x: &[f64], state: &[f64]) -> Option<Start> {
     let range = |&x: &f64| Range {
         low: x,
         high: x,

@@ -7,7 +7,7 @@ use linkage_runtime::numeric::continuation::{Correction, Grid, Range, Refusal, S
 
 /// The four steps of evaluators at random places: how many are certified, how many of those are not solutions, how many
 /// are refused.
-fn survey(grid: &Grid, correction: &mut impl Correction, ranges: &[Range]) -> [usize; 3] {
+fn survey(grid: &Grid, correction: &mut dyn Correction, ranges: &[Range]) -> [usize; 3] {
     let mut random = Random::new(5);
     let mut state = vec![0.0; grid.width()];
     let mut counts = [0; 3];

@@ -36,7 +36,7 @@ fn build(triad: EyeNeedle, range: Range, partial: bool) -> Result<Table, Refusal
 /// of evaluators refuses.
 fn survey(
     table: &Table,
-    correction: &mut impl Correction,
+    correction: &mut dyn Correction,
     low: f64,
     high: f64,
 ) -> (f64, f64, usize) {

@@ -189,7 +189,7 @@ fn nearest(all: Vec<CoupledSolution>, state: &[f64]) -> Option<CoupledSolution> 
 /// for, as far as the solution goes; one that cannot be followed at all is prepared for these inputs alone.
 fn start(
     group: &CoupledGroup,
-    programs: &mut impl CoupledPrograms,
+    programs: &mut dyn CoupledPrograms,
     x: &[f64],
     state: &[f64],
     ranges: &[Range],
@@ -230,7 +230,7 @@ fn start(
 /// Prepares a group over these ranges.
 fn over(
     group: &CoupledGroup,
-    programs: &mut impl CoupledPrograms,
+    programs: &mut dyn CoupledPrograms,
     x: &[f64],
     state: &[f64],
     ranges: &[Range],
@@ -253,7 +253,7 @@ fn over(
 /// If that is no solution.
 pub fn prepared(
     group: &CoupledGroup,
-    programs: &mut impl CoupledPrograms,
+    programs: &mut dyn CoupledPrograms,
     x: &[f64],
     state: &[f64],
     ranges: &[Range],

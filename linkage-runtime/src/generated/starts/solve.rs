@@ -165,7 +165,7 @@ impl CoupledGroup {
     fn solutions(
         &self,
         listing: &Listing,
-        programs: &mut impl CoupledPrograms,
+        programs: &mut dyn CoupledPrograms,
         x: &[f64],
     ) -> Result<Vec<CoupledSolution>, AssemblyError> {
         let mut solutions: Vec<CoupledSolution> = states(self.variables, listing, x, programs)
@@ -183,7 +183,7 @@ impl CoupledGroup {
 
     fn solution(
         &self,
-        programs: &mut impl CoupledPrograms,
+        programs: &mut dyn CoupledPrograms,
         x: &[f64],
         state: Vec<f64>,
     ) -> CoupledSolution {
@@ -244,7 +244,7 @@ impl CoupledGroup {
 /// If the solutions cannot be listed, or none is real.
 pub fn list(
     group: &CoupledGroup,
-    programs: &mut impl CoupledPrograms,
+    programs: &mut dyn CoupledPrograms,
     x: &[f64],
 ) -> Result<Vec<CoupledSolution>, AssemblyError> {
     let listing = group.listed(&programs.system(x))?;
@@ -258,7 +258,7 @@ pub fn list(
 /// If the solutions cannot be listed, none is real, two are equally near, or two meet at a turning point.
 pub fn couple(
     group: &CoupledGroup,
-    programs: &mut impl CoupledPrograms,
+    programs: &mut dyn CoupledPrograms,
     x: &[f64],
 ) -> Result<CoupledSolution, AssemblyError> {
     let listing = group.listed(&programs.system(x))?;

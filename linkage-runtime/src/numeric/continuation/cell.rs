@@ -1,6 +1,5 @@
 //! One cell of a table: polynomials for the state over a small part of the range.
 
-use super::Correction;
 use super::follow::Follower;
 use super::polynomial::{NODES, TERMS, evaluate, fit};
 use alloc::vec;
@@ -118,8 +117,8 @@ pub(super) enum Guess<'a> {
 }
 
 /// Makes the cell of a given centre and length, if the solution can be followed through it and it is accurate.
-pub(super) fn attempt<C: Correction>(
-    follower: &mut Follower<'_, C>,
+pub(super) fn attempt(
+    follower: &mut Follower<'_>,
     frame: &Frame,
     centre: f64,
     length: f64,
@@ -150,8 +149,8 @@ pub(super) fn attempt<C: Correction>(
 }
 
 /// The solution at the nodes.
-fn at_nodes<C: Correction>(
-    follower: &mut Follower<'_, C>,
+fn at_nodes(
+    follower: &mut Follower<'_>,
     frame: &Frame,
     cell: &Cell,
     guess: Guess<'_>,
@@ -200,8 +199,8 @@ fn start(values: &mut [f64], at: usize, from: Option<usize>, state: &[f64]) {
 }
 
 /// Measures the error between the nodes, and whether one Newton step removes it.
-fn check<C: Correction>(
-    follower: &mut Follower<'_, C>,
+fn check(
+    follower: &mut Follower<'_>,
     frame: &Frame,
     cell: &mut Cell,
     width: usize,

@@ -16,17 +16,17 @@ const CONTRACTION: f64 = 0.2;
 const STEPS: usize = 8;
 
 /// A solution that is followed: the sign of its determinant never changes.
-pub(super) struct Follower<'a, C> {
-    correction: &'a mut C,
+pub(super) struct Follower<'a> {
+    correction: &'a mut dyn Correction,
     sign: f64,
     /// Corrections that may still be made.
     left: usize,
 }
 
-impl<'a, C: Correction> Follower<'a, C> {
+impl<'a> Follower<'a> {
     /// Begins at `x` with a state that solves the equations about, and improves it. `None` if it does not.
     pub(super) fn new(
-        correction: &'a mut C,
+        correction: &'a mut dyn Correction,
         x: &[f64],
         state: &mut [f64],
         most: usize,

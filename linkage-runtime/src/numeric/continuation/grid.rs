@@ -69,7 +69,7 @@ impl Grid {
     ///
     /// If there are not as many ranges as inputs.
     pub fn build(
-        correction: &mut impl Correction,
+        correction: &mut dyn Correction,
         at: &[f64],
         state: &[f64],
         ranges: &[Range],
@@ -88,7 +88,7 @@ impl Grid {
     ///
     /// If there are not as many ranges as inputs.
     pub fn build_all(
-        correction: &mut impl Correction,
+        correction: &mut dyn Correction,
         at: &[f64],
         state: &[f64],
         ranges: &[Range],
@@ -97,7 +97,7 @@ impl Grid {
     }
 
     fn followed(
-        correction: &mut impl Correction,
+        correction: &mut dyn Correction,
         at: &[f64],
         state: &[f64],
         ranges: &[Range],
@@ -206,7 +206,7 @@ impl Grid {
     /// # Panics
     ///
     /// As those of [`state`](Self::state).
-    pub fn serves(&self, correction: &mut impl Correction, x: &[f64]) -> bool {
+    pub fn serves(&self, correction: &mut dyn Correction, x: &[f64]) -> bool {
         let mut state = vec![0.0; self.width];
         let floor = self.state(x, &mut state);
         let steps = [(); STEPS].map(|()| correction.correct(x, &mut state));

@@ -18,7 +18,7 @@ pub fn states(
     variables: &[Variable],
     listing: &Listing,
     x: &[f64],
-    correction: &mut impl Correction,
+    correction: &mut dyn Correction,
 ) -> Vec<Vec<f64>> {
     let mut states: Vec<Vec<f64>> = Vec::new();
     for values in &listing.real {

@@ -20,7 +20,7 @@ const CORRECTIONS: usize = 4000;
 /// Follows the solution `state` at the inputs `from` straight to the inputs `to`. Returns the share of the way at which a dead
 /// point is met, where the solution ends; `None` if there is none on the way, or if that is not found out quickly.
 pub fn dead_point(
-    correction: &mut impl Correction,
+    correction: &mut dyn Correction,
     from: &[f64],
     state: &[f64],
     to: &[f64],

@@ -52,7 +52,7 @@ impl Table {
     ///
     /// See [`Refusal`].
     pub fn build(
-        correction: &mut impl Correction,
+        correction: &mut dyn Correction,
         at: f64,
         state: &[f64],
         range: Range,
@@ -155,11 +155,7 @@ impl Table {
     }
 
     /// Over a range of one point.
-    fn point<C: Correction>(
-        follower: &mut Follower<'_, C>,
-        at: f64,
-        state: &mut [f64],
-    ) -> Result<Self, Refusal> {
+    fn point(follower: &mut Follower<'_>, at: f64, state: &mut [f64]) -> Result<Self, Refusal> {
         let determinant = follower.settle(&[at], state).ok_or(Refusal::NotASolution)?;
         let frame = Frame::new(at, at);
         let cell = Cell::constant(state, 0.5 * determinant);
@@ -177,8 +173,8 @@ impl Table {
     }
 
     /// Over a full turn, if the state returns after it.
-    fn closed<C: Correction>(
-        follower: &mut Follower<'_, C>,
+    fn closed(
+        follower: &mut Follower<'_>,
         at: f64,
         state: &[f64],
     ) -> Result<Option<Self>, Refusal> {
@@ -202,7 +198,7 @@ impl Table {
     }
 
     /// Whether the states of the first turn solve the equations one turn later.
-    fn repeats<C: Correction>(&self, follower: &mut Follower<'_, C>) -> bool {
+    fn repeats(&self, follower: &mut Follower<'_>) -> bool {
         let mut state = vec![0.0; self.width];
         REPEATS.iter().all(|share| {
             let x = self.scale.frame.x(share - 0.5);
@@ -213,8 +209,8 @@ impl Table {
     }
 
     /// Over a range with two ends.
-    fn open<C: Correction>(
-        follower: &mut Follower<'_, C>,
+    fn open(
+        follower: &mut Follower<'_>,
         at: f64,
         state: &[f64],
         low: f64,

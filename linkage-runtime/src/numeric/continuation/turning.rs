@@ -1,7 +1,6 @@
 //! Where a solution ends: beside a turning point input and state are smooth functions of the determinant, and the turning
 //! point is where it vanishes.
 
-use super::Correction;
 use super::cell::{Cell, Frame};
 use super::follow::Follower;
 use alloc::vec;
@@ -31,8 +30,8 @@ struct Point {
 
 /// The place of the turning point behind the end of `cell`, in the direction `side` (1 or -1). `None` if there is none
 /// within `reach`.
-pub(super) fn locate<C: Correction>(
-    follower: &mut Follower<'_, C>,
+pub(super) fn locate(
+    follower: &mut Follower<'_>,
     frame: &Frame,
     cell: &Cell,
     width: usize,
@@ -65,8 +64,8 @@ pub(super) fn locate<C: Correction>(
 }
 
 /// Positions along the cell, towards its end.
-fn begin<C: Correction>(
-    follower: &mut Follower<'_, C>,
+fn begin(
+    follower: &mut Follower<'_>,
     frame: &Frame,
     cell: &Cell,
     width: usize,
@@ -87,8 +86,8 @@ fn begin<C: Correction>(
 }
 
 /// The position where the determinant is about `share` of the last one.
-fn approach<C: Correction>(
-    follower: &mut Follower<'_, C>,
+fn approach(
+    follower: &mut Follower<'_>,
     frame: &Frame,
     points: &[Point; POINTS],
     share: f64,
@@ -110,11 +109,7 @@ fn approach<C: Correction>(
 }
 
 /// The determinant where a state solves the equations, not a step before.
-fn settle<C: Correction>(
-    follower: &mut Follower<'_, C>,
-    x: &[f64],
-    state: &mut [f64],
-) -> Option<f64> {
+fn settle(follower: &mut Follower<'_>, x: &[f64], state: &mut [f64]) -> Option<f64> {
     follower.settle(x, state)?;
     Some(follower.correct(x, state)?.determinant)
 }

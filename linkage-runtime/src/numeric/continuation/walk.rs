@@ -2,7 +2,7 @@
 
 use super::cell::{Cell, Frame, Guess, attempt};
 use super::follow::Follower;
-use super::{Correction, End, Refusal, turning};
+use super::{End, Refusal, turning};
 use alloc::vec::Vec;
 
 /// The range in units: the shortest cells are this many to the range.
@@ -32,13 +32,13 @@ pub(super) struct Piece {
 }
 
 /// Neighbouring cells, in order.
-pub(super) struct Walk<'f, 'c, C> {
-    pub(super) follower: &'f mut Follower<'c, C>,
+pub(super) struct Walk<'f, 'c> {
+    pub(super) follower: &'f mut Follower<'c>,
     pub(super) frame: Frame,
     pub(super) width: usize,
 }
 
-impl<C: Correction> Walk<'_, '_, C> {
+impl Walk<'_, '_> {
     /// The cell around a known solution. The range may be an angle.
     pub(super) fn first(&mut self, x: f64, state: &[f64], turn: bool) -> Result<Piece, Refusal> {
         let place = self.frame.place(x);

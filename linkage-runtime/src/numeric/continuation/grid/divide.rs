@@ -1,6 +1,5 @@
 //! How finely the ranges are divided.
 
-use super::super::Correction;
 use super::super::cell::Frame;
 use super::super::follow::Follower;
 use super::super::scale::Scale;
@@ -65,8 +64,8 @@ impl Divided {
 
 /// Divides the ranges until the solution is served wherever it exists, or as far as cells and corrections go. Each range is given with
 /// whether it is a full turn. Where `all` of the ranges must be served and cannot be, nothing is.
-pub(super) fn divided<C: Correction>(
-    follower: &mut Follower<'_, C>,
+pub(super) fn divided(
+    follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],
     reference: &Solution<'_>,
     all: bool,

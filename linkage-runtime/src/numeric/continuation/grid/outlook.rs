@@ -1,6 +1,5 @@
 //! Whether ranges can be served at all: looked at in a few places, before all of them are divided.
 
-use super::super::Correction;
 use super::super::cell::Frame;
 use super::super::follow::Follower;
 use super::LeftOut;
@@ -51,8 +50,8 @@ struct Looks {
 
 /// What cells as small as they may be would leave out, at least. `None` if that is little, or if a boundary of the solution is met, which
 /// changes what counts as left out.
-pub(super) fn outlook<C: Correction>(
-    follower: &mut Follower<'_, C>,
+pub(super) fn outlook(
+    follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],
     mut counts: Vec<u32>,
     places: &Places,
@@ -78,8 +77,8 @@ pub(super) fn outlook<C: Correction>(
 }
 
 /// Solutions at places all over the ranges, each brought there from the nearest one that is known.
-fn starts<C: Correction>(
-    follower: &mut Follower<'_, C>,
+fn starts(
+    follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],
     reference: &Solution<'_>,
 ) -> Option<Vec<Known>> {
@@ -111,9 +110,9 @@ fn starts<C: Correction>(
 
 impl Known {
     /// Brought to another place; `None` if a boundary is met or near, or if it is not reached.
-    fn moved<C: Correction>(
+    fn moved(
         &self,
-        follower: &mut Follower<'_, C>,
+        follower: &mut Follower<'_>,
         reference: &Solution<'_>,
         to: Vec<f64>,
     ) -> Option<Self> {
@@ -133,8 +132,8 @@ impl Known {
 }
 
 /// Looks at the cells of a layout in which the known solutions are, and moves these to the centres.
-fn look<C: Correction>(
-    follower: &mut Follower<'_, C>,
+fn look(
+    follower: &mut Follower<'_>,
     layout: &Layout<'_>,
     places: &Places,
     reference: &Solution<'_>,
@@ -176,8 +175,8 @@ fn look<C: Correction>(
 }
 
 /// The answer, unless solutions end at one of the examples.
-fn hopeless<C: Correction>(
-    follower: &mut Follower<'_, C>,
+fn hopeless(
+    follower: &mut Follower<'_>,
     reference: &Solution<'_>,
     share: f64,
     examples: &[(Known, Vec<f64>)],

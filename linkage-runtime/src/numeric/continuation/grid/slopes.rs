@@ -1,6 +1,5 @@
 //! How the state changes along a cell.
 
-use super::super::Correction;
 use super::super::follow::Follower;
 use super::layout::Layout;
 use alloc::vec;
@@ -10,8 +9,8 @@ use alloc::vec::Vec;
 const PART: f64 = 1.0 / 16.0;
 
 /// The changes of the state along the cell, input by input, and how much it bends along them.
-pub(super) fn slopes<C: Correction>(
-    follower: &mut Follower<'_, C>,
+pub(super) fn slopes(
+    follower: &mut Follower<'_>,
     layout: &Layout<'_>,
     centre: &[f64],
     state: &[f64],

@@ -1,6 +1,5 @@
 //! The cells of a grid, reached one from the other.
 
-use super::super::Correction;
 use super::super::follow::Follower;
 use super::super::scale::Scale;
 use super::border::{Border, Joint, Place, agree};
@@ -31,8 +30,8 @@ pub(super) struct Solution<'a> {
 }
 
 /// Fills the grid from the solution at the reference.
-pub(super) fn fill<C: Correction>(
-    follower: &mut Follower<'_, C>,
+pub(super) fn fill(
+    follower: &mut Follower<'_>,
     axes: &[Scale],
     places: &Places,
     reference: &Solution<'_>,
@@ -50,8 +49,8 @@ pub(super) fn fill<C: Correction>(
     walk.cells
 }
 
-struct Walk<'f, 'c, 'a, C> {
-    follower: &'f mut Follower<'c, C>,
+struct Walk<'f, 'c, 'a> {
+    follower: &'f mut Follower<'c>,
     layout: Layout<'a>,
     border: Border<'a>,
     /// The determinant at the reference.
@@ -61,7 +60,7 @@ struct Walk<'f, 'c, 'a, C> {
     cells: Vec<Cell>,
 }
 
-impl<C: Correction> Walk<'_, '_, '_, C> {
+impl Walk<'_, '_, '_> {
     fn run(&mut self, reference: &Solution<'_>) {
         let mut queue = self.begin(reference);
         while let Some(cell) = queue.pop_front() {

@@ -1,6 +1,5 @@
 //! Straight ways from a known solution to another place of a grid.
 
-use super::super::Correction;
 use super::super::follow::Follower;
 use alloc::vec::Vec;
 
@@ -28,8 +27,8 @@ pub(super) enum Way {
 
 /// Brings a solution from one place to another, in smaller steps if need be; the determinants are those at the first place and at the
 /// reference.
-pub(super) fn follow<C: Correction>(
-    follower: &mut Follower<'_, C>,
+pub(super) fn follow(
+    follower: &mut Follower<'_>,
     from: &[f64],
     to: &[f64],
     state: &mut [f64],
