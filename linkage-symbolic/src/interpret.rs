@@ -1,16 +1,67 @@
-//! Programs on plain numbers: the oracle for the generated code, and what closes the loops at compile time.
+//! Programs on plain numbers, which close the loops at compile time and are the oracle for generated code, and on numbers of any other arithmetic.
 
-use crate::program::{Instruction, Program, Source};
+use crate::program::{Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value};
+
+/// What instructions do to numbers.
+pub trait Arithmetic {
+    /// Of what programs are run on.
+    type Number: Copy;
+
+    /// The nearest number.
+    fn constant(x: f64) -> Self::Number;
+    /// The result of an operation of one operand.
+    fn unary(op: Unary, a: Self::Number) -> Self::Number;
+    /// Of two.
+    fn binary(op: Binary, a: Self::Number, b: Self::Number) -> Self::Number;
+    /// Of three.
+    fn ternary(op: Ternary, a: Self::Number, b: Self::Number, c: Self::Number) -> Self::Number;
+    /// Of a multiply-add.
+    fn fused(op: Fused, a: Self::Number, b: Self::Number, c: Self::Number) -> Self::Number;
+}
+
+/// The table of operations: sines and the like from the standard library, multiply-adds rounded as their rows say.
+struct OfTable;
+
+impl Arithmetic for OfTable {
+    type Number = f64;
+
+    fn constant(x: f64) -> f64 {
+        x
+    }
+
+    fn unary(op: Unary, a: f64) -> f64 {
+        op.apply([a])
+    }
+
+    fn binary(op: Binary, a: f64, b: f64) -> f64 {
+        op.apply([a, b])
+    }
+
+    fn ternary(op: Ternary, a: f64, b: f64, c: f64) -> f64 {
+        op.apply([a, b, c])
+    }
+
+    fn fused(op: Fused, a: f64, b: f64, c: f64) -> f64 {
+        op.apply([a, b, c])
+    }
+}
 
 /// Runs a program; `load` supplies parameters, inputs, modes and so on. Returns the outputs.
 pub fn run(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
-    let mut values = Vec::new();
-    run_steps(program, 0, program.instructions.len(), &mut values, load);
-    program
-        .outputs
-        .iter()
-        .map(|output| values[output.0])
-        .collect()
+    run_by::<OfTable>(program, load)
+}
+
+/// The same by another arithmetic.
+// Inlined with what is chosen for the machine, whose instructions it then has.
+#[inline(always)]
+pub fn run_by<A: Arithmetic>(
+    program: &Program,
+    load: impl Fn(Source) -> A::Number,
+) -> Vec<A::Number> {
+    let count = program.instructions.len();
+    let mut values = Vec::with_capacity(count);
+    steps::<A>(program, 0, count, &mut values, load);
+    program.outputs.iter().map(|own| values[own.0]).collect()
 }
 
 /// Runs the instructions `from..to`; `values` holds the results of those before.
@@ -21,18 +72,30 @@ pub fn run_steps(
     values: &mut Vec<f64>,
     load: impl Fn(Source) -> f64,
 ) {
+    steps::<OfTable>(program, from, to, values, load);
+}
+
+#[inline(always)]
+fn steps<A: Arithmetic>(
+    program: &Program,
+    from: usize,
+    to: usize,
+    values: &mut Vec<A::Number>,
+    load: impl Fn(Source) -> A::Number,
+) {
     values.truncate(from);
     for instruction in &program.instructions[from..to] {
+        let of = |value: Value| values[value.0];
         let value = match *instruction {
-            Instruction::Constant(value) => value,
+            Instruction::Constant(x) => A::constant(x),
             Instruction::Load(source) => load(source),
-            Instruction::Unary(op, a) => op.apply([values[a.0]]),
-            Instruction::Binary(op, a, b) => op.apply([values[a.0], values[b.0]]),
-            Instruction::Ternary(op, a, b, c) => op.apply([values[a.0], values[b.0], values[c.0]]),
-            Instruction::Fused(op, a, b, c) => op.apply([values[a.0], values[b.0], values[c.0]]),
-            Instruction::SinCos(a) => values[a.0].sin(),
+            Instruction::Unary(op, a) => A::unary(op, of(a)),
+            Instruction::Binary(op, a, b) => A::binary(op, of(a), of(b)),
+            Instruction::Ternary(op, a, b, c) => A::ternary(op, of(a), of(b), of(c)),
+            Instruction::Fused(op, a, b, c) => A::fused(op, of(a), of(b), of(c)),
+            Instruction::SinCos(a) => A::unary(Unary::Sin, of(a)),
             Instruction::Second(pair) => match program.instructions[pair.0] {
-                Instruction::SinCos(a) => values[a.0].cos(),
+                Instruction::SinCos(a) => A::unary(Unary::Cos, of(a)),
                 _ => unreachable!("nothing else has two results"),
             },
         };

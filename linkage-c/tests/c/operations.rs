@@ -1,7 +1,6 @@
 //! Every operation alone: C against the runtime.
 
 use linkage_c::Real;
-use linkage_compiler::unit::{Body, Column, Field, Function, Input, Meaning, Shape, Unit};
 use linkage_random::Random;
 use linkage_symbolic::program::{
     Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
@@ -10,6 +9,7 @@ use linkage_symbolic::program::{
 use crate::batch::{Batch, Number, Request};
 use crate::given::Given;
 use crate::machine::Compiler;
+use crate::programs::{Named, as_functions};
 use crate::reference::run;
 
 /// All operations, each of the first ones of three inputs.
@@ -24,51 +24,15 @@ fn operations() -> Vec<Instruction> {
     unary.chain(binary).chain(ternary).chain(fused).collect()
 }
 
-/// A unit with a function for each operation.
-fn unit() -> Unit {
-    let input = |index: usize| Input {
-        name: format!("x{index}"),
-        unit: String::new(),
-        angle: false,
-        reference: 0.0,
-        range: None,
-        followed: (0.0, 0.0),
-        rates: Vec::new(),
-    };
-    let function = |(index, operation): (usize, Instruction)| {
-        let mut program = Program::default();
-        for input in 0..3 {
-            program.push(Instruction::Load(Source::Input(input)));
-        }
-        let value = program.push(operation);
-        program.outputs.push(value);
-        Function {
-            name: format!("operation_{index}"),
-            arguments: vec![0, 1, 2],
-            states: Vec::new(),
-            called: Body {
-                program,
-                ..Body::default()
-            },
-            beside: None,
-            fields: vec![Field {
-                name: "value".to_owned(),
-                shape: Shape::Scalar,
-                unit: String::new(),
-            }],
-            columns: vec![Column {
-                name: "value".to_owned(),
-                unit: String::new(),
-                meaning: Meaning::Value,
-            }],
-            sensitivities: None,
-        }
-    };
-    Unit {
-        inputs: (0..3).map(input).collect(),
-        functions: operations().into_iter().enumerate().map(function).collect(),
-        ..Unit::default()
+/// A program of one operation of three inputs.
+fn program(operation: Instruction) -> Program {
+    let mut program = Program::default();
+    for input in 0..3 {
+        program.push(Instruction::Load(Source::Input(input)));
     }
+    let value = program.push(operation);
+    program.outputs.push(value);
+    program
 }
 
 /// Zeros, infinities, NaN, subnormal numbers, and numbers whose squares are none.
@@ -135,12 +99,17 @@ fn compare<T: Number>(name: &str) {
     let Some(compiler) = Compiler::find() else {
         return;
     };
+    let programs: Vec<Program> = operations().into_iter().map(program).collect();
+    let named = programs.iter().map(|program| Named {
+        name: String::new(),
+        program,
+        stage: None,
+    });
     let given = [Given {
         name: "Operations".to_owned(),
-        unit: unit(),
+        unit: as_functions(&named.collect::<Vec<_>>()),
     }];
     let batch = Batch::new::<T>(&compiler, name, &given, &["-O2", "-ffp-contract=off"]);
-    let unit = &given[0].unit;
     let mut requests = Vec::new();
     for (function, operation) in operations().iter().enumerate() {
         let arity = operation.operands().count();
@@ -154,8 +123,7 @@ fn compare<T: Number>(name: &str) {
     let results = batch.run(&given, &requests);
     for (request, (_, own)) in requests.iter().zip(&results) {
         let operation = operations()[request.function];
-        let program = &unit.functions[request.function].called.program;
-        let rust = run(program, |source| match source {
+        let rust = run(&programs[request.function], |source| match source {
             Source::Input(index) => request.arguments[index],
             _ => unreachable!("there is nothing else"),
         });

@@ -1,78 +1,14 @@
 //! The programs of a mechanism on the runtime's numbers, as generated Rust runs them where multiply-adds are not fused.
 
-use linkage_compiler::unit::{ContinuousAngle, Function, Start, Unit};
+use linkage_compiler::unit::{ContinuousAngle, Function, Generated, Start, Unit};
 use linkage_runtime::Scalar;
 use linkage_runtime::numeric::winding::{Centre, follow, uniform};
-use linkage_symbolic::program::{
-    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
-};
+use linkage_symbolic::interpret::run_by;
+use linkage_symbolic::program::{Program, Source};
 
 /// Runs a program.
 pub(crate) fn run<T: Scalar>(program: &Program, load: impl Fn(Source) -> T) -> Vec<T> {
-    let mut values: Vec<T> = Vec::with_capacity(program.instructions.len());
-    for instruction in &program.instructions {
-        let of = |value: Value| values[value.0];
-        let value = match *instruction {
-            Instruction::Constant(x) => T::from_f64(x),
-            Instruction::Load(source) => load(source),
-            Instruction::Unary(op, a) => unary(op, of(a)),
-            Instruction::Binary(op, a, b) => binary(op, of(a), of(b)),
-            Instruction::Ternary(op, a, b, c) => ternary(op, of(a), of(b), of(c)),
-            Instruction::Fused(op, a, b, c) => fused(op, of(a), of(b), of(c)),
-            Instruction::SinCos(a) => of(a).sin_cos_with::<false>().0,
-            Instruction::Second(pair) => match program.instructions[pair.0] {
-                Instruction::SinCos(a) => of(a).sin_cos_with::<false>().1,
-                _ => unreachable!("nothing else has two results"),
-            },
-        };
-        values.push(value);
-    }
-    program.outputs.iter().map(|own| values[own.0]).collect()
-}
-
-fn unary<T: Scalar>(op: Unary, a: T) -> T {
-    match op {
-        Unary::Neg => -a,
-        Unary::Abs => a.abs(),
-        Unary::Sqrt => a.sqrt(),
-        Unary::Sin => a.sin_cos_with::<false>().0,
-        Unary::Cos => a.sin_cos_with::<false>().1,
-        Unary::Tan => a.tan(),
-        Unary::Asin => a.asin(),
-        Unary::Acos => a.acos(),
-        Unary::Atan => a.atan(),
-        Unary::Sign => a.sign(),
-        Unary::InverseScale => a.inverse_scale(),
-    }
-}
-
-fn binary<T: Scalar>(op: Binary, a: T, b: T) -> T {
-    match op {
-        Binary::Add => a + b,
-        Binary::Sub => a - b,
-        Binary::Mul => a * b,
-        Binary::Div => a / b,
-        Binary::Atan2 => a.atan2_with::<false>(b),
-        Binary::Hypot => a.hypot(b),
-        Binary::Min => a.min(b),
-        Binary::Max => a.max(b),
-        Binary::Root => a.root(b),
-    }
-}
-
-fn ternary<T: Scalar>(op: Ternary, a: T, b: T, c: T) -> T {
-    match op {
-        Ternary::AngleNear => T::angle_near_with::<false>(a, b, c),
-        Ternary::Select => T::select(a, b, c),
-    }
-}
-
-fn fused<T: Scalar>(op: Fused, a: T, b: T, c: T) -> T {
-    match op {
-        Fused::MulAdd => a.mul_add::<false>(b, c),
-        Fused::MulSub => a.mul_add::<false>(b, -c),
-        Fused::SubMul => (-a).mul_add::<false>(b, c),
-    }
+    run_by::<Generated<T, false>>(program, load)
 }
 
 /// An assembled mechanism.

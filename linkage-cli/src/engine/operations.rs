@@ -1,11 +1,9 @@
-//! Programs with the arithmetic of the runtime. The interpreter of `linkage-symbolic` takes sines from the standard library, which
-//! the macro's code does not.
+//! Programs with the arithmetic of generated code.
 
-use linkage_runtime::Scalar;
+use linkage_compiler::unit::Generated;
 use linkage_runtime::generated::{Single, inlined, single};
-use linkage_symbolic::program::{
-    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
-};
+use linkage_symbolic::interpret::run_by;
+use linkage_symbolic::program::{Program, Source};
 
 /// A program and where it finds what it loads.
 struct Run<'a, L> {
@@ -26,81 +24,6 @@ pub(super) fn by_machine(program: &Program, load: impl Fn(Source) -> f64) -> Vec
 impl<L: Fn(Source) -> f64> Single<f64, Vec<f64>, 0> for Run<'_, L> {
     #[inline(always)]
     fn at<const FUSED: bool>(&self, []: [f64; 0]) -> Vec<f64> {
-        let mut values = Vec::with_capacity(self.program.instructions.len());
-        let mut cosine = f64::NAN;
-        for instruction in &self.program.instructions {
-            let at = |value: Value| -> f64 { values[value.0] };
-            let value = match *instruction {
-                Instruction::Constant(value) => value,
-                Instruction::Load(source) => (self.load)(source),
-                Instruction::Unary(operation, a) => unary::<FUSED>(operation, at(a)),
-                Instruction::Binary(operation, a, b) => binary::<FUSED>(operation, at(a), at(b)),
-                Instruction::Ternary(operation, a, b, c) => {
-                    ternary::<FUSED>(operation, at(a), at(b), at(c))
-                }
-                Instruction::Fused(operation, a, b, c) => {
-                    fused::<FUSED>(operation, at(a), at(b), at(c))
-                }
-                Instruction::SinCos(a) => {
-                    let pair = at(a).sin_cos_with::<FUSED>();
-                    cosine = pair.1;
-                    pair.0
-                }
-                // Right behind the instruction that found it.
-                Instruction::Second(_) => cosine,
-            };
-            values.push(value);
-        }
-        let outputs = self.program.outputs.iter();
-        outputs.map(|output| values[output.0]).collect()
-    }
-}
-
-#[inline(always)]
-fn unary<const FUSED: bool>(operation: Unary, a: f64) -> f64 {
-    match operation {
-        Unary::Neg => -a,
-        Unary::Abs => Scalar::abs(a),
-        Unary::Sqrt => Scalar::sqrt(a),
-        Unary::Sin => a.sin_cos_with::<FUSED>().0,
-        Unary::Cos => a.sin_cos_with::<FUSED>().1,
-        Unary::Tan => Scalar::tan(a),
-        Unary::Asin => Scalar::asin(a),
-        Unary::Acos => Scalar::acos(a),
-        Unary::Atan => Scalar::atan(a),
-        Unary::Sign => Scalar::sign(a),
-        Unary::InverseScale => a.inverse_scale(),
-    }
-}
-
-#[inline(always)]
-fn binary<const FUSED: bool>(operation: Binary, a: f64, b: f64) -> f64 {
-    match operation {
-        Binary::Add => a + b,
-        Binary::Sub => a - b,
-        Binary::Mul => a * b,
-        Binary::Div => a / b,
-        Binary::Atan2 => a.atan2_with::<FUSED>(b),
-        Binary::Hypot => Scalar::hypot(a, b),
-        Binary::Min => Scalar::min(a, b),
-        Binary::Max => Scalar::max(a, b),
-        Binary::Root => Scalar::root(a, b),
-    }
-}
-
-#[inline(always)]
-fn ternary<const FUSED: bool>(operation: Ternary, a: f64, b: f64, c: f64) -> f64 {
-    match operation {
-        Ternary::AngleNear => f64::angle_near_with::<FUSED>(a, b, c),
-        Ternary::Select => Scalar::select(a, b, c),
-    }
-}
-
-#[inline(always)]
-fn fused<const FUSED: bool>(operation: Fused, a: f64, b: f64, c: f64) -> f64 {
-    match operation {
-        Fused::MulAdd => Scalar::mul_add::<FUSED>(a, b, c),
-        Fused::MulSub => Scalar::mul_add::<FUSED>(a, b, -c),
-        Fused::SubMul => Scalar::mul_add::<FUSED>(-a, b, c),
+        run_by::<Generated<f64, FUSED>>(self.program, &self.load)
     }
 }

@@ -6,6 +6,7 @@
 mod closing;
 mod dump;
 mod function;
+mod generated;
 mod group;
 mod picture;
 mod picture_words;
@@ -18,6 +19,7 @@ pub use crate::model::{COMPONENTS, Shape};
 pub use closing::{Closing, Outputs};
 pub use dump::dump;
 pub use function::{Body, Column, Field, Function, Meaning};
+pub use generated::Generated;
 pub use group::{Coupled, Group, Placed, Shown, Start, Surveyed};
 pub use picture::{Guide, GuideOn, Link, Picture, Point, PointKind};
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};

@@ -1,5 +1,6 @@
 //! The compiler from tokens to tokens: one program, so that it is linked once.
 
+mod arithmetic;
 mod directions;
 mod forms;
 mod forms_space;

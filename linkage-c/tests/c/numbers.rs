@@ -2,14 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use linkage::Scalar;
 use linkage_compiler::unit::{Coupled, Unit};
 use linkage_random::Random;
-use linkage_symbolic::interpret::run;
+use linkage_runtime::Scalar;
 use linkage_symbolic::program::{Program, Source};
 
+use crate::reference::run;
+
 /// Zeros, infinities, NaN, subnormal numbers, and numbers whose squares are none.
-pub(crate) const SPECIAL: &[f64] = &[
+const SPECIAL: &[f64] = &[
     0.0,
     -0.0,
     1.0,
@@ -98,8 +99,7 @@ impl Numbers {
         }
     }
 
-    /// A program's results by the interpreter.
-    pub(crate) fn run(&self, program: &Program) -> Vec<f64> {
+    fn run(&self, program: &Program) -> Vec<f64> {
         run(program, |source| self.load(source))
     }
 

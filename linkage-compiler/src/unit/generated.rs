@@ -1,0 +1,71 @@
+//! Programs on the numbers of generated code.
+
+use std::marker::PhantomData;
+
+use linkage_runtime::Scalar;
+use linkage_symbolic::interpret::Arithmetic;
+use linkage_symbolic::program::{Binary, Fused, Ternary, Unary};
+
+/// The arithmetic of generated code on scalars `T`, with or without fused multiply-adds: [`run_by`](linkage_symbolic::interpret::run_by) with it gives
+/// the bits of generated code. That of [`run`](linkage_symbolic::interpret::run) takes sines from the standard library, which generated code does
+/// not.
+#[derive(Clone, Copy, Debug)]
+pub struct Generated<T, const FUSED: bool>(PhantomData<T>);
+
+impl<T: Scalar, const FUSED: bool> Arithmetic for Generated<T, FUSED> {
+    type Number = T;
+
+    #[inline(always)]
+    fn constant(x: f64) -> T {
+        T::from_f64(x)
+    }
+
+    #[inline(always)]
+    fn unary(op: Unary, a: T) -> T {
+        match op {
+            Unary::Neg => -a,
+            Unary::Abs => a.abs(),
+            Unary::Sqrt => a.sqrt(),
+            Unary::Sin => a.sin_cos_with::<FUSED>().0,
+            Unary::Cos => a.sin_cos_with::<FUSED>().1,
+            Unary::Tan => a.tan(),
+            Unary::Asin => a.asin(),
+            Unary::Acos => a.acos(),
+            Unary::Atan => a.atan(),
+            Unary::Sign => a.sign(),
+            Unary::InverseScale => a.inverse_scale(),
+        }
+    }
+
+    #[inline(always)]
+    fn binary(op: Binary, a: T, b: T) -> T {
+        match op {
+            Binary::Add => a + b,
+            Binary::Sub => a - b,
+            Binary::Mul => a * b,
+            Binary::Div => a / b,
+            Binary::Atan2 => a.atan2_with::<FUSED>(b),
+            Binary::Hypot => a.hypot(b),
+            Binary::Min => a.min(b),
+            Binary::Max => a.max(b),
+            Binary::Root => a.root(b),
+        }
+    }
+
+    #[inline(always)]
+    fn ternary(op: Ternary, a: T, b: T, c: T) -> T {
+        match op {
+            Ternary::AngleNear => T::angle_near_with::<FUSED>(a, b, c),
+            Ternary::Select => T::select(a, b, c),
+        }
+    }
+
+    #[inline(always)]
+    fn fused(op: Fused, a: T, b: T, c: T) -> T {
+        match op {
+            Fused::MulAdd => a.mul_add::<FUSED>(b, c),
+            Fused::MulSub => a.mul_add::<FUSED>(b, -c),
+            Fused::SubMul => (-a).mul_add::<FUSED>(b, c),
+        }
+    }
+}
