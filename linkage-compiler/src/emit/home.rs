@@ -1,7 +1,8 @@
 //! Where the types of a function stand: in a private module of their own, from which the module of the call imports them. So a module that has a type
 //! of that name already, from another mechanism for instance, which nothing that is expanded alone can know, is told so of the import, at the word of
-//! the user, and of nothing else: within the module the names are never in doubt. Result and columns are imported by name, and told one by one: by a glob
-//! the columns would be in doubt wherever the user imports other columns of that name by a glob, too.
+//! the user, and of nothing else: within the module the names are never in doubt. Result and columns are imported by name, so there are two errors, since rustc tells each
+//! name that is taken, also twice at one word. With the columns imported by a glob there would be one, but a module that imports other columns of that name by
+//! a glob, as tests with `use super::*` do, would have them in doubt (E0659): a right program would be refused for a shorter message to a wrong one.
 //!
 //! A function with derives of the user's has its types beside everything else: in the body of a function these may be imported
 //! there, and no module sees that.

@@ -63,6 +63,29 @@ mod outer {
             }
         }
 
+        /// Names of the module above, as tests import them, beside own types of these names.
+        mod shadowed {
+            use super::*;
+
+            mechanism! {
+                struct Guide {
+                    unit mm;
+                    input s = 30mm;
+                }
+                impl Guide {
+                    pub(super) fn here(s) -> Here { end: 2 * s }
+                }
+            }
+
+            fn last(columns: &HereColumns) -> f64 {
+                columns.get(0).end
+            }
+
+            pub(super) fn end() -> f64 {
+                last(&Guide::default().assemble().unwrap().here_sweep(&[20.0]))
+            }
+        }
+
         pub(super) fn forwarded() -> OfForwarded {
             Forwarded::default().assemble().unwrap().motion(0.0)
         }
@@ -70,11 +93,12 @@ mod outer {
         pub(super) fn sum() -> f64 {
             let crank = Crank::default().assemble().unwrap();
             let inherited = Inherited::default().assemble().unwrap().motion(0.0);
-            below::sum(
+            let below = below::sum(
                 crank.here(0.0),
                 &crank.nowhere_else_sweep(&[0.0]),
                 inherited,
-            )
+            );
+            below + shadowed::end()
         }
     }
 
@@ -131,6 +155,6 @@ fn within_a_function() -> f64 {
 }
 
 fn main() {
-    assert_eq!(outer::sum(), 500.0);
+    assert_eq!(outer::sum(), 540.0);
     assert_eq!(within_a_function(), 100.0);
 }
