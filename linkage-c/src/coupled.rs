@@ -72,6 +72,7 @@ pub(crate) fn items(writer: &mut Writer) {
             Helper::Nan,
             Helper::Select,
             Helper::Whole,
+            Helper::Within,
             Helper::Min,
             Helper::Max,
         ] {

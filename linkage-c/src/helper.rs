@@ -28,12 +28,13 @@ pub(crate) enum Helper {
     Acos,
     Atan,
     Whole,
+    Within,
     Infinite,
 }
 
 impl Helper {
     /// In the order in which they are printed.
-    const ALL: [Self; 20] = [
+    const ALL: [Self; 21] = [
         Self::Bits,
         Self::Nan,
         Self::Pair,
@@ -53,6 +54,7 @@ impl Helper {
         Self::Acos,
         Self::Atan,
         Self::Whole,
+        Self::Within,
         Self::Infinite,
     ];
 
@@ -65,6 +67,7 @@ impl Helper {
             | Self::Max
             | Self::InverseScale
             | Self::Root
+            | Self::Within
             | Self::Infinite => &[Self::Bits],
             Self::Sign => &[Self::Select],
             Self::Hypot => &[Self::InverseScale, Self::Max],
@@ -98,6 +101,7 @@ impl Helper {
             (Self::Acos, _) => include_str!("templates/acos.c"),
             (Self::Atan, _) => include_str!("templates/atan.c"),
             (Self::Whole, _) => include_str!("templates/whole.c"),
+            (Self::Within, _) => include_str!("templates/within.c"),
             (Self::Infinite, _) => include_str!("templates/infinite.c"),
         }
     }

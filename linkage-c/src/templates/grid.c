@@ -9,9 +9,7 @@ static void own_table_NUMBER(const real *x, real *state)
         const own_axis_NUMBER *const along = &own_axes_NUMBER[axis];
         const real from_middle = x[along->input] - along->middle;
         const real place = from_middle * along->rate - own_whole(from_middle * along->repeats);
-        const real inner = place * along->slots + 0.5 * along->slots;
-        const real above = inner > 0.0 ? inner : 0.0;
-        const int slot = (int)(above < along->slots - 1.0 ? above : along->slots - 1.0);
+        const int slot = (int)own_within(place * along->slots + 0.5 * along->slots, along->slots - 1.0);
         number = number * (uint32_t)along->slots + (uint32_t)slot;
         offsets[axis] = place * along->slots - ((real)slot + 0.5 - 0.5 * along->slots);
         outside += own_select(OUTSIDE - fabs(offsets[axis]), 0.0, own_nan());

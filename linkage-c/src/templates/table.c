@@ -3,9 +3,7 @@ static void own_table_NUMBER(const real *x, real *state)
 {
     const real from_middle = x[INPUT] - MIDDLE;
     const real place = from_middle * RATE - own_whole(from_middle * REPEATS);
-    const real inner = place * SLOTS + HALF_SLOTS;
-    const real above = inner > 0.0 ? inner : 0.0;
-    const real slot = above < LAST_SLOT ? above : LAST_SLOT;
+    const real slot = own_within(place * SLOTS + HALF_SLOTS, LAST_SLOT);
     const own_cell_NUMBER *const cell = &own_cells_NUMBER[own_index_NUMBER[(int)slot]];
     const real t = (place - cell->centre) * cell->inverse;
     const real guard = own_select(OUTSIDE - fabs(t), 0.0, own_nan());

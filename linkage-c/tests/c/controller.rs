@@ -1,12 +1,16 @@
-//! Singles on an emulated Cortex-M4: results to the last bit, and how many instructions a call takes.
+//! Singles on an emulated Cortex-M4: results to the last bit, and how many instructions a call takes. Where formulas close all loops results are
+//! those of Rust. Rust has tables of coupled groups in doubles: there results are those of the same C on this machine, which the tests of these
+//! groups compare with Rust.
 
 use std::fmt::Write;
 use std::path::Path;
 
-use linkage_c::{Real, sources};
+use linkage_c::{Real, Sources, sources};
 use linkage_compiler::unit::Function;
 use linkage_random::Random;
 
+use crate::batch::{Batch, Request};
+use crate::coupled;
 use crate::emulated::{COMPILER, FLAGS, build, emulate, printed, tools};
 use crate::given::{Given, exported};
 use crate::machine::{self, Compiler};
@@ -17,13 +21,14 @@ use crate::reference::Assembled;
 /// The page that has figures.
 const PAGE: &str = include_str!("../../../docs/c.md");
 
-/// Mechanisms and functions that the page has figures of.
-const FIGURES: [(&str, &str); 5] = [
-    ("Press", "motion"),
-    ("CrankRocker", "path"),
-    ("CrankRocker", "motion"),
-    ("Favorit", "needle"),
-    ("Favorit", "motion"),
+/// Functions that the page has figures of.
+const FIGURES: [&str; 6] = [
+    "press_motion",
+    "crank_rocker_path",
+    "crank_rocker_motion",
+    "favorit_needle",
+    "favorit_motion",
+    "eye_needle_motion",
 ];
 
 /// Arguments in which no mechanism is assembled, or all are alike.
@@ -32,14 +37,21 @@ const SPECIAL: [f32; 6] = [0.0, -0.0, 1e7, -1e30, f32::INFINITY, f32::NAN];
 /// A function and its positions.
 struct Asked<'a> {
     given: &'a Given,
+    mechanism: usize,
+    index: usize,
     function: &'a Function,
+    dimensions: Vec<f32>,
     positions: Vec<Vec<f32>>,
 }
 
-fn asked(all: &[Given]) -> Vec<Asked<'_>> {
+/// Of each function its results at each position.
+type Results = Vec<Vec<Vec<f32>>>;
+
+/// All functions, of dimensions that are larger than the defaults by a part of them.
+fn asked(all: &[Given], part: f64) -> Vec<Asked<'_>> {
     let mut random = Random::new(4);
     let mut asked = Vec::new();
-    for given in all {
+    for (mechanism, given) in all.iter().enumerate() {
         for (index, function) in given.unit.functions.iter().enumerate() {
             let mut one = |position| arguments(&given.unit, index, position, &mut random);
             let mut positions: Vec<Vec<f32>> = (0..2 * POSITIONS).map(&mut one).collect();
@@ -47,7 +59,10 @@ fn asked(all: &[Given]) -> Vec<Asked<'_>> {
             positions.extend(SPECIAL.map(alike));
             asked.push(Asked {
                 given,
+                mechanism,
+                index,
                 function,
+                dimensions: dimensions(given, part),
                 positions,
             });
         }
@@ -60,47 +75,72 @@ fn requests(asked: &[Asked]) -> Vec<u8> {
     for (number, own) in asked.iter().enumerate() {
         let head = [number as u32, own.positions.len() as u32];
         bytes.extend(head.into_iter().flat_map(u32::to_le_bytes));
-        let dimensions = dimensions(own.given);
-        let numbers = dimensions.iter().chain(own.positions.iter().flatten());
+        let numbers = own.dimensions.iter().chain(own.positions.iter().flatten());
         bytes.extend(numbers.flat_map(|x| x.to_le_bytes()));
     }
     bytes
 }
 
-fn dimensions(given: &Given) -> Vec<f32> {
+fn dimensions(given: &Given, part: f64) -> Vec<f32> {
     let scalars = given.unit.scalars();
-    scalars.map(|own| own.nominal as f32).collect()
+    scalars
+        .map(|own| (own.nominal * (1.0 + part)) as f32)
+        .collect()
+}
+
+fn by_rust(_: &[Given], asked: &[Asked]) -> Results {
+    let one = |own: &Asked| {
+        let assembled = Assembled::new(&own.given.unit, &own.dimensions);
+        let assembled = assembled.expect("it is assembled");
+        let positions = own.positions.iter();
+        positions
+            .map(|at| assembled.call(own.function, at))
+            .collect()
+    };
+    asked.iter().map(one).collect()
+}
+
+fn by_c(all: &[Given], asked: &[Asked]) -> Results {
+    let compiler =
+        Compiler::find().expect("who compiles for controllers can compile for this machine");
+    let flags = ["-O1", "-ffp-contract=off"];
+    let batch = Batch::new::<f32>(&compiler, "controller_here", all, &flags);
+    let one = |own: &Asked| {
+        let request = |at: &Vec<f32>| Request {
+            mechanism: own.mechanism,
+            function: own.index,
+            dimensions: own.dimensions.clone(),
+            arguments: at.clone(),
+        };
+        let requests: Vec<Request<f32>> = own.positions.iter().map(request).collect();
+        let results = batch.run(all, &requests).into_iter();
+        results.map(|(_, numbers)| numbers).collect()
+    };
+    asked.iter().map(one).collect()
 }
 
 /// Compares results to the last bit; the number of instructions of each function, which is the same in all positions.
-fn counts(asked: &[Asked], mut words: &[u32]) -> Vec<u32> {
+fn counts(asked: &[Asked], expected: &Results, mut words: &[u32]) -> Vec<u32> {
     let mut take = |count: usize| {
         let (own, rest) = words.split_at(count);
         words = rest;
         own
     };
     let (mut counts, mut uneven, mut finite) = (Vec::new(), String::new(), 0);
-    for Asked {
-        given,
-        function,
-        positions,
-    } in asked
-    {
-        let name = format!("{}::{}", given.name, function.name);
-        let reference = Assembled::new(&given.unit, &dimensions(given)).expect("it is assembled");
+    for (asked, expected) in asked.iter().zip(expected) {
+        let name = format!("{}::{}", asked.given.name, asked.function.name);
         assert_eq!(
             take(2),
             [0, 1000],
             "{name}: the code, and known instructions"
         );
         let mut own = Vec::new();
-        for position in positions {
+        for (position, expected) in asked.positions.iter().zip(expected) {
             own.push(take(1)[0]);
-            let expected: Vec<f32> = reference.call(function, position);
-            for (&bits, rust) in take(expected.len()).iter().zip(expected) {
+            for (&bits, here) in take(expected.len()).iter().zip(expected) {
                 let c = f32::from_bits(bits);
-                let same = bits == rust.to_bits() || (c.is_nan() && rust.is_nan());
-                assert!(same, "{name} at {position:?}: {c:e} in C, {rust:e} in Rust");
+                let same = bits == here.to_bits() || (c.is_nan() && here.is_nan());
+                assert!(same, "{name} at {position:?}: {c:e} there, {here:e} here");
                 finite += usize::from(c.is_finite());
             }
         }
@@ -117,32 +157,65 @@ fn counts(asked: &[Asked], mut words: &[u32]) -> Vec<u32> {
 }
 
 /// The bytes that a program takes for a function, with its constants and what it calls.
-fn bytes(compiler: &Compiler, folder: &Path, source: &str, function: &str) -> u32 {
-    let entry = format!("-Wl,--gc-sections,-e,{function}");
+fn bytes(compiler: &Compiler, sources: &Sources, function: &str) -> u32 {
+    let folder = machine::folder("controller_bytes");
+    machine::write(&folder, sources);
+    let (entry, file) = (
+        format!("-Wl,--gc-sections,-e,{function}"),
+        format!("{}.c", sources.name),
+    );
     let mut all = FLAGS.to_vec();
-    all.extend(["-nostdlib", &entry, source, "-o", "one"]);
-    compiler.run(folder, &all);
+    all.extend(["-nostdlib", &entry, &file, "-o", "one"]);
+    compiler.run(&folder, &all);
     // Numbers stand under their names; the first one is of code and constants.
-    let sizes = printed("arm-none-eabi-size", folder, &["one"]);
+    let sizes = printed("arm-none-eabi-size", &folder, &["one"]);
     let numbers = sizes.lines().nth(1).expect("a line of numbers");
     let first = numbers.split_whitespace().next();
     first.and_then(|x| x.parse().ok()).expect("a number")
 }
 
+/// What a call of a function takes, and its sources.
+struct Figure {
+    call: String,
+    instructions: u32,
+    sources: Sources,
+}
+
+/// Figures of all functions, whose results must be those expected.
+fn measure(
+    compiler: &Compiler,
+    name: &str,
+    all: &[Given],
+    part: f64,
+    expected: fn(&[Given], &[Asked]) -> Results,
+) -> Vec<Figure> {
+    let folder = machine::folder(name);
+    build(compiler, &folder, all);
+    let asked = asked(all, part);
+    let words = emulate(&folder, &requests(&asked));
+    let counts = counts(&asked, &expected(all, &asked), &words);
+    let figure = |(own, instructions): (&Asked, u32)| {
+        let sources = sources(&own.given.name, &own.given.unit, Real::Single);
+        let sources = sources.expect("it can be exported");
+        let call = format!("{}_{}", sources.name, own.function.name);
+        Figure {
+            call,
+            instructions,
+            sources,
+        }
+    };
+    asked.iter().zip(counts).map(figure).collect()
+}
+
 /// The table of the page.
-fn table(compiler: &Compiler, folder: &Path, asked: &[Asked], counts: &[u32]) -> String {
+fn table(compiler: &Compiler, figures: &[Figure]) -> String {
     let mut table = "| function | instructions | bytes |\n|---|---|---|\n".to_owned();
-    for (mechanism, function) in FIGURES {
-        let place = asked
-            .iter()
-            .position(|own| own.given.name == mechanism && own.function.name == function);
-        let place = place.expect("it was asked for");
-        let given = asked[place].given;
-        let sources = sources(mechanism, &given.unit, Real::Single).expect("it can be exported");
-        machine::write(folder, &sources);
-        let call = format!("{}_{function}", sources.name);
-        let bytes = bytes(compiler, folder, &format!("{}.c", sources.name), &call);
-        let _ = writeln!(table, "| `{call}` | {} | {bytes} |", counts[place]);
+    for call in FIGURES {
+        let own = figures.iter().find(|own| own.call == call);
+        let own = own.expect("it was asked for");
+        let bytes = bytes(compiler, &own.sources, call);
+        let instructions = own.instructions;
+        let _ = writeln!(table, "| `{call}` | {instructions} | {bytes} |");
     }
     table
 }
@@ -152,19 +225,21 @@ fn a_controller_executes_the_same_instructions_at_all_inputs() {
     let Some(compiler) = tools() else {
         return;
     };
-    let mut all = vec![page::press()];
-    all.extend(exported());
-    all.retain(|own| own.unit.coupled.is_empty());
-    let folder = machine::folder("controller");
-    build(&compiler, &folder, &all);
-    let asked = asked(&all);
-    let counts = counts(&asked, &emulate(&folder, &requests(&asked)));
-    for (own, count) in asked.iter().zip(&counts) {
-        println!("{}::{}: {count}", own.given.name, own.function.name);
+    let mut closed = vec![page::press()];
+    closed.extend(exported());
+    closed.retain(|own| own.unit.coupled.is_empty());
+    let mut figures = measure(&compiler, "controller", &closed, 0.0, by_rust);
+    let coupled = coupled::all();
+    // The second time with the steps that lead from tables to other dimensions.
+    for (name, part) in [("controller_coupled", 0.0), ("controller_moved", 1e-3)] {
+        figures.extend(measure(&compiler, name, &coupled, part, by_c));
     }
-    let version = printed(COMPILER, &folder, &["-dumpfullversion"]);
+    for own in &figures {
+        println!("{}: {}", own.call, own.instructions);
+    }
+    let version = printed(COMPILER, Path::new("."), &["-dumpfullversion"]);
     let version = format!("`{COMPILER}` {}", version.trim());
-    let table = table(&compiler, &folder, &asked, &counts);
+    let table = table(&compiler, &figures);
     println!("\n{version}:\n{table}");
     // Another version has figures of its own.
     let told = !PAGE.contains(&version) || PAGE.contains(&table);

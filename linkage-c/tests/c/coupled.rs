@@ -11,7 +11,8 @@ use crate::reference::Assembled;
 /// Positions of each function over the range of the input.
 const POSITIONS: usize = 100;
 
-fn all() -> Vec<Given> {
+/// Mechanisms with such groups: with a table of a whole turn, a table with ends, a grid over two inputs.
+pub(crate) fn all() -> Vec<Given> {
     let mut all = exported();
     all.retain(|own| !own.unit.coupled.is_empty());
     assert!(all.len() > 3, "there are some: {}", all.len());
