@@ -17,15 +17,17 @@ pub(crate) fn header(surface: &Surface) -> String {
     } = surface;
     let guard = surface.constant("h");
     let length = length_unit(surface);
-    let mut text = comment(
-        "",
-        &format!(
-            "{title}: its loops are closed by formulas. Written by linkage; not to be changed by hand.\n\
-             All numbers are {}s; angles are radians{length}. A result that does not exist, because links do not reach each other, is NaN.\n\
-             Not for -ffast-math, which takes it that there is no NaN.",
-            real.name()
-        ),
+    let first = format!(
+        "{title}: its loops are closed by formulas. Written by linkage; not to be changed by hand."
     );
+    let last = format!(
+        "All numbers are {}s; angles are radians{length}. A result that does not exist, because links do not reach each other, is NaN.\n\
+         Not for -ffast-math, which takes it that there is no NaN.",
+        real.name()
+    );
+    let about = [&first[..], surface.unit.documentation.trim(), &last];
+    let about = about.iter().filter(|own| !own.is_empty()).copied();
+    let mut text = comment("", &about.collect::<Vec<_>>().join("\n"));
     let _ = write!(
         text,
         "#ifndef {guard}\n#define {guard}\n\n#include <stddef.h>\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n"
@@ -80,11 +82,7 @@ fn dimensions(surface: &Surface) -> String {
     let _ = writeln!(text, "typedef struct {name} {{");
     for own in &surface.dimensions {
         let declared = surface.declared(&own.name, &own.shape);
-        let _ = writeln!(
-            text,
-            "    {declared}; {}",
-            comment("", &own.note).trim_end()
-        );
+        text += &member(own.documentation, &declared, &own.note);
     }
     // A struct of nothing is not C.
     if surface.dimensions.is_empty() {
@@ -162,11 +160,7 @@ fn evaluator(surface: &Surface, own: &Evaluator) -> String {
     let mut text = format!("typedef struct {result} {{\n");
     for field in &own.fields {
         let declared = surface.declared(&field.name, &field.shape);
-        let _ = writeln!(
-            text,
-            "    {declared}; {}",
-            comment("", &field.note).trim_end()
-        );
+        text += &member(field.documentation, &declared, &field.note);
     }
     if own.fields.is_empty() {
         text += "    char nothing;\n";
@@ -176,8 +170,11 @@ fn evaluator(surface: &Surface, own: &Evaluator) -> String {
     let notes: Vec<String> = notes
         .map(|(name, note)| format!("{name}: {note}."))
         .collect();
-    let cost = cost(&own.function.called.count);
-    text += &comment("", &[&[cost][..], &notes].concat().join("\n"));
+    let about = [
+        own.function.documentation.clone(),
+        cost(&own.function.called.count),
+    ];
+    text += &comment("", &[&about, &notes[..]].concat().join("\n"));
     let arguments: String = own
         .arguments
         .iter()
@@ -197,6 +194,15 @@ fn evaluator(surface: &Surface, own: &Evaluator) -> String {
         );
     }
     text
+}
+
+/// A member of a struct, what the user says of it in front.
+fn member(documentation: &str, declared: &str, note: &str) -> String {
+    let about = match documentation.trim().is_empty() {
+        true => String::new(),
+        false => comment("    ", documentation),
+    };
+    about + &format!("    {declared}; {}", comment("", note))
 }
 
 /// `12 additions, 20 multiplications, 1 root.`

@@ -17,7 +17,7 @@ pub(crate) struct Surface<'a> {
     pub(crate) prefix: String,
     /// The beginning of names in the source alone.
     pub(crate) own: String,
-    pub(crate) dimensions: Vec<Dimension>,
+    pub(crate) dimensions: Vec<Dimension<'a>>,
     /// Expressions of the scalars of all dimensions, behind that of the struct and a point.
     pub(crate) scalars: Vec<String>,
     pub(crate) functions: Vec<Evaluator<'a>>,
@@ -31,8 +31,9 @@ pub(crate) struct Surface<'a> {
 
 /// A field of the struct of dimensions.
 #[derive(Debug)]
-pub(crate) struct Dimension {
+pub(crate) struct Dimension<'a> {
     pub(crate) name: String,
+    pub(crate) documentation: &'a str,
     pub(crate) shape: Shape,
     pub(crate) note: String,
     /// The default values.
@@ -49,13 +50,14 @@ pub(crate) struct Evaluator<'a> {
     /// Names of the arguments in the function's order.
     pub(crate) arguments: Vec<String>,
     pub(crate) argument_notes: Vec<String>,
-    pub(crate) fields: Vec<Field>,
+    pub(crate) fields: Vec<Field<'a>>,
 }
 
 /// A field of a result.
 #[derive(Debug)]
-pub(crate) struct Field {
+pub(crate) struct Field<'a> {
     pub(crate) name: String,
+    pub(crate) documentation: &'a str,
     pub(crate) shape: Shape,
     pub(crate) note: String,
 }
@@ -76,7 +78,7 @@ impl<'a> Surface<'a> {
         let functions = functions.collect();
         let own = names.unused_beginning(&format!("{prefix}_own_"));
         let mut fields = Names::new(Place::Struct, &[]);
-        let dimensions: Vec<Dimension> = unit
+        let dimensions: Vec<Dimension<'a>> = unit
             .parameters
             .iter()
             .map(|parameter| {
@@ -84,6 +86,7 @@ impl<'a> Surface<'a> {
                 let name = first.name.split('.').next().unwrap_or_default();
                 Dimension {
                     name: fields.take(name),
+                    documentation: &parameter.documentation,
                     shape: parameter.shape.clone(),
                     note: dimension_note(&parameter.scalars),
                     values: parameter.scalars.iter().map(|own| own.nominal).collect(),
@@ -223,6 +226,7 @@ fn evaluator<'a>(
         columns = rest;
         Field {
             name: names.take(&field.name),
+            documentation: &field.documentation,
             note: field_note(&field.unit, &field.shape, own),
             shape: field.shape.clone(),
         }

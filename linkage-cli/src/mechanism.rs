@@ -13,8 +13,6 @@ use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
 pub struct Mechanism {
     /// As its struct is called.
     pub name: &'static str,
-    /// Its doc comment.
-    pub documentation: String,
     /// Its programs.
     pub unit: Unit,
     /// As the constant `INPUTS` of the macro's struct.
@@ -39,7 +37,6 @@ impl Mechanism {
         let gap_units = unit.groups.iter().map(|own| forever(own.gap_unit.as_str()));
         Some(Self {
             name,
-            documentation: checked.documentation.clone(),
             inputs: describe::inputs(&unit),
             parameters: describe::parameters(&unit),
             structure: describe::structure(&unit),

@@ -85,7 +85,6 @@ impl Second {
     assert_eq!(rendered(&source, first, &checked, false), "");
     let checked = check(second.tokens.clone());
     assert_eq!(checked.name.as_deref(), Some("Second"));
-    assert_eq!(checked.documentation, "The other one.");
     let told = rendered(&source, second, &checked, false);
     let expected = "error: unknown name `crnak`
        help: did you mean `crank`?

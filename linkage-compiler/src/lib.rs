@@ -103,8 +103,6 @@ pub fn check(body: TokenStream) -> Checked {
 pub struct Checked {
     /// Its name, if it has one.
     pub name: Option<String>,
-    /// Its doc comment, line by line as written.
-    pub documentation: String,
     /// Its programs, if there is no mistake.
     pub unit: Option<Unit>,
     /// The mistakes, in the order in which phases found them.
@@ -159,7 +157,6 @@ impl Analysed {
         }
         Checked {
             name: definition.map(MechanismDef::title),
-            documentation: definition.map_or_else(String::new, MechanismDef::documentation),
             unit: self.unit.filter(|_| messages.is_empty()),
             messages,
             warnings,

@@ -27,6 +27,7 @@ pub(crate) fn programs(unit: &Unit) -> Vec<Named<'_>> {
         survey,
         coupled,
         functions,
+        documentation: _,
         length: _,
         parameters: _,
         inputs: _,
@@ -128,6 +129,7 @@ fn as_function((index, own): (usize, &Named)) -> Function {
     let results = 0..program.outputs.len();
     let field = |index: usize| Field {
         name: format!("r{index}"),
+        documentation: String::new(),
         shape: Shape::Scalar,
         unit: String::new(),
     };
@@ -138,6 +140,7 @@ fn as_function((index, own): (usize, &Named)) -> Function {
     };
     Function {
         name: format!("program_{index}"),
+        documentation: String::new(),
         arguments: (0..sources.len()).collect(),
         states: Vec::new(),
         fields: results.clone().map(field).collect(),

@@ -42,9 +42,36 @@ const NOTHING: &str = "
         pub fn fixed() -> Fixed { two: 2 }
     }";
 
+/// A mechanism whose user says much, also what would end a comment of C, and lines that would go on in the next one.
+const DOCUMENTED: &str = r#"
+    /// A drive.
+    ///
+    /// Turns */ 1 /* and *\
+    /// / end ??/
+    pub struct Documented {
+        unit mm;
+        /// From the shaft to the pin,
+        /// as milled.
+        param crank = 40mm +- 0.02mm;
+        #[doc = "Not `//` long: λ."]
+        param rod = 150mm;
+        input phi = 40deg in 0deg..360deg;
+        unknown tilt = -15deg;
+        unknown ram = 180mm;
+        loop polar(crank, phi) + polar(rod, tilt) = (ram, 0);
+    }
+    impl Documented {
+        /// What the controller asks.
+        pub fn motion(phi) -> Motion {
+            /// Of the pin.
+            ram,
+            v: velocity(ram),
+        }
+    }"#;
+
 fn all() -> Vec<Given> {
     let mut all = exported();
-    all.extend([NAMES, NOTHING].map(Given::text));
+    all.extend([NAMES, NOTHING, DOCUMENTED].map(Given::text));
     all
 }
 
@@ -214,6 +241,22 @@ fn names_are_those_of_the_user_where_c_can_have_them() {
         "double__own_pair_result double__own_pair(const double_ *m, double signed_);",
     ] {
         assert!(header.contains(line), "`{line}` in\n{header}");
+    }
+}
+
+#[test]
+fn comments_of_the_user_stand_in_front() {
+    let own = Given::text(DOCUMENTED);
+    let Sources { header, .. } =
+        sources(&own.name, &own.unit, Real::Double).expect("it can be exported");
+    for lines in [
+        "not to be changed by hand.\n   A drive.\n\n   Turns * / 1 / * and *\\\n   / end ?? /\n   All numbers are doubles",
+        "    /* From the shaft to the pin,\n       as milled. */\n    double crank; /* mm; tolerance 0.02 */\n",
+        "    /* Not `//` long: λ. */\n    double rod; /* mm */\n",
+        "    /* Of the pin. */\n    double ram; /* mm */\n    double v; /* mm */\n",
+        "/* What the controller asks.\n   ",
+    ] {
+        assert!(header.contains(lines), "`{lines}` in\n{header}");
     }
 }
 

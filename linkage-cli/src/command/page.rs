@@ -132,7 +132,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let assembly = mechanism.assemble(&dimensions)?;
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
     let mut report = Report::new(mechanism.name, input, &positions)
-        .about(first_paragraph(&mechanism.documentation))
+        .about(first_paragraph(&mechanism.unit.documentation))
         .structure(mechanism.structure)
         .modes(assembly.modes())
         .dimensions_listed(mechanism.parameters, assembly.dimensions());

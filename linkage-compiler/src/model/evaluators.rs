@@ -11,7 +11,7 @@ use super::place::{Context, Place};
 use super::types::{EvaluatorDef, Name, Quantity};
 use crate::diagnostic::text::{list, nearest};
 use crate::diagnostic::{OriginId, SourceSpan};
-use crate::syntax::{FunctionDef, MechanismDef, QuantityDef, Word};
+use crate::syntax::{FunctionDef, MechanismDef, QuantityDef, Word, documentation};
 
 /// Names taken so far: where, and by what if not by the user's own word.
 type Taken = BTreeMap<String, (SourceSpan, Option<String>)>;
@@ -119,6 +119,7 @@ impl Resolver<'_> {
             .collect();
         EvaluatorDef {
             name: function.name.to_string(),
+            documentation: documentation(&function.attributes),
             result: function.result.to_string(),
             inputs: inputs.into_iter().flatten().collect(),
             input_origins: self.argument_origins(function),
@@ -194,6 +195,7 @@ impl Resolver<'_> {
         settle_alone(&mut value);
         Quantity {
             field,
+            documentation: documentation(&quantity.attributes),
             value,
             origin: self.origins.add(span),
         }

@@ -9,6 +9,7 @@ use super::types::{
 use crate::diagnostic::text::nearest;
 use crate::syntax::{
     Attribute, InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, UnknownItem, Word,
+    documentation,
 };
 
 impl Resolver<'_> {
@@ -18,6 +19,7 @@ impl Resolver<'_> {
         self.unit = self.length_unit(&passes.units);
         let mut mechanism = Mechanism {
             name: definition.name.to_string(),
+            documentation: documentation(&definition.attributes),
             unit: self.unit,
             constants: Vec::new(),
             parameters: Vec::new(),

@@ -6,7 +6,7 @@ use super::types::{
     Dimension, Expr, ExprKind, Name, Parameter, ScalarParameter, ScalarParameterId, Type,
 };
 use crate::diagnostic::SourceSpan;
-use crate::syntax::{self, Attribute, ParamItem, Toleranced};
+use crate::syntax::{self, Attribute, ParamItem, Toleranced, documentation};
 
 /// Names of the components of a vector.
 pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];
@@ -70,6 +70,7 @@ impl Resolver<'_> {
         let first_scalar = self.add_scalars(&item.name.to_string(), index, &ty);
         Parameter {
             name: item.name.to_string(),
+            documentation: documentation(&item.attributes),
             ty,
             origin: self.origins.add((&item.name).into()),
             may_be_unused: item.attributes.iter().any(Attribute::allows_unused),

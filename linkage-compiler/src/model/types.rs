@@ -121,6 +121,8 @@ pub(crate) struct Constant {
 #[derive(Clone, Debug)]
 pub(crate) struct Parameter {
     pub(crate) name: String,
+    /// Its doc comment, line by line as written.
+    pub(crate) documentation: String,
     pub(crate) ty: Type,
     /// Where its name is declared.
     pub(crate) origin: OriginId,
@@ -191,6 +193,8 @@ pub(crate) struct Loop {
 #[derive(Clone, Debug)]
 pub(crate) struct EvaluatorDef {
     pub(crate) name: String,
+    /// Its doc comment, line by line as written.
+    pub(crate) documentation: String,
     pub(crate) result: String,
     /// Inputs in the order of the function's arguments. Numbers from [`Mechanism::inputs`]'s length on are arguments.
     pub(crate) inputs: Vec<usize>,
@@ -203,6 +207,8 @@ pub(crate) struct EvaluatorDef {
 #[derive(Clone, Debug)]
 pub(crate) struct Quantity {
     pub(crate) field: String,
+    /// Its doc comment, line by line as written.
+    pub(crate) documentation: String,
     pub(crate) value: Expr,
     pub(crate) origin: OriginId,
 }
@@ -211,6 +217,8 @@ pub(crate) struct Quantity {
 #[derive(Clone, Debug)]
 pub(crate) struct Mechanism {
     pub(crate) name: String,
+    /// Its doc comment, line by line as written.
+    pub(crate) documentation: String,
     pub(crate) unit: LengthUnit,
     pub(crate) constants: Vec<Constant>,
     pub(crate) parameters: Vec<Parameter>,

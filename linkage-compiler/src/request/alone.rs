@@ -96,6 +96,7 @@ impl Alone {
         let picture = self.picture.as_ref();
         Function {
             name: definition.name.clone(),
+            documentation: definition.documentation.clone(),
             arguments: definition.inputs.clone(),
             states: states(&program),
             called: body(program),

@@ -13,6 +13,7 @@ pub(super) fn fields(
     let field = |quantity: &Quantity| match picture.filter(|_| quantity.is_picture()) {
         Some(picture) => Field {
             name: quantity.field.clone(),
+            documentation: quantity.documentation.clone(),
             shape: Shape::Array(
                 picture.vectors(),
                 Box::new(Shape::Vector(picture.dimension)),
@@ -24,6 +25,7 @@ pub(super) fn fields(
         },
         None => Field {
             name: quantity.field.clone(),
+            documentation: quantity.documentation.clone(),
             shape: Shape::of(&quantity.value.ty),
             unit: unit_words(&quantity.value.ty, unit),
         },

@@ -34,6 +34,7 @@ pub(super) fn signature<'m>(
             }
         });
         Parameter {
+            documentation: parameter.documentation.clone(),
             scalars: scalars.collect(),
             shape,
         }
@@ -65,6 +66,7 @@ pub(super) fn signature<'m>(
     let own = own_parameters(algebra, formulation);
     let groups = formulation.groups.iter().zip(own);
     Unit {
+        documentation: mechanism.documentation.clone(),
         length: mechanism.unit.name(),
         parameters: parameters.collect(),
         inputs: inputs.collect(),

@@ -25,17 +25,17 @@ impl MechanismDef {
     pub(crate) fn title(&self) -> String {
         self.name.unraw().to_string()
     }
+}
 
-    /// The lines of its doc comment, without the blank in front.
-    pub(crate) fn documentation(&self) -> String {
-        let docs = self.attributes.iter().filter(|own| own.name == "doc");
-        let text = |own: &Attribute| {
-            let literal = own.arguments.clone().into_iter().last()?;
-            let text = syn::parse2::<LitStr>(literal.into()).ok()?.value();
-            Some(text.strip_prefix(' ').map_or(text.clone(), str::to_owned))
-        };
-        docs.filter_map(text).collect::<Vec<_>>().join("\n")
-    }
+/// The lines of a doc comment, without the blank in front.
+pub(crate) fn documentation(attributes: &[Attribute]) -> String {
+    let docs = attributes.iter().filter(|own| own.name == "doc");
+    let text = |own: &Attribute| {
+        let literal = own.arguments.clone().into_iter().last()?;
+        let text = syn::parse2::<LitStr>(literal.into()).ok()?.value();
+        Some(text.strip_prefix(' ').map_or(text.clone(), str::to_owned))
+    };
+    docs.filter_map(text).collect::<Vec<_>>().join("\n")
 }
 
 /// One outer attribute.

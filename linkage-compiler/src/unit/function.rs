@@ -13,6 +13,8 @@ pub use linkage_runtime::Meaning;
 pub struct Function {
     /// As declared.
     pub name: String,
+    /// Its doc comment, line by line as written.
+    pub documentation: String,
     /// What it takes, as places among inputs and arguments.
     pub arguments: Vec<usize>,
     /// The coupled groups whose prepared states it loads.
@@ -82,6 +84,8 @@ impl Body {
 pub struct Field {
     /// As declared.
     pub name: String,
+    /// Its doc comment, line by line as written.
+    pub documentation: String,
     /// How its scalars are put together.
     pub shape: Shape,
     /// Words for the docs: `mm`, `rad`, `mm/rad`, `1`, ...

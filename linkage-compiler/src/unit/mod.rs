@@ -27,6 +27,8 @@ pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Sc
 /// What a mechanism is after lowering.
 #[derive(Clone, Debug, Default)]
 pub struct Unit {
+    /// Its doc comment, line by line as written.
+    pub documentation: String,
     /// The unit of all lengths: `mm`, `m`, ...
     pub length: &'static str,
     /// The parameters, in order.

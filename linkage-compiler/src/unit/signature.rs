@@ -12,6 +12,8 @@ const SAMPLES: usize = 72;
 /// A parameter as the user declared it.
 #[derive(Clone, Debug)]
 pub struct Parameter {
+    /// Its doc comment, line by line as written.
+    pub documentation: String,
     /// A number or a vector.
     pub shape: Shape,
     /// Its scalars; programs count these through all parameters.

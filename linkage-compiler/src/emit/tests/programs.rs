@@ -131,6 +131,7 @@ fn turning() -> Program {
 fn function(name: &str, arguments: Vec<usize>, program: Program, fields: Vec<Field>) -> Function {
     Function {
         name: name.to_owned(),
+        documentation: String::new(),
         arguments,
         states: Vec::new(),
         called: Body {
@@ -149,6 +150,7 @@ fn function(name: &str, arguments: Vec<usize>, program: Program, fields: Vec<Fie
 pub(crate) fn unit() -> Unit {
     let field = |name: &str, shape: Shape, unit: &str| Field {
         name: name.to_owned(),
+        documentation: String::new(),
         shape,
         unit: unit.to_owned(),
     };

@@ -186,6 +186,7 @@ fn zero() -> model::Expr {
 pub(crate) fn mechanism() -> Mechanism {
     let parameter = |name: &str, ty: Type, components: usize, first: usize| model::Parameter {
         name: name.to_owned(),
+        documentation: String::new(),
         ty,
         origin: OriginId(0),
         may_be_unused: false,
@@ -206,6 +207,7 @@ pub(crate) fn mechanism() -> Mechanism {
     };
     let evaluator = |name: &str, result: &str, inputs: Vec<usize>| model::EvaluatorDef {
         name: name.to_owned(),
+        documentation: String::new(),
         result: result.to_owned(),
         input_origins: vec![OriginId(0); inputs.len()],
         inputs,
@@ -214,6 +216,7 @@ pub(crate) fn mechanism() -> Mechanism {
     };
     Mechanism {
         name: "SliderCrank".to_owned(),
+        documentation: String::new(),
         unit: LengthUnit::Millimetre,
         constants: vec![],
         parameters: vec![
@@ -267,12 +270,14 @@ fn unit() -> Unit {
         is_number: true,
     };
     let alone = |own| Parameter {
+        documentation: String::new(),
         shape: Shape::Scalar,
         scalars: vec![own],
     };
     Unit {
         parameters: vec![
             Parameter {
+                documentation: String::new(),
                 shape: Shape::Vector(2),
                 scalars: vec![scalar("pivot.x", 1.0, 0.5), scalar("pivot.y", -2.0, 0.0)],
             },
