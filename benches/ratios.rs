@@ -97,7 +97,7 @@ fn main() {
                 for i in 0..POSITIONS {
                     $c.$function($first[i], $($more[i],)* &mut numbers);
                     agree(&numbers, &<$numbers>::from($linkage.$function($first[i], $($more[i]),*)));
-                    agree(&numbers, &$exported.$function($first[i], $($more[i]),*));
+                    agree(&numbers, &$exported.$function($first[i], $($more[i]),*).0);
                 }
                 let mut last = numbers;
                 let mut columns = $linkage.$sweep($first, $($more),*);

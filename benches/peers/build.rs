@@ -20,7 +20,11 @@ fn main() {
     build.compile("linkage_peers_kernels");
     let mut build = single(fused);
     // As the page on C says of GCC and x86-64.
-    for flag in ["-fschedule-insns", "-fsched-pressure"] {
+    for flag in [
+        "-fschedule-insns",
+        "-fsched-pressure",
+        "-fno-tree-slp-vectorize",
+    ] {
         build.flag_if_supported(flag);
     }
     build.files(exported(Path::new(&setting("OUT_DIR"))));

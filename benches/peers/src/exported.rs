@@ -4,9 +4,10 @@
 
 use std::ffi::c_int;
 
-/// What a function returns: a struct of doubles.
+/// What a function returns: a struct of doubles, as the call has written it.
 #[repr(C)]
-struct Numbers<const N: usize>([f64; N]);
+#[derive(Clone, Copy, Debug)]
+pub struct Numbers<const N: usize>(pub [f64; N]);
 
 /// A mechanism: its dimensions in, a struct for what is assembled, functions from inputs to numbers.
 macro_rules! exported {
@@ -42,9 +43,9 @@ macro_rules! exported {
                 /// The function of this name.
                 #[inline(always)]
                 #[must_use]
-                pub fn $method(&self, $($input: f64),*) -> [f64; $width] {
+                pub fn $method(&self, $($input: f64),*) -> Numbers<$width> {
                     // SAFETY: the function reads the struct and returns so many doubles.
-                    unsafe { $function(self.0.as_ptr(), $($input),*) }.0
+                    unsafe { $function(self.0.as_ptr(), $($input),*) }
                 }
             )*
         }

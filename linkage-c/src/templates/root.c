@@ -3,10 +3,12 @@
 static inline real own_root(real q, real scale)
 {
     const real slack = EIGHT_ROUNDOFFS * fabs(scale);
-    /* Negative if more is missing, or anything where the scale is infinite. Then all bits are set: NaN. Of -0 nothing is missing. */
+    const word bits = own_bits(q);
+    /* Their highest bits say: below zero, which -0 is not; no finite scale; more is missing, or anything beside such a scale. */
+    const word negative = bits & (bits - 1u);
     const word infinite = GREATEST_BITS - own_bits(slack);
-    const word missing = own_bits(q + slack) | (infinite & own_bits(q + 0.0));
-    const real none = own_number((word)0 - (missing >> TOP));
-    const real kept = own_number(ONE_BITS & ((own_bits(q) >> TOP) - 1u));
-    return sqrt(fabs(q)) * kept + none;
+    const word missing = (own_bits(q + slack) | infinite) & negative;
+    /* 1, 0, or NaN: all bits are set. */
+    const word kept = ONE_BITS & ((negative >> TOP) - 1u);
+    return sqrt(fabs(q)) * own_number(kept | ((word)0 - (missing >> TOP)));
 }
