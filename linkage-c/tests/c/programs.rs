@@ -159,14 +159,18 @@ pub(crate) fn results(
     programs: &[Named],
     load: &dyn Fn(Source) -> f64,
 ) -> Vec<(Vec<f64>, Vec<f64>)> {
-    let (mut whole, mut carried): (Vec<f64>, Vec<f64>) = Default::default();
+    let mut whole: Vec<f64> = Vec::new();
+    let mut memory: BTreeMap<usize, f64> = BTreeMap::new();
     let mut all = Vec::new();
     for own in programs {
         if own.stage.is_none_or(|(_, number)| number == 0) {
-            carried.clear();
+            memory.clear();
         }
         let place = |source: Source| match source {
-            Source::Carried(index) => carried[index],
+            Source::Carried(index) => {
+                let (stage, _) = own.stage.expect("only stages take from others");
+                memory[&stage.taken[index]]
+            }
             other => load(other),
         };
         let given = loaded(own.program).into_iter().map(place).collect();
@@ -174,11 +178,11 @@ pub(crate) fn results(
         match own.stage {
             None => whole.clone_from(&results),
             Some((stage, _)) => {
-                let (next, last) = results.split_at(stage.carried);
+                let (kept, last) = results.split_at(stage.kept.len());
                 for (&index, x) in stage.results.iter().zip(last) {
                     assert!(same(*x, whole[index]), "{}, result {index}", own.name);
                 }
-                carried = next.to_vec();
+                memory.extend(stage.kept.iter().copied().zip(kept.iter().copied()));
             }
         }
         all.push((given, results));

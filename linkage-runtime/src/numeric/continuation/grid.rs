@@ -78,7 +78,7 @@ impl Grid {
     }
 
     /// The same for ranges that must be served: where a look at a few places says that much of them would be left out, all of it is, in a
-    /// part of the time.
+    /// part of the time; and cells of which a look says that they are too large are not tried.
     ///
     /// # Errors
     ///

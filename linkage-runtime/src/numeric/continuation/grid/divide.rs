@@ -6,7 +6,7 @@ use super::super::scale::Scale;
 use super::LeftOut;
 use super::cells::{Cell, Sum};
 use super::layout::{Layout, Places};
-use super::outlook::outlook;
+use super::outlook::{Outlook, outlook};
 use super::walk::{Solution, fill};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -22,7 +22,7 @@ const MANY: usize = 256;
 
 /// The share of places on the borders of more cells at which the solution may be left out although it exists: near its boundary it always
 /// is at some. A grid that leaves out more even away from boundaries is not what was declared.
-const MISSED: f64 = 0.005;
+pub(super) const MISSED: f64 = 0.005;
 
 /// A grid of twice as many cells takes less than so many times the corrections.
 const GROWTH: usize = 3;
@@ -78,16 +78,21 @@ pub(super) fn divided(
         let layout = Layout(&axes);
         if !asked && layout.cells() * places.offsets.len() > MANY {
             asked = true;
-            let hopeless = outlook(follower, ranges, counts.clone(), &places, reference);
-            if hopeless.is_some() {
-                let cells = vec![Cell::default(); layout.cells()];
-                let sum = Sum::new(&cells, &layout, places.offsets.len());
-                return Divided {
-                    axes,
-                    cells,
-                    sum,
-                    hopeless,
-                };
+            match outlook(follower, ranges, &counts, &places, reference) {
+                Outlook::From(next) => {
+                    counts = next;
+                    continue;
+                }
+                Outlook::Hopeless(left_out) => {
+                    let cells = vec![Cell::default(); layout.cells()];
+                    let sum = Sum::new(&cells, &layout, places.offsets.len());
+                    return Divided {
+                        axes,
+                        cells,
+                        sum,
+                        hopeless: Some(left_out),
+                    };
+                }
             }
         }
         let left = follower.left();

@@ -1,9 +1,9 @@
-//! Whether ranges can be served at all: looked at in a few places, before all of them are divided.
+//! Whether ranges can be served at all, and by how small cells: looked at in a few places, before all of them are divided.
 
 use super::super::cell::Frame;
 use super::super::follow::Follower;
 use super::LeftOut;
-use super::divide::{CELLS, longest, scales};
+use super::divide::{CELLS, MISSED, longest, scales};
 use super::layout::{Layout, Places};
 use super::node::Node;
 use super::slopes::slopes;
@@ -19,6 +19,10 @@ const LOOKS: usize = 16;
 /// Where the smallest cells that there can be leave out more than this at the places that are looked at, they do not serve all but half a
 /// percent of the ranges: a chance of one to a hundred million, if what is left out lies anywhere.
 const HOPELESS: f64 = 0.3;
+
+/// Where cells leave out more than this at the places that are looked at, twice what they may, all of them would leave out too much, too. They are not
+/// filled to learn it: that takes ten to a hundred times the corrections of a look.
+const COARSE: f64 = 2.0 * MISSED;
 
 /// Corrections on the way to a place that is missed, at least, when a grid is filled.
 const WAY: usize = 8;
@@ -48,22 +52,44 @@ struct Looks {
     each: usize,
 }
 
-/// What cells as small as they may be would leave out, at least. `None` if that is little, or if a boundary of the solution is met, which
-/// changes what counts as left out.
+/// What the looks say.
+pub(super) enum Outlook {
+    /// What cells as small as they may be would leave out, at least, if that is much.
+    Hopeless(LeftOut),
+    /// Cells along each input of which no larger ones would do.
+    From(Vec<u32>),
+}
+
+/// Looks at cells of so many along each input, then at smaller ones. If a boundary of the solution is met, which changes what counts as left out, nothing
+/// is said.
 pub(super) fn outlook(
+    follower: &mut Follower<'_>,
+    ranges: &[(Frame, bool)],
+    counts: &[u32],
+    places: &Places,
+    reference: &Solution<'_>,
+) -> Outlook {
+    looked(follower, ranges, counts.to_vec(), places, reference)
+        .unwrap_or_else(|| Outlook::From(counts.to_vec()))
+}
+
+fn looked(
     follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],
     mut counts: Vec<u32>,
     places: &Places,
     reference: &Solution<'_>,
-) -> Option<LeftOut> {
+) -> Option<Outlook> {
     let mut known = starts(follower, ranges, reference)?;
     loop {
         let axes = scales(ranges, &counts);
         let layout = Layout(&axes);
         let looks = look(follower, &layout, places, reference, &mut known)?;
         let share = looks.missed as f64 / looks.places as f64;
-        if share <= HOPELESS {
+        if share <= COARSE {
+            return Some(Outlook::From(counts));
+        }
+        if share <= HOPELESS && !regular(follower, reference, &looks.examples) {
             return None;
         }
         let next = 2 * layout.cells();
@@ -71,7 +97,11 @@ pub(super) fn outlook(
         let affordable = 2 * next * looks.each <= follower.left();
         match longest(&looks.bends, &counts) {
             Some(axis) if next <= CELLS && affordable => counts[axis] *= 2,
-            _ => return hopeless(follower, reference, share, &looks.examples),
+            _ if share <= HOPELESS => return Some(Outlook::From(counts)),
+            _ => {
+                return hopeless(follower, reference, share, &looks.examples)
+                    .map(Outlook::Hopeless);
+            }
         }
     }
 }
@@ -181,11 +211,19 @@ fn hopeless(
     share: f64,
     examples: &[(Known, Vec<f64>)],
 ) -> Option<LeftOut> {
+    let at = examples.first()?.1.clone();
+    regular(follower, reference, examples).then_some(LeftOut { share, at })
+}
+
+/// Whether the solution exists at all examples, away from its boundary.
+fn regular(
+    follower: &mut Follower<'_>,
+    reference: &Solution<'_>,
+    examples: &[(Known, Vec<f64>)],
+) -> bool {
     let mut exists = |(centre, x): &(Known, Vec<f64>)| {
         let there = centre.moved(follower, reference, x.clone());
         there.is_some()
     };
-    let regular = examples.iter().all(&mut exists);
-    let at = examples.first()?.1.clone();
-    regular.then_some(LeftOut { share, at })
+    examples.iter().all(&mut exists)
 }
