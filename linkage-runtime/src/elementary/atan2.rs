@@ -11,7 +11,6 @@
 
 use super::ends::{least, least_single, most, most_single};
 use super::multiply::{double as mul_add, one_rounding, single as mul_add_single};
-use core::hint::select_unpredictable;
 
 /// `(atan(t) - t) / t^3` in powers of `t^2`, for `t` up to 1.
 const ARC: [f64; 20] = [
@@ -90,12 +89,13 @@ macro_rules! atan2 {
             const RIGHT: $float = core::$float::consts::FRAC_PI_2;
 
             let (width, height) = (x.abs(), y.abs());
-            let steep = height > width;
-            // The same in integers: with other uses than these two the comparison would become a
-            // branch.
-            let steep_sign = width.to_bits().wrapping_sub(height.to_bits()) & SIGN;
-            let short = select_unpredictable(steep, width, height);
-            let long = select_unpredictable(steep, height, width);
+            // Which is larger, in integers: a comparison would become a branch, at the latest where two angles are computed together.
+            let difference = width.to_bits().wrapping_sub(height.to_bits());
+            let steep_sign = difference & SIGN;
+            let steep = (difference.cast_signed() >> ($bits::BITS - 1)).cast_unsigned();
+            let exchanged = (width.to_bits() ^ height.to_bits()) & steep;
+            let short = $float::from_bits(height.to_bits() ^ exchanged);
+            let long = $float::from_bits(width.to_bits() ^ exchanged);
 
             // One over the power of two in the larger component. Zero and infinity are replaced.
             let power = $float::from_bits(long.to_bits() & $float::INFINITY.to_bits());
