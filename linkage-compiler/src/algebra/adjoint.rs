@@ -31,6 +31,13 @@ pub(crate) enum Direction {
 }
 
 impl Direction {
+    pub(crate) const ALL: [Self; 4] = [
+        Self::Forward,
+        Self::FromResults,
+        Self::FromUnknowns,
+        Self::Gradient,
+    ];
+
     /// For the docs.
     pub(crate) fn words(self) -> &'static str {
         match self {

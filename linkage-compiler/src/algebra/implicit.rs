@@ -9,7 +9,8 @@ use linkage_symbolic::{
     Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, Vector, differentiate,
 };
 
-use super::{Algebra, AngleRule, Rule, Turning};
+use super::solutions::{Seen, Shown};
+use super::{Algebra, AngleRule, Carrier, Rule, Turning};
 
 /// Derivatives of a group's unknowns by some variables, and the right-hand side that they solve.
 #[derive(Clone, Debug)]
@@ -52,6 +53,12 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
             }
             Rule::Value(rule) => self.angle_rate(rule, variable),
             Rule::Turning(turning) => self.turning_rate(&turning, variable),
+            Rule::Seen(seen) => self.seen_rate(&seen, variable),
+            Rule::Shown(shown) => self.shown_rate(&shown, variable),
+            Rule::Axis(own) => {
+                let (carrier, component) = *own;
+                self.turning_of(carrier, variable) * carrier.axis.perp()[component]
+            }
             Rule::Unknown { group, position } => self.rate(group, position, Vec::new(), variable),
             Rule::Rate {
                 group,
@@ -64,7 +71,33 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
 
     fn angle_rate(&mut self, rule: AngleRule<'m>, variable: SymbolId) -> Ex<'m> {
         let rate = self.rate(rule.group, rule.position, Vec::new(), variable);
+        let rate = match rule.carrier {
+            Some(carrier) => rate + self.turning_of(carrier, variable),
+            None => rate,
+        };
         rule.sensed(rate)
+    }
+
+    /// What changes seen from the carrier and by its turning, in fixed coordinates.
+    fn shown_rate(&mut self, shown: &Shown<'m>, variable: SymbolId) -> Ex<'m> {
+        let [change, base] =
+            [shown.vector, shown.base].map(|own| own.map(|x| self.slope(x, variable)));
+        let turned = self.turning_of(shown.carrier, variable) * shown.vector.perp();
+        self.algebra().shown(shown.carrier, change + turned, base)[shown.component]
+    }
+
+    /// By how much a carrier turns.
+    fn turning_of(&mut self, carrier: Carrier<'m>, variable: SymbolId) -> Ex<'m> {
+        let start = carrier.start.map(|x| self.slope(x, variable));
+        self.slope(carrier.angle, variable) + carrier.start.cross(start)
+    }
+
+    /// What changes in fixed coordinates, seen from the carrier, which turns itself.
+    fn seen_rate(&mut self, seen: &Seen<'m>, variable: SymbolId) -> Ex<'m> {
+        let change = seen.vector.map(|x| self.slope(x, variable));
+        let changed = self.algebra().seen(seen.carrier, change);
+        let turned = self.turning_of(seen.carrier, variable) * seen.own.perp();
+        (changed - turned)[seen.component]
     }
 
     /// `z' u + rate perp(z u)`
@@ -177,12 +210,19 @@ impl<'m> Algebra<'m> {
             }
             _ => unreachable!("closed forms have one or two equations"),
         };
-        (0..count)
+        let jacobian = solution.jacobian.clone();
+        let mut rates: Vec<Ex> = (0..count)
             .map(|position| {
                 let quotient = numerators[position] / determinant;
                 self.rate_symbol(group, position, by, quotient)
             })
-            .collect()
+            .collect();
+        if let Some((alone, row)) = triangular(&jacobian) {
+            let other = jacobian[1 - alone][row] * rates[1 - alone];
+            let quotient = (right[row] - other) / jacobian[alone][row];
+            rates[alone] = self.rate_symbol(group, alone, by, quotient);
+        }
+        rates
     }
 
     /// A rate as a symbol of its own.
@@ -216,4 +256,16 @@ impl<'m> Algebra<'m> {
         self.solutions.set_rule(symbol, rule);
         self.graph.ex(node)
     }
+}
+
+/// Of two equations, the unknown that only one of them contains, and which.
+pub(super) fn triangular(jacobian: &[Vec<Ex>]) -> Option<(usize, usize)> {
+    if jacobian.len() != 2 {
+        return None;
+    }
+    let places = [(0, 0), (0, 1), (1, 0), (1, 1)];
+    let mut zeros = places
+        .into_iter()
+        .filter(|&(column, row)| jacobian[column][row].is_zero());
+    zeros.next().map(|(column, row)| (column, 1 - row))
 }

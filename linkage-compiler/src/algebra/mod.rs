@@ -6,6 +6,7 @@
 mod adjoint;
 mod bearing;
 mod calls;
+mod carrier;
 mod dependence;
 mod derivatives;
 mod elimination;
@@ -14,6 +15,7 @@ mod frame;
 mod implicit;
 mod names;
 mod nominal;
+mod other_side;
 mod partial;
 mod parts;
 mod reverse;
@@ -31,10 +33,12 @@ use derivatives::Derivatives;
 
 pub(crate) use adjoint::Direction;
 pub(crate) use bearing::{Bearing, Phasor};
+pub(crate) use carrier::Carrier;
 pub(crate) use elimination::{CoreRow, Elimination, PrivateColumn};
 pub(crate) use even::{ALIKE, Even};
 pub(crate) use names::{Angle, Bound, Names, StandsFor};
 pub(crate) use nominal::Nominal;
+pub(crate) use other_side::OtherSide;
 pub(crate) use scalar::{Atom, Scalar};
 pub(crate) use solutions::{AngleRule, Rule, Solution, Solutions, Term, Turning};
 pub(crate) use translate::{Translate, Value};

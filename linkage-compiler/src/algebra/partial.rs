@@ -7,7 +7,7 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, Node, NodeId, SymbolId};
 
 use super::implicit::Implicit;
-use super::{Algebra, AngleRule, Rule, Term};
+use super::{Algebra, Rule, Term};
 
 /// What is solved together: a group's unknowns, or their derivatives by some variables. In the order in which they
 /// depend on each other: a system mentions its own results and those of smaller ones.
@@ -160,23 +160,31 @@ impl<'m> Algebra<'m> {
         let behind = match self.solutions.rule(symbol).cloned() {
             None => BTreeSet::new(),
             Some(Rule::Follow(equal)) => self.mentioned_in(&[equal]),
+            Some(Rule::Seen(seen)) => {
+                let mut behind = self.mentioned_in(&seen.vector.0);
+                behind.extend(self.mentioned_in(&[seen.carrier.angle]));
+                behind
+            }
+            Some(Rule::Shown(shown)) => {
+                let [x, y] = shown.vector.0;
+                let [base_x, base_y] = shown.base.0;
+                self.mentioned_in(&[x, y, base_x, base_y, shown.carrier.angle])
+            }
+            Some(Rule::Axis(own)) => self.mentioned_in(&[own.0.angle]),
             Some(Rule::Turning(turning)) => {
                 let mut behind = self.mentioned_in(&turning.z.0);
                 behind.insert(result(turning.group, turning.position, Vec::new()));
                 behind
             }
-            Some(
-                Rule::Cosine(AngleRule {
-                    group, position, ..
-                })
-                | Rule::Sine(AngleRule {
-                    group, position, ..
-                })
-                | Rule::Value(AngleRule {
-                    group, position, ..
-                })
-                | Rule::Unknown { group, position },
-            ) => BTreeSet::from([result(group, position, Vec::new())]),
+            Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
+                let angle = rule.carrier.map(|carrier| carrier.angle);
+                let mut behind = angle.map_or_else(BTreeSet::new, |x| self.mentioned_in(&[x]));
+                behind.insert(result(rule.group, rule.position, Vec::new()));
+                behind
+            }
+            Some(Rule::Unknown { group, position }) => {
+                BTreeSet::from([result(group, position, Vec::new())])
+            }
             Some(Rule::Rate {
                 group,
                 position,

@@ -59,7 +59,7 @@ impl<'m> Algebra<'m> {
 
     /// A product's angles, in order, which of them it has the sines of, and its other factors. A power of a cosine is no direction: it stays
     /// among the factors.
-    fn factors(&self, term: Ex<'m>) -> (Vec<Turning>, usize, Ex<'m>) {
+    pub(super) fn factors(&self, term: Ex<'m>) -> (Vec<Turning>, usize, Ex<'m>) {
         let mut angles: Vec<(Turning, bool)> = Vec::new();
         let mut factor = term.number(1.0);
         let mut open = vec![term];
@@ -109,7 +109,7 @@ impl<'m> Algebra<'m> {
 }
 
 /// The terms of a sum with factors that are known before a call, which may stand before a sum themselves.
-fn spread(x: Ex) -> Vec<(Ex, Ex)> {
+pub(super) fn spread(x: Ex) -> Vec<(Ex, Ex)> {
     let ex = |id| x.graph().ex(id);
     let mut found = Vec::new();
     let mut open = vec![(x.number(1.0), x)];
@@ -141,8 +141,13 @@ impl<'m> Part<'m> {
 
     /// Whether it is its arm, turned by the sum of its angles, some of them with the other sign.
     pub(crate) fn is_rotor(&self) -> bool {
+        self.backward().is_some()
+    }
+
+    /// If it is its arm, turned by a sum of its angles: a bit for each of them with the other sign.
+    pub(super) fn backward(&self) -> Option<usize> {
         let all = 0..self.rows[0].len();
-        all.clone().any(|conjugate| {
+        all.clone().find(|conjugate| {
             all.clone().all(|sines| {
                 let turned = (0..sines.count_ones()).fold(self.arm(), |arm, _| arm.perp());
                 let back = (sines & conjugate).count_ones() % 2 == 1;

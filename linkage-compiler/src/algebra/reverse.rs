@@ -9,7 +9,7 @@ use linkage_symbolic::unordered::{Map, Set};
 use linkage_symbolic::{Ex, Node, NodeId, SymbolId, Vector, pull_back};
 
 use super::partial::System;
-use super::{Algebra, AngleRule, Rule};
+use super::{Algebra, AngleRule, Carrier, Rule};
 
 /// What a sweep visits.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -134,12 +134,22 @@ impl<'m> Algebra<'m> {
                 let z = turning.z.ids().map(Item::Node);
                 [&z[..], &[system(turning.group, &[])]].concat()
             }
-            Some(
-                Rule::Cosine(AngleRule { group, .. })
-                | Rule::Sine(AngleRule { group, .. })
-                | Rule::Value(AngleRule { group, .. })
-                | Rule::Unknown { group, .. },
-            ) => vec![system(*group, &[])],
+            Some(Rule::Seen(seen)) => {
+                let vector = seen.vector.ids().map(Item::Node);
+                [&vector[..], &below_carrier(seen.carrier)].concat()
+            }
+            Some(Rule::Shown(shown)) => {
+                let [vector, base] =
+                    [shown.vector, shown.base].map(|own| own.ids().map(Item::Node));
+                [&vector[..], &base[..], &below_carrier(shown.carrier)].concat()
+            }
+            Some(Rule::Axis(own)) => below_carrier(own.0),
+            Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
+                let mut below = vec![system(rule.group, &[])];
+                below.extend(rule.carrier.into_iter().flat_map(below_carrier));
+                below
+            }
+            Some(Rule::Unknown { group, .. }) => vec![system(*group, &[])],
             Some(Rule::Rate { group, by, .. }) => vec![system(*group, by)],
         }
     }
@@ -165,6 +175,32 @@ impl<'m> Algebra<'m> {
                 let share = turning.vector.perp()[component] * weight;
                 let system = System::new(turning.group, Vec::new());
                 self.add_to_system(weights, system, turning.position, share);
+            }
+            Rule::Seen(seen) => {
+                let [x, y] = seen.carrier.axis.0;
+                let factors = [[x, y], [-y, x]][seen.component];
+                for (own, factor) in seen.vector.components().zip(factors) {
+                    self.add_to_node(weights, own.id(), factor * weight);
+                }
+                let share = -(seen.own.perp()[seen.component] * weight);
+                self.add_to_carrier(weights, seen.carrier, share);
+            }
+            Rule::Shown(shown) => {
+                let component = shown.component;
+                self.add_to_node(weights, shown.base[component].id(), weight);
+                let [x, y] = shown.carrier.axis.0;
+                let factors = [[x, -y], [y, x]][component];
+                for (own, factor) in shown.vector.components().zip(factors) {
+                    self.add_to_node(weights, own.id(), factor * weight);
+                }
+                let turned = shown.vector.turned(shown.carrier.axis).perp();
+                let share = turned[component] * weight;
+                self.add_to_carrier(weights, shown.carrier, share);
+            }
+            Rule::Axis(own) => {
+                let (carrier, component) = *own;
+                let share = carrier.axis.perp()[component] * weight;
+                self.add_to_carrier(weights, carrier, share);
             }
             Rule::Unknown { group, position } => {
                 self.add_to_system(weights, System::new(group, Vec::new()), position, weight);
@@ -209,7 +245,20 @@ impl<'m> Algebra<'m> {
 
     fn add_to_angle(&mut self, weights: &mut Weights<'m>, rule: AngleRule<'m>, share: Ex<'m>) {
         let system = System::new(rule.group, Vec::new());
-        self.add_to_system(weights, system, rule.position, rule.sensed(share));
+        let share = rule.sensed(share);
+        self.add_to_system(weights, system, rule.position, share);
+        if let Some(carrier) = rule.carrier {
+            self.add_to_carrier(weights, carrier, share);
+        }
+    }
+
+    /// Hands the weight of a carrier's turning to its angle and to where it starts.
+    fn add_to_carrier(&mut self, weights: &mut Weights<'m>, carrier: Carrier<'m>, share: Ex<'m>) {
+        self.add_to_node(weights, carrier.angle.id(), share);
+        let across = carrier.start.perp();
+        for (start, factor) in carrier.start.components().zip(across.components()) {
+            self.add_to_node(weights, start.id(), factor * share);
+        }
     }
 
     fn add_to_node(&mut self, weights: &mut Weights<'m>, node: NodeId, share: Ex<'m>) {
@@ -235,4 +284,10 @@ impl<'m> Algebra<'m> {
             .or_insert_with(|| vec![zero; count]);
         own[position] += share;
     }
+}
+
+/// What a carrier turns by.
+fn below_carrier(carrier: Carrier) -> Vec<Item> {
+    let nodes = std::iter::once(carrier.angle).chain(carrier.start.components());
+    nodes.map(|x| Item::Node(x.id())).collect()
 }

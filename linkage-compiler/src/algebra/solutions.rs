@@ -4,7 +4,7 @@ use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, SymbolId, V2};
 
-use super::Elimination;
+use super::{Carrier, Elimination, OtherSide};
 
 /// How a symbol that lives by its definition is differentiated.
 #[derive(Clone, Debug)]
@@ -17,6 +17,12 @@ pub(crate) enum Rule<'m> {
     Value(AngleRule<'m>),
     /// A component of `z u`, a vector that turns with unknown `position` of a group.
     Turning(Box<Turning<'m>>),
+    /// A component of a vector as seen from a link that turns.
+    Seen(Box<Seen<'m>>),
+    /// The other way round.
+    Shown(Box<Shown<'m>>),
+    /// A component of the axis of such a link.
+    Axis(Box<(Carrier<'m>, usize)>),
     /// Unknown `position` of a group.
     Unknown {
         group: usize,
@@ -39,6 +45,8 @@ pub(crate) struct AngleRule<'m> {
     pub(crate) sense: f64,
     /// Cosine and sine.
     pub(crate) unit: V2<'m>,
+    /// The link that the group's unknown is measured from.
+    pub(crate) carrier: Option<Carrier<'m>>,
 }
 
 impl AngleRule<'_> {
@@ -58,6 +66,28 @@ pub(crate) struct Turning<'m> {
     pub(crate) vector: V2<'m>,
     pub(crate) z: V2<'m>,
     pub(crate) unit: V2<'m>,
+}
+
+/// See [`Rule::Seen`].
+#[derive(Clone, Debug)]
+pub(crate) struct Seen<'m> {
+    pub(crate) carrier: Carrier<'m>,
+    /// In fixed coordinates.
+    pub(crate) vector: V2<'m>,
+    /// Along the axis and across.
+    pub(crate) own: V2<'m>,
+    pub(crate) component: usize,
+}
+
+/// See [`Rule::Shown`].
+#[derive(Clone, Debug)]
+pub(crate) struct Shown<'m> {
+    pub(crate) carrier: Carrier<'m>,
+    /// Along the axis and across.
+    pub(crate) vector: V2<'m>,
+    /// What is added in fixed coordinates.
+    pub(crate) base: V2<'m>,
+    pub(crate) component: usize,
 }
 
 /// One term of a group's equations.
@@ -85,6 +115,8 @@ pub(crate) struct Solutions<'m> {
     rules: Map<SymbolId, Rule<'m>>,
     /// By group.
     pub(crate) groups: Vec<Solution<'m>>,
+    /// Loops with a guide on a link that turns, in order.
+    pub(crate) other_sides: Vec<OtherSide<'m>>,
 }
 
 impl<'m> Solutions<'m> {

@@ -1,8 +1,8 @@
 //! RRP and PRR: a link of given length between a known point and a slider on a known line.
 
-use linkage_symbolic::{SymbolId, V2};
+use linkage_symbolic::{SymbolId, V2, Vector};
 
-use crate::algebra::{Bearing, Term};
+use crate::algebra::{Bearing, OtherSide, Term};
 use crate::structure::Rotor;
 
 use super::plane::{gap, guarded, known_term, rotor_terms, squarable};
@@ -23,22 +23,54 @@ impl<'m> Solver<'_, 'm> {
         let (stretch, g) = guide.length_and_unit();
         let w = self.mode_sign();
 
-        let x = g.cross(c);
-        let along = g.dot(c);
+        let carried = self.algebra.carried(guide, g, c);
+        // What the guide carries has a size of its own.
+        let (from_guide, size) = match &carried {
+            Some(own) => (
+                own.arm + self.algebra.seen(own.carrier, own.rest),
+                r + own.arm.length(),
+            ),
+            None => (Vector([g.dot(c), g.cross(c)]), r),
+        };
+        let [along, x] = from_guide.0;
         let q = r.difference_of_squares(x);
         // Rounding in `X` is that of `|C|`, which near the dead point, where `|X| = r`, is less than this sum.
-        let noise = r * along.abs() + r.square();
+        let noise = r * along.abs() + r * size;
         let h = q.root(noise);
         let hw = w * h;
-        let value = hw * g + x * g.perp();
         let position = (along - hw) / stretch;
         let determinant = -(stretch * hw);
 
         let unit = self.unit_of(rotor);
-        let vector = value.map(|x| guarded(x, h));
-        let vector = self.turning(vector, rotor.z, unit, 0);
-        let turned = vector.turned_back(rotor.z);
-        self.define_angle(rotor.angle, rotor.sense, turned, 0);
+        let carrier = carried.as_ref().map(|own| own.carrier);
+        let equation = match carrier {
+            None => {
+                let value = (hw * g + x * g.perp()).map(|x| guarded(x, h));
+                let vector = self.turning(value, rotor.z, unit, 0);
+                let turned = vector.turned_back(rotor.z);
+                self.define_angle(rotor.angle, rotor.sense, turned, 0);
+                Equation {
+                    vector,
+                    unit,
+                    guide,
+                    known,
+                }
+            }
+            Some(_) => {
+                let value = Vector([hw, x]);
+                let unit = self.direction_from_carrier(value.turned_back(rotor.z), 0);
+                let vector = self.turning(value, rotor.z, unit, 0);
+                let turned = value.turned(g).map(|x| guarded(x, h)).turned_back(rotor.z);
+                self.define_angle_from(carrier, rotor.angle, rotor.sense, turned, 0);
+                let guide = Vector([stretch, self.algebra.zero()]);
+                Equation {
+                    vector,
+                    unit,
+                    guide,
+                    known: -from_guide,
+                }
+            }
+        };
         // From the foot on the guide the link leans forward or backward.
         let bearing = Bearing {
             vector: guide,
@@ -51,13 +83,27 @@ impl<'m> Solver<'_, 'm> {
         self.bear(rotor.angle, bearing);
         self.define_length(slide, position, 1);
 
-        let mut terms = rotor_terms(rotor.z, unit);
+        if let Some(own) = carried {
+            let other_side = OtherSide {
+                angle: rotor.angle,
+                sense: rotor.sense,
+                z: rotor.z,
+                slide: stretch * self.unknown(slide),
+                known,
+                carrier: own.carrier,
+                carried: own.turns,
+            };
+            self.algebra.solutions.other_sides.push(other_side);
+        }
+
+        let mut terms = rotor_terms(rotor.z, equation.unit);
         terms.push(Term {
-            coefficient: guide.0.to_vec(),
+            coefficient: equation.guide.0.to_vec(),
             factor: self.unknown(slide),
         });
-        terms.push(known_term(&known.0));
-        self.push_pair(terms, [vector.perp(), guide], determinant);
+        terms.push(known_term(&equation.known.0));
+        let columns = [equation.vector.perp(), equation.guide];
+        self.push_pair(terms, columns, determinant);
 
         let gap = gap(q, noise, x.abs() - r);
         Closed {
@@ -73,4 +119,12 @@ impl<'m> Solver<'_, 'm> {
             gap_in: GapIn::Loop,
         }
     }
+}
+
+/// The loop in the coordinates that it is differentiated in: fixed ones, or those of the link that carries the guide.
+struct Equation<'m> {
+    vector: V2<'m>,
+    unit: V2<'m>,
+    guide: V2<'m>,
+    known: V2<'m>,
 }

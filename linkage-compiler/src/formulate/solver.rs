@@ -4,7 +4,7 @@ use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
-use crate::algebra::{Algebra, AngleRule, Bearing, Rule, Solution, Turning};
+use crate::algebra::{Algebra, AngleRule, Bearing, Carrier, Rule, Solution, Turning};
 use crate::model::Dimension;
 use crate::structure::{Form, Rotor};
 
@@ -130,7 +130,19 @@ impl<'m> Solver<'_, 'm> {
 
     /// Gives an unknown angle its unit vector `(cos, sense sin)`, and its value from that.
     pub(super) fn define_angle(&mut self, angle: usize, sense: f64, unit: V2<'m>, position: usize) {
-        self.declare_angle(angle, sense, position);
+        self.define_angle_from(None, angle, sense, unit, position);
+    }
+
+    /// The same of an angle whose unknown is measured from a carrier.
+    pub(super) fn define_angle_from(
+        &mut self,
+        carrier: Option<Carrier<'m>>,
+        angle: usize,
+        sense: f64,
+        unit: V2<'m>,
+        position: usize,
+    ) {
+        self.declare_angle_from(carrier, angle, sense, position);
         let unit = if sense < 0.0 { unit.conjugate() } else { unit };
         let graph = self.algebra.graph;
         let symbols = self.algebra.names.angles[angle].clone();
@@ -154,17 +166,50 @@ impl<'m> Solver<'_, 'm> {
 
     /// Says how an unknown angle is differentiated.
     pub(super) fn declare_angle(&mut self, angle: usize, sense: f64, position: usize) {
+        self.declare_angle_from(None, angle, sense, position);
+    }
+
+    fn declare_angle_from(
+        &mut self,
+        carrier: Option<Carrier<'m>>,
+        angle: usize,
+        sense: f64,
+        position: usize,
+    ) {
         let symbols = self.algebra.names.angles[angle].clone();
         let rule = AngleRule {
             group: self.index,
             position,
             sense,
             unit: symbols.unit,
+            carrier,
         };
         let solutions = &mut self.algebra.solutions;
         solutions.set_rule(symbols.cos, Rule::Cosine(rule));
         solutions.set_rule(symbols.sin, Rule::Sine(rule));
         solutions.set_rule(symbols.value, Rule::Value(rule));
+    }
+
+    /// The direction of unknown `position` from a carrier.
+    pub(super) fn direction_from_carrier(&mut self, unit: V2<'m>, position: usize) -> V2<'m> {
+        let (graph, group) = (self.algebra.graph, self.index);
+        let made = unit.0.map(|value| {
+            let (symbol, node) = graph.unknown(format!("from carrier {group}.{position}"));
+            graph.define(symbol, value.id());
+            (symbol, graph.ex(node))
+        });
+        let [(cos, x), (sin, y)] = made;
+        graph.pair(cos, sin);
+        let rule = AngleRule {
+            group,
+            position,
+            sense: 1.0,
+            unit: Vector([x, y]),
+            carrier: None,
+        };
+        self.algebra.solutions.set_rule(cos, Rule::Cosine(rule));
+        self.algebra.solutions.set_rule(sin, Rule::Sine(rule));
+        rule.unit
     }
 
     /// `centre + sum of winding * input`: within half a turn of the angle's value over the whole range.

@@ -15,6 +15,7 @@ use crate::unit::{Body, Function, Picture};
 use crate::watch::Watch;
 
 use super::choice::Choice;
+use super::quantity::Way;
 use super::{AtReference, State, columns, fields, needs, quantity};
 
 /// A function before it is scheduled.
@@ -54,7 +55,7 @@ impl Alone {
                 own.drawn = found.vectors;
                 found.picture
             });
-            let requested = quantity::request(own, definition, Direction::Forward);
+            let requested = quantity::request(own, definition, Way::default());
             // What a picture needs that could not be found is not known.
             if asked.is_none() || !own.drawn.is_empty() {
                 needs::check_inputs(own.algebra, definition, &requested, reporter);

@@ -1,4 +1,4 @@
-//! The direction of sensitivities: every function takes the one that costs it least.
+//! The way to the results, and the direction of sensitivities: every function takes what costs it least.
 
 use linkage_symbolic::count::time;
 use linkage_symbolic::inline::Inliner;
@@ -11,7 +11,7 @@ use crate::lower::Formulas;
 use crate::model::EvaluatorDef;
 
 use super::State;
-use super::quantity::{Requested, request};
+use super::quantity::{Requested, Way, request};
 
 /// The results of a function in the plain graph, and how derivatives by parameters among them are found.
 #[derive(Debug)]
@@ -38,31 +38,44 @@ impl<'m> Choice<'m> {
         Formulas::new(inliner, &self.scalars).shared
     }
 
-    /// Tries the other directions; the first of equals stays.
+    /// Tries the other ways; the first of equals stays.
     pub(super) fn improve(
         &mut self,
         state: &mut State<'_, 'm>,
         inliner: &mut Inliner,
         definition: &EvaluatorDef,
     ) {
-        if self.direction.is_none() {
-            return;
-        }
-        let mut least = time_of(&inliner.target, &self.formulas.shared);
-        for direction in [
-            Direction::FromResults,
-            Direction::FromUnknowns,
-            Direction::Gradient,
-        ] {
-            let scalars = request(state, definition, direction).scalars;
+        let directions: &[Direction] = match self.direction {
+            Some(_) => &Direction::ALL,
+            None => &[Direction::Forward],
+        };
+        let other_sides: &[bool] = match state.algebra.solutions.other_sides.is_empty() {
+            true => &[false],
+            false => &[false, true],
+        };
+        let ways = other_sides.iter().flat_map(|&other_sides| {
+            let way = move |&direction| Way {
+                direction,
+                other_sides,
+            };
+            directions.iter().map(way)
+        });
+        let mut least = None;
+        for way in ways.skip(1) {
+            let least =
+                least.get_or_insert_with(|| time_of(&inliner.target, &self.formulas.shared));
+            let scalars = request(state, definition, way).scalars;
+            if scalars == self.scalars {
+                continue;
+            }
             let formulas = Formulas::new(inliner, &scalars);
             let time = time_of(&inliner.target, &formulas.shared);
-            if time < least {
-                least = time;
+            if time < *least {
+                *least = time;
                 *self = Self {
                     scalars,
                     formulas,
-                    direction: Some(direction),
+                    direction: self.direction.map(|_| way.direction),
                 };
             }
         }

@@ -27,6 +27,7 @@ use crate::unit::{Function, Surveyed, Unit};
 use crate::watch::Watch;
 
 use alone::Alone;
+use quantity::Way;
 
 /// A formulated mechanism, in which functions are asked for.
 pub(crate) struct State<'a, 'm> {
@@ -162,7 +163,7 @@ fn surveyed(algebra: &Algebra, formulation: &Formulation) -> Vec<Surveyed> {
 
 /// The results of one function as expressions of the undigested graph.
 pub(crate) fn requested<'m>(state: &mut State<'_, 'm>, definition: &EvaluatorDef) -> Vec<Ex<'m>> {
-    quantity::request(state, definition, Direction::Forward).scalars
+    quantity::request(state, definition, Way::default()).scalars
 }
 
 /// Centres and windings count the continuous angles only.

@@ -1,6 +1,6 @@
 //! Requested quantities as graph nodes: values, derivatives, sensitivities, margins.
 
-use linkage_symbolic::{Ex, SymbolId, Vn};
+use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 
 use crate::algebra::{Algebra, Direction, Translate, Value};
 use crate::forces::Forces;
@@ -22,18 +22,27 @@ pub(super) struct Requested<'m> {
     pub(super) by_parameters: bool,
 }
 
+/// How a function finds what it asks for; all ways have equal results.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Way {
+    /// Of derivatives by parameters.
+    pub(super) direction: Direction,
+    /// Whether points at the ends of links are reached by the other sides of the loops that the links close.
+    pub(super) other_sides: bool,
+}
+
 /// What a function asks for, as expressions.
 pub(super) fn request<'m>(
     state: &mut State<'_, 'm>,
     definition: &EvaluatorDef,
-    direction: Direction,
+    way: Way,
 ) -> Requested<'m> {
     let mut request = Request {
         algebra: &mut *state.algebra,
         forces: &mut *state.forces,
         drawn: &state.drawn,
         definition,
-        direction,
+        way,
         margin: None,
         asks_margin: false,
         with_reactions: definition.asks_for_reactions(),
@@ -58,8 +67,7 @@ struct Request<'a, 'm> {
     /// What `picture()` shows.
     drawn: &'a [Vn<'m>],
     definition: &'a EvaluatorDef,
-    /// How derivatives by parameters are found.
-    direction: Direction,
+    way: Way,
     /// The smallest margin; `None` while it is not known yet.
     margin: Option<Ex<'m>>,
     asks_margin: bool,
@@ -72,6 +80,7 @@ impl<'m> Request<'_, 'm> {
         let mut scalars = Vec::new();
         for quantity in &self.definition.quantities {
             let mut value = self.translate(&quantity.value);
+            value = self.by_other_sides(value);
             if !quantity.is_picture() {
                 value = self.in_unit(value, &quantity.value.ty);
             }
@@ -79,6 +88,22 @@ impl<'m> Request<'_, 'm> {
         }
         self.requested.underlying.extend(&scalars);
         scalars
+    }
+
+    /// The same by the other sides of loops, if that is the way.
+    fn by_other_sides(&mut self, value: Value<'m>) -> Value<'m> {
+        match value {
+            value if !self.way.other_sides => value,
+            Value::Vector(vector) if vector.len() == 2 => {
+                let plane = Vector([vector.at(0), vector.at(1)]);
+                Value::Vector(self.algebra.by_other_sides(plane).into())
+            }
+            Value::Array(entries) => {
+                let entries = entries.into_iter();
+                Value::Array(entries.map(|entry| self.by_other_sides(entry)).collect())
+            }
+            other => other,
+        }
     }
 
     /// What the program has computed in the unit in which the result is given.
@@ -139,7 +164,7 @@ impl<'m> Request<'_, 'm> {
             Variable::Input(_) => (Direction::Forward, None),
             Variable::Parameter(id) => {
                 let parameter = &self.algebra.mechanism.scalar_parameters[id.0];
-                (self.direction, Some(Type::Scalar(parameter.dimension)))
+                (self.way.direction, Some(Type::Scalar(parameter.dimension)))
             }
         };
         let slope = self.slope(value, symbol, direction);
@@ -169,6 +194,7 @@ impl<'m> Request<'_, 'm> {
     /// The quantity to be differentiated; what it depends on counts even if the derivative does not.
     fn underlying(&mut self, quantity: &Expr) -> Value<'m> {
         let value = self.translate(quantity);
+        let value = self.by_other_sides(value);
         let mut scalars = Vec::new();
         self.flatten(&value, &mut scalars);
         self.requested.underlying.extend(scalars);

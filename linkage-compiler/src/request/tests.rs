@@ -11,7 +11,7 @@ use linkage_symbolic::{Ex, Graph, evaluate};
 use proc_macro2::TokenStream;
 
 use super::State;
-use super::quantity::request;
+use super::quantity::{Way, request};
 use crate::algebra::{Algebra, Direction, Nominal};
 use crate::close::{Reference, assemble_reference};
 use crate::diagnostic::{Diagnostics, Origins, Reporter};
@@ -46,13 +46,13 @@ fn expect_agreement(items: &str, function: &str) {
     let structure = structure::decompose(&mut algebra, &nominal, reporter.reborrow());
     let formulation = formulate::formulate(&mut algebra, structure);
     let mut forces = Forces::new(&mut algebra);
-    let directions = [
-        Direction::Forward,
-        Direction::FromResults,
-        Direction::FromUnknowns,
-        Direction::Gradient,
-    ];
-    let results = directions.map(|direction| {
+    let other_sides = [false, true].map(|other_sides| {
+        Direction::ALL.map(|direction| Way {
+            direction,
+            other_sides,
+        })
+    });
+    let results = other_sides.as_flattened().iter().map(|&way| {
         let function = &mechanism.evaluators[0];
         let mut state = State {
             algebra: &mut algebra,
@@ -60,10 +60,11 @@ fn expect_agreement(items: &str, function: &str) {
             formulation: &formulation,
             drawn: Vec::new(),
         };
-        let requested = request(&mut state, function, direction);
+        let requested = request(&mut state, function, way);
         assert!(requested.by_parameters);
         requested.scalars
     });
+    let results: Vec<Vec<Ex>> = results.collect();
     let closing = lower::closing(&mut algebra, &formulation, &nominal);
     let reference = assemble_reference(&algebra, &formulation, closing, &nominal, reporter);
     let messages = diagnostics.texts();
@@ -148,14 +149,14 @@ struct At {
 
 /// Returns the number of results that are numbers.
 #[track_caller]
-fn compare(results: &[Vec<Ex>; 4], at: &At, random: &mut Random) -> usize {
+fn compare(results: &[Vec<Ex>], at: &At, random: &mut Random) -> usize {
     let run = |scalars: &[Ex], noise: f64, random: &mut Random| {
         let noise = [0; 40].map(|_| 1.0 + noise * random.between(-1.0, 1.0));
         evaluate(scalars, |source| {
             at.position.load(source, &at.states, &noise)
         })
     };
-    let [forward, others @ ..] = results;
+    let (forward, others) = results.split_first().expect("several ways");
     let expected = run(forward, 0.0, random);
     // What 256 roundoffs of the data do.
     let noise = 256.0 * f64::EPSILON;
@@ -170,7 +171,7 @@ fn compare(results: &[Vec<Ex>; 4], at: &At, random: &mut Random) -> usize {
             let agree = (x - y).abs() <= 2.0 * spread || x.is_nan() && y.is_nan();
             assert!(
                 agree,
-                "result {k}: forward {x:e}, backwards {y:e}, spread {spread:e}"
+                "result {k}: forward {x:e}, another way {y:e}, spread {spread:e}"
             );
         }
     }
@@ -242,6 +243,24 @@ fn links_and_slides() {
         ),
     ] {
         expect_all(items, &quantities);
+    }
+}
+
+#[test]
+fn slides_on_links_that_turn() {
+    let end = "let q = (2 * d, e) + polar(b + c, u);";
+    for (guide, carried) in [
+        // On a rocker, also mirrored; on the crank; on a link that turns by two angles.
+        ("dir(p + 90deg + lift)", "k + polar(e, p)"),
+        ("dir(lift - p)", "(e, d) + polar(e, -p)"),
+        ("dir(phi / 2 + lift) * 2", "polar(a, phi / 2)"),
+        ("dir(t + p)", "polar(a, phi) + polar(e, lift + p + t)"),
+    ] {
+        let items = format!(
+            "{RRR} {PIN} unknown u = 150deg; unknown s = 60mm; {end}
+             loop q = {carried} + s * {guide};"
+        );
+        expect_all(&items, &["q - polar(e, p)", "s", "u", "polar(d, t) - q"]);
     }
 }
 
