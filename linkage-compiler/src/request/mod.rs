@@ -16,7 +16,7 @@ use linkage_symbolic::program::{Instruction, Source};
 use linkage_symbolic::schedule::{Slots, schedule, schedule_whole};
 use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::{Algebra, Bound, Direction, Nominal};
+use crate::algebra::{Algebra, Bound, Nominal};
 use crate::close::Reference;
 use crate::diagnostic::Reporter;
 use crate::forces::Forces;
