@@ -50,7 +50,16 @@ impl Direction {
 }
 
 /// The multipliers of the equations of each system that something depends on.
-type Multipliers<'m> = Vec<(System, Vec<Ex<'m>>)>;
+type Multipliers<'m> = Vec<Multiplier<'m>>;
+
+/// Those of one system.
+#[derive(Clone, Debug)]
+pub(super) struct Multiplier<'m> {
+    pub(super) system: System,
+    /// The derivatives by its results.
+    pub(super) weights: Vec<Ex<'m>>,
+    pub(super) factors: Vec<Ex<'m>>,
+}
 
 /// Multipliers found already.
 #[derive(Clone, Debug, Default)]
@@ -132,10 +141,11 @@ impl<'m> Algebra<'m> {
         multipliers: &Multipliers<'m>,
         variable: SymbolId,
     ) -> Ex<'m> {
-        multipliers.iter().fold(start, |sum, (system, factors)| {
-            let rows = factors.iter().enumerate();
+        multipliers.iter().fold(start, |sum, own| {
+            let sum = sum - self.slope_of_links(own, variable);
+            let rows = own.factors.iter().enumerate();
             rows.fold(sum, |sum, (row, &factor)| {
-                sum - factor * self.slope_of_row(system, row, variable)
+                sum - factor * self.slope_of_row(&own.system, row, variable)
             })
         })
     }
@@ -153,8 +163,12 @@ impl<'m> Algebra<'m> {
                 continue;
             }
             let zero = self.zero();
-            let found = vec![(system, factors)];
-            for solved in self.mentioned_by(&found[0].0) {
+            let found = vec![Multiplier {
+                system,
+                weights,
+                factors,
+            }];
+            for solved in self.mentioned_by(&found[0].system) {
                 let variable = self.symbol_for(&solved);
                 let weight = self.minus_slopes(zero, &found, variable);
                 self.add_weight(&mut open, solved, weight);
@@ -200,7 +214,10 @@ impl<'m> Algebra<'m> {
         let solution = self.solutions.groups[system.group].clone();
         if system.by.is_empty() {
             let mut slope = |algebra: &mut Self, x| algebra.partial(x, variable);
-            return self.sum_of_slopes(&solution.terms, row, |a, b| a + b, &mut slope);
+            // Those of links are found by themselves.
+            let links = self.terms_of_links(system.group);
+            let terms = &solution.terms[links..];
+            return self.sum_of_slopes(terms, row, |a, b| a + b, &mut slope);
         }
         // J r - right
         let rates = self.rates(system.group, system.by.clone());

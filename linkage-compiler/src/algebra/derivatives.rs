@@ -16,6 +16,8 @@ pub(super) struct Derivatives<'m> {
     pub(super) memo: DerivativeMemo,
     /// By group and variables.
     pub(super) rates: Map<(usize, Vec<SymbolId>), Rates<'m>>,
+    /// Whether known products of links could be used in one of them.
+    pub(super) has_products: bool,
     pub(super) partials: Partials,
     pub(super) adjoints: Adjoints<'m>,
     pub(super) gradients: Map<NodeId, Gradient<'m>>,

@@ -158,7 +158,10 @@ impl<'m> Algebra<'m> {
             return known.clone();
         }
         let right = self.right_hand_side(group, &key.1);
-        let rates = self.solve(group, &right, &key.1);
+        let rates = match self.rates_by_products(group, &key.1) {
+            Some(rates) => rates,
+            None => self.solve(group, &right, &key.1),
+        };
         let rates = Rates { right, rates };
         self.derivatives.rates.insert(key, rates.clone());
         rates
@@ -226,7 +229,7 @@ impl<'m> Algebra<'m> {
     }
 
     /// A rate as a symbol of its own.
-    fn rate_symbol(
+    pub(super) fn rate_symbol(
         &mut self,
         group: usize,
         position: usize,

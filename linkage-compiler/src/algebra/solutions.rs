@@ -4,7 +4,7 @@ use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, SymbolId, V2};
 
-use super::{Carrier, Elimination, OtherSide};
+use super::{Carrier, Elimination, Link, OtherSide};
 
 /// How a symbol that lives by its definition is differentiated.
 #[derive(Clone, Debug)]
@@ -107,6 +107,8 @@ pub(crate) struct Solution<'m> {
     pub(crate) determinant: Ex<'m>,
     /// For a coupled group; closed forms have one or two equations.
     pub(crate) elimination: Option<Elimination<'m>>,
+    /// The links that turn with the first and the second of two unknowns. Their terms stand first.
+    pub(crate) links: [Option<Link<'m>>; 2],
 }
 
 /// The groups that are solved, and what follows for symbols.
@@ -117,6 +119,8 @@ pub(crate) struct Solutions<'m> {
     pub(crate) groups: Vec<Solution<'m>>,
     /// Loops with a guide on a link that turns, in order.
     pub(crate) other_sides: Vec<OtherSide<'m>>,
+    /// Whether derivatives use products that are known of links.
+    pub(super) by_products: bool,
 }
 
 impl<'m> Solutions<'m> {

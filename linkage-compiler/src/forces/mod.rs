@@ -118,6 +118,13 @@ impl<'m> Forces<'m> {
         }
     }
 
+    /// Forgets all that was made of derivatives.
+    pub(crate) fn forget_derivatives(&mut self) {
+        self.motion = Motion::default();
+        self.system = None;
+        self.cases = Map::new();
+    }
+
     /// For a function that lists these inputs and arguments: speeds that it does not list are zero. Drives are found from the joints if
     /// reactions are asked for, too.
     pub(crate) fn at<'a>(

@@ -3,7 +3,7 @@
 use linkage_symbolic::program::DEAD_POINT;
 use linkage_symbolic::{Ex, V2};
 
-use crate::algebra::{Solution, Term};
+use crate::algebra::{Link, Solution, Term};
 
 use super::Solver;
 
@@ -87,6 +87,27 @@ impl<'m> Solver<'_, 'm> {
             jacobian: columns.map(|column| column.0.to_vec()).to_vec(),
             determinant,
             elimination: None,
+            links: [None; 2],
+        });
+    }
+
+    /// Records that the link `vector`, which is `z unit`, turns with an unknown of the group of two equations that was recorded last.
+    pub(super) fn links_turn(
+        &mut self,
+        position: usize,
+        z: V2<'m>,
+        unit: V2<'m>,
+        vector: V2<'m>,
+        across: Ex<'m>,
+    ) {
+        let group = self.algebra.solutions.groups.last_mut();
+        let group = group.expect("the group that is solved");
+        group.links[position] = Some(Link {
+            vector,
+            z,
+            unit,
+            square: z.square(),
+            across,
         });
     }
 
@@ -97,6 +118,7 @@ impl<'m> Solver<'_, 'm> {
             jacobian: vec![vec![determinant]],
             determinant,
             elimination: None,
+            links: [None; 2],
         });
     }
 }

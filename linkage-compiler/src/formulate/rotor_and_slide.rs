@@ -104,6 +104,8 @@ impl<'m> Solver<'_, 'm> {
         terms.push(known_term(&equation.known.0));
         let columns = [equation.vector.perp(), equation.guide];
         self.push_pair(terms, columns, determinant);
+        let across = -(stretch * x);
+        self.links_turn(0, rotor.z, equation.unit, equation.vector, across);
 
         let gap = gap(q, noise, x.abs() - r);
         Closed {

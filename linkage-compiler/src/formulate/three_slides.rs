@@ -48,6 +48,7 @@ impl<'m> Solver<'_, 'm> {
             jacobian: guides.map(|guide| guide.0.to_vec()).to_vec(),
             determinant,
             elimination: Some(elimination),
+            links: [None; 2],
         });
 
         let largest = guides.into_iter().fold(one, |product, guide| {

@@ -27,6 +27,7 @@ impl<'m> Solver<'_, 'm> {
 
         let mut terms = Vec::new();
         let mut columns = Vec::new();
+        let mut vectors = Vec::new();
         let links = [first, second].into_iter().zip(circles.vectors);
         for (position, (rotor, value)) in links.enumerate() {
             let unit = self.unit_of(rotor);
@@ -46,9 +47,22 @@ impl<'m> Solver<'_, 'm> {
             self.bear(rotor.angle, bearing);
             terms.extend(rotor_terms(rotor.z, unit));
             columns.push(vector.perp());
+            vectors.push(vector);
         }
         terms.push(known_term(&known.0));
         self.push_pair(terms, [columns[0], columns[1]], circles.product);
+        let [square1, square2] = [first, second].map(|rotor| rotor.z.square());
+        let product = 0.5 * c.square() - 0.5 * (square1 + square2);
+        let product = self.alias("product", product, vectors[0].dot(vectors[1]));
+        for (position, rotor) in [first, second].into_iter().enumerate() {
+            self.links_turn(
+                position,
+                rotor.z,
+                self.unit_of(rotor),
+                vectors[position],
+                product,
+            );
+        }
 
         let distance = c.length();
         let too_far = distance - reach;

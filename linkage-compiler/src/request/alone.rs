@@ -67,8 +67,8 @@ impl Alone {
             Self {
                 beside,
                 picture,
+                direction: choice.direction(),
                 formulas: choice.formulas,
-                direction: choice.direction,
                 graph: inliner.target,
             }
         })

@@ -19,8 +19,8 @@ pub(super) struct Choice<'m> {
     /// As requested.
     scalars: Vec<Ex<'m>>,
     pub(super) formulas: Formulas,
-    /// `None` if there are none.
-    pub(super) direction: Option<Direction>,
+    way: Way,
+    by_parameters: bool,
 }
 
 impl<'m> Choice<'m> {
@@ -29,8 +29,14 @@ impl<'m> Choice<'m> {
         Self {
             formulas: Formulas::new(inliner, &requested.scalars),
             scalars: requested.scalars,
-            direction: requested.by_parameters.then_some(Direction::Forward),
+            way: Way::default(),
+            by_parameters: requested.by_parameters,
         }
+    }
+
+    /// How derivatives by parameters are found; `None` if there are none.
+    pub(super) fn direction(&self) -> Option<Direction> {
+        self.by_parameters.then_some(self.way.direction)
     }
 
     /// The results with the definitions as they are now.
@@ -45,9 +51,9 @@ impl<'m> Choice<'m> {
         inliner: &mut Inliner,
         definition: &EvaluatorDef,
     ) {
-        let directions: &[Direction] = match self.direction {
-            Some(_) => &Direction::ALL,
-            None => &[Direction::Forward],
+        let directions: &[Direction] = match self.by_parameters {
+            true => &Direction::ALL,
+            false => &[Direction::Forward],
         };
         let other_sides: &[bool] = match state.algebra.solutions.other_sides.is_empty() {
             true => &[false],
@@ -57,27 +63,44 @@ impl<'m> Choice<'m> {
             let way = move |&direction| Way {
                 direction,
                 other_sides,
+                products: false,
             };
             directions.iter().map(way)
         });
-        let mut least = None;
         for way in ways.skip(1) {
-            let least =
-                least.get_or_insert_with(|| time_of(&inliner.target, &self.formulas.shared));
-            let scalars = request(state, definition, way).scalars;
-            if scalars == self.scalars {
-                continue;
-            }
-            let formulas = Formulas::new(inliner, &scalars);
-            let time = time_of(&inliner.target, &formulas.shared);
-            if time < *least {
-                *least = time;
-                *self = Self {
-                    scalars,
-                    formulas,
-                    direction: self.direction.map(|_| way.direction),
-                };
-            }
+            self.try_way(state, inliner, definition, way);
+        }
+        if state.algebra.has_products() {
+            let way = Way {
+                products: true,
+                ..self.way
+            };
+            self.try_way(state, inliner, definition, way);
+        }
+    }
+
+    /// Takes another way if it costs less.
+    fn try_way(
+        &mut self,
+        state: &mut State<'_, 'm>,
+        inliner: &mut Inliner,
+        definition: &EvaluatorDef,
+        way: Way,
+    ) {
+        let scalars = request(state, definition, way).scalars;
+        if scalars == self.scalars {
+            return;
+        }
+        let formulas = Formulas::new(inliner, &scalars);
+        let [own, other] =
+            [&self.formulas, &formulas].map(|own| time_of(&inliner.target, &own.shared));
+        if other < own {
+            *self = Self {
+                scalars,
+                formulas,
+                way,
+                by_parameters: self.by_parameters,
+            };
         }
     }
 }

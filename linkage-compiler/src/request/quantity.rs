@@ -29,6 +29,8 @@ pub(super) struct Way {
     pub(super) direction: Direction,
     /// Whether points at the ends of links are reached by the other sides of the loops that the links close.
     pub(super) other_sides: bool,
+    /// Whether derivatives use products that are known of links.
+    pub(super) products: bool,
 }
 
 /// What a function asks for, as expressions.
@@ -37,6 +39,9 @@ pub(super) fn request<'m>(
     definition: &EvaluatorDef,
     way: Way,
 ) -> Requested<'m> {
+    if state.algebra.use_products(way.products) {
+        state.forces.forget_derivatives();
+    }
     let mut request = Request {
         algebra: &mut *state.algebra,
         forces: &mut *state.forces,

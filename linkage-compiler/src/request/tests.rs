@@ -46,13 +46,15 @@ fn expect_agreement(items: &str, function: &str) {
     let structure = structure::decompose(&mut algebra, &nominal, reporter.reborrow());
     let formulation = formulate::formulate(&mut algebra, structure);
     let mut forces = Forces::new(&mut algebra);
-    let other_sides = [false, true].map(|other_sides| {
+    let others = [(false, false), (true, false), (false, true)];
+    let ways = others.map(|(other_sides, products)| {
         Direction::ALL.map(|direction| Way {
             direction,
             other_sides,
+            products,
         })
     });
-    let results = other_sides.as_flattened().iter().map(|&way| {
+    let results = ways.as_flattened().iter().map(|&way| {
         let function = &mechanism.evaluators[0];
         let mut state = State {
             algebra: &mut algebra,

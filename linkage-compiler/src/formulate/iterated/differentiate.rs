@@ -49,6 +49,7 @@ impl<'m> Solver<'_, 'm> {
             jacobian,
             determinant,
             elimination: Some(elimination),
+            links: [None; 2],
         });
     }
 

@@ -91,6 +91,7 @@ impl<'m> Solver<'_, 'm> {
                 units: vec![one; count],
                 privates: Vec::new(),
             }),
+            links: [None; 2],
         });
     }
 }
