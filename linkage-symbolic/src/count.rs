@@ -62,6 +62,23 @@ fn distinct<V: Ord>(mut values: Vec<V>) -> u32 {
     values.len() as u32
 }
 
+/// How long a call takes if everything runs as early as it can, in rough cycles.
+pub fn chain(program: &Program) -> u32 {
+    let known = arrival_times(program);
+    let outputs = program.outputs.iter().map(|output| known[output.0]);
+    outputs.max().unwrap_or(0)
+}
+
+/// When each value is known, in rough cycles, if everything runs as early as it can.
+pub(crate) fn arrival_times(program: &Program) -> Vec<u32> {
+    let mut known: Vec<u32> = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        let latest = instruction.operands().map(|x| known[x.0]).max();
+        known.push(latest.unwrap_or(0) + instruction.latency());
+    }
+    known
+}
+
 /// What a program costs at a call, by throughput, an addition being 1: the measure by which lowering chooses between equal
 /// programs.
 pub fn time(program: &Program) -> u32 {

@@ -4,6 +4,7 @@ use crate::unordered::Map;
 
 use crate::expression::Ex;
 use crate::graph::{Graph, Node, NodeId, SymbolId};
+use crate::program::Binary;
 
 /// The expressions `roots` with symbols replaced as `map` says, simplified anew.
 pub fn substitute<'g>(roots: &[Ex<'g>], map: &Map<SymbolId, Ex<'g>>) -> Vec<Ex<'g>> {
@@ -38,5 +39,20 @@ pub(crate) fn rebuild(
         Node::Unary(op, a) => graph.unary(op, new(a)),
         Node::Binary(op, a, b) => graph.binary(op, new(a), new(b)),
         Node::Ternary(op, a, b, c) => graph.ternary(op, new(a), new(b), new(c)),
+    }
+}
+
+/// The same, but what is a product stays one: multiples that are shared are not distributed over their sums again.
+pub(crate) fn rebuild_shared(
+    graph: &Graph,
+    id: NodeId,
+    node: Node,
+    new: impl Fn(NodeId) -> NodeId,
+) -> NodeId {
+    match node {
+        Node::Binary(Binary::Mul, a, b) if [a, b].map(&new) != [a, b] => {
+            graph.store_mut().plain_product(new(a), new(b))
+        }
+        _ => rebuild(graph, id, node, new),
     }
 }

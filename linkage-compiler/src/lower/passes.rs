@@ -2,11 +2,11 @@
 //!
 //! Formulas become programs between the first and the second list ([`schedule`](linkage_symbolic::schedule)).
 
-use linkage_symbolic::count::Count;
+use linkage_symbolic::count::{Count, chain, time};
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::passes::{PASSES, stages};
-use linkage_symbolic::schedule::schedule_whole;
-use linkage_symbolic::{Ex, Graph, NodeId, share_multiples};
+use linkage_symbolic::passes::{PASSES, polished, stages};
+use linkage_symbolic::schedule::{Slots, schedule, schedule_whole};
+use linkage_symbolic::{Ex, Graph, NodeId, by_half_angles, roots_last, share_multiples};
 
 use crate::unit::Unit;
 use crate::watch::Watch;
@@ -17,8 +17,10 @@ use super::plain;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Formulas {
     inlined: Vec<NodeId>,
+    shared: Vec<NodeId>,
+    halved: Vec<NodeId>,
     /// What is scheduled.
-    pub(crate) shared: Vec<NodeId>,
+    pub(crate) last: Vec<NodeId>,
 }
 
 impl Formulas {
@@ -26,12 +28,46 @@ impl Formulas {
     pub(crate) fn new(inliner: &mut Inliner, scalars: &[Ex]) -> Self {
         let inlined = plain(inliner, scalars);
         let shared = share_multiples(&inliner.target, &inlined);
-        Self { inlined, shared }
+        Self {
+            inlined,
+            halved: shared.clone(),
+            last: shared.clone(),
+            shared,
+        }
+    }
+
+    /// Then `half angles` and `roots last`, each where that costs no operation.
+    pub(crate) fn settled(mut self, graph: &Graph) -> Self {
+        let cost = |outputs: &[NodeId]| {
+            let program = polished(schedule(graph, outputs, &mut Slots::default()));
+            (time(&program), chain(&program))
+        };
+        let mut least = cost(&self.shared);
+        let mut take = |last: &mut Vec<NodeId>, other: Vec<NodeId>| {
+            let own = cost(&other);
+            if own < least {
+                least = own;
+                *last = other;
+            }
+        };
+        if let Some(halved) = by_half_angles(graph, &self.shared) {
+            take(&mut self.halved, halved);
+        }
+        self.last = self.halved.clone();
+        for last in roots_last(graph, &self.halved) {
+            take(&mut self.last, last);
+        }
+        self
     }
 
     /// Shows them as programs.
     pub(crate) fn show(&self, graph: &Graph, function: usize, watch: &mut dyn Watch) {
-        for (name, nodes) in [("inline", &self.inlined), ("share multiples", &self.shared)] {
+        for (name, nodes) in [
+            ("inline", &self.inlined),
+            ("share multiples", &self.shared),
+            ("half angles", &self.halved),
+            ("roots last", &self.last),
+        ] {
             watch.pass(name, function, &|| schedule_whole(graph, nodes));
         }
     }

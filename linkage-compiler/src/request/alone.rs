@@ -77,7 +77,7 @@ impl Alone {
     /// The angles whose values it is computed from.
     pub(super) fn valued_angles(&self) -> Vec<usize> {
         let beside = self.beside.iter().flatten();
-        let all: Vec<NodeId> = self.formulas.shared.iter().chain(beside).copied().collect();
+        let all: Vec<NodeId> = self.formulas.last.iter().chain(beside).copied().collect();
         valued_angles(&self.graph, &all)
     }
 
@@ -91,7 +91,7 @@ impl Alone {
     ) -> Function {
         let definition = &algebra.mechanism.evaluators[index];
         self.formulas.show(&self.graph, index, watch);
-        let program = schedule(&self.graph, &self.formulas.shared, slots);
+        let program = schedule(&self.graph, &self.formulas.last, slots);
         let beside = self.beside.as_ref();
         let beside = beside.map(|outputs| schedule(&self.graph, outputs, slots));
         let picture = self.picture.as_ref();
@@ -130,7 +130,7 @@ fn beside<'m>(
         prepared.define(algebra.graph, Version::Beside);
     }
     let own = choice.renewed(inliner);
-    Some(own).filter(|own| *own != choice.formulas.shared)
+    Some(own).filter(|own| *own != choice.formulas.last)
 }
 
 /// The coupled groups whose prepared states a program loads.

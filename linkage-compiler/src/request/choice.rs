@@ -23,6 +23,10 @@ pub(super) struct Choice<'m> {
     by_parameters: bool,
 }
 
+/// What known products of links must spare, as a share of the time. They join what several groups compute, and where two of those wait for each other's roots an optimiser that
+/// packs them lets both wait: with 165 instead of 168 that took 47 ns instead of 40.
+const WORTH: f64 = 0.02;
+
 impl<'m> Choice<'m> {
     /// What was requested, forward.
     pub(super) fn forward(inliner: &mut Inliner, requested: Requested<'m>) -> Self {
@@ -41,7 +45,8 @@ impl<'m> Choice<'m> {
 
     /// The results with the definitions as they are now.
     pub(super) fn renewed(&self, inliner: &mut Inliner) -> Vec<NodeId> {
-        Formulas::new(inliner, &self.scalars).shared
+        let formulas = Formulas::new(inliner, &self.scalars);
+        formulas.settled(&inliner.target).last
     }
 
     /// Tries the other ways; the first of equals stays.
@@ -68,24 +73,27 @@ impl<'m> Choice<'m> {
             directions.iter().map(way)
         });
         for way in ways.skip(1) {
-            self.try_way(state, inliner, definition, way);
+            self.try_way(state, inliner, definition, way, 0.0);
         }
         if state.algebra.has_products() {
             let way = Way {
                 products: true,
                 ..self.way
             };
-            self.try_way(state, inliner, definition, way);
+            self.try_way(state, inliner, definition, way, WORTH);
         }
+        let formulas = std::mem::take(&mut self.formulas);
+        self.formulas = formulas.settled(&inliner.target);
     }
 
-    /// Takes another way if it costs less.
+    /// Takes another way if it costs less, by more than a share.
     fn try_way(
         &mut self,
         state: &mut State<'_, 'm>,
         inliner: &mut Inliner,
         definition: &EvaluatorDef,
         way: Way,
+        share: f64,
     ) {
         let scalars = request(state, definition, way).scalars;
         if scalars == self.scalars {
@@ -93,8 +101,8 @@ impl<'m> Choice<'m> {
         }
         let formulas = Formulas::new(inliner, &scalars);
         let [own, other] =
-            [&self.formulas, &formulas].map(|own| time_of(&inliner.target, &own.shared));
-        if other < own {
+            [&self.formulas, &formulas].map(|own| time_of(&inliner.target, &own.last));
+        if f64::from(other) < f64::from(own) * (1.0 - share) {
             *self = Self {
                 scalars,
                 formulas,

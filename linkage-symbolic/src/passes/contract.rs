@@ -1,6 +1,7 @@
 //! Products that are added become multiply-adds, which machines with fused arithmetic do in one step. Without it, equal
 //! products are one operation again: nothing is computed twice.
 
+use crate::count::arrival_times;
 use crate::program::{Binary, Fused, Instruction, Program, Unary, Value};
 
 /// Replaces `a * b + c`, `a * b - c` and `c - a * b`, and removes the products that nobody uses any more.
@@ -65,16 +66,6 @@ fn fuse(program: &Program, known: &[u32], sum: Value) -> Option<Instruction> {
         (_, false) => Fused::SubMul,
     };
     factors.map(|(x, y)| Instruction::Fused(operation, x, y, term))
-}
-
-/// When each value is known, in rough cycles, if everything runs as early as it can.
-fn arrival_times(program: &Program) -> Vec<u32> {
-    let mut known: Vec<u32> = Vec::with_capacity(program.instructions.len());
-    for instruction in &program.instructions {
-        let latest = instruction.operands().map(|x| known[x.0]).max();
-        known.push(latest.unwrap_or(0) + instruction.latency());
-    }
-    known
 }
 
 #[cfg(test)]

@@ -5,11 +5,13 @@ mod cuts;
 mod derivatives;
 mod expressions;
 mod graphs;
+mod half_angles;
 mod lengths;
 mod multiples;
 mod operations;
 mod polynomials;
 mod programs;
+mod roots_last;
 mod stages;
 mod vectors;
 
