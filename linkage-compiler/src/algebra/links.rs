@@ -2,7 +2,7 @@
 //!
 //! They stand for components of right-hand sides and of links. Whether that is shorter is a matter of the function.
 
-use linkage_symbolic::{Ex, SymbolId, V2, Vector};
+use linkage_symbolic::{Ex, SymbolId, V2, V3, Vector};
 
 use super::Algebra;
 use super::adjoint::Multiplier;
@@ -19,6 +19,20 @@ pub(crate) struct Link<'m> {
     /// Of its length.
     pub(crate) square: Ex<'m>,
     /// `vector x column` of the other unknown.
+    pub(crate) across: Ex<'m>,
+}
+
+/// A rod in space between a known point and one that the unknown of its group moves: the equation says that its length is given.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rod<'m> {
+    /// `known` and a vector that the unknown moves.
+    pub(crate) vector: V3<'m>,
+    pub(crate) known: V3<'m>,
+    pub(crate) length: Ex<'m>,
+    /// What the unknown moves its end by, and what that is made of.
+    pub(crate) slope: V3<'m>,
+    pub(crate) arms: [V3<'m>; 2],
+    /// The scalar product of the rod and the vector that the unknown turns, 0 for one that it only moves.
     pub(crate) across: Ex<'m>,
 }
 
@@ -47,12 +61,44 @@ impl<'m> Algebra<'m> {
         self.derivatives.has_products
     }
 
+    /// Second derivatives of a rod's unknown: with `V'` the rod's first derivative, `V . V'' + V' . V' = 0`, where `V` meets what turns in a product that is known.
+    fn rates_of_rod(&mut self, group: usize, by: &[SymbolId]) -> Option<Vec<Ex<'m>>> {
+        let rod = self.solutions.groups[group].rod?;
+        let &[x, y] = by else {
+            return None;
+        };
+        let fixed =
+            |own: &mut Self, v: V3<'m>| v.map(|c| own.slope(c, x) + own.slope(c, y)).is_zero();
+        if !rod.arms.into_iter().all(|arm| fixed(self, arm))
+            || !self.slope(rod.length, x).is_zero()
+            || !self.slope(rod.length, y).is_zero()
+        {
+            return None;
+        }
+        self.derivatives.has_products = true;
+        if !self.solutions.by_products {
+            return None;
+        }
+        let determinant = self.solutions.groups[group].determinant;
+        let [rate_x, rate_y] = [x, y].map(|v| self.rates(group, vec![v]).rates[0]);
+        let known_x = rod.known.map(|c| self.slope(c, x));
+        let known_y = rod.known.map(|c| self.slope(c, y));
+        let known_xy = known_x.map(|c| self.slope(c, y));
+        let first = known_x + rate_x * rod.slope;
+        let second = known_y + rate_y * rod.slope;
+        let right = (rate_x * rate_y) * rod.across - rod.vector.dot(known_xy) - first.dot(second);
+        Some(vec![self.rate_symbol(group, 0, by, right / determinant)])
+    }
+
     /// Second and further derivatives of two links that turn: the part of the right-hand side that turning makes lies along the links, which it meets in products.
     pub(super) fn rates_by_products(
         &mut self,
         group: usize,
         by: &[SymbolId],
     ) -> Option<Vec<Ex<'m>>> {
+        if let Some(rates) = self.rates_of_rod(group, by) {
+            return Some(rates);
+        }
         let (&last, before) = by.split_last()?;
         let solution = &self.solutions.groups[group];
         let [Some(first), Some(second)] = solution.links else {

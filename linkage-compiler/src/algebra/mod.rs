@@ -37,7 +37,7 @@ pub(crate) use bearing::{Bearing, Phasor};
 pub(crate) use carrier::Carrier;
 pub(crate) use elimination::{CoreRow, Elimination, PrivateColumn};
 pub(crate) use even::{ALIKE, Even};
-pub(crate) use links::Link;
+pub(crate) use links::{Link, Rod};
 pub(crate) use names::{Angle, Bound, Names, StandsFor};
 pub(crate) use nominal::Nominal;
 pub(crate) use other_side::OtherSide;

@@ -4,7 +4,7 @@ use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, SymbolId, V2};
 
-use super::{Carrier, Elimination, Link, OtherSide};
+use super::{Carrier, Elimination, Link, OtherSide, Rod};
 
 /// How a symbol that lives by its definition is differentiated.
 #[derive(Clone, Debug)]
@@ -109,6 +109,8 @@ pub(crate) struct Solution<'m> {
     pub(crate) elimination: Option<Elimination<'m>>,
     /// The links that turn with the first and the second of two unknowns. Their terms stand first.
     pub(crate) links: [Option<Link<'m>>; 2],
+    /// For an equation that says how long a rod is.
+    pub(crate) rod: Option<Rod<'m>>,
 }
 
 /// The groups that are solved, and what follows for symbols.

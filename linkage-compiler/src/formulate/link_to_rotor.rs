@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, V3, Vector};
 
-use crate::algebra::{Bearing, Term};
+use crate::algebra::{Bearing, Rod, Term};
 
 use super::circles::Squares;
 use super::plane::{defined_gap, gap, guarded};
@@ -55,6 +55,7 @@ impl<'m> Solver<'_, 'm> {
             self.alias("coupler", guarded(value, h), equal)
         }));
         let slope = Vector([0, 1, 2].map(|k| sine[k] * cos - cosine[k] * sin));
+        let moved = slope;
         let slope = link.dot(slope);
         let determinant = self.alias("det", -circles.product, slope);
         let mut terms = distance_terms(link, known, l);
@@ -65,6 +66,17 @@ impl<'m> Solver<'_, 'm> {
             }));
         }
         self.push_single(terms, determinant);
+        // `(V - K)^2 = r^2` and `V^2 = l^2`.
+        let across = 0.5 * (l.square() + r.square()) - 0.5 * (seen.square() + z.square());
+        let across = self.alias("product", across, link.dot(turned));
+        self.rod(Rod {
+            vector: link,
+            known,
+            length: l,
+            slope: moved,
+            arms: [cosine, sine],
+            across,
+        });
 
         let distance = seen.length();
         let (far, near) = (distance + r, distance - r);

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use crate::algebra::Term;
+use crate::algebra::{Rod, Term};
 
 use super::plane::{gap, guarded, squarable};
 use super::space::{distance_terms, projection};
@@ -46,6 +46,14 @@ impl<'m> Solver<'_, 'm> {
             factor: link[k] * s,
         }));
         self.push_single(terms, determinant);
+        self.rod(Rod {
+            vector: link,
+            known,
+            length: l,
+            slope: guide,
+            arms: [guide; 2],
+            across: self.algebra.zero(),
+        });
 
         Closed {
             kind: "SSP".into(),

@@ -88,6 +88,7 @@ impl<'m> Solver<'_, 'm> {
             determinant,
             elimination: None,
             links: [None; 2],
+            rod: None,
         });
     }
 
@@ -119,6 +120,7 @@ impl<'m> Solver<'_, 'm> {
             determinant,
             elimination: None,
             links: [None; 2],
+            rod: None,
         });
     }
 }

@@ -3,7 +3,9 @@
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, Node, V3, Vector, agree_within};
 
-use crate::algebra::Term;
+use crate::algebra::{Rod, Term};
+
+use super::Solver;
 
 /// The terms `K.V - l l` of `(V.V - l^2)/2`, where `V` is the link's vector: what is known before the group enters by its
 /// derivative times these factors.
@@ -15,6 +17,14 @@ pub(super) fn distance_terms<'m>(link: V3<'m>, known: V3<'m>, length: Ex<'m>) ->
     };
     let components = known.components().zip(link.components());
     components.chain([(length, minus)]).map(term).collect()
+}
+
+impl<'m> Solver<'_, 'm> {
+    /// Records the rod of the group that was recorded last.
+    pub(super) fn rod(&mut self, rod: Rod<'m>) {
+        let group = self.algebra.solutions.groups.last_mut();
+        group.expect("the group that is solved").rod = Some(rod);
+    }
 }
 
 /// The length of a vector, which is `rounded`, without a root where it is some number that the vector was made of: a rocker's length times a direction.

@@ -49,6 +49,7 @@ impl<'m> Solver<'_, 'm> {
             determinant,
             elimination: Some(elimination),
             links: [None; 2],
+            rod: None,
         });
 
         let largest = guides.into_iter().fold(one, |product, guide| {

@@ -42,20 +42,26 @@ impl Formulas {
             let program = polished(schedule(graph, outputs, &mut Slots::default()));
             (time(&program), chain(&program))
         };
-        let mut least = cost(&self.shared);
-        let mut take = |last: &mut Vec<NodeId>, other: Vec<NodeId>| {
-            let own = cost(&other);
-            if own < least {
-                least = own;
-                *last = other;
+        let mut least = None;
+        let mut shorter = |old: &[NodeId], new: &[NodeId]| {
+            // Most functions have nothing to be changed: then nothing is measured.
+            old != new && {
+                let before = *least.get_or_insert_with(|| cost(old));
+                let after = cost(new);
+                least = Some(before.min(after));
+                after < before
             }
         };
-        if let Some(halved) = by_half_angles(graph, &self.shared) {
-            take(&mut self.halved, halved);
+        if let Some(halved) = by_half_angles(graph, &self.shared)
+            && shorter(&self.shared, &halved)
+        {
+            self.halved = halved;
         }
-        self.last = self.halved.clone();
+        self.last.clone_from(&self.halved);
         for last in roots_last(graph, &self.halved) {
-            take(&mut self.last, last);
+            if shorter(&self.last, &last) {
+                self.last = last;
+            }
         }
         self
     }

@@ -21,6 +21,8 @@ pub(super) struct Choice<'m> {
     pub(super) formulas: Formulas,
     way: Way,
     by_parameters: bool,
+    /// What a call costs, once another way has been tried.
+    time: Option<u32>,
 }
 
 /// What known products of links must spare, as a share of the time. They join what several groups compute, and where two of those wait for each other's roots an optimiser that
@@ -35,6 +37,7 @@ impl<'m> Choice<'m> {
             scalars: requested.scalars,
             way: Way::default(),
             by_parameters: requested.by_parameters,
+            time: None,
         }
     }
 
@@ -56,23 +59,21 @@ impl<'m> Choice<'m> {
         inliner: &mut Inliner,
         definition: &EvaluatorDef,
     ) {
-        let directions: &[Direction] = match self.by_parameters {
-            true => &Direction::ALL,
-            false => &[Direction::Forward],
-        };
-        let other_sides: &[bool] = match state.algebra.solutions.other_sides.is_empty() {
-            true => &[false],
-            false => &[false, true],
-        };
-        let ways = other_sides.iter().flat_map(|&other_sides| {
-            let way = move |&direction| Way {
-                direction,
-                other_sides,
-                products: false,
+        // One after the other: each choice is made with those before.
+        if self.by_parameters {
+            for direction in Direction::ALL {
+                let way = Way {
+                    direction,
+                    ..self.way
+                };
+                self.try_way(state, inliner, definition, way, 0.0);
+            }
+        }
+        if !state.algebra.solutions.other_sides.is_empty() {
+            let way = Way {
+                other_sides: true,
+                ..self.way
             };
-            directions.iter().map(way)
-        });
-        for way in ways.skip(1) {
             self.try_way(state, inliner, definition, way, 0.0);
         }
         if state.algebra.has_products() {
@@ -100,14 +101,16 @@ impl<'m> Choice<'m> {
             return;
         }
         let formulas = Formulas::new(inliner, &scalars);
-        let [own, other] =
-            [&self.formulas, &formulas].map(|own| time_of(&inliner.target, &own.last));
+        let time_of = |own: &Formulas| time_of(&inliner.target, &own.last);
+        let own = *self.time.get_or_insert_with(|| time_of(&self.formulas));
+        let other = time_of(&formulas);
         if f64::from(other) < f64::from(own) * (1.0 - share) {
             *self = Self {
                 scalars,
                 formulas,
                 way,
                 by_parameters: self.by_parameters,
+                time: Some(other),
             };
         }
     }

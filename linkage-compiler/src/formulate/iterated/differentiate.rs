@@ -50,6 +50,7 @@ impl<'m> Solver<'_, 'm> {
             determinant,
             elimination: Some(elimination),
             links: [None; 2],
+            rod: None,
         });
     }
 

@@ -92,6 +92,7 @@ impl<'m> Solver<'_, 'm> {
                 privates: Vec::new(),
             }),
             links: [None; 2],
+            rod: None,
         });
     }
 }
