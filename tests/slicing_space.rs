@@ -112,8 +112,8 @@ fn what_groups_share_is_computed_once() {
     assert_eq!(cost("twice"), cost("end"));
     let [end, tool, slide, all] = ["end", "tool", "slide", "everything"].map(|n| cost(n).total());
     assert!(all < tool + slide && all >= tool && all >= slide);
-    // Who does not return the end itself may put its offset together with others.
-    assert!(all <= tool + slide - end + 2, "{all} {tool} {slide} {end}");
+    // Who does not return the end itself may put its offset together with others, or turn a vector before the root that nobody else asks for.
+    assert!(all <= tool + slide - end + 3, "{all} {tool} {slide} {end}");
     let [rate, both] = ["rate", "end_rate"].map(|n| cost(n).total());
     assert!(both < rate + end);
 }
