@@ -220,7 +220,10 @@ impl<'m> Algebra<'m> {
                 self.rate_symbol(group, position, by, quotient)
             })
             .collect();
-        if let Some((alone, row)) = triangular(&jacobian) {
+        // Where the other one does not change, only the determinant says whether the loop closes.
+        if let Some((alone, row)) = triangular(&jacobian)
+            && !rates[1 - alone].is_zero()
+        {
             let other = jacobian[1 - alone][row] * rates[1 - alone];
             let quotient = (right[row] - other) / jacobian[alone][row];
             rates[alone] = self.rate_symbol(group, alone, by, quotient);
@@ -262,7 +265,7 @@ impl<'m> Algebra<'m> {
 }
 
 /// Of two equations, the unknown that only one of them contains, and which.
-pub(super) fn triangular(jacobian: &[Vec<Ex>]) -> Option<(usize, usize)> {
+fn triangular(jacobian: &[Vec<Ex>]) -> Option<(usize, usize)> {
     if jacobian.len() != 2 {
         return None;
     }
