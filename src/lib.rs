@@ -10,10 +10,10 @@ pub use linkage_runtime::Lanes;
 /// The library whose vectors and poses results are: what else it offers for them, in the version that fits.
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
-    AssemblyError, AssemblyMode, Axis, Column, Dimensions, Frame, FunctionInfo, Group, Guide,
-    GuideOn, Heading, Input, Meaning, Operations, Parameter, Picture, PictureColumns, PictureLink,
-    PicturePoint, PointKind, Scalar, Structure, Table, Vector2, Vector3, true_acceleration,
-    true_velocity,
+    AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
+    Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning, Operations,
+    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePoint, PointKind, Scalar,
+    Structure, Table, Vector2, Vector3, true_acceleration, true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};
@@ -149,10 +149,10 @@ pub mod __private {
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::generated::{fill_followed_parallel, fill_parallel};
     pub use linkage_runtime::{
-        AssemblyError, AssemblyMode, Axis, Column, Dimensions, FUSED, Frame, FunctionInfo, Group,
-        Guide, GuideOn, Heading, Input, Meaning, Operations, Parameter, Picture, PictureColumns,
-        PictureLink, PicturePoint, PointKind, Scalar, Structure, Table, Vector2, Vector3, if_alloc,
-        if_rayon, if_report,
+        AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, FUSED, Frame,
+        FunctionInfo, Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning,
+        Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePoint,
+        PointKind, Scalar, Structure, Table, Vector2, Vector3, if_alloc, if_rayon, if_report,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle};

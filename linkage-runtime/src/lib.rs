@@ -68,7 +68,10 @@ pub use motion::{true_acceleration, true_velocity};
 pub use nalgebra::{self, Vector2, Vector3};
 #[cfg(feature = "alloc")]
 pub use numeric::roots::Unlisted;
-pub use picture::{Axis, Guide, GuideOn, Picture, PictureLink, PicturePoint, PointKind};
+pub use picture::{
+    Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Picture, PictureJoint,
+    PictureLink, PicturePoint, PointKind,
+};
 #[cfg(feature = "num-dual")]
 pub use scalar::Dual;
 #[doc(hidden)]

@@ -20,6 +20,12 @@ pub struct Picture {
     pub guides: &'static [Guide],
     /// In space: the axes about which something turns.
     pub axes: &'static [Axis],
+    /// Points in which links meet, and how they move there.
+    pub joints: &'static [PictureJoint],
+    /// Wheels whose angles belong together.
+    pub gears: &'static [Gear],
+    /// What inputs move.
+    pub drives: &'static [Drive],
 }
 
 /// A point of the picture.
@@ -40,6 +46,8 @@ pub enum PointKind {
     Joint,
     /// It belongs to one link, as the tip of a needle does.
     Tip,
+    /// It moves, but no link that is told by the program carries it.
+    Loose,
     /// It only says where a guide is, and is not drawn.
     Construction,
 }
@@ -66,6 +74,17 @@ pub struct Guide {
     pub slider: usize,
     /// What the guide is part of.
     pub on: GuideOn,
+    /// What it looks like.
+    pub shape: GuideShape,
+}
+
+/// What a guide looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum GuideShape {
+    /// A slot or a rail with a block.
+    Slot,
+    /// A cylinder between two pins, of which the slider is the end of the piston rod.
+    Cylinder,
 }
 
 /// What carries a guide.
@@ -77,6 +96,59 @@ pub enum GuideOn {
     Link(usize),
     /// A link of its own that turns about the origin, as in an oscillating cylinder.
     Itself,
+}
+
+/// Where links meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PictureJoint {
+    /// The point.
+    pub point: usize,
+    /// How the links move against each other.
+    pub shape: JointShape,
+}
+
+/// Two wheels that turn each other.
+///
+/// Their ratio is that of the angles by which the links turn between any two positions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Gear {
+    /// The points that the wheels turn about.
+    pub centres: [usize; 2],
+    /// A point of the link that each wheel is part of.
+    pub ends: [usize; 2],
+}
+
+/// What an input moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drive {
+    /// Index among the inputs.
+    pub input: usize,
+    /// What it moves.
+    pub on: DriveOn,
+}
+
+/// What a drive moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DriveOn {
+    /// It turns a link about the first point; the second one belongs to the link.
+    Turn([usize; 2]),
+    /// It moves the slider of a guide.
+    Slide(usize),
+}
+
+/// How links move against each other in a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum JointShape {
+    /// They turn about one axis; in the plane, about the point.
+    Pin,
+    /// They slide along one line.
+    Slide,
+    /// They turn about a point, in any direction.
+    Ball,
+    /// They turn about two axes through a point.
+    Universal,
+    /// They turn about a line and slide along it.
+    Cylindrical,
 }
 
 /// An axis in space.

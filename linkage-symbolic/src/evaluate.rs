@@ -3,11 +3,20 @@
 use crate::unordered::Map;
 
 use crate::expression::Ex;
-use crate::graph::{Graph, Node, NodeId};
+use crate::graph::{Graph, Node, NodeId, SymbolId};
 use crate::program::Source;
 
 /// Evaluates expressions, following definitions. Symbols that have neither source nor definition are NaN.
 pub fn evaluate(roots: &[Ex], load: impl Fn(Source) -> f64) -> Vec<f64> {
+    evaluate_given(roots, load, |_| None)
+}
+
+/// Evaluates expressions with values for some symbols, whatever their definitions say.
+pub fn evaluate_given(
+    roots: &[Ex],
+    load: impl Fn(Source) -> f64,
+    given: impl Fn(SymbolId) -> Option<f64>,
+) -> Vec<f64> {
     let Some(graph) = roots.first().map(|root| root.graph()) else {
         return Vec::new();
     };
@@ -15,6 +24,15 @@ pub fn evaluate(roots: &[Ex], load: impl Fn(Source) -> f64) -> Vec<f64> {
     let mut stack: Vec<NodeId> = roots.iter().map(|root| root.id()).collect();
     while let Some(&id) = stack.last() {
         if memo.contains_key(&id) {
+            stack.pop();
+            continue;
+        }
+        let own = match graph.node(id) {
+            Node::Symbol(symbol) => given(symbol),
+            _ => None,
+        };
+        if let Some(value) = own {
+            memo.insert(id, value);
             stack.pop();
             continue;
         }

@@ -34,7 +34,7 @@ pub mod unordered;
 mod vector;
 
 pub use differentiate::{Calculus, DerivativeMemo, differentiate, pull_back};
-pub use evaluate::evaluate;
+pub use evaluate::{evaluate, evaluate_given};
 pub use expression::Ex;
 pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
 pub use half_angles::by_half_angles;

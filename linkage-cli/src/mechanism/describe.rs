@@ -6,7 +6,7 @@ use linkage_runtime::generated::{
 };
 use linkage_runtime::{
     Axis, Column, FunctionInfo, Group, Guide, Heading, Input, Operations, Parameter,
-    PictureColumns, PictureLink, PicturePoint, Structure,
+    PictureColumns, PictureJoint, PictureLink, PicturePoint, Structure,
 };
 use linkage_symbolic::count::Count;
 
@@ -125,9 +125,14 @@ fn picture(own: &Picture) -> &'static linkage_runtime::Picture {
         direction: guide.direction,
         slider: guide.slider,
         on: guide.on,
+        shape: guide.shape,
     });
     let axes = own.axes.iter();
     let axes = axes.map(|&(point, direction)| Axis { point, direction });
+    let joints = own.joints.iter().map(|joint| PictureJoint {
+        point: joint.point,
+        shape: joint.shape,
+    });
     forever(linkage_runtime::Picture {
         dimension: own.dimension,
         points: forever(points.collect::<Vec<_>>()),
@@ -135,6 +140,9 @@ fn picture(own: &Picture) -> &'static linkage_runtime::Picture {
         links: forever(links.collect::<Vec<_>>()),
         guides: forever(guides.collect::<Vec<_>>()),
         axes: forever(axes.collect::<Vec<_>>()),
+        joints: forever(joints.collect::<Vec<_>>()),
+        gears: forever(own.gears.clone()),
+        drives: forever(own.drives.clone()),
     })
 }
 

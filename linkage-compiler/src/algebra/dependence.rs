@@ -56,14 +56,6 @@ impl<'m> Algebra<'m> {
         inputs
     }
 
-    /// Whether something is computed from what the loops tell.
-    pub(crate) fn depends_on_unknowns(&self, all: &[Ex<'m>]) -> bool {
-        let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
-        let symbols = self.graph.symbols_of(&nodes).into_iter();
-        let mut sources = symbols.map(|symbol| self.graph.symbol(symbol).source);
-        sources.any(|source| source.is_none())
-    }
-
     fn inputs_of_symbol(&mut self, symbol: SymbolId) -> Vec<usize> {
         if let Some(known) = self.derivatives.dependence.inputs.get(&symbol) {
             return known.clone();

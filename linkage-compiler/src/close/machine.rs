@@ -5,7 +5,7 @@ use linkage_symbolic::unordered::Map;
 use linkage_runtime::Scalar;
 use linkage_symbolic::interpret::{run, run_steps};
 use linkage_symbolic::program::{Program, Source, Value};
-use linkage_symbolic::{Ex, evaluate};
+use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::formulate::Formulation;
@@ -123,6 +123,26 @@ impl Machine {
     pub(crate) fn evaluate(&self, all: &[Ex], inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs);
         evaluate(all, |source| self.load(source, inputs, &states))
+    }
+
+    /// Expressions at given inputs with given unknowns, whether or not these close the loops.
+    pub(crate) fn evaluate_open(
+        &self,
+        all: &[Ex],
+        inputs: &[f64],
+        unknowns: &Map<SymbolId, f64>,
+    ) -> Vec<f64> {
+        let states = self.states(inputs);
+        let load = |source| self.load(source, inputs, &states);
+        evaluate_given(all, load, |symbol| unknowns.get(&symbol).copied())
+    }
+
+    /// The same mechanism, in the same assembly, with other dimensions.
+    pub(crate) fn with_dimensions(&self, parameters: Vec<f64>) -> Self {
+        Self {
+            parameters,
+            ..self.clone()
+        }
     }
 
     /// All values at given inputs.

@@ -27,6 +27,7 @@ mod words;
 pub(crate) use check::check_ranges;
 pub(crate) use directions::check_directions;
 pub(crate) use follow::followed_range;
+pub(crate) use machine::Machine;
 pub(crate) use places::places;
 pub(crate) use reference::{Reference, assemble_reference};
 pub(crate) use unused::warn_of_unused;

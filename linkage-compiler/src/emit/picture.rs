@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::outline::Outline;
 use super::{attribute, literal};
-use crate::unit::{GuideOn, Picture, PointKind};
+use crate::unit::{DriveOn, GuideOn, GuideShape, JointShape, Picture, PointKind};
 
 /// The constant of a mechanism that has a picture.
 pub(super) fn items(outline: &Outline, picture: &Picture) -> TokenStream {
@@ -30,6 +30,7 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
             PointKind::Ground => quote!(Ground),
             PointKind::Joint => quote!(Joint),
             PointKind::Tip => quote!(Tip),
+            PointKind::Loose => quote!(Loose),
             PointKind::Construction => quote!(Construction),
         };
         quote!(#runtime::PicturePoint { name: #name, kind: #runtime::PointKind::#kind })
@@ -52,15 +53,52 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
                 quote!(Link(#link))
             }
         };
+        let shape = match guide.shape {
+            GuideShape::Slot => quote!(Slot),
+            GuideShape::Cylinder => quote!(Cylinder),
+        };
         quote! {
             #runtime::Guide {
                 name: #name, origin: #origin, direction: #direction, slider: #slider, on: #runtime::GuideOn::#on,
+                shape: #runtime::GuideShape::#shape,
             }
         }
     });
     let axes = picture.axes.iter().map(|&(point, direction)| {
         let (point, direction) = (literal::index(point), literal::index(direction));
         quote!(#runtime::Axis { point: #point, direction: #direction })
+    });
+    let joints = picture.joints.iter().map(|joint| {
+        let point = literal::index(joint.point);
+        let shape = match joint.shape {
+            JointShape::Pin => quote!(Pin),
+            JointShape::Slide => quote!(Slide),
+            JointShape::Ball => quote!(Ball),
+            JointShape::Universal => quote!(Universal),
+            JointShape::Cylindrical => quote!(Cylindrical),
+        };
+        quote!(#runtime::PictureJoint { point: #point, shape: #runtime::JointShape::#shape })
+    });
+    let gears = picture.gears.iter().map(|gear| {
+        let ([a, b], [c, d]) = (
+            gear.centres.map(literal::index),
+            gear.ends.map(literal::index),
+        );
+        quote!(#runtime::Gear { centres: [#a, #b], ends: [#c, #d] })
+    });
+    let drives = picture.drives.iter().map(|drive| {
+        let input = literal::index(drive.input);
+        let on = match drive.on {
+            DriveOn::Turn(points) => {
+                let [a, b] = points.map(literal::index);
+                quote!(Turn([#a, #b]))
+            }
+            DriveOn::Slide(guide) => {
+                let guide = literal::index(guide);
+                quote!(Slide(#guide))
+            }
+        };
+        quote!(#runtime::Drive { input: #input, on: #runtime::DriveOn::#on })
     });
     quote! {
         #runtime::Picture {
@@ -70,6 +108,9 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
             links: &[#(#links),*],
             guides: &[#(#guides),*],
             axes: &[#(#axes),*],
+            joints: &[#(#joints),*],
+            gears: &[#(#gears),*],
+            drives: &[#(#drives),*],
         }
     }
 }

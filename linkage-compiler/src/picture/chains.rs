@@ -6,8 +6,9 @@ use linkage_symbolic::Vn;
 
 use crate::algebra::{Algebra, Translate};
 use crate::diagnostic::OriginId;
-use crate::model::{Expr, ExprKind, Function, Name, Type};
+use crate::model::{Expr, ExprKind, JointKind, Name, Type};
 
+use super::parts::{Part, Slide, Turn};
 use super::roles::{Moves, Roles};
 
 /// Points and what lies between them, as they are found; several may be one and the same.
@@ -17,10 +18,15 @@ pub(super) struct Sketch<'a, 'm> {
     pub(super) dimension: usize,
     pub(super) points: Vec<Spot<'m>>,
     pub(super) segments: Vec<Segment<'m>>,
+    pub(super) means: Vec<Mean>,
     /// Guides that are no terms of a chain.
     pub(super) lines: Vec<Line<'m>>,
     /// In space: points and directions of axes.
     pub(super) axes: Vec<(usize, Vn<'m>)>,
+    /// In space: what turns the steps that end in points.
+    turns: Vec<(usize, Turn<'m>)>,
+    /// Points at which the program has joints.
+    pub(super) joints: Vec<(usize, JointKind)>,
     /// Links that the user named, each by its points.
     pub(super) asked: Vec<Asked>,
     /// Added to the ranks of names: those in loops are better.
@@ -52,16 +58,27 @@ pub(super) struct Segment<'m> {
     pub(super) to: usize,
     pub(super) title: Option<Title>,
     pub(super) shape: Shape<'m>,
+    /// The vector from one to the other, as it is written.
+    pub(super) step: Vn<'m>,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Shape<'m> {
     /// A term of a sum with its sign: if it is no link, it may be a slide.
     Term(f64, &'m Expr),
+    /// A part of a term.
+    Part(f64, Option<Slide<'m>>),
     /// A distance: if it is no link, its ends slide along each other.
     Distance,
-    /// Two points of a body.
-    Body,
+    /// Two points of a body, of which declarations have numbers.
+    Body(Option<usize>),
+}
+
+/// A point that is computed from others, by a mean or in a frame: it may belong to their link.
+#[derive(Clone, Debug)]
+pub(super) struct Mean {
+    pub(super) point: usize,
+    pub(super) of: Vec<usize>,
 }
 
 /// A point that stays on a line.
@@ -70,6 +87,8 @@ pub(super) struct Line<'m> {
     pub(super) slider: usize,
     /// A point of what carries the line; `None` is the frame.
     pub(super) carrier: Option<usize>,
+    /// Whether the line goes through that point.
+    pub(super) through: bool,
     pub(super) along: Vn<'m>,
     pub(super) name: String,
 }
@@ -87,6 +106,8 @@ pub(super) struct Term<'m> {
     pub(super) expr: &'m Expr,
     /// The name that it goes by.
     pub(super) name: Option<String>,
+    /// If it is only a part of the expression.
+    pub(super) part: Option<Part<'m>>,
 }
 
 /// Longer sums are not looked at.
@@ -101,8 +122,11 @@ impl<'a, 'm> Sketch<'a, 'm> {
             dimension,
             points: Vec::new(),
             segments: Vec::new(),
+            means: Vec::new(),
             lines: Vec::new(),
             axes: Vec::new(),
+            turns: Vec::new(),
+            joints: Vec::new(),
             asked: Vec::new(),
             remoteness: 0,
             searched: Set::new(),
@@ -148,11 +172,12 @@ impl<'a, 'm> Sketch<'a, 'm> {
     fn fixed_start(&mut self, terms: &mut Vec<Term<'m>>) -> usize {
         let (moving, fixed): (Vec<_>, Vec<_>) = std::mem::take(terms)
             .into_iter()
-            .partition(|term| self.moves(term.expr) != Moves::Not);
+            .partition(|term| self.moves_of(term) != Moves::Not);
         *terms = moving;
         let point = self.sum(&fixed);
         if let [term] = &fixed[..]
             && term.sign > 0.0
+            && term.part.is_none()
             && let ExprKind::Name(Name::Parameter(_) | Name::Const(_)) = term.expr.kind
         {
             self.name(point, 2, term.expr);
@@ -164,76 +189,50 @@ impl<'a, 'm> Sketch<'a, 'm> {
     fn sum(&mut self, terms: &[Term<'m>]) -> usize {
         let start = self.algebra.graph.zeros(self.dimension);
         let sum = terms.iter().fold(start, |sum, term| {
-            let step = self.vector(term.expr);
+            let step = self.step_of(term);
             moved(sum, step, term.sign)
         });
         self.point(sum)
     }
 
-    /// A term that is a point.
-    fn start(&mut self, expr: &'m Expr) -> usize {
-        let at = self.vector(expr);
-        let point = self.point(at);
-        if let ExprKind::Call(Function::PointIn, arguments) = &expr.kind
-            && let Some(origin) = self.origin_of(&arguments[0])
-        {
-            self.segment(origin, point, None, Shape::Body);
-        }
-        // A mean of points may belong to their link.
-        if let ExprKind::Binary(..) = expr.kind {
-            for own in self.points_in(expr) {
-                let at = self.vector(own);
-                let own = self.point(at);
-                self.segment(own, point, None, Shape::Body);
-            }
-        }
-        point
-    }
-
-    /// The names of points in an expression.
-    fn points_in(&self, expr: &'m Expr) -> Vec<&'m Expr> {
-        let names = expr.parts().filter(|part| part.as_name().is_some());
-        names.filter(|own| self.weight(own) == Some(1.0)).collect()
-    }
-
-    /// The point that a frame has its origin in.
-    fn origin_of(&mut self, frame: &'m Expr) -> Option<usize> {
-        let mechanism = self.algebra.mechanism;
-        match &frame.kind {
-            ExprKind::Name(name) => self.origin_of(mechanism.value_of(*name)?),
-            ExprKind::Call(Function::Frame, arguments) => self.point_of(&arguments[0]),
-            // Nothing else is a frame.
-            _ => None,
-        }
-    }
-
     fn step(&mut self, from: usize, term: Term<'m>) -> usize {
-        let step = self.vector(term.expr);
+        let step = self.step_of(&term);
         let to = self.point(moved(self.points[from].at, step, term.sign));
-        if let ExprKind::Call(Function::Turn, arguments) = &term.expr.kind
-            && self.varies(&arguments[2])
-        {
-            let axis = self.vector(&arguments[1]);
-            self.axis(from, axis);
+        for turn in self.turns_of(&term) {
+            // What turns with the step before does not turn against it.
+            if !self.turns.contains(&(from, turn)) {
+                self.axis(from, turn.along);
+            }
+            self.turns.push((to, turn));
         }
-        let title = match term.name {
-            Some(text) => Some(Title {
-                rank: 1 + self.remoteness,
-                text,
-            }),
-            None => self.title(term.expr),
+        let text = |rank: u8| move |text| Title { rank, text };
+        let (title, shape) = match (term.name, term.part) {
+            (Some(name), None) => (
+                Some(text(1 + self.remoteness)(name)),
+                Shape::Term(term.sign, term.expr),
+            ),
+            (None, None) => (self.title(term.expr), Shape::Term(term.sign, term.expr)),
+            (name, Some(part)) => {
+                let named = name.map(text(1 + self.remoteness));
+                let title = named.or(part.title);
+                (title, Shape::Part(term.sign, part.slide))
+            }
         };
-        self.segment(from, to, title, Shape::Term(term.sign, term.expr));
+        if from != to {
+            self.segments.push(Segment {
+                from,
+                to,
+                title,
+                shape,
+                step,
+            });
+        }
         to
     }
 
     /// What an expression moves with.
     pub(super) fn moves(&self, expr: &Expr) -> Moves {
         self.roles.moves(expr)
-    }
-
-    fn varies(&self, expr: &Expr) -> bool {
-        self.moves(expr) != Moves::Not
     }
 
     /// Whether it is a vector of the picture's dimension, or a zero.
@@ -273,22 +272,14 @@ impl<'a, 'm> Sketch<'a, 'm> {
         shape: Shape<'m>,
     ) {
         if from != to {
+            let step = self.points[to].at - self.points[from].at;
             self.segments.push(Segment {
                 from,
                 to,
                 title,
                 shape,
+                step,
             });
-        }
-    }
-
-    /// Remembers an axis through a point of space.
-    pub(super) fn axis(&mut self, point: usize, along: Vn<'m>) {
-        if let Some(along) = along.in_space() {
-            let axis = (point, along.unit().into());
-            if !self.axes.contains(&axis) {
-                self.axes.push(axis);
-            }
         }
     }
 }

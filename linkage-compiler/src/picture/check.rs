@@ -1,7 +1,9 @@
 //! Links that the user lists must be rigid, and move.
 
 use crate::close::numbers;
-use crate::diagnostic::Reporter;
+use crate::diagnostic::text::list;
+use crate::diagnostic::{OriginId, Reporter};
+use crate::unit::{Picture, PointKind};
 
 use super::chains::{Asked, Sketch};
 use super::seen::Seen;
@@ -22,6 +24,28 @@ pub(super) fn check_lists(sketch: &Sketch, seen: &Seen, reporter: &mut Reporter)
     }
 }
 
+/// Warns of points that move, but that no link of the picture carries.
+pub(super) fn warn_of_loose_points(picture: &Picture, origin: OriginId, reporter: &mut Reporter) {
+    let loose = picture.points.iter();
+    let loose = loose.filter(|point| point.kind == PointKind::Loose);
+    let names: Vec<&str> = loose.map(|point| point.name.as_str()).collect();
+    let [first, ..] = names[..] else {
+        return;
+    };
+    let (moves, them) = match names.len() {
+        1 => ("moves", "it"),
+        _ => ("move", "them"),
+    };
+    let fact = format!(
+        "{} {moves}, but no link of the picture carries {them}",
+        list(&names)
+    );
+    let help = format!(
+        "where the loops do not tell of a link, list its points: `picture([{first}, ...])`"
+    );
+    reporter.warning_with_help(origin, fact, &help);
+}
+
 /// Two points of a list whose distance changes, with the numbers.
 fn stretched(sketch: &Sketch, seen: &Seen, asked: &Asked) -> Option<String> {
     let name = |place: usize| {
@@ -35,7 +59,7 @@ fn stretched(sketch: &Sketch, seen: &Seen, asked: &Asked) -> Option<String> {
     let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
     for (a, b) in pairs {
         let distances = seen.distances(asked.points[a], asked.points[b]);
-        if seen.keep_distance(asked.points[a], asked.points[b]) {
+        if seen.keep_distance_as_written(asked.points[a], asked.points[b]) {
             continue;
         }
         let other = distances.iter().copied().fold(distances[0], |far, length| {

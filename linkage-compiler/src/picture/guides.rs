@@ -2,11 +2,12 @@
 
 use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::{Translate, Value};
+use crate::algebra::Translate;
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
 
 use super::chains::{Line, Segment, Shape, Sketch};
-use super::links::Links;
+use super::links::{Links, is_rigid};
+use super::parts::Slide;
 use super::seen::Seen;
 use crate::unit::GuideOn;
 
@@ -24,6 +25,8 @@ pub(super) struct RawGuide<'m> {
     pub(super) slider: usize,
     pub(super) along: Vn<'m>,
     pub(super) on: GuideOn,
+    /// Whether it is a distance: a cylinder between two pins.
+    pub(super) is_cylinder: bool,
 }
 
 /// A guide before it is known what carries it.
@@ -32,6 +35,9 @@ struct Candidate<'m> {
     origin: usize,
     slider: usize,
     along: Vn<'m>,
+    /// Whether the program says that it is on the frame.
+    on_frame: bool,
+    is_cylinder: bool,
 }
 
 impl<'m> Guides<'m> {
@@ -39,7 +45,7 @@ impl<'m> Guides<'m> {
         let mut candidates = Vec::new();
         for segment in sketch.segments.clone() {
             let (from, to) = (seen.same[segment.from], seen.same[segment.to]);
-            if from != to && !seen.keep_distance(from, to) {
+            if from != to && !is_rigid(&segment, seen) {
                 candidates.extend(sketch.slide(&segment, seen));
             }
         }
@@ -47,7 +53,7 @@ impl<'m> Guides<'m> {
             candidates.push(sketch.candidate(line));
         }
         let known = seen.same.len();
-        seen.add(sketch.algebra, &sketch.points[known..]);
+        seen.add(&sketch.points[known..]);
 
         let mut guides = Self { all: Vec::new() };
         for candidate in candidates {
@@ -83,8 +89,10 @@ impl<'m> Guides<'m> {
                 seen.keep_distance(point, origin) && seen.carries(point, origin, &along)
             })
         });
+        let fixed = candidate.on_frame || seen.is_fixed(origin);
         let on = match carrier {
-            _ if seen.is_fixed(origin) && seen.is_steady(&along) => GuideOn::Frame,
+            _ if candidate.is_cylinder => GuideOn::Itself,
+            _ if fixed && seen.is_steady(&along) => GuideOn::Frame,
             Some(link) => GuideOn::Link(link),
             None => GuideOn::Itself,
         };
@@ -94,6 +102,7 @@ impl<'m> Guides<'m> {
             slider,
             along: candidate.along,
             on,
+            is_cylinder: candidate.is_cylinder,
         });
     }
 }
@@ -103,22 +112,22 @@ impl<'m> Sketch<'_, 'm> {
     fn slide(&mut self, segment: &Segment<'m>, seen: &Seen) -> Option<Candidate<'m>> {
         let (mut origin, mut slider) = (segment.from, segment.to);
         let from = self.points[segment.from].at;
-        let (offset, along) = match segment.shape {
-            Shape::Term(sign, term) => {
-                let (offset, along) = self.direction_of(term)?;
-                let signed = offset.map(|offset| if sign > 0.0 { offset } else { -offset });
-                (signed, along)
-            }
+        let (sign, Slide { offset, along }) = match segment.shape {
+            Shape::Term(sign, term) => (sign, self.direction_of(term)?),
+            Shape::Part(sign, slide) => (sign, slide?),
             Shape::Distance => {
                 let to = self.points[segment.to].at;
                 // A cylinder hangs on its fixed end.
                 if seen.is_fixed(slider) {
                     (origin, slider) = (slider, origin);
                 }
-                (None, (to - from).unit())
+                let along = (to - from).unit();
+                let offset = None;
+                (1.0, Slide { offset, along })
             }
-            Shape::Body => return None,
+            Shape::Body(_) => return None,
         };
+        let offset = offset.map(|offset| if sign > 0.0 { offset } else { -offset });
         if let Some(offset) = offset {
             origin = self.point(from + offset);
         }
@@ -128,16 +137,22 @@ impl<'m> Sketch<'_, 'm> {
             origin,
             slider,
             along,
+            on_frame: false,
+            is_cylinder: matches!(segment.shape, Shape::Distance),
         })
     }
 
     /// Along which unit vector a term changes its length, and what it contains across that.
-    fn direction_of(&mut self, term: &'m Expr) -> Option<(Option<Vn<'m>>, Vn<'m>)> {
+    pub(super) fn direction_of(&mut self, term: &'m Expr) -> Option<Slide<'m>> {
+        let straight = |along: Vn<'m>| Slide {
+            offset: None,
+            along,
+        };
         match &term.kind {
             ExprKind::Call(Function::Polar, arguments) => {
                 let angle = self.algebra.translate(&arguments[1]);
                 let unit = self.algebra.call(Function::Dir, vec![angle]);
-                Some((None, self.algebra.vector(&unit)))
+                Some(straight(self.algebra.vector(&unit)))
             }
             ExprKind::Binary(BinaryOp::Mul, a, b) => {
                 let vector = if matches!(a.ty, Type::Vector(..)) {
@@ -145,27 +160,22 @@ impl<'m> Sketch<'_, 'm> {
                 } else {
                     b
                 };
-                Some((None, self.vector(vector).unit()))
+                Some(straight(self.vector(vector).unit()))
             }
             ExprKind::Vector(components) => {
                 let (varying, rest) = self.varying(components)?;
-                Some((Some(rest), self.axis_of(varying)))
+                Some(Slide {
+                    offset: Some(rest),
+                    along: self.axis_of(varying),
+                })
             }
             ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) => {
-                let ExprKind::Vector(components) = &arguments[0].kind else {
-                    return None;
-                };
-                let (varying, rest) = self.varying(components)?;
-                let along = self.axis_of(varying);
-                let mut turned = |vector: Vn<'m>| {
-                    let others = arguments[1..].iter().map(|own| self.algebra.translate(own));
-                    let mut values = vec![Value::Vector(vector)];
-                    values.extend(others.collect::<Vec<_>>());
-                    let value = self.algebra.call(*function, values);
-                    self.algebra.vector(&value)
-                };
-                let (rest, along) = (turned(rest), turned(along));
-                Some((Some(rest), along))
+                let inner = self.direction_of(&arguments[0])?;
+                let mut turn = |v| self.turned_vector(*function, arguments, v);
+                Some(Slide {
+                    offset: inner.offset.map(&mut turn),
+                    along: turn(inner.along),
+                })
             }
             // Of anything else nobody knows along what it changes.
             _ => None,
@@ -173,7 +183,7 @@ impl<'m> Sketch<'_, 'm> {
     }
 
     /// The unit vector along a coordinate axis.
-    fn axis_of(&self, component: usize) -> Vn<'m> {
+    pub(super) fn axis_of(&self, component: usize) -> Vn<'m> {
         let graph = self.algebra.graph;
         let mut axis = vec![graph.zero(); self.dimension];
         axis[component] = graph.one();
@@ -199,7 +209,7 @@ impl<'m> Sketch<'_, 'm> {
         Some((varying, self.algebra.graph.components(&rest)))
     }
 
-    /// A guide whose origin is the point of the line that is nearest to the carrier's point.
+    /// A guide whose origin is a point that the line goes through, or the one that is nearest to the carrier's point.
     fn candidate(&mut self, line: Line<'m>) -> Candidate<'m> {
         let base = match line.carrier {
             Some(carrier) => self.points[carrier].at,
@@ -207,12 +217,17 @@ impl<'m> Sketch<'_, 'm> {
         };
         let slider = self.points[line.slider].at;
         let reach = (slider - base).dot(line.along);
-        let origin = self.point(slider - reach * line.along);
+        let origin = match line.carrier.filter(|_| line.through) {
+            Some(carrier) => carrier,
+            None => self.point(slider - reach * line.along),
+        };
         Candidate {
             name: line.name,
             origin,
             slider: line.slider,
             along: line.along,
+            on_frame: line.carrier.is_none(),
+            is_cylinder: false,
         }
     }
 }

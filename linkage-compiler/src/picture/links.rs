@@ -1,60 +1,80 @@
-//! Segments that turn together are one link.
+//! Segments that are written as one link are one.
 
-use super::chains::{Sketch, Title};
+use super::chains::{Segment, Shape, Sketch, Title};
 use super::seen::Seen;
+use super::welded::{Frame, Welds};
 
-pub(super) struct Links {
-    pub(super) all: Vec<RawLink>,
+pub(super) struct Links<'m> {
+    pub(super) all: Vec<RawLink<'m>>,
 }
 
-pub(super) struct RawLink {
+pub(super) struct RawLink<'m> {
     /// Points in the order in which they were found, each the first of those that coincide.
     pub(super) points: Vec<usize>,
     pub(super) title: Option<Title>,
+    /// Pairs of points that the link is written by, as they are written.
+    pub(super) frames: Vec<Frame<'m>>,
     /// Whether the user listed it.
     asked: bool,
+    /// The body that it is.
+    pub(super) body: Option<usize>,
 }
 
-impl Links {
-    pub(super) fn find(sketch: &Sketch, seen: &Seen) -> Self {
+impl<'m> Links<'m> {
+    pub(super) fn find(sketch: &Sketch<'_, 'm>, seen: &Seen) -> Self {
         let mut links = Self { all: Vec::new() };
+        let welds = Welds::new(sketch, seen);
         let first = |point: usize| seen.same[point];
         for asked in &sketch.asked {
             let points = distinct(asked.points.iter().map(|&point| first(point)));
+            let frames = asked.points.windows(2).map(|ends| Frame {
+                from: ends[0],
+                to: ends[1],
+                step: sketch.points[ends[1]].at - sketch.points[ends[0]].at,
+            });
             links.all.push(RawLink {
                 points,
                 title: None,
+                frames: frames.collect(),
                 asked: true,
+                body: None,
             });
         }
         for segment in &sketch.segments {
             let (from, to) = (first(segment.from), first(segment.to));
             let moves = !(seen.is_fixed(from) && seen.is_fixed(to));
-            if from != to && moves && seen.keep_distance(from, to) {
+            if from != to && moves && is_rigid(segment, seen) {
                 links.all.push(RawLink {
                     points: vec![from, to],
                     title: segment.title.clone(),
+                    frames: vec![Frame {
+                        from: segment.from,
+                        to: segment.to,
+                        step: segment.step,
+                    }],
                     asked: false,
+                    body: match segment.shape {
+                        Shape::Body(body) => body,
+                        Shape::Term(..) | Shape::Part(..) | Shape::Distance => None,
+                    },
                 });
             }
         }
-        let structure = sketch.algebra.mechanism.inputs.is_empty();
-        links.join(seen, structure);
-        if !structure {
+        links.join(seen, &welds);
+        links.take_means(sketch, seen);
+        links.join(seen, &welds);
+        if !sketch.algebra.mechanism.inputs.is_empty() {
             links.attach(sketch, seen);
         }
         links
     }
 
-    /// Joins links that have a point in common and turn together, until none is left.
-    fn join(&mut self, seen: &Seen, structure: bool) {
+    /// Joins links that have a point in common and are written to turn together, until none is left.
+    fn join(&mut self, seen: &Seen, welds: &Welds) {
         let mut next = 0;
         while next < self.all.len() {
-            let joined = (0..next).find(|&known| match structure {
-                // Where nothing moves, only what is said twice is known to be one link.
-                true => same_points(&self.all[known], &self.all[next]),
-                false => turn_together(&self.all[known], &self.all[next], seen),
-            });
+            let joined =
+                (0..next).find(|&known| are_one(&self.all[known], &self.all[next], seen, welds));
             let Some(known) = joined else {
                 next += 1;
                 continue;
@@ -63,11 +83,30 @@ impl Links {
             let link = &mut self.all[known];
             let points = link.points.iter().chain(&other.points).copied();
             link.points = distinct(points);
+            link.frames.extend(other.frames);
             link.asked |= other.asked;
+            link.body = link.body.or(other.body);
             let titles = [link.title.take(), other.title].into_iter().flatten();
             link.title = titles.min_by_key(|title| title.rank);
             // It has grown: what did not fit before may fit now.
             next = known;
+        }
+    }
+
+    /// What is computed from points of a link belongs to it.
+    fn take_means(&mut self, sketch: &Sketch, seen: &Seen) {
+        for mean in &sketch.means {
+            let point = seen.same[mean.point];
+            let of: Vec<usize> = mean.of.iter().map(|&own| seen.same[own]).collect();
+            let has_all = |link: &&mut RawLink<'m>| {
+                of.iter().all(|own| link.points.contains(own))
+                    && of.iter().all(|&own| seen.keep_distance(point, own))
+            };
+            if let Some(link) = self.all.iter_mut().find(has_all)
+                && !link.points.contains(&point)
+            {
+                link.points.push(point);
+            }
         }
     }
 
@@ -79,7 +118,7 @@ impl Links {
             if !spot.wanted || spot.name.is_none() || !free || seen.is_fixed(point) {
                 continue;
             }
-            let rigid = |link: &&mut RawLink| {
+            let rigid = |link: &&mut RawLink<'m>| {
                 let mut points = link.points.iter();
                 points.all(|&other| seen.keep_distance(point, other))
             };
@@ -106,22 +145,44 @@ impl Links {
     }
 
     /// The links that have a point.
-    pub(super) fn at(&self, point: usize) -> impl Iterator<Item = &RawLink> {
+    pub(super) fn at(&self, point: usize) -> impl Iterator<Item = &RawLink<'m>> {
         self.all
             .iter()
             .filter(move |link| link.points.contains(&point))
     }
 }
 
-fn same_points(a: &RawLink, b: &RawLink) -> bool {
-    a.points.len() == b.points.len() && a.points.iter().all(|point| b.points.contains(point))
+/// Whether the ends of a segment are held by what it says of itself: a term has its length, whatever the unknowns are; distances and bodies are
+/// what loops say.
+pub(super) fn is_rigid(segment: &Segment, seen: &Seen) -> bool {
+    let (from, to) = (segment.from, segment.to);
+    let written = match segment.shape {
+        Shape::Term(..) | Shape::Part(..) => seen.free().follows(&seen.stretching(from, to), &[]),
+        Shape::Distance | Shape::Body(_) => true,
+    };
+    written && seen.keep_distance(from, to)
 }
 
-fn turn_together(a: &RawLink, b: &RawLink, seen: &Seen) -> bool {
-    let meet = a.points.iter().any(|point| b.points.contains(point));
+fn are_one(a: &RawLink, b: &RawLink, seen: &Seen, welds: &Welds) -> bool {
+    let shared: Vec<usize> = a
+        .points
+        .iter()
+        .filter(|p| b.points.contains(p))
+        .copied()
+        .collect();
     let rigid = |p: &usize| b.points.iter().all(|&q| seen.keep_distance(*p, q));
-    // Lists are different links: in space, turning about a common line does not show in distances.
-    meet && !(a.asked && b.asked) && a.points.iter().all(rigid)
+    // Lists are different links: in space, turning about a common line does not show in distances. So are bodies.
+    let other_lists = a.asked && b.asked;
+    let other_bodies = a.body.is_some() && b.body.is_some() && a.body != b.body;
+    if shared.is_empty() || other_lists || other_bodies || !a.points.iter().all(rigid) {
+        return false;
+    }
+    // What has two points of a link is part of it, such as a rod between two joints of a body.
+    let within = shared.len() == b.points.len() || shared.len() == a.points.len();
+    within
+        || a.body.is_some() && a.body == b.body
+        || welds.join(&a.frames, &b.frames, &a.points)
+        || welds.join(&b.frames, &a.frames, &b.points)
 }
 
 /// Each point once.

@@ -86,17 +86,7 @@ impl<'m> Sketch<'_, 'm> {
     fn look_at_loop(&mut self, own: &'m Loop) {
         match own.left.ty {
             Type::Vector(..) => {
-                let mut terms = Vec::new();
-                self.terms(&own.left, 1.0, None, &mut terms);
-                self.terms(&own.right, -1.0, None, &mut terms);
-                // What is subtracted on one side is added on the other.
-                let (left, mut right): (Vec<_>, Vec<_>) =
-                    terms.into_iter().partition(|term| term.sign > 0.0);
-                right.iter_mut().for_each(|term| term.sign = 1.0);
-                for mut side in [left, right] {
-                    side.sort_by_key(|term| {
-                        (self.weight_of(term) != 1.0, self.roles.place(term.expr))
-                    });
+                for side in self.sides(own) {
                     if let Some(end) = self.chain(side) {
                         self.points[end].wanted = true;
                     }
@@ -110,6 +100,30 @@ impl<'m> Sketch<'_, 'm> {
                 }
             }
         }
+    }
+
+    /// The two ways from one point to another that a vector loop consists of, each in the order in which it is written.
+    fn sides(&mut self, own: &'m Loop) -> [Vec<Term<'m>>; 2] {
+        let [left, right] = [&own.left, &own.right].map(|side| {
+            let mut terms = Vec::new();
+            self.terms(side, 1.0, None, &mut terms);
+            terms.into_iter().partition(|term| term.sign > 0.0)
+        });
+        let ((left, left_minus), (right, right_minus)) = (left, right);
+        [(left, right_minus), (right, left_minus)].map(|(own, moved)| self.side(own, moved))
+    }
+
+    /// What one side adds, and what the other one subtracts: a way to where the difference begins, unless this side has a point to
+    /// begin with.
+    fn side(&self, own: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
+        let moved = moved.into_iter().map(|term| Term { sign: 1.0, ..term });
+        let is_start = |term: &Term| self.weight_of(term) == 1.0;
+        let mut all: Vec<Term> = match own.iter().any(is_start) {
+            true => own.into_iter().chain(moved).collect(),
+            false => moved.chain(own).collect(),
+        };
+        all.sort_by_key(|term| !is_start(term));
+        all
     }
 
     /// Distances between points.
@@ -159,7 +173,7 @@ impl<'m> Sketch<'_, 'm> {
         }
     }
 
-    fn difference(&self, vector: &'m Expr) -> Option<(&'m Expr, &'m Expr)> {
+    pub(super) fn difference(&self, vector: &'m Expr) -> Option<(&'m Expr, &'m Expr)> {
         match &vector.kind {
             ExprKind::Binary(BinaryOp::Sub, a, b) => Some((a, b)),
             ExprKind::Name(Name::Let(index)) => {
@@ -198,6 +212,7 @@ impl<'m> Sketch<'_, 'm> {
             self.lines.push(Line {
                 slider,
                 carrier,
+                through: true,
                 along,
                 name,
             });
@@ -228,12 +243,18 @@ impl<'m> Sketch<'_, 'm> {
                 let carries = joint.on == Some(index) && !joint.kind.slides();
                 if let (true, Some(point)) = (carries || joint.body == index, point) {
                     let text = body.name.clone();
-                    self.segment(own, *point, Some(Title { rank: 0, text }), Shape::Body);
+                    self.segment(
+                        own,
+                        *point,
+                        Some(Title { rank: 0, text }),
+                        Shape::Body(Some(index)),
+                    );
                 }
             }
         }
         for (joint, point) in mechanism.joints.iter().zip(&points) {
             if let Some(point) = point {
+                self.joints.push((*point, joint.kind));
                 self.look_at_direction(joint, *point, &points);
             }
         }
@@ -257,6 +278,7 @@ impl<'m> Sketch<'_, 'm> {
         self.lines.push(Line {
             slider: point,
             carrier,
+            through: false,
             along,
             name,
         });

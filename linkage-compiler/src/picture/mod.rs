@@ -8,27 +8,40 @@
 //! |---|---|
 //! | `roles` | is a named vector a point, or a step from one to another? |
 //! | `chains` | sums of vectors as chains of points |
+//! | `starts` | points that chains begin with |
 //! | `terms` | sums of vectors, term by term |
+//! | `literals`, `parts` | literals and turned sums, taken apart |
 //! | `titles` | what points and links are called in the program |
 //! | `loops` | what loops, bodies and joints are made of |
-//! | `seen` | the points at several positions |
+//! | `seen` | the points at several positions and with other dimensions |
+//! | `free` | the points where nothing closes the loops |
 //! | `links` | points that keep their distances |
+//! | `welded` | which of them are written as one link |
 //! | `guides` | lines along which points slide, and what carries them |
+//! | `drives` | what inputs move, and wheels |
+//! | `joints` | what meets in points, and how it moves against each other |
 //! | `names` | names for points and links that the program does not name |
 //! | `check` | links that the user added must be rigid |
 
 mod chains;
 mod check;
+mod drives;
+mod free;
 mod guides;
+mod joints;
 mod links;
+mod literals;
 mod loops;
 mod names;
+mod parts;
 mod roles;
 mod seen;
+mod starts;
 mod terms;
 #[cfg(test)]
 mod tests;
 mod titles;
+mod welded;
 
 use linkage_symbolic::Vn;
 
@@ -63,7 +76,7 @@ pub(crate) fn find<'m>(
     sketch.collect();
     sketch.add_lists(asked.links);
     let mut seen = Seen::new(sketch.algebra, &sketch.points, reference, nominal);
-    if seen.places.len() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
+    if seen.places() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
         reporter.error_with_help(
             asked.origin,
             "links cannot be told from what stretches: the mechanism closes at none of the other positions looked at",
@@ -93,7 +106,9 @@ pub(crate) fn find<'m>(
             "name the points that links join: `picture([a, b], [b, c, d])`",
         );
     }
-    names::named(&sketch, &seen, &links, &guides)
+    let found = names::named(&sketch, &seen, &links, &guides);
+    check::warn_of_loose_points(&found.picture, asked.origin, reporter);
+    found
 }
 
 /// 3 if loops, joints or lists lie in space; without loops, if anything does.

@@ -2,18 +2,19 @@
 
 use linkage_symbolic::Vn;
 
-use crate::unit::{Guide, GuideOn, Link, Picture, Point, PointKind};
+use crate::unit::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
 
 use super::Found;
 use super::chains::Sketch;
 use super::guides::Guides;
+use super::joints::Turning;
 use super::links::Links;
 use super::seen::Seen;
 
 pub(super) fn named<'m>(
     sketch: &Sketch<'_, 'm>,
     seen: &Seen,
-    links: &Links,
+    links: &Links<'m>,
     guides: &Guides<'m>,
 ) -> Found<'m> {
     let namer = Namer {
@@ -66,6 +67,10 @@ pub(super) fn named<'m>(
             direction: picture.directions.len() - 1,
             slider,
             on: guide.on,
+            shape: match guide.is_cylinder {
+                true => GuideShape::Cylinder,
+                false => GuideShape::Slot,
+            },
         });
     }
     for (point, along) in &sketch.axes {
@@ -84,6 +89,17 @@ pub(super) fn named<'m>(
             picture.axes.push((point, direction));
         }
     }
+    let declared = sketch.joints.iter();
+    let declared = declared.filter_map(|(point, kind)| Some((place(*point)?, *kind)));
+    let turning = Turning {
+        seen,
+        points: kept.iter().map(|(point, _)| *point).collect(),
+        ways: directions.iter().map(|own| seen.track(*own)).collect(),
+        declared: declared.collect(),
+    };
+    picture.joints = turning.joints(&picture);
+    picture.drives = sketch.drives(&picture, &place);
+    picture.gears = sketch.gears(&picture, &place, seen);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     Found {
         vectors: vectors.chain(directions).collect(),
@@ -94,7 +110,7 @@ pub(super) fn named<'m>(
 struct Namer<'a, 'b, 'm> {
     sketch: &'a Sketch<'b, 'm>,
     seen: &'a Seen<'a>,
-    links: &'a Links,
+    links: &'a Links<'m>,
     guides: &'a Guides<'m>,
     link_names: Vec<String>,
 }
@@ -118,7 +134,7 @@ impl Namer<'_, '_, '_> {
         if !self.seen.is_known(point) {
             return None;
         }
-        match (self.seen.is_fixed(point), links) {
+        match (self.is_fixed(point), links) {
             (true, _) if links > 0 || pivots || slides => Some(PointKind::Ground),
             (true, _) if has_guide || has_axis => Some(PointKind::Construction),
             (true, _) => None,
@@ -126,10 +142,19 @@ impl Namer<'_, '_, '_> {
                 Some(PointKind::Joint)
             }
             (false, _) if slides => Some(PointKind::Joint),
+            // The foot of a guide on its link.
+            (false, 1) if has_guide && !self.has_name(point) => Some(PointKind::Construction),
             (false, 1) => Some(PointKind::Tip),
             (false, _) if has_guide || has_axis => Some(PointKind::Construction),
-            (false, _) => (wanted && self.has_name(point)).then_some(PointKind::Tip),
+            (false, _) => (wanted && self.has_name(point)).then_some(PointKind::Loose),
         }
+    }
+
+    /// Whether it is a point of the frame, or of a guide that is.
+    fn is_fixed(&self, point: usize) -> bool {
+        let mut guides = self.guides.all.iter();
+        let begins = guides.any(|guide| guide.on == GuideOn::Frame && guide.origin == point);
+        begins || self.seen.is_fixed(point)
     }
 
     fn has_name(&self, point: usize) -> bool {
@@ -147,7 +172,7 @@ impl Namer<'_, '_, '_> {
         let links = self.links.all.iter().zip(&self.link_names);
         let here = links.filter(|(link, _)| link.points.contains(&point));
         let mut parts: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
-        let (fixed, kind) = (self.seen.is_fixed(point), self.kind(point));
+        let (fixed, kind) = (self.is_fixed(point), self.kind(point));
         let mut guides = self.guides.all.iter();
         let is_here = |guide: &&super::guides::RawGuide| {
             let begins = guide.on == GuideOn::Itself || kind == Some(PointKind::Construction);

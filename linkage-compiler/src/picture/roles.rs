@@ -66,30 +66,25 @@ impl Roles {
     /// On each side of a vector loop the first name is a point, others are steps.
     fn look_at_loop(&mut self, own: &Loop) {
         let mut terms = Vec::new();
-        signed_terms(&own.left, true, &mut terms);
-        signed_terms(&own.right, false, &mut terms);
+        for (is_left, side) in [(true, &own.left), (false, &own.right)] {
+            let mut summands = Vec::new();
+            signed_terms(side, true, &mut summands);
+            let summands = summands.into_iter();
+            terms.extend(summands.map(|(plus, term)| (plus == is_left, plus, term)));
+        }
         for side in [true, false] {
-            let own = terms.iter().filter(|(plus, _)| *plus == side);
-            let mut own: Vec<&Expr> = own.map(|(_, term)| *term).collect();
-            own.sort_by_key(|term| self.place(term));
-            let names = own.iter().filter(|term| derived(term).is_some()).copied();
-            for (index, name) in names.collect::<Vec<_>>().into_iter().enumerate() {
+            let own = terms.iter().filter(|(plus, _, _)| *plus == side);
+            let mut own: Vec<(bool, &Expr)> = own.map(|(_, own, term)| (*own, *term)).collect();
+            // What is fixed begins; what the other side subtracts leads to where the difference begins.
+            own.sort_by_key(|(own, term)| (self.moves(term) != Moves::Not, *own));
+            let names = own.iter().filter(|(_, term)| derived(term).is_some());
+            for (index, (_, name)) in names.enumerate() {
                 match index == 0 && !self.is_difference(name) {
                     true => self.point(name),
                     false => self.step(name),
                 }
             }
-            own.into_iter().for_each(|term| self.look_inside(term));
-        }
-    }
-
-    /// In which order the terms on one side of a loop follow each other: what is fixed begins, what only inputs turn hangs on the
-    /// frame, a slide stays where it is written.
-    pub(super) fn place(&self, term: &Expr) -> u8 {
-        match (self.moves(term), &term.kind) {
-            (Moves::Not, _) => 0,
-            (Moves::Inputs, _) | (_, ExprKind::Vector(_)) => 1,
-            (Moves::Unknowns, _) => 2,
+            own.into_iter().for_each(|(_, term)| self.look_inside(term));
         }
     }
 

@@ -1,11 +1,15 @@
-//! The points at several positions: what coincides, what stays, what keeps its distance.
+//! The points at several positions and with other dimensions: what coincides, what stays, what keeps its distance.
+
+use std::ops::Range;
 
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::close::{Reference, places};
+use crate::close::{Machine, Reference, places};
+use crate::model::{Dimension, Mechanism};
 
 use super::chains::Spot;
+use super::free::{Free, Rate, Track};
 
 /// Lengths that differ by a smaller share of the picture's size are equal.
 const EQUAL: f64 = 1e-9;
@@ -14,51 +18,64 @@ const EQUAL: f64 = 1e-9;
 /// these.
 const STEADY: f64 = 1e3 * EQUAL;
 
+/// Dimensions are altered by about this share: what is equal by chance differs by far more than `EQUAL` then, and a mechanism that
+/// is not at a limit still closes.
+const ALTERED: f64 = 1e-3;
+
+/// How often all dimensions are altered. Each is altered by a share of its own, so once would do; the second one guards against
+/// a share that is the right one by chance.
+const ALTERATIONS: usize = 2;
+
 pub(super) struct Seen<'a> {
-    reference: &'a Reference,
-    /// Inputs at which the mechanism closes.
-    pub(super) places: Vec<Vec<f64>>,
-    /// By point: its coordinates at each place.
-    tracks: Vec<Vec<Vec<f64>>>,
+    free: Free<'a>,
+    views: Vec<View>,
+    /// By point: its coordinates, view by view.
+    tracks: Vec<Track>,
+    /// By point: how it moves where nothing closes the loops.
+    velocities: Vec<Track>,
     /// By point: the first that is always at the same place.
     pub(super) same: Vec<usize>,
-    /// Whether a point stays where it is.
+    /// By point: whether it says of itself that it does not move.
     fixed: Vec<bool>,
     /// The extent of the picture.
     pub(super) size: f64,
 }
 
+/// The mechanism with some dimensions at inputs where it closes.
+struct View {
+    machine: Machine,
+    places: Vec<Vec<f64>>,
+    /// Where its coordinates are in a track.
+    own: Range<usize>,
+}
+
 impl<'a> Seen<'a> {
     pub(super) fn new<'m>(
-        algebra: &Algebra<'m>,
+        algebra: &mut Algebra<'m>,
         points: &[Spot<'m>],
         reference: &'a Reference,
         nominal: &Nominal,
     ) -> Self {
         let mut seen = Self {
-            reference,
-            places: places(nominal, algebra.mechanism, reference.longest),
+            views: views(algebra, reference, nominal),
+            free: Free::new(algebra, reference, nominal),
             tracks: Vec::new(),
+            velocities: Vec::new(),
             same: Vec::new(),
             fixed: Vec::new(),
             size: 0.0,
         };
-        let unknowns = 0..algebra.names.bound.len();
-        let all: Vec<Ex> = unknowns
-            .flat_map(|own| algebra.names.numbers_of(own))
-            .collect();
-        let closes = |inputs: &Vec<f64>| {
-            let values = reference.machine.evaluate(&all, inputs);
-            values.iter().all(|x| x.is_finite())
-        };
-        seen.places.retain(closes);
-        seen.add(algebra, points);
+        seen.add(points);
         seen
     }
 
+    /// At how many inputs the mechanism closes as it is written.
+    pub(super) fn places(&self) -> usize {
+        self.views[0].places.len()
+    }
+
     /// Looks at further points.
-    pub(super) fn add<'m>(&mut self, algebra: &Algebra<'m>, points: &[Spot<'m>]) {
-        let structure = algebra.mechanism.inputs.is_empty();
+    pub(super) fn add(&mut self, points: &[Spot]) {
         for point in points {
             let track = self.track(point.at);
             self.size = track
@@ -66,28 +83,60 @@ impl<'a> Seen<'a> {
                 .flatten()
                 .fold(self.size, |size, x| size.max(x.abs()));
             self.tracks.push(track);
-            // Nothing moves in a structure: what its loops tell is not fixed.
-            let found =
-                structure && algebra.depends_on_unknowns(&point.at.iter().collect::<Vec<_>>());
-            self.fixed.push(!found);
+            let velocity = self.free.velocity(point.at);
+            let size = self.size;
+            self.fixed.push(self.free.rests(&velocity, size));
+            self.velocities.push(velocity);
         }
         for index in self.same.len()..self.tracks.len() {
             let first = (0..index).find(|&other| self.coincide(other, index));
-            self.same.push(first.unwrap_or(index));
-            let track = &self.tracks[index];
-            let stays = track.iter().all(|at| self.near(distance(at, &track[0])));
-            self.fixed[index] &= stays;
+            let first = first.unwrap_or(index);
+            self.same.push(first);
+            self.fixed[first] |= self.fixed[index];
         }
     }
 
-    /// A vector at each place.
-    pub(super) fn track(&self, vector: Vn) -> Vec<Vec<f64>> {
+    /// A vector at each place of each view.
+    pub(super) fn track(&self, vector: Vn) -> Track {
         let components: Vec<Ex> = vector.iter().collect();
-        let machine = &self.reference.machine;
-        let places = self.places.iter();
-        places
-            .map(|inputs| machine.evaluate(&components, inputs))
-            .collect()
+        let look = |view: &View| -> Track {
+            let places = view.places.iter();
+            places
+                .map(|inputs| view.machine.evaluate(&components, inputs))
+                .collect()
+        };
+        self.views.iter().flat_map(look).collect()
+    }
+
+    /// Where a point is at the places that are looked at with the dimensions as they are written.
+    pub(super) fn places_of(&self, point: usize) -> &[Vec<f64>] {
+        &self.tracks[point][self.views[0].own.clone()]
+    }
+
+    /// How a point moves where nothing closes the loops.
+    pub(super) fn velocity(&self, point: usize) -> &Track {
+        &self.velocities[point]
+    }
+
+    /// The rate at which the distance of two points changes, as they are written.
+    pub(super) fn stretching(&self, a: usize, b: usize) -> Rate {
+        self.stretching_with([a, b], [self.velocity(a), self.velocity(b)])
+    }
+
+    /// The same with other velocities of them.
+    pub(super) fn stretching_with(&self, ends: [usize; 2], velocities: [&Track; 2]) -> Rate {
+        let [a, b] = ends.map(|end| self.places_of(end));
+        self.free.stretching(&difference(a, b), velocities)
+    }
+
+    pub(super) fn free(&self) -> &Free<'a> {
+        &self.free
+    }
+
+    /// All points that are always where this one is.
+    pub(super) fn aliases(&self, point: usize) -> impl Iterator<Item = usize> {
+        let first = self.same[point];
+        (first..self.same.len()).filter(move |&other| self.same[other] == first)
     }
 
     /// Whether a point has a place wherever the mechanism closes.
@@ -95,30 +144,50 @@ impl<'a> Seen<'a> {
         self.tracks[point].iter().flatten().all(|x| x.is_finite())
     }
 
+    /// Whether a point belongs to the frame: it is written so, or is always where one is that is. A link that does not move with
+    /// these inputs, as between cylinders that are held, does not make its points fixed.
     pub(super) fn is_fixed(&self, point: usize) -> bool {
-        self.fixed[point]
+        self.fixed[self.same[point]]
     }
 
-    /// The distance of two points at each place.
+    /// The distance of two points at each place, with the dimensions as they are written.
     pub(super) fn distances(&self, a: usize, b: usize) -> Vec<f64> {
-        let pairs = self.tracks[a].iter().zip(&self.tracks[b]);
+        let pairs = self.places_of(a).iter().zip(self.places_of(b));
         pairs.map(|(a, b)| distance(a, b)).collect()
     }
 
-    /// Whether two points keep their distance.
+    /// Whether two points keep their distance, with the dimensions as they are written.
+    pub(super) fn keep_distance_as_written(&self, a: usize, b: usize) -> bool {
+        let lengths = self.distances(a, b);
+        lengths.iter().all(|length| self.near(length - lengths[0]))
+    }
+
+    /// Whether two points keep their distance, with other dimensions, too.
     pub(super) fn keep_distance(&self, a: usize, b: usize) -> bool {
-        self.steady(&self.distances(a, b))
+        self.steady(&self.all_distances(a, b))
+    }
+
+    /// Whether two steps of the plane turn by the same angle from place to place.
+    pub(super) fn turn_alike(&self, a: (usize, usize), b: (usize, usize)) -> bool {
+        let [a, b] = [a, b].map(|(from, to)| difference(self.places_of(to), self.places_of(from)));
+        let ratios = a.iter().zip(&b).map(|(a, b)| {
+            let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+            vec![dot(a, b) / (dot(a, a) * dot(b, b)).sqrt()]
+        });
+        let ratios: Track = ratios.collect();
+        ratios.iter().all(|at| distance(at, &ratios[0]) < STEADY)
     }
 
     /// Whether a direction never changes.
-    pub(super) fn is_steady(&self, directions: &[Vec<f64>]) -> bool {
-        directions
-            .iter()
-            .all(|at| distance(at, &directions[0]) < STEADY)
+    pub(super) fn is_steady(&self, directions: &Track) -> bool {
+        self.views.iter().all(|view| {
+            let own = &directions[view.own.clone()];
+            own.iter().all(|at| distance(at, &own[0]) < STEADY)
+        })
     }
 
     /// Whether the end of a vector that begins in a point keeps its distance from another point.
-    pub(super) fn carries(&self, point: usize, origin: usize, along: &[Vec<f64>]) -> bool {
+    pub(super) fn carries(&self, point: usize, origin: usize, along: &Track) -> bool {
         let size = self.size;
         let ends = self.tracks[origin].iter().zip(along);
         let ends = ends.map(|(at, way)| -> Vec<f64> {
@@ -130,19 +199,97 @@ impl<'a> Seen<'a> {
         self.steady(&distances.collect::<Vec<_>>())
     }
 
+    fn all_distances(&self, a: usize, b: usize) -> Vec<f64> {
+        let pairs = self.tracks[a].iter().zip(&self.tracks[b]);
+        pairs.map(|(a, b)| distance(a, b)).collect()
+    }
+
     fn coincide(&self, a: usize, b: usize) -> bool {
-        self.distances(a, b)
-            .into_iter()
-            .all(|apart| self.near(apart))
+        let apart = self.all_distances(a, b);
+        apart.into_iter().all(|apart| self.near(apart))
     }
 
     fn steady(&self, lengths: &[f64]) -> bool {
-        lengths.iter().all(|length| self.near(length - lengths[0]))
+        self.views.iter().all(|view| {
+            let own = &lengths[view.own.clone()];
+            own.iter().all(|length| self.near(length - own[0]))
+        })
     }
 
     fn near(&self, difference: f64) -> bool {
         difference.abs() <= EQUAL * self.size
     }
+}
+
+/// The mechanism as it is written, then with other dimensions, as far as it closes.
+fn views(algebra: &Algebra, reference: &Reference, nominal: &Nominal) -> Vec<View> {
+    let mechanism = algebra.mechanism;
+    let all = places(nominal, mechanism, reference.longest);
+    let unknowns = 0..algebra.names.bound.len();
+    let numbers: Vec<Ex> = unknowns
+        .flat_map(|own| algebra.names.numbers_of(own))
+        .collect();
+    let look = |machine: &Machine| -> Vec<Vec<f64>> {
+        let closes = |inputs: &&Vec<f64>| {
+            let values = machine.evaluate(&numbers, inputs);
+            values.iter().all(|x| x.is_finite())
+        };
+        all.iter().filter(closes).cloned().collect()
+    };
+    let altered = (0..ALTERATIONS).map(|number| {
+        let dimensions = altered(mechanism, nominal, reference.longest, number);
+        reference.machine.with_dimensions(dimensions)
+    });
+    let mut views: Vec<View> = Vec::new();
+    for machine in std::iter::once(reference.machine.clone()).chain(altered) {
+        let places = look(&machine);
+        let start = views.last().map_or(0, |view| view.own.end);
+        // Nothing is learned from one position with dimensions that nobody asked for.
+        if views.is_empty() || places.len() > 1 {
+            let own = start..start + places.len();
+            views.push(View {
+                machine,
+                places,
+                own,
+            });
+        }
+    }
+    views
+}
+
+/// Dimensions that differ a little from those that are written, each by a share of its own.
+fn altered(mechanism: &Mechanism, nominal: &Nominal, longest: f64, number: usize) -> Vec<f64> {
+    let each = nominal.parameters.iter().zip(&mechanism.scalar_parameters);
+    each.enumerate()
+        .map(|(index, (&value, own))| {
+            let share = ALTERED * scattered(index, number);
+            let is_length = own.dimension.fits(Dimension::LENGTH);
+            match (value == 0.0, is_length) {
+                (false, _) => value * (1.0 + share),
+                (true, true) => longest * share,
+                (true, false) => share,
+            }
+        })
+        .collect()
+}
+
+/// Numbers between -1 and 1, none too small, that have nothing to do with each other: what is true for them is true in general.
+pub(super) fn scattered(index: usize, number: usize) -> f64 {
+    // Multiples of irrational numbers are spread evenly, and far from those of others.
+    let x = (index + 1) as f64 * 0.754_877_666 + (number + 1) as f64 * 0.569_840_291;
+    let y = ((index + 1) * (number + 1)) as f64 * 0.362_436_069;
+    let size = 0.3 + 0.7 * (x + y).fract();
+    if (17.0 * x + 31.0 * y).fract() < 0.5 {
+        -size
+    } else {
+        size
+    }
+}
+
+pub(super) fn difference(a: &[Vec<f64>], b: &[Vec<f64>]) -> Track {
+    let rows = a.iter().zip(b);
+    rows.map(|(a, b)| a.iter().zip(b).map(|(x, y)| x - y).collect())
+        .collect()
 }
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {

@@ -7,7 +7,7 @@ use super::chains::{MANY_TERMS, Sketch, Term};
 impl<'m> Sketch<'_, 'm> {
     /// Terms, named steps taken apart. A step of one term keeps its name.
     pub(super) fn terms(
-        &self,
+        &mut self,
         expr: &'m Expr,
         sign: f64,
         name: Option<&str>,
@@ -20,13 +20,18 @@ impl<'m> Sketch<'_, 'm> {
         match (&expr.kind, &expr.summands()[..]) {
             (ExprKind::Number(0.0), _) => {}
             (ExprKind::Name(own @ Name::Let(index)), _) if self.roles.is_step(*own) => {
-                let own = &self.algebra.mechanism.lets[*index];
+                let mechanism = self.algebra.mechanism;
+                let own = &mechanism.lets[*index];
                 self.terms(&own.value, sign, Some(&own.name), terms);
             }
+            (_, [])
+                if self.literal(expr, sign, name, terms)
+                    || self.turned(expr, sign, name, terms) => {}
             (_, []) => terms.push(Term {
                 sign,
                 expr,
                 name: name.map(str::to_owned),
+                part: None,
             }),
             (_, [(adds, only)]) => self.terms(only, sign_of(*adds), name, terms),
             (_, all) => {
@@ -78,6 +83,9 @@ impl<'m> Sketch<'_, 'm> {
 
     /// How often a term counts as a point.
     pub(super) fn weight_of(&self, term: &Term) -> f64 {
+        if term.part.is_some() {
+            return 0.0;
+        }
         term.sign * self.weight(term.expr).unwrap_or(0.0)
     }
 }

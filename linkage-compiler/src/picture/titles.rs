@@ -48,7 +48,7 @@ impl Sketch<'_, '_> {
     }
 
     /// The first length that is named in an expression.
-    fn dimension_in(&self, expr: &Expr) -> Option<String> {
+    pub(super) fn dimension_in(&self, expr: &Expr) -> Option<String> {
         let mut lengths = expr.parts().filter(|own| {
             let dimension = own.ty.dimension();
             dimension.is_some_and(|own| own.half_lengths == 2)

@@ -21,7 +21,10 @@ pub use dump::dump;
 pub use function::{Body, Column, Field, Function, Meaning};
 pub use generated::Generated;
 pub use group::{Coupled, Group, Placed, Shown, Start, Surveyed};
-pub use picture::{Guide, GuideOn, Link, Picture, Point, PointKind};
+pub use picture::{
+    Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, Joint, JointShape, Link, Member, Picture,
+    Point, PointKind,
+};
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};
 
 /// What a mechanism is after lowering.

@@ -1,6 +1,6 @@
 //! What is drawn.
 
-pub use linkage_runtime::{GuideOn, PointKind};
+pub use linkage_runtime::{Drive, DriveOn, Gear, GuideOn, GuideShape, JointShape, PointKind};
 
 /// What the vectors of the quantity `picture()` are: points first, then directions.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +17,38 @@ pub struct Picture {
     pub guides: Vec<Guide>,
     /// In space: points and directions of axes.
     pub axes: Vec<(usize, usize)>,
+    /// Where links meet, in the order of their points.
+    pub joints: Vec<Joint>,
+    /// Wheels whose angles belong together.
+    pub gears: Vec<Gear>,
+    /// What inputs move.
+    pub drives: Vec<Drive>,
+}
+
+/// What meets in a point, and how it moves against each other.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// By index.
+    pub point: usize,
+    /// How its members move.
+    pub shape: JointShape,
+    /// At least two.
+    pub between: Vec<Member>,
+}
+
+/// What a joint joins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Member {
+    /// What does not move.
+    Frame,
+    /// A link, by index.
+    Link(usize),
+    /// A guide that is a link of its own, by index: a slotted lever, the barrel of a cylinder.
+    Rail(usize),
+    /// A block that slides on a guide, by index.
+    Block(usize),
+    /// The piston rod of a cylinder, by the index of the guide.
+    Rod(usize),
 }
 
 /// A point that is drawn.
@@ -50,6 +82,8 @@ pub struct Guide {
     pub slider: usize,
     /// What carries it.
     pub on: GuideOn,
+    /// What it looks like.
+    pub shape: GuideShape,
 }
 
 impl Picture {

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::picture::{GuideOn, Picture};
+use super::picture::{DriveOn, GuideOn, GuideShape, Member, Picture};
 
 impl Display for Picture {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
@@ -21,11 +21,48 @@ impl Display for Picture {
                 GuideOn::Itself => "itself",
             };
             let (slider, origin) = (point(guide.slider), point(guide.origin));
-            writeln!(f, "guide {}: {slider} from {origin}, on {on}", guide.name)?;
+            let word = match guide.shape {
+                GuideShape::Slot => "guide",
+                GuideShape::Cylinder => "cylinder",
+            };
+            writeln!(f, "{word} {}: {slider} from {origin}, on {on}", guide.name)?;
         }
         for &(at, direction) in &self.axes {
             writeln!(f, "axis in {}: {}", point(at), self.directions[direction])?;
         }
+        for joint in &self.joints {
+            let members = joint.between.iter().map(|own| self.member(*own));
+            let members: Vec<String> = members.collect();
+            let kind = format!("{:?}", joint.shape).to_lowercase();
+            writeln!(f, "{kind} {}: {}", point(joint.point), members.join(", "))?;
+        }
+        for gear in &self.gears {
+            let [a, b] = gear.centres.map(|centre| point(centre).as_str());
+            writeln!(f, "gear: wheels about {a} and {b}")?;
+        }
+        for drive in &self.drives {
+            match drive.on {
+                DriveOn::Turn([at, end]) => {
+                    writeln!(f, "drive: {} about {}", point(end), point(at))?;
+                }
+                DriveOn::Slide(guide) => writeln!(f, "drive: along {}", self.guides[guide].name)?,
+            }
+        }
         Ok(())
+    }
+}
+
+impl Picture {
+    fn member(&self, own: Member) -> String {
+        match own {
+            Member::Frame => "frame".to_owned(),
+            Member::Link(link) => self.links[link].name.clone(),
+            Member::Rail(guide) => match self.guides[guide].shape {
+                GuideShape::Slot => format!("guide {}", self.guides[guide].name),
+                GuideShape::Cylinder => format!("cylinder {}", self.guides[guide].name),
+            },
+            Member::Block(guide) => format!("block on {}", self.guides[guide].name),
+            Member::Rod(guide) => format!("rod of {}", self.guides[guide].name),
+        }
     }
 }

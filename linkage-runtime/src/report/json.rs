@@ -134,6 +134,7 @@ impl Report {
                     PointKind::Ground => "ground",
                     PointKind::Joint => "joint",
                     PointKind::Tip => "tip",
+                    PointKind::Loose => "loose",
                     PointKind::Construction => "construction",
                 },
                 "at": shown.point(index),

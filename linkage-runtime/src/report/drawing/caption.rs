@@ -2,9 +2,11 @@
 
 use std::format;
 use std::string::String;
+use std::vec::Vec;
 
 use super::Drawing;
 use super::sheet::Sheet;
+use crate::PointKind;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
 use crate::words::rounded;
@@ -25,6 +27,15 @@ impl Drawing<'_> {
                 self.report.positions.len()
             );
             let note = Element::text([6.0, 14.0], 3.2).class("note");
+            svg.words(note.fill(Colour::Muted), &words);
+        }
+        let loose = self.shown.picture.points.iter();
+        let loose = loose.filter(|point| point.kind == PointKind::Loose);
+        let names: Vec<&str> = loose.map(|point| point.name).collect();
+        if !names.is_empty() {
+            let at = [6.0, if missing > 0 { 18.5 } else { 14.0 }];
+            let note = Element::text(at, 3.2).class("note");
+            let words = format!("No link of the picture carries {}.", names.join(", "));
             svg.words(note.fill(Colour::Muted), &words);
         }
         self.scale_bar(svg, sheet, [6.0, height - 6.0]);

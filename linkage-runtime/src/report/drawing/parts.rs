@@ -18,6 +18,8 @@ pub(super) const BLOCK: [f64; 2] = [4.0, 2.3];
 const OUTLINE: f64 = 0.35;
 /// Radius of a joint.
 pub(super) const JOINT: f64 = 1.05;
+/// Radius of what nothing carries.
+const LOOSE: f64 = 1.5;
 
 /// A body on paper: a link with all its points, or the rail of a guide.
 struct Body<'a> {
@@ -103,6 +105,10 @@ impl Drawing<'_> {
                     .fill(Colour::Paper)
                     .stroke(colour, 0.45),
                 PointKind::Tip => Element::circle(at, 0.8).fill(colour),
+                PointKind::Loose => Element::circle(at, LOOSE)
+                    .fill(Colour::Paper)
+                    .stroke(colour, 0.35)
+                    .set("stroke-dasharray", "0.9 0.6"),
                 PointKind::Construction => continue,
             };
             svg.add(mark.class("point").set("data-point", point.name));

@@ -1,6 +1,6 @@
 // Points of the drawing: to look at, to name, to trace.
 
-const RADII = { ground: JOINT, joint: JOINT, tip: 3.5 };
+const RADII = { ground: JOINT, joint: JOINT, tip: 3.5, loose: 5 };
 
 function pointPart(point, index) {
   const mark = shape("circle", { class: "mark", r: RADII[point.kind] });

@@ -194,6 +194,9 @@ static PICTURE: Picture = Picture {
     ],
     guides: &[],
     axes: &[],
+    joints: &[],
+    gears: &[],
+    drives: &[],
 };
 
 static VIEW: Heading = Heading {

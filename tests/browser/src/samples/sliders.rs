@@ -2,8 +2,8 @@
 
 use linkage_runtime::report::Report;
 use linkage_runtime::{
-    Guide, GuideOn, Heading, Input, Meaning, Picture, PictureColumns, PictureLink, PicturePoint,
-    PointKind,
+    Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns, PictureLink,
+    PicturePoint, PointKind,
 };
 
 use super::sheet::{Sheet, column, shown};
@@ -52,6 +52,7 @@ static PICTURE: Picture = Picture {
             direction: 0,
             slider: 2,
             on: GuideOn::Frame,
+            shape: GuideShape::Slot,
         },
         Guide {
             name: "s",
@@ -59,6 +60,7 @@ static PICTURE: Picture = Picture {
             direction: 1,
             slider: 1,
             on: GuideOn::Itself,
+            shape: GuideShape::Slot,
         },
         Guide {
             name: "t",
@@ -66,9 +68,13 @@ static PICTURE: Picture = Picture {
             direction: 2,
             slider: 4,
             on: GuideOn::Link(1),
+            shape: GuideShape::Slot,
         },
     ],
     axes: &[],
+    joints: &[],
+    gears: &[],
+    drives: &[],
 };
 
 static VIEW: Heading = Heading {

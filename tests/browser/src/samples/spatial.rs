@@ -43,6 +43,9 @@ static PICTURE: Picture = Picture {
         },
     ],
     guides: &[],
+    joints: &[],
+    gears: &[],
+    drives: &[],
     axes: &[
         Axis {
             point: 0,

@@ -1,0 +1,223 @@
+//! Parts of what is written as one term: of literals, and of turned sums.
+
+use linkage_symbolic::Vn;
+
+use crate::algebra::{Translate, Value};
+use crate::model::{Expr, ExprKind, Function};
+
+use super::chains::{Sketch, Term, Title};
+use super::literals::Piece;
+use super::roles::Moves;
+
+/// Lengths that are only turned stand behind all names in derived quantities that loops use.
+const CARRIED: u8 = 4;
+
+/// A step within a term.
+#[derive(Clone, Debug)]
+pub(super) struct Part<'m> {
+    pub(super) at: Vn<'m>,
+    pub(super) title: Option<Title>,
+    /// Along which it changes, if its length does.
+    pub(super) slide: Option<Slide<'m>>,
+    pub(super) moves: Moves,
+    /// In space, from outside to inside.
+    pub(super) turns: Vec<Turn<'m>>,
+}
+
+/// What turns a step in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Turn<'m> {
+    pub(super) along: Vn<'m>,
+    /// The angle, where it is written.
+    pub(super) by: Option<&'m Expr>,
+}
+
+/// How a step changes its length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slide<'m> {
+    /// What it contains across that.
+    pub(super) offset: Option<Vn<'m>>,
+    /// A unit vector.
+    pub(super) along: Vn<'m>,
+}
+
+impl<'m> Sketch<'_, 'm> {
+    /// The terms of a literal; false if it is one step.
+    pub(super) fn literal(
+        &mut self,
+        expr: &'m Expr,
+        sign: f64,
+        name: Option<&str>,
+        terms: &mut Vec<Term<'m>>,
+    ) -> bool {
+        let ExprKind::Vector(components) = &expr.kind else {
+            return false;
+        };
+        let pieces = self.pieces(components);
+        let are_pieces = !pieces.is_empty();
+        terms.extend(pieces.into_iter().map(|piece| match piece {
+            Piece::Point(point) => Term {
+                sign,
+                expr: point,
+                name: None,
+                part: None,
+            },
+            Piece::Part(part) => Term {
+                sign,
+                expr,
+                name: name.filter(|_| part.moves != Moves::Not).map(str::to_owned),
+                part: Some(part),
+            },
+        }));
+        are_pieces
+    }
+
+    /// The terms of a turned sum, and of what is turned more than once; false if it is one step about one axis.
+    pub(super) fn turned(
+        &mut self,
+        expr: &'m Expr,
+        sign: f64,
+        name: Option<&str>,
+        terms: &mut Vec<Term<'m>>,
+    ) -> bool {
+        let ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) = &expr.kind
+        else {
+            return false;
+        };
+        let mut inner = Vec::new();
+        self.terms(&arguments[0], 1.0, None, &mut inner);
+        let moves = |term: &Term| self.moves_of(term) != Moves::Not;
+        let has_points = inner.iter().any(|term| self.weight_of(term) != 0.0);
+        let nested = |term: &Term| matches!(term.expr.kind, ExprKind::Call(Function::Turn, _));
+        let is_one = match &inner[..] {
+            [one] => one.part.is_none() && !nested(one),
+            all => !all.iter().any(moves),
+        };
+        if is_one || has_points {
+            return false;
+        }
+        for own in inner {
+            let part = self.turned_part(*function, arguments, &own);
+            let name = name.filter(|_| part.moves != Moves::Not);
+            terms.push(Term {
+                sign,
+                expr,
+                name: name.map(str::to_owned).or(own.name),
+                part: Some(part),
+            });
+        }
+        true
+    }
+
+    fn turned_part(
+        &mut self,
+        function: Function,
+        arguments: &'m [Expr],
+        inner: &Term<'m>,
+    ) -> Part<'m> {
+        let step = self.step_of(inner);
+        let step = if inner.sign > 0.0 { step } else { -step };
+        let slide = match &inner.part {
+            Some(part) => part.slide,
+            None => self.direction_of(inner.expr),
+        };
+        let mut turn = |v: Vn<'m>| self.turned_vector(function, arguments, v);
+        let at = turn(step);
+        let slide = slide.map(|own| Slide {
+            offset: own.offset.map(&mut turn),
+            along: turn(own.along),
+        });
+        let within = self.turns_of(inner);
+        let mut turns = Vec::new();
+        if function == Function::Turn && self.moves(&arguments[2]) != Moves::Not {
+            turns.push(Turn {
+                along: self.vector(&arguments[1]),
+                by: Some(&arguments[2]),
+            });
+        }
+        turns.extend(within.into_iter().map(|turn| Turn {
+            along: self.turned_vector(function, arguments, turn.along),
+            ..turn
+        }));
+        let title = match &inner.part {
+            Some(part) => part.title.clone(),
+            None => self.title(inner.expr),
+        };
+        // What is turned along with a length is called after it only if nothing else is.
+        let title = title.map(|title| Title {
+            rank: title.rank
+                + if self.moves_of(inner) == Moves::Not {
+                    CARRIED
+                } else {
+                    0
+                },
+            ..title
+        });
+        let own = arguments[1..].iter().map(|own| self.moves(own)).max();
+        Part {
+            at,
+            title,
+            slide,
+            moves: self.moves_of(inner).max(own.unwrap_or(Moves::Not)),
+            turns,
+        }
+    }
+
+    /// A vector turned as a call turns its first argument.
+    pub(super) fn turned_vector(
+        &mut self,
+        function: Function,
+        arguments: &'m [Expr],
+        vector: Vn<'m>,
+    ) -> Vn<'m> {
+        let mut values = vec![Value::Vector(vector)];
+        for own in &arguments[1..] {
+            values.push(self.algebra.translate(own));
+        }
+        let value = self.algebra.call(function, values);
+        self.algebra.vector(&value)
+    }
+
+    /// In space: what turns a term, from outside to inside.
+    pub(super) fn turns_of(&mut self, term: &Term<'m>) -> Vec<Turn<'m>> {
+        if let Some(part) = &term.part {
+            return part.turns.clone();
+        }
+        match &term.expr.kind {
+            ExprKind::Call(Function::Turn, arguments)
+                if self.moves(&arguments[2]) != Moves::Not =>
+            {
+                vec![Turn {
+                    along: self.vector(&arguments[1]),
+                    by: Some(&arguments[2]),
+                }]
+            }
+            // Nothing else turns about an axis of its own.
+            _ => Vec::new(),
+        }
+    }
+
+    pub(super) fn moves_of(&self, term: &Term) -> Moves {
+        term.part
+            .as_ref()
+            .map_or_else(|| self.moves(term.expr), |part| part.moves)
+    }
+
+    /// The vector that a term adds, its sign aside.
+    pub(super) fn step_of(&mut self, term: &Term<'m>) -> Vn<'m> {
+        match &term.part {
+            Some(part) => part.at,
+            None => self.vector(term.expr),
+        }
+    }
+
+    /// Remembers an axis through a point of space.
+    pub(super) fn axis(&mut self, point: usize, along: Vn<'m>) {
+        if let Some(along) = along.in_space() {
+            let axis = (point, along.unit().into());
+            if !self.axes.contains(&axis) {
+                self.axes.push(axis);
+            }
+        }
+    }
+}
