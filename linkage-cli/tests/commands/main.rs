@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod c;
+mod drawings;
 mod files;
 mod pages;
 mod start;

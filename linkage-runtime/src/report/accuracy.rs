@@ -81,7 +81,7 @@ impl Sensitive<'_> {
     }
 
     /// Sensitivity times tolerance of each parameter.
-    fn at(&self, row: usize) -> impl Iterator<Item = (&'static str, f64)> {
+    pub(super) fn at(&self, row: usize) -> impl Iterator<Item = (&'static str, f64)> {
         let effects = self.effects.iter();
         effects.map(move |(parameter, e)| (parameter.name, e[row] * parameter.tolerance))
     }

@@ -1,11 +1,16 @@
 //! The mechanism to scale.
 
+mod arrows;
 mod caption;
 mod fixed;
 mod geometry;
+mod marks;
 mod names;
+mod options;
 mod parts;
 mod sheet;
+mod signs;
+mod wheels;
 
 use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
@@ -14,13 +19,15 @@ use std::vec::Vec;
 use super::shown::{Shown, drawn_names, point_named};
 use super::svg::{Element, Svg};
 use super::{Mistake, Report, ReportError};
+use arrows::Vector;
 use sheet::{Sheet, View};
 
 /// A drawing of a mechanism at one position, to scale, as a picture: links as bars, links of three and more points as
-/// plates, pivots and guides of the frame hatched, sliders, the paths of points over the whole range, further positions
-/// as ghosts, a scale bar.
+/// plates, pivots and guides of the frame hatched, sliders, cylinders, gears as pitch circles, arrows at what the inputs move, the paths of
+/// points over the whole range, further positions as ghosts, a scale bar. What no link carries is a dashed circle.
 ///
-/// A mechanism in space is seen along a given direction, from far away; lengths across it are to scale.
+/// A mechanism in space is seen along a given direction, from far away; lengths across it are to scale. Its joints have signs: a
+/// sleeve for a pin, a ball, a cross for a universal joint, a long sleeve for a cylindrical one.
 #[derive(Clone, Debug)]
 pub struct Drawing<'a> {
     report: &'a Report,
@@ -30,6 +37,11 @@ pub struct Drawing<'a> {
     ghosts: usize,
     scale: Option<f64>,
     names: bool,
+    dimensions: bool,
+    ticks: usize,
+    vectors: Vec<Vector<'a>>,
+    /// How much larger than they are ellipses of tolerance are drawn, if they are.
+    enlarged: Option<f64>,
     view: View,
     mistakes: Vec<Mistake>,
 }
@@ -54,6 +66,10 @@ impl Report {
             ghosts: 0,
             scale: None,
             names: true,
+            dimensions: false,
+            ticks: 0,
+            vectors: Vec::new(),
+            enlarged: None,
             view: View::new(shown.picture.dimension),
             mistakes: Vec::new(),
         })
@@ -127,6 +143,7 @@ impl Drawing<'_> {
     /// assembled at the position that is wanted, or at all.
     pub fn svg(&self) -> Result<String, ReportError> {
         let mut mistakes = self.mistakes.clone();
+        mistakes.extend(self.without_tolerances());
         match self.row() {
             Ok(row) if mistakes.is_empty() => return Ok(self.drawn(row)),
             Ok(_) => {}
@@ -167,15 +184,15 @@ impl Drawing<'_> {
             })
     }
 
-    /// Rows of the ghosts: all ends of equal parts of the range; the last one repeats the first where the range closes.
-    fn ghost_rows(&self) -> Vec<usize> {
+    /// So many rows, at all ends of equal parts of the range; the last one repeats the first where the range closes.
+    fn even_rows(&self, count: usize) -> Vec<usize> {
         let last = self.report.positions.len() - 1;
         let parts = match self.report.is_periodic() {
-            true => self.ghosts,
-            false => self.ghosts.saturating_sub(1).max(1),
+            true => count.max(1),
+            false => count.saturating_sub(1).max(1),
         };
         let row = |i: usize| (last * i + parts / 2) / parts;
-        (0..self.ghosts).map(row).collect()
+        (0..count).map(row).collect()
     }
 
     fn drawn(&self, row: usize) -> String {
@@ -186,24 +203,34 @@ impl Drawing<'_> {
             svg.group(
                 Element::new("g").class("ghosts").number("opacity", 0.45),
                 |svg| {
-                    for ghost in self.ghost_rows() {
+                    for ghost in self.even_rows(self.ghosts) {
                         self.ghost(svg, &sheet, ghost);
                     }
                 },
             );
         }
         self.axes(&mut svg, &sheet, row);
+        self.wheels(&mut svg, &sheet, row);
         self.links(&mut svg, &sheet, row);
         // In front of plates, which would hide them.
         self.pivots(&mut svg, &sheet, row);
         for guide in self.shown.picture.guides {
             self.frame_guide(&mut svg, &sheet, guide, row);
         }
+        self.cylinders(&mut svg, &sheet, row);
         self.sliders(&mut svg, &sheet, row);
         for (order, &point) in self.traces.iter().enumerate() {
             self.path(&mut svg, &sheet, point, order);
         }
+        self.even_points(&mut svg, &sheet);
+        self.ellipses(&mut svg, &sheet, row);
+        self.joint_signs(&mut svg, &sheet, row);
         self.points(&mut svg, &sheet, row);
+        self.drives(&mut svg, &sheet, row);
+        if self.dimensions {
+            self.dimension_lines(&mut svg, &sheet, row);
+        }
+        self.vectors(&mut svg, &sheet, row);
         if self.names {
             self.point_names(&mut svg, &sheet, row);
         }

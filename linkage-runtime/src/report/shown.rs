@@ -46,7 +46,7 @@ impl<'a> Shown<'a> {
     }
 
     /// The shortest and the longest way of a guide's slider from its origin over the range; 0 where nothing is finite.
-    fn travel(&self, guide: &Guide) -> [f64; 2] {
+    pub(super) fn travel(&self, guide: &Guide) -> [f64; 2] {
         let rows = 0..self.rows();
         let ways = rows.map(|row| {
             let (from, to) = (self.place(guide.origin, row), self.place(guide.slider, row));

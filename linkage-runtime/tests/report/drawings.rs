@@ -154,7 +154,7 @@ fn sliders_lie_on_their_guides() {
     let svg = report.drawing().unwrap().scale(0.2).svg().unwrap();
     let svg = Document::parse(&svg).unwrap();
     let blocks = classed(&svg, "slider");
-    assert_eq!(blocks.len(), 3);
+    assert_eq!(blocks.len(), 2);
     let middle = |node| {
         let corners = corners(node);
         [0, 1].map(|k| corners.iter().map(|corner| corner[k]).sum::<f64>() / 4.0)
@@ -167,34 +167,13 @@ fn sliders_lie_on_their_guides() {
         (lever[0] * side[1] - lever[1] * side[0]).abs() < 0.01,
         "along the lever"
     );
-    // The guide of the frame is hatched; those of the lever and the cylinder are bodies.
+    // The guide of the frame is hatched; that of the lever is a body.
     assert_eq!(classed(&svg, "guide").len(), 1);
     let names: Vec<_> = classed(&svg, "link")
         .iter()
         .map(|node| node.attribute("data-name").unwrap())
         .collect();
-    assert_eq!(names, ["crank", "lever", "rod", "slot", "cylinder"]);
-    // The cylinder reaches from its pivot over the farthest slider, 185 from it.
-    let links = classed(&svg, "link");
-    let cylinder = named(&links, "cylinder")
-        .children()
-        .find(|node| node.has_tag_name("polygon"))
-        .unwrap();
-    let [from, to] = corners(cylinder)[..] else {
-        panic!()
-    };
-    let (near, far) = if distance(from, point(&svg, "rest")) < 1e-3 {
-        (from, to)
-    } else {
-        (to, from)
-    };
-    assert!(distance(near, point(&svg, "rest")) < 1e-3);
-    let farthest = (130f64.hypot(60.0) + 55.0) * 0.2;
-    let length = distance(near, far);
-    assert!(
-        length > farthest && length < farthest + 9.0,
-        "{length} {farthest}"
-    );
+    assert_eq!(names, ["crank", "lever", "rod", "slot"]);
     // The point that only says where the frame's guide is does not show.
     assert_eq!(classed(&svg, "pivot").len(), 3);
     assert_eq!(

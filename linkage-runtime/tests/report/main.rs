@@ -10,6 +10,7 @@ mod folder;
 mod mistakes;
 mod picture;
 mod plots;
+mod signs;
 mod tolerances;
 
 use fixture::{FourBar, PHI};

@@ -5,11 +5,16 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::Drawing;
+use super::arrows::head;
 use super::sheet::Sheet;
 use crate::PointKind;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
 use crate::words::rounded;
+
+/// Length of the signs of axes; one that is seen shorter than this share has no head.
+const SIGN: f64 = 7.0;
+const SEEN: f64 = 0.4;
 
 /// The scale bar is about this long on paper.
 const LENGTH: f64 = 30.0;
@@ -38,6 +43,9 @@ impl Drawing<'_> {
             let words = format!("No link of the picture carries {}.", names.join(", "));
             svg.words(note.fill(Colour::Muted), &words);
         }
+        if let Some(axes) = sheet.axes() {
+            axis_sign(svg, [width - 16.0, 16.0], axes);
+        }
         self.scale_bar(svg, sheet, [6.0, height - 6.0]);
         let at = [width - 6.0, height - 6.0];
         let words = Element::text(at, 3.2).anchor("end").class("caption");
@@ -51,11 +59,16 @@ impl Drawing<'_> {
             "rad" => (at.to_degrees(), "deg"),
             unit => (at, unit),
         };
+        let position = format!("{} = {} {unit}", input.name, rounded(at));
+        if sheet.axes().is_some() {
+            // What is foreshortened has no scale.
+            return position;
+        }
         let scale = match sheet.scale {
             scale if scale < 1.0 => format!("1:{}", rounded(1.0 / scale)),
             scale => format!("{}:1", rounded(scale)),
         };
-        format!("{} = {} {unit}, scale {scale}", input.name, rounded(at))
+        format!("{position}, scale {scale}")
     }
 
     /// A round length of the mechanism with its number.
@@ -75,10 +88,29 @@ impl Drawing<'_> {
                 svg.add(tick.stroke(Colour::Ink, 0.4));
             }
             let words = Element::text([0.5 * (left + right), bottom - 1.6], 3.2).anchor("middle");
-            svg.words(
-                words.fill(Colour::Ink),
-                &format!("{} {}", rounded(length), self.shown.unit),
-            );
+            let length = format!("{} {}", rounded(length), self.shown.unit);
+            svg.words(words.fill(Colour::Ink), &length);
+            if sheet.axes().is_some() {
+                let at = [right + 3.0, bottom + 1.1];
+                let words = Element::text(at, 2.9).fill(Colour::Muted);
+                svg.words(words, "across the line of sight");
+            }
         });
     }
+}
+
+/// Where the axes of space point.
+fn axis_sign(svg: &mut Svg, at: [f64; 2], axes: [[f64; 2]; 3]) {
+    svg.group(Element::new("g").class("axes"), |svg| {
+        for (name, [x, y]) in ["x", "y", "z"].into_iter().zip(axes) {
+            let end = |length: f64| [at[0] + length * x, at[1] + length * y];
+            svg.add(Element::line(at, end(SIGN)).stroke(Colour::Muted, 0.4));
+            if x.hypot(y) > SEEN {
+                head(svg, at, end(SIGN), Colour::Muted);
+            }
+            let [left, below] = end(SIGN + 2.4);
+            let words = Element::text([left, below + 1.0], 2.9).anchor("middle");
+            svg.words(words.fill(Colour::Muted), name);
+        }
+    });
 }

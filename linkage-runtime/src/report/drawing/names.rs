@@ -95,6 +95,9 @@ impl Drawing<'_> {
                 stretches.extend(points[i + 1..].iter().map(|b| [*a, *b]));
             }
         }
+        for line in self.drive_lines(sheet, row) {
+            stretches.extend(line.windows(2).map(|ends| [ends[0], ends[1]]));
+        }
         for guide in picture.guides {
             let ends = self.shown.rail(guide);
             let ends = ends.map(|way| sheet.along(guide.origin, guide.direction, way, row));

@@ -7,7 +7,7 @@ use super::geometry::{hull, moved};
 use super::sheet::{BEYOND, Sheet};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::{GuideOn, PointKind};
+use crate::{GuideOn, GuideShape, PointKind};
 
 /// Width of a bar, and of a link's rail.
 const BAR: f64 = 2.4;
@@ -18,6 +18,8 @@ pub(super) const BLOCK: [f64; 2] = [4.0, 2.3];
 const OUTLINE: f64 = 0.35;
 /// Radius of a joint.
 pub(super) const JOINT: f64 = 1.05;
+/// Radius of a point of a block that nothing turns on.
+const DOT: f64 = 0.55;
 /// Radius of what nothing carries.
 const LOOSE: f64 = 1.5;
 
@@ -33,7 +35,7 @@ struct Body<'a> {
 impl Drawing<'_> {
     /// Bars, plates and rails, the farthest first.
     pub(super) fn links(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-        let mut bodies = self.bodies(sheet, row);
+        let mut bodies = self.bodies(sheet, row, false);
         bodies.sort_by(|a, b| a.nearness.total_cmp(&b.nearness));
         for body in bodies {
             let group = Element::new("g").class("link").set("data-name", body.name);
@@ -59,7 +61,7 @@ impl Drawing<'_> {
 
     /// Lines and outlines without width.
     pub(super) fn ghost(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-        for body in self.bodies(sheet, row) {
+        for body in self.bodies(sheet, row, true) {
             let shape = Element::polygon(body.corners).set("stroke-linecap", "round");
             svg.add(
                 shape
@@ -78,7 +80,8 @@ impl Drawing<'_> {
 
     /// Blocks along their guides.
     pub(super) fn sliders(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-        for guide in self.shown.picture.guides {
+        let guides = self.shown.picture.guides.iter();
+        for guide in guides.filter(|own| own.shape == GuideShape::Slot) {
             let at = sheet.point(guide.slider, row);
             let direction = sheet.direction(guide.direction, row);
             if let (Some(at), Some(direction)) = (at, direction) {
@@ -101,8 +104,15 @@ impl Drawing<'_> {
             let traced = self.traces.iter().position(|trace| *trace == index);
             let colour = traced.map_or(Colour::Ink, Colour::Curve);
             let mark = match point.kind {
+                // Nothing turns there.
+                PointKind::Joint if self.only_slides(index) => {
+                    Element::circle(at, DOT).fill(colour)
+                }
                 PointKind::Ground | PointKind::Joint => Element::circle(at, JOINT)
-                    .fill(Colour::Paper)
+                    .fill(match self.is_ball(index) {
+                        true => colour,
+                        false => Colour::Paper,
+                    })
                     .stroke(colour, 0.45),
                 PointKind::Tip => Element::circle(at, 0.8).fill(colour),
                 PointKind::Loose => Element::circle(at, LOOSE)
@@ -115,7 +125,7 @@ impl Drawing<'_> {
         }
     }
 
-    fn bodies(&self, sheet: &Sheet<'_>, row: usize) -> Vec<Body<'static>> {
+    fn bodies(&self, sheet: &Sheet<'_>, row: usize, ghost: bool) -> Vec<Body<'static>> {
         let picture = self.shown.picture;
         let mut bodies = Vec::new();
         for (index, link) in picture.links.iter().enumerate() {
@@ -133,6 +143,8 @@ impl Drawing<'_> {
         }
         for (index, guide) in picture.guides.iter().enumerate() {
             let colour = match guide.on {
+                // Drawn by itself, but as a ghost.
+                GuideOn::Itself if guide.shape == GuideShape::Cylinder && !ghost => continue,
                 GuideOn::Frame => continue,
                 GuideOn::Link(link) => Colour::Link(link),
                 GuideOn::Itself => Colour::Link(picture.links.len() + index),

@@ -4,6 +4,7 @@ use std::vec::Vec;
 
 use super::Drawing;
 use super::geometry::along;
+use super::wheels::Wheels;
 use crate::PointKind;
 use crate::report::shown::Shown;
 
@@ -83,7 +84,7 @@ impl<'a> Sheet<'a> {
     pub(super) fn new(drawing: &Drawing<'a>) -> Self {
         let (shown, view) = (drawing.shown, drawing.view);
         let unit = millimetres(shown.unit);
-        let limits = limits(&shown, &view);
+        let limits = limits(drawing, &view);
         let [wide, high] = limits.map(|[low, high]| (high - low).max(0.0));
         let scale = drawing.scale.unwrap_or_else(|| {
             let room = (LARGEST[0] / (wide * unit)).min(LARGEST[1] / (high * unit));
@@ -131,6 +132,28 @@ impl<'a> Sheet<'a> {
         (length > VISIBLE).then_some([x / length, -y / length])
     }
 
+    /// The end of a step from a point.
+    pub(super) fn beside(&self, point: usize, step: [f64; 3], row: usize) -> Option<[f64; 2]> {
+        self.place(along(self.shown.place(point, row), step, 1.0))
+    }
+
+    /// A step on paper.
+    pub(super) fn step(&self, step: [f64; 3]) -> [f64; 2] {
+        let [x, y] = self.view.project(step);
+        [self.factor * x, -self.factor * y]
+    }
+
+    /// The axes of space on paper, of length one where they lie in it; `None` in the plane.
+    pub(super) fn axes(&self) -> Option<[[f64; 2]; 3]> {
+        let axis = |k: usize| {
+            let mut axis = [0.0; 3];
+            axis[k] = 1.0;
+            let [x, y] = self.view.project(axis);
+            [x, -y]
+        };
+        self.view.in_space.then(|| [0, 1, 2].map(axis))
+    }
+
     pub(super) fn nearness(&self, index: usize, row: usize) -> f64 {
         self.view.nearness(self.shown.place(index, row))
     }
@@ -147,7 +170,8 @@ impl<'a> Sheet<'a> {
 
 /// The ends of everything that moves or stands, to the right and up, over the whole range: the drawing of any position
 /// has the same frame.
-fn limits(shown: &Shown<'_>, view: &View) -> [[f64; 2]; 2] {
+fn limits(drawing: &Drawing<'_>, view: &View) -> [[f64; 2]; 2] {
+    let shown = &drawing.shown;
     let mut limits = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     let mut take = |v: [f64; 3]| {
         for (limit, x) in limits.iter_mut().zip(view.project(v)) {
@@ -158,10 +182,23 @@ fn limits(shown: &Shown<'_>, view: &View) -> [[f64; 2]; 2] {
     };
     let guides = shown.picture.guides.iter();
     let rails: Vec<_> = guides.map(|guide| (guide, shown.rail(guide))).collect();
+    let gears = shown.picture.gears.iter();
+    let gears = gears.filter_map(|gear| Some((gear, Wheels::of(shown, gear)?)));
+    let gears: Vec<_> = gears.collect();
     for row in 0..shown.rows() {
         for (index, point) in shown.picture.points.iter().enumerate() {
             if point.kind != PointKind::Construction {
                 take(shown.place(index, row));
+            }
+        }
+        for vector in &drawing.vectors {
+            take(along(shown.place(vector.point, row), vector.step(row), 1.0));
+        }
+        for (gear, wheels) in &gears {
+            for (centre, radius) in gear.centres.iter().zip(wheels.radii) {
+                let [x, y, z] = shown.place(*centre, row);
+                take([x - radius, y - radius, z]);
+                take([x + radius, y + radius, z]);
             }
         }
         for (guide, rail) in &rails {

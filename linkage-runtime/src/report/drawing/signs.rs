@@ -1,0 +1,137 @@
+//! Signs of joints in space, and cylinders.
+
+use std::vec::Vec;
+
+use super::Drawing;
+use super::geometry::moved;
+use super::sheet::Sheet;
+use crate::report::colour::Colour;
+use crate::report::svg::{Element, Svg};
+use crate::{Guide, GuideShape, JointShape};
+
+/// Half the length and half the height of a hinge's sleeve, and of one that slides, too.
+const SLEEVE: [f64; 2] = [2.6, 1.2];
+const LONG_SLEEVE: [f64; 2] = [4.4, 1.2];
+/// Radius of the socket of a ball, and of the ring of a universal joint.
+const SOCKET: f64 = 1.75;
+/// Half the height of a barrel, and the width of a piston rod.
+const BARREL: f64 = 2.1;
+const ROD: f64 = 1.3;
+/// How much of a cylinder's shortest length is barrel, and how much of the longest at least.
+const SHARE: [f64; 2] = [0.85, 0.3];
+/// Width of outlines.
+const OUTLINE: f64 = 0.35;
+
+impl Drawing<'_> {
+    /// What tells joints in space from each other, below the circles of their points.
+    pub(super) fn joint_signs(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        let picture = self.shown.picture;
+        for joint in picture.joints.iter().filter(|_| picture.dimension == 3) {
+            let Some(at) = sheet.point(joint.point, row) else {
+                continue;
+            };
+            let axes = picture.axes.iter().filter(|axis| axis.point == joint.point);
+            let axes = axes.filter_map(|axis| sheet.direction(axis.direction, row));
+            let mut guides = picture
+                .guides
+                .iter()
+                .filter(|own| own.slider == joint.point);
+            let along = guides.find_map(|own| sheet.direction(own.direction, row));
+            let group = Element::new("g").class("joint");
+            let name = picture.points[joint.point].name;
+            match joint.shape {
+                JointShape::Pin => svg.group(group.class("hinge").set("data-name", name), |svg| {
+                    axes.take(1).for_each(|way| sleeve(svg, at, way, SLEEVE));
+                }),
+                JointShape::Ball => svg.group(group.class("ball").set("data-name", name), |svg| {
+                    svg.add(ring(at));
+                }),
+                JointShape::Universal => {
+                    svg.group(group.class("universal").set("data-name", name), |svg| {
+                        svg.add(ring(at));
+                        for way in axes {
+                            let [a, b] =
+                                [-1.0, 1.0].map(|end| moved(at, way, 1.9 * SOCKET * end, 0.0));
+                            svg.add(Element::line(a, b).stroke(Colour::Ink, 0.6));
+                        }
+                    });
+                }
+                JointShape::Cylindrical => {
+                    svg.group(group.class("cylindrical").set("data-name", name), |svg| {
+                        let way = along.or_else(|| axes.take(1).next());
+                        way.into_iter()
+                            .for_each(|way| sleeve(svg, at, way, LONG_SLEEVE));
+                    });
+                }
+                // Its block is the sign.
+                JointShape::Slide => {}
+            }
+        }
+    }
+
+    /// The mark of a point with a ball: filled, as a ball in its socket.
+    pub(super) fn is_ball(&self, point: usize) -> bool {
+        let picture = self.shown.picture;
+        let mut joints = picture.joints.iter();
+        picture.dimension == 3
+            && joints.any(|own| own.point == point && own.shape == JointShape::Ball)
+    }
+
+    /// Whether something slides in a point, and nothing turns.
+    pub(super) fn only_slides(&self, point: usize) -> bool {
+        let joints = self.shown.picture.joints.iter();
+        let mut here = joints.filter(|own| own.point == point).peekable();
+        here.peek().is_some() && here.all(|own| own.shape == JointShape::Slide)
+    }
+
+    /// Cylinders: a barrel from the one end, a piston rod from the other.
+    pub(super) fn cylinders(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        let guides = self.shown.picture.guides.iter().enumerate();
+        for (index, guide) in guides.filter(|(_, own)| own.shape == GuideShape::Cylinder) {
+            let barrel = self.barrel(guide);
+            let foot = sheet.point(guide.origin, row);
+            let mouth = sheet.along(guide.origin, guide.direction, barrel, row);
+            let eye = sheet.point(guide.slider, row);
+            let way = sheet.direction(guide.direction, row);
+            let (Some(foot), Some(mouth), Some(eye), Some(way)) = (foot, mouth, eye, way) else {
+                continue;
+            };
+            let colour = Colour::Link(self.shown.picture.links.len() + index);
+            let group = Element::new("g")
+                .class("cylinder")
+                .set("data-name", guide.name);
+            svg.group(group, |svg| {
+                for (colour, width) in [(Colour::Ink, ROD + 2.0 * OUTLINE), (Colour::Paper, ROD)] {
+                    let rod = Element::line(foot, eye).class("rod");
+                    svg.add(rod.stroke(colour, width).set("stroke-linecap", "round"));
+                }
+                let corners: Vec<[f64; 2]> =
+                    [(foot, 1.0), (mouth, 1.0), (mouth, -1.0), (foot, -1.0)]
+                        .into_iter()
+                        .map(|(at, side)| moved(at, way, 0.0, side * BARREL))
+                        .collect();
+                let tube = Element::polygon(corners).class("barrel");
+                svg.add(tube.fill(colour).stroke(Colour::Ink, 0.45));
+            });
+        }
+    }
+
+    /// The length of a barrel: the piston rod shows at every position.
+    fn barrel(&self, guide: &Guide) -> f64 {
+        let [low, high] = self.shown.travel(guide);
+        (SHARE[0] * low).max(SHARE[1] * high)
+    }
+}
+
+fn ring(at: [f64; 2]) -> Element {
+    let ring = Element::circle(at, SOCKET).class("socket");
+    ring.fill(Colour::Paper).stroke(Colour::Ink, 0.45)
+}
+
+/// A piece of a tube along a direction.
+fn sleeve(svg: &mut Svg, at: [f64; 2], way: [f64; 2], [half, high]: [f64; 2]) {
+    let corners = [(half, high), (half, -high), (-half, -high), (-half, high)];
+    let corners = corners.map(|(along, left)| moved(at, way, along, left));
+    let tube = Element::polygon(corners).class("sleeve");
+    svg.add(tube.fill(Colour::Paper).stroke(Colour::Ink, 0.45));
+}

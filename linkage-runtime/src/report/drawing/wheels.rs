@@ -1,0 +1,104 @@
+//! Gears as pitch circles, belts where wheels turn the same way.
+
+use std::format;
+
+use super::Drawing;
+use super::arrows::wrapped;
+use super::geometry::moved;
+use super::sheet::Sheet;
+use crate::Gear;
+use crate::report::colour::Colour;
+use crate::report::shown::Shown;
+use crate::report::svg::{Element, Svg};
+use crate::words::rounded;
+
+/// The radii of a belt's wheels together, as a share of the distance of their centres.
+const BELT: f64 = 0.6;
+
+/// Two wheels, in units of the mechanism.
+pub(super) struct Wheels {
+    pub(super) radii: [f64; 2],
+    /// By how much the second turns when the first turns once.
+    ratio: f64,
+}
+
+impl Wheels {
+    /// `None` where one of the links never turns, or nothing is finite.
+    pub(super) fn of(shown: &Shown<'_>, gear: &Gear) -> Option<Self> {
+        let angle = |wheel: usize, row: usize| {
+            let from = shown.place(gear.centres[wheel], row);
+            let to = shown.place(gear.ends[wheel], row);
+            (to[1] - from[1]).atan2(to[0] - from[0])
+        };
+        // Best in the sense of least squares; steps are far less than half a turn.
+        let (mut product, mut square) = (0.0, 0.0);
+        for row in 1..shown.rows() {
+            let [a, b] = [0, 1].map(|wheel| wrapped(angle(wheel, row) - angle(wheel, row - 1)));
+            if a.is_finite() && b.is_finite() {
+                product += a * b;
+                square += a * a;
+            }
+        }
+        let ratio = product / square;
+        let row = (0..shown.rows()).find(|row| shown.is_assembled(*row))?;
+        let [from, to] = gear.centres.map(|centre| shown.place(centre, row));
+        let apart = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let share = ratio.abs() / (1.0 + ratio.abs());
+        let both = if ratio < 0.0 { apart } else { BELT * apart };
+        let is_sound = ratio.is_finite() && ratio != 0.0 && apart > 0.0;
+        is_sound.then_some(Self {
+            radii: [share * both, (1.0 - share) * both],
+            ratio,
+        })
+    }
+}
+
+impl Drawing<'_> {
+    pub(super) fn wheels(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        let picture = self.shown.picture;
+        for gear in picture.gears.iter().filter(|_| picture.dimension == 2) {
+            let centres = gear.centres.map(|centre| sheet.point(centre, row));
+            let ([Some(a), Some(b)], Some(wheels)) = (centres, Wheels::of(&self.shown, gear))
+            else {
+                continue;
+            };
+            let radii = wheels.radii.map(|radius| radius * sheet.factor);
+            svg.group(Element::new("g").class("gear"), |svg| {
+                for (centre, radius) in [a, b].into_iter().zip(radii) {
+                    let wheel = Element::circle(centre, radius).class("wheel");
+                    let wheel = wheel.fill(Colour::Gap).number("fill-opacity", 0.5);
+                    // The sign of a pitch circle.
+                    svg.add(
+                        wheel
+                            .stroke(Colour::Muted, 0.35)
+                            .set("stroke-dasharray", "4 1 0.8 1"),
+                    );
+                }
+                if wheels.ratio > 0.0 {
+                    belt(svg, [a, b], radii);
+                }
+                let apart = (b[0] - a[0]).hypot(b[1] - a[1]);
+                let way = [0, 1].map(|k| (b[k] - a[k]) / apart);
+                let at = moved(a, way, radii[0] + 0.5 * (apart - radii[0] - radii[1]), 2.0);
+                let words = format!("1 : {}", rounded(wheels.ratio));
+                let text = Element::text(at, 3.0).anchor("middle").class("ratio");
+                let text = text.stroke(Colour::Paper, 0.9).set("paint-order", "stroke");
+                svg.words(text.fill(Colour::Muted), &words);
+            });
+        }
+    }
+}
+
+/// The two outer tangents of circles.
+fn belt(svg: &mut Svg, [a, b]: [[f64; 2]; 2], radii: [f64; 2]) {
+    let apart = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let way = [0, 1].map(|k| (b[k] - a[k]) / apart);
+    let lean = (radii[0] - radii[1]) / apart;
+    let across = (1.0 - lean * lean).max(0.0).sqrt();
+    for side in [1.0, -1.0] {
+        let touch =
+            |at: [f64; 2], radius: f64| moved(at, way, radius * lean, side * radius * across);
+        let line = Element::line(touch(a, radii[0]), touch(b, radii[1])).class("belt");
+        svg.add(line.stroke(Colour::Muted, 0.5));
+    }
+}
