@@ -47,7 +47,10 @@ fn gears_roll_on_each_other() {
 
 #[test]
 fn wheels_that_turn_alike_have_a_belt() {
-    let svg = drawing("belt_wheels", &GEARS.replace("RATIO", "3").replace("-80deg", "120deg"));
+    let svg = drawing(
+        "belt_wheels",
+        &GEARS.replace("RATIO", "3").replace("-80deg", "120deg"),
+    );
     let [first, second] = radii(&svg)[..] else {
         panic!("two wheels: {svg}")
     };

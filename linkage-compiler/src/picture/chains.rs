@@ -235,11 +235,13 @@ impl<'a, 'm> Sketch<'a, 'm> {
         self.roles.moves(expr)
     }
 
-    /// Whether it is a vector of the picture's dimension, or a zero.
+    /// Whether it is a vector of the picture's dimension, one of its plane of x and y, or a zero.
     fn is_vector(&self, expr: &Expr) -> bool {
         match &expr.ty {
             Type::Vector(count, dimension) => {
-                *count == self.dimension && dimension.half_lengths == 2
+                let is_flat = (*count, self.dimension) == (2, 3);
+                let is_drawn = *count == self.dimension || is_flat && !self.is_projection(expr);
+                is_drawn && dimension.half_lengths == 2
             }
             Type::Zero(_) => true,
             Type::Scalar(_) | Type::Array(_) | Type::Frame | Type::Error => false,

@@ -3,7 +3,7 @@
 use linkage_symbolic::{Ex, NodeId, Vn};
 
 use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
+use crate::model::{BinaryOp, Dimension, Expr, ExprKind, Function, Name, Type};
 
 use super::chains::{Line, Segment, Shape, Sketch};
 use super::links::{Links, is_rigid};
@@ -25,7 +25,7 @@ pub(super) struct RawGuide<'m> {
     pub(super) slider: usize,
     pub(super) along: Vn<'m>,
     pub(super) on: GuideOn,
-    /// Whether it is a distance: a cylinder between two pins.
+    /// A cylinder between two pins: a distance, or what an input pushes.
     pub(super) is_cylinder: bool,
 }
 
@@ -37,7 +37,9 @@ struct Candidate<'m> {
     along: Vn<'m>,
     /// Whether the program says that it is on the frame.
     on_frame: bool,
-    is_cylinder: bool,
+    is_distance: bool,
+    /// Whether an input is its length.
+    is_driven: bool,
 }
 
 impl<'m> Guides<'m> {
@@ -91,18 +93,26 @@ impl<'m> Guides<'m> {
         });
         let fixed = candidate.on_frame || seen.is_fixed(origin);
         let on = match carrier {
-            _ if candidate.is_cylinder => GuideOn::Itself,
+            _ if candidate.is_distance => GuideOn::Itself,
             _ if fixed && seen.is_steady(&along) => GuideOn::Frame,
             Some(link) => GuideOn::Link(link),
             None => GuideOn::Itself,
         };
+        // What belongs to the link does not slide on it.
+        if let GuideOn::Link(link) = on
+            && links.all[link].points.contains(&slider)
+        {
+            return;
+        }
+        // A driven length that turns about its end.
+        let pushes = candidate.is_driven && on == GuideOn::Itself && !seen.is_steady(&along);
         self.all.push(RawGuide {
             name: candidate.name,
             origin,
             slider,
             along: candidate.along,
             on,
-            is_cylinder: candidate.is_cylinder,
+            is_cylinder: candidate.is_distance || pushes,
         });
     }
 }
@@ -112,7 +122,7 @@ impl<'m> Sketch<'_, 'm> {
     fn slide(&mut self, segment: &Segment<'m>, seen: &Seen) -> Option<Candidate<'m>> {
         let (mut origin, mut slider) = (segment.from, segment.to);
         let from = self.points[segment.from].at;
-        let (sign, Slide { offset, along }) = match segment.shape {
+        let (sign, slide) = match segment.shape {
             Shape::Term(sign, term) => (sign, self.direction_of(term)?),
             Shape::Part(sign, slide) => (sign, slide?),
             Shape::Distance => {
@@ -121,32 +131,48 @@ impl<'m> Sketch<'_, 'm> {
                 if seen.is_fixed(slider) {
                     (origin, slider) = (slider, origin);
                 }
-                let along = (to - from).unit();
-                let offset = None;
-                (1.0, Slide { offset, along })
+                let slide = Slide {
+                    offset: None,
+                    along: (to - from).unit(),
+                    input: None,
+                };
+                (1.0, slide)
             }
             Shape::Body(_) => return None,
         };
+        let Slide {
+            offset,
+            along,
+            input,
+        } = slide;
         let offset = offset.map(|offset| if sign > 0.0 { offset } else { -offset });
         if let Some(offset) = offset {
             origin = self.point(from + offset);
         }
-        let name = segment.title.as_ref().map(|title| title.text.clone());
+        let inputs = &self.algebra.mechanism.inputs;
+        let name = match (input, &segment.title) {
+            (Some(input), _) => inputs[input].name.clone(),
+            (None, Some(title)) => title.text.clone(),
+            (None, None) => "slide".to_owned(),
+        };
         Some(Candidate {
-            name: name.unwrap_or_else(|| "slide".to_owned()),
+            name,
             origin,
             slider,
             along,
             on_frame: false,
-            is_cylinder: matches!(segment.shape, Shape::Distance),
+            is_distance: matches!(segment.shape, Shape::Distance),
+            is_driven: input.is_some(),
         })
     }
 
     /// Along which unit vector a term changes its length, and what it contains across that.
     pub(super) fn direction_of(&mut self, term: &'m Expr) -> Option<Slide<'m>> {
+        let input = self.driving(term);
         let straight = |along: Vn<'m>| Slide {
             offset: None,
             along,
+            input,
         };
         match &term.kind {
             ExprKind::Call(Function::Polar, arguments) => {
@@ -167,6 +193,7 @@ impl<'m> Sketch<'_, 'm> {
                 Some(Slide {
                     offset: Some(rest),
                     along: self.axis_of(varying),
+                    input,
                 })
             }
             ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) => {
@@ -175,11 +202,24 @@ impl<'m> Sketch<'_, 'm> {
                 Some(Slide {
                     offset: inner.offset.map(&mut turn),
                     along: turn(inner.along),
+                    input,
                 })
             }
             // Of anything else nobody knows along what it changes.
             _ => None,
         }
+    }
+
+    /// The input that is a length in an expression.
+    pub(super) fn driving(&self, expr: &Expr) -> Option<usize> {
+        let mechanism = self.algebra.mechanism;
+        expr.parts().find_map(|part| match part.as_name()? {
+            Name::Input(input) => {
+                let is_length = mechanism.inputs[input].dimension.fits(Dimension::LENGTH);
+                is_length.then_some(input)
+            }
+            name => self.driving(mechanism.value_of(name)?),
+        })
     }
 
     /// The unit vector along a coordinate axis.
@@ -227,7 +267,8 @@ impl<'m> Sketch<'_, 'm> {
             slider: line.slider,
             along: line.along,
             on_frame: line.carrier.is_none(),
-            is_cylinder: false,
+            is_distance: false,
+            is_driven: false,
         }
     }
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
 use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Name};
+use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
 
 use super::chains::{Sketch, Title};
 use super::parts::{Part, Slide, Turn};
@@ -61,10 +61,17 @@ impl<'m> Sketch<'_, 'm> {
             }
         }
         let is_whole = |group: &Group| match group.step {
-            Step::Point(_) => group.summands.len() == components.len(),
+            // A point of the plane may stand in a vector of space.
+            Step::Point(Expr {
+                ty: Type::Vector(count, _),
+                ..
+            }) => group.summands.len() == *count,
+            Step::Point(_) => false,
             Step::Fixed | Step::Long(..) => true,
         };
-        if groups.len() < 2 || !groups.iter().all(is_whole) {
+        let is_point = |group: &Group| matches!(group.step, Step::Point(_));
+        let is_step = groups.len() < 2 && !groups.iter().any(is_point);
+        if is_step || !groups.iter().all(is_whole) {
             return Vec::new();
         }
         groups.sort_by_key(|group| match group.step {
@@ -176,6 +183,7 @@ impl<'m> Sketch<'_, 'm> {
             Slide {
                 offset: None,
                 along,
+                input: self.driving(length),
             }
         });
         let components: BTreeSet<usize> = all().map(|(component, _)| *component).collect();
@@ -184,6 +192,7 @@ impl<'m> Sketch<'_, 'm> {
             (None, [component]) => Some(Slide {
                 offset: None,
                 along: self.axis_of(*component),
+                input: None,
             }),
             (slide, _) => slide,
         };

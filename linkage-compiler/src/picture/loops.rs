@@ -3,7 +3,7 @@
 use linkage_symbolic::{Ex, NodeId, Vector};
 
 use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Joint, Loop, Mechanism, Name, Type};
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Loop, Mechanism, Name, Type};
 
 use super::chains::{Asked, Line, Shape, Sketch, Term, Title};
 
@@ -86,9 +86,21 @@ impl<'m> Sketch<'_, 'm> {
     fn look_at_loop(&mut self, own: &'m Loop) {
         match own.left.ty {
             Type::Vector(..) => {
+                let is_flat = self.is_flat(&own.left) && self.is_flat(&own.right);
+                if is_flat
+                    && [&own.left, &own.right]
+                        .iter()
+                        .any(|side| self.is_projection(side))
+                {
+                    // It is not known where in space it lies.
+                    return;
+                }
                 for side in self.sides(own) {
                     if let Some(end) = self.chain(side) {
                         self.points[end].wanted = true;
+                        if is_flat {
+                            self.axis(end, self.axis_of(2));
+                        }
                     }
                 }
             }
@@ -100,6 +112,23 @@ impl<'m> Sketch<'_, 'm> {
                 }
             }
         }
+    }
+
+    /// Whether it lies in a plane of a mechanism of space.
+    fn is_flat(&self, expr: &Expr) -> bool {
+        self.dimension == 3 && matches!(expr.ty, Type::Vector(2, _) | Type::Zero(_))
+    }
+
+    /// Whether a vector of the plane has components of vectors of space: it may lie in any plane.
+    pub(super) fn is_projection(&self, expr: &Expr) -> bool {
+        expr.parts().any(|part| match &part.kind {
+            ExprKind::Component(vector, _) => matches!(vector.ty, Type::Vector(3, _)),
+            ExprKind::Name(name) => {
+                let value = self.algebra.mechanism.value_of(*name);
+                value.is_some_and(|value| self.is_projection(value))
+            }
+            _ => false,
+        })
     }
 
     /// The two ways from one point to another that a vector loop consists of, each in the order in which it is written.
@@ -218,70 +247,6 @@ impl<'m> Sketch<'_, 'm> {
             });
             return;
         }
-    }
-
-    /// The joints of each body are points of it.
-    fn look_at_bodies(&mut self) {
-        let mechanism = self.algebra.mechanism;
-        let points: Vec<Option<usize>> = mechanism
-            .joints
-            .iter()
-            .map(|joint| self.point_of(&joint.at))
-            .collect();
-        for (joint, point) in mechanism.joints.iter().zip(&points) {
-            if let (Some(text), Some(point)) = (&joint.name, point) {
-                let text = text.clone();
-                self.call(*point, Title { rank: 3, text });
-            }
-        }
-        for (index, body) in mechanism.bodies.iter().enumerate() {
-            let Some(own) = points[body.joint] else {
-                continue;
-            };
-            for (joint, point) in mechanism.joints.iter().zip(&points) {
-                // What slides along a guide is no point of it.
-                let carries = joint.on == Some(index) && !joint.kind.slides();
-                if let (true, Some(point)) = (carries || joint.body == index, point) {
-                    let text = body.name.clone();
-                    self.segment(
-                        own,
-                        *point,
-                        Some(Title { rank: 0, text }),
-                        Shape::Body(Some(index)),
-                    );
-                }
-            }
-        }
-        for (joint, point) in mechanism.joints.iter().zip(&points) {
-            if let Some(point) = point {
-                self.joints.push((*point, joint.kind));
-                self.look_at_direction(joint, *point, &points);
-            }
-        }
-    }
-
-    fn look_at_direction(&mut self, joint: &'m Joint, point: usize, points: &[Option<usize>]) {
-        let Some(direction) = &joint.direction else {
-            return;
-        };
-        let mechanism = self.algebra.mechanism;
-        let along = self.vector(direction);
-        if !joint.kind.slides() {
-            return self.axis(point, along);
-        }
-        let along = along.unit();
-        let carrier = joint
-            .on
-            .and_then(|body| points[mechanism.bodies[body].joint]);
-        let body = &mechanism.bodies[joint.body].name;
-        let name = joint.name.as_ref().unwrap_or(body).clone();
-        self.lines.push(Line {
-            slider: point,
-            carrier,
-            through: false,
-            along,
-            name,
-        });
     }
 }
 

@@ -12,7 +12,7 @@
 //! | `terms` | sums of vectors, term by term |
 //! | `literals`, `parts` | literals and turned sums, taken apart |
 //! | `titles` | what points and links are called in the program |
-//! | `loops` | what loops, bodies and joints are made of |
+//! | `loops`, `bodies` | what loops, bodies and joints are made of |
 //! | `seen` | the points at several positions and with other dimensions |
 //! | `free` | the points where nothing closes the loops |
 //! | `links` | points that keep their distances |
@@ -23,6 +23,7 @@
 //! | `names` | names for points and links that the program does not name |
 //! | `check` | links that the user added must be rigid |
 
+mod bodies;
 mod chains;
 mod check;
 mod drives;

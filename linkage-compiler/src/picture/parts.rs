@@ -39,6 +39,8 @@ pub(super) struct Slide<'m> {
     pub(super) offset: Option<Vn<'m>>,
     /// A unit vector.
     pub(super) along: Vn<'m>,
+    /// The input that is its length, or in it.
+    pub(super) input: Option<usize>,
 }
 
 impl<'m> Sketch<'_, 'm> {
@@ -126,6 +128,7 @@ impl<'m> Sketch<'_, 'm> {
         let slide = slide.map(|own| Slide {
             offset: own.offset.map(&mut turn),
             along: turn(own.along),
+            input: own.input,
         });
         let within = self.turns_of(inner);
         let mut turns = Vec::new();
@@ -190,6 +193,15 @@ impl<'m> Sketch<'_, 'm> {
                 vec![Turn {
                     along: self.vector(&arguments[1]),
                     by: Some(&arguments[2]),
+                }]
+            }
+            // What turns in the plane turns about z.
+            ExprKind::Call(Function::Polar | Function::Rotate, arguments)
+                if self.dimension == 3 && self.moves(&arguments[1]) != Moves::Not =>
+            {
+                vec![Turn {
+                    along: self.axis_of(2),
+                    by: Some(&arguments[1]),
                 }]
             }
             // Nothing else turns about an axis of its own.
