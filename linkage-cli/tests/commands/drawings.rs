@@ -1,8 +1,9 @@
 //! Drawings of mechanisms that were compiled.
 
 use std::fs;
+use std::path::Path;
 
-use crate::{folder, printed};
+use crate::{folder, linkage, printed};
 
 const GEARS: &str = "
     struct Gears {
@@ -57,4 +58,52 @@ fn wheels_that_turn_alike_have_a_belt() {
     assert!((first - 3.0 * second).abs() < 1e-3, "{first} {second}");
     assert!(svg.contains(">1 : 3<"));
     assert_eq!(svg.matches("class=\"belt").count(), 2);
+}
+
+#[test]
+fn what_nothing_carries_is_told() {
+    let text = "
+    struct Crank {
+        unit mm;
+        param crank = 20mm;
+        input phi = 40deg in 0deg..360deg;
+        let a = polar(crank, phi);
+        let ghost = (a.x * sin(phi), a.y * cos(phi));
+    }
+    impl Crank { fn look(phi) -> Look { shape: picture() } }";
+    let folder = folder("loose");
+    fs::write(folder.join("it.mech"), text).expect("it can be written");
+    let output = linkage(&folder, &["page", "it.mech", "-o", "it"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    let warning = "warning: `ghost` moves, but no link of the picture carries it";
+    assert!(output.status.success() && said.contains(warning), "{said}");
+    let told = "No link of the picture carries ghost.";
+    let svg = fs::read_to_string(folder.join("it/drawing.svg")).expect("a drawing");
+    assert!(svg.contains(told), "{svg}");
+    let data = fs::read_to_string(folder.join("it/data.json")).expect("data");
+    let data: serde_json::Value = serde_json::from_str(&data).expect("JSON");
+    assert_eq!(data["notes"], serde_json::json!([told]));
+    assert_eq!(data["picture"]["points"][2]["kind"], "loose");
+}
+
+#[test]
+fn what_an_input_pushes_is_a_cylinder() {
+    let text = "
+    struct Jack {
+        unit mm;
+        param arm = 500mm;
+        param foot = (100mm, -300mm);
+        input length = 450mm in 430mm..600mm;
+        unknown psi = 0deg;
+        loop distance(polar(arm, psi), foot) = length;
+    }
+    impl Jack { fn look(length) -> Look { shape: picture() } }";
+    let svg = drawing("jack", text);
+    let data = Path::new(env!("CARGO_TARGET_TMPDIR")).join("jack/it/data.json");
+    let data = fs::read_to_string(data).expect("data");
+    let data: serde_json::Value = serde_json::from_str(&data).expect("JSON");
+    assert_eq!(data["picture"]["guides"][0]["shape"], "cylinder");
+    assert_eq!(svg.matches("class=\"barrel").count(), 1);
+    assert_eq!(svg.matches("class=\"drive\"").count(), 1);
+    assert!(!svg.contains("class=\"slider"));
 }

@@ -9,7 +9,7 @@ use super::rates::True;
 use super::shown::Shown;
 use super::tables::Saved;
 use super::{Report, ReportError};
-use crate::{Column, GuideOn, Meaning, Operations, PointKind, Structure};
+use crate::{Column, GuideOn, GuideShape, Meaning, Operations, PointKind, Structure};
 
 impl Report {
     /// Everything as JSON: numbers with the digits that they have, in the units beside them, angles in radians. A number
@@ -28,7 +28,7 @@ impl Report {
         json!({
             "title": self.title,
             "about": self.about,
-            "notes": self.notes,
+            "notes": self.told(),
             "input": {
                 "name": self.input.name,
                 "unit": self.input.unit,
@@ -153,6 +153,10 @@ impl Report {
                     GuideOn::Frame => json!("frame"),
                     GuideOn::Link(link) => json!(link),
                     GuideOn::Itself => json!("itself"),
+                },
+                "shape": match guide.shape {
+                    GuideShape::Slot => "slot",
+                    GuideShape::Cylinder => "cylinder",
                 },
             })),
             "axes": list(picture.axes, |axis| {

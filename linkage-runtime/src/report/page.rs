@@ -11,7 +11,7 @@ const STYLES: [&str; 3] = [
     include_str!("page/sheets.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 23] = [
+const SCRIPTS: [&str; 24] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/data.js"),
@@ -20,6 +20,7 @@ const SCRIPTS: [&str; 23] = [
     include_str!("page/camera.js"),
     include_str!("page/symbols.js"),
     include_str!("page/parts.js"),
+    include_str!("page/cylinders.js"),
     include_str!("page/points.js"),
     include_str!("page/traces.js"),
     include_str!("page/drawing.js"),

@@ -1,5 +1,6 @@
 //! The picture of a report, with the places of its points.
 
+use std::format;
 use std::string::String;
 use std::vec::Vec;
 
@@ -92,6 +93,14 @@ impl Report {
         })
     }
 
+    /// The notes, and what there is to say of the picture.
+    pub(super) fn told(&self) -> Vec<String> {
+        let loose = self
+            .shown()
+            .and_then(|shown| told_of_loose_points(shown.picture));
+        self.notes.iter().cloned().chain(loose).collect()
+    }
+
     /// Whether there is a picture, and a position at which all of it can be drawn.
     pub(super) fn is_drawable(&self) -> bool {
         self.shown()
@@ -117,6 +126,14 @@ impl Report {
             }
         }
     }
+}
+
+/// What is said of points that no link carries; `None` if there are none.
+pub(super) fn told_of_loose_points(picture: &Picture) -> Option<String> {
+    let loose = picture.points.iter();
+    let loose = loose.filter(|point| point.kind == PointKind::Loose);
+    let names: Vec<&str> = loose.map(|point| point.name).collect();
+    (!names.is_empty()).then(|| format!("No link of the picture carries {}.", names.join(", ")))
 }
 
 /// The index of a point that is drawn.

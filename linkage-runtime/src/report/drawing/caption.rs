@@ -2,13 +2,12 @@
 
 use std::format;
 use std::string::String;
-use std::vec::Vec;
 
 use super::Drawing;
 use super::arrows::head;
 use super::sheet::Sheet;
-use crate::PointKind;
 use crate::report::colour::Colour;
+use crate::report::shown::told_of_loose_points;
 use crate::report::svg::{Element, Svg};
 use crate::words::rounded;
 
@@ -34,13 +33,9 @@ impl Drawing<'_> {
             let note = Element::text([6.0, 14.0], 3.2).class("note");
             svg.words(note.fill(Colour::Muted), &words);
         }
-        let loose = self.shown.picture.points.iter();
-        let loose = loose.filter(|point| point.kind == PointKind::Loose);
-        let names: Vec<&str> = loose.map(|point| point.name).collect();
-        if !names.is_empty() {
+        if let Some(words) = told_of_loose_points(self.shown.picture) {
             let at = [6.0, if missing > 0 { 18.5 } else { 14.0 }];
             let note = Element::text(at, 3.2).class("note");
-            let words = format!("No link of the picture carries {}.", names.join(", "));
             svg.words(note.fill(Colour::Muted), &words);
         }
         if let Some(axes) = sheet.axes() {

@@ -125,6 +125,7 @@ function axisPart(axis) {
 }
 
 function guideParts(guide, index) {
+  if (guide.shape === "cylinder") return [cylinderPart(guide, index)];
   const line = guide.on === "frame" ? framePart(guide) : movingPart(guide, index);
   return [line, blockPart(guide)];
 }

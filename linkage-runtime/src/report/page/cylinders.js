@@ -1,0 +1,29 @@
+// Cylinders: a barrel from the one end, a piston rod from the other.
+
+const BARREL = { half: 6.5, share: 0.85, least: 0.3 };
+
+function cylinderPart(guide, index) {
+  const [low, high] = reachOf(guide);
+  // The piston rod shows at every position.
+  const length = Math.max(BARREL.share * low, BARREL.least * high);
+  const outline = shape("path", { class: "outline" });
+  const rod = shape("path", { class: "body" });
+  const barrel = shape("path", { class: "barrel" });
+  const title = shape("title", {}, `cylinder ${guide.name}`);
+  const node = shape("g", { class: "link slot cylinder", style: `--colour: ${linkColour(picture.links.length + index)}` }, title, outline, rod, barrel);
+  set(node, { "data-guide": guide.name });
+  return {
+    node,
+    update(row) {
+      const [origin, direction, slider] = guidePlaces(guide, row);
+      if (origin === null || direction === null || slider === null) return null;
+      const [foot, mouth, eye] = [origin, along(origin, direction, length), slider].map(project);
+      for (const line of [outline, rod]) set(line, { d: lineThrough([foot, eye]) });
+      const apart = Math.hypot(mouth[0] - foot[0], mouth[1] - foot[1]) || 1;
+      const [x, y] = [mouth[1] - foot[1], foot[0] - mouth[0]].map((across) => (BARREL.half * across) / apart);
+      const beside = ([left, top], side) => [left + side * x, top + side * y];
+      set(barrel, { d: `${lineThrough([beside(foot, 1), beside(mouth, 1), beside(mouth, -1), beside(foot, -1)])}Z` });
+      return meanNearness([foot, eye]);
+    },
+  };
+}
