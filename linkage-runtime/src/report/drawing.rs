@@ -227,9 +227,7 @@ impl Drawing<'_> {
         self.joint_signs(&mut svg, &sheet, row);
         self.points(&mut svg, &sheet, row);
         self.drives(&mut svg, &sheet, row);
-        if self.dimensions {
-            self.dimension_lines(&mut svg, &sheet, row);
-        }
+        self.dimension_lines(&mut svg, &sheet, row);
         self.vectors(&mut svg, &sheet, row);
         if self.names {
             self.point_names(&mut svg, &sheet, row);

@@ -231,6 +231,11 @@ fn ellipses_are_what_tolerances_do() {
     let [ellipse] = classed(&svg, "tolerance")[..] else {
         panic!()
     };
+    let caption = words(&svg, "caption");
+    assert!(
+        caption[0].contains("tolerances enlarged 200 times"),
+        "{caption:?}"
+    );
     let phi = 1f64.to_degrees().round().to_radians();
     let accuracy = FourBar::NOMINAL.accuracy(&[phi]);
     let effect = |first: usize, tolerance: f64| {

@@ -54,7 +54,10 @@ impl Drawing<'_> {
             "rad" => (at.to_degrees(), "deg"),
             unit => (at, unit),
         };
-        let position = format!("{} = {} {unit}", input.name, rounded(at));
+        let enlarged = self.enlarged.map_or_else(String::new, |times| {
+            format!(", tolerances enlarged {} times", rounded(times))
+        });
+        let position = format!("{} = {} {unit}{enlarged}", input.name, rounded(at));
         if sheet.axes().is_some() {
             // What is foreshortened has no scale.
             return position;

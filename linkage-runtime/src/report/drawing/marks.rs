@@ -26,6 +26,16 @@ pub(super) struct Scatter<'a> {
     components: Vec<Option<&'a Sensitive<'a>>>,
 }
 
+/// A bar with a dimension line.
+struct Measured {
+    name: &'static str,
+    ends: [[f64; 2]; 2],
+    way: [f64; 2],
+    /// On paper.
+    length: f64,
+    line: [[f64; 2]; 2],
+}
+
 impl<'a> Scatter<'a> {
     /// `None` if no component of the point has sensitivities.
     pub(super) fn of(point: usize, name: &str, sensitive: &'a [Sensitive<'a>]) -> Option<Self> {
@@ -58,27 +68,52 @@ impl<'a> Scatter<'a> {
 }
 
 impl Drawing<'_> {
-    /// Lengths of bars with their names. In space they would be foreshortened.
-    pub(super) fn dimension_lines(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+    /// Bars with room for a dimension line, from left to right, so that words stand upright. In space they would be foreshortened.
+    fn measured(&self, sheet: &Sheet<'_>, row: usize) -> Vec<Measured> {
         let picture = self.shown.picture;
-        for link in picture.links.iter().filter(|_| picture.dimension == 2) {
-            let [from, to] = link.points else { continue };
-            let (Some(a), Some(b)) = (sheet.point(*from, row), sheet.point(*to, row)) else {
-                continue;
-            };
-            // From left to right, so that words stand upright.
+        let shown = self.dimensions && picture.dimension == 2;
+        let bars = picture.links.iter().filter(|_| shown);
+        let bars = bars.filter_map(|link| {
+            let [from, to] = link.points else { return None };
+            let (a, b) = (sheet.point(*from, row)?, sheet.point(*to, row)?);
             let (a, b) = if b[0] < a[0] { (b, a) } else { (a, b) };
             let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-            if length < LEAST {
-                continue;
-            }
             let way = [0, 1].map(|k| (b[k] - a[k]) / length);
-            let group = Element::new("g")
-                .class("dimension")
-                .set("data-name", link.name);
+            let line = [a, b].map(|at| moved(at, way, 0.0, APART));
+            (length >= LEAST).then_some(Measured {
+                name: link.name,
+                ends: [a, b],
+                way,
+                length,
+                line,
+            })
+        });
+        bars.collect()
+    }
+
+    /// What names should keep away from: dimension lines and vectors.
+    pub(super) fn marks(&self, sheet: &Sheet<'_>, row: usize) -> Vec<[[f64; 2]; 2]> {
+        let lines = self.measured(sheet, row).into_iter().map(|own| own.line);
+        let vectors = self.vectors.iter().filter_map(|vector| {
+            let from = sheet.point(vector.point, row)?;
+            Some([from, sheet.beside(vector.point, vector.step(row), row)?])
+        });
+        lines.chain(vectors).collect()
+    }
+
+    /// Lengths of bars with their names.
+    pub(super) fn dimension_lines(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        for own in self.measured(sheet, row) {
+            let Measured {
+                name,
+                ends,
+                way,
+                length,
+                line: [start, end],
+            } = own;
+            let group = Element::new("g").class("dimension").set("data-name", name);
             svg.group(group, |svg| {
-                let [start, end] = [a, b].map(|at| moved(at, way, 0.0, APART));
-                for at in [a, b] {
+                for at in ends {
                     let [near, far] = [1.5, APART + BEYOND].map(|left| moved(at, way, 0.0, left));
                     svg.add(Element::line(near, far).stroke(Colour::Muted, 0.2));
                 }
@@ -86,11 +121,12 @@ impl Drawing<'_> {
                 head(svg, start, end, Colour::Muted);
                 head(svg, end, start, Colour::Muted);
                 let value = rounded(length / sheet.factor);
-                let words = format!("{} = {value} {}", link.name, self.shown.unit);
-                let [x, y] = moved(a, way, 0.5 * length, APART + 0.9);
+                let words = format!("{name} = {value} {}", self.shown.unit);
+                let [x, y] = moved(start, way, 0.5 * length, 0.9);
                 let turn = way[1].atan2(way[0]).to_degrees();
                 let text = Element::text([x, y], 2.9).anchor("middle");
                 let text = text.set("transform", format!("rotate({turn:.3} {x:.3} {y:.3})"));
+                let text = text.stroke(Colour::Paper, 0.9).set("paint-order", "stroke");
                 svg.words(text.fill(Colour::Muted), &words);
             });
         }

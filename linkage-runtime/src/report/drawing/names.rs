@@ -95,6 +95,7 @@ impl Drawing<'_> {
                 stretches.extend(points[i + 1..].iter().map(|b| [*a, *b]));
             }
         }
+        stretches.extend(self.marks(sheet, row));
         for line in self.drive_lines(sheet, row) {
             stretches.extend(line.windows(2).map(|ends| [ends[0], ends[1]]));
         }
