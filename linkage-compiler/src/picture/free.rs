@@ -17,6 +17,10 @@ pub(super) type Track = Vec<Vec<f64>>;
 /// that of rounding.
 const STEP: f64 = 1e-5;
 
+/// How far from where the mechanism closes it is looked at, in radians and shares of the longest length: links that happen to lie on one
+/// line there do not turn each other, and do not seem to be one.
+const APART: f64 = 0.01;
+
 /// A velocity is zero, and a rate follows from others, if what is left is a smaller share: far above the error of differences.
 const NOTHING: f64 = 1e-6;
 
@@ -25,6 +29,8 @@ const MOTIONS: usize = 12;
 
 pub(super) struct Free<'a> {
     machine: &'a Machine,
+    /// Near the places where the mechanism closes.
+    places: Vec<Values>,
     /// All motions at the first place, then at the next.
     motions: Vec<Motion>,
     /// At each place.
@@ -33,9 +39,12 @@ pub(super) struct Free<'a> {
     relations: Vec<Vec<f64>>,
 }
 
-/// Inputs and unknowns on both sides of a place.
+/// Inputs and unknowns.
+type Values = (Vec<f64>, Map<SymbolId, f64>);
+
+/// Both sides of a place.
 struct Motion {
-    sides: [(Vec<f64>, Map<SymbolId, f64>); 2],
+    sides: [Values; 2],
 }
 
 impl<'a> Free<'a> {
@@ -54,15 +63,17 @@ impl<'a> Free<'a> {
             .collect();
         let count = MOTIONS + loops.len();
         let places = places(nominal, mechanism, reference.longest).into_iter();
-        let motions = places.filter_map(|place| Place::at(algebra, reference, place));
-        let motions = motions.flat_map(|place| {
+        let places = places.filter_map(|place| Place::at(algebra, reference, place));
+        let places: Vec<Place> = places.map(|place| place.moved(APART, count)).collect();
+        let motions = places.iter().flat_map(|place| {
             (0..count).map(move |number| Motion {
-                sides: [-1.0, 1.0].map(|side| place.moved(side * STEP, number)),
+                sides: [-1.0, 1.0].map(|side| place.moved(side * STEP, number).values()),
             })
         });
         let mut free = Self {
             machine,
             motions: motions.collect(),
+            places: places.iter().map(Place::values).collect(),
             count,
             relations: Vec::new(),
         };
@@ -71,9 +82,15 @@ impl<'a> Free<'a> {
         free
     }
 
-    /// The velocity of a point in each motion.
-    pub(super) fn velocity(&self, vector: Vn) -> Track {
-        self.rates(&vector.iter().collect::<Vec<_>>())
+    /// Where a point is at each place, then its velocity in each motion.
+    pub(super) fn course(&self, vector: Vn) -> Track {
+        let numbers: Vec<Ex> = vector.iter().collect();
+        let places = self.places.iter();
+        let places = places.map(|(inputs, unknowns)| {
+            let machine = self.machine;
+            machine.evaluate_open(&numbers, inputs, unknowns)
+        });
+        places.chain(self.rates(&numbers)).collect()
     }
 
     fn rates(&self, numbers: &[Ex]) -> Track {
@@ -89,23 +106,26 @@ impl<'a> Free<'a> {
     }
 
     /// Whether a point does not move, in a picture of this size.
-    pub(super) fn rests(&self, velocity: &Track, size: f64) -> bool {
-        velocity
+    pub(super) fn rests(&self, course: &Track, size: f64) -> bool {
+        course[self.places.len()..]
             .iter()
             .flatten()
             .all(|speed| speed.abs() <= NOTHING * size)
     }
 
-    /// The rate of half the square of the vector between two points, which is one from place to place, in each motion.
-    pub(super) fn stretching(&self, between: &Track, ends: [&Track; 2]) -> Rate {
+    /// The rate of half the square of the distance of two points, in each motion.
+    pub(super) fn stretching(&self, ends: [&Track; 2]) -> Rate {
         let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let minus =
+            |[a, b]: [&Vec<f64>; 2]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a - b).collect() };
         let mut rate = Rate::default();
-        for (motion, (a, b)) in ends[0].iter().zip(ends[1]).enumerate() {
-            let between = &between[motion / self.count];
-            let speeds = a.iter().zip(b).map(|(a, b)| a - b);
-            let product = between.iter().zip(speeds).map(|(x, v)| x * v);
+        for motion in 0..self.motions.len() {
+            let between = minus(ends.map(|own| &own[motion / self.count]));
+            let speeds = ends.map(|own| &own[self.places.len() + motion]);
+            let product = between.iter().zip(minus(speeds)).map(|(x, v)| x * v);
             rate.values.push(product.sum());
-            rate.sizes.push(norm(between) * (norm(a) + norm(b)));
+            let fastest: f64 = speeds.iter().map(|own| norm(own)).sum();
+            rate.sizes.push(norm(&between) * fastest);
         }
         rate
     }
@@ -114,8 +134,7 @@ impl<'a> Free<'a> {
     pub(super) fn follows(&self, rate: &Rate, others: &[&Rate]) -> bool {
         let others = others.iter().map(|own| &own.values);
         let columns: Vec<&Vec<f64>> = self.relations.iter().chain(others).collect();
-        let places = self.motions.len() / self.count;
-        (0..places).all(|place| {
+        (0..self.places.len()).all(|place| {
             let own = place * self.count..(place + 1) * self.count;
             let mut rest = rate.values[own.clone()].to_vec();
             let mut basis: Vec<Vec<f64>> = Vec::new();
@@ -190,22 +209,35 @@ impl Place {
     }
 
     /// Everything moved a step, each by itself.
-    fn moved(&self, step: f64, number: usize) -> (Vec<f64>, Map<SymbolId, f64>) {
+    fn moved(&self, step: f64, number: usize) -> Self {
         let mut shares = (0..).map(|index| step * scattered(index, number));
         let mut next = || shares.next().expect("there are infinitely many");
-        let inputs = self.inputs.iter().map(|(x, unit)| x + unit * next());
-        let inputs = inputs.collect();
+        let inputs = self.inputs.iter();
+        let inputs = inputs.map(|(x, unit)| (x + unit * next(), *unit)).collect();
+        let angles = self.angles.iter();
+        let angles = angles
+            .map(|(symbols, angle)| (*symbols, angle + next()))
+            .collect();
+        let lengths = self.lengths.iter();
+        let lengths = lengths.map(|(symbol, x, unit)| (*symbol, x + unit * next(), *unit));
+        Self {
+            inputs,
+            angles,
+            lengths: lengths.collect(),
+        }
+    }
+
+    fn values(&self) -> Values {
         let mut unknowns = Map::new();
         for ([cos, sin, value], angle) in &self.angles {
-            let angle = angle + next();
             unknowns.insert(*cos, angle.cos());
             unknowns.insert(*sin, angle.sin());
-            unknowns.insert(*value, angle);
+            unknowns.insert(*value, *angle);
         }
-        for (symbol, length, unit) in &self.lengths {
-            unknowns.insert(*symbol, length + unit * next());
+        for (symbol, length, _) in &self.lengths {
+            unknowns.insert(*symbol, *length);
         }
-        (inputs, unknowns)
+        (self.inputs.iter().map(|(x, _)| *x).collect(), unknowns)
     }
 }
 

@@ -31,8 +31,8 @@ pub(super) struct Seen<'a> {
     views: Vec<View>,
     /// By point: its coordinates, view by view.
     tracks: Vec<Track>,
-    /// By point: how it moves where nothing closes the loops.
-    velocities: Vec<Track>,
+    /// By point: where it is and how it moves where nothing closes the loops.
+    courses: Vec<Track>,
     /// By point: the first that is always at the same place.
     pub(super) same: Vec<usize>,
     /// By point: whether it says of itself that it does not move.
@@ -60,7 +60,7 @@ impl<'a> Seen<'a> {
             views: views(algebra, reference, nominal),
             free: Free::new(algebra, reference, nominal),
             tracks: Vec::new(),
-            velocities: Vec::new(),
+            courses: Vec::new(),
             same: Vec::new(),
             fixed: Vec::new(),
             size: 0.0,
@@ -83,10 +83,10 @@ impl<'a> Seen<'a> {
                 .flatten()
                 .fold(self.size, |size, x| size.max(x.abs()));
             self.tracks.push(track);
-            let velocity = self.free.velocity(point.at);
+            let course = self.free.course(point.at);
             let size = self.size;
-            self.fixed.push(self.free.rests(&velocity, size));
-            self.velocities.push(velocity);
+            self.fixed.push(self.free.rests(&course, size));
+            self.courses.push(course);
         }
         for index in self.same.len()..self.tracks.len() {
             let first = (0..index).find(|&other| self.coincide(other, index));
@@ -113,20 +113,14 @@ impl<'a> Seen<'a> {
         &self.tracks[point][self.views[0].own.clone()]
     }
 
-    /// How a point moves where nothing closes the loops.
-    pub(super) fn velocity(&self, point: usize) -> &Track {
-        &self.velocities[point]
+    /// Where a point is and how it moves where nothing closes the loops.
+    pub(super) fn course(&self, point: usize) -> &Track {
+        &self.courses[point]
     }
 
     /// The rate at which the distance of two points changes, as they are written.
     pub(super) fn stretching(&self, a: usize, b: usize) -> Rate {
-        self.stretching_with([a, b], [self.velocity(a), self.velocity(b)])
-    }
-
-    /// The same with other velocities of them.
-    pub(super) fn stretching_with(&self, ends: [usize; 2], velocities: [&Track; 2]) -> Rate {
-        let [a, b] = ends.map(|end| self.places_of(end));
-        self.free.stretching(&difference(a, b), velocities)
+        self.free.stretching([self.course(a), self.course(b)])
     }
 
     pub(super) fn free(&self) -> &Free<'a> {

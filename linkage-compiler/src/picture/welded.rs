@@ -68,15 +68,12 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
         if !is_rigid && !self.is_written_with(step, ends) {
             return false;
         }
-        let moved = sum(
-            &base,
-            &difference(seen.velocity(other), seen.velocity(shared)),
-        );
+        let moved = sum(&base, &difference(seen.course(other), seen.course(shared)));
         let holds = |rate| seen.free().follows(&rate, &[&own]);
         holds(seen.stretching(shared, other))
             && ends
                 .into_iter()
-                .all(|end| holds(seen.stretching_with([other, end], [&moved, seen.velocity(end)])))
+                .all(|end| holds(seen.free().stretching([&moved, seen.course(end)])))
     }
 
     /// Whether a step is computed from the difference of two points.
@@ -91,14 +88,14 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
         both.into_iter().any(|vector| vector.iter().all(within))
     }
 
-    /// The velocity of a point of a link that moves as two of its points say; `None` if they do not tell.
+    /// The course of a point of a link that moves as two of its points say; `None` if they do not tell.
     fn moved_with(&self, [from, to]: [usize; 2], point: usize) -> Option<Track> {
         let seen = self.seen;
         if let Some(end) = [from, to]
             .into_iter()
             .find(|end| seen.same[*end] == seen.same[point])
         {
-            return Some(seen.velocity(end).clone());
+            return Some(seen.course(end).clone());
         }
         let [a, b, p] = [from, to, point].map(|own| seen.places_of(own));
         // A link keeps its shape: one place tells it.
@@ -113,8 +110,8 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
                 is_on_line.then_some(0.0)?
             }
         };
-        let velocities = seen.velocity(from).iter().zip(seen.velocity(to));
-        let moved = velocities.map(|(a, b)| {
+        let courses = seen.course(from).iter().zip(seen.course(to));
+        let moved = courses.map(|(a, b)| {
             let turn = minus(b, a);
             let each = a.iter().enumerate();
             let each = each.map(|(k, start)| {
