@@ -106,4 +106,18 @@ fn what_an_input_pushes_is_a_cylinder() {
     assert_eq!(svg.matches("class=\"barrel").count(), 1);
     assert_eq!(svg.matches("class=\"drive\"").count(), 1);
     assert!(!svg.contains("class=\"slider"));
+    // The slider is on the side that the guide points to, so that lengths are positive.
+    let vector = |list: &serde_json::Value, index: usize| {
+        [0, 1].map(|axis| list[index]["at"][axis][0].as_f64().expect("a number"))
+    };
+    let picture = &data["picture"];
+    let guide = &picture["guides"][0];
+    let place = |name: &str| guide[name].as_u64().expect("an index") as usize;
+    let (foot, eye) = (
+        vector(&picture["points"], place("origin")),
+        vector(&picture["points"], place("slider")),
+    );
+    let way = vector(&picture["directions"], place("direction"));
+    let length: f64 = (0..2).map(|k| (eye[k] - foot[k]) * way[k]).sum();
+    assert!((length - 430.0).abs() < 1e-9, "{length}");
 }

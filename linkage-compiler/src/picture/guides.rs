@@ -126,14 +126,13 @@ impl<'m> Sketch<'_, 'm> {
             Shape::Term(sign, term) => (sign, self.direction_of(term)?),
             Shape::Part(sign, slide) => (sign, slide?),
             Shape::Distance => {
-                let to = self.points[segment.to].at;
                 // A cylinder hangs on its fixed end.
                 if seen.is_fixed(slider) {
                     (origin, slider) = (slider, origin);
                 }
                 let slide = Slide {
                     offset: None,
-                    along: (to - from).unit(),
+                    along: (self.points[slider].at - self.points[origin].at).unit(),
                     input: None,
                 };
                 (1.0, slide)
@@ -145,7 +144,9 @@ impl<'m> Sketch<'_, 'm> {
             along,
             input,
         } = slide;
-        let offset = offset.map(|offset| if sign > 0.0 { offset } else { -offset });
+        // Towards where the slider goes as the length grows.
+        let signed = |vector: Vn<'m>| if sign > 0.0 { vector } else { -vector };
+        let (offset, along) = (offset.map(signed), signed(along));
         if let Some(offset) = offset {
             origin = self.point(from + offset);
         }
