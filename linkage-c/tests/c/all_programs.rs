@@ -7,10 +7,10 @@ use linkage_random::Random;
 use linkage_symbolic::program::Source;
 
 use crate::batch::{Batch, Request};
-use crate::given::{Given, golden};
 use crate::machine::Compiler;
-use crate::numbers::{Numbers, ROUNDS};
-use crate::programs::{Named, as_functions, loaded, programs, results, same};
+use linkage_corpus::given::{Given, golden};
+use linkage_corpus::numbers::{Numbers, ROUNDS};
+use linkage_corpus::programs::{Named, as_functions, loaded, programs, results, same};
 
 /// Compares all results of all programs; how many there are, and how many of them are finite.
 fn compare(compiler: &Compiler, file: &str, given: &[Given]) -> (usize, usize) {

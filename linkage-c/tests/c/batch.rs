@@ -7,8 +7,8 @@ use std::path::PathBuf;
 use linkage_c::{Real, sources};
 use linkage_runtime::Scalar;
 
-use crate::given::Given;
 use crate::machine::{self, Compiler};
+use linkage_corpus::given::Given;
 
 /// A number of C.
 pub(crate) trait Number: Scalar {

@@ -12,11 +12,11 @@ use linkage_random::Random;
 use crate::batch::{Batch, Request};
 use crate::coupled;
 use crate::emulated::{COMPILER, FLAGS, build, emulate, printed, tools};
-use crate::given::{Given, exported};
 use crate::machine::{self, Compiler};
 use crate::mechanisms::{POSITIONS, arguments};
 use crate::page;
-use crate::reference::Assembled;
+use linkage_corpus::given::{Given, exported};
+use linkage_corpus::reference::Assembled;
 
 /// The page that has figures.
 const PAGE: &str = include_str!("../../../docs/c.md");

@@ -4,9 +4,9 @@ use linkage_c::{Real, sources};
 use linkage_compiler::unit::Unit;
 
 use crate::batch::{Batch, Number, Request};
-use crate::given::{Given, exported};
 use crate::machine::Compiler;
-use crate::reference::Assembled;
+use linkage_corpus::given::{Given, exported};
+use linkage_corpus::reference::Assembled;
 
 /// Positions of each function over the range of the input.
 const POSITIONS: usize = 100;

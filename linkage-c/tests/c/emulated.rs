@@ -8,8 +8,8 @@ use std::process::Command;
 
 use linkage_c::{Real, sources};
 
-use crate::given::Given;
 use crate::machine::{self, Compiler};
+use linkage_corpus::given::Given;
 
 pub(crate) const COMPILER: &str = "arm-none-eabi-gcc";
 const EMULATOR: &str = "qemu-system-arm";

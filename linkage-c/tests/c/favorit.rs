@@ -6,8 +6,8 @@ use std::process::Command;
 
 use linkage_c::{Real, sources};
 
-use crate::given::examples;
 use crate::machine::{self, Compiler, WARNINGS};
+use linkage_corpus::given::examples;
 
 const PROGRAM: &str = include_str!("favorit_table.c");
 

@@ -5,9 +5,9 @@ use linkage_corpus::sample;
 use linkage_random::Random;
 
 use crate::batch::{Batch, Number, Request};
-use crate::given::{Given, exported};
 use crate::machine::Compiler;
-use crate::reference::Assembled;
+use linkage_corpus::given::{Given, exported, turning};
+use linkage_corpus::reference::Assembled;
 
 /// Sets of dimensions of each mechanism, and positions for each: the defaults and the reference first.
 const SETS: usize = 4;
@@ -17,45 +17,9 @@ pub(crate) const POSITIONS: usize = 12;
 fn with_closed_forms() -> Vec<Given> {
     let mut all = exported();
     all.retain(|own| own.unit.coupled.is_empty());
-    // An angle that has made turns before.
-    let text = include_str!("../../../linkage-compiler/tests/golden/crank_rocker.mech");
-    let turned = text.replace("psi   = 80deg", "psi   = 800deg");
-    assert_ne!(text, turned);
-    all.push(Given::text(&turned));
-    all.extend([FAST, TWO_CRANKS].map(Given::text));
+    all.extend(turning());
     all
 }
-
-/// The pin passes so near to the lever's pivot that the lever makes half a turn between two steps along the range.
-const FAST: &str = "
-    pub struct Fast {
-        unit mm;
-        param frame = 100mm;
-        param crank = 100.004mm;
-        input phi = 40deg in 0deg..1440deg;
-        unknown psi = 65deg;
-        unknown along = 180mm;
-        loop (0, frame) + polar(crank, phi) = polar(along, psi);
-    }
-    impl Fast {
-        pub fn motion(phi) -> Motion { psi, along }
-    }";
-
-/// An angle that is followed along two inputs, from far off the middle of its motion along each.
-const TWO_CRANKS: &str = "
-    pub struct TwoCranks {
-        unit mm;
-        param a = 100mm;
-        param b = 101mm;
-        input first = 172deg in 0deg..360deg;
-        input second = 0deg in -180deg..180deg;
-        unknown psi = 82deg;
-        unknown along = 14mm;
-        loop polar(a, first) + polar(b, second) = polar(along, psi);
-    }
-    impl TwoCranks {
-        pub fn motion(first, second) -> Motion { psi, along }
-    }";
 
 /// Dimensions near the defaults.
 fn dimensions<T: Number>(unit: &Unit, set: usize, random: &mut Random) -> Vec<T> {

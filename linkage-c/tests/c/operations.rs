@@ -7,10 +7,10 @@ use linkage_symbolic::program::{
 };
 
 use crate::batch::{Batch, Number, Request};
-use crate::given::Given;
 use crate::machine::Compiler;
-use crate::programs::{Named, as_functions};
-use crate::reference::run;
+use linkage_corpus::given::Given;
+use linkage_corpus::programs::{Named, as_functions};
+use linkage_corpus::reference::run;
 
 /// All operations, each of the first ones of three inputs.
 fn operations() -> Vec<Instruction> {

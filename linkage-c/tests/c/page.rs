@@ -5,8 +5,8 @@ use std::process::Command;
 
 use linkage_c::{Real, sources};
 
-use crate::given::Given;
 use crate::machine::{self, Compiler, WARNINGS};
+use linkage_corpus::given::Given;
 
 const PAGE: &str = include_str!("../../../docs/c.md");
 

@@ -6,8 +6,8 @@ use std::process::Command;
 
 use linkage_c::{Real, Sources, sources};
 
-use crate::given::{Given, exported, golden};
 use crate::machine::{self, Compiler, WARNINGS};
+use linkage_corpus::given::{Given, exported, golden};
 
 const REALS: [Real; 2] = [Real::Double, Real::Single];
 

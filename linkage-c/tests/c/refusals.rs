@@ -5,8 +5,8 @@ use std::process::Command;
 
 use linkage_c::{Real, sources};
 
-use crate::given::Given;
 use crate::machine::{self, Compiler};
+use linkage_corpus::given::Given;
 
 const CRANK: &str = "
     pub struct CrankRocker {

@@ -1,14 +1,19 @@
 //! Random mechanisms that assemble by construction, and the compiler's results for them on plain numbers.
 //!
 //! A configuration is chosen first; dimensions and start estimates follow from it. The tests compare the expression
-//! graph, the programs and the generated code.
+//! graph, the programs and the generated code. What is printed in another language is compared with the same [`programs`] on the runtime's [`numbers`]:
+//! those of the random mechanisms and of those that are [`given`].
 
 mod builder;
 mod case;
 mod code;
 mod functions;
+pub mod given;
 mod groups;
+pub mod numbers;
 mod plane;
+pub mod programs;
+pub mod reference;
 mod sample;
 mod scalars;
 mod space;

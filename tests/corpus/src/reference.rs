@@ -7,12 +7,12 @@ use linkage_symbolic::interpret::run_by;
 use linkage_symbolic::program::{Program, Source};
 
 /// Runs a program.
-pub(crate) fn run<T: Scalar>(program: &Program, load: impl Fn(Source) -> T) -> Vec<T> {
+pub fn run<T: Scalar>(program: &Program, load: impl Fn(Source) -> T) -> Vec<T> {
     run_by::<Generated<T, false>>(program, load)
 }
 
 /// An assembled mechanism.
-pub(crate) struct Assembled<'a, T> {
+pub struct Assembled<'a, T> {
     unit: &'a Unit,
     dimensions: Vec<T>,
     centres: Vec<f64>,
@@ -22,7 +22,7 @@ pub(crate) struct Assembled<'a, T> {
 
 impl<'a, T: Scalar> Assembled<'a, T> {
     /// Assembles a mechanism; `None` where that does not go.
-    pub(crate) fn new(unit: &'a Unit, dimensions: &[T]) -> Option<Self> {
+    pub fn new(unit: &'a Unit, dimensions: &[T]) -> Option<Self> {
         let at: Vec<f64> = unit.inputs.iter().map(|own| own.reference).collect();
         // Turns are counted in double precision.
         let plain: Vec<f64> = dimensions.iter().map(|x| x.lane(0)).collect();
@@ -52,7 +52,7 @@ impl<'a, T: Scalar> Assembled<'a, T> {
     }
 
     /// The results of a function at its arguments.
-    pub(crate) fn call(&self, function: &Function, arguments: &[T]) -> Vec<T> {
+    pub fn call(&self, function: &Function, arguments: &[T]) -> Vec<T> {
         let mut all =
             vec![T::from_f64(f64::NAN); self.unit.inputs.len() + self.unit.arguments.len()];
         for (&place, &x) in function.arguments.iter().zip(arguments) {

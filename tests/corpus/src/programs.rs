@@ -9,15 +9,17 @@ use linkage_symbolic::program::{Instruction, Program, Source};
 use crate::reference::run;
 
 /// A program with its name.
-pub(crate) struct Named<'a> {
-    pub(crate) name: String,
-    pub(crate) program: &'a Program,
+pub struct Named<'a> {
+    /// What it is in the unit.
+    pub name: String,
+    /// Itself.
+    pub program: &'a Program,
     /// What it is the next stage of, if it is no whole program.
-    pub(crate) stage: Option<(&'a Stage, usize)>,
+    pub stage: Option<(&'a Stage, usize)>,
 }
 
 /// All of a unit; stages stand behind the program that they are cut from.
-pub(crate) fn programs(unit: &Unit) -> Vec<Named<'_>> {
+pub fn programs(unit: &Unit) -> Vec<Named<'_>> {
     // All fields are named, so that a program that is added is not forgotten here.
     let Unit {
         prepare,
@@ -83,7 +85,7 @@ pub(crate) fn programs(unit: &Unit) -> Vec<Named<'_>> {
 }
 
 /// What a program loads, each once, but for what is the same for all mechanisms.
-pub(crate) fn loaded(program: &Program) -> Vec<Source> {
+pub fn loaded(program: &Program) -> Vec<Source> {
     let mut loaded = Vec::new();
     for instruction in &program.instructions {
         match instruction {
@@ -97,7 +99,7 @@ pub(crate) fn loaded(program: &Program) -> Vec<Source> {
 }
 
 /// A unit with a function for each program, of what that loads.
-pub(crate) fn as_functions(programs: &[Named]) -> Unit {
+pub fn as_functions(programs: &[Named]) -> Unit {
     let input = |index: usize| Input {
         name: format!("x{index}"),
         unit: String::new(),
@@ -155,10 +157,7 @@ fn as_function((index, own): (usize, &Named)) -> Function {
 }
 
 /// Runs all programs; for each what it was given, then its results. Stages must give the results of the program that they are cut from.
-pub(crate) fn results(
-    programs: &[Named],
-    load: &dyn Fn(Source) -> f64,
-) -> Vec<(Vec<f64>, Vec<f64>)> {
+pub fn results(programs: &[Named], load: &dyn Fn(Source) -> f64) -> Vec<(Vec<f64>, Vec<f64>)> {
     let mut whole: Vec<f64> = Vec::new();
     let mut memory: BTreeMap<usize, f64> = BTreeMap::new();
     let mut all = Vec::new();
@@ -191,6 +190,6 @@ pub(crate) fn results(
 }
 
 /// Equal to the last bit; any NaN is one.
-pub(crate) fn same(a: f64, b: f64) -> bool {
+pub fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
 }

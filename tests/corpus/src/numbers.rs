@@ -27,18 +27,18 @@ const SPECIAL: &[f64] = &[
 ];
 
 /// Rounds of one mechanism.
-pub(crate) const ROUNDS: usize = 16;
+pub const ROUNDS: usize = 16;
 
 /// Starts of Newton's method for a coupled group, and steps from each.
 const STARTS: usize = 20;
 const STEPS: usize = 30;
 
 /// Numbers for all that programs load.
-pub(crate) struct Numbers(BTreeMap<Source, f64>);
+pub struct Numbers(BTreeMap<Source, f64>);
 
 impl Numbers {
     /// The numbers of a round: the reference first, then half of the rounds near it, then others.
-    pub(crate) fn new(unit: &Unit, layout: &[Source], round: usize, random: &mut Random) -> Self {
+    pub fn new(unit: &Unit, layout: &[Source], round: usize, random: &mut Random) -> Self {
         let mut own = Self(BTreeMap::new());
         for &source in layout {
             own.0.insert(source, reference(unit, source));
@@ -104,7 +104,7 @@ impl Numbers {
     }
 
     /// One of them.
-    pub(crate) fn load(&self, source: Source) -> f64 {
+    pub fn load(&self, source: Source) -> f64 {
         match source {
             Source::Limit => <f64 as Scalar>::CORRECTION_LIMIT,
             other => self.0[&other],

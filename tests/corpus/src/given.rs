@@ -8,14 +8,16 @@ use linkage_compiler::unit::Unit;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// A mechanism with its name.
-pub(crate) struct Given {
-    pub(crate) name: String,
-    pub(crate) unit: Unit,
+pub struct Given {
+    /// As its struct is called.
+    pub name: String,
+    /// Its programs.
+    pub unit: Unit,
 }
 
 impl Given {
     /// A mechanism from what stands between the braces of `mechanism!`.
-    pub(crate) fn new(body: TokenStream) -> Self {
+    pub fn new(body: TokenStream) -> Self {
         let name = name(&body);
         let checked = check(body);
         let messages = checked.messages;
@@ -26,7 +28,7 @@ impl Given {
     }
 
     /// A mechanism from its text.
-    pub(crate) fn text(text: &str) -> Self {
+    pub fn text(text: &str) -> Self {
         Self::new(text.parse().expect("brackets have partners"))
     }
 }
@@ -39,21 +41,33 @@ fn name(body: &TokenStream) -> String {
 }
 
 /// Golden mechanisms and examples.
-pub(crate) fn exported() -> Vec<Given> {
+pub fn exported() -> Vec<Given> {
     let mut all = golden();
     all.extend(examples());
     all
 }
 
+/// Mechanisms whose angles are not near to their estimates everywhere.
+#[must_use]
+pub fn turning() -> Vec<Given> {
+    let text = include_str!("../../../linkage-compiler/tests/golden/crank_rocker.mech");
+    // It has made turns before.
+    let turned = text.replace("psi   = 80deg", "psi   = 800deg");
+    assert_ne!(text, turned);
+    [&turned, FAST, TWO_CRANKS, TWO_LEVERS]
+        .map(Given::text)
+        .into()
+}
+
 /// The mechanisms of the golden files.
-pub(crate) fn golden() -> Vec<Given> {
-    let texts = texts("../linkage-compiler/tests/golden", "mech");
+pub fn golden() -> Vec<Given> {
+    let texts = texts("../../linkage-compiler/tests/golden", "mech");
     texts.iter().map(|text| Given::text(text)).collect()
 }
 
 /// The mechanisms of the examples.
-pub(crate) fn examples() -> Vec<Given> {
-    let texts = texts("../examples", "rs");
+pub fn examples() -> Vec<Given> {
+    let texts = texts("../../examples", "rs");
     let mut bodies = Vec::new();
     for text in texts {
         find(text.parse().expect("Rust"), &mut bodies);
@@ -89,3 +103,53 @@ fn find(tokens: TokenStream, bodies: &mut Vec<TokenStream>) {
         }
     }
 }
+
+/// The pin passes so near to the lever's pivot that the lever makes half a turn between two steps along the range.
+const FAST: &str = "
+    pub struct Fast {
+        unit mm;
+        param frame = 100mm;
+        param crank = 100.004mm;
+        input phi = 40deg in 0deg..1440deg;
+        unknown psi = 65deg;
+        unknown along = 180mm;
+        loop (0, frame) + polar(crank, phi) = polar(along, psi);
+    }
+    impl Fast {
+        pub fn motion(phi) -> Motion { psi, along }
+    }";
+
+/// An angle that is followed along two inputs, from far off the middle of its motion along each.
+const TWO_CRANKS: &str = "
+    pub struct TwoCranks {
+        unit mm;
+        param a = 100mm;
+        param b = 101mm;
+        input first = 172deg in 0deg..360deg;
+        input second = 0deg in -180deg..180deg;
+        unknown psi = 82deg;
+        unknown along = 14mm;
+        loop polar(a, first) + polar(b, second) = polar(along, psi);
+    }
+    impl TwoCranks {
+        pub fn motion(first, second) -> Motion { psi, along }
+    }";
+
+/// One lever turns with its crank, the other one swings.
+const TWO_LEVERS: &str = "
+    pub struct TwoLevers {
+        unit mm;
+        param near = 40mm;
+        param crank = 100mm;
+        param far = 300mm;
+        input phi = 40deg in 0deg..360deg;
+        unknown turning = 65deg;
+        unknown along = 120mm;
+        unknown swinging = 77deg;
+        unknown reach = 370mm;
+        loop (0, near) + polar(crank, phi) = polar(along, turning);
+        loop (0, far) + polar(crank, phi) = polar(reach, swinging);
+    }
+    impl TwoLevers {
+        pub fn motion(phi) -> Motion { turning, swinging }
+    }";
