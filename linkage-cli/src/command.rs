@@ -11,6 +11,7 @@ mod c;
 mod check;
 mod choose;
 mod course;
+mod js;
 mod new;
 mod numbers;
 mod output;
@@ -53,6 +54,8 @@ enum Command {
     Circuits(assemblies::Options),
     /// A header and a source in C99 for controllers
     C(c::Options),
+    /// A module of JavaScript for pages, and its types
+    Js(js::Options),
 }
 
 /// Does what the arguments of the process say: exit status 0, 1 for bad input, 2 for wrong usage.
@@ -68,6 +71,7 @@ pub fn run() -> ExitCode {
         Command::Assemblies(options) => assemblies::run(options),
         Command::Circuits(options) => assemblies::circuits(options),
         Command::C(options) => c::run(options),
+        Command::Js(options) => js::run(options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -4,6 +4,7 @@ mod bad_input;
 mod c;
 mod drawings;
 mod files;
+mod js;
 mod pages;
 mod start;
 mod tables;

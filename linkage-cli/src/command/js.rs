@@ -1,0 +1,37 @@
+//! `linkage js`: mechanisms as JavaScript for pages.
+
+use std::fs;
+use std::path::PathBuf;
+
+use clap::Args;
+use linkage_js::{Module, module};
+
+use super::choose::Chosen;
+use super::output::{print, put};
+use crate::failure::Failure;
+
+/// Options of the command.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    #[command(flatten)]
+    chosen: Chosen,
+    /// The folder; by default the one at hand
+    #[arg(short, long, value_name = "DIR", default_value = ".")]
+    output: PathBuf,
+}
+
+/// Writes a module and its types for each mechanism.
+pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    let folder = &options.output;
+    fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;
+    for mechanism in options.chosen.all()? {
+        let name = mechanism.name;
+        let Module { script, types } = module(name, &mechanism.unit);
+        for (ending, text) in [("js", &script), ("d.ts", &types)] {
+            let path = folder.join(format!("{name}.{ending}"));
+            put(text, Some(&path))?;
+            print(&format!("{}\n", path.display()))?;
+        }
+    }
+    Ok(())
+}

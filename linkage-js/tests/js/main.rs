@@ -1,0 +1,5 @@
+//! Printed JavaScript in a real browser, against the same mechanisms on Rust's numbers.
+
+mod all_programs;
+mod module;
+mod page;
