@@ -108,7 +108,13 @@ fn what_an_input_pushes_is_a_cylinder() {
     assert!(!svg.contains("class=\"slider"));
     // The slider is on the side that the guide points to, so that lengths are positive.
     let vector = |list: &serde_json::Value, index: usize| {
-        [0, 1].map(|axis| list[index]["at"][axis][0].as_f64().expect("a number"))
+        [0, 1].map(|axis| {
+            let place = &list[index]["at"][axis];
+            let [table, column] = ["table", "column"].map(|end| place[end].as_u64());
+            let column = &data["tables"][table.expect("a table") as usize]["columns"]
+                [column.expect("a column") as usize];
+            column["values"][0].as_f64().expect("a number")
+        })
     };
     let picture = &data["picture"];
     let guide = &picture["guides"][0];

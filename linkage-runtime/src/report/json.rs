@@ -1,5 +1,7 @@
 //! The report as JSON: what the page reads.
 
+mod series;
+
 use serde_json::{Value, json};
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -10,10 +12,12 @@ use super::shown::Shown;
 use super::tables::Saved;
 use super::{Report, ReportError};
 use crate::{Column, GuideOn, GuideShape, Meaning, Operations, PointKind, Structure};
+use series::Series;
 
 impl Report {
     /// Everything as JSON: numbers with the digits that they have, in the units beside them, angles in radians. A number
-    /// that is not finite is `null`.
+    /// that is not finite is `null`. Numbers stand there once: where a column has those of an earlier one, as points of the picture do,
+    /// there is `{"table": 0, "column": 3}` in their place.
     ///
     /// # Errors
     ///
@@ -24,7 +28,9 @@ impl Report {
     }
 
     fn value(&self) -> Value {
-        let (bands, accuracy) = self.tolerances();
+        let series = Series::of(self);
+        let (bands, accuracy) = self.tolerances(&series);
+        let tables = self.tables.iter().enumerate();
         json!({
             "title": self.title,
             "about": self.about,
@@ -35,12 +41,12 @@ impl Report {
                 "values": self.positions,
                 "periodic": self.is_periodic(),
             },
-            "tables": list(&self.tables, |table| self.table_value(table)),
+            "tables": list(tables, |(index, table)| self.table_value(&series, index, table)),
             "bands": bands,
             "accuracy": accuracy,
             "speed": self.speed.map(|s| json!({ "omega": s.omega, "epsilon": s.epsilon })),
-            "true": list(self.true_rates(), true_value),
-            "picture": self.shown().map(|shown| self.picture_value(&shown)),
+            "true": list(self.true_rates(), |rate| true_value(&series, rate)),
+            "picture": self.shown().map(|shown| self.picture_value(&series, &shown)),
             "structure": self.structure.map(|structure| self.structure_value(&structure)),
             "dimensions": list(&self.dimensions, |d| json!({
                 "name": d.parameter.name,
@@ -61,14 +67,17 @@ impl Report {
         })
     }
 
-    fn table_value(&self, table: &Saved) -> Value {
+    fn table_value(&self, series: &Series, index: usize, table: &Saved) -> Value {
+        let columns = table.heading.columns.iter().enumerate();
         json!({
             "function": table.heading.function,
-            "columns": list(table.columns(), |(column, values)| self.column_value(table, column, values)),
+            "columns": list(columns, |(at, column)| {
+                self.column_value(table, column, series.column(index, at, table))
+            }),
         })
     }
 
-    fn column_value(&self, table: &Saved, column: &Column, values: &[f64]) -> Value {
+    fn column_value(&self, table: &Saved, column: &Column, values: Value) -> Value {
         let mut value = json!({
             "name": column.name,
             "unit": column.unit,
@@ -91,7 +100,7 @@ impl Report {
     }
 
     /// Bands, and the table of accuracy.
-    fn tolerances(&self) -> (Vec<Value>, Vec<Value>) {
+    fn tolerances(&self, series: &Series) -> (Vec<Value>, Vec<Value>) {
         let mut bands = Vec::new();
         let mut accuracy = Vec::new();
         for sensitive in self.sensitive() {
@@ -101,7 +110,7 @@ impl Report {
                         "table": sensitive.table.heading.function,
                         "column": sensitive.name,
                         "kind": kind.name(),
-                        "half": sensitive.half(kind),
+                        "half": series.other(&sensitive.half(kind)),
                     })
                 }));
             }
@@ -121,7 +130,7 @@ impl Report {
         (bands, accuracy)
     }
 
-    fn picture_value(&self, shown: &Shown<'_>) -> Value {
+    fn picture_value(&self, series: &Series, shown: &Shown<'_>) -> Value {
         let picture = shown.picture;
         let points = picture.points.iter().enumerate();
         let directions = picture.directions.iter().enumerate();
@@ -137,11 +146,11 @@ impl Report {
                     PointKind::Loose => "loose",
                     PointKind::Construction => "construction",
                 },
-                "at": shown.point(index),
+                "at": list(shown.point(index), |values| series.other(values)),
             })),
             "directions": list(directions, |(index, name)| json!({
                 "name": name,
-                "at": shown.direction(index),
+                "at": list(shown.direction(index), |values| series.other(values)),
             })),
             "links": list(picture.links, |link| json!({ "name": link.name, "points": link.points })),
             "guides": list(picture.guides, |guide| json!({
@@ -189,14 +198,14 @@ impl Report {
     }
 }
 
-fn true_value(rate: True) -> Value {
+fn true_value(series: &Series, rate: True) -> Value {
     let mut value = json!({
         "table": rate.table,
         "name": rate.column.name,
         "unit": rate.unit,
         "meaning": "rate",
         "order": rate.order,
-        "values": rate.values,
+        "values": series.other(&rate.values),
     });
     if let Some(of) = rate.of {
         value["of"] = json!(of);

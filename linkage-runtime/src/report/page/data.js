@@ -2,11 +2,28 @@
 
 const source = byId("report").textContent.trim();
 const report = JSON.parse(source);
+resolveReferences();
 const input = report.input;
 const rowCount = input.values.length;
 
 // Every column of every table, and the true velocities and accelerations beside them.
 const columns = collectColumns();
+
+// Numbers stand in the data once; elsewhere is said in which column.
+function numbersOf(series) {
+  return Array.isArray(series) ? series : report.tables[series.table].columns[series.column].values;
+}
+
+function resolveReferences() {
+  for (const { columns } of report.tables) {
+    for (const column of columns) column.values = numbersOf(column.values);
+  }
+  for (const rate of report.true ?? []) rate.values = numbersOf(rate.values);
+  for (const band of report.bands ?? []) band.half = numbersOf(band.half);
+  for (const item of [...(report.picture?.points ?? []), ...(report.picture?.directions ?? [])]) {
+    item.at = item.at.map(numbersOf);
+  }
+}
 
 function collectColumns() {
   const all = [];

@@ -19,10 +19,28 @@ pub(crate) fn all(page: &mut Page, name: &str) {
     page.assert_quiet();
 }
 
-/// The data of the page.
+/// The data of the page, with the numbers of the columns that they refer to.
 pub(crate) fn report(page: &mut Page) -> Value {
     let text = page.words("document.querySelector('#report').textContent");
-    serde_json::from_str(&text).expect("the page's data are JSON")
+    let mut report: Value = serde_json::from_str(&text).expect("the page's data are JSON");
+    let tables = report["tables"].clone();
+    resolve(&mut report, &tables);
+    report
+}
+
+fn resolve(value: &mut Value, tables: &Value) {
+    match value {
+        Value::Object(members) => {
+            let index = |name: &str| members.get(name).and_then(Value::as_u64);
+            if let (Some(table), Some(column)) = (index("table"), index("column")) {
+                *value = tables[table as usize]["columns"][column as usize]["values"].clone();
+                return;
+            }
+            members.values_mut().for_each(|item| resolve(item, tables));
+        }
+        Value::Array(items) => items.iter_mut().for_each(|item| resolve(item, tables)),
+        _ => {}
+    }
 }
 
 /// Some rows, those at the ends among them.
