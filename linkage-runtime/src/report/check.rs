@@ -16,6 +16,7 @@ impl Report {
     /// [`ReportError::Mistakes`] with all that was found.
     pub fn check(&self) -> Result<(), ReportError> {
         let mut mistakes = Vec::new();
+        self.check_words(&mut mistakes);
         self.check_tables(&mut mistakes);
         self.check_picture(&mut mistakes);
         self.check_parameters(&mut mistakes);
@@ -57,14 +58,35 @@ impl Report {
             let what = std::format!("position {row} of `{}`", self.input.name);
             mistakes.push(Mistake::NotFinite { what, value });
         }
-        if let [first, _, ..] = self.positions[..]
-            && self.positions.iter().all(|x| *x == first)
-        {
-            mistakes.push(Mistake::Still {
-                input: self.input.name.to_string(),
-                at: first,
-            });
+        let input = self.input.name.to_string();
+        match self.positions[..] {
+            [first, _, ..] if self.positions.iter().all(|x| *x == first) => {
+                mistakes.push(Mistake::Still { input, at: first });
+            }
+            _ => mistakes.extend(self.turning()),
         }
+    }
+
+    /// The first position that does not go on as those before it do: neither an axis nor a player could tell it from an earlier one.
+    fn turning(&self) -> Option<Mistake> {
+        let mut steps = self.positions.windows(2);
+        let rises = steps
+            .find(|pair| pair[0] != pair[1])
+            .is_some_and(|pair| pair[1] > pair[0]);
+        let goes_on = |pair: &[f64]| match rises {
+            true => pair[1] > pair[0],
+            false => pair[1] < pair[0],
+        };
+        let mut pairs = self.positions.windows(2).enumerate();
+        // What is no number is told by itself.
+        let (row, pair) =
+            pairs.find(|(_, pair)| pair.iter().all(|x| x.is_finite()) && !goes_on(pair))?;
+        Some(Mistake::Turning {
+            input: self.input.name.to_string(),
+            index: row + 1,
+            values: [pair[0], pair[1]],
+            rises,
+        })
     }
 
     fn check_picture(&self, mistakes: &mut Vec<Mistake>) {

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::string::String;
 use std::vec::Vec;
 
+use super::letters::control;
 use super::page::escaped;
 use super::whole::{Whole, failed};
 use super::{Report, ReportError};
@@ -66,8 +67,11 @@ impl Index {
     ///
     /// # Errors
     ///
-    /// If the file cannot be written.
+    /// If the file cannot be written, or the title has control characters.
     pub fn write(&self, folder: impl AsRef<Path>) -> Result<PathBuf, ReportError> {
+        if let Some(mistake) = control("the title", &self.title) {
+            return Err(mistake.into());
+        }
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(failed(folder))?;
         Whole::new(&folder.join("index.html"), self.html())?.put()

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::letters::control;
 use super::svg::{Element, Svg};
 use super::{BandKind, Mistake, ReportError};
 use crate::report::colour::Colour;
@@ -164,16 +165,28 @@ impl Plot {
     ///
     /// # Errors
     ///
-    /// [`ReportError::Mistakes`] if there is no curve or no value, if a curve or band has not as many values as the abscissa, or if a
-    /// band's curve is not there.
+    /// [`ReportError::Mistakes`] if there is no curve or no value, if a value of the abscissa is not finite, if a curve or band has not as
+    /// many values as the abscissa, if a band's curve is not there, or if words have control characters.
     pub fn svg(&self) -> Result<String, ReportError> {
         let mut mistakes = self.mistakes.clone();
         if self.curves.is_empty() {
             mistakes.push(Mistake::NoCurve);
         }
-        if self.abscissa.values.is_empty() {
-            let name = self.abscissa.name.clone();
+        let abscissa = &self.abscissa;
+        if abscissa.values.is_empty() {
+            let name = abscissa.name.clone();
             mistakes.push(Mistake::NoAbscissa { name });
+        }
+        let mut values = abscissa.values.iter().enumerate();
+        if let Some((index, &value)) = values.find(|(_, x)| !x.is_finite()) {
+            let what = std::format!("value {index} of the abscissa `{}`", abscissa.name);
+            mistakes.push(Mistake::NotFinite { what, value });
+        }
+        mistakes.extend(control("the title", &self.title));
+        let quantities = self.curves.iter().map(|curve| &curve.quantity);
+        for quantity in [abscissa].into_iter().chain(quantities) {
+            mistakes.extend(control("the name of a quantity", &quantity.name));
+            mistakes.extend(control("a unit", &quantity.unit));
         }
         match mistakes.is_empty() {
             true => Ok(self.drawn()),

@@ -212,3 +212,77 @@ fn what_is_not_drawn_has_no_path() {
         "{error}"
     );
 }
+
+#[test]
+fn positions_go_one_way() {
+    let phi = PHI.positions(37);
+    let on = |positions: &[f64]| {
+        let report = Report::new("way", &PHI, positions).table(&FourBar::NOMINAL.motion(positions));
+        report.json().map_err(|error| error.to_string())
+    };
+    let falling: Vec<f64> = phi.iter().rev().copied().collect();
+    assert!(on(&phi).is_ok() && on(&falling).is_ok());
+    assert_eq!(
+        on(&[0.0, 0.5, 1.0, 0.75, 0.5]).unwrap_err(),
+        "position 3 of `phi` is 0.75 after 1, on the way back, while the first ones rise; \
+         give positions that only rise or only fall, and write a report for each such stretch"
+    );
+    assert_eq!(
+        on(&[2.0, 1.5, 1.5, 1.0]).unwrap_err(),
+        "position 2 of `phi` is 1.5 after 1.5, which is the same; give each position once"
+    );
+    assert_eq!(
+        on(&[1.0, 1.0, 2.0]).unwrap_err(),
+        "position 1 of `phi` is 1 after 1, which is the same; give each position once"
+    );
+    assert_eq!(
+        on(&[0.0, f64::NAN, 1.0]).unwrap_err(),
+        "position 1 of `phi` is NaN; give a finite number"
+    );
+}
+
+#[test]
+fn abscissas_are_finite() {
+    let plot = Plot::new("s", "mm", &[0.0, f64::INFINITY]).curve("a", "N", &[1.0, 2.0]);
+    assert_eq!(
+        plot.svg().unwrap_err().to_string(),
+        "value 1 of the abscissa `s` is inf; give a finite number"
+    );
+}
+
+#[test]
+fn control_characters_are_told() {
+    let phi = PHI.positions(37);
+    let report =
+        |title: &str| Report::new(title, &PHI, &phi).table(&FourBar::NOMINAL.picture(&phi));
+    let wrong = report("Press\u{c}2")
+        .about("a\0b")
+        .note("fine\tand\nwell")
+        .note("\u{85}")
+        .fact("Grashof", "\u{ffff}");
+    assert_eq!(
+        wrong.json().unwrap_err().to_string(),
+        "the title has the control character U+000C after \"Press\", which pictures and pages cannot show; leave it out\n\
+         the text below the title has the control character U+0000 after \"a\", which pictures and pages cannot show; leave it out\n\
+         note 1 has the control character U+0085 after \"\", which pictures and pages cannot show; leave it out\n\
+         fact 0 has the control character U+FFFF after \"\", which pictures and pages cannot show; leave it out"
+    );
+    let x = [0.0, 1.0];
+    let plot = Plot::new("s", "mm", &x)
+        .title("\u{1b}[1m")
+        .curve("a\u{7}", "N", &x);
+    assert_eq!(
+        plot.svg().unwrap_err().to_string(),
+        "the title has the control character U+001B after \"\", which pictures and pages cannot show; leave it out\n\
+         the name of a quantity has the control character U+0007 after \"a\", which pictures and pages cannot show; leave it out"
+    );
+    // Line ends and tabs are spaces, and letters of any script are letters.
+    let right = report("Presse\n\t\u{c4}\u{3b1}\u{4e2d} \u{1f527}");
+    let svg = right.drawing().unwrap().svg().unwrap();
+    let svg = roxmltree::Document::parse(&svg).unwrap();
+    let title = svg.descendants().find(|node| node.has_tag_name("title"));
+    assert_eq!(
+        title.unwrap().text(),
+        Some("Presse\n\t\u{c4}\u{3b1}\u{4e2d} \u{1f527}")
+    );
+}
