@@ -2,6 +2,7 @@
 
 mod arrows;
 mod caption;
+mod dxf;
 mod fixed;
 mod geometry;
 mod marks;
@@ -18,6 +19,7 @@ use std::vec::Vec;
 
 use super::shown::{Shown, drawn_names, point_named};
 use super::svg::{Element, Svg};
+use super::whole::Whole;
 use super::{Mistake, Report, ReportError};
 use arrows::Vector;
 use sheet::{Sheet, View};
@@ -142,23 +144,32 @@ impl Drawing<'_> {
     /// [`ReportError::Mistakes`] for a point that is not there, a scale that is none, and if the mechanism cannot be
     /// assembled at the position that is wanted, or at all.
     pub fn svg(&self) -> Result<String, ReportError> {
-        let mut mistakes = self.mistakes.clone();
-        mistakes.extend(self.without_tolerances());
-        match self.row() {
-            Ok(row) if mistakes.is_empty() => return Ok(self.drawn(row)),
-            Ok(_) => {}
-            Err(mistake) => mistakes.push(mistake),
-        }
-        Err(ReportError::Mistakes(mistakes))
+        self.possible_row().map(|row| self.drawn(row))
     }
 
-    /// Writes the drawing, by the ending of the file's name, as SVG or (with feature `png`) as PNG.
+    /// Writes the drawing, by the ending of the file's name, as SVG, [DXF](Self::dxf) or (with feature `png`) PNG.
     ///
     /// # Errors
     ///
     /// As [`svg`](Self::svg), if the file cannot be written, and for any other ending.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<PathBuf, ReportError> {
-        super::write::picture(path.as_ref(), &self.svg()?)
+        let path = path.as_ref();
+        match path.extension().and_then(|ending| ending.to_str()) {
+            Some("dxf") => Whole::new(path, self.dxf()?)?.put(),
+            _ => super::write::picture(path, &self.svg()?),
+        }
+    }
+
+    /// The row of the position that is shown, if nothing was asked for that is not there.
+    fn possible_row(&self) -> Result<usize, ReportError> {
+        let mut mistakes = self.mistakes.clone();
+        mistakes.extend(self.without_tolerances());
+        match self.row() {
+            Ok(row) if mistakes.is_empty() => return Ok(row),
+            Ok(_) => {}
+            Err(mistake) => mistakes.push(mistake),
+        }
+        Err(ReportError::Mistakes(mistakes))
     }
 
     /// The row of the position that is shown.

@@ -20,6 +20,7 @@ impl Report {
     /// | `data.json` | all data |
     /// | `FUNCTION.csv` | each table |
     /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
+    /// | `drawing.dxf` | the same, true to size, for programs that construct |
     /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | each function's values and derivatives; true velocities and accelerations |
     /// | `version.js` | which [version](Self::version) it is, if that was said |
     /// | `plots/errors-by-tolerances.svg` | errors over the range, if there are sensitivities and tolerances |
@@ -42,6 +43,7 @@ impl Report {
         if self.is_drawable() {
             let drawing = self.drawing()?.ghosts(GHOSTS);
             files.push((folder.join("drawing.svg"), drawing.svg()?));
+            files.push((folder.join("drawing.dxf"), drawing.dxf()?));
         }
         for (name, plot) in self.all_plots()? {
             files.push((folder.join(format!("plots/{name}.svg")), plot.svg()?));

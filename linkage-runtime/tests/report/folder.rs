@@ -36,6 +36,7 @@ fn everything_is_written() {
             "accuracy.csv",
             "pictured.csv",
             "drawing.svg",
+            "drawing.dxf",
             "plots/motion.svg",
             "plots/motion-true.svg",
             "plots/accuracy.svg",
@@ -66,12 +67,12 @@ fn guides_space_and_gaps_are_drawn() {
     let shaper = Report::new("Shaper", &PHI, &phi)
         .table(&quick_return(&phi))
         .trace("end");
-    assert_eq!(shaper.write(folder("shaper")).unwrap().len(), 4);
+    assert_eq!(shaper.write(folder("shaper")).unwrap().len(), 5);
     let spatial = Report::new("RSSR", &PHI, &phi)
         .table(&spatial(&phi))
         .trace("q")
         .trace("p");
-    assert_eq!(spatial.write(folder("spatial")).unwrap().len(), 4);
+    assert_eq!(spatial.write(folder("spatial")).unwrap().len(), 5);
     four_bar(FourBar::GAPPED).write(folder("gapped")).unwrap();
 }
 

@@ -5,6 +5,7 @@ mod closing;
 mod csv;
 mod data;
 mod drawings;
+mod dxf_files;
 mod fixture;
 mod folder;
 mod mistakes;
