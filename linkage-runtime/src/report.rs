@@ -14,6 +14,7 @@ mod drawing;
 mod error;
 mod figures;
 mod gaps;
+mod hues;
 mod index;
 mod json;
 mod letters;

@@ -24,8 +24,11 @@ pub(super) enum Colour {
     Link(usize),
 }
 
+/// Colours of curves; they begin again after the last one.
+pub(super) const CURVES: usize = 7;
+
 /// Light and dark: the palette of Okabe and Ito without its yellow, lighter on dark ground.
-const CURVES: [(&str, &str); 7] = [
+const CURVE_COLOURS: [(&str, &str); CURVES] = [
     ("#0072b2", "#4fb3f6"),
     ("#d55e00", "#ff8b3d"),
     ("#00845f", "#2fc99c"),
@@ -67,7 +70,7 @@ impl Colour {
             Self::Frame => ("#7b8491", "#7d8693"),
             Self::Grid => ("#e4e7eb", "#2c323b"),
             Self::Gap => ("#eef0f2", "#22272f"),
-            Self::Curve(index) => CURVES[index % CURVES.len()],
+            Self::Curve(index) => CURVE_COLOURS[index % CURVES],
             Self::Link(index) => LINKS[index % LINKS.len()],
         }
     }
@@ -81,16 +84,25 @@ impl Colour {
             Self::Frame => String::from("frame"),
             Self::Grid => String::from("grid"),
             Self::Gap => String::from("gap"),
-            Self::Curve(index) => format!("curve{}", index % CURVES.len()),
+            Self::Curve(index) => format!("curve{}", index % CURVES),
             Self::Link(index) => format!("link{}", index % LINKS.len()),
         }
     }
 }
 
+/// The colours of curves as variables of the page, which is light or dark as its reader has chosen.
+pub(super) fn page_rules() -> String {
+    let rules = CURVE_COLOURS
+        .iter()
+        .enumerate()
+        .map(|(index, (light, dark))| format!("  --curve-{index}: light-dark({light}, {dark});\n"));
+    format!("\n:root {{\n{}}}\n", rules.collect::<String>())
+}
+
 /// Rules that change the colours for readers who prefer a dark ground. Attributes have the light ones, so that programs
 /// that know no rules show these.
 pub(super) fn dark_rules() -> String {
-    let curves = (0..CURVES.len()).map(Colour::Curve);
+    let curves = (0..CURVES).map(Colour::Curve);
     let links = (0..LINKS.len()).map(Colour::Link);
     let colours = Colour::NAMED.into_iter().chain(curves).chain(links);
     let rules: String = colours

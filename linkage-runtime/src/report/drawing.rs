@@ -17,6 +17,7 @@ use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::hues::Hues;
 use super::shown::{Shown, drawn_names, point_named};
 use super::svg::{Element, Svg};
 use super::whole::Whole;
@@ -35,6 +36,7 @@ pub struct Drawing<'a> {
     report: &'a Report,
     shown: Shown<'a>,
     traces: Vec<usize>,
+    hues: Hues,
     position: Option<f64>,
     ghosts: usize,
     scale: Option<f64>,
@@ -64,6 +66,7 @@ impl Report {
             report: self,
             shown,
             traces: self.traced(shown.picture),
+            hues: self.hues(),
             position: None,
             ghosts: 0,
             scale: None,
@@ -195,6 +198,12 @@ impl Drawing<'_> {
             })
     }
 
+    /// The colour of what belongs to a point: that of its curves in plots.
+    fn hue(&self, point: usize) -> usize {
+        let name = self.shown.picture.points[point].name;
+        self.hues.point(name).unwrap_or(point)
+    }
+
     /// So many rows, at all ends of equal parts of the range; the last one repeats the first where the range closes.
     fn even_rows(&self, count: usize) -> Vec<usize> {
         let last = self.report.positions.len() - 1;
@@ -230,8 +239,8 @@ impl Drawing<'_> {
         }
         self.cylinders(&mut svg, &sheet, row);
         self.sliders(&mut svg, &sheet, row);
-        for (order, &point) in self.traces.iter().enumerate() {
-            self.path(&mut svg, &sheet, point, order);
+        for &point in &self.traces {
+            self.path(&mut svg, &sheet, point, self.hue(point));
         }
         self.even_points(&mut svg, &sheet);
         self.ellipses(&mut svg, &sheet, row);

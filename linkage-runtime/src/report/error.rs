@@ -4,7 +4,6 @@ use core::fmt;
 use std::error::Error;
 use std::io;
 use std::path::PathBuf;
-use std::string::String;
 use std::vec::Vec;
 
 use super::Mistake;
@@ -27,7 +26,7 @@ pub enum ReportError {
     #[cfg(feature = "png")]
     Pixels {
         /// Why.
-        message: String,
+        message: std::string::String,
     },
     /// A file cannot be written.
     File {

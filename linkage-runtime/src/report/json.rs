@@ -7,6 +7,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::accuracy::BandKind;
+use super::hues::{Hues, Style};
 use super::rates::True;
 use super::shown::Shown;
 use super::tables::Saved;
@@ -29,6 +30,7 @@ impl Report {
 
     fn value(&self) -> Value {
         let series = Series::of(self);
+        let hues = self.hues();
         let (bands, accuracy) = self.tolerances(&series);
         let tables = self.tables.iter().enumerate();
         json!({
@@ -41,12 +43,12 @@ impl Report {
                 "values": self.positions,
                 "periodic": self.is_periodic(),
             },
-            "tables": list(tables, |(index, table)| self.table_value(&series, index, table)),
+            "tables": list(tables, |(index, table)| self.table_value(&series, &hues, index, table)),
             "bands": bands,
             "accuracy": accuracy,
             "speed": self.speed.map(|s| json!({ "omega": s.omega, "epsilon": s.epsilon })),
-            "true": list(self.true_rates(), |rate| true_value(&series, rate)),
-            "picture": self.shown().map(|shown| self.picture_value(&series, &shown)),
+            "true": list(self.true_rates(), |rate| coloured(true_value(&series, &rate), &hues, rate.column.name)),
+            "picture": self.shown().map(|shown| self.picture_value(&series, &hues, &shown)),
             "structure": self.structure.map(|structure| self.structure_value(&structure)),
             "dimensions": list(&self.dimensions, |d| json!({
                 "name": d.parameter.name,
@@ -67,12 +69,12 @@ impl Report {
         })
     }
 
-    fn table_value(&self, series: &Series, index: usize, table: &Saved) -> Value {
+    fn table_value(&self, series: &Series, hues: &Hues, index: usize, table: &Saved) -> Value {
         let columns = table.heading.columns.iter().enumerate();
         json!({
             "function": table.heading.function,
             "columns": list(columns, |(at, column)| {
-                self.column_value(table, column, series.column(index, at, table))
+                coloured(self.column_value(table, column, series.column(index, at, table)), hues, column.name)
             }),
         })
     }
@@ -130,7 +132,7 @@ impl Report {
         (bands, accuracy)
     }
 
-    fn picture_value(&self, series: &Series, shown: &Shown<'_>) -> Value {
+    fn picture_value(&self, series: &Series, hues: &Hues, shown: &Shown<'_>) -> Value {
         let picture = shown.picture;
         let points = picture.points.iter().enumerate();
         let directions = picture.directions.iter().enumerate();
@@ -147,6 +149,7 @@ impl Report {
                     PointKind::Construction => "construction",
                 },
                 "at": list(shown.point(index), |values| series.other(values)),
+                "colour": hues.point(point.name),
             })),
             "directions": list(directions, |(index, name)| json!({
                 "name": name,
@@ -198,7 +201,7 @@ impl Report {
     }
 }
 
-fn true_value(series: &Series, rate: True) -> Value {
+fn true_value(series: &Series, rate: &True) -> Value {
     let mut value = json!({
         "table": rate.table,
         "name": rate.column.name,
@@ -211,6 +214,15 @@ fn true_value(series: &Series, rate: True) -> Value {
         value["of"] = json!(of);
     }
     value
+}
+
+/// With the number of its colour and of its dashes among those of curves.
+fn coloured(mut column: Value, hues: &Hues, name: &str) -> Value {
+    if let Some(Style { hue, dash }) = hues.style(name) {
+        column["colour"] = json!(hue);
+        column["dash"] = json!(dash);
+    }
+    column
 }
 
 fn list<T>(items: impl IntoIterator<Item = T>, value: impl FnMut(T) -> Value) -> Vec<Value> {

@@ -2,6 +2,7 @@
 
 use std::string::String;
 
+use super::colour::page_rules;
 use super::{Report, ReportError};
 
 const FRAME: &str = include_str!("page/page.html");
@@ -59,7 +60,10 @@ impl Report {
         // The data come last: they may contain anything, even the words that are replaced.
         Ok(FRAME
             .replace("<!-- title -->", &escaped(&self.title))
-            .replace("<!-- style -->", &enclosed("style", "", &STYLES.join("\n")))
+            .replace(
+                "<!-- style -->",
+                &enclosed("style", "", &(STYLES.join("\n") + &page_rules())),
+            )
             .replace("<!-- script -->", &enclosed("script", "", &script))
             .replacen(
                 "<!-- report -->",

@@ -3,6 +3,7 @@
 use std::vec::Vec;
 
 use super::Plot;
+use super::hues::Hues;
 
 /// Curves in one panel.
 pub(super) const TOGETHER: usize = 6;
@@ -38,7 +39,11 @@ impl<'a> Shared<'a> {
 }
 
 /// A plot of columns, those of one unit and about one size together; `None` if there are none.
-pub(super) fn panels<'a>(plot: Plot, columns: impl Iterator<Item = Named<'a>>) -> Option<Plot> {
+pub(super) fn panels<'a>(
+    plot: Plot,
+    hues: &Hues,
+    columns: impl Iterator<Item = Named<'a>>,
+) -> Option<Plot> {
     let mut panels: Vec<Shared<'a>> = Vec::new();
     for column in columns {
         // After the last panel of its unit, so that units stay together.
@@ -61,7 +66,7 @@ pub(super) fn panels<'a>(plot: Plot, columns: impl Iterator<Item = Named<'a>>) -
     let add = |plot: Plot, panel: Shared<'a>| {
         let columns = panel.columns.into_iter();
         let plot = columns.fold(plot, |plot, (name, unit, values)| {
-            plot.curve(name, unit, values)
+            plot.curve(name, unit, values).styled(hues.style(name))
         });
         plot.panel()
     };
@@ -95,7 +100,7 @@ mod tests {
     /// The titles of the panels.
     fn titles(columns: &[Named<'_>]) -> Vec<String> {
         let plot = Plot::new("s", "mm", &[0.0, 1.0]);
-        let svg = panels(plot, columns.iter().copied())
+        let svg = panels(plot, &Hues::default(), columns.iter().copied())
             .unwrap()
             .svg()
             .unwrap();
@@ -145,6 +150,13 @@ mod tests {
         let values = [0.0, 1.0];
         let columns: Vec<Named<'_>> = (0..8).map(|_| ("q", "", &values[..])).collect();
         assert_eq!(titles(&columns).len(), 2);
-        assert!(panels(Plot::new("s", "mm", &values), [].into_iter()).is_none());
+        assert!(
+            panels(
+                Plot::new("s", "mm", &values),
+                &Hues::default(),
+                [].into_iter()
+            )
+            .is_none()
+        );
     }
 }

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::hues::Style;
 use super::letters::control;
 use super::svg::{Element, Svg};
 use super::{BandKind, Mistake, ReportError};
@@ -67,6 +68,9 @@ struct Curve {
     section: usize,
     quantity: Quantity,
     bands: Vec<Band>,
+    /// As the report has it; otherwise it follows from the order.
+    style: Option<Style>,
+    thin: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -130,7 +134,25 @@ impl Plot {
             section: self.section,
             quantity: Quantity::new(name, unit, values),
             bands: Vec::new(),
+            style: None,
+            thin: false,
         });
+        self
+    }
+
+    /// Gives the last curve a style.
+    pub(super) fn styled(mut self, style: Option<Style>) -> Self {
+        if let Some(curve) = self.curves.last_mut() {
+            curve.style = style;
+        }
+        self
+    }
+
+    /// Draws the last curve thinner than others.
+    pub(super) fn thin(mut self) -> Self {
+        if let Some(curve) = self.curves.last_mut() {
+            curve.thin = true;
+        }
         self
     }
 

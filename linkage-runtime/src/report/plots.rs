@@ -69,6 +69,7 @@ impl Report {
         if sensitive.is_empty() {
             return Ok(None);
         }
+        let hues = self.hues();
         let mut plot = self
             .empty_plot()
             .title(format!("{}: errors by tolerances", self.title));
@@ -77,6 +78,10 @@ impl Report {
                 for kind in [BandKind::WorstCase, BandKind::Statistical] {
                     let name = format!("{}, {}", quantity.name, kind.name());
                     plot = plot.curve(&name, &quantity.unit, &quantity.half(kind));
+                    plot = plot.styled(hues.style(&quantity.name));
+                    if kind == BandKind::Statistical {
+                        plot = plot.thin();
+                    }
                 }
             }
             plot = plot.panel();
@@ -89,6 +94,7 @@ impl Report {
     pub(super) fn all_plots(&self) -> Result<Vec<(String, Plot)>, ReportError> {
         let rates = self.true_rates();
         let sensitive = self.sensitive();
+        let hues = self.hues();
         let mut plots = Vec::new();
         for table in &self.tables {
             let function = table.heading.function;
@@ -97,7 +103,7 @@ impl Report {
             let plot = self
                 .empty_plot()
                 .title(format!("{}: {function}", self.title));
-            let plot = panels(plot, given).map(|plot| banded(plot, table, &sensitive));
+            let plot = panels(plot, &hues, given).map(|plot| banded(plot, table, &sensitive));
             plots.extend(plot.map(|plot| (function.to_string(), plot)));
 
             let rates = rates.iter().filter(|rate| rate.table == function);
@@ -108,7 +114,7 @@ impl Report {
                 self.at_speed()
             );
             let plot = self.empty_plot().title(title);
-            plots.extend(panels(plot, rates).map(|plot| (format!("{function}-true"), plot)));
+            plots.extend(panels(plot, &hues, rates).map(|plot| (format!("{function}-true"), plot)));
         }
         let errors = self.plot_errors()?;
         plots.extend(errors.map(|plot| (String::from("errors-by-tolerances"), plot)));
@@ -134,7 +140,8 @@ impl Report {
             }
             _ => Cow::Borrowed(found.name),
         };
-        let mut plot = plot.curve(&name, &found.unit, &found.values);
+        let plot = plot.curve(&name, &found.unit, &found.values);
+        let mut plot = plot.styled(self.hues().style(found.name));
         let sensitive = self.sensitive();
         let about = sensitive.iter().filter(|sensitive| {
             let of = sensitive.column.map(|index| (sensitive.table, index));

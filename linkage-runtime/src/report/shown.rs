@@ -5,7 +5,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::Report;
-use crate::{Guide, GuideOn, Picture, PicturePoint, PointKind};
+use crate::{Column, Guide, GuideOn, Picture, PicturePoint, PointKind};
 
 /// The picture of a report, with the places of its points.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +13,7 @@ pub(super) struct Shown<'a> {
     pub(super) picture: &'static Picture,
     columns: &'a [Vec<f64>],
     pub(super) unit: &'static str,
+    named: &'static [Column],
 }
 
 impl<'a> Shown<'a> {
@@ -24,6 +25,11 @@ impl<'a> Shown<'a> {
     pub(super) fn point(&self, index: usize) -> &'a [Vec<f64>] {
         let size = self.picture.dimension;
         &self.columns[size * index..size * (index + 1)]
+    }
+
+    /// The name of a point's first column.
+    pub(super) fn column_name(&self, index: usize) -> &'static str {
+        self.named[self.picture.dimension * index].name
     }
 
     /// The components of a direction, each over all positions.
@@ -89,6 +95,7 @@ impl Report {
                 picture: columns.picture,
                 columns: &table.values[columns.first..],
                 unit: table.heading.columns.get(columns.first)?.unit,
+                named: table.heading.columns.get(columns.first..)?,
             })
         })
     }

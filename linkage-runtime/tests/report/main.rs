@@ -2,6 +2,7 @@
 #![cfg(feature = "report")]
 
 mod closing;
+mod colours;
 mod csv;
 mod data;
 mod drawings;

@@ -95,7 +95,7 @@ impl Drawing<'_> {
     }
 
     /// The path of a point, with gaps where the mechanism cannot be assembled.
-    pub(super) fn path(&self, svg: &mut Svg, sheet: &Sheet<'_>, point: usize, order: usize) {
+    pub(super) fn path(&self, svg: &mut Svg, sheet: &Sheet<'_>, point: usize, hue: usize) {
         let rows = 0..self.report.positions.len();
         let places: std::vec::Vec<_> = rows.map(|row| sheet.point(point, row)).collect();
         let name = self.shown.picture.points[point].name;
@@ -107,7 +107,7 @@ impl Drawing<'_> {
                     .filter(|piece| piece.len() > 1)
                 {
                     let line = Element::polyline(piece.iter().copied().flatten());
-                    svg.add(line.stroke(Colour::Curve(order), 0.45));
+                    svg.add(line.stroke(Colour::Curve(hue), 0.45));
                 }
             },
         );

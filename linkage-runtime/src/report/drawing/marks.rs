@@ -134,11 +134,11 @@ impl Drawing<'_> {
 
     /// Points on the paths at equal steps of the input: equal times, if it runs evenly.
     pub(super) fn even_points(&self, svg: &mut Svg, sheet: &Sheet<'_>) {
-        for (order, &point) in self.traces.iter().enumerate() {
+        for &point in &self.traces {
             for row in self.even_rows(self.ticks) {
                 if let Some(at) = sheet.point(point, row) {
                     let dot = Element::circle(at, 0.75).class("tick").fill(Colour::Paper);
-                    svg.add(dot.stroke(Colour::Curve(order), 0.4));
+                    svg.add(dot.stroke(Colour::Curve(self.hue(point)), 0.4));
                 }
             }
         }
@@ -150,7 +150,7 @@ impl Drawing<'_> {
         let Some(enlarged) = self.enlarged else {
             return;
         };
-        for (order, &point) in self.traces.iter().enumerate() {
+        for &point in &self.traces {
             let name = self.shown.picture.points[point].name;
             let Some(scatter) = Scatter::of(point, name, &sensitive) else {
                 continue;
@@ -178,8 +178,10 @@ impl Drawing<'_> {
                     "transform",
                     format!("rotate({:.4} {x:.4} {y:.4})", turn.to_degrees()),
                 );
-                let shape = shape.fill(Colour::Curve(order)).number("fill-opacity", 0.2);
-                svg.add(shape.stroke(Colour::Curve(order), 0.3));
+                let shape = shape
+                    .fill(Colour::Curve(self.hue(point)))
+                    .number("fill-opacity", 0.2);
+                svg.add(shape.stroke(Colour::Curve(self.hue(point)), 0.3));
             }
         }
     }

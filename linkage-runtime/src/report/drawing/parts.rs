@@ -101,8 +101,10 @@ impl Drawing<'_> {
             let Some(at) = sheet.point(index, row) else {
                 continue;
             };
-            let traced = self.traces.iter().position(|trace| *trace == index);
-            let colour = traced.map_or(Colour::Ink, Colour::Curve);
+            let colour = match self.traces.contains(&index) {
+                true => Colour::Curve(self.hue(index)),
+                false => Colour::Ink,
+            };
             let mark = match point.kind {
                 // Nothing turns there.
                 PointKind::Joint if self.only_slides(index) => {

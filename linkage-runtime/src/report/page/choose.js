@@ -15,10 +15,9 @@ const FIRST_RATES = 6;
 
 const chosen = new Set();
 
-// The places of traced points, or other values, with their derivatives by time, or by the input.
+// The values that the functions list first, with their derivatives by time, or by the input.
 function firstChoice() {
-  const traced = firstOf("value", isTraced, FIRST_VALUES);
-  const values = traced.length > 0 ? traced : firstOf("value", () => true, FIRST_VALUES);
+  const values = firstOf("value", () => true, FIRST_VALUES);
   const names = values.map((column) => column.name);
   const ofThem = (column) => names.includes(column.of);
   const rates = firstOf("true", ofThem, FIRST_RATES);

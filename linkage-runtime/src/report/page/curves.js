@@ -1,6 +1,6 @@
 // What a panel shows: curves of one unit with their colours, bands and limits.
 
-const CURVE_COLOURS = 8;
+// As static plots have them.
 const DASHES = [null, "7 4", "2 3", "9 3 2 3"];
 
 // Tolerances are small beside motions: bands may be drawn wider than they are.
@@ -15,16 +15,16 @@ function chosenPanels(apart) {
     const name = apart ? column.key : unit;
     if (!panels.has(name)) panels.set(name, { unit, curves: [] });
     const { curves } = panels.get(name);
-    curves.push(curveOf(column, curves.length));
+    curves.push(curveOf(column));
   }
   return [...panels.values()];
 }
 
-function curveOf(column, index) {
+function curveOf(column) {
   return {
     column,
-    colour: `var(--curve-${index % CURVE_COLOURS})`,
-    dash: DASHES[Math.floor(index / CURVE_COLOURS) % DASHES.length],
+    colour: `var(--curve-${column.colour})`,
+    dash: DASHES[column.dash],
     ys: column.values.map((value) => plotValue(value, column.unit)),
   };
 }

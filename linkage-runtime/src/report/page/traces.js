@@ -1,10 +1,10 @@
 // Paths of points over the whole sweep.
 
-const TRACE_COLOURS = 4;
 const traces = { paths: new Map(), layer: null };
 
+// That of the point's curves in plots.
 function traceColour(index) {
-  return `var(--trace-${index % TRACE_COLOURS})`;
+  return `var(--curve-${picture.points[index].colour})`;
 }
 
 function toggleTrace(index) {

@@ -3,6 +3,7 @@
 use std::string::String;
 
 use super::super::colour::Colour;
+use super::super::hues::Style;
 use super::super::svg::{Element, Svg};
 use super::panel::{dashed, shade};
 use crate::report::BandKind;
@@ -15,8 +16,9 @@ const CHARACTER: f64 = 7.2;
 /// A line of the legend.
 pub(super) struct Entry<'a> {
     pub(super) name: &'a str,
-    /// Of its curve in the panel.
-    pub(super) index: usize,
+    /// Of its curve.
+    pub(super) style: Style,
+    pub(super) width: f64,
     /// `None` for the curve itself.
     pub(super) band: Option<BandKind>,
 }
@@ -47,11 +49,11 @@ pub(super) fn height(lines: usize) -> f64 {
 pub(super) fn draw(svg: &mut Svg, [left, top]: [f64; 2], entries: &[Entry<'_>]) {
     for (line, entry) in entries.iter().enumerate() {
         let y = top + LINE * line as f64;
-        let colour = Colour::Curve(entry.index);
+        let colour = entry.style.colour();
         match entry.band {
             None => svg.add(dashed(
-                Element::line([left, y], [left + SAMPLE, y]).stroke(colour, 2.0),
-                entry.index,
+                Element::line([left, y], [left + SAMPLE, y]).stroke(colour, entry.width + 0.2),
+                entry.style,
             )),
             Some(kind) => svg.add(
                 Element::new("rect")

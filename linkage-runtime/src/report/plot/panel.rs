@@ -3,6 +3,7 @@
 use std::vec::Vec;
 
 use super::super::colour::Colour;
+use super::super::hues::Style;
 use super::super::svg::{Element, Svg};
 use super::axes::Axis;
 use super::gaps::{Rows, pieces};
@@ -61,12 +62,13 @@ impl Panel<'_> {
         for (index, curve) in self.curves.iter().enumerate().filter(|_| several) {
             let name = curve.quantity.name.as_str();
             let bands = curve.bands.iter().map(|band| Some(band.kind));
-            entries.extend(
-                [None]
-                    .into_iter()
-                    .chain(bands)
-                    .map(|band| Entry { name, index, band }),
-            );
+            let (style, width) = (curve.style(index), curve.width());
+            entries.extend([None].into_iter().chain(bands).map(|band| Entry {
+                name,
+                style,
+                width,
+                band,
+            }));
         }
         entries
     }
@@ -129,7 +131,8 @@ impl Panel<'_> {
     }
 
     fn curve(&self, svg: &mut Svg, places: &Places<'_>, index: usize, curve: &Curve) {
-        let colour = Colour::Curve(index);
+        let style = curve.style(index);
+        let colour = style.colour();
         let quantity = &curve.quantity;
         let at = |row: usize| [places.x(self.abscissa[row]), places.y(quantity.values[row])];
         let group = Element::new("g").class("curve");
@@ -138,8 +141,8 @@ impl Panel<'_> {
                 match piece.len() {
                     1 => svg.add(Element::circle(at(piece.start), 1.6).fill(colour)),
                     _ => {
-                        let line = Element::polyline(piece.map(at)).stroke(colour, 1.8);
-                        svg.add(dashed(line, index));
+                        let line = Element::polyline(piece.map(at)).stroke(colour, curve.width());
+                        svg.add(dashed(line, style));
                     }
                 }
             }
@@ -161,7 +164,7 @@ impl Panel<'_> {
             let polygon = Element::polygon(upper.chain(lower)).class("band");
             svg.add(
                 polygon
-                    .fill(Colour::Curve(index))
+                    .fill(curve.style(index).colour())
                     .number("fill-opacity", shade(band.kind)),
             );
         }
@@ -215,9 +218,19 @@ impl Places<'_> {
     }
 }
 
-/// The line style of a curve: with the colours, 28 that can be told apart, and four without any colour.
-pub(super) fn dashed(line: Element, index: usize) -> Element {
-    match index % 4 {
+impl Curve {
+    fn style(&self, index: usize) -> Style {
+        self.style.unwrap_or(Style::numbered(index))
+    }
+
+    const fn width(&self) -> f64 {
+        if self.thin { 1.0 } else { 1.8 }
+    }
+}
+
+/// The line of a curve.
+pub(super) fn dashed(line: Element, style: Style) -> Element {
+    match style.dash {
         0 => line,
         1 => line.set("stroke-dasharray", "9 4"),
         2 => line.set("stroke-dasharray", "2.5 3"),

@@ -6,6 +6,7 @@ mod drawing;
 mod follow;
 mod gallery;
 mod gaps;
+mod one_colour;
 mod phone;
 mod playing;
 mod plots;

@@ -79,11 +79,11 @@ fn quantities_are_chosen() {
     let curves = "document.querySelectorAll('.curve').length";
     let panels = "[...document.querySelectorAll('.panel')].map((p) => p.dataset.unit).join(' ')";
     let first = page.number(curves);
-    assert_eq!(page.words(panels), "mm mm/s");
+    assert_eq!(page.words(panels), "mm deg mm/s rad/s");
     page.click("#quantities summary");
     page.click("input[data-column='motion||e[crank].x|mm/mm']");
     assert_eq!(page.number(curves), first + 1.0);
-    assert_eq!(page.words(panels), "mm mm/mm mm/s");
+    assert_eq!(page.words(panels), "mm deg mm/mm mm/s rad/s");
     page.click("input[data-column='motion||e[crank].x|mm/mm']");
     assert_eq!(page.number(curves), first);
     page.click("#apart");
@@ -92,7 +92,7 @@ fn quantities_are_chosen() {
         first
     );
     page.click("#apart");
-    assert_eq!(page.words(panels), "mm mm/s");
+    assert_eq!(page.words(panels), "mm deg mm/s rad/s");
     // True velocities are the analogues times the speed.
     let report = checks::report(&mut page);
     let speed = report["speed"]["omega"].as_f64().expect("a speed");
@@ -154,8 +154,6 @@ fn axes_are_true() {
             read("y", y)
         );
     }
-    page.click("#quantities summary");
-    page.click("input[data-column='motion||psi|rad']");
     let titles = page.words("[...document.querySelectorAll('.panel:nth-child(2) .axes .title')].map((t) => t.textContent).join(' ')");
     assert_eq!(titles, "phi [deg] psi [deg]");
 }

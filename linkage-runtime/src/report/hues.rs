@@ -1,0 +1,145 @@
+//! One colour for one quantity: in plots and legends, along the path of its point, on paper and on the page.
+
+use std::collections::BTreeMap;
+use std::vec::Vec;
+
+use super::Report;
+use super::colour::{CURVES, Colour};
+use crate::{Column, Meaning, PointKind};
+
+/// Colours of quantities by their names; components of a vector have that of the vector.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Hues {
+    of: BTreeMap<&'static str, Given>,
+}
+
+/// What a quantity has got.
+#[derive(Clone, Copy, Debug)]
+struct Given {
+    hue: usize,
+    /// How many quantities of its unit were there before.
+    rank: usize,
+}
+
+/// How a curve looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Style {
+    /// Which of the colours of curves.
+    pub(super) hue: usize,
+    /// Which of the ways of being dashed.
+    pub(super) dash: usize,
+}
+
+/// Ways of being dashed.
+pub(super) const DASHES: usize = 4;
+
+impl Style {
+    /// Of one of several curves about which nothing is known but their order: with the colours, 28 that can be told apart, and four
+    /// without any colour.
+    pub(super) const fn numbered(index: usize) -> Self {
+        Self {
+            hue: index,
+            dash: index % DASHES,
+        }
+    }
+
+    pub(super) const fn colour(self) -> Colour {
+        Colour::Curve(self.hue)
+    }
+}
+
+impl Hues {
+    /// What the curve of a column looks like.
+    pub(super) fn style(&self, column: &str) -> Option<Style> {
+        let (quantity, component) = components(column);
+        let Given { hue, rank } = *self.of.get(quantity)?;
+        let dash = (rank + component) % DASHES;
+        Some(Style { hue, dash })
+    }
+
+    /// The colour of a point.
+    pub(super) fn point(&self, name: &str) -> Option<usize> {
+        self.of.get(name).map(|given| given.hue)
+    }
+}
+
+/// The quantity that a column is a component of, and which: `p.y` is the second one of `p`.
+fn components(column: &str) -> (&str, usize) {
+    let parts = column.rsplit_once('.');
+    let index = |name: &str| ["x", "y", "z"].iter().position(|axis| *axis == name);
+    match parts.map(|(quantity, axis)| (quantity, index(axis))) {
+        Some((quantity, Some(component))) => (quantity, component),
+        _ => (column, 0),
+    }
+}
+
+impl Report {
+    /// The colours of all quantities: those of the functions first, then points of the picture.
+    pub(super) fn hues(&self) -> Hues {
+        let mut hues = Giving::default();
+        let columns = self.tables.iter().flat_map(|table| table.heading.columns);
+        let (own, others): (Vec<&Column>, Vec<&Column>) =
+            columns.partition(|column| match column.meaning {
+                Meaning::Value | Meaning::Rate { .. } | Meaning::Margin => true,
+                Meaning::Sensitivity { .. } | Meaning::Picture => false,
+            });
+        for column in own {
+            hues.give(components(column.name).0, column.unit);
+        }
+        if let Some(shown) = self.shown() {
+            for (index, point) in shown.picture.points.iter().enumerate() {
+                if point.kind != PointKind::Construction {
+                    let given = hues.give(point.name, shown.unit);
+                    // `shape[p].x` is where `p` is.
+                    let column = components(shown.column_name(index)).0;
+                    hues.of.entry(column).or_insert(given);
+                }
+            }
+        }
+        for column in others {
+            hues.give(components(column.name).0, column.unit);
+        }
+        Hues { of: hues.of }
+    }
+}
+
+/// Colours while they are given.
+#[derive(Default)]
+struct Giving {
+    of: BTreeMap<&'static str, Given>,
+    /// How often a unit has each colour.
+    units: BTreeMap<&'static str, [usize; CURVES]>,
+}
+
+impl Giving {
+    /// A colour that is rare in its unit, whose quantities meet in a panel, then one that is rare at all.
+    fn give(&mut self, name: &'static str, unit: &'static str) -> Given {
+        if let Some(given) = self.of.get(name) {
+            return *given;
+        }
+        let there = |hue: usize| self.units.values().map(|unit| unit[hue]).sum::<usize>();
+        let everywhere: [usize; CURVES] = core::array::from_fn(there);
+        let own = self.units.entry(unit).or_default();
+        let rarest = (0..CURVES).min_by_key(|hue| (own[*hue], everywhere[*hue]));
+        let given = Given {
+            hue: rarest.unwrap_or(0),
+            rank: own.iter().sum(),
+        };
+        own[given.hue] += 1;
+        self.of.insert(name, given);
+        given
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn components_belong_to_their_vector() {
+        assert_eq!(components("p10.y"), ("p10", 1));
+        assert_eq!(components("e[crank].z"), ("e[crank]", 2));
+        assert_eq!(components("psi"), ("psi", 0));
+        assert_eq!(components("frame.angle"), ("frame.angle", 0));
+    }
+}
