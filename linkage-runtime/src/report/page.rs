@@ -6,13 +6,14 @@ use super::colour::page_rules;
 use super::{Report, ReportError};
 
 const FRAME: &str = include_str!("page/page.html");
-const STYLES: [&str; 3] = [
+const STYLES: [&str; 4] = [
     include_str!("page/style.css"),
     include_str!("page/drawing.css"),
     include_str!("page/sheets.css"),
+    include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 24] = [
+const SCRIPTS: [&str; 25] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/data.js"),
@@ -36,6 +37,7 @@ const SCRIPTS: [&str; 24] = [
     include_str!("page/values.js"),
     include_str!("page/downloads.js"),
     include_str!("page/theme.js"),
+    include_str!("page/print.js"),
     include_str!("page/start.js"),
 ];
 

@@ -48,6 +48,15 @@ pub const PHONE: Screen = Screen {
     touch: true,
 };
 
+/// What the margins leave of a sheet of A4, at 96 pixels for an inch.
+const PAPER: Screen = Screen {
+    name: "paper",
+    width: 703,
+    height: 1017,
+    density: 1,
+    touch: false,
+};
+
 impl Page {
     /// Changes the window.
     pub fn screen(&mut self, screen: Screen) {
@@ -96,6 +105,22 @@ impl Page {
         self.settle();
     }
 
+    /// As it stands on a sheet of A4, with what the page does before it is printed.
+    pub fn on_paper(&mut self) {
+        self.screen(PAPER);
+        self.printed();
+        // Only who really prints is told.
+        self.value("dispatchEvent(new Event('beforeprint'))");
+        self.settle();
+    }
+
+    /// Prints on A4 into `target/browser` of the workspace.
+    pub fn print(&mut self, name: &str) -> PathBuf {
+        let sheet = json!({ "paperWidth": 8.27, "paperHeight": 11.69, "preferCSSPageSize": true });
+        let answer = self.tools.call("Page.printToPDF", sheet);
+        saved(&answer, &format!("{name}.pdf"))
+    }
+
     fn feature(&mut self, name: &str, value: &str) {
         let features = json!([{ "name": name, "value": value }]);
         self.tools.call(
@@ -134,13 +159,7 @@ impl Page {
         let answer = self
             .tools
             .call("Page.captureScreenshot", json!({ "format": "png" }));
-        let data = answer["data"].as_str().expect("the picture as text");
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/browser");
-        fs::create_dir_all(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-        let file = folder.join(format!("{name}.png"));
-        fs::write(&file, decoded(data))
-            .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
-        file
+        saved(&answer, &format!("{name}.png"))
     }
 
     /// Colours of an element and of what is behind it, red, green, blue from 0 to 255.
@@ -160,6 +179,16 @@ impl Page {
         ));
         [colour(&found[0]), colour(&found[1])]
     }
+}
+
+/// Writes what the browser has made into `target/browser` of the workspace.
+fn saved(answer: &Value, name: &str) -> PathBuf {
+    let data = answer["data"].as_str().expect("the file as text");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/browser");
+    fs::create_dir_all(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let file = folder.join(name);
+    fs::write(&file, decoded(data)).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    file
 }
 
 fn colour(value: &Value) -> [f64; 3] {

@@ -25,6 +25,7 @@ function start() {
   startPlots();
   startTables();
   startKeys();
+  startPrint();
   announcePosition();
   document.body.dataset.ready = "true";
   // Who wants less motion starts it.

@@ -10,5 +10,6 @@ mod one_colour;
 mod phone;
 mod playing;
 mod plots;
+mod print;
 mod space;
 mod tables;

@@ -1,0 +1,22 @@
+// Paper cannot be opened: while the page is printed, all folds of the tables are.
+
+const printed = { opened: [] };
+
+function startPrint() {
+  addEventListener("beforeprint", openFolds);
+  addEventListener("afterprint", closeFolds);
+}
+
+function openFolds() {
+  // A second word before the first print has ended must not forget what the reader had closed.
+  closeFolds();
+  printed.opened = [...byId("tables").querySelectorAll("details:not([open])")];
+  for (const closed of printed.opened) closed.open = true;
+  // Folds tell that they were opened only when the sheets are done.
+  showAllValues(position.row);
+}
+
+function closeFolds() {
+  for (const opened of printed.opened) opened.open = false;
+  printed.opened = [];
+}
