@@ -13,9 +13,10 @@ const STYLES: [&str; 4] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 25] = [
+const SCRIPTS: [&str; 26] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
+    include_str!("page/exact.js"),
     include_str!("page/data.js"),
     include_str!("page/position.js"),
     include_str!("page/picture.js"),

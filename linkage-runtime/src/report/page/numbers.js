@@ -1,4 +1,4 @@
-// Numbers as words: all the digits that they have, and round ones for axes.
+// Numbers as words: all the digits that they have, few to read, and round ones for axes.
 
 // The shortest decimals that mean this very number; a value that does not exist is said to be none.
 function digits(value) {
@@ -9,15 +9,28 @@ function rounded(value, significant) {
   return value === null ? null : Number(value.toPrecision(significant));
 }
 
+// What tables and legends show: a micrometre of a metre. Files and copies have all digits.
+const SIGNIFICANT = 6;
+// Whole numbers below are shown as they are: counts, and what was written in the program.
+const LARGEST_WHOLE = 1e9;
+
+function short(value) {
+  if (value === null || value === undefined) return "none";
+  if (Number.isInteger(value) && Math.abs(value) < LARGEST_WHOLE) return digits(value);
+  const round = rounded(value, SIGNIFICANT);
+  // Zeros in the place of digits that were left out would seem to be known.
+  return Math.abs(round) < 10 ** SIGNIFICANT ? digits(round) : round.toExponential();
+}
+
 function toDegrees(radians) {
   return radians === null ? null : (radians * 180) / Math.PI;
 }
 
-// Degrees are not exact, so they never stand without the radians that they come from.
+// Degrees never stand without the radians that they come from.
 function withUnit(value, unit) {
   if (value === null || value === undefined) return "none";
-  if (unit === "rad") return `${digits(rounded(toDegrees(value), 12))} deg (${digits(value)} rad)`;
-  return unit ? `${digits(value)} ${unit}` : digits(value);
+  if (unit === "rad") return `${short(toDegrees(value))} deg (${short(value)} rad)`;
+  return unit ? `${short(value)} ${unit}` : short(value);
 }
 
 // Angles are plotted in degrees, everything else as it is.

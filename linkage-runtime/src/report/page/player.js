@@ -110,7 +110,7 @@ function showPosition(row) {
   slider.value = row;
   slider.setAttribute("aria-valuetext", `${input.name} ${inputShort(value)}`);
   const time = trueSpeed() === null ? "" : `, t = ${digits(rounded(trueTime(value), 6))} s`;
-  const radians = input.unit === "rad" ? [element("small", {}, `${digits(value)} rad`)] : [];
+  const radians = input.unit === "rad" ? [element("small", {}, `${short(value)} rad`)] : [];
   byId("readout").replaceChildren(
     element("b", {}, `${input.name} = ${withUnit(value, input.unit).replace(/ \(.*/, "")}`),
     ...radians,

@@ -26,6 +26,7 @@ function start() {
   startTables();
   startKeys();
   startPrint();
+  startCopying();
   announcePosition();
   document.body.dataset.ready = "true";
   // Who wants less motion starts it.

@@ -1,10 +1,10 @@
 // The tables below the plots.
 
-// Cells are words, nodes, or numbers; numbers are set to the right and keep their digits.
+// Cells are words, nodes, or numbers; numbers are set to the right.
 function grid(id, heads, rows) {
   const cell = (value) => {
     const number = typeof value === "number" || value === null;
-    return element("td", { class: number ? "number" : null }, number ? digits(value) : value);
+    return number ? showNumber(element("td", { class: "number" }), value) : element("td", {}, value);
   };
   const names = heads.map((name) => element("th", { scope: "col" }, name));
   const head = heads.length > 0 ? [element("thead", {}, element("tr", {}, ...names))] : [];
@@ -15,7 +15,7 @@ function grid(id, heads, rows) {
 
 // An angle gets its degrees in a cell beside the radians.
 function inDegrees(value, unit) {
-  return unit === "rad" && value !== null ? `${digits(rounded(toDegrees(value), 12))} deg` : "";
+  return unit === "rad" && value !== null ? `${short(toDegrees(value))} deg` : "";
 }
 
 // A button that moves the mechanism to where something is.
@@ -50,9 +50,9 @@ function speedFacts() {
   if (!report.speed) return [];
   const { omega, epsilon } = report.speed;
   const per = (time) => `${input.unit || "1"}/${time}`;
-  const turns = input.unit === "rad" ? ` (${digits(rounded((omega * 30) / Math.PI, 12))} revolutions per minute)` : "";
-  const speed = [`Speed of ${input.name}`, `${digits(omega)} ${per("s")}${turns}`];
-  return epsilon ? [speed, [`Acceleration of ${input.name}`, `${digits(epsilon)} ${per("s^2")}`]] : [speed];
+  const turns = input.unit === "rad" ? ` (${short((omega * 30) / Math.PI)} revolutions per minute)` : "";
+  const speed = [`Speed of ${input.name}`, `${short(omega)} ${per("s")}${turns}`];
+  return epsilon ? [speed, [`Acceleration of ${input.name}`, `${short(epsilon)} ${per("s^2")}`]] : [speed];
 }
 
 function summaryTable() {
@@ -71,11 +71,11 @@ function dimensionTable() {
   return grid("dimensions", ["dimension", "nominal", "tolerance", ...(changed ? ["actual"] : []), "unit"], rows);
 }
 
-// A number with all its digits, the degrees of an angle on a line below.
+// A number, the degrees of an angle on a line below.
 function withDegrees(value, unit, sign = "") {
   const degrees = inDegrees(value, unit);
   const below = degrees ? [element("small", {}, sign + degrees)] : [];
-  return element("span", { class: "amount" }, sign + digits(value), ...below);
+  return element("span", { class: "amount" }, showNumber(element("span"), value, sign), ...below);
 }
 
 function accuracyTables() {

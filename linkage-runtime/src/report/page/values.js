@@ -25,7 +25,7 @@ function showAllValues(row) {
   if (!values.sheet.open) return;
   values.where.textContent = inputText(input.values[row]);
   for (const { column, cell, degrees } of values.cells) {
-    cell.textContent = digits(column.values[row]);
+    showNumber(cell, column.values[row]);
     degrees.textContent = inDegrees(column.values[row], column.unit);
   }
 }

@@ -43,6 +43,19 @@ fn resolve(value: &mut Value, tables: &Value) {
     }
 }
 
+/// Whether a number is shown with six significant digits, rounded and not cut.
+pub(crate) fn is_short_for(shown: &str, value: f64) -> bool {
+    let mantissa = shown.split('e').next().unwrap_or_default();
+    let digits = mantissa
+        .chars()
+        .filter(char::is_ascii_digit)
+        .collect::<String>();
+    let digits = digits.trim_start_matches('0').len();
+    let is_whole = value == value.trunc() && value.abs() < 1e9;
+    let near = |shown: f64| (shown - value).abs() <= 5e-6 * value.abs();
+    shown.parse().is_ok_and(near) && (digits <= 6 || is_whole)
+}
+
 /// Some rows, those at the ends among them.
 pub(crate) fn rows(report: &Value) -> Vec<usize> {
     let last = report["input"]["values"].as_array().map_or(0, Vec::len) - 1;

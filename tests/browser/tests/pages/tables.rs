@@ -39,24 +39,25 @@ fn what_is_known_is_told() {
         operations.contains("motion|61|21 add, 34 mul, 3 div, 1 sqrt, 1 sin_cos, 1 atan2"),
         "{operations}"
     );
-    // Radians with all their digits, degrees on a line below.
+    // Radians, degrees on a line below.
     let value = page.words("document.querySelector('[data-table=summary] .amount').innerText");
     let lines: Vec<&str> = value.lines().collect();
     assert_eq!(lines.len(), 2, "{value}");
-    let radians: f64 = lines[0].parse().expect("a number");
     let [_, b, _] = FourBar::TURNING.points(1.0);
-    assert_eq!(radians, b[1].atan2(b[0] - FourBar::TURNING.frame));
-    let degrees = lines[1].trim_end_matches(" deg").parse::<f64>();
-    assert!((degrees.expect("degrees") - radians.to_degrees()).abs() < 1e-9);
+    let radians = b[1].atan2(b[0] - FourBar::TURNING.frame);
+    assert!(checks::is_short_for(lines[0], radians), "{value}");
+    let degrees = lines[1].trim_end_matches(" deg");
+    assert!(
+        checks::is_short_for(degrees, radians.to_degrees()),
+        "{value}"
+    );
     let facts = table(&mut page, "facts");
     assert!(
         facts.contains("a test with <b>letters</b> & signs </script>"),
         "{facts}"
     );
     assert!(
-        facts.starts_with(
-            "Speed of phi|62.83185307179586 rad/s (600 revolutions per minute)\nmade by"
-        ),
+        facts.starts_with("Speed of phi|62.8319 rad/s (600 revolutions per minute)\nmade by"),
         "{facts}"
     );
     let accuracy = table(&mut page, "accuracy");
@@ -108,17 +109,57 @@ fn all_values_of_a_position() {
             ]
             .map(|part| part.as_str().expect("words"))
             .join("|");
-            let shown = page.words(&format!(
-                "document.querySelector('[data-value={key:?}]').textContent"
-            ));
-            assert_eq!(
-                shown.parse::<f64>().ok(),
-                column["values"][123].as_f64(),
-                "{key}: {shown}"
-            );
+            let cell = format!("document.querySelector('[data-value={key:?}]')");
+            let shown = page.words(&format!("{cell}.textContent"));
+            let value = column["values"][123].as_f64().expect("a number");
+            assert!(checks::is_short_for(&shown, value), "{key}: {shown}");
+            // What is left out is told where the pointer rests.
+            let all = page.words(&format!("{cell}.title || {cell}.textContent"));
+            assert_eq!(all.parse(), Ok(value), "{key}: {all}");
         }
     }
     page.shoot("values");
+    page.assert_quiet();
+}
+
+/// What the clipboard gets when this is selected, by lines and columns.
+fn copied(page: &mut Page, select: &str) -> Vec<Vec<String>> {
+    let text = page.words(&format!(
+        "(() => {{ {select}; const event = new ClipboardEvent('copy', {{ clipboardData: new DataTransfer(), bubbles: true, cancelable: true }}); \
+         document.body.dispatchEvent(event); return event.defaultPrevented ? event.clipboardData.getData('text/plain') : 'left to the browser'; }})()"
+    ));
+    let lines = text.lines().filter(|line| !line.is_empty());
+    lines
+        .map(|line| line.split('\t').map(String::from).collect())
+        .collect()
+}
+
+/// Numbers are short to read; who copies them gets all of their digits.
+#[test]
+fn copies_have_all_digits() {
+    let Some(mut page) = page("copies") else {
+        return;
+    };
+    let report = checks::report(&mut page);
+    let whole =
+        "getSelection().selectAllChildren(document.querySelector('[data-table=accuracy] tbody'))";
+    let lines = copied(&mut page, whole);
+    let known = report["accuracy"].as_array().expect("accuracy");
+    assert_eq!(lines.len(), known.len(), "{lines:?}");
+    for (line, known) in lines.iter().zip(known) {
+        assert_eq!(line[0], known["quantity"]);
+        for (cell, name) in [(1, "worst"), (2, "statistical")] {
+            assert_eq!(line[cell].parse().ok(), known[name].as_f64(), "{line:?}");
+        }
+    }
+    // A double click selects one number, which is a text by itself.
+    let number = "((n, end) => getSelection().setBaseAndExtent(n, 0, n, end ?? n.length))";
+    let first = "document.querySelector('[data-table=accuracy] td.number').firstChild";
+    let lines = copied(&mut page, &format!("{number}({first})"));
+    let all = known[0]["worst"].as_f64();
+    assert_eq!(lines[0][0].parse().ok(), all, "{lines:?}");
+    let part = format!("{number}({first}, 3)");
+    assert_eq!(copied(&mut page, &part), [["left to the browser"]]);
     page.assert_quiet();
 }
 
