@@ -13,7 +13,7 @@ const STYLES: [&str; 4] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 26] = [
+const SCRIPTS: [&str; 28] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/exact.js"),
@@ -24,6 +24,8 @@ const SCRIPTS: [&str; 26] = [
     include_str!("page/symbols.js"),
     include_str!("page/parts.js"),
     include_str!("page/cylinders.js"),
+    include_str!("page/room.js"),
+    include_str!("page/names.js"),
     include_str!("page/points.js"),
     include_str!("page/traces.js"),
     include_str!("page/drawing.js"),

@@ -22,7 +22,9 @@ function cylinderPart(guide, index) {
       const apart = Math.hypot(mouth[0] - foot[0], mouth[1] - foot[1]) || 1;
       const [x, y] = [mouth[1] - foot[1], foot[0] - mouth[0]].map((across) => (BARREL.half * across) / apart);
       const beside = ([left, top], side) => [left + side * x, top + side * y];
-      set(barrel, { d: `${lineThrough([beside(foot, 1), beside(mouth, 1), beside(mouth, -1), beside(foot, -1)])}Z` });
+      const corners = [beside(foot, 1), beside(mouth, 1), beside(mouth, -1), beside(foot, -1)];
+      set(barrel, { d: `${lineThrough(corners)}Z` });
+      this.covers = [taken([foot, eye], SLOT_HALF), taken(corners, 1)];
       return meanNearness([foot, eye]);
     },
   };

@@ -7,6 +7,9 @@ const drawing = {
   // Nodes by the points' indices.
   points: new Map(),
   layers: {},
+  // What lies over the drawing: buttons, and the scale with the directions of the axes.
+  tools: [],
+  marks: [],
 };
 
 function startDrawing() {
@@ -55,14 +58,17 @@ function measureDrawing() {
   if (!(width > 0 && height > 0)) return;
   camera.width = width;
   camera.height = height;
+  drawing.tools = [...byId("figure").querySelectorAll(".tools:not(:empty)")].map(({ offsetLeft: x, offsetTop: y, offsetWidth: w, offsetHeight: h }) =>
+    taken([[x, y], [x + w, y], [x + w, y + h], [x, y + h]], 0));
   set(byId("drawing"), { viewBox: `0 0 ${width} ${height}`, width, height });
   redraw();
 }
 
 function redraw() {
   drawTraces();
-  placeParts(position.row);
+  // Names keep clear of all the rest.
   drawMarks();
+  placeParts(position.row);
   const origin = project(Array(picture.dimension).fill(0));
   Object.assign(byId("drawing").dataset, { scale: cameraScale(), originX: origin[0], originY: origin[1] });
   // When all is in sight, a finger on the drawing scrolls the page.
@@ -76,6 +82,7 @@ function placeParts(row) {
     seen.sort((a, b) => a.nearness - b.nearness);
     drawing.layers.bodies.append(...seen.map((part) => part.node));
   }
+  placeNames(tops, [...[...seen, ...tops].flatMap((part) => part.covers), ...[...traces.covers.values()].flat(), ...drawing.tools, ...drawing.marks]);
   const whole = seen.length === drawing.bodies.length && tops.length === drawing.tops.length;
   byId("impossible").hidden = whole;
   byId("impossible").textContent = whole ? "" : `Cannot be assembled at ${inputShort(input.values[row])}`;
@@ -94,15 +101,17 @@ function drawMarks() {
   const length = roundBelow(130 / cameraScale());
   const pixels = length * cameraScale();
   const [x, y] = [16, camera.height - 14];
-  const text = `${digits(rounded(length, 6))} ${picture.unit}`;
+  const text = `${short(length)} ${picture.unit}`;
   drawing.layers.marks.replaceChildren(
     shape("path", { class: "scale", d: `M${x} ${y - 5}V${y}H${pixel(x + pixels)}V${y - 5}` }),
     shape("text", { x: pixel(x + pixels / 2), y: y - 5, "text-anchor": "middle" }, text),
   );
+  drawing.marks = [taken([[x, y - 10], [x + pixels, y - 10]], 10)];
   if (isSpatial()) drawTriad([camera.width - 50, camera.height - 46]);
 }
 
 function drawTriad([x, y]) {
+  drawing.marks.push(taken([[x, y]], 44));
   ["x", "y", "z"].forEach((name, i) => {
     const direction = [0, 0, 0];
     direction[i] = 1;

@@ -1,7 +1,12 @@
 // What the drawing consists of. Each part is a node and a function that puts it where the mechanism
 // stands and says how near to the eye it is; null if it cannot be drawn there.
 
+// What a part covers on the screen, it leaves in `covers`: names of points keep clear of that.
+
 const LINK_COLOURS = 6;
+// Half the widths of the outlines that the style has.
+const BAR_HALF = 5.5;
+const SLOT_HALF = 3;
 
 function linkColour(index) {
   return `var(--link-${index % LINK_COLOURS})`;
@@ -33,7 +38,9 @@ function linkPart(link, index) {
       const places = link.points.map((point) => pointAt(point, row));
       if (places.includes(null)) return null;
       const seen = places.map(project);
-      draw(lineThrough(plate ? hull(seen) : seen) + (plate ? "Z" : ""));
+      const around = plate ? hull(seen) : seen;
+      draw(lineThrough(around) + (plate ? "Z" : ""));
+      this.covers = [taken(around, BAR_HALF)];
       return meanNearness(seen);
     },
   };
@@ -53,6 +60,8 @@ function framePart(guide) {
       const [from, to] = isSpatial() ? ends : besideBlock(ends);
       set(rail, { d: lineThrough([from, to]) });
       set(hatch, { d: isSpatial() ? null : hatching(from, to) });
+      // Hatching goes down from the rail.
+      this.covers = [isSpatial() ? taken([from, to], 1) : taken([from, to], 9)];
       return meanNearness(ends);
     },
   };
@@ -88,6 +97,7 @@ function movingPart(guide, index) {
       const ends = guideEnds(guide, row, reach, own ? 0 : 18);
       if (ends === null) return null;
       draw(lineThrough(ends));
+      this.covers = [taken(ends, SLOT_HALF)];
       return meanNearness(ends);
     },
   };
@@ -102,7 +112,9 @@ function blockPart(guide) {
       const [, direction, slider] = guidePlaces(guide, row);
       if (slider === null || direction === null) return null;
       const seen = project(slider);
-      set(body, { d: block(seen, projectDirection(direction)) });
+      const corners = block(seen, projectDirection(direction));
+      set(body, { d: `${lineThrough(corners)}Z` });
+      this.covers = [taken(corners, 1)];
       return seen[2] + 1e-3 * camera.box.radius;
     },
   };
@@ -119,6 +131,7 @@ function axisPart(axis) {
       const half = 0.25 * camera.box.radius;
       const ends = [-half, half].map((distance) => project(along(point, direction, distance)));
       set(node, { d: lineThrough(ends) });
+      this.covers = [taken(ends, 1)];
       return meanNearness(ends);
     },
   };

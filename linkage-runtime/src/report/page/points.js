@@ -6,7 +6,7 @@ function pointPart(point, index) {
   const mark = shape("circle", { class: "mark", r: RADII[point.kind] });
   // Larger than what is seen: fingers are wide.
   const target = shape("circle", { class: "target", r: 15 });
-  const label = shape("text", { class: "name" }, point.name);
+  const name = nameParts(point);
   const node = shape("g", {
     class: `point ${point.kind}`,
     "data-point": point.name,
@@ -17,20 +17,23 @@ function pointPart(point, index) {
   });
   const ground = point.kind === "ground" ? groundSign() : null;
   if (ground) node.append(ground);
-  node.append(target, mark, label);
+  node.append(target, mark, name.leader, name.label);
   listenToPoint(node, index);
-  return { node, update: (row) => movePoint(node, { mark, target, label, ground }, index, row) };
+  const part = { node, name, index, update: (row) => movePoint(part, { mark, target, ground }, row) };
+  return part;
 }
 
-function movePoint(node, { mark, target, label, ground }, index, row) {
+function movePoint(part, { mark, target, ground }, row) {
+  const { node, index } = part;
   const place = pointAt(index, row);
   // In the mechanism's unit and with all digits: what is seen is rounded to pixels.
   ["x", "y", "z"].forEach((name, i) => set(node, { ["data-" + name]: place === null ? null : place[i] ?? null }));
   if (place === null) return null;
   const [cx, cy, nearness] = project(place);
   for (const circle of [mark, target]) set(circle, { cx: pixel(cx), cy: pixel(cy) });
-  const left = cx > camera.width - 60;
-  set(label, { x: pixel(cx + (left ? -10 : 10)), y: pixel(cy - 9), "text-anchor": left ? "end" : "start" });
+  // With half of its stroke.
+  part.joint = taken([[cx, cy]], RADII[picture.points[index].kind] + 1);
+  part.covers = ground ? [part.joint, taken(groundCorners([cx, cy]), 0)] : [part.joint];
   if (ground) set(ground, { transform: `translate(${pixel(cx)} ${pixel(cy)})` });
   return nearness + 2e-3 * camera.box.radius;
 }

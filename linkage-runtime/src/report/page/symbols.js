@@ -26,14 +26,19 @@ function groundSign() {
     shape("path", { class: "base", d: `M${-wide - 4} ${high}L${wide + 4} ${high}` }));
 }
 
-// A rectangle around a place, its long side along a direction of the screen.
+// What that covers.
+function groundCorners([x, y]) {
+  return [[x - 19, y], [x + 19, y], [x + 19, y + 22], [x - 19, y + 22]];
+}
+
+// The corners of a rectangle around a place, its long side along a direction of the screen.
 function block([x, y], [u, v], half = 13, thick = 8) {
   const length = Math.hypot(u, v);
   const [c, s] = length > 1e-6 ? [u / length, v / length] : [1, 0];
   // Seen from its end it is as wide as thick.
   const long = thick + (half - thick) * Math.min(1, length);
   const corner = (a, b) => [x + a * long * c - b * thick * s, y + a * long * s + b * thick * c];
-  return lineThrough([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)]) + "Z";
+  return [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
 }
 
 // The polygon around places of the screen, counter-clockwise (by Andrew's monotone chain).

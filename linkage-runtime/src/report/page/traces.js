@@ -1,6 +1,8 @@
 // Paths of points over the whole sweep.
 
-const traces = { paths: new Map(), layer: null };
+// Rows of a stretch that names keep clear of: on the screen, paths are straight between them.
+const STRETCH = 6;
+const traces = { paths: new Map(), covers: new Map(), layer: null };
 
 // That of the point's curves in plots.
 function traceColour(index) {
@@ -12,6 +14,7 @@ function toggleTrace(index) {
   if (path) {
     path.remove();
     traces.paths.delete(index);
+    traces.covers.delete(index);
   } else {
     traces.paths.set(index, addTrace(index));
   }
@@ -38,6 +41,16 @@ function drawTrace(path, index) {
     places.push(place === null ? null : project(place));
   });
   set(path, { d: lineThrough(places) });
+  traces.covers.set(index, stretchesOf(places));
+}
+
+function stretchesOf(places) {
+  const stretches = [];
+  for (let row = 0; row < places.length; row += STRETCH) {
+    const [from, to] = [places[row], places[Math.min(row + STRETCH, places.length - 1)]];
+    if (from !== null && to !== null) stretches.push(taken([from, to], 1));
+  }
+  return stretches;
 }
 
 function drawTraces() {

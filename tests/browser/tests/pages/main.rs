@@ -7,6 +7,7 @@ mod follow;
 mod gallery;
 mod gaps;
 mod one_colour;
+mod names;
 mod phone;
 mod playing;
 mod plots;

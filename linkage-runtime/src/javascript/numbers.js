@@ -1,0 +1,78 @@
+// Operations that JavaScript does not have, or not with these results: those of generated Rust. Sines and arcs are the browser's.
+
+const EIGHT_ROUNDOFFS = 8 * Number.EPSILON;
+// Where neighbouring numbers are a turn apart, a sine is noise.
+const LARGEST_ANGLE = 2 ** 30;
+const TURN = 2 * Math.PI;
+
+const doubles = new Float64Array(1);
+const words = new Uint32Array(doubles.buffer);
+// Which of the two words has the exponent.
+doubles[0] = 1;
+const HIGH = words[1] === 0 ? 0 : 1;
+
+function sine(x) {
+  return Math.abs(x) < LARGEST_ANGLE ? Math.sin(x) : NaN;
+}
+
+function cosine(x) {
+  return Math.abs(x) < LARGEST_ANGLE ? Math.cos(x) : NaN;
+}
+
+function tangent(x) {
+  return Math.abs(x) < LARGEST_ANGLE ? Math.tan(x) : NaN;
+}
+
+// The square root of a discriminant whose terms have the size of scale: 0 where it is negative by no more than 8 roundoffs of them, so
+// that a group closes up to its dead point, and NaN beyond.
+function root(q, scale) {
+  if (!(q < 0)) return Math.sqrt(q);
+  const slack = EIGHT_ROUNDOFFS * Math.abs(scale);
+  return slack < Infinity && q + slack >= 0 ? 0 : NaN;
+}
+
+// a where s is not negative, b where it is, NaN where it is NaN.
+function select(s, a, b) {
+  if (s >= 0) return a;
+  return s < 0 ? b : NaN;
+}
+
+function signOf(s) {
+  return select(s, 1, -1);
+}
+
+// A power of two near 1/|x|, 1 for zero and what is not finite: scales lengths without rounding.
+function inverseScale(x) {
+  if (!(x !== 0 && Math.abs(x) < Infinity)) return 1;
+  doubles[0] = x;
+  // Powers whose reciprocals are no subnormal numbers.
+  const exponent = Math.min(Math.max((words[HIGH] >>> 20) & 0x7ff, 1), 2045);
+  words[HIGH] = (2046 - exponent) << 20;
+  words[1 - HIGH] = 0;
+  return doubles[0];
+}
+
+// The length of (a, b), without overflow on the way.
+function hypot(a, b) {
+  const scale = inverseScale(Math.max(Math.abs(a), Math.abs(b)));
+  const x = a * scale;
+  const y = b * scale;
+  return Math.sqrt(x * x + y * y) * inverseScale(scale);
+}
+
+// The nearest integer; a half goes to the even one.
+function whole(x) {
+  const ROUND = 1.5 * 2 ** 52;
+  return x + ROUND - ROUND;
+}
+
+// A turn in two parts: products of the first one with whole numbers are exact.
+const TURN_HIGH = 6.2831853069365025;
+const TURN_LOW = 2.430840202602477e-10;
+
+// The direction of (x, y), with the whole turns that bring it nearest to guide.
+function angleNear(y, x, guide) {
+  const angle = Math.atan2(y, x);
+  const turns = whole((guide - angle) * (1 / TURN));
+  return angle + turns * TURN_LOW + turns * TURN_HIGH;
+}
