@@ -32,16 +32,7 @@ mod object;
 mod types;
 
 use linkage_compiler::unit::Unit;
-
-/// What is the same for all mechanisms; a later one uses those before it.
-const ENGINE: [&str; 6] = [
-    include_str!("engine/numbers.js"),
-    include_str!("engine/follow.js"),
-    include_str!("engine/turns.js"),
-    include_str!("engine/coupled.js"),
-    include_str!("engine/assemble.js"),
-    include_str!("engine/mechanism.js"),
-];
+use linkage_runtime::javascript::ENGINE;
 
 /// A mechanism as JavaScript.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,7 +48,7 @@ pub struct Module {
 /// The module exports the mechanism by this name, and `AssemblyError`, which its `assemble` throws.
 pub fn module(name: &str, unit: &Unit) -> Module {
     let engine = ENGINE.join("\n");
-    let description = description::description(name, unit);
+    let description = description(name, unit);
     // In a function: no name of the engine, or of the browser, meets that of the mechanism.
     let script = format!(
         "// {name}. Written by linkage; not to be changed by hand.\n\nconst own = (() => {{\n{engine}\n\
@@ -68,4 +59,9 @@ pub fn module(name: &str, unit: &Unit) -> Module {
         script,
         types: types::types(name, unit),
     }
+}
+
+/// What the engine of `linkage-runtime` knows of a mechanism: an object of JavaScript, its programs among it. Pages of reports have it beside the engine.
+pub fn description(name: &str, unit: &Unit) -> String {
+    description::description(name, unit)
 }

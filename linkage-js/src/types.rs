@@ -7,7 +7,7 @@ use linkage_compiler::unit::{Function, Shape, Unit};
 use crate::description::plain;
 
 /// What is the same for all mechanisms.
-const COMMON: &str = include_str!("engine/mechanism.d.ts");
+const COMMON: &str = include_str!("common.d.ts");
 
 /// The text of the `.d.ts` file beside the module.
 pub(crate) fn types(name: &str, unit: &Unit) -> String {

@@ -31,6 +31,8 @@ mod error;
 mod frame;
 #[doc(hidden)]
 pub mod generated;
+#[doc(hidden)]
+pub mod javascript;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod math;
 mod motion;
@@ -63,6 +65,7 @@ pub use error::AssemblyError;
 pub use error::{CoupledCause, CoupledError, Placed, Value};
 #[cfg(feature = "nalgebra")]
 pub use frame::Frame;
+pub use javascript::Programs;
 pub use motion::{true_acceleration, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{self, Vector2, Vector3};
