@@ -12,8 +12,8 @@ pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
     Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning, Operations,
-    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePoint, PointKind, Scalar,
-    Structure, Table, Vector2, Vector3, true_acceleration, true_velocity,
+    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePoint, PointKind,
+    Programs, Scalar, Structure, Table, Vector2, Vector3, true_acceleration, true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};
@@ -152,7 +152,8 @@ pub mod __private {
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, FUSED, Frame,
         FunctionInfo, Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning,
         Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePoint,
-        PointKind, Scalar, Structure, Table, Vector2, Vector3, if_alloc, if_rayon, if_report,
+        PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3, if_alloc, if_rayon,
+        if_report,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle};

@@ -87,10 +87,11 @@ pub use file::mechanisms;
 pub use oracle::Oracle;
 
 /// Compiles the macro's input: the path of the facade in brackets, then the mechanism. Mistakes become `compile_error!`s
-/// beside a skeleton of the generated items.
-pub fn compile(input: TokenStream) -> TokenStream {
+/// beside a skeleton of the generated items. A mechanism that is drawn gets its programs as a text, too, which `printed` makes of its name and its unit:
+/// reports compute with it.
+pub fn compile(input: TokenStream, printed: impl Fn(&str, &Unit) -> String) -> TokenStream {
     let (krate, body) = split_crate_path(input);
-    Analysed::new(body, &mut ()).emitted(&krate)
+    Analysed::new(body, &mut ()).emitted(&krate, &printed)
 }
 
 /// Analyses a mechanism, the macro's input without the path of the facade.
@@ -133,12 +134,12 @@ impl Analysed {
         own
     }
 
-    fn emitted(&self, krate: &TokenStream) -> TokenStream {
+    fn emitted(&self, krate: &TokenStream, printed: &emit::Printer) -> TokenStream {
         let errors = self.diagnostics.to_tokens();
         match (&self.definition, &self.unit) {
             (None, _) => errors,
             (Some(definition), Some(unit)) if self.diagnostics.is_empty() => {
-                let items = emit::emit(krate, definition, unit);
+                let items = emit::emit(krate, definition, unit, printed);
                 let warnings = self.diagnostics.warnings_to_tokens(&definition.allows());
                 quote!(#items #warnings)
             }

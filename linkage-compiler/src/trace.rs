@@ -51,7 +51,7 @@ pub fn trace(body: TokenStream) -> Trace {
             .unwrap_or_default(),
         structure: middle.structure,
         passes: middle.passes,
-        emit: analysed.emitted(&quote!(::linkage)),
+        emit: analysed.emitted(&quote!(::linkage), &|name, _| format!("{name} as a text")),
         messages: analysed.diagnostics.texts(),
         ..Trace::default()
     };

@@ -50,8 +50,16 @@ use self::outline::{Function, Outline};
 use crate::syntax::MechanismDef;
 use crate::unit::{self, Unit};
 
+/// What prints programs as a text in another language.
+pub(crate) type Printer<'a> = dyn Fn(&str, &Unit) -> String + 'a;
+
 /// All items for a mechanism without mistakes. `krate` is the path of the facade.
-pub(crate) fn emit(krate: &TokenStream, def: &MechanismDef, unit: &Unit) -> TokenStream {
+pub(crate) fn emit(
+    krate: &TokenStream,
+    def: &MechanismDef,
+    unit: &Unit,
+    printed: &Printer,
+) -> TokenStream {
     let outline = Outline::complete(krate, def, unit);
     let mut items = mechanism::items(&outline);
     items.extend(mechanism::constants(
@@ -59,7 +67,8 @@ pub(crate) fn emit(krate: &TokenStream, def: &MechanismDef, unit: &Unit) -> Toke
         &structure::literal(&outline, unit),
     ));
     if let Some(picture) = &unit.picture {
-        items.extend(picture::items(&outline, picture));
+        let programs = printed(&def.title(), unit);
+        items.extend(picture::items(&outline, picture, &programs));
     }
     items.extend(dimensions::items(&outline));
     let mut assembled = assembly::items(&outline);

@@ -1,4 +1,4 @@
-//! The `PICTURE` constant.
+//! The `PICTURE` constant, and the `PROGRAMS` of a mechanism that is drawn.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -7,8 +7,8 @@ use super::outline::Outline;
 use super::{attribute, literal};
 use crate::unit::{DriveOn, GuideOn, GuideShape, JointShape, Picture, PointKind};
 
-/// The constant of a mechanism that has a picture.
-pub(super) fn items(outline: &Outline, picture: &Picture) -> TokenStream {
+/// The constants of a mechanism that has a picture; `programs` describes it for pages.
+pub(super) fn items(outline: &Outline, picture: &Picture, programs: &str) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let picture = self::literal(outline, picture);
     let allow = attribute::allow();
@@ -17,6 +17,13 @@ pub(super) fn items(outline: &Outline, picture: &Picture) -> TokenStream {
         impl #name<::core::primitive::f64> {
             /// What the vectors of the quantity `picture()` are: points, links, guides.
             pub const PICTURE: &'static #runtime::Picture = &#picture;
+        }
+        #runtime::if_report! {
+            #allow
+            impl #name<::core::primitive::f64> {
+                /// The programs as JavaScript, with which the page of a report computes: for `Report::programs`.
+                pub const PROGRAMS: #runtime::Programs = #runtime::Programs { description: #programs };
+            }
         }
     }
 }

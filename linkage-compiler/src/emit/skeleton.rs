@@ -33,7 +33,7 @@ pub(crate) fn skeleton(
     let mut items = mechanism::items(&outline);
     items.extend(mechanism::constants(&outline, &structure::empty(&outline)));
     if asks_for_picture(def) {
-        items.extend(picture::items(&outline, &Picture::default()));
+        items.extend(picture::items(&outline, &Picture::default(), ""));
     }
     items.extend(dimensions::items(&outline));
     items.extend(assembly::items(&outline));

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::compile;
 use proc_macro2::{TokenStream, TokenTree};
 
+use super::compiled;
 use super::speed::time;
 
 /// A chain of parallelogram-like dyads, each driven by the last link of the one before.
@@ -69,7 +69,7 @@ fn tokens(groups: usize, field: &str) -> usize {
         groups,
         &format!("pub fn motion(phi) -> Motion {{ it: {field} }}"),
     );
-    let output = compile(text.parse().expect("tokens"));
+    let output = compiled(text.parse().expect("tokens"));
     assert!(!output.to_string().contains("compile_error !"), "{output}");
     count(output)
 }

@@ -6,11 +6,11 @@ use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use linkage_compiler::compile;
 use linkage_random::Random;
 use proc_macro2::{Delimiter, Group, Literal, TokenStream, TokenTree};
 use quote::quote;
 
+use super::compiled;
 use traps::TRAPS;
 
 const SAMPLES: [&str; 6] = [
@@ -117,7 +117,7 @@ fn compile_mutations(samples: &[TokenStream], random: &mut Random) -> [usize; 2]
             tokens = mutate(tokens, &pool, random);
         }
         let text = tokens.to_string();
-        let compiled = || compile(quote!([::linkage] #tokens)).to_string();
+        let compiled = || compiled(quote!([::linkage] #tokens)).to_string();
         let output = catch_unwind(AssertUnwindSafe(compiled));
         let output = output.unwrap_or_else(|_| panic!("round {round} panics:\n{text}"));
         if let Err(error) = syn::parse_str::<syn::File>(&output) {
@@ -155,7 +155,7 @@ fn mutated_traps_compile_to_something() {
 
 #[test]
 fn equal_input_gives_equal_output() {
-    let outputs = || SAMPLES.map(|name| compile(read(name)).to_string());
+    let outputs = || SAMPLES.map(|name| compiled(read(name)).to_string());
     let here = outputs();
     // Hash seeds differ from map to map and from thread to thread.
     let there = std::thread::spawn(outputs).join().expect("no panic");
@@ -231,7 +231,7 @@ fn no_scalar_loop_panics() {
                     "struct A {{ unit mm; param l = 5mm; param k = 1; input phi = 10deg in 0deg..20deg; {declared}
                      loop {left} = {right}; }} impl A {{ fn f(phi) -> F {{ v: velocity({left}) }} }}"
                 );
-                let output = catch_unwind(|| compile(text.parse().expect("tokens")).to_string());
+                let output = catch_unwind(|| compiled(text.parse().expect("tokens")).to_string());
                 let output = output.unwrap_or_else(|_| panic!("{left} = {right} panics"));
                 accepted += usize::from(!output.contains("compile_error !"));
             }

@@ -4,8 +4,10 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use linkage_compiler::{check, compile};
+use linkage_compiler::check;
 use proc_macro2::TokenStream;
+
+use super::compiled;
 
 /// What the processor has worked for this thread.
 #[cfg(unix)]
@@ -28,7 +30,7 @@ pub(super) fn time(text: &str, runs: usize) -> Duration {
     let once = || {
         let tokens: TokenStream = text.parse().expect("tokens");
         let start = worked();
-        let output = compile(tokens);
+        let output = compiled(tokens);
         let taken = worked() - start;
         assert!(!output.to_string().contains("compile_error !"), "{output}");
         taken

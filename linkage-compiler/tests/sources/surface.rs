@@ -1,6 +1,7 @@
 //! What others call: the macro, a program that wants a unit or messages, tests that look between the phases.
 
 use linkage_compiler::trace::trace;
+use linkage_compiler::unit::Unit;
 use linkage_compiler::{Oracle, check, compile, unit};
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
@@ -11,11 +12,16 @@ fn mechanism() -> TokenStream {
     text.parse().expect("tokens")
 }
 
+/// The programs of a drawn mechanism, as [`trace`] shows them.
+fn printed(name: &str, _: &Unit) -> String {
+    format!("{name} as a text")
+}
+
 #[test]
 fn looking_between_the_phases_changes_nothing() {
     let watched = trace(mechanism());
     let body = mechanism();
-    let compiled = compile(quote!([::linkage] #body));
+    let compiled = compile(quote!([::linkage] #body), printed);
     assert_eq!(watched.emit.to_string(), compiled.to_string());
     let (_, by_oracle) = Oracle::new(mechanism());
     for checked in [by_oracle, check(mechanism())] {
@@ -48,7 +54,7 @@ fn a_mistake_after_the_names_is_told_by_all() {
     let (oracle, checked) = Oracle::new(tokens());
     assert!(checked.unit.is_none(), "{oracle:?}");
     assert_eq!(messages.len(), checked.messages.len());
-    assert_eq!(errors(compile(tokens())), messages.len());
+    assert_eq!(errors(compile(tokens(), printed)), messages.len());
 }
 
 /// How many `compile_error`s there are.

@@ -18,7 +18,12 @@ fn pretty(tokens: TokenStream) -> String {
 }
 
 fn emitted(sample: &Sample) -> String {
-    pretty(emit(&quote!(::linkage), &sample.def, &sample.unit))
+    pretty(emit(
+        &quote!(::linkage),
+        &sample.def,
+        &sample.unit,
+        &|_, _| String::new(),
+    ))
 }
 
 #[track_caller]
@@ -58,7 +63,7 @@ fn equal_input_gives_equal_output() {
 fn an_argument_may_be_called_columns() {
     let Sample { mut def, unit } = slider_crank();
     def.functions[0].inputs = vec![quote::format_ident!("columns")];
-    let text = emit(&quote!(::linkage), &def, &unit).to_string();
+    let text = emit(&quote!(::linkage), &def, &unit, &|_, _| String::new()).to_string();
     let arguments =
         quote!((&self, columns: &[T], __columns: &mut __SliderCrank_path::PathColumns<T>));
     assert_contains(&text, &[&arguments.to_string()]);
