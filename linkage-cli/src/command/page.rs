@@ -8,6 +8,8 @@ use std::thread::sleep;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use clap::{Args, value_parser};
+use linkage_js::description;
+use linkage_runtime::Programs;
 use linkage_runtime::report::{Index, Report, ReportError};
 
 use super::choose::Chosen;
@@ -15,7 +17,7 @@ use super::output::print;
 use super::sweep::{Rows, arguments, positions, still};
 use super::values::{Dimensions, parts};
 use crate::failure::{Failure, listed};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, forever};
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -135,7 +137,10 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
         .about(first_paragraph(&mechanism.unit.documentation))
         .structure(mechanism.structure)
         .modes(assembly.modes())
-        .dimensions_listed(mechanism.parameters, assembly.dimensions());
+        .dimensions_listed(mechanism.parameters, assembly.dimensions())
+        .programs(Programs {
+            description: forever(description(mechanism.name, &mechanism.unit)),
+        });
     if options.watch {
         report = report.version(milliseconds());
     }
@@ -162,6 +167,10 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
                     &positions,
                 );
                 report = report.table(&rows);
+                let beside = heading.arguments.iter().zip(&own);
+                for (&name, &value) in beside.filter(|(name, _)| **name != input.name) {
+                    report = report.at(name, value);
+                }
                 continue;
             }
             (true, ..) => "there is one drawing".to_owned(),

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::SummaryRow;
 use super::figures::Figures;
 use super::tables::Saved;
-use crate::{AssemblyMode, Dimensions, Input, Parameter, Structure, Table};
+use crate::{AssemblyMode, Dimensions, Input, Parameter, Programs, Structure, Table};
 
 /// What there is to tell about a mechanism over its range.
 ///
@@ -32,6 +32,8 @@ pub struct Report {
     pub(super) figures: Vec<Figures>,
     pub(super) facts: Vec<Fact>,
     pub(super) version: Option<u64>,
+    pub(super) programs: Vec<Programs>,
+    pub(super) given: Vec<(String, f64)>,
 }
 
 /// A parameter and its value in this mechanism.
@@ -75,6 +77,8 @@ impl Report {
             figures: Vec::new(),
             facts: Vec::new(),
             version: None,
+            programs: Vec::new(),
+            given: Vec::new(),
         }
     }
 
@@ -152,6 +156,23 @@ impl Report {
     #[must_use]
     pub fn version(mut self, version: u64) -> Self {
         self.version = Some(version);
+        self
+    }
+
+    /// What tables come from, the constant `PROGRAMS` of a mechanism that is drawn: with it, the page computes them for other dimensions while
+    /// somebody changes them. It needs [`dimensions`](Self::dimensions). There may be several, if tables come from several mechanisms: dimensions of one name
+    /// are then the same.
+    #[must_use]
+    pub fn programs(mut self, programs: Programs) -> Self {
+        self.programs.push(programs);
+        self
+    }
+
+    /// An argument beside the input that functions of tables were called with, the same at all positions: without it, the page cannot compute
+    /// these.
+    #[must_use]
+    pub fn at(mut self, argument: impl Into<String>, value: f64) -> Self {
+        self.given.push((argument.into(), value));
         self
     }
 

@@ -1,5 +1,6 @@
 //! The report as JSON: what the page reads.
 
+mod live;
 mod series;
 
 use serde_json::{Value, json};
@@ -66,6 +67,7 @@ impl Report {
             })),
             "facts": list(&self.facts, |f| json!({ "name": f.name, "text": f.text })),
             "gaps": list(self.gaps(), |gap| json!({ "from": gap.from, "to": gap.to })),
+            "live": (!self.programs.is_empty()).then(|| self.live_value()),
         })
     }
 

@@ -4,6 +4,7 @@ use std::string::String;
 
 use super::colour::page_rules;
 use super::{Report, ReportError};
+use crate::javascript::ENGINE;
 
 const FRAME: &str = include_str!("page/page.html");
 const STYLES: [&str; 4] = [
@@ -44,6 +45,23 @@ const SCRIPTS: [&str; 28] = [
     include_str!("page/start.js"),
 ];
 
+const START: usize = SCRIPTS.len() - 1;
+
+/// Of a page that computes: they stand before the last one of the others.
+const LIVE_STYLE: &str = include_str!("page/live/live.css");
+const LIVE: [&str; 10] = [
+    include_str!("page/live/model.js"),
+    include_str!("page/live/derived.js"),
+    include_str!("page/live/summary.js"),
+    include_str!("page/live/assemblies.js"),
+    include_str!("page/live/history.js"),
+    include_str!("page/live/link.js"),
+    include_str!("page/live/show.js"),
+    include_str!("page/live/ghost.js"),
+    include_str!("page/live/pull.js"),
+    include_str!("page/live/controls.js"),
+];
+
 /// Of a page that is written anew while it is open.
 const FOLLOW: &str = include_str!("page/follow.js");
 
@@ -60,14 +78,15 @@ impl Report {
             None => String::new(),
         };
         // In a function, so that the names in it do not meet those of the browser.
-        let script = SCRIPTS.join("\n") + &follow;
+        let script =
+            self.engine() + &SCRIPTS[..START].join("\n") + &self.live() + SCRIPTS[START] + &follow;
         let script = std::format!("(() => {{\n\"use strict\";\n{script}}})();");
         // The data come last: they may contain anything, even the words that are replaced.
         Ok(FRAME
             .replace("<!-- title -->", &escaped(&self.title))
             .replace(
                 "<!-- style -->",
-                &enclosed("style", "", &(STYLES.join("\n") + &page_rules())),
+                &enclosed("style", "", &(self.styles() + &page_rules())),
             )
             .replace("<!-- script -->", &enclosed("script", "", &script))
             .replacen(
@@ -75,6 +94,37 @@ impl Report {
                 &enclosed("script", " type=\"application/json\" id=\"report\"", &data),
                 1,
             ))
+    }
+}
+
+impl Report {
+    /// The engine with the programs, in a function of its own: its names are not those of the page.
+    fn engine(&self) -> String {
+        if self.programs.is_empty() {
+            return String::new();
+        }
+        let programs = self.programs.iter().map(|own| own.description);
+        let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
+        let engine = ENGINE.join("\n");
+        std::format!(
+            "const engine = (() => {{\n{engine}\nreturn {{ assembled, evaluate, gapsAt, AssemblyError, programs: [{programs}] }};\n}})();\n"
+        )
+    }
+
+    fn live(&self) -> String {
+        match self.programs.is_empty() {
+            true => String::from("\n"),
+            false => std::format!("\n{}\n", LIVE.join("\n")),
+        }
+    }
+
+    fn styles(&self) -> String {
+        let live = if self.programs.is_empty() {
+            ""
+        } else {
+            LIVE_STYLE
+        };
+        std::format!("{}\n{live}", STYLES.join("\n"))
     }
 }
 

@@ -150,3 +150,10 @@ impl Page {
         self.tools.call("Input.dispatchTouchEvent", touch);
     }
 }
+
+impl Page {
+    /// Types text into what has the focus.
+    pub fn type_text(&mut self, text: &str) {
+        self.tools.call("Input.insertText", json!({ "text": text }));
+    }
+}

@@ -3,9 +3,6 @@
 const BARREL = { half: 6.5, share: 0.85, least: 0.3 };
 
 function cylinderPart(guide, index) {
-  const [low, high] = reachOf(guide);
-  // The piston rod shows at every position.
-  const length = Math.max(BARREL.share * low, BARREL.least * high);
   const outline = shape("path", { class: "outline" });
   const rod = shape("path", { class: "body" });
   const barrel = shape("path", { class: "barrel" });
@@ -17,6 +14,9 @@ function cylinderPart(guide, index) {
     update(row) {
       const [origin, direction, slider] = guidePlaces(guide, row);
       if (origin === null || direction === null || slider === null) return null;
+      const [low, high] = reachOf(guide);
+      // The piston rod shows at every position.
+      const length = Math.max(BARREL.share * low, BARREL.least * high);
       const [foot, mouth, eye] = [origin, along(origin, direction, length), slider].map(project);
       for (const line of [outline, rod]) set(line, { d: lineThrough([foot, eye]) });
       const apart = Math.hypot(mouth[0] - foot[0], mouth[1] - foot[1]) || 1;

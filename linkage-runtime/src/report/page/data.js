@@ -3,6 +3,7 @@
 const source = byId("report").textContent.trim();
 const report = JSON.parse(source);
 resolveReferences();
+if (report.live) ownNumbers();
 const input = report.input;
 const rowCount = input.values.length;
 

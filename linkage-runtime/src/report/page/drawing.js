@@ -61,7 +61,7 @@ function measureDrawing() {
   drawing.tools = [...byId("figure").querySelectorAll(".tools:not(:empty)")].map(({ offsetLeft: x, offsetTop: y, offsetWidth: w, offsetHeight: h }) =>
     taken([[x, y], [x + w, y], [x + w, y + h], [x, y + h]], 0));
   set(byId("drawing"), { viewBox: `0 0 ${width} ${height}`, width, height });
-  redraw();
+  announceCamera();
 }
 
 function redraw() {

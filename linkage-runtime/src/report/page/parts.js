@@ -48,14 +48,13 @@ function linkPart(link, index) {
 
 // A guide on the frame: a hatched rail beside the block in the plane, a rod in space.
 function framePart(guide) {
-  const reach = reachOf(guide);
   const rail = shape("path", { class: "rail" });
   const hatch = shape("path", { class: "hatching" });
   const node = shape("g", { class: "guide", "data-guide": guide.name }, shape("title", {}, `guide ${guide.name}`), hatch, rail);
   return {
     node,
     update(row) {
-      const ends = guideEnds(guide, row, reach, 22);
+      const ends = guideEnds(guide, row, reachOf(guide), 22);
       if (ends === null) return null;
       const [from, to] = isSpatial() ? ends : besideBlock(ends);
       set(rail, { d: lineThrough([from, to]) });
@@ -85,16 +84,15 @@ function guideEnds(guide, row, [low, high], beyond) {
 
 // A guide that moves: a slot in its link, or a bar of its own that turns about the origin.
 function movingPart(guide, index) {
-  const [low, high] = reachOf(guide);
   const own = guide.on === "itself";
-  const reach = own ? [Math.min(0, low), Math.max(0, high)] : [low, high];
+  const reach = ([low, high]) => (own ? [Math.min(0, low), Math.max(0, high)] : [low, high]);
   const colour = linkColour(own ? picture.links.length + index : guide.on);
   const [node, draw] = outlined("link slot", colour, `guide ${guide.name}`);
   set(node, { "data-guide": guide.name });
   return {
     node,
     update(row) {
-      const ends = guideEnds(guide, row, reach, own ? 0 : 18);
+      const ends = guideEnds(guide, row, reach(reachOf(guide)), own ? 0 : 18);
       if (ends === null) return null;
       draw(lineThrough(ends));
       this.covers = [taken(ends, SLOT_HALF)];

@@ -37,8 +37,15 @@ function eachRow(visit) {
   for (let row = 0; row < rowCount; row += 1) visit(row);
 }
 
-// How far the slider gets along its guide: lowest and highest distance from the origin.
+// How far sliders get along their guides: lowest and highest distance from the origin, until places change.
+const reaches = new Map();
+
 function reachOf(guide) {
+  if (!reaches.has(guide)) reaches.set(guide, reachNow(guide));
+  return reaches.get(guide);
+}
+
+function reachNow(guide) {
   let low = Infinity;
   let high = -Infinity;
   eachRow((row) => {

@@ -5,11 +5,10 @@ const GAPS_TOLD = 4;
 
 function sayGaps() {
   const gaps = report.gaps ?? [];
-  if (gaps.length === 0) return;
+  byId("gaps").hidden = gaps.length === 0;
   const ranges = gaps.slice(0, GAPS_TOLD)
     .map(({ from, to }) => (from === to ? inputShort(from) : `${inputShort(from)} to ${inputShort(to)}`));
   if (gaps.length > GAPS_TOLD) ranges.push(`and ${gaps.length - GAPS_TOLD} more`);
-  byId("gaps").hidden = false;
   byId("gaps").textContent =
     `Some values do not exist at ${input.name} = ${ranges.join(", ")}: the mechanism cannot be assembled there, or stands at a dead point. Plots have gaps, tables say none.`;
 }
@@ -27,6 +26,7 @@ function start() {
   startKeys();
   startPrint();
   startCopying();
+  if (report.live) startLive();
   announcePosition();
   document.body.dataset.ready = "true";
   // Who wants less motion starts it.

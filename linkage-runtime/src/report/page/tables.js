@@ -30,15 +30,17 @@ function placeButton(value) {
 }
 
 function addSheet(title, open, ...children) {
-  byId("tables").append(fold(title, open, ...children));
+  const sheet = fold(title, open, ...children);
+  byId("tables").append(sheet);
+  return sheet;
 }
 
 function startTables() {
-  if (report.summary?.length) addSheet("Cycle summary", true, summaryTable());
+  if (report.summary?.length) addSheet("Cycle summary", true, summaryTable(report.summary)).id = "summary";
   const facts = [...speedFacts(), ...(report.facts ?? []).map(({ name, text }) => [name, text])];
   if (facts.length > 0) addSheet("Facts", true, grid("facts", [], facts));
   if (report.dimensions?.length) addSheet("Dimensions and tolerances", true, dimensionTable());
-  if (report.accuracy?.length) addSheet("Accuracy", true, ...accuracyTables());
+  if (report.accuracy?.length) addSheet("Accuracy", true, ...accuracyTables()).id = "accuracy";
   if (report.structure) addSheet("Structure", true, ...structureTables(report.structure));
   startValues();
   startDownloads();
@@ -55,9 +57,10 @@ function speedFacts() {
   return epsilon ? [speed, [`Acceleration of ${input.name}`, `${short(epsilon)} ${per("s^2")}`]] : [speed];
 }
 
-function summaryTable() {
-  const rows = report.summary.map(({ quantity, what, value, unit, at }) =>
-    [quantity, what, placeButton(at), withDegrees(value, unit), unit]);
+// A row that `stands` is that of the report, and not of changed dimensions.
+function summaryTable(figures) {
+  const rows = figures.map(({ quantity, what, value, unit, at, stands }) =>
+    [quantity, stands ? `${what} (as in the report)` : what, placeButton(at), withDegrees(value, unit), unit]);
   // Places before values: on a phone they are what must not be out of sight.
   return grid("summary", ["quantity", "what", `at ${input.name}`, "value", "unit"], rows);
 }

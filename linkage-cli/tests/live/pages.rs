@@ -1,0 +1,172 @@
+//! Pages of the command, and what is in them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use linkage_browser::Page;
+use linkage_cli::{Assembly, Mechanism, Source};
+
+/// The page of a mechanism.
+pub(crate) struct Live {
+    pub(crate) page: Page,
+    // As long as its assemblies.
+    pub(crate) mechanism: &'static Mechanism,
+}
+
+impl Live {
+    /// Of an example; `None` without a browser.
+    pub(crate) fn example(name: &str) -> Option<Self> {
+        Self::new(
+            &Path::new(env!("CARGO_MANIFEST_DIR"))
+                .join("../examples")
+                .join(name),
+        )
+    }
+
+    /// Of a golden file of the compiler.
+    pub(crate) fn golden(name: &str) -> Option<Self> {
+        Self::new(
+            &Path::new(env!("CARGO_MANIFEST_DIR"))
+                .join("../linkage-compiler/tests/golden")
+                .join(name),
+        )
+    }
+
+    /// Of a text.
+    pub(crate) fn text(name: &str, text: &str) -> Option<Self> {
+        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.mech"));
+        fs::write(&file, text).expect("a file");
+        Self::new(&file)
+    }
+
+    fn new(file: &Path) -> Option<Self> {
+        let folder = written(file);
+        let text = fs::read_to_string(file).expect("the file");
+        let source = Source::new("file", &text).expect("brackets have partners");
+        let checked = linkage_compiler::check(source.mechanisms()[0].tokens.clone());
+        let mechanism = Mechanism::new(&checked).expect("a mechanism without a mistake");
+        let mechanism = Box::leak(Box::new(mechanism));
+        let mut page = Page::open(&folder.join("index.html"))?;
+        page.value("window.saved = []; URL.createObjectURL = (blob) => { window.saved.push(blob); return 'data:,'; }; 0");
+        Some(Self { page, mechanism })
+    }
+
+    /// Changes all dimensions.
+    pub(crate) fn set(&mut self, dimensions: &[f64]) {
+        let pairs = self.mechanism.parameters.iter().zip(dimensions);
+        let parts: Vec<String> = pairs
+            .map(|(own, x)| format!("{}={x:?}", own.name))
+            .collect();
+        let address = parts.join("&");
+        self.page.value(&format!(
+            "new Promise((done) => {{ addEventListener('hashchange', () => setTimeout(done), {{ once: true }}); location.hash = '{address}'; }})"
+        ));
+    }
+
+    pub(crate) fn says(&mut self) -> String {
+        self.page
+            .words("document.getElementById('says').textContent")
+    }
+
+    /// A table as the page saves it.
+    pub(crate) fn csv(&mut self, function: &str) -> String {
+        self.page.words(&format!(
+            "(() => {{ document.querySelector('button[data-file=\"{function}.csv\"]').click(); return window.saved.pop().text(); }})()"
+        ))
+    }
+}
+
+fn written(file: &Path) -> PathBuf {
+    let name = file.file_stem().expect("a name").to_string_lossy();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("live_{name}"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
+    let output = command
+        .arg("page")
+        .arg(file)
+        .arg("-o")
+        .arg(&folder)
+        .output();
+    let output = output.expect("it runs");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    folder
+}
+
+/// Roundoffs of what is computed, as in `js.rs`.
+const ROUNDOFFS: f64 = 200.0;
+
+/// Compares all tables; how many positions have no values.
+pub(crate) fn compare(live: &mut Live, assembly: &Assembly) -> usize {
+    let functions = live.page.words("Array.from(document.querySelectorAll('button[data-file$=\".csv\"]'), (own) => own.dataset.file.slice(0, -4)).join()");
+    let mut gaps = 0;
+    for name in functions.split(',') {
+        let unit = &live.mechanism.unit;
+        let function = unit
+            .functions
+            .iter()
+            .position(|own| own.name == name)
+            .expect("it is one of them");
+        let places = unit.functions[function].arguments.clone();
+        let references: Vec<f64> = places
+            .iter()
+            .map(|&place| unit.inputs[place].reference)
+            .collect();
+        let text = live.csv(name);
+        let rows = text
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').map(|word| word.parse::<f64>().ok()));
+        let rows: Vec<Vec<Option<f64>>> = rows.map(Iterator::collect).collect();
+        let at = |x: f64| {
+            let pairs = places.iter().zip(&references);
+            let arguments: Vec<f64> = pairs
+                .map(|(&place, &reference)| if place == 0 { x } else { reference })
+                .collect();
+            assembly.call(function, &arguments)
+        };
+        let expected: Vec<Vec<f64>> = rows
+            .iter()
+            .map(|row| at(row[0].expect("a position")))
+            .collect();
+        for column in 0..expected[0].len() {
+            let sizes = expected
+                .iter()
+                .map(|row| row[column].abs())
+                .filter(|x| x.is_finite());
+            let size = sizes.fold(live.mechanism.unit.longest * 1e-3, f64::max);
+            for (row, rust) in rows.iter().zip(&expected) {
+                let what = format!(
+                    "{}, {name}, column {column} at {:?}",
+                    live.mechanism.name, row[0]
+                );
+                match row[column + 1] {
+                    None => {
+                        assert!(
+                            !rust[column].is_finite(),
+                            "{what}: there is {}",
+                            rust[column]
+                        );
+                        gaps += 1;
+                    }
+                    Some(js) => {
+                        let step = 1e-9 * row[0].unwrap_or(1.0).abs();
+                        let growth =
+                            (at(row[0].unwrap_or(0.0) + step)[column] - rust[column]).abs() / 1e-9;
+                        let near =
+                            (js - rust[column]).abs() <= ROUNDOFFS * f64::EPSILON * (size + growth);
+                        assert!(
+                            near,
+                            "{what}: {js:e} on the page, {:e} in Rust",
+                            rust[column]
+                        );
+                    }
+                }
+            }
+        }
+    }
+    gaps
+}

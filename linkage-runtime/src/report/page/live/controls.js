@@ -1,0 +1,161 @@
+// Sliders and numbers for dimensions and other inputs, and the buttons beside them.
+
+// What a slider reaches on both sides: a part of the dimension, for angles so many radians.
+const REACH = { part: 0.5, angle: Math.PI / 2 };
+
+const controls = { rows: new Map() };
+
+function startLive() {
+  startModel();
+  startGhost();
+  past.last = snapshot();
+  makeControls();
+  onChange(showChange);
+  onChange(showControls);
+  const said = readLink();
+  past.last = snapshot();
+  say(said);
+  showControls();
+  showHistory();
+  document.addEventListener("keydown", onLiveKey);
+  addEventListener("hashchange", () => {
+    if (location.hash.slice(1) === fragment()) return;
+    change(live.declared);
+    live.given = new Map(live.stands);
+    live.modes = live.firstModes;
+    say(readLink());
+    keepStep();
+  });
+  startPulling();
+}
+
+function makeControls() {
+  const rows = [];
+  for (const { name, unit, value } of report.dimensions) rows.push(controlRow(name, unit, value, dimensionRange(unit, value), (to) => change(new Map([[name, to]]))));
+  for (const [name, value] of live.given) {
+    const own = argumentOf(name);
+    rows.push(controlRow(name, own.unit, value, own.range ?? dimensionRange(own.unit, value), (to) => give(name, to)));
+  }
+  const button = (id, word, title, click) => {
+    const own = element("button", { type: "button", id, title }, word);
+    own.addEventListener("click", click);
+    return own;
+  };
+  const copy = (id, word, make) => button(id, word, `Copy: ${word}`, () => copyText(make()));
+  const buttons = element("div", { class: "line buttons" },
+    button("reset", "Reset", "All as in the report", resetAll),
+    button("undo", "Undo", "Undo (ctrl z)", undo),
+    button("redo", "Redo", "Redo (ctrl y)", redo),
+    ...(live.firstModes.length > 0 ? [assemblyChoice()] : []),
+    element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), copy("copy-link", "link", () => location.href)));
+  const says = element("p", { id: "says", role: "status" });
+  const box = fold("Change dimensions", true, buttons, says, element("div", { class: "dimensions" }, ...rows));
+  box.id = "live";
+  byId("stage").append(box);
+}
+
+function dimensionRange(unit, value) {
+  const half = unit === "rad" ? REACH.angle : REACH.part * (Math.abs(value) || largestDimension(unit));
+  return [value - half, value + half];
+}
+
+function largestDimension(unit) {
+  return Math.max(0, ...report.dimensions.filter((own) => own.unit === unit).map(({ value }) => Math.abs(value))) || 1;
+}
+
+function argumentOf(name) {
+  for (const unit of engine.programs) {
+    const own = [...unit.inputs, ...unit.arguments].find((one) => one.name === name);
+    if (own !== undefined) return own;
+  }
+  return { unit: "" };
+}
+
+// Angles are shown in degrees.
+function controlRow(name, unit, value, [low, high], put) {
+  const shown = (number) => rounded(plotValue(number, unit), 12);
+  const back = (number) => (unit === "rad" ? (number * Math.PI) / 180 : number);
+  const slider = element("input", { type: "range", min: shown(low), max: shown(high), step: "any", "data-slides": name, "aria-label": name });
+  const field = element("input", { type: "number", step: "any", "data-dimension": name, "aria-label": `${name}${unit ? ` in ${plotUnit(unit)}` : ""}` });
+  const take = (text) => {
+    if (text !== "" && Number.isFinite(Number(text))) tell(put(back(Number(text))));
+  };
+  slider.addEventListener("input", () => whenDrawn(() => take(slider.value)));
+  slider.addEventListener("change", () => { drawNow(); keepStep(); });
+  const taken = () => {
+    take(field.value);
+    keepStep();
+    showControls();
+  };
+  field.addEventListener("change", taken);
+  field.addEventListener("keydown", (event) => event.key === "Enter" && taken());
+  controls.rows.set(name, { slider, field, shown, value });
+  return element("label", { class: "dimension" }, element("span", { class: "name" }, name), slider, field, element("small", {}, plotUnit(unit)));
+}
+
+// At most one change for each picture that the screen shows.
+const waiting = { change: null, asked: false };
+
+function whenDrawn(make) {
+  waiting.change = make;
+  if (waiting.asked) return;
+  waiting.asked = true;
+  requestAnimationFrame(drawNow);
+}
+
+function drawNow() {
+  waiting.asked = false;
+  const make = waiting.change;
+  waiting.change = null;
+  if (make !== null) make();
+}
+
+function showControls() {
+  const assembly = byId("assembly");
+  if (assembly !== null && assembly.value !== live.modes.join()) fillAssemblies(assembly);
+  for (const [name, { slider, field, shown }] of controls.rows) {
+    const value = shown(live.dimensions.get(name) ?? live.given.get(name));
+    if (document.activeElement !== field || Number(field.value) !== value) field.value = value;
+    if (value < Number(slider.min)) slider.min = value;
+    if (value > Number(slider.max)) slider.max = value;
+    slider.value = value;
+    const stands = live.declared.get(name) ?? live.stands.get(name);
+    field.closest("label").classList.toggle("changed", (live.dimensions.get(name) ?? live.given.get(name)) !== stands);
+  }
+  showHistory();
+}
+
+function sayingOf(error) {
+  return error === null ? null : `That far and no farther. ${error.message}`;
+}
+
+function tell(error) {
+  say(sayingOf(error));
+}
+
+function say(text) {
+  const still = live.tables.filter(({ why }) => why !== null).map(({ table, why }) => `${table.function} is not computed here: ${why}.`);
+  const reason = isChanged() ? reasonOfGap() : null;
+  const all = [text, reason === null ? null : `Gaps: ${reason}.`, ...(isChanged() ? still : [])].filter((own) => own !== null);
+  byId("says").textContent = all.join(" ");
+}
+
+function copyText(text) {
+  const field = element("textarea", { class: "copied", readonly: true });
+  field.value = text;
+  document.body.append(field);
+  field.select();
+  // Pages that were opened as files have no other way to the clipboard in some browsers.
+  const done = document.execCommand("copy");
+  field.remove();
+  byId("says").textContent = done ? `Copied: ${text}` : text;
+}
+
+function onLiveKey(event) {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+  const key = event.key.toLowerCase();
+  if (key !== "z" && key !== "y") return;
+  if (key === "y" || event.shiftKey) redo();
+  else undo();
+  event.preventDefault();
+}

@@ -1,0 +1,59 @@
+// Undo and redo: what dimensions and arguments were.
+
+// So many steps are kept.
+const MOST_STEPS = 100;
+
+const past = { steps: [], next: [], last: null };
+
+function snapshot() {
+  return { dimensions: new Map(live.dimensions), given: new Map(live.given), modes: live.modes };
+}
+
+function sameMaps(a, b) {
+  return [...a].every(([name, value]) => b.get(name) === value);
+}
+
+// A change is complete: a drag is one step.
+function keepStep() {
+  const now = snapshot();
+  if (sameMaps(now.dimensions, past.last.dimensions) && sameMaps(now.given, past.last.given) && now.modes.join() === past.last.modes.join()) return;
+  past.steps.push(past.last);
+  if (past.steps.length > MOST_STEPS) past.steps.shift();
+  past.next = [];
+  past.last = now;
+  writeLink();
+  showHistory();
+}
+
+function goBack(from, to) {
+  if (from.length === 0) return;
+  to.push(past.last);
+  past.last = from.pop();
+  live.given = new Map(past.last.given);
+  live.modes = past.last.modes;
+  tell(change(past.last.dimensions));
+  writeLink();
+  showHistory();
+}
+
+function undo() {
+  goBack(past.steps, past.next);
+}
+
+function redo() {
+  goBack(past.next, past.steps);
+}
+
+// As the report has it.
+function resetAll() {
+  live.given = new Map(live.stands);
+  live.modes = live.firstModes;
+  tell(change(live.declared));
+  keepStep();
+}
+
+function showHistory() {
+  byId("undo").disabled = past.steps.length === 0;
+  byId("redo").disabled = past.next.length === 0;
+  byId("reset").disabled = !isChanged();
+}

@@ -1,0 +1,96 @@
+// What was changed, as the address of the page says it and as people copy it.
+
+// No dimension is called so: names have no spaces.
+const MODES = "assembly modes";
+
+// Names with values that are not those of the report.
+function changedOnes() {
+  const dimensions = [...live.dimensions].filter(([name, value]) => value !== live.declared.get(name));
+  const given = [...live.given].filter(([name, value]) => value !== live.stands.get(name));
+  return [...dimensions, ...given];
+}
+
+function fragment() {
+  const modes = live.modes.join() === live.firstModes.join() ? [] : [[MODES, live.modes.join()]];
+  return [...changedOnes(), ...modes].map(([name, value]) => `${encodeURIComponent(name)}=${value}`).join("&");
+}
+
+function writeLink() {
+  history.replaceState(null, "", `#${fragment()}`);
+}
+
+// What the address says; names that there are not, and what is no number, are told.
+function readLink() {
+  const parts = location.hash.slice(1).split("&").filter((part) => part !== "");
+  const wrong = [];
+  const changes = new Map();
+  for (const part of parts) {
+    const [name, text] = splitPart(part);
+    const value = Number(text);
+    if (name === MODES && areModes(text)) live.modes = text.split(",").map(Number);
+    else if (text === "" || !Number.isFinite(value)) wrong.push(part);
+    else if (live.dimensions.has(name)) changes.set(name, value);
+    else if (live.given.has(name)) live.given.set(name, value);
+    else wrong.push(part);
+  }
+  if (changes.size === 0 && !isChanged()) return wrong.length === 0 ? null : notUnderstood(wrong);
+  const error = change(changes);
+  return wrong.length === 0 ? sayingOf(error) : notUnderstood(wrong);
+}
+
+function areModes(text) {
+  const modes = text.split(",").map(Number);
+  return modes.length === live.firstModes.length && modes.every((mode) => Math.abs(mode) === 1);
+}
+
+function splitPart(part) {
+  const at = part.lastIndexOf("=");
+  if (at < 0) return [part, ""];
+  try {
+    return [decodeURIComponent(part.slice(0, at)), part.slice(at + 1)];
+  } catch {
+    return [part, ""];
+  }
+}
+
+function notUnderstood(wrong) {
+  return `The address says what this mechanism does not have: ${wrong.join(", ")}`;
+}
+
+// As Rust: the fields that differ from the declaration.
+function asRust() {
+  const { name, dimensions } = engine.programs[0];
+  const fields = [];
+  for (const own of dimensions) {
+    const [field, component] = own.name.split(".");
+    const value = rustNumber(live.dimensions.get(own.name) ?? own.value);
+    if (component === undefined) fields.push([field, [value]]);
+    else if (component === "x") fields.push([field, [value]]);
+    else fields.at(-1)[1].push(value);
+  }
+  const vectors = new Set(dimensions.filter((own) => own.name.includes(".")).map((own) => own.name.split(".")[0]));
+  const text = ([field, numbers]) => (vectors.has(field) ? `${field}: linkage::Vector${numbers.length}::new(${numbers.join(", ")})` : `${field}: ${numbers[0]}`);
+  const changed = new Set(changedFromDeclaration().map((own) => own.split(".")[0]));
+  const own = fields.filter(([field]) => changed.has(field)).map(text);
+  return own.length === 0 ? `${name}::default()` : `${name} { ${own.join(", ")}, ..${name}::default() }`;
+}
+
+function rustNumber(value) {
+  const text = String(value);
+  return /[.e]/.test(text) ? text : `${text}.0`;
+}
+
+// Dimensions that are not those of the declaration, which those of the report may be neither.
+function changedFromDeclaration() {
+  const own = engine.programs[0].dimensions.filter(({ name, value }) => (live.dimensions.get(name) ?? value) !== value);
+  return own.map(({ name }) => name);
+}
+
+// As the command's `--set` takes it.
+function asText() {
+  return changedOnes().map(([name, value]) => `${name}=${value}${unitOfName(name)}`).join("\n");
+}
+
+function unitOfName(name) {
+  return report.dimensions.find((own) => own.name === name)?.unit ?? "";
+}

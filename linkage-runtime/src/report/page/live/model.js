@@ -1,0 +1,169 @@
+// The mechanism with other dimensions: what the tables of the report are then. The engine computes, this puts it where everything else reads it.
+
+const live = {
+  // Dimensions by name: of the report, and as they are now.
+  declared: new Map(report.dimensions.map(({ name, value }) => [name, value])),
+  dimensions: new Map(report.dimensions.map(({ name, value }) => [name, value])),
+  // Arguments beside the input, by name.
+  given: new Map(Object.entries(report.live.given)),
+  // Of the first programs: as they are now, and of the report.
+  modes: report.live.modes,
+  firstModes: report.live.modes,
+  // An assembly for each of the programs.
+  assemblies: [],
+  tables: [],
+  // Figures, errors, gaps and numbers of the report.
+  summary: report.summary,
+  accuracy: report.accuracy,
+  gaps: report.gaps,
+  numbers: new Map(allNumbers().map((numbers) => [numbers, [...numbers]])),
+  listeners: [],
+};
+
+function allNumbers() {
+  const rows = [...report.tables.flatMap((table) => table.columns), ...(report.true ?? [])].map((column) => column.values);
+  return [...rows, ...(report.bands ?? []).map((band) => band.half)];
+}
+
+function onChange(listener) {
+  live.listeners.push(listener);
+}
+
+function isChanged() {
+  return [...live.dimensions].some(([name, value]) => value !== live.declared.get(name))
+    || [...live.given].some(([name, value]) => value !== live.stands.get(name))
+    || live.modes !== live.firstModes && live.modes.join() !== live.firstModes.join();
+}
+
+// Numbers are changed where they stand: each column needs its own. What the picture shows are the columns of its table.
+function ownNumbers() {
+  for (const { columns } of report.tables) {
+    for (const column of columns) column.values = [...column.values];
+  }
+  for (const rate of report.true ?? []) rate.values = [...rate.values];
+  for (const band of report.bands ?? []) band.half = [...band.half];
+  if (!report.picture) return;
+  const { table, first } = report.live.picture;
+  const shown = report.tables[table].columns.slice(first);
+  const vectors = [...report.picture.points, ...report.picture.directions];
+  vectors.forEach((vector, k) => {
+    vector.at = vector.at.map((_, i) => shown[k * report.picture.dimension + i].values);
+  });
+}
+
+// Which function of which programs gives a table, and where its arguments come from. `why` says what is missing.
+function bind(table) {
+  for (const [number, unit] of engine.programs.entries()) {
+    const fn = unit.functions.find((own) => own.name === table.function && namesAreThose(own.columns, table.columns));
+    if (fn === undefined) continue;
+    const names = fn.arguments.map((place) => [...unit.inputs, ...unit.arguments][place].name);
+    const missing = names.filter((name) => name !== input.name && !live.given.has(name));
+    const why = missing.length > 0 ? `nothing is known of ${missing.join(", ")}` : null;
+    return { table, number, fn, names, why };
+  }
+  return { table, why: "its programs are not part of the page" };
+}
+
+function namesAreThose(own, others) {
+  return own.length === others.length && own.every(({ name }, k) => name === others[k].name);
+}
+
+// Assemblies with these dimensions; throws what the engine throws.
+function assembledWith(dimensions, before) {
+  return engine.programs.map((unit, number) => {
+    const values = unit.dimensions.map(({ name, value }) => dimensions.get(name) ?? value);
+    const modes = number === 0 ? live.modes : unit.modes;
+    return engine.assembled(unit, values, modes, before[number] ?? null);
+  });
+}
+
+// Dimensions on the way from where they are to others; share 1 is there.
+function dimensionsBetween(to, share) {
+  if (share === 1) return to;
+  return new Map([...to].map(([name, value]) => [name, live.dimensions.get(name) + share * (value - live.dimensions.get(name))]));
+}
+
+const BISECTIONS = 24;
+
+// Changes dimensions as far as the mechanism can be assembled at its reference: there it stops, and the error that is returned says by how much the
+// wanted ones miss. Null if all is well.
+function change(changes) {
+  const to = new Map([...live.dimensions, ...changes]);
+  const begin = performance.now();
+  let error = null;
+  try {
+    take(to, assembledWith(to, live.assemblies));
+  } catch (thrown) {
+    if (!(thrown instanceof engine.AssemblyError)) throw thrown;
+    error = thrown;
+    goAsFarAsPossible(to);
+  }
+  fillTables();
+  const computed = performance.now();
+  for (const listener of live.listeners) listener();
+  // For who measures: milliseconds of computing, and of showing.
+  Object.assign(document.body.dataset, { computed: computed - begin, shown: performance.now() - computed });
+  return error;
+}
+
+function take(dimensions, assemblies) {
+  live.dimensions = dimensions;
+  live.assemblies = assemblies;
+}
+
+function goAsFarAsPossible(to) {
+  let [low, high, best] = [0, 1, null];
+  for (let k = 0; k < BISECTIONS; k += 1) {
+    const share = (low + high) / 2;
+    const dimensions = dimensionsBetween(to, share);
+    try {
+      best = [dimensions, assembledWith(dimensions, live.assemblies)];
+      low = share;
+    } catch (thrown) {
+      if (!(thrown instanceof engine.AssemblyError)) throw thrown;
+      high = share;
+    }
+  }
+  if (best !== null) take(...best);
+}
+
+// Another value of an argument beside the input.
+function give(name, value) {
+  live.given.set(name, value);
+  return change(new Map());
+}
+
+// The numbers of the report, to the last digit, where nothing is changed.
+function fillTables() {
+  if (!isChanged()) {
+    for (const [numbers, declared] of live.numbers) declared.forEach((value, row) => (numbers[row] = value));
+    Object.assign(report, { accuracy: live.accuracy, gaps: live.gaps });
+    return;
+  }
+  for (const own of live.tables) if (own.why === null) fillTable(own);
+  fillRates();
+  fillBands();
+  report.accuracy = live.accuracy.map(accuracyNow);
+  report.gaps = gapsNow();
+}
+
+function fillTable({ table, number, fn, names }) {
+  const own = live.assemblies[number];
+  const at = names.map((name) => live.given.get(name));
+  const place = names.indexOf(input.name);
+  const out = new Float64Array(fn.columns.length);
+  const lists = table.columns.map((column) => column.values);
+  for (let row = 0; row < rowCount; row += 1) {
+    at[place] = input.values[row];
+    engine.evaluate(own, fn, at, out);
+    for (let k = 0; k < out.length; k += 1) lists[k][row] = Number.isFinite(out[k]) ? out[k] : null;
+  }
+}
+
+// The mechanism as the report has it, until something is changed.
+function startModel() {
+  if (live.modes.length !== engine.programs[0].modes.length) live.modes = live.firstModes = [...engine.programs[0].modes];
+  live.stands = new Map(live.given);
+  live.assemblies = assembledWith(live.dimensions, []);
+  live.tables = report.tables.map(bind);
+}

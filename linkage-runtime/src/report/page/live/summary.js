@@ -1,0 +1,92 @@
+// Figures of the cycle with other dimensions, as far as a table has their quantities: extremes between rows are looked for with the programs.
+
+const ORDERS = { "": 0, velocity: 1, acceleration: 2 };
+// Steps of golden sections from two rows apart: the place is as good as roundoff lets a flat extreme be known.
+const SECTIONS = 48;
+const GOLDEN = (3 - Math.sqrt(5)) / 2;
+
+// A number of a table as a function of the input; null if none computes it. Order 0 is the quantity, others are its derivatives.
+function quantityNow(quantity, order) {
+  const [point, component] = [quantity.slice(0, quantity.lastIndexOf(".")), quantity.slice(quantity.lastIndexOf("."))];
+  const fits = order === 0
+    ? ({ name, meaning }) => (name === quantity && meaning !== "rate") || (meaning === "picture" && name.endsWith(`[${point}]${component}`))
+    : isRateOf(order, quantity);
+  for (const own of live.tables.filter(({ why }) => why === null)) {
+    const index = own.table.columns.findIndex(fits);
+    if (index < 0) continue;
+    const out = new Float64Array(own.fn.columns.length);
+    const at = own.names.map((name) => live.given.get(name));
+    const place = own.names.indexOf(input.name);
+    const numbers = own.table.columns[index].values;
+    return { numbers, at(x) { at[place] = x; engine.evaluate(live.assemblies[own.number], own.fn, at, out); return out[index]; } };
+  }
+  return null;
+}
+
+// The place and value where `sign * fold(quantity)` is largest; null where there is no number.
+function extremeOf(own, sign, fold) {
+  const height = (value) => (value === null ? NaN : sign * fold(value));
+  let [best, most] = [null, -Infinity];
+  own.numbers.forEach((value, row) => {
+    if (height(value) > most) [best, most] = [row, height(value)];
+  });
+  if (best === null) return null;
+  let at = input.values[best];
+  let [low, high] = [input.values[Math.max(0, best - 1)], input.values[Math.min(rowCount - 1, best + 1)]];
+  for (let k = 0; k < SECTIONS; k += 1) {
+    const [a, b] = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
+    const [left, right] = [height(own.at(a)), height(own.at(b))];
+    for (const [x, value] of [[a, left], [b, right]]) if (value > most) [at, most] = [x, value];
+    if (left > right || Number.isNaN(right)) high = b;
+    else low = a;
+  }
+  return { at, value: sign * most };
+}
+
+// The acute angle between two lines.
+function acute(angle) {
+  const turned = Math.abs(angle) % Math.PI;
+  return Math.min(turned, Math.PI - turned);
+}
+
+const same = (value) => value;
+
+// A row of the summary as it is now; one that nothing computes keeps its value, and says so.
+function figureNow(row) {
+  const found = figureOf(row);
+  if (found === undefined) return { ...row, stands: true };
+  return { ...row, ...(found ?? { value: null, at: null }) };
+}
+
+function figureOf({ quantity, what }) {
+  const extreme = (order, sign, fold = same) => {
+    const own = quantityNow(quantity, order);
+    return own === null ? undefined : extremeOf(own, sign, fold);
+  };
+  if (what === "smallest transmission angle") return extreme(0, -1, acute);
+  if (what === "greatest transmission angle") return extreme(0, 1, acute);
+  if (what === "smallest") return extreme(0, -1);
+  if (what === "lowest") return extreme(0, -1);
+  if (what === "highest") return extreme(0, 1);
+  if (what === "stroke") return strokeOf(quantity);
+  const [, real, end, word] = /^(true )?(least|greatest) (velocity|acceleration)$/.exec(what) ?? [];
+  if (word === undefined) return undefined;
+  const order = ORDERS[word];
+  const factor = real ? report.speed.omega ** order : 1;
+  const found = extreme(order, (end === "greatest" ? 1 : -1) * Math.sign(factor));
+  return found ? { ...found, value: factor * found.value } : found;
+}
+
+function strokeOf(quantity) {
+  const own = quantityNow(quantity, 0);
+  if (own === null) return undefined;
+  const [low, high] = [-1, 1].map((sign) => extremeOf(own, sign, same));
+  return low === null ? null : { value: high.value - low.value };
+}
+
+function remakeSummary() {
+  const sheet = byId("summary");
+  if (sheet === null) return;
+  const rows = isChanged() ? live.summary.map(figureNow) : live.summary;
+  sheet.replaceChildren(sheet.firstChild, summaryTable(rows));
+}
