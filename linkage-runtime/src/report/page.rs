@@ -14,7 +14,7 @@ const STYLES: [&str; 4] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 28] = [
+const SCRIPTS: [&str; 29] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/exact.js"),
@@ -39,6 +39,7 @@ const SCRIPTS: [&str; 28] = [
     include_str!("page/plots.js"),
     include_str!("page/tables.js"),
     include_str!("page/values.js"),
+    include_str!("page/export.js"),
     include_str!("page/downloads.js"),
     include_str!("page/theme.js"),
     include_str!("page/print.js"),

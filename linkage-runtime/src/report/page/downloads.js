@@ -18,25 +18,27 @@ function csvOf(members) {
   return [head.join(","), ...lines, ""].join("\r\n");
 }
 
-function download(name, type, text) {
-  const address = URL.createObjectURL(new Blob([text], { type }));
+function download(name, blob) {
+  const address = URL.createObjectURL(blob);
   const link = element("a", { href: address, download: name });
   link.click();
   // After the browser has taken it.
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
-function downloadButton(name, type, make) {
+function downloadButton(name, make) {
   const button = element("button", { type: "button", "data-file": name }, name);
-  button.addEventListener("click", () => download(name, type, make()));
+  button.addEventListener("click", async () => download(name, await make()));
   return button;
 }
 
 function startDownloads() {
   const csv = report.tables.map((table) =>
-    downloadButton(`${table.function}.csv`, "text/csv", () => csvOf(columns.filter((column) => column.table === table.function))));
-  const json = downloadButton("data.json", "application/json", () => source);
+    downloadButton(`${table.function}.csv`, () => new Blob([csvOf(columns.filter((column) => column.table === table.function))], { type: "text/csv" })));
+  const json = downloadButton("data.json", () => new Blob([source], { type: "application/json" }));
   addSheet("Data", true,
     element("p", {}, "All values with all their digits. Angles are in radians; a value that does not exist is empty in CSV and null in JSON."),
-    element("p", { class: "buttons" }, json, ...csv));
+    element("p", { class: "buttons" }, json, ...csv),
+    element("p", {}, "The mechanism and the plots as they are seen now."),
+    element("p", { class: "buttons" }, ...pictureButtons()));
 }

@@ -47,8 +47,8 @@ function drawPanel(panel, width) {
   const clip = `frame-${plots.panels.indexOf(panel)}`;
   const inside = shape("g", { "clip-path": `url(#${clip})` }, bandAreas(panel, toScreen), curveLines(panel, toScreen));
   view.append(clipping(clip, scales), gapAreas(scales), axes(panel, scales), inside);
-  panel.cursor = shape("g", { class: "cursor" });
-  panel.pointer = shape("g", { class: "cursor pointer" });
+  panel.cursor = shape("g", { class: "cursor", "data-cursor": "position" });
+  panel.pointer = shape("g", { class: "cursor pointer", "data-cursor": "pointer" });
   view.append(panel.pointer, panel.cursor);
   panel.view = view;
   return view;

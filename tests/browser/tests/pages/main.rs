@@ -3,6 +3,7 @@
 mod checks;
 mod colours;
 mod drawing;
+mod exports;
 mod follow;
 mod gallery;
 mod gaps;

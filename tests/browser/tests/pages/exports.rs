@@ -1,0 +1,138 @@
+//! The drawing and the plots, saved as pictures.
+
+use linkage_browser::Page;
+use linkage_browser::samples::{FourBar, four_bar, spatial, written};
+use serde_json::Value;
+
+fn page(name: &str) -> Option<Page> {
+    Page::open(&written(&four_bar("A & <B>", FourBar::TURNING), name))
+}
+
+/// Catches what a button gives to save.
+fn save(page: &mut Page, name: &str) {
+    page.value(
+        "window.caught = null; HTMLAnchorElement.prototype.click = function () { \
+           fetch(this.href).then((answer) => answer.blob()).then((blob) => { window.caught = blob; }); }; 1",
+    );
+    page.click(&format!("[data-file={name:?}]"));
+    page.wait("window.caught !== null");
+}
+
+/// A saved picture, as a document that knows nothing of the page; what it has of the page's styles.
+fn read(page: &mut Page, name: &str) -> Value {
+    save(page, name);
+    page.value(
+        "(async () => { const text = await window.caught.text(); \
+           window.saved = new DOMParser().parseFromString(text, 'image/svg+xml'); \
+           const all = [...window.saved.querySelectorAll('*')]; \
+           const colours = all.flatMap((node) => ['fill', 'stroke'].map((name) => node.getAttribute(name))); \
+           return { type: window.caught.type, root: window.saved.documentElement.localName, \
+             title: window.saved.querySelector('title').textContent, \
+             classes: all.filter((node) => node.hasAttribute('class') || node.hasAttribute('style')).length, \
+             variables: text.includes('var(') || text.includes('color('), \
+             colours: colours.filter((c) => c !== null && c !== 'none' && !/^#[0-9a-f]{6}$/.test(c)) }; })()",
+    )
+}
+
+fn assert_stands_alone(found: &Value, title: &str) {
+    assert_eq!(found["type"], "image/svg+xml");
+    assert_eq!(found["root"], "svg");
+    assert_eq!(found["title"], title);
+    assert_eq!(found["classes"], 0);
+    assert_eq!(found["variables"], false);
+    assert_eq!(found["colours"], serde_json::json!([]));
+}
+
+/// Width and height of a PNG, and how many of its pixels have nearly a colour.
+fn pixels(page: &mut Page, name: &str, colour: &str) -> [f64; 3] {
+    save(page, name);
+    assert_eq!(page.words("window.caught.type"), "image/png");
+    let found = page.value(&format!(
+        "(async () => {{ const image = await createImageBitmap(window.caught); \
+           const paint = new OffscreenCanvas(image.width, image.height).getContext('2d'); \
+           paint.drawImage(image, 0, 0); \
+           const data = paint.getImageData(0, 0, image.width, image.height).data; \
+           const [r, g, b] = [1, 3, 5].map((at) => parseInt({colour:?}.slice(at, at + 2), 16)); \
+           let count = 0; \
+           for (let i = 0; i < data.length; i += 4) \
+             if (Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 9 && data[i + 3] === 255) count += 1; \
+           return [image.width, image.height, count]; }})()"
+    ));
+    [0, 1, 2].map(|i| found[i].as_f64().expect("a number"))
+}
+
+#[test]
+fn the_mechanism_is_saved_as_it_is_seen() {
+    let Some(mut page) = page("export-mechanism") else {
+        return;
+    };
+    let found = read(&mut page, "mechanism.svg");
+    assert_stands_alone(&found, "A & <B>");
+    for part in ["[data-link]", "[data-point]", "[data-trace]"] {
+        let count = |root: &str| format!("{root}.querySelectorAll('{part}').length");
+        let seen = page.number(&count("document.querySelector('#drawing')"));
+        assert!(
+            seen > 0.0 && page.number(&count("window.saved")) == seen,
+            "{part}"
+        );
+    }
+    let path =
+        |root: &str| format!("{root}.querySelector('[data-trace=tracer]').getAttribute('d')");
+    let [seen, saved] = ["document", "window.saved"].map(|root| page.words(&path(root)));
+    assert_eq!(seen, saved);
+    // Names that are not shown, and targets of fingers, are not there.
+    assert!(page.holds(
+        "![...window.saved.querySelectorAll('text')].some((t) => t.textContent === 'tracer')"
+    ));
+    let colour =
+        page.words("window.saved.querySelector('[data-trace=tracer]').getAttribute('stroke')");
+    let [left, top, width, height] = page.place("#drawing");
+    assert!(left >= 0.0 && top < 900.0);
+    let [w, h, count] = pixels(&mut page, "mechanism.png", &colour);
+    assert_eq!([w, h], [2.0 * width.round(), 2.0 * height.round()]);
+    assert!(count > 500.0, "{count} pixels of {colour}");
+    page.assert_quiet();
+}
+
+#[test]
+fn plots_are_saved_with_their_legends() {
+    let Some(mut page) = page("export-plots") else {
+        return;
+    };
+    page.dark(true);
+    let found = read(&mut page, "plots.svg");
+    assert_stands_alone(&found, "A & <B>");
+    let curves = "[...ROOT.querySelectorAll('[data-column][d]')].map((c) => c.dataset.column + c.getAttribute('d')).join('\\n')";
+    let [seen, saved] =
+        ["document", "window.saved"].map(|root| page.words(&curves.replace("ROOT", root)));
+    assert_eq!(seen, saved);
+    assert!(seen.lines().count() >= 6);
+    let words = page
+        .words("[...window.saved.querySelectorAll('text')].map((t) => t.textContent).join('|')");
+    for legend in [
+        "|tracer.x [mm]|",
+        "|tracer.y [mm]|",
+        "|psi [deg]|",
+        "|v.x [mm/s]|",
+    ] {
+        assert!(words.contains(legend), "{legend} in {words}");
+    }
+    assert!(page.holds("window.saved.querySelector('[data-cursor]') === null"));
+    let size = page.value("['width', 'height'].map((side) => Number(window.saved.documentElement.getAttribute(side)))");
+    let colour = page.words("window.saved.querySelector(\"[data-column='motion||tracer.x|mm']\").getAttribute('stroke')");
+    let [w, h, count] = pixels(&mut page, "plots.png", &colour);
+    assert_eq!(Some(w), size[0].as_f64().map(|x| 2.0 * x));
+    assert_eq!(Some(h), size[1].as_f64().map(|x| 2.0 * x));
+    assert!(count > 500.0, "{count} pixels of {colour}");
+    page.assert_quiet();
+}
+
+#[test]
+fn space_is_saved_too() {
+    let Some(mut page) = Page::open(&written(&spatial(), "export-space")) else {
+        return;
+    };
+    let found = read(&mut page, "mechanism.svg");
+    assert_stands_alone(&found, "Crank and rocker in space");
+    page.assert_quiet();
+}
