@@ -30,7 +30,14 @@ function firstOf(meaning, fits, most) {
   const some = columns.filter((column) => column.meaning === meaning && finite(column) && fits(column));
   const named = Map.groupBy(some, (column) => column.name);
   const once = [...named.values()].map((same) => same.find((column) => column.bands.length > 0) ?? same[0]);
-  return once.slice(0, most);
+  const first = once.slice(0, most);
+  // Not half of a vector.
+  const rest = once.slice(most).filter((column) => first.some((other) => vectorOf(column) === vectorOf(other)));
+  return [...first, ...rest];
+}
+
+function vectorOf({ name }) {
+  return name.replace(/\.[xyz]$/, "");
 }
 
 function finite(column) {

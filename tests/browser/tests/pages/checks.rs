@@ -6,6 +6,7 @@ use serde_json::Value;
 /// Everything that does not depend on what the page shows.
 pub(crate) fn all(page: &mut Page, name: &str) {
     page.assert_quiet();
+    vectors_are_whole(page);
     keys(page);
     slider(page);
     let report = report(page);
@@ -74,6 +75,18 @@ pub(crate) fn go_to(page: &mut Page, row: usize) {
         page.key(Key::Right);
     }
     assert_eq!(page.row(), row);
+}
+
+/// Of a vector that is plotted at first no component is missing.
+fn vectors_are_whole(page: &mut Page) {
+    let halves = page.words(
+        "(() => { const boxes = [...document.querySelectorAll('#chooser input[data-column]')]; \
+           const vector = (box) => { const [table, kind, name, unit] = box.dataset.column.split('|'); \
+             return [table, kind, name.replace(/\\.[xyz]$/, ''), unit].join('|'); }; \
+           const whole = new Set(boxes.filter((box) => box.checked).map(vector)); \
+           return boxes.filter((box) => whole.has(vector(box)) && !box.checked).map((box) => box.dataset.column).join(' '); })()",
+    );
+    assert_eq!(halves, "", "components that are missing");
 }
 
 fn keys(page: &mut Page) {
