@@ -30,6 +30,7 @@ mod row;
 mod shown;
 mod svg;
 mod tables;
+mod thin;
 mod units;
 mod whole;
 mod write;

@@ -26,11 +26,17 @@ impl Report {
     /// As [`check`](Self::check).
     pub fn json(&self) -> Result<String, ReportError> {
         self.check()?;
-        Ok(self.value().to_string())
+        Ok(self.value(None).to_string())
     }
 
-    fn value(&self) -> Value {
-        let series = Series::of(self);
+    /// What the page has: rows that it does not show are left out.
+    pub(super) fn page_json(&self) -> Result<String, ReportError> {
+        self.check()?;
+        Ok(self.value(self.page_rows().as_deref()).to_string())
+    }
+
+    fn value(&self, rows: Option<&[usize]>) -> Value {
+        let series = Series::of(self, rows);
         let hues = self.hues();
         let (bands, accuracy) = self.tolerances(&series);
         let tables = self.tables.iter().enumerate();
@@ -41,9 +47,10 @@ impl Report {
             "input": {
                 "name": self.input.name,
                 "unit": self.input.unit,
-                "values": self.positions,
+                "values": series.picked(&self.positions),
                 "periodic": self.is_periodic(),
             },
+            "thinned": rows.map(|rows| json!({ "rows": rows.len(), "of": self.positions.len() })),
             "tables": list(tables, |(index, table)| self.table_value(&series, &hues, index, table)),
             "bands": bands,
             "accuracy": accuracy,
@@ -71,12 +78,12 @@ impl Report {
         })
     }
 
-    fn table_value(&self, series: &Series, hues: &Hues, index: usize, table: &Saved) -> Value {
+    fn table_value(&self, series: &Series<'_>, hues: &Hues, index: usize, table: &Saved) -> Value {
         let columns = table.heading.columns.iter().enumerate();
         json!({
             "function": table.heading.function,
             "columns": list(columns, |(at, column)| {
-                coloured(self.column_value(table, column, series.column(index, at, table)), hues, column.name)
+                coloured(self.column_value(table, column, series.column(index, at)), hues, column.name)
             }),
         })
     }
@@ -104,7 +111,7 @@ impl Report {
     }
 
     /// Bands, and the table of accuracy.
-    fn tolerances(&self, series: &Series) -> (Vec<Value>, Vec<Value>) {
+    fn tolerances(&self, series: &Series<'_>) -> (Vec<Value>, Vec<Value>) {
         let mut bands = Vec::new();
         let mut accuracy = Vec::new();
         for sensitive in self.sensitive() {
@@ -134,7 +141,7 @@ impl Report {
         (bands, accuracy)
     }
 
-    fn picture_value(&self, series: &Series, hues: &Hues, shown: &Shown<'_>) -> Value {
+    fn picture_value(&self, series: &Series<'_>, hues: &Hues, shown: &Shown<'_>) -> Value {
         let picture = shown.picture;
         let points = picture.points.iter().enumerate();
         let directions = picture.directions.iter().enumerate();
@@ -203,7 +210,7 @@ impl Report {
     }
 }
 
-fn true_value(series: &Series, rate: &True) -> Value {
+fn true_value(series: &Series<'_>, rate: &True) -> Value {
     let mut value = json!({
         "table": rate.table,
         "name": rate.column.name,

@@ -73,7 +73,7 @@ impl Report {
     ///
     /// As [`check`](Self::check).
     pub fn html(&self) -> Result<String, ReportError> {
-        let data = embedded(&self.json()?);
+        let data = embedded(&self.page_json()?);
         let follow = match self.version {
             Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
             None => String::new(),

@@ -42,12 +42,12 @@ const STRUCTURE: Structure = Structure {
     },
 };
 
-fn json(report: &Report) -> Value {
+pub(crate) fn json(report: &Report) -> Value {
     serde_json::from_str(&report.json().unwrap()).unwrap()
 }
 
 /// The numbers of a series, which may stand in a column.
-fn series(json: &Value, value: &Value) -> Vec<f64> {
+pub(crate) fn series(json: &Value, value: &Value) -> Vec<f64> {
     match (value["table"].as_u64(), value["column"].as_u64()) {
         (Some(table), Some(column)) => {
             numbers(&json["tables"][table as usize]["columns"][column as usize]["values"])
@@ -56,7 +56,7 @@ fn series(json: &Value, value: &Value) -> Vec<f64> {
     }
 }
 
-fn numbers(value: &Value) -> Vec<f64> {
+pub(crate) fn numbers(value: &Value) -> Vec<f64> {
     let values = value.as_array().unwrap().iter();
     values.map(|x| x.as_f64().unwrap_or(f64::NAN)).collect()
 }

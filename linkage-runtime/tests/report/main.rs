@@ -13,6 +13,7 @@ mod mistakes;
 mod picture;
 mod plots;
 mod signs;
+mod thinning;
 mod tolerances;
 
 use fixture::{FourBar, PHI};

@@ -1,12 +1,14 @@
 //! Mechanisms computed by hand, for pages that a test makes.
 
 mod four_bar;
+mod many;
 mod roundoff;
 mod sheet;
 mod sliders;
 mod spatial;
 
 pub use four_bar::{FourBar, four_bar};
+pub use many::many;
 pub use roundoff::roundoff;
 pub use sheet::Sheet;
 pub use sliders::sliders;

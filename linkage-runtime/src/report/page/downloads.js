@@ -37,7 +37,8 @@ function startDownloads() {
     downloadButton(`${table.function}.csv`, () => new Blob([csvOf(columns.filter((column) => column.table === table.function))], { type: "text/csv" })));
   const json = downloadButton("data.json", () => new Blob([source], { type: "application/json" }));
   addSheet("Data", true,
-    element("p", {}, "All values with all their digits. Angles are in radians; a value that does not exist is empty in CSV and null in JSON."),
+    ...(report.thinned ? [element("p", {}, thinnedText())] : []),
+    element("p", {}, "All values of the page with all their digits. Angles are in radians; a value that does not exist is empty in CSV and null in JSON."),
     element("p", { class: "buttons" }, json, ...csv),
     element("p", {}, "The mechanism and the plots as they are seen now."),
     element("p", { class: "buttons" }, ...pictureButtons()));

@@ -8,7 +8,13 @@ function startPlots() {
   if (columns.some((column) => column.bands.length > 0)) byId("chooser").append(wideningChoice());
   new ResizeObserver(measurePanels).observe(byId("panels"));
   onMove(showCursors);
+  if (report.thinned) byId("plots-title").after(element("p", { id: "thinned", class: "cut" }, thinnedText()));
   measurePanels();
+}
+
+function thinnedText() {
+  const { rows, of } = report.thinned;
+  return `This page has ${rows} of ${of} positions, the extremes of all quantities and the edges of gaps among them; the CSV files and data.json beside it have all.`;
 }
 
 function apartChoice() {

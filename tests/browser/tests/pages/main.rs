@@ -15,3 +15,4 @@ mod plots;
 mod print;
 mod space;
 mod tables;
+mod thinned;

@@ -1,0 +1,31 @@
+//! A cam at as many positions as a test wants.
+
+use linkage_runtime::report::Report;
+use linkage_runtime::{Heading, Input, Meaning};
+
+use super::sheet::{Sheet, column};
+
+const INPUT: Input = Input {
+    name: "phi",
+    unit: "rad",
+    reference: 0.0,
+    range: None,
+};
+
+static CAM: Heading = Heading {
+    function: "cam",
+    arguments: &["phi"],
+    columns: &[
+        column("lift", "mm", Meaning::Value),
+        column("force", "N", Meaning::Value),
+    ],
+    picture: None,
+};
+
+/// Lift `8 sin phi` and force `5 cos phi` over a turn.
+#[must_use]
+pub fn many(count: usize) -> Report {
+    let positions = INPUT.positions(count);
+    let row = |phi: f64| [8.0 * phi.sin(), 5.0 * phi.cos()];
+    Report::new("Cam", &INPUT, &positions).table(&Sheet::new(&CAM, &positions, row))
+}
