@@ -7,14 +7,15 @@ use super::{Report, ReportError};
 use crate::javascript::ENGINE;
 
 const FRAME: &str = include_str!("page/page.html");
-const STYLES: [&str; 4] = [
+const STYLES: [&str; 5] = [
     include_str!("page/style.css"),
     include_str!("page/drawing.css"),
     include_str!("page/sheets.css"),
+    include_str!("page/plots.css"),
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 29] = [
+const SCRIPTS: [&str; 32] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/exact.js"),
@@ -33,6 +34,9 @@ const SCRIPTS: [&str; 29] = [
     include_str!("page/gestures.js"),
     include_str!("page/player.js"),
     include_str!("page/keys.js"),
+    include_str!("page/abscissa.js"),
+    include_str!("page/zoom.js"),
+    include_str!("page/extremes.js"),
     include_str!("page/curves.js"),
     include_str!("page/panel.js"),
     include_str!("page/choose.js"),

@@ -5,6 +5,7 @@
 mod chromium;
 mod devtools;
 mod gallery;
+mod held;
 mod input;
 mod page;
 pub mod samples;

@@ -13,7 +13,7 @@ function chosenPanels(apart) {
   for (const column of columns.filter((column) => chosen.has(column.key))) {
     const unit = plotUnit(column.unit);
     const name = apart ? column.key : unit;
-    if (!panels.has(name)) panels.set(name, { unit, curves: [] });
+    if (!panels.has(name)) panels.set(name, { name, unit, curves: [] });
     const { curves } = panels.get(name);
     curves.push(curveOf(column));
   }
@@ -52,12 +52,13 @@ function halfWidth(band, row, unit) {
 const FAR_BEYOND = 3;
 
 function setLimits(panel) {
-  const all = spread(panel.curves, () => true);
+  const seen = seenRows();
+  const all = spread(panel.curves, seen);
   const beside = rowsBesideGaps();
-  const rest = spread(panel.curves, (row) => !beside[row]);
+  const rest = spread(panel.curves, (row) => seen(row) && !beside[row]);
   const cut = isMoreThanRoundoff(rest) && all[1] - all[0] > FAR_BEYOND * (rest[1] - rest[0]);
   panel.cut = cut ? all : null;
-  panel.limits = withMargin(cut ? rest : all);
+  panel.limits = zoom.y.get(panel.name) ?? withMargin(cut ? rest : all, extremes.shown ? ROOM : AIR);
 }
 
 // Rows so near to a gap that a dead point rules there.
@@ -90,9 +91,13 @@ function spread(curves, counts) {
   return [low, high];
 }
 
-function withMargin([low, high]) {
+// Shares of an axis beyond what it shows: just air, and room for the labels of extremes.
+const AIR = 0.04;
+const ROOM = 0.15;
+
+function withMargin([low, high], share = AIR) {
   if (!(high >= low)) return [0, 1];
-  const margin = isMoreThanRoundoff([low, high]) ? 0.04 * (high - low) : 0.05 * largestOf([low, high]) || 1;
+  const margin = isMoreThanRoundoff([low, high]) ? share * (high - low) : 0.05 * largestOf([low, high]) || 1;
   return [low - margin, high + margin];
 }
 

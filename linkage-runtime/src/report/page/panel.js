@@ -7,7 +7,9 @@ const panelLeft = { width: 60 };
 
 function measureLabels(panels) {
   const labels = panels.flatMap((panel) => panelTicks(panel).map((tick) => digits(tick).length));
-  panelLeft.width = 30 + PANEL.letter * Math.max(2, ...labels);
+  const width = 30 + PANEL.letter * Math.max(4, ...labels);
+  // What is under the pointer stays there while the parts change.
+  panelLeft.width = zoom.x === null ? width : Math.max(width, panelLeft.width);
 }
 
 function panelTicks(panel) {
@@ -15,38 +17,32 @@ function panelTicks(panel) {
   return ticks(...panel.limits, 5, panel.unit);
 }
 
-function inputValues() {
-  return input.values.map((value) => plotValue(value, input.unit));
-}
-
 // Functions between values and pixels.
 function panelScales(panel, width) {
-  const xs = inputValues();
-  const [first, last] = [Math.min(...spanEnds(xs)), Math.max(...spanEnds(xs))];
+  const xs = abscissaValues();
+  const [first, last] = zoom.x ?? wholeAbscissa();
   const [low, high] = panel.limits;
   const [left, wide] = [panelLeft.width, Math.max(20, width - panelLeft.width - PANEL.right)];
   const tall = PANEL.height - PANEL.top - PANEL.bottom;
   const x = (value) => left + (wide * (value - first)) / (last - first || 1);
   const y = (value) => PANEL.top + tall * (1 - (value - low) / (high - low));
   const value = (pixels) => first + ((pixels - left) / wide) * (last - first);
-  return { xs, first, last, low, high, left, wide, tall, x, y, value };
-}
-
-function spanEnds(xs) {
-  return [xs[0], xs[xs.length - 1]];
+  const height = (pixels) => low + (1 - (pixels - PANEL.top) / tall) * (high - low);
+  return { xs, first, last, low, high, left, wide, tall, x, y, value, height };
 }
 
 function drawPanel(panel, width) {
   const scales = panelScales(panel, width);
   panel.scales = scales;
-  const toScreen = (row, y) => [scales.x(scales.xs[row]), scales.y(y)];
+  const toScreen = (row, y) => (scales.xs[row] === null ? null : [scales.x(scales.xs[row]), scales.y(y)]);
   const view = shape("svg", {
-    class: "plot", width, height: PANEL.height, viewBox: `0 0 ${width} ${PANEL.height}`, role: "img",
-    "aria-label": `${panel.curves.map((curve) => curve.column.name).join(", ")} against ${input.name}`,
+    class: "plot", width, height: PANEL.height, viewBox: `0 0 ${width} ${PANEL.height}`, role: "img", tabindex: 0,
+    "aria-label": `${panel.curves.map((curve) => curve.column.name).join(", ")} against ${(abscissa.column ?? input).name}`,
   });
   const clip = `frame-${plots.panels.indexOf(panel)}`;
-  const inside = shape("g", { "clip-path": `url(#${clip})` }, bandAreas(panel, toScreen), curveLines(panel, toScreen));
-  view.append(clipping(clip, scales), gapAreas(scales), axes(panel, scales), inside);
+  const clipped = (...parts) => shape("g", { "clip-path": `url(#${clip})` }, ...parts);
+  view.append(clipping(clip, scales), clipped(gapAreas(scales)), axes(panel, scales),
+    clipped(bandAreas(panel, toScreen), curveLines(panel, toScreen)), extremeMarks(panel));
   panel.cursor = shape("g", { class: "cursor", "data-cursor": "position" });
   panel.pointer = shape("g", { class: "cursor pointer", "data-cursor": "pointer" });
   view.append(panel.pointer, panel.cursor);
@@ -62,7 +58,7 @@ function clipping(id, { left, wide, tall }) {
 function axes(panel, scales) {
   const group = shape("g", { class: "axes" });
   const bottom = PANEL.top + scales.tall;
-  const unit = plotUnit(input.unit);
+  const unit = plotUnit((abscissa.column ?? input).unit);
   for (const tick of ticks(scales.first, scales.last, scales.wide / 56, unit)) {
     const x = pixel(scales.x(tick));
     group.append(shape("path", { class: "grid", d: `M${x} ${PANEL.top}V${bottom}` }),
@@ -75,7 +71,7 @@ function axes(panel, scales) {
   }
   group.append(
     shape("rect", { class: "frame", x: scales.left, y: PANEL.top, width: scales.wide, height: scales.tall }),
-    shape("text", { class: "title", x: scales.left + scales.wide / 2, y: PANEL.height - 5, "text-anchor": "middle" }, titled(input.name, unit)),
+    shape("text", { class: "title", x: scales.left + scales.wide / 2, y: PANEL.height - 5, "text-anchor": "middle" }, abscissaTitle()),
     shape("text", { class: "title", transform: `translate(13 ${PANEL.top + scales.tall / 2}) rotate(-90)`, "text-anchor": "middle" }, panelTitle(panel)),
   );
   return group;
@@ -93,7 +89,7 @@ function panelTitle({ curves, unit }) {
 
 function gapAreas(scales) {
   const group = shape("g", { class: "gaps" });
-  for (const { from, to } of report.gaps ?? []) {
+  for (const { from, to } of isAgainstInput() ? report.gaps ?? [] : []) {
     const ends = [from, to].map((value) => scales.x(plotValue(value, input.unit)));
     const [x, width] = [Math.min(...ends), Math.max(2, Math.abs(ends[1] - ends[0]))];
     group.append(shape("rect", { class: "gap", x: pixel(x), y: PANEL.top, width: pixel(width), height: scales.tall }));
@@ -103,7 +99,8 @@ function gapAreas(scales) {
 
 function bandAreas(panel, toScreen) {
   const group = shape("g", { class: "bands" });
-  for (const curve of panel.curves) {
+  // Beside a quantity that comes back, a band would lie on its own curve.
+  for (const curve of isAgainstInput() ? panel.curves : []) {
     for (const band of curve.column.bands) {
       const kind = band.kind === "worst case" ? "worst" : "statistical";
       group.append(shape("path", { class: `band ${kind}`, d: bandOutline(curve, band, toScreen), fill: curve.colour }));
@@ -126,7 +123,9 @@ function curveLines(panel, toScreen) {
 // A line at a row, with a dot on each curve.
 function drawCursor(group, panel, row) {
   const { scales } = panel;
-  const x = pixel(scales.x(scales.xs[row]));
+  const value = scales.xs[row];
+  if (value === null || value < scales.first || value > scales.last) return group.replaceChildren();
+  const x = pixel(scales.x(value));
   group.replaceChildren(shape("path", { d: `M${x} ${PANEL.top}v${scales.tall}` }));
   for (const { ys, colour } of panel.curves) {
     const within = ys[row] !== null && ys[row] >= scales.low && ys[row] <= scales.high;

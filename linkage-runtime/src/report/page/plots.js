@@ -4,8 +4,9 @@ const plots = { panels: [], width: 0, apart: false };
 
 function startPlots() {
   startChooser(makePanels);
-  byId("chooser").append(apartChoice());
+  byId("chooser").append(apartChoice(), abscissaChoice(), extremesChoice(), zoomButtons());
   if (columns.some((column) => column.bands.length > 0)) byId("chooser").append(wideningChoice());
+  byId("chooser").append(zoomHint());
   new ResizeObserver(measurePanels).observe(byId("panels"));
   onMove(showCursors);
   if (report.thinned) byId("plots-title").after(element("p", { id: "thinned", class: "cut" }, thinnedText()));
@@ -84,15 +85,20 @@ function legendTitle(column) {
 }
 
 function listenToPanel(view, panel) {
-  const rowAt = (event) => {
-    const value = panel.scales.value(event.clientX - view.getBoundingClientRect().left);
-    return nearestRow(input.unit === "rad" ? (value * Math.PI) / 180 : value);
-  };
+  const rowAt = (event) => rowAtPlace(panel, placeIn(view, event));
   const go = (event) => {
+    if (event.shiftKey) return;
     setPlaying(false);
     moveTo(rowAt(event));
   };
-  view.addEventListener("pointerdown", (event) => event.button === 0 && event.pointerType === "mouse" && go(event));
+  view.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0 || event.pointerType !== "mouse") return;
+    if (event.shiftKey) startRectangle(event, panel, view);
+    else go(event);
+  });
+  view.addEventListener("wheel", (event) => onPanelWheel(event, panel, view), { passive: false });
+  view.addEventListener("keydown", (event) => onPanelKey(event, panel));
+  view.addEventListener("dblclick", showAll);
   view.addEventListener("click", go);
   view.addEventListener("pointermove", (event) => {
     if (event.pointerType !== "mouse") return;

@@ -9,6 +9,7 @@ mod gallery;
 mod gaps;
 mod names;
 mod one_colour;
+mod parts;
 mod phone;
 mod playing;
 mod plots;

@@ -1,0 +1,71 @@
+// The highest and the lowest place of each curve, with their values.
+
+const extremes = { shown: true };
+
+// A character of the labels, in pixels, rather too wide, and a line of them.
+const LABEL = { letter: 6.4, line: 13 };
+
+function extremesChoice() {
+  const box = element("input", { id: "extremes", type: "checkbox", checked: extremes.shown });
+  box.addEventListener("change", () => {
+    extremes.shown = box.checked;
+    makePanels();
+  });
+  return element("label", { class: "aside" }, box, " Extremes");
+}
+
+// Rows of the lowest and the highest value among those that are seen; none of what is constant.
+function extremeRows({ ys }, xs) {
+  const seen = seenRows();
+  const rows = [null, null];
+  ys.forEach((y, row) => {
+    if (y === null || xs[row] === null || !seen(row)) return;
+    if (rows[0] === null || y < ys[rows[0]]) rows[0] = row;
+    if (rows[1] === null || y > ys[rows[1]]) rows[1] = row;
+  });
+  return rows[0] !== null && isMoreThanRoundoff(rows.map((row) => ys[row])) ? rows : [];
+}
+
+function extremeMarks(panel) {
+  const group = shape("g", { class: "extremes" });
+  if (!extremes.shown) return group;
+  const labels = [];
+  for (const curve of panel.curves) {
+    extremeRows(curve, panel.scales.xs).forEach((row, which) => {
+      const y = curve.ys[row];
+      // Beyond the axis beside gaps, or outside of a rectangle.
+      if (y < panel.scales.low || y > panel.scales.high) return;
+      group.append(extremeMark(panel, curve, row, which, labels));
+    });
+  }
+  return group;
+}
+
+function extremeMark({ scales, unit }, { column, colour, ys }, row, which, labels) {
+  const [x, y] = [scales.x(scales.xs[row]), scales.y(ys[row])];
+  const value = digits(rounded(ys[row], 6));
+  const text = `${value} at ${inputShort(input.values[row])}`;
+  const told = `${which === 0 ? "lowest" : "highest"} ${column.name}: ${value}${unit ? " " + unit : ""} at ${input.name} = ${inputShort(input.values[row])}`;
+  const node = shape("g", { "data-extreme": which === 0 ? "lowest" : "highest", "data-of": column.key, "data-row": row },
+    shape("title", {}, told),
+    shape("circle", { cx: pixel(x), cy: pixel(y), r: 3, stroke: colour }));
+  const place = labelPlace(scales, [x, y], text.length * LABEL.letter, which, labels);
+  if (place) node.append(shape("text", { x: pixel(place[0]), y: pixel(place[1]) }, text));
+  return node;
+}
+
+// Where a label is inside of the frame and on no other one, above or below its place; null if nowhere.
+function labelPlace({ left, wide, tall }, [x, y], length, which, labels) {
+  const from = Math.min(left + wide - length - 2, Math.max(left + 2, x - length / 2));
+  const [above, below] = [y - 6, y + LABEL.line + 2];
+  for (const foot of which === 0 ? [below, above] : [above, below]) {
+    const box = [from, foot - LABEL.line + 2, from + length, foot + 2];
+    const within = box[1] >= PANEL.top && box[3] <= PANEL.top + tall;
+    const free = labels.every((other) => box[2] < other[0] || box[0] > other[2] || box[3] < other[1] || box[1] > other[3]);
+    if (within && free) {
+      labels.push(box);
+      return [from, foot];
+    }
+  }
+  return null;
+}
