@@ -3,6 +3,9 @@
 //!
 //! `cargo run --release --example gallery` writes them to `target/gallery`, or to the folder that is given behind `--`.
 
+#[cfg(test)]
+#[path = "gallery/drawings.rs"]
+mod drawings;
 #[path = "eye_needle.rs"]
 #[allow(
     dead_code,

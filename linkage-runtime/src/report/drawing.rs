@@ -2,6 +2,7 @@
 
 mod arrows;
 mod caption;
+mod cover;
 mod dxf;
 mod fixed;
 mod geometry;
@@ -9,6 +10,7 @@ mod marks;
 mod names;
 mod options;
 mod parts;
+mod room;
 mod sheet;
 mod signs;
 mod wheels;

@@ -2,6 +2,7 @@
 
 use std::format;
 use std::string::String;
+use std::vec::Vec;
 
 use super::Drawing;
 use super::arrows::head;
@@ -12,34 +13,48 @@ use crate::report::svg::{Element, Svg};
 use crate::words::rounded;
 
 /// Length of the signs of axes; one that is seen shorter than this share has no head.
-const SIGN: f64 = 7.0;
+pub(super) const SIGN: f64 = 7.0;
 const SEEN: f64 = 0.4;
+
+/// What the words below the drawing take of the sheet.
+pub(super) const FOOT: f64 = 11.0;
+/// Where the title ends, and lines of notes below it.
+const TITLE: f64 = 10.5;
+const NOTE: f64 = 4.5;
 
 /// The scale bar is about this long on paper.
 const LENGTH: f64 = 30.0;
 
 impl Drawing<'_> {
+    /// Where title and notes end.
+    pub(super) fn head(&self) -> f64 {
+        TITLE + NOTE * self.notes().len() as f64
+    }
+
+    /// What is to be said of the mechanism below the title.
+    fn notes(&self) -> Vec<String> {
+        let rows = 0..self.report.positions.len();
+        let missing = rows.filter(|row| !self.shown.is_assembled(*row)).count();
+        let missing = (missing > 0).then(|| {
+            format!(
+                "It cannot be assembled at {missing} of {} positions.",
+                self.report.positions.len()
+            )
+        });
+        let loose = told_of_loose_points(self.shown.picture);
+        missing.into_iter().chain(loose).collect()
+    }
+
     pub(super) fn caption(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
         let [width, height] = sheet.size;
         let title = Element::text([6.0, 9.0], 4.4).set("font-weight", 600);
         svg.words(title.fill(Colour::Ink), &self.report.title);
-        let rows = 0..self.report.positions.len();
-        let missing = rows.filter(|row| !self.shown.is_assembled(*row)).count();
-        if missing > 0 {
-            let words = format!(
-                "It cannot be assembled at {missing} of {} positions.",
-                self.report.positions.len()
-            );
-            let note = Element::text([6.0, 14.0], 3.2).class("note");
-            svg.words(note.fill(Colour::Muted), &words);
-        }
-        if let Some(words) = told_of_loose_points(self.shown.picture) {
-            let at = [6.0, if missing > 0 { 18.5 } else { 14.0 }];
-            let note = Element::text(at, 3.2).class("note");
-            svg.words(note.fill(Colour::Muted), &words);
+        for (line, words) in self.notes().iter().enumerate() {
+            let note = Element::text([6.0, 14.0 + NOTE * line as f64], 3.2).class("note");
+            svg.words(note.fill(Colour::Muted), words);
         }
         if let Some(axes) = sheet.axes() {
-            axis_sign(svg, [width - 16.0, 16.0], axes);
+            axis_sign(svg, sign_at(width), axes);
         }
         self.scale_bar(svg, sheet, [6.0, height - 6.0]);
         let at = [width - 6.0, height - 6.0];
@@ -95,6 +110,11 @@ impl Drawing<'_> {
             }
         });
     }
+}
+
+/// The middle of the sign of the axes.
+pub(super) fn sign_at(width: f64) -> [f64; 2] {
+    [width - 16.0, 16.0]
 }
 
 /// Where the axes of space point.

@@ -6,7 +6,7 @@ use super::parts::BLOCK;
 use super::sheet::{BEYOND, Sheet};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::{Guide, GuideOn, PointKind};
+use crate::{Axis, Guide, GuideOn, PointKind};
 
 /// Height and half the width of a pivot's foot.
 pub(super) const FOOT: [f64; 2] = [4.2, 2.8];
@@ -85,13 +85,17 @@ impl Drawing<'_> {
     /// Axes in space, as lines of long and short strokes.
     pub(super) fn axes(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
         for axis in self.shown.picture.axes {
-            let half = AXIS / sheet.factor;
-            let ends = [-half, half].map(|way| sheet.along(axis.point, axis.direction, way, row));
-            if let [Some(a), Some(b)] = ends {
+            if let Some([a, b]) = self.axis(sheet, axis, row) {
                 let line = Element::line(a, b).class("axis").stroke(Colour::Muted, 0.3);
                 svg.add(line.set("stroke-dasharray", "3 0.8 0.6 0.8"));
             }
         }
+    }
+
+    pub(super) fn axis(&self, sheet: &Sheet<'_>, axis: &Axis, row: usize) -> Option<[[f64; 2]; 2]> {
+        let half = AXIS / sheet.factor;
+        let end = |way| sheet.along(axis.point, axis.direction, way, row);
+        Some([end(-half)?, end(half)?])
     }
 
     /// The path of a point, with gaps where the mechanism cannot be assembled.

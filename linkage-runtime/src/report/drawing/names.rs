@@ -1,44 +1,54 @@
-//! Names beside points.
+//! Names of points: each where nothing is below it, beside its point if there is room, otherwise at the end of a thin line. The page
+//! places them by the same rule.
+
+use core::f64::consts::{FRAC_PI_4, TAU};
 
 use std::vec::Vec;
 
 use super::Drawing;
-use super::fixed::{FOOT, rightwards};
-use super::geometry::{distance, moved};
-use super::parts::BLOCK;
-use super::sheet::{BEYOND, Sheet};
+use super::parts::JOINT;
+use super::room::{Area, Taken};
+use super::sheet::Sheet;
+use crate::PointKind;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::{GuideOn, PointKind};
 
 /// Size of the letters and average width of one.
 const SIZE: f64 = 3.2;
-const LETTER: f64 = 1.9;
-/// Distance of a name from its point.
-const APART: f64 = 2.7;
-/// A name this far from everything is as good as one farther away.
-const ENOUGH: f64 = 3.6;
+const LETTER: f64 = 1.95;
+/// Between a name and what it keeps clear of, and between a joint and its name.
+const CLEAR: f64 = 0.5;
+const APART: f64 = 0.8;
+/// Up to here a name seems to belong to its point without a line.
+const BESIDE: f64 = 2.2;
+/// How far away a name may be.
+const RINGS: [f64; 11] = [0.0, 1.1, 2.2, 5.3, 8.8, 12.8, 17.6, 23.5, 30.0, 38.0, 48.0];
+/// Ways from the point, evenly spread; names are to the upper right unless something is there.
+const WAYS: usize = 16;
+const FIRST_WAY: f64 = -FRAC_PI_4;
+/// What the next way costs in millimetres of distance, and what a line to a name costs if it crosses a joint or another line.
+const TURNED: f64 = 0.27;
+const CROSSING: f64 = 8.0;
+/// Around all words.
+const EDGE: f64 = 1.0;
 
-/// From the middle of a frame's guide to that of its hatching.
-const HATCHED: f64 = BLOCK[1] + 0.7;
+/// Where a name may be.
+struct Place {
+    area: Area,
+    /// From the rim of its joint to the name, if that is farther away.
+    leader: Option<[[f64; 2]; 2]>,
+    price: f64,
+}
 
-/// Where the middle of a name may be, as directions from its point; the first ones are preferred.
-const SIDES: [[f64; 2]; 12] = [
-    [1.0, -0.8],
-    [-1.0, -0.8],
-    [1.0, 0.8],
-    [-1.0, 0.8],
-    [1.0, 0.0],
-    [-1.0, 0.0],
-    [0.0, -1.0],
-    [0.0, 1.0],
-    [1.0, -1.6],
-    [-1.0, -1.6],
-    [1.0, 1.6],
-    [-1.0, 1.6],
-];
-
-type Stretch = [[f64; 2]; 2];
+/// What names have been placed beside so far.
+struct Scene {
+    taken: Vec<Taken>,
+    names: Vec<Area>,
+    leaders: Vec<Taken>,
+    joints: Vec<[f64; 2]>,
+    /// What words and title leave of the sheet.
+    limits: Area,
+}
 
 impl Drawing<'_> {
     /// Width of the longest name on paper.
@@ -49,28 +59,31 @@ impl Drawing<'_> {
     }
 
     pub(super) fn point_names(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-        let mut taken = self.stretches(sheet, row);
-        for (index, point) in self.shown.picture.points.iter().enumerate() {
-            let is_drawn = point.kind != PointKind::Construction;
-            let Some(at) = sheet.point(index, row).filter(|_| is_drawn) else {
-                continue;
-            };
-            let half = [
-                0.5 * LETTER * point.name.chars().count() as f64,
-                0.35 * SIZE,
-            ];
-            let candidates = SIDES.map(|side| {
-                let [x, y] = [0, 1].map(|k| at[k] + side[k] * (APART + half[k]));
-                [[x - half[0], y], [x + half[0], y]]
-            });
-            let Some(place) = freest(&candidates, &taken, sheet.size) else {
-                continue;
-            };
-            taken.push(place);
-            let [left, right] = place;
-            let middle = [0.5 * (left[0] + right[0]), left[1] + half[1]];
+        let points = self.shown.picture.points.iter().enumerate();
+        let points = points.filter(|(_, point)| point.kind != PointKind::Construction);
+        let points = points.filter_map(|(index, point)| Some((sheet.point(index, row)?, point)));
+        let points: Vec<_> = points.collect();
+        let mut scene = Scene {
+            taken: self.taken(sheet, row),
+            names: Vec::new(),
+            leaders: Vec::new(),
+            joints: points.iter().map(|(at, _)| *at).collect(),
+            limits: self.limits(sheet),
+        };
+        for (at, point) in points {
+            let half = [0.5 * LETTER * point.name.chars().count() as f64, 0.5 * SIZE];
+            let place = scene.best(at, half);
+            scene.names.push(place.area);
+            if let Some([from, to]) = place.leader {
+                scene.leaders.push(Taken::new(&[from, to], 0.0));
+                let line = Element::line(from, to).class("leader");
+                svg.add(line.stroke(Colour::Muted, 0.2));
+            }
+            let [left, top, right, bottom] = place.area;
+            // Letters stand on a line a good third of their size below the middle.
+            let middle = [0.5 * (left + right), 0.5 * (top + bottom) + 0.35 * SIZE];
             let words = Element::text(middle, SIZE).anchor("middle").class("name");
-            // Legible over paths and ghosts.
+            // Legible over ghosts.
             let words = words
                 .stroke(Colour::Paper, 0.9)
                 .set("paint-order", "stroke");
@@ -81,80 +94,106 @@ impl Drawing<'_> {
         }
     }
 
-    /// What names should keep away from.
-    fn stretches(&self, sheet: &Sheet<'_>, row: usize) -> Vec<Stretch> {
-        let picture = self.shown.picture;
-        let mut stretches = Vec::new();
-        for link in picture.links {
-            let points: Vec<_> = link
-                .points
-                .iter()
-                .filter_map(|p| sheet.point(*p, row))
-                .collect();
-            for (i, a) in points.iter().enumerate() {
-                stretches.extend(points[i + 1..].iter().map(|b| [*a, *b]));
-            }
-        }
-        stretches.extend(self.marks(sheet, row));
-        for line in self.drive_lines(sheet, row) {
-            stretches.extend(line.windows(2).map(|ends| [ends[0], ends[1]]));
-        }
-        for guide in picture.guides {
-            let ends = self.shown.rail(guide);
-            let ends = ends.map(|way| sheet.along(guide.origin, guide.direction, way, row));
-            if let [Some(a), Some(b)] = ends {
-                stretches.push([a, b]);
-                if guide.on == GuideOn::Frame {
-                    let way = rightwards(sheet.direction(guide.direction, row));
-                    let beside = |at, along| moved(at, way.unwrap_or_default(), along, -HATCHED);
-                    // The hatched line goes on beyond both ends.
-                    stretches.extend(
-                        [a, b].map(|end| [-BEYOND, BEYOND].map(|along| beside(end, along))),
-                    );
-                    stretches.push([beside(a, 0.0), beside(b, 0.0)]);
-                }
-            }
-            let block = sheet
-                .point(guide.slider, row)
-                .zip(sheet.direction(guide.direction, row));
-            stretches.extend(block.into_iter().flat_map(|(at, way)| {
-                let [half, high] = BLOCK;
-                let edge = |left| [moved(at, way, -half, left), moved(at, way, half, left)];
-                [edge(high), edge(-high)]
-            }));
-        }
-        for (index, point) in picture.points.iter().enumerate() {
-            if let Some([x, y]) = sheet.point(index, row) {
-                stretches.push([[x, y]; 2]);
-                if point.kind == PointKind::Ground {
-                    let [height, half] = FOOT;
-                    let below = y + height + 0.5;
-                    stretches.push([[x - 1.6 * half, below], [x + 1.6 * half, below]]);
-                }
-            }
-        }
-        stretches
+    fn limits(&self, sheet: &Sheet<'_>) -> Area {
+        let [width, height] = sheet.size;
+        [
+            EDGE,
+            self.head() + EDGE,
+            width - EDGE,
+            height - super::caption::FOOT - EDGE,
+        ]
     }
 }
 
-/// Millimetres: what is less is rounding, and the place before stays the best.
-const BETTER: f64 = 1e-6;
+impl Scene {
+    /// The cheapest of the places that are free; if none is, the one with the most room.
+    fn best(&self, at: [f64; 2], half: [f64; 2]) -> Place {
+        let mut best: Option<Place> = None;
+        let mut widest: Option<(f64, Place)> = None;
+        for ring in RINGS {
+            if best.as_ref().is_some_and(|best| best.price <= ring) {
+                break;
+            }
+            for way in 0..WAYS {
+                let place = self.candidate(at, half, ring, way);
+                let room = self.room(&place);
+                if room >= CLEAR && best.as_ref().is_none_or(|best| place.price < best.price) {
+                    best = Some(place);
+                } else if widest.as_ref().is_none_or(|(most, _)| room > *most) {
+                    widest = Some((room, place));
+                }
+            }
+        }
+        best.or(widest.map(|(_, place)| place))
+            .unwrap_or_else(|| self.candidate(at, half, 0.0, 0))
+    }
 
-/// The first of the places with the most room around it.
-fn freest(candidates: &[Stretch], taken: &[Stretch], size: [f64; 2]) -> Option<Stretch> {
-    let room = |[left, right]: &Stretch| {
-        let outside = left[0] < 1.0 || right[0] > size[0] - 1.0;
-        let samples =
-            [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| [left[0] + t * (right[0] - left[0]), left[1]]);
-        let distances = taken
+    fn candidate(&self, at: [f64; 2], half: [f64; 2], ring: f64, way: usize) -> Place {
+        // To both sides in turn, so that earlier ways are nearer to the first.
+        let side = if way.is_multiple_of(2) { -1.0 } else { 1.0 };
+        let steps = side * way.div_ceil(2) as f64;
+        let (s, c) = (FIRST_WAY + steps * TAU / WAYS as f64).sin_cos();
+        let away = away(JOINT + APART + ring, half, [c, s]);
+        let [x, y] = [at[0] + away * c, at[1] + away * s];
+        let area = [x - half[0], y - half[1], x + half[0], y + half[1]];
+        let leader = (ring > BESIDE).then(|| leader(at, area));
+        let price =
+            ring + TURNED * way as f64 + leader.map_or(0.0, |line| self.crossings(at, line));
+        Place {
+            area,
+            leader,
+            price,
+        }
+    }
+
+    /// How far a name is from everything; negative beyond the edges of the sheet.
+    fn room(&self, place: &Place) -> f64 {
+        let Place { area, leader, .. } = place;
+        let inside = [
+            area[0] - self.limits[0],
+            area[1] - self.limits[1],
+            self.limits[2] - area[2],
+            self.limits[3] - area[3],
+        ];
+        let inside = inside.into_iter().fold(f64::INFINITY, f64::min);
+        // What is just inside is as good as what is far inside.
+        let inside = if inside < 0.0 { inside } else { f64::INFINITY };
+        let shapes = self.taken.iter().chain(&self.leaders);
+        let shapes = shapes.map(|shape| shape.room(*area));
+        let names = self.names.iter().map(|name| Taken::of(*name).room(*area));
+        let line = leader.map(|[from, to]| Taken::new(&[from, to], 0.0));
+        let through = line
             .iter()
-            .flat_map(|stretch| samples.map(|sample| distance(sample, *stretch)));
-        let nearest = distances.fold(ENOUGH, f64::min);
-        if outside { nearest - ENOUGH } else { nearest }
-    };
-    let rooms = candidates
-        .iter()
-        .map(|candidate| (room(candidate), candidate));
-    let best = rooms.reduce(|best, next| if next.0 > best.0 + BETTER { next } else { best });
-    best.map(|(_, place)| *place)
+            .flat_map(|line| self.names.iter().map(|name| line.room(*name)));
+        shapes.chain(names).chain(through).fold(inside, f64::min)
+    }
+
+    fn crossings(&self, own: [f64; 2], line: [[f64; 2]; 2]) -> f64 {
+        let others = self.joints.iter().filter(|at| **at != own);
+        let joints = others.filter(|at| super::geometry::distance(**at, line) < JOINT);
+        let lines = self.leaders.iter().filter(|other| other.crosses(line));
+        CROSSING * (joints.count() + lines.count()) as f64
+    }
+}
+
+/// How far along a way the middle of a box is when the box is so far from where the way begins.
+fn away(apart: f64, [wide, high]: [f64; 2], way: [f64; 2]) -> f64 {
+    let [c, s] = way.map(f64::abs);
+    // Beside, above or below, otherwise with a corner.
+    if s * (apart + wide) <= c * high {
+        return (apart + wide) / c;
+    }
+    if c * (apart + high) <= s * wide {
+        return (apart + high) / s;
+    }
+    let middle = c * wide + s * high;
+    middle + (middle * middle - wide * wide - high * high + apart * apart).sqrt()
+}
+
+/// From the rim of a joint to the nearest place of a box.
+fn leader(at: [f64; 2], [left, top, right, bottom]: Area) -> [[f64; 2]; 2] {
+    let end = [at[0].clamp(left, right), at[1].clamp(top, bottom)];
+    let length = (end[0] - at[0]).hypot(end[1] - at[1]);
+    let rim = [0, 1].map(|k| at[k] + JOINT * (end[k] - at[k]) / length);
+    [rim, end]
 }

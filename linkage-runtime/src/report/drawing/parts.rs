@@ -15,7 +15,7 @@ const RAIL: f64 = 1.3;
 /// Half the length and half the height of a slider.
 pub(super) const BLOCK: [f64; 2] = [4.0, 2.3];
 /// Width of outlines.
-const OUTLINE: f64 = 0.35;
+pub(super) const OUTLINE: f64 = 0.35;
 /// Radius of a joint.
 pub(super) const JOINT: f64 = 1.05;
 /// Radius of a point of a block that nothing turns on.
@@ -24,10 +24,10 @@ const DOT: f64 = 0.55;
 const LOOSE: f64 = 1.5;
 
 /// A body on paper: a link with all its points, or the rail of a guide.
-struct Body<'a> {
+pub(super) struct Body<'a> {
     name: &'a str,
-    corners: Vec<[f64; 2]>,
-    width: f64,
+    pub(super) corners: Vec<[f64; 2]>,
+    pub(super) width: f64,
     colour: Colour,
     nearness: f64,
 }
@@ -127,7 +127,7 @@ impl Drawing<'_> {
         }
     }
 
-    fn bodies(&self, sheet: &Sheet<'_>, row: usize, ghost: bool) -> Vec<Body<'static>> {
+    pub(super) fn bodies(&self, sheet: &Sheet<'_>, row: usize, ghost: bool) -> Vec<Body<'static>> {
         let picture = self.shown.picture;
         let mut bodies = Vec::new();
         for (index, link) in picture.links.iter().enumerate() {

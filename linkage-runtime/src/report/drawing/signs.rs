@@ -4,6 +4,7 @@ use std::vec::Vec;
 
 use super::Drawing;
 use super::geometry::moved;
+use super::room::Taken;
 use super::sheet::Sheet;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
@@ -30,18 +31,15 @@ impl Drawing<'_> {
             let Some(at) = sheet.point(joint.point, row) else {
                 continue;
             };
-            let axes = picture.axes.iter().filter(|axis| axis.point == joint.point);
-            let axes = axes.filter_map(|axis| sheet.direction(axis.direction, row));
-            let mut guides = picture
-                .guides
-                .iter()
-                .filter(|own| own.slider == joint.point);
-            let along = guides.find_map(|own| sheet.direction(own.direction, row));
+            let (axes, along) = self.ways(sheet, joint.point, row);
+            let mut axes = axes.into_iter();
             let group = Element::new("g").class("joint");
             let name = picture.points[joint.point].name;
             match joint.shape {
                 JointShape::Pin => svg.group(group.class("hinge").set("data-name", name), |svg| {
-                    axes.take(1).for_each(|way| sleeve(svg, at, way, SLEEVE));
+                    axes.by_ref()
+                        .take(1)
+                        .for_each(|way| sleeve(svg, at, way, SLEEVE));
                 }),
                 JointShape::Ball => svg.group(group.class("ball").set("data-name", name), |svg| {
                     svg.add(ring(at));
@@ -58,7 +56,7 @@ impl Drawing<'_> {
                 }
                 JointShape::Cylindrical => {
                     svg.group(group.class("cylindrical").set("data-name", name), |svg| {
-                        let way = along.or_else(|| axes.take(1).next());
+                        let way = along.or_else(|| axes.next());
                         way.into_iter()
                             .for_each(|way| sleeve(svg, at, way, LONG_SLEEVE));
                     });
@@ -67,6 +65,80 @@ impl Drawing<'_> {
                 JointShape::Slide => {}
             }
         }
+    }
+
+    /// What joints in space, axes and the numbers of gears cover.
+    pub(super) fn sign_covers(&self, sheet: &Sheet<'_>, row: usize) -> Vec<Taken> {
+        let picture = self.shown.picture;
+        let mut all = Vec::new();
+        for axis in picture.axes {
+            all.extend(
+                self.axis(sheet, axis, row)
+                    .map(|ends| Taken::new(&ends, 0.5 * OUTLINE)),
+            );
+        }
+        for joint in picture.joints.iter().filter(|_| picture.dimension == 3) {
+            let Some(at) = sheet.point(joint.point, row) else {
+                continue;
+            };
+            let (axes, along) = self.ways(sheet, joint.point, row);
+            let (ways, half, high) = match joint.shape {
+                JointShape::Pin => (axes.into_iter().take(1).collect(), SLEEVE[0], SLEEVE[1]),
+                JointShape::Ball | JointShape::Slide => (Vec::new(), 0.0, 0.0),
+                JointShape::Universal => (axes, 1.9 * SOCKET, OUTLINE),
+                JointShape::Cylindrical => {
+                    let way = along.or(axes.first().copied());
+                    let [half, high] = LONG_SLEEVE;
+                    (way.into_iter().collect(), half, high)
+                }
+            };
+            all.extend(ways.into_iter().map(|way| {
+                let ends = [-half, half].map(|end| moved(at, way, end, 0.0));
+                Taken::new(&ends, high + OUTLINE)
+            }));
+            all.push(Taken::new(&[at], SOCKET + OUTLINE));
+        }
+        for (at, words) in self.ratios(sheet, row) {
+            let half = 0.5 * 1.9 * words.chars().count() as f64;
+            all.push(Taken::of([
+                at[0] - half,
+                at[1] - 2.4,
+                at[0] + half,
+                at[1] + 0.6,
+            ]));
+        }
+        all
+    }
+
+    /// The directions of the axes through a point, and of a guide's line.
+    fn ways(
+        &self,
+        sheet: &Sheet<'_>,
+        point: usize,
+        row: usize,
+    ) -> (Vec<[f64; 2]>, Option<[f64; 2]>) {
+        let picture = self.shown.picture;
+        let axes = picture.axes.iter().filter(|axis| axis.point == point);
+        let axes = axes.filter_map(|axis| sheet.direction(axis.direction, row));
+        let mut guides = picture.guides.iter().filter(|own| own.slider == point);
+        let along = guides.find_map(|own| sheet.direction(own.direction, row));
+        (axes.collect(), along)
+    }
+
+    pub(super) fn cylinder_cover(
+        &self,
+        sheet: &Sheet<'_>,
+        guide: &Guide,
+        row: usize,
+    ) -> Vec<Taken> {
+        let foot = sheet.point(guide.origin, row);
+        let mouth = sheet.along(guide.origin, guide.direction, self.barrel(guide), row);
+        let eye = sheet.point(guide.slider, row);
+        let (Some(foot), Some(mouth), Some(eye)) = (foot, mouth, eye) else {
+            return Vec::new();
+        };
+        let rod = Taken::new(&[foot, eye], 0.5 * ROD + OUTLINE);
+        Vec::from([rod, Taken::new(&[foot, mouth], BARREL + OUTLINE)])
     }
 
     /// The mark of a point with a ball: filled, as a ball in its socket.

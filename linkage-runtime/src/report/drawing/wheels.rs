@@ -1,6 +1,8 @@
 //! Gears as pitch circles, belts where wheels turn the same way.
 
 use std::format;
+use std::string::String;
+use std::vec::Vec;
 
 use super::Drawing;
 use super::arrows::wrapped;
@@ -77,15 +79,30 @@ impl Drawing<'_> {
                 if wheels.ratio > 0.0 {
                     belt(svg, [a, b], radii);
                 }
-                let apart = (b[0] - a[0]).hypot(b[1] - a[1]);
-                let way = [0, 1].map(|k| (b[k] - a[k]) / apart);
-                let at = moved(a, way, radii[0] + 0.5 * (apart - radii[0] - radii[1]), 2.0);
-                let words = format!("1 : {}", rounded(wheels.ratio));
-                let text = Element::text(at, 3.0).anchor("middle").class("ratio");
-                let text = text.stroke(Colour::Paper, 0.9).set("paint-order", "stroke");
-                svg.words(text.fill(Colour::Muted), &words);
             });
         }
+        for (at, words) in self.ratios(sheet, row) {
+            let text = Element::text(at, 3.0).anchor("middle").class("ratio");
+            let text = text.stroke(Colour::Paper, 0.9).set("paint-order", "stroke");
+            svg.words(text.fill(Colour::Muted), &words);
+        }
+    }
+
+    /// The ratios of gears, each where its wheels touch.
+    pub(super) fn ratios(&self, sheet: &Sheet<'_>, row: usize) -> Vec<([f64; 2], String)> {
+        let picture = self.shown.picture;
+        let gears = picture.gears.iter().filter(|_| picture.dimension == 2);
+        let ratios = gears.filter_map(|gear| {
+            let [a, b] = gear.centres.map(|centre| sheet.point(centre, row));
+            let (a, b) = (a?, b?);
+            let wheels = Wheels::of(&self.shown, gear)?;
+            let radii = wheels.radii.map(|radius| radius * sheet.factor);
+            let apart = (b[0] - a[0]).hypot(b[1] - a[1]);
+            let way = [0, 1].map(|k| (b[k] - a[k]) / apart);
+            let at = moved(a, way, radii[0] + 0.5 * (apart - radii[0] - radii[1]), 2.0);
+            Some((at, format!("1 : {}", rounded(wheels.ratio))))
+        });
+        ratios.collect()
     }
 }
 
