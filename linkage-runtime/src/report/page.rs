@@ -15,7 +15,7 @@ const STYLES: [&str; 5] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 32] = [
+const SCRIPTS: [&str; 34] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/exact.js"),
@@ -31,6 +31,8 @@ const SCRIPTS: [&str; 32] = [
     include_str!("page/points.js"),
     include_str!("page/traces.js"),
     include_str!("page/drawing.js"),
+    include_str!("page/stack.js"),
+    include_str!("page/grip.js"),
     include_str!("page/gestures.js"),
     include_str!("page/player.js"),
     include_str!("page/keys.js"),

@@ -21,6 +21,8 @@ pub enum Key {
     End,
     /// To confirm.
     Enter,
+    /// To leave.
+    Escape,
 }
 
 impl Key {
@@ -34,6 +36,7 @@ impl Key {
             Self::Home => ("Home", "Home", 36),
             Self::End => ("End", "End", 35),
             Self::Enter => ("Enter", "Enter", 13),
+            Self::Escape => ("Escape", "Escape", 27),
         }
     }
 }
@@ -105,17 +108,32 @@ impl Page {
 
     /// Drags with the left button.
     pub fn drag(&mut self, from: (f64, f64), to: (f64, f64)) {
-        self.point_at(from);
-        self.mouse("mousePressed", from, Button::Left);
+        self.hold(from);
         for step in 1..=8 {
             let part = f64::from(step) / 8.0;
             let place = (
                 from.0 + part * (to.0 - from.0),
                 from.1 + part * (to.1 - from.1),
             );
-            self.mouse("mouseMoved", place, Button::Left);
+            self.pull(place);
         }
-        self.mouse("mouseReleased", to, Button::Left);
+        self.release(to);
+    }
+
+    /// Presses the left button.
+    pub fn hold(&mut self, place: (f64, f64)) {
+        self.point_at(place);
+        self.mouse("mousePressed", place, Button::Left);
+    }
+
+    /// Moves the mouse while the left button is held.
+    pub fn pull(&mut self, place: (f64, f64)) {
+        self.mouse("mouseMoved", place, Button::Left);
+    }
+
+    /// Lets the left button go.
+    pub fn release(&mut self, place: (f64, f64)) {
+        self.mouse("mouseReleased", place, Button::Left);
     }
 
     /// Turns the wheel at a place; downwards is positive.
@@ -129,6 +147,20 @@ impl Page {
     /// Touches and lifts a finger.
     pub fn tap(&mut self, place: (f64, f64)) {
         self.touch("touchStart", &[place]);
+        self.touch("touchEnd", &[]);
+    }
+
+    /// Draws a finger from place to place.
+    pub fn swipe(&mut self, from: (f64, f64), to: (f64, f64)) {
+        self.touch("touchStart", &[from]);
+        for step in 1..=12 {
+            let part = f64::from(step) / 12.0;
+            let place = (
+                from.0 + part * (to.0 - from.0),
+                from.1 + part * (to.1 - from.1),
+            );
+            self.touch("touchMove", &[place]);
+        }
         self.touch("touchEnd", &[]);
     }
 

@@ -1,4 +1,4 @@
-// Dragging, wheel and pinching on the drawing, and its buttons.
+// Dragging, wheel and pinching on the drawing, and its buttons. Who drags at a point moves the mechanism, elsewhere the view.
 
 // Pixels after which a press is a drag and no click on a point.
 const DRAG = 4;
@@ -10,6 +10,11 @@ function startGestures() {
   view.addEventListener("pointerdown", pressed);
   view.addEventListener("pointermove", dragged);
   for (const end of ["pointerup", "pointercancel"]) view.addEventListener(end, released);
+  view.addEventListener("pointermove", (event) => event.pointerType === "mouse" && pointOut(event.buttons ? null : onDrawing(event)));
+  view.addEventListener("pointerleave", () => pointOut(null));
+  // A finger on what moves does not scroll the page.
+  view.addEventListener("touchmove", (event) => grip.places !== null && event.cancelable && event.preventDefault(), { passive: false });
+  startStack();
   view.addEventListener("wheel", wheeled, { passive: false });
 }
 
@@ -23,6 +28,8 @@ function pressed(event) {
   fingers.places.set(event.pointerId, onDrawing(event));
   fingers.start = onDrawing(event);
   fingers.dragging = false;
+  if (fingers.places.size === 1) takeHold(fingers.start);
+  else letGo();
 }
 
 function dragged(event) {
@@ -36,6 +43,7 @@ function dragged(event) {
   fingers.places.set(event.pointerId, now);
   const moved = [now[0] - before[0], now[1] - before[1]];
   if (other) pinch(before, now, other[1]);
+  else if (grip.places !== null) pull(now);
   else if (isSpatial() && !event.shiftKey) turnBy(...moved);
   else panBy(...moved);
 }
@@ -47,6 +55,7 @@ function pinch(before, now, other) {
 
 function released(event) {
   fingers.places.delete(event.pointerId);
+  letGo();
 }
 
 function wheeled(event) {
@@ -68,8 +77,8 @@ function startViews() {
     names.setAttribute("aria-pressed", shown);
   });
   byId("hint").textContent = isSpatial()
-    ? "Drag to turn, with shift to move; wheel or pinch for the size. Click a point to trace it."
-    : "Drag to move; wheel or pinch for the size. Click a point to trace it.";
+    ? "Drag a joint to move the mechanism. Drag elsewhere to turn it, with shift to shift it; wheel or pinch for the size. Click a point to trace it."
+    : "Drag a joint to move the mechanism, elsewhere to shift it; wheel or pinch for the size. Click a point to trace it.";
   for (const name of isSpatial() ? Object.keys(VIEWS) : []) {
     const button = element("button", { type: "button", "data-view": name, title: `View ${name}` }, name);
     button.addEventListener("click", () => {

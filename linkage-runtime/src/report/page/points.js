@@ -19,6 +19,7 @@ function pointPart(point, index) {
   if (ground) node.append(ground);
   node.append(target, mark, name.leader, name.label);
   listenToPoint(node, index);
+  node.classList.toggle("moving", isMoving(index));
   const part = { node, name, index, update: (row) => movePoint(part, { mark, target, ground }, row) };
   return part;
 }
@@ -39,7 +40,7 @@ function movePoint(part, { mark, target, ground }, row) {
 }
 
 function listenToPoint(node, index) {
-  node.addEventListener("click", () => toggleTrace(index));
+  node.addEventListener("click", (event) => choosePoint(onDrawing(event)));
   node.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" && event.key !== " ") return;
     event.preventDefault();

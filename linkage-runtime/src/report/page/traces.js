@@ -35,11 +35,7 @@ function addTrace(index) {
 }
 
 function drawTrace(path, index) {
-  const places = [];
-  eachRow((row) => {
-    const place = pointAt(index, row);
-    places.push(place === null ? null : project(place));
-  });
+  const places = pathOf(index);
   set(path, { d: lineThrough(places) });
   traces.covers.set(index, stretchesOf(places));
 }

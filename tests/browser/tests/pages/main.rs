@@ -7,6 +7,7 @@ mod exports;
 mod follow;
 mod gallery;
 mod gaps;
+mod grip;
 mod names;
 mod one_colour;
 mod parts;
