@@ -26,6 +26,7 @@ use super::whole::Whole;
 use super::{Mistake, Report, ReportError};
 use arrows::Vector;
 use sheet::{Sheet, View};
+pub(super) use wheels::Wheels;
 
 /// A drawing of a mechanism at one position, to scale, as a picture: links as bars, links of three and more points as
 /// plates, pivots and guides of the frame hatched, sliders, cylinders, gears as pitch circles, arrows at what the inputs move, the paths of

@@ -2,6 +2,7 @@
 
 mod live;
 mod series;
+mod signs;
 
 use serde_json::{Value, json};
 use std::string::{String, ToString};
@@ -145,7 +146,7 @@ impl Report {
         let picture = shown.picture;
         let points = picture.points.iter().enumerate();
         let directions = picture.directions.iter().enumerate();
-        json!({
+        let mut value = json!({
             "dimension": picture.dimension,
             "unit": shown.unit,
             "points": list(points, |(index, point)| json!({
@@ -184,7 +185,9 @@ impl Report {
                 json!({ "point": axis.point, "direction": axis.direction })
             }),
             "traces": self.traced(picture),
-        })
+        });
+        signs::add(&mut value, shown);
+        value
     }
 
     fn structure_value(&self, structure: &Structure) -> Value {

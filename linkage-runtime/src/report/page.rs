@@ -7,15 +7,16 @@ use super::{Report, ReportError};
 use crate::javascript::ENGINE;
 
 const FRAME: &str = include_str!("page/page.html");
-const STYLES: [&str; 5] = [
+const STYLES: [&str; 6] = [
     include_str!("page/style.css"),
     include_str!("page/drawing.css"),
+    include_str!("page/signs.css"),
     include_str!("page/sheets.css"),
     include_str!("page/plots.css"),
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 34] = [
+const SCRIPTS: [&str; 35] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/exact.js"),
@@ -26,6 +27,7 @@ const SCRIPTS: [&str; 34] = [
     include_str!("page/symbols.js"),
     include_str!("page/parts.js"),
     include_str!("page/cylinders.js"),
+    include_str!("page/signs.js"),
     include_str!("page/room.js"),
     include_str!("page/names.js"),
     include_str!("page/points.js"),

@@ -17,16 +17,19 @@ use crate::words::rounded;
 /// The radii of a belt's wheels together, as a share of the distance of their centres.
 const BELT: f64 = 0.6;
 
+/// From where wheels touch to the middle of their ratio, which stands in the larger one.
+const ASIDE: f64 = 8.5;
+
 /// Two wheels, in units of the mechanism.
-pub(super) struct Wheels {
-    pub(super) radii: [f64; 2],
+pub(in crate::report) struct Wheels {
+    pub(in crate::report) radii: [f64; 2],
     /// By how much the second turns when the first turns once.
-    ratio: f64,
+    pub(in crate::report) ratio: f64,
 }
 
 impl Wheels {
     /// `None` where one of the links never turns, or nothing is finite.
-    pub(super) fn of(shown: &Shown<'_>, gear: &Gear) -> Option<Self> {
+    pub(in crate::report) fn of(shown: &Shown<'_>, gear: &Gear) -> Option<Self> {
         let angle = |wheel: usize, row: usize| {
             let from = shown.place(gear.centres[wheel], row);
             let to = shown.place(gear.ends[wheel], row);
@@ -99,7 +102,13 @@ impl Drawing<'_> {
             let radii = wheels.radii.map(|radius| radius * sheet.factor);
             let apart = (b[0] - a[0]).hypot(b[1] - a[1]);
             let way = [0, 1].map(|k| (b[k] - a[k]) / apart);
-            let at = moved(a, way, radii[0] + 0.5 * (apart - radii[0] - radii[1]), 2.0);
+            // Between the wheels of a belt there is room.
+            let aside = match wheels.ratio > 0.0 {
+                true => 0.0,
+                false => ASIDE * (radii[1] - radii[0]).signum(),
+            };
+            let touch = radii[0] + 0.5 * (apart - radii[0] - radii[1]);
+            let at = moved(a, way, touch + aside, -1.0);
             Some((at, format!("1 : {}", rounded(wheels.ratio))))
         });
         ratios.collect()

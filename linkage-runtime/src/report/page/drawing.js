@@ -4,6 +4,8 @@ const drawing = {
   // Parts that are drawn the farthest first, and points, which are always on top.
   bodies: [],
   tops: [],
+  // Gears and arrows.
+  signs: [],
   // Nodes by the points' indices.
   points: new Map(),
   layers: {},
@@ -29,7 +31,7 @@ function startDrawing() {
 
 function makeLayers() {
   // Paths are above the links, which may cover all of a short one.
-  for (const name of ["bodies", "traces", "points", "marks"]) {
+  for (const name of ["wheels", "bodies", "traces", "points", "signs", "marks"]) {
     drawing.layers[name] = shape("g", { class: name });
     byId("drawing").append(drawing.layers[name]);
   }
@@ -50,6 +52,8 @@ function makeParts() {
     drawing.points.set(index, part.node);
   });
   drawing.layers.bodies.append(...drawing.bodies.map((part) => part.node));
+  drawing.signs = signParts();
+  for (const sign of drawing.signs) drawing.layers[sign.behind ? "wheels" : "signs"].append(sign.node);
   drawing.layers.points.append(...drawing.points.values());
 }
 
@@ -78,11 +82,12 @@ function redraw() {
 function placeParts(row) {
   const seen = drawing.bodies.filter((part) => placePart(part, row));
   const tops = drawing.tops.filter((part) => placePart(part, row));
+  const signs = drawing.signs.filter((part) => placePart(part, row));
   if (isSpatial()) {
     seen.sort((a, b) => a.nearness - b.nearness);
     drawing.layers.bodies.append(...seen.map((part) => part.node));
   }
-  placeNames(tops, [...[...seen, ...tops].flatMap((part) => part.covers), ...[...traces.covers.values()].flat(), ...drawing.tools, ...drawing.marks]);
+  placeNames(tops, [...[...seen, ...tops, ...signs].flatMap((part) => part.covers), ...[...traces.covers.values()].flat(), ...drawing.tools, ...drawing.marks]);
   const whole = seen.length === drawing.bodies.length && tops.length === drawing.tops.length;
   byId("impossible").hidden = whole;
   byId("impossible").textContent = whole ? "" : `Cannot be assembled at ${inputShort(input.values[row])}`;

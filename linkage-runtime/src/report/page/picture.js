@@ -76,6 +76,16 @@ function extent() {
       });
     });
   }
+  for (const { centres, radii } of picture.gears) {
+    centres.forEach((centre, wheel) => eachRow((row) => {
+      const place = pointAt(centre, row);
+      if (place === null) return;
+      place.forEach((component, i) => {
+        low[i] = Math.min(low[i], component - radii[wheel]);
+        high[i] = Math.max(high[i], component + radii[wheel]);
+      });
+    }));
+  }
   const known = low.every(Number.isFinite);
   const middle = low.map((component, i) => (known ? (component + high[i]) / 2 : 0));
   const half = low.map((component, i) => (known ? (high[i] - component) / 2 : 1));

@@ -1,14 +1,16 @@
 // Points of the drawing: to look at, to name, to trace.
 
-const RADII = { ground: JOINT, joint: JOINT, tip: 3.5, loose: 5 };
+const RADII = { ground: JOINT, joint: JOINT, tip: 3.5, loose: 5, dot: 2.6 };
 
 function pointPart(point, index) {
-  const mark = shape("circle", { class: "mark", r: RADII[point.kind] });
+  const radius = point.kind === "joint" && onlySlides(index) ? RADII.dot : RADII[point.kind];
+  const mark = shape("circle", { class: "mark", r: radius });
+  const signs = jointSigns(index);
   // Larger than what is seen: fingers are wide.
   const target = shape("circle", { class: "target", r: 15 });
   const name = nameParts(point);
   const node = shape("g", {
-    class: `point ${point.kind}`,
+    class: `point ${point.kind}${radius === RADII.dot ? " dot" : ""}${isBall(index) ? " filled" : ""}`,
     "data-point": point.name,
     tabindex: 0,
     role: "button",
@@ -17,14 +19,14 @@ function pointPart(point, index) {
   });
   const ground = point.kind === "ground" ? groundSign() : null;
   if (ground) node.append(ground);
-  node.append(target, mark, name.leader, name.label);
+  node.append(...signs.map((sign) => sign.node), target, mark, name.leader, name.label);
   listenToPoint(node, index);
   node.classList.toggle("moving", isMoving(index));
-  const part = { node, name, index, update: (row) => movePoint(part, { mark, target, ground }, row) };
+  const part = { node, name, index, update: (row) => movePoint(part, { mark, target, ground, signs, radius }, row) };
   return part;
 }
 
-function movePoint(part, { mark, target, ground }, row) {
+function movePoint(part, { mark, target, ground, signs, radius }, row) {
   const { node, index } = part;
   const place = pointAt(index, row);
   // In the mechanism's unit and with all digits: what is seen is rounded to pixels.
@@ -33,8 +35,9 @@ function movePoint(part, { mark, target, ground }, row) {
   const [cx, cy, nearness] = project(place);
   for (const circle of [mark, target]) set(circle, { cx: pixel(cx), cy: pixel(cy) });
   // With half of its stroke.
-  part.joint = taken([[cx, cy]], RADII[picture.points[index].kind] + 1);
-  part.covers = ground ? [part.joint, taken(groundCorners([cx, cy]), 0)] : [part.joint];
+  part.joint = taken([[cx, cy]], radius + 1);
+  part.covers = [part.joint, ...signs.flatMap((sign) => sign.update([cx, cy], row))];
+  if (ground) part.covers.push(taken(groundCorners([cx, cy]), 0));
   if (ground) set(ground, { transform: `translate(${pixel(cx)} ${pixel(cy)})` });
   return nearness + 2e-3 * camera.box.radius;
 }

@@ -2,8 +2,8 @@
 
 use linkage_runtime::report::Report;
 use linkage_runtime::{
-    Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns, PictureLink,
-    PicturePoint, PointKind,
+    Drive, DriveOn, Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns,
+    PictureLink, PicturePoint, PointKind,
 };
 
 use super::sheet::{Sheet, column, shown};
@@ -74,7 +74,16 @@ static PICTURE: Picture = Picture {
     axes: &[],
     joints: &[],
     gears: &[],
-    drives: &[],
+    drives: &[
+        Drive {
+            input: 0,
+            on: DriveOn::Turn([0, 1]),
+        },
+        Drive {
+            input: 0,
+            on: DriveOn::Slide(0),
+        },
+    ],
 };
 
 static VIEW: Heading = Heading {

@@ -2,7 +2,8 @@
 
 use linkage_runtime::report::Report;
 use linkage_runtime::{
-    Axis, Heading, Input, Meaning, Picture, PictureColumns, PictureLink, PicturePoint, PointKind,
+    Axis, Drive, DriveOn, Heading, Input, JointShape, Meaning, Picture, PictureColumns,
+    PictureJoint, PictureLink, PicturePoint, PointKind,
 };
 
 use super::sheet::{Sheet, column, shown};
@@ -16,6 +17,10 @@ const INPUT: Input = Input {
 
 const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
     PicturePoint { name, kind }
+}
+
+const fn joint(point: usize, shape: JointShape) -> PictureJoint {
+    PictureJoint { point, shape }
 }
 
 static PICTURE: Picture = Picture {
@@ -43,9 +48,17 @@ static PICTURE: Picture = Picture {
         },
     ],
     guides: &[],
-    joints: &[],
+    joints: &[
+        joint(0, JointShape::Pin),
+        joint(1, JointShape::Pin),
+        joint(2, JointShape::Ball),
+        joint(3, JointShape::Universal),
+    ],
     gears: &[],
-    drives: &[],
+    drives: &[Drive {
+        input: 0,
+        on: DriveOn::Turn([0, 2]),
+    }],
     axes: &[
         Axis {
             point: 0,
@@ -53,6 +66,15 @@ static PICTURE: Picture = Picture {
         },
         Axis {
             point: 1,
+            direction: 1,
+        },
+        // Those of the joint at q, as if they did not move.
+        Axis {
+            point: 3,
+            direction: 0,
+        },
+        Axis {
+            point: 3,
             direction: 1,
         },
     ],

@@ -15,6 +15,7 @@ mod phone;
 mod playing;
 mod plots;
 mod print;
+mod signs;
 mod space;
 mod tables;
 mod thinned;

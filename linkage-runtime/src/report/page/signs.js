@@ -1,0 +1,175 @@
+// Signs beside links and points, as drawings on paper have them: gears, arrows at what inputs move, joints in space.
+
+// Radius of the arrow about a driven pivot; where on its circle it begins and ends, seen from the link; its pieces.
+const DRIVE = { radius: 25, from: 0.35, to: 1.75, pieces: 12, push: 19, beside: 17 };
+const HEAD = { length: 9, half: 3.6 };
+// Half the length and half the height of sleeves; the radius of a socket; half the arms of a cross.
+const SLEEVE = { pin: [11, 5], cylindrical: [19, 5] };
+const SOCKET = 8.5;
+const CROSS = 15;
+// From where wheels touch to the middle of their ratio, which stands in the larger one, and half its width.
+const RATIO = { aside: 32, half: 24 };
+
+function signParts() {
+  return [...picture.gears.flatMap((gear) => [gearPart(gear), ratioPart(gear)]), ...picture.drives.map(drivePart)];
+}
+
+// Pitch circles, a belt where both turn the same way.
+function gearPart({ centres, radii, ratio }) {
+  const wheels = radii.map(() => shape("circle", { class: "wheel" }));
+  const belt = shape("path", { class: "belt" });
+  const node = shape("g", { class: "gear" }, shape("title", {}, `gears 1 : ${short(ratio)}`), ...wheels, belt);
+  return {
+    node,
+    behind: true,
+    update(row) {
+      const places = centres.map((centre) => pointAt(centre, row));
+      if (places.includes(null)) return null;
+      const [a, b] = places.map(project);
+      const sizes = radii.map((radius) => radius * cameraScale());
+      wheels.forEach((wheel, i) => set(wheel, { cx: pixel([a, b][i][0]), cy: pixel([a, b][i][1]), r: pixel(sizes[i]) }));
+      set(belt, { d: ratio > 0 ? beltOutline(a, b, sizes) : null });
+      // Names are legible on wheels.
+      this.covers = [];
+      return meanNearness([a, b]);
+    },
+  };
+}
+
+// By how much the second wheel turns when the first turns once.
+function ratioPart({ centres, radii, ratio }) {
+  const node = shape("text", { class: "ratio", "text-anchor": "middle" }, `1 : ${short(ratio)}`);
+  return {
+    node,
+    update(row) {
+      const places = centres.map((centre) => pointAt(centre, row));
+      if (places.includes(null)) return null;
+      const [a, b] = places.map(project);
+      const apart = distance(a, b) || 1;
+      const [first, second] = radii.map((radius) => radius * cameraScale());
+      // Between the wheels of a belt there is room.
+      const aside = ratio > 0 ? 0 : RATIO.aside * (second > first ? 1 : -1);
+      const at = first + 0.5 * (apart - first - second) + aside;
+      const [x, y] = [0, 1].map((i) => a[i] + (at * (b[i] - a[i])) / apart);
+      set(node, { x: pixel(x), y: pixel(y + 4) });
+      this.covers = [taken([[x - RATIO.half, y], [x + RATIO.half, y]], 8)];
+      return 0;
+    },
+  };
+}
+
+// Both outer tangents.
+function beltOutline(a, b, [first, second]) {
+  const apart = distance(a, b) || 1;
+  const way = [0, 1].map((i) => (b[i] - a[i]) / apart);
+  const lean = (first - second) / apart;
+  const across = Math.sqrt(Math.max(0, 1 - lean * lean));
+  const touch = (at, radius, side) => [
+    at[0] + radius * (lean * way[0] + side * across * way[1]),
+    at[1] + radius * (lean * way[1] - side * across * way[0]),
+  ];
+  return [1, -1].map((side) => lineThrough([touch(a, first, side), touch(b, second, side)])).join("");
+}
+
+// An arrow the way it goes when the input grows.
+function drivePart({ turn, slide }) {
+  const line = shape("path", { class: "line" });
+  const head = shape("path", { class: "head" });
+  const node = shape("g", { class: "drive" }, shape("title", {}, `moved by ${input.name}`), line, head);
+  return {
+    node,
+    update(row) {
+      const places = turn ? driveArc(turn, row) : driveLine(picture.guides[slide], row);
+      if (places === null) return null;
+      const [from, to] = places.slice(-2);
+      const length = distance(from, to) || 1;
+      const [u, v] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
+      const corner = (side) => [to[0] - HEAD.length * u - side * HEAD.half * v, to[1] - HEAD.length * v + side * HEAD.half * u];
+      set(line, { d: lineThrough(places) });
+      set(head, { d: `${lineThrough([to, corner(1), corner(-1)])}Z` });
+      this.covers = places.slice(1).map((place, i) => taken([places[i], place], HEAD.half));
+      return 0;
+    },
+  };
+}
+
+function driveArc([centre, end], row) {
+  const angle = (at) => {
+    const [from, to] = [pointAt(centre, at), pointAt(end, at)];
+    if (from === null || to === null) return null;
+    const [a, b] = [project(from), project(to)];
+    return Math.atan2(b[1] - a[1], b[0] - a[0]);
+  };
+  const start = angle(row);
+  if (start === null) return null;
+  const turned = growth(row, (at) => angle(at), (change) => change - 2 * Math.PI * Math.round(change / (2 * Math.PI)));
+  // Downwards is positive on the screen, so to the left is negative; to the left it goes unless rows say something else.
+  const sense = turned > 0 ? 1 : -1;
+  const [x, y] = project(pointAt(centre, row));
+  return Array.from({ length: DRIVE.pieces + 1 }, (_, n) => {
+    const at = start + sense * (DRIVE.from + (n / DRIVE.pieces) * (DRIVE.to - DRIVE.from));
+    return [x + DRIVE.radius * Math.cos(at), y + DRIVE.radius * Math.sin(at)];
+  });
+}
+
+function driveLine(guide, row) {
+  const [, direction, slider] = guidePlaces(guide, row);
+  if (direction === null || slider === null) return null;
+  const [u, v] = projectDirection(direction);
+  const length = Math.hypot(u, v);
+  // Seen from its end it goes nowhere.
+  if (!(length > 1e-6)) return null;
+  const [c, s] = [u / length, v / length];
+  const [x, y] = project(slider);
+  return [-1, 1].map((end) => [x + end * DRIVE.push * c + DRIVE.beside * s, y + end * DRIVE.push * s - DRIVE.beside * c]);
+}
+
+// By how much something changes to the next row, or from the one before; rows of a falling input tell the other way.
+function growth(row, value, wrapped) {
+  const [from, to] = row + 1 < rowCount ? [row, row + 1] : [Math.max(0, row - 1), row];
+  const [before, after] = [value(from), value(to)];
+  if (before === null || after === null) return 0;
+  return wrapped(after - before) * (span() < 0 ? -1 : 1);
+}
+
+// What is around the mark of a joint in space; nothing in the plane, where all joints are pins and blocks.
+function jointSigns(index) {
+  const joints = isSpatial() ? picture.joints.filter((joint) => joint.point === index) : [];
+  return joints.filter((joint) => joint.shape !== "slide").map((joint) => jointSign(joint));
+}
+
+function jointSign(joint) {
+  const sleeve = shape("path", { class: joint.shape === "universal" ? "cross" : "sleeve" });
+  const socket = shape("circle", { class: "socket", r: SOCKET });
+  const round = joint.shape === "ball" || joint.shape === "universal";
+  const node = shape("g", { class: joint.shape, "data-joint": joint.shape }, ...(round ? [socket] : []), ...(joint.shape === "ball" ? [] : [sleeve]));
+  const update = (at, row) => {
+    set(socket, { cx: pixel(at[0]), cy: pixel(at[1]) });
+    const ways = waysOf(joint, row).map(projectDirection);
+    const [half, thick] = SLEEVE[joint.shape] ?? [CROSS, 0];
+    const shapes = ways.map((way) => block(at, way, half, thick));
+    set(sleeve, { d: shapes.map((corners) => `${lineThrough(corners)}Z`).join("") });
+    const around = round ? [taken([at.slice(0, 2)], SOCKET + 1)] : [];
+    return [...around, ...shapes.map((corners) => taken(corners, 1))];
+  };
+  return { node, update };
+}
+
+// The axes that a sign shows: one of a pin, both of a universal joint, the line of what slides along it.
+function waysOf({ point, shape: kind }, row) {
+  if (kind === "ball") return [];
+  const axes = picture.axes.filter((axis) => axis.point === point).map((axis) => directionAt(axis.direction, row));
+  const lines = picture.guides.filter((guide) => guide.slider === point).map((guide) => directionAt(guide.direction, row));
+  const found = (kind === "cylindrical" ? [...lines, ...axes] : axes).filter((way) => way !== null);
+  return kind === "universal" ? found : found.slice(0, 1);
+}
+
+// Whether something slides in a point, and nothing turns.
+function onlySlides(index) {
+  const joints = picture.joints.filter((joint) => joint.point === index);
+  return joints.length > 0 && joints.every((joint) => joint.shape === "slide");
+}
+
+function isBall(index) {
+  return isSpatial() && picture.joints.some((joint) => joint.point === index && joint.shape === "ball");
+}
