@@ -129,6 +129,9 @@ mechanism! {
             slope: d(kinetic_energy() + potential_energy(), phi12),
         }
 
+        /// What a page draws, and computes with.
+        pub fn picture(phi12) -> Picture { shape: picture() }
+
         /// What the machine's bed feels, and what counterweights of 1 kg would add to it.
         pub fn shaking(phi12, omega) -> Shaking {
             force: shaking_force(), moment: shaking_moment(),

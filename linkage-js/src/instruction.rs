@@ -1,17 +1,15 @@
 //! Instructions as JavaScript. What they are is matched without a wildcard: a new one does not compile before JavaScript knows it.
 
-use std::fmt::Write;
-
 use linkage_symbolic::program::{
     Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
 };
 
 /// A program as a function of an assembly, inputs and states of groups without a closed form, which writes its results to `out`.
 pub(crate) fn function(program: &Program, inputs: usize) -> String {
-    let mut statements = String::new();
+    let mut values = Vec::new();
     let mut places: Vec<String> = Vec::with_capacity(program.instructions.len());
     let mut take = |index: usize, value: &str| {
-        let _ = write!(statements, "const v{index} = {value}; ");
+        values.push(format!("v{index} = {value}"));
         format!("v{index}")
     };
     for (index, instruction) in program.instructions.iter().enumerate() {
@@ -33,11 +31,16 @@ pub(crate) fn function(program: &Program, inputs: usize) -> String {
         };
         places.push(place);
     }
-    for (index, value) in program.outputs.iter().enumerate() {
-        let _ = write!(statements, "out[{index}] = {}; ", places[value.0]);
-    }
+    let constants = match values.is_empty() {
+        true => String::new(),
+        false => format!("const {};", values.join(", ")),
+    };
+    let outputs = program.outputs.iter().enumerate();
+    let results: String = outputs
+        .map(|(index, value)| format!(" out[{index}] = {};", places[value.0]))
+        .collect();
     format!(
-        "(own, x, states, out) => {{ const d = own.dimensions, p = own.prepared; {statements}}}"
+        "(own, x, states, out) => {{ const d = own.dimensions, p = own.prepared; {constants}{results} }}"
     )
 }
 

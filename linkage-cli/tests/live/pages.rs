@@ -72,7 +72,8 @@ impl Live {
     /// A table as the page saves it.
     pub(crate) fn csv(&mut self, function: &str) -> String {
         self.page.words(&format!(
-            "(() => {{ document.querySelector('button[data-file=\"{function}.csv\"]').click(); return window.saved.pop().text(); }})()"
+            "(async () => {{ document.querySelector('button[data-file=\"{function}.csv\"]').click(); while (window.saved.length === 0) await new Promise((done) => \
+             setTimeout(done, 5)); return window.saved.pop().text(); }})()"
         ))
     }
 }

@@ -153,3 +153,26 @@ pub(super) fn escaped(text: &str) -> String {
         .replace('>', "&gt;")
         .replace('"', "&quot;")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// They are joined: of two functions of one name the first would be gone in silence.
+    #[test]
+    fn scripts_share_no_names() {
+        let mut names = BTreeSet::new();
+        for line in SCRIPTS.iter().chain(&LIVE).flat_map(|own| own.lines()) {
+            let mut words = line.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+            if let Some("function" | "const" | "let") = words.next() {
+                let name = words.next().unwrap_or_default();
+                assert!(
+                    name.is_empty() || names.insert(name),
+                    "{name} has two meanings"
+                );
+            }
+        }
+        assert!(names.len() > 300, "{}", names.len());
+    }
+}

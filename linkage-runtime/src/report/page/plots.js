@@ -74,8 +74,30 @@ function legend(panel) {
   }
   panel.where = element("caption");
   const box = element("div", { class: "scroll" }, element("table", { class: "legend" }, panel.where, body));
-  if (panel.cut) box.append(element("p", { class: "cut" }, cutText(panel)));
+  sayCut(box, panel);
   return box;
+}
+
+function sayCut(box, panel) {
+  box.querySelector(".cut")?.remove();
+  if (panel.cut) box.append(element("p", { class: "cut" }, cutText(panel)));
+}
+
+// The same curves through other numbers: legends stay, which take longer to make than all the rest.
+function redrawPanels() {
+  const before = plots.panels;
+  plots.panels = chosenPanels(plots.apart);
+  measureLabels(plots.panels);
+  plots.panels.forEach((panel, k) => {
+    panel.where = before[k].where;
+    panel.curves.forEach((curve, n) => (curve.cell = before[k].curves[n].cell));
+    const figure = byId("panels").children[k];
+    const view = drawPanel(panel, plots.width);
+    listenToPanel(view, panel);
+    figure.firstChild.replaceWith(view);
+    sayCut(figure.lastChild, panel);
+  });
+  showCursors(position.row);
 }
 
 function legendTitle(column) {

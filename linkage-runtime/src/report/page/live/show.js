@@ -4,7 +4,7 @@ function showChange() {
   document.body.classList.toggle("changed", isChanged());
   sayGaps();
   if (picture) remakeDrawing();
-  makePanels();
+  redrawPanels();
   remakeAccuracy();
   remakeSummary();
   announcePosition();
