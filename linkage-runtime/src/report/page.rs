@@ -93,6 +93,7 @@ impl Report {
         // The data come last: they may contain anything, even the words that are replaced.
         Ok(FRAME
             .replace("<!-- title -->", &escaped(&self.title))
+            .replace("<!-- policy -->", &self.policy())
             .replace(
                 "<!-- style -->",
                 &enclosed("style", "", &(self.styles() + &page_rules())),
@@ -117,6 +118,17 @@ impl Report {
         let engine = ENGINE.join("\n");
         std::format!(
             "const engine = (() => {{\n{engine}\nreturn {{ assembled, evaluate, gapsAt, AssemblyError, programs: [{programs}] }};\n}})();\n"
+        )
+    }
+
+    /// Nothing comes from elsewhere, but for the version that an open page asks for.
+    fn policy(&self) -> String {
+        let follow = match self.version {
+            Some(_) => " 'self' file:",
+            None => "",
+        };
+        std::format!(
+            "default-src 'none'; script-src 'unsafe-inline'{follow}; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'"
         )
     }
 
