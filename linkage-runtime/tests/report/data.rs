@@ -6,7 +6,7 @@ use linkage_runtime::report::{Report, SummaryRow};
 use linkage_runtime::summary::Course;
 use linkage_runtime::{AssemblyMode, Group, Operations, Structure, Table};
 use serde_json::Value;
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 
 const STRUCTURE: Structure = Structure {
     mobility: 1,
@@ -110,7 +110,7 @@ fn numbers_stand_in_it_once() {
     let json = json(&four_bar(FourBar::GAPPED).speed(1.0, 0.0));
     let mut found = Vec::new();
     lists(&json, &mut found);
-    let different: HashSet<String> = found.iter().map(|list| list.to_string()).collect();
+    let different: BTreeSet<String> = found.iter().map(|list| list.to_string()).collect();
     assert_eq!(found.len(), different.len());
     // The picture's own table has them; at a speed of one, true velocities are the derivatives.
     let tables = serde_json::json!({ "table": 2, "column": 4 });

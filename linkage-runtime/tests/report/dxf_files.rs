@@ -6,7 +6,7 @@ use dxf::entities::EntityType;
 use dxf::{Drawing, Point};
 use linkage_runtime::Table;
 use linkage_runtime::report::Report;
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 fn read(text: &str) -> Drawing {
@@ -56,7 +56,7 @@ fn flat([x, y]: [f64; 2]) -> [f64; 3] {
 }
 
 /// Unordered, to the last bit.
-fn set(places: &[[f64; 3]]) -> HashSet<[u64; 3]> {
+fn set(places: &[[f64; 3]]) -> BTreeSet<[u64; 3]> {
     // A zero has no sign in places.
     let bits = |place: &[f64; 3]| place.map(|x| (x + 0.0).to_bits());
     places.iter().map(bits).collect()
@@ -117,7 +117,7 @@ fn there_is_a_layer_for_each_kind() {
     }
     let again = four_bar(FourBar::NOMINAL).drawing().unwrap().dxf().unwrap();
     assert_eq!(text, again, "the same report is the same file");
-    assert!(text.is_ascii() && text.lines().count() % 2 == 0);
+    assert!(text.is_ascii() && text.lines().count().is_multiple_of(2));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use core::hash::{Hash, Hasher};
 use serde_json::{Value, json};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::hash::DefaultHasher;
 use std::vec::Vec;
 
@@ -14,7 +14,7 @@ pub(super) struct Series<'a> {
     /// The rows that are there; `None` for all.
     rows: Option<&'a [usize]>,
     /// Tables and columns by a number that follows from theirs.
-    columns: HashMap<u64, Vec<[usize; 2]>>,
+    columns: BTreeMap<u64, Vec<[usize; 2]>>,
 }
 
 impl<'a> Series<'a> {
@@ -23,7 +23,7 @@ impl<'a> Series<'a> {
         let mut series = Self {
             report,
             rows,
-            columns: HashMap::new(),
+            columns: BTreeMap::new(),
         };
         for (table, saved) in report.tables.iter().enumerate() {
             for (column, values) in saved.values.iter().enumerate() {
