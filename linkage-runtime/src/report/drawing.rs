@@ -204,7 +204,7 @@ impl Drawing<'_> {
     /// The colour of what belongs to a point: that of its curves in plots.
     fn hue(&self, point: usize) -> usize {
         let name = self.shown.picture.points[point].name;
-        self.hues.point(name).unwrap_or(point)
+        self.hues.named(name).unwrap_or(point)
     }
 
     /// So many rows, at all ends of equal parts of the range; the last one repeats the first where the range closes.

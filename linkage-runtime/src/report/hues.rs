@@ -57,8 +57,8 @@ impl Hues {
         Some(Style { hue, dash })
     }
 
-    /// The colour of a point.
-    pub(super) fn point(&self, name: &str) -> Option<usize> {
+    /// The colour of a point or a quantity.
+    pub(super) fn named(&self, name: &str) -> Option<usize> {
         self.of.get(name).map(|given| given.hue)
     }
 }

@@ -159,7 +159,7 @@ impl Report {
                     PointKind::Construction => "construction",
                 },
                 "at": list(shown.point(index), |values| series.other(values)),
-                "colour": hues.point(point.name),
+                "colour": hues.named(point.name),
             })),
             "directions": list(directions, |(index, name)| json!({
                 "name": name,

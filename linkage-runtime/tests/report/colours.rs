@@ -77,6 +77,20 @@ fn a_quantity_has_its_colour_whatever_stands_beside_it() {
         .iter()
         .find(|point| point.attribute("data-point") == Some("tracer"));
     assert_eq!(tip.unwrap().attribute("fill"), Some(x.1.as_str()));
+    // So has the arrow of a vector.
+    let arrow = report
+        .drawing()
+        .unwrap()
+        .vector("tracer", "v", 0.5)
+        .svg()
+        .unwrap();
+    let arrow = Document::parse(&arrow).unwrap();
+    let arrow = classed(&arrow, "vector")[0];
+    let line = arrow.descendants().find(|node| node.has_tag_name("line"));
+    assert_eq!(
+        line.unwrap().attribute("stroke"),
+        Some(of("v.x").1.as_str())
+    );
     // Errors have the colours of what is in error.
     let errors = styles(&report.plot_errors().unwrap().unwrap());
     assert!(

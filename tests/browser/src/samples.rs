@@ -8,7 +8,7 @@ mod sliders;
 mod spatial;
 
 pub use four_bar::{FourBar, four_bar};
-pub use many::many;
+pub use many::{falling, many};
 pub use roundoff::roundoff;
 pub use sheet::Sheet;
 pub use sliders::sliders;

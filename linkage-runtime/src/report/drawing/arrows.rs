@@ -128,7 +128,8 @@ impl Drawing<'_> {
             if length < SHORT {
                 continue;
             }
-            let colour = Colour::Curve(self.traces.len() + order);
+            let hue = self.hues.named(&vector.name);
+            let colour = Colour::Curve(hue.unwrap_or(self.traces.len() + order));
             let group = Element::new("g")
                 .class("vector")
                 .set("data-name", &vector.name);

@@ -25,7 +25,18 @@ static CAM: Heading = Heading {
 /// Lift `8 sin phi` and force `5 cos phi` over a turn.
 #[must_use]
 pub fn many(count: usize) -> Report {
-    let positions = INPUT.positions(count);
+    cam(&INPUT.positions(count))
+}
+
+/// The same, from a whole turn down to zero.
+#[must_use]
+pub fn falling(count: usize) -> Report {
+    let mut positions = INPUT.positions(count);
+    positions.reverse();
+    cam(&positions)
+}
+
+fn cam(positions: &[f64]) -> Report {
     let row = |phi: f64| [8.0 * phi.sin(), 5.0 * phi.cos()];
-    Report::new("Cam", &INPUT, &positions).table(&Sheet::new(&CAM, &positions, row))
+    Report::new("Cam", &INPUT, positions).table(&Sheet::new(&CAM, positions, row))
 }

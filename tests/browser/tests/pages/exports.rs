@@ -80,6 +80,16 @@ fn the_mechanism_is_saved_as_it_is_seen() {
         |root: &str| format!("{root}.querySelector('[data-trace=tracer]').getAttribute('d')");
     let [seen, saved] = ["document", "window.saved"].map(|root| page.words(&path(root)));
     assert_eq!(seen, saved);
+    // Outlines are darker than bodies, by no filter.
+    let shares = page.value(
+        "[...window.saved.querySelectorAll('[data-link]')].map((link) => { \
+           const [a, b] = [...link.querySelectorAll('path')].map((path) => parseInt(path.getAttribute('stroke').slice(3, 5), 16)); \
+           return a / b; })",
+    );
+    for share in shares.as_array().expect("links") {
+        let share = share.as_f64().expect("a share");
+        assert!((share - 0.62).abs() < 0.01, "{share}");
+    }
     // Names that are not shown, and targets of fingers, are not there.
     assert!(page.holds(
         "![...window.saved.querySelectorAll('text')].some((t) => t.textContent === 'tracer')"

@@ -1,6 +1,6 @@
 //! Parts of plots, what they are against, and their extremes. The cam's lift is `8 sin phi`, its force `5 cos phi`.
 
-use linkage_browser::samples::{many, roundoff, written};
+use linkage_browser::samples::{falling, many, roundoff, written};
 use linkage_browser::{PHONE, Page};
 
 const LIFT: &str = ".panel[data-unit=mm] .plot";
@@ -206,4 +206,25 @@ fn extremes_are_marked() {
     page.assert_quiet();
     let mut constant = Page::open(&written(&roundoff(), "parts-constant")).expect("as before");
     assert_eq!(constant.words(marks), "", "roundoff has no extremes");
+}
+
+/// Positions that fall are on an axis that rises, as any other, and are played from the first to the last.
+#[test]
+fn positions_may_fall() {
+    let Some(mut page) = Page::open(&written(&falling(361), "parts-falling")) else {
+        return;
+    };
+    page.middle(LIFT);
+    near(ends(&mut page)[0], [0.0, 360.0], 0.5);
+    let (x, y) = (ticks(&mut page, "middle"), ticks(&mut page, "end"));
+    page.click_at((place_of(&x, 90.0), place_of(&y, 0.0)));
+    assert!(page.row().abs_diff(270) <= 1, "{}", page.row());
+    page.shift_drag(
+        (place_of(&x, 45.0), place_of(&y, -2.0)),
+        (place_of(&x, 135.0), place_of(&y, 8.5)),
+    );
+    near(ends(&mut page)[0], [45.0, 135.0], 1.0);
+    page.click("#play");
+    page.wait("Number(document.querySelector('#position').value) > 275");
+    page.assert_quiet();
 }
