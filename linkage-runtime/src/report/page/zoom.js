@@ -7,7 +7,7 @@ const zoom = { x: null, y: new Map() };
 const SMALLEST = 1e-3;
 const STEP = 1.5;
 // Pixels after which a drag is meant.
-const MOVED = 5;
+const DRAWN = 5;
 
 function showAll() {
   zoom.x = null;
@@ -91,7 +91,7 @@ function startRectangle(event, panel, view) {
   const end = (ended) => {
     view.removeEventListener("pointermove", move);
     mark.remove();
-    const meant = [0, 1].every((i) => Math.abs(to[i] - from[i]) > MOVED);
+    const meant = [0, 1].every((i) => Math.abs(to[i] - from[i]) > DRAWN);
     if (ended.type === "pointerup" && meant) showRectangle(panel, from, to);
   };
   view.addEventListener("pointermove", move);
