@@ -3,6 +3,7 @@
 mod axes;
 mod gaps;
 mod legend;
+mod mistakes;
 mod panel;
 mod ticks;
 
@@ -11,7 +12,6 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::hues::Style;
-use super::letters::control;
 use super::svg::{Element, Svg};
 use super::{BandKind, Mistake, ReportError};
 use crate::report::colour::Colour;
@@ -190,26 +190,7 @@ impl Plot {
     /// [`ReportError::Mistakes`] if there is no curve or no value, if a value of the abscissa is not finite, if a curve or band has not as
     /// many values as the abscissa, if a band's curve is not there, or if words have control characters.
     pub fn svg(&self) -> Result<String, ReportError> {
-        let mut mistakes = self.mistakes.clone();
-        if self.curves.is_empty() {
-            mistakes.push(Mistake::NoCurve);
-        }
-        let abscissa = &self.abscissa;
-        if abscissa.values.is_empty() {
-            let name = abscissa.name.clone();
-            mistakes.push(Mistake::NoAbscissa { name });
-        }
-        let mut values = abscissa.values.iter().enumerate();
-        if let Some((index, &value)) = values.find(|(_, x)| !x.is_finite()) {
-            let what = std::format!("value {index} of the abscissa `{}`", abscissa.name);
-            mistakes.push(Mistake::NotFinite { what, value });
-        }
-        mistakes.extend(control("the title", &self.title));
-        let quantities = self.curves.iter().map(|curve| &curve.quantity);
-        for quantity in [abscissa].into_iter().chain(quantities) {
-            mistakes.extend(control("the name of a quantity", &quantity.name));
-            mistakes.extend(control("a unit", &quantity.unit));
-        }
+        let mistakes = self.all_mistakes();
         match mistakes.is_empty() {
             true => Ok(self.drawn()),
             false => Err(ReportError::Mistakes(mistakes)),

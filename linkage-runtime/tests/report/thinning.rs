@@ -1,7 +1,8 @@
 //! Pages of very many positions.
 
-use crate::data::{json, numbers, series};
+use crate::data::{json, numbers};
 use crate::fixture::{PHI, Sweep, column, value};
+use crate::once::series;
 use linkage_runtime::report::Report;
 use linkage_runtime::{Heading, Meaning};
 use serde_json::Value;
