@@ -26,6 +26,8 @@ pub struct Picture {
     pub gears: &'static [Gear],
     /// What inputs move.
     pub drives: &'static [Drive],
+    /// Loops that are not drawn, by number from 1: it is not known where in space they lie.
+    pub undrawn: &'static [usize],
 }
 
 /// A point of the picture.

@@ -143,6 +143,7 @@ fn picture(own: &Picture) -> &'static linkage_runtime::Picture {
         joints: forever(joints.collect::<Vec<_>>()),
         gears: forever(own.gears.clone()),
         drives: forever(own.drives.clone()),
+        undrawn: forever(own.undrawn.clone()),
     })
 }
 

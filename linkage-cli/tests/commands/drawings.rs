@@ -86,6 +86,43 @@ fn what_nothing_carries_is_told() {
     assert_eq!(data["picture"]["points"][2]["kind"], "loose");
 }
 
+/// Two components of a vector of space are no place in it.
+#[test]
+fn loops_that_are_not_drawn_are_told() {
+    let text = "
+    struct Press {
+        unit mm;
+        param arm = 60mm;
+        param pivot = (100mm, 30mm, 80mm);
+        param push = 90mm;
+        input psi = 100deg in 80deg..120deg;
+        unknown y = 160mm;
+        unknown alpha = 120deg;
+        let ball = pivot + turn((0, arm, 0), (1, 0, 0), psi);
+        unknown z = 150mm;
+        loop distance(ball, (20mm, 30mm, z)) = push + 20mm;
+        loop (ball.y, ball.z) + polar(push, alpha) = (0, y) + (20mm, 0);
+    }
+    impl Press { fn look(psi) -> Look { shape: picture(LISTS) } }";
+    let folder = folder("undrawn");
+    let told = "Loop 2 is not drawn: it is not known where in space it lies.";
+    // Who lists the links tells what the loop does not.
+    for (lists, is_told) in [("", true), ("[pivot, ball]", false)] {
+        fs::write(folder.join("it.mech"), text.replace("LISTS", lists)).expect("it can be written");
+        let output = linkage(&folder, &["page", "it.mech", "-o", "it"]);
+        let said = String::from_utf8_lossy(&output.stderr);
+        let warning = "warning: loop 2 is not drawn: components of vectors do not tell where in space it lies";
+        assert!(output.status.success(), "{said}");
+        assert_eq!(said.contains(warning), is_told, "{said}");
+        let svg = fs::read_to_string(folder.join("it/drawing.svg")).expect("a drawing");
+        assert_eq!(svg.contains(told), is_told, "{svg}");
+        let data = fs::read_to_string(folder.join("it/data.json")).expect("data");
+        let data: serde_json::Value = serde_json::from_str(&data).expect("JSON");
+        let notes = data["notes"].as_array().expect("notes");
+        assert_eq!(notes.iter().any(|note| note == told), is_told, "{notes:?}");
+    }
+}
+
 #[test]
 fn what_an_input_pushes_is_a_cylinder() {
     let text = "

@@ -107,6 +107,7 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
         };
         quote!(#runtime::Drive { input: #input, on: #runtime::DriveOn::#on })
     });
+    let undrawn = picture.undrawn.iter().map(|&number| literal::index(number));
     quote! {
         #runtime::Picture {
             dimension: #dimension,
@@ -118,6 +119,7 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
             joints: &[#(#joints),*],
             gears: &[#(#gears),*],
             drives: &[#(#drives),*],
+            undrawn: &[#(#undrawn),*],
         }
     }
 }

@@ -31,6 +31,8 @@ pub(super) struct Sketch<'a, 'm> {
     pub(super) asked: Vec<Asked>,
     /// Added to the ranks of names: those in loops are better.
     pub(super) remoteness: u8,
+    /// Loops that are not drawn, by number from 1.
+    pub(super) undrawn: Vec<usize>,
     /// Derived names in which rods have been looked for.
     pub(super) searched: Set<usize>,
 }
@@ -127,6 +129,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
             axes: Vec::new(),
             turns: Vec::new(),
             joints: Vec::new(),
+            undrawn: Vec::new(),
             asked: Vec::new(),
             remoteness: 0,
             searched: Set::new(),

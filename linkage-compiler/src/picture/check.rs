@@ -24,6 +24,26 @@ pub(super) fn check_lists(sketch: &Sketch, seen: &Seen, reporter: &mut Reporter)
     }
 }
 
+/// Warns of loops of which the picture shows nothing.
+pub(super) fn warn_of_undrawn_loops(picture: &Picture, origin: OriginId, reporter: &mut Reporter) {
+    let numbers: Vec<String> = picture.undrawn.iter().map(usize::to_string).collect();
+    let (loops, lie) = match numbers.len() {
+        0 => return,
+        1 => ("loop", "it lies"),
+        _ => ("loops", "they lie"),
+    };
+    let fact = format!(
+        "{loops} {} not drawn: components of vectors do not tell where in space {lie}",
+        match &numbers[..] {
+            [one] => format!("{one} is"),
+            [first @ .., last] => format!("{} and {last} are", first.join(", ")),
+            [] => String::new(),
+        }
+    );
+    let help = "write the loop with whole vectors, or list the points of its links: `picture([a, b], ...)`";
+    reporter.warning_with_help(origin, fact, help);
+}
+
 /// Warns of points that move, but that no link of the picture carries.
 pub(super) fn warn_of_loose_points(picture: &Picture, origin: OriginId, reporter: &mut Reporter) {
     let loose = picture.points.iter();

@@ -15,8 +15,12 @@ impl<'m> Sketch<'_, 'm> {
     pub(super) fn collect(&mut self) {
         self.look_at_lets();
         self.look_at_unknowns();
-        for own in &self.algebra.mechanism.loops {
-            self.look_at_loop(own);
+        for (index, own) in self.algebra.mechanism.loops.iter().enumerate() {
+            if self.is_anywhere(own) {
+                self.undrawn.push(index + 1);
+            } else {
+                self.look_at_loop(own);
+            }
         }
         self.look_at_bodies();
     }
@@ -87,14 +91,6 @@ impl<'m> Sketch<'_, 'm> {
         match own.left.ty {
             Type::Vector(..) => {
                 let is_flat = self.is_flat(&own.left) && self.is_flat(&own.right);
-                if is_flat
-                    && [&own.left, &own.right]
-                        .iter()
-                        .any(|side| self.is_projection(side))
-                {
-                    // It is not known where in space it lies.
-                    return;
-                }
                 for side in self.sides(own) {
                     if let Some(end) = self.chain(side) {
                         self.points[end].wanted = true;
@@ -112,6 +108,15 @@ impl<'m> Sketch<'_, 'm> {
                 }
             }
         }
+    }
+
+    /// Whether a loop is one of the plane made of components of vectors of space: it is not known where in space it lies.
+    fn is_anywhere(&self, own: &Loop) -> bool {
+        let sides = [&own.left, &own.right];
+        let is_vector = matches!(own.left.ty, Type::Vector(..));
+        is_vector
+            && sides.iter().all(|side| self.is_flat(side))
+            && sides.iter().any(|side| self.is_projection(side))
     }
 
     /// Whether it lies in a plane of a mechanism of space.

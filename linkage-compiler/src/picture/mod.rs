@@ -107,7 +107,12 @@ pub(crate) fn find<'m>(
             "name the points that links join: `picture([a, b], [b, c, d])`",
         );
     }
-    let found = names::named(&sketch, &seen, &links, &guides);
+    let mut found = names::named(&sketch, &seen, &links, &guides);
+    // Who lists links tells of what loops do not.
+    if asked.links.is_empty() {
+        found.picture.undrawn = sketch.undrawn;
+    }
+    check::warn_of_undrawn_loops(&found.picture, asked.origin, reporter);
     check::warn_of_loose_points(&found.picture, asked.origin, reporter);
     found
 }

@@ -23,6 +23,8 @@ pub struct Picture {
     pub gears: Vec<Gear>,
     /// What inputs move.
     pub drives: Vec<Drive>,
+    /// Loops that are not drawn, by number from 1.
+    pub undrawn: Vec<usize>,
 }
 
 /// What meets in a point, and how it moves against each other.

@@ -1,7 +1,7 @@
 //! The picture of a report, with the places of its points.
 
 use std::format;
-use std::string::String;
+use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::Report;
@@ -102,10 +102,9 @@ impl Report {
 
     /// The notes, and what there is to say of the picture.
     pub(super) fn told(&self) -> Vec<String> {
-        let loose = self
-            .shown()
-            .and_then(|shown| told_of_loose_points(shown.picture));
-        self.notes.iter().cloned().chain(loose).collect()
+        let shown = self.shown();
+        let missing = shown.map_or_else(Vec::new, |shown| told_of_missing(shown.picture));
+        self.notes.iter().cloned().chain(missing).collect()
     }
 
     /// Whether there is a picture, and a position at which all of it can be drawn.
@@ -135,8 +134,30 @@ impl Report {
     }
 }
 
-/// What is said of points that no link carries; `None` if there are none.
-pub(super) fn told_of_loose_points(picture: &Picture) -> Option<String> {
+/// What is said of loops that are not drawn, and of points that no link carries.
+pub(super) fn told_of_missing(picture: &Picture) -> Vec<String> {
+    let undrawn = told_of_undrawn_loops(picture);
+    undrawn
+        .into_iter()
+        .chain(told_of_loose_points(picture))
+        .collect()
+}
+
+fn told_of_undrawn_loops(picture: &Picture) -> Option<String> {
+    let numbers: Vec<String> = picture.undrawn.iter().map(ToString::to_string).collect();
+    match &numbers[..] {
+        [] => None,
+        [one] => Some(format!(
+            "Loop {one} is not drawn: it is not known where in space it lies."
+        )),
+        [first @ .., last] => Some(format!(
+            "Loops {} and {last} are not drawn: it is not known where in space they lie.",
+            first.join(", ")
+        )),
+    }
+}
+
+fn told_of_loose_points(picture: &Picture) -> Option<String> {
     let loose = picture.points.iter();
     let loose = loose.filter(|point| point.kind == PointKind::Loose);
     let names: Vec<&str> = loose.map(|point| point.name).collect();

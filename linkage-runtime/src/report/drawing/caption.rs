@@ -8,7 +8,7 @@ use super::Drawing;
 use super::arrows::head;
 use super::sheet::Sheet;
 use crate::report::colour::Colour;
-use crate::report::shown::told_of_loose_points;
+use crate::report::shown::told_of_missing;
 use crate::report::svg::{Element, Svg};
 use crate::words::rounded;
 
@@ -41,8 +41,8 @@ impl Drawing<'_> {
                 self.report.positions.len()
             )
         });
-        let loose = told_of_loose_points(self.shown.picture);
-        missing.into_iter().chain(loose).collect()
+        let undrawn = told_of_missing(self.shown.picture);
+        missing.into_iter().chain(undrawn).collect()
     }
 
     pub(super) fn caption(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {

@@ -203,6 +203,7 @@ static PICTURE: Picture = Picture {
     joints: &[],
     gears: &[],
     drives: &[],
+    undrawn: &[],
 };
 
 static VIEW: Heading = Heading {

@@ -84,6 +84,7 @@ static PICTURE: Picture = Picture {
             on: DriveOn::Slide(0),
         },
     ],
+    undrawn: &[],
 };
 
 static VIEW: Heading = Heading {

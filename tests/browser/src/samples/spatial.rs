@@ -59,6 +59,7 @@ static PICTURE: Picture = Picture {
         input: 0,
         on: DriveOn::Turn([0, 2]),
     }],
+    undrawn: &[],
     axes: &[
         Axis {
             point: 0,
