@@ -34,12 +34,6 @@ impl FourBar {
         arm: 70.0,
     };
 
-    /// Its tracer is a hair's breadth from the end of the crank.
-    pub const FOLDED: Self = Self {
-        arm: 0.5,
-        ..Self::TURNING
-    };
-
     /// It comes apart over a part of the turn.
     pub const SWINGING: Self = Self {
         crank: 110.0,
