@@ -8,7 +8,14 @@ use linkage_c::{Real, sources};
 use proc_macro2::{TokenStream, TokenTree};
 
 fn main() {
-    for file in ["kernels.c", "space.c", "sine.h", "sweeps.c"] {
+    for file in [
+        "folded.c",
+        "kernels.c",
+        "own_sine.h",
+        "sine.h",
+        "space.c",
+        "sweeps.c",
+    ] {
         println!("cargo:rerun-if-changed={file}");
     }
     println!("cargo:rustc-check-cfg=cfg(vector_sweeps)");
@@ -18,6 +25,17 @@ fn main() {
     let mut build = single(fused);
     build.file("kernels.c").file("space.c");
     build.compile("linkage_peers_kernels");
+    for own_sine in [false, true] {
+        let mut build = optimised();
+        build.file("folded.c");
+        // Whatever this machine has.
+        build.flag_if_supported("-march=native");
+        build.flag_if_supported("-ffp-contract=fast");
+        if own_sine {
+            build.define("OWN_SINE", None);
+        }
+        build.compile(&format!("linkage_peers_folded_{own_sine}"));
+    }
     let mut build = single(fused);
     // As the page on C says of GCC and x86-64.
     for flag in [

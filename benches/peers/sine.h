@@ -1,7 +1,11 @@
 /* The sine and cosine of the C library, for single calls. */
+#ifndef _GNU_SOURCE
 #define _GNU_SOURCE
+#endif
 #include <math.h>
+#ifndef KERNEL
 #define KERNEL
+#endif
 
 static inline void sine_cosine(double x, double *s, double *c)
 {

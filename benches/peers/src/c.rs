@@ -15,6 +15,7 @@ macro_rules! kernel {
     };
 }
 
+pub mod folded;
 pub mod space;
 pub mod sweep;
 
