@@ -7,6 +7,14 @@ use std::process::Command;
 use linkage_browser::Page;
 use linkage_cli::{Assembly, Mechanism, Source};
 
+/// Files that the page saves are kept in the page instead.
+pub(crate) const CATCH: &str = "window.saved = []; URL.createObjectURL = (blob) => { window.saved.push(blob); return 'data:,'; }; 0";
+
+/// Saves the table of a function, and gives its text.
+pub(crate) const SAVED: &str = "document.querySelector('button[data-file=\"NAME.csv\"]').click(); \
+     while (window.saved.length === 0) await new Promise((done) => setTimeout(done, 5)); \
+     return window.saved.pop().text();";
+
 /// The page of a mechanism.
 pub(crate) struct Live {
     pub(crate) page: Page,
@@ -48,7 +56,7 @@ impl Live {
         let mechanism = Mechanism::new(&checked).expect("a mechanism without a mistake");
         let mechanism = Box::leak(Box::new(mechanism));
         let mut page = Page::open(&folder.join("index.html"))?;
-        page.value("window.saved = []; URL.createObjectURL = (blob) => { window.saved.push(blob); return 'data:,'; }; 0");
+        page.value(CATCH);
         Some(Self { page, mechanism })
     }
 
@@ -71,16 +79,14 @@ impl Live {
 
     /// A table as the page saves it.
     pub(crate) fn csv(&mut self, function: &str) -> String {
-        self.page.words(&format!(
-            "(async () => {{ document.querySelector('button[data-file=\"{function}.csv\"]').click(); while (window.saved.length === 0) await new Promise((done) => \
-             setTimeout(done, 5)); return window.saved.pop().text(); }})()"
-        ))
+        let saved = SAVED.replace("NAME", function);
+        self.page.words(&format!("(async () => {{ {saved} }})()"))
     }
 }
 
 fn written(file: &Path) -> PathBuf {
     let name = file.file_stem().expect("a name").to_string_lossy();
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("live_{name}"));
+    let folder = folder(&name);
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
     let output = command
         .arg("page")
@@ -100,8 +106,11 @@ fn written(file: &Path) -> PathBuf {
 /// Roundoffs of what is computed, as in `js.rs`.
 const ROUNDOFFS: f64 = 200.0;
 
-/// Compares all tables; how many positions have no values.
-pub(crate) fn compare(live: &mut Live, assembly: &Assembly) -> usize {
+/// Of so many rows one is compared: the command's interpreter takes its time.
+const EVERY: usize = 9;
+
+/// Compares all tables, where arguments beside the input are as they were or, by name, others; how many positions have no values.
+pub(crate) fn compare(live: &mut Live, assembly: &Assembly, given: &[(&str, f64)]) -> usize {
     let functions = live.page.words("Array.from(document.querySelectorAll('button[data-file$=\".csv\"]'), (own) => own.dataset.file.slice(0, -4)).join()");
     let mut gaps = 0;
     for name in functions.split(',') {
@@ -112,16 +121,18 @@ pub(crate) fn compare(live: &mut Live, assembly: &Assembly) -> usize {
             .position(|own| own.name == name)
             .expect("it is one of them");
         let places = unit.functions[function].arguments.clone();
-        let references: Vec<f64> = places
-            .iter()
-            .map(|&place| unit.inputs[place].reference)
-            .collect();
+        let value = |place: usize| {
+            let input = &unit.inputs[place];
+            let other = given.iter().find(|(name, _)| *name == input.name);
+            other.map_or(input.reference, |(_, x)| *x)
+        };
+        let references: Vec<f64> = places.iter().map(|&place| value(place)).collect();
         let text = live.csv(name);
         let rows = text
             .lines()
             .skip(1)
             .map(|line| line.split(',').map(|word| word.parse::<f64>().ok()));
-        let rows: Vec<Vec<Option<f64>>> = rows.map(Iterator::collect).collect();
+        let rows: Vec<Vec<Option<f64>>> = rows.step_by(EVERY).map(Iterator::collect).collect();
         let at = |x: f64| {
             let pairs = places.iter().zip(&references);
             let arguments: Vec<f64> = pairs
@@ -170,4 +181,20 @@ pub(crate) fn compare(live: &mut Live, assembly: &Assembly) -> usize {
         }
     }
     gaps
+}
+
+/// The page of a mechanism as a text.
+pub(crate) fn html(name: &str) -> String {
+    fs::read_to_string(folder(name).join("index.html")).expect("it was written")
+}
+
+/// Another file beside a page.
+pub(crate) fn beside(name: &str, file: &str, text: &str) -> PathBuf {
+    let path = folder(name).join(file);
+    fs::write(&path, text).expect("a file");
+    path
+}
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("live_{name}"))
 }

@@ -128,7 +128,7 @@ impl Report {
             None => "",
         };
         std::format!(
-            "default-src 'none'; script-src 'unsafe-inline'{follow}; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'"
+            "default-src 'none'; script-src 'unsafe-inline'{follow}; style-src 'unsafe-inline'; img-src data: blob:; connect-src blob:; base-uri 'none'; form-action 'none'"
         )
     }
 

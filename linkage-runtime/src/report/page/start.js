@@ -6,6 +6,8 @@ const GAPS_TOLD = 4;
 function sayGaps() {
   const gaps = report.gaps ?? [];
   byId("gaps").hidden = gaps.length === 0;
+  byId("gaps").textContent = "";
+  if (gaps.length === 0) return;
   const ranges = gaps.slice(0, GAPS_TOLD)
     .map(({ from, to }) => (from === to ? inputShort(from) : `${inputShort(from)} to ${inputShort(to)}`));
   if (gaps.length > GAPS_TOLD) ranges.push(`and ${gaps.length - GAPS_TOLD} more`);

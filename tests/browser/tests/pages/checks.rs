@@ -220,8 +220,9 @@ fn fits(page: &mut Page, name: &str) {
         let wide = page.number("document.documentElement.scrollWidth");
         assert!(
             wide <= f64::from(screen.width),
-            "{name} is {wide} pixels wide on a {}",
-            screen.name
+            "{name} is {wide} pixels wide on a {}: {}",
+            screen.name,
+            beyond(page)
         );
         assert_eq!(
             covered(page),
@@ -246,10 +247,18 @@ fn fits(page: &mut Page, name: &str) {
     page.screen(DESKTOP);
 }
 
+/// What reaches beyond the window.
+fn beyond(page: &mut Page) -> String {
+    page.words(
+        "[...document.querySelectorAll('body *')].filter((item) => item.getBoundingClientRect().right > innerWidth) \
+         .map((item) => `${item.tagName}#${item.id}.${item.getAttribute('class')} ${item.textContent.slice(0, 20)}`).slice(0, 8).join('; ')",
+    )
+}
+
 /// Buttons above the plots that cannot be hit in their middle.
 fn covered(page: &mut Page) -> String {
     page.words(
-        "[...document.querySelectorAll('header button, #stage button, #stage select')].filter((button) => { \
+        "[...document.querySelectorAll('header button, #figure button, #controls button, #controls select')].filter((button) => { \
            const box = button.getBoundingClientRect(); \
            return box.width > 0 && !button.contains(document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2)) \
          }).map((button) => button.id || button.textContent).join(' ')",

@@ -50,7 +50,7 @@ function makeControls() {
     element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), copy("copy-link", "link", () => location.href)));
   const says = element("p", { id: "says", role: "status" });
   // On a phone the plots come first.
-  const box = fold("Change dimensions", matchMedia("(min-width: 900px)").matches, buttons, says, element("div", { class: "dimensions" }, ...rows));
+  const box = fold("Change dimensions", matchMedia("(min-width: 861px)").matches, buttons, says, element("div", { class: "dimensions" }, ...rows));
   box.id = "live";
   byId("stage").append(box);
 }
