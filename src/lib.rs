@@ -59,6 +59,11 @@ macro_rules! mechanism {
     };
 }
 
+/// Fifteen tasks with a short program for each, from inverse motion to a counterweight.
+pub mod cookbook {
+    #![doc = include_str!("../docs/cookbook.md")]
+}
+
 /// The language of [`mechanism!`], and what it generates: the complete reference.
 pub mod language {
     #![doc = include_str!("../docs/language.md")]

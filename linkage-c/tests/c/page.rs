@@ -1,4 +1,4 @@
-//! The programs of the page on C: compiled and run.
+//! The programs of the page on C, and of the cookbook's recipe: compiled and run.
 
 use std::fs;
 use std::process::Command;
@@ -9,6 +9,7 @@ use crate::machine::{self, Compiler, WARNINGS};
 use linkage_corpus::given::Given;
 
 const PAGE: &str = include_str!("../../../docs/c.md");
+const COOKBOOK: &str = include_str!("../../../docs/cookbook.md");
 
 /// What calls the block of a PLC.
 const CYCLES: &str = r#"
@@ -30,23 +31,22 @@ int main(void)
 }
 "#;
 
-/// The blocks of the page in a language, in order.
-fn blocks(language: &str) -> Vec<&'static str> {
+/// The blocks of a page in a language, in order.
+fn blocks(page: &'static str, language: &str) -> Vec<&'static str> {
     let fence = format!("```{language}\n");
-    let parts = PAGE.split(&fence).skip(1);
+    let parts = page.split(&fence).skip(1);
     let blocks = parts.map(|own| own.split("```").next().expect("a part before the end"));
     blocks.collect()
 }
 
 /// The mechanism of the page.
 pub(crate) fn press() -> Given {
-    Given::text(blocks("text")[0])
+    Given::text(blocks(PAGE, "text")[0])
 }
 
-/// What a program prints that calls the mechanism of the page.
-fn printed(name: &str, program: &str, real: Real) -> Option<String> {
+/// What a program prints that calls a mechanism called `Press`.
+fn printed(name: &str, own: &Given, program: &str, real: Real) -> Option<String> {
     let compiler = Compiler::find()?;
-    let own = press();
     let folder = machine::folder(name);
     machine::write(
         &folder,
@@ -83,10 +83,10 @@ fn ram(rod: f64, phi: f64) -> [f64; 3] {
 
 #[test]
 fn the_control_loop_prints_what_the_page_says() {
-    let Some(printed) = printed("page_loop", blocks("c")[0], Real::Single) else {
+    let Some(printed) = printed("page_loop", &press(), blocks(PAGE, "c")[0], Real::Single) else {
         return;
     };
-    assert_eq!(printed, blocks("text")[1]);
+    assert_eq!(printed, blocks(PAGE, "text")[1]);
     for (tick, line) in printed.lines().enumerate() {
         let time = 1e-3 * tick as f64;
         let [_, v, a] = ram(150.02, 0.5 + 200.0 * time * time);
@@ -99,8 +99,8 @@ fn the_control_loop_prints_what_the_page_says() {
 
 #[test]
 fn the_block_of_a_plc_follows_its_variables() {
-    let program = blocks("c")[1].to_owned() + CYCLES;
-    let Some(printed) = printed("page_block", &program, Real::Double) else {
+    let program = blocks(PAGE, "c")[1].to_owned() + CYCLES;
+    let Some(printed) = printed("page_block", &press(), &program, Real::Double) else {
         return;
     };
     let lines: Vec<Vec<f64>> = printed
@@ -133,5 +133,31 @@ fn the_block_of_a_plc_follows_its_variables() {
                 "{own}, by hand {by_hand}"
             );
         }
+    }
+}
+
+#[test]
+fn the_recipe_of_the_cookbook_prints_a_table() {
+    let [declared] = blocks(COOKBOOK, "text")[..] else {
+        panic!("the cookbook has one mechanism for C");
+    };
+    let program = blocks(COOKBOOK, "c")[0];
+    let own = Given::text(declared);
+    let Some(printed) = printed("cookbook", &own, program, Real::Double) else {
+        return;
+    };
+    // In line, square, folded: 120 + 40, the root of 120^2 - 40^2, 120 - 40; square, the slide is as fast as the crank's pin.
+    let expected = [
+        [0.0, 160.0, 0.0],
+        [90.0, 113.137, -40.0],
+        [180.0, 80.0, 0.0],
+    ];
+    let lines: Vec<&str> = printed.lines().collect();
+    assert_eq!(lines.len(), expected.len());
+    for (line, expected) in lines.into_iter().zip(expected) {
+        let cells = line
+            .split(' ')
+            .map(|cell| cell.parse::<f64>().expect("a number"));
+        assert_eq!(cells.collect::<Vec<_>>(), expected);
     }
 }
