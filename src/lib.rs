@@ -59,6 +59,13 @@ macro_rules! mechanism {
     };
 }
 
+/// From a sketch to loops: a tutorial that ends with the take-up lever of a sewing machine.
+///
+/// Its pictures are seen where the repository's `docs/tutorial.md` is read.
+pub mod tutorial {
+    #![doc = include_str!("../docs/tutorial.md")]
+}
+
 /// Fifteen tasks with a short program for each, from inverse motion to a counterweight.
 pub mod cookbook {
     #![doc = include_str!("../docs/cookbook.md")]
