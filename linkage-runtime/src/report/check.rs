@@ -21,6 +21,7 @@ impl Report {
         self.check_picture(&mut mistakes);
         self.check_parameters(&mut mistakes);
         self.check_speed(&mut mistakes);
+        self.check_given(&mut mistakes);
         if mistakes.is_empty() {
             Ok(())
         } else {
@@ -128,6 +129,33 @@ impl Report {
                     column: column.name.to_string(),
                     parameter,
                     dimensions,
+                });
+            }
+        }
+    }
+
+    fn check_given(&self, mistakes: &mut Vec<Mistake>) {
+        let arguments = self.tables.iter().flat_map(|table| table.heading.arguments);
+        let beside: Vec<&str> = arguments
+            .copied()
+            .filter(|name| *name != self.input.name)
+            .collect();
+        for (name, value) in &self.given {
+            if !beside.contains(&name.as_str()) {
+                let mut known: Vec<String> = beside.iter().map(ToString::to_string).collect();
+                known.sort();
+                known.dedup();
+                mistakes.push(Mistake::Unknown {
+                    kind: "argument",
+                    name: name.clone(),
+                    known,
+                });
+            }
+            if !value.is_finite() {
+                let what = std::format!("the argument `{name}`");
+                mistakes.push(Mistake::NotFinite {
+                    what,
+                    value: *value,
                 });
             }
         }

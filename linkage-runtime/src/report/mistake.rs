@@ -36,7 +36,7 @@ pub enum Mistake {
     },
     /// There is nothing of this name.
     Unknown {
-        /// What is missing: `column`, `table`, `point`, `curve`.
+        /// What is missing: `column`, `table`, `point`, `curve`, `argument`.
         kind: &'static str,
         /// The name.
         name: String,

@@ -186,6 +186,15 @@ fn pictures_have_known_endings() {
 }
 
 #[test]
+fn arguments_are_those_of_functions_and_numbers() {
+    let report = four_bar(FourBar::NOMINAL).at("omega", f64::NAN);
+    assert_eq!(
+        report.json().unwrap_err().to_string(),
+        "no argument `omega`; there is nothing\nthe argument `omega` is NaN; give a finite number"
+    );
+}
+
+#[test]
 fn positions_and_speeds_are_numbers_that_differ() {
     let still = Report::new("still", &PHI, &[1.0, 1.0, 1.0]);
     let told = "`phi` is 1 at all positions; give the input a range, or the report other positions";

@@ -8,7 +8,6 @@ const controls = { rows: new Map() };
 function startLive() {
   startModel();
   startGhost();
-  past.last = snapshot();
   makeControls();
   onChange(showChange);
   onChange(showControls);
@@ -20,21 +19,22 @@ function startLive() {
   document.addEventListener("keydown", onLiveKey);
   addEventListener("hashchange", () => {
     if (location.hash.slice(1) === fragment()) return;
-    change(live.declared);
     live.given = new Map(live.stands);
     live.modes = live.firstModes;
+    change(live.declared);
     say(readLink());
     keepStep();
   });
   startPulling();
+  if (picture) byId("hint").append(" Pull pivots and bars to change dimensions.");
 }
 
 function makeControls() {
   const rows = [];
-  for (const { name, unit, value } of report.dimensions) rows.push(controlRow(name, unit, value, dimensionRange(unit, value), (to) => change(new Map([[name, to]]))));
+  for (const { name, unit, value } of report.dimensions) rows.push(controlRow(name, unit, dimensionRange(unit, value), (to) => change(new Map([[name, to]]))));
   for (const [name, value] of live.given) {
     const own = argumentOf(name);
-    rows.push(controlRow(name, own.unit, value, own.range ?? dimensionRange(own.unit, value), (to) => give(name, to)));
+    rows.push(controlRow(name, own.unit, own.range ?? dimensionRange(own.unit, value), (to) => give(name, to)));
   }
   const button = (id, word, title, click) => {
     const own = element("button", { type: "button", id, title }, word);
@@ -73,7 +73,7 @@ function argumentOf(name) {
 }
 
 // Angles are shown in degrees.
-function controlRow(name, unit, value, [low, high], put) {
+function controlRow(name, unit, [low, high], put) {
   const shown = (number) => rounded(plotValue(number, unit), 12);
   const back = (number) => (unit === "rad" ? (number * Math.PI) / 180 : number);
   const slider = element("input", { type: "range", min: shown(low), max: shown(high), step: "any", "data-slides": name, "aria-label": name });
@@ -90,7 +90,7 @@ function controlRow(name, unit, value, [low, high], put) {
   };
   field.addEventListener("change", taken);
   field.addEventListener("keydown", (event) => event.key === "Enter" && taken());
-  controls.rows.set(name, { slider, field, shown, value });
+  controls.rows.set(name, { slider, field, shown });
   return element("label", { class: "dimension" }, element("span", { class: "name" }, name), slider, field, element("small", {}, plotUnit(unit)));
 }
 
