@@ -82,6 +82,7 @@ check!(favorit_forces_: favorit_forces::Favorit, favorit_forces::FavoritAssembly
     forces [forces_sweep forces_sweep_sets] (phi12, omega),
     accelerations [accelerations_sweep accelerations_sweep_sets] (phi12),
     energy [energy_sweep energy_sweep_sets] (phi12, omega),
+    picture [picture_sweep picture_sweep_sets] (phi12),
     shaking [shaking_sweep shaking_sweep_sets] (phi12, omega));
 check!(geared_five_bar_: geared_five_bar::GearedFiveBar, geared_five_bar::GearedFiveBarAssembly:
     points [points_sweep points_sweep_sets] (phi, phase),
