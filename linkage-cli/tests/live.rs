@@ -45,9 +45,11 @@ fn pages_show_what_the_command_computes() {
                     reached += 1;
                 }
                 Err(error) => {
+                    // What closes at the reference and ends within the range has rows up to there.
                     let said = live.says();
+                    let ends = live.page.holds("!document.getElementById('gaps').hidden");
                     assert!(
-                        said.starts_with("That far and no farther."),
+                        said.starts_with("That far and no farther.") || ends,
                         "{example}: {said}, {error}"
                     );
                 }
