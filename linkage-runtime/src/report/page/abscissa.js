@@ -40,8 +40,7 @@ function abscissaChoice() {
 // The row at a place of a panel: with the nearest input, or with the nearest place of a curve.
 function rowAtPlace({ scales, curves }, [x, y]) {
   if (isAgainstInput()) {
-    const value = scales.value(x);
-    return nearestRow(input.unit === "rad" ? (value * Math.PI) / 180 : value);
+    return nearestRow(fromPlot(scales.value(x), input.unit));
   }
   let nearest = { row: position.row, apart: Infinity };
   for (const { ys } of curves) {

@@ -38,6 +38,11 @@ function plotUnit(unit) {
   return unit === "rad" ? "deg" : unit;
 }
 
+// A number of a plot as it is.
+function fromPlot(value, unit) {
+  return unit === "rad" ? (value * Math.PI) / 180 : value;
+}
+
 function plotValue(value, unit) {
   return unit === "rad" ? toDegrees(value) : value;
 }

@@ -40,13 +40,13 @@ function assemblyChoice() {
     keepStep();
   });
   // Which ones there are is asked when somebody wants to choose.
-  for (const event of ["pointerdown", "focus"]) select.addEventListener(event, () => fillAssemblies(select));
-  fillAssemblies(select);
+  for (const event of ["pointerdown", "focus"]) select.addEventListener(event, () => fillAssemblies(select, assembliesNow()));
+  fillAssemblies(select, [live.modes]);
   return element("label", { class: "choices" }, "Assembly ", select);
 }
 
-function fillAssemblies(select) {
-  const options = assembliesNow().map((modes) => element("option", { value: modes.join() }, modesText(modes)));
+function fillAssemblies(select, all) {
+  const options = all.map((modes) => element("option", { value: modes.join() }, modesText(modes)));
   select.replaceChildren(...options);
   select.value = live.modes.join();
 }

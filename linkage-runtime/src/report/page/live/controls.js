@@ -11,17 +11,12 @@ function startLive() {
   makeControls();
   onChange(showChange);
   onChange(showControls);
-  const said = readLink();
+  if (location.hash === "") showControls();
+  else say(readLink());
   past.last = snapshot();
-  say(said);
-  showControls();
-  showHistory();
   document.addEventListener("keydown", onLiveKey);
   addEventListener("hashchange", () => {
     if (location.hash.slice(1) === fragment()) return;
-    live.given = new Map(live.stands);
-    live.modes = live.firstModes;
-    change(live.declared);
     say(readLink());
     keepStep();
   });
@@ -75,11 +70,10 @@ function argumentOf(name) {
 // Angles are shown in degrees.
 function controlRow(name, unit, [low, high], put) {
   const shown = (number) => rounded(plotValue(number, unit), 12);
-  const back = (number) => (unit === "rad" ? (number * Math.PI) / 180 : number);
   const slider = element("input", { type: "range", min: shown(low), max: shown(high), step: "any", "data-slides": name, "aria-label": name });
   const field = element("input", { type: "number", step: "any", "data-dimension": name, "aria-label": `${name}${unit ? ` in ${plotUnit(unit)}` : ""}` });
   const take = (text) => {
-    if (text !== "" && Number.isFinite(Number(text))) tell(put(back(Number(text))));
+    if (text !== "" && Number.isFinite(Number(text))) tell(put(fromPlot(Number(text), unit)));
   };
   slider.addEventListener("input", () => whenDrawn(() => take(slider.value)));
   slider.addEventListener("change", () => { drawNow(); keepStep(); });
@@ -113,15 +107,15 @@ function drawNow() {
 
 function showControls() {
   const assembly = byId("assembly");
-  if (assembly !== null && assembly.value !== live.modes.join()) fillAssemblies(assembly);
+  if (assembly !== null && assembly.value !== live.modes.join()) fillAssemblies(assembly, [live.modes]);
   for (const [name, { slider, field, shown }] of controls.rows) {
-    const value = shown(live.dimensions.get(name) ?? live.given.get(name));
+    const value = shown(valueNow(name));
+    // What is typed stays as it is written.
     if (document.activeElement !== field || Number(field.value) !== value) field.value = value;
     if (value < Number(slider.min)) slider.min = value;
     if (value > Number(slider.max)) slider.max = value;
     slider.value = value;
-    const stands = live.declared.get(name) ?? live.stands.get(name);
-    field.closest("label").classList.toggle("changed", (live.dimensions.get(name) ?? live.given.get(name)) !== stands);
+    field.closest("label").classList.toggle("changed", valueNow(name) !== valueInReport(name));
   }
   showHistory();
 }

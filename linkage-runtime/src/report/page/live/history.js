@@ -46,9 +46,8 @@ function redo() {
 
 // As the report has it.
 function resetAll() {
-  live.given = new Map(live.stands);
-  live.modes = live.firstModes;
-  tell(change(live.declared));
+  backToReport();
+  tell(change(new Map()));
   keepStep();
 }
 

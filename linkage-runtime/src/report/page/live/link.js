@@ -3,15 +3,8 @@
 // No dimension is called so: names have no spaces.
 const MODES = "assembly modes";
 
-// Names with values that are not those of the report.
-function changedOnes() {
-  const dimensions = [...live.dimensions].filter(([name, value]) => value !== live.declared.get(name));
-  const given = [...live.given].filter(([name, value]) => value !== live.stands.get(name));
-  return [...dimensions, ...given];
-}
-
 function fragment() {
-  const modes = live.modes.join() === live.firstModes.join() ? [] : [[MODES, live.modes.join()]];
+  const modes = areOtherModes() ? [[MODES, live.modes.join()]] : [];
   return [...changedOnes(), ...modes].map(([name, value]) => `${encodeURIComponent(name)}=${value}`).join("&");
 }
 
@@ -19,21 +12,21 @@ function writeLink() {
   history.replaceState(null, "", `#${fragment()}`);
 }
 
-// What the address says; names that there are not, and what is no number, are told.
+// The report with what the address says; names that there are not, and what is no number, are told.
 function readLink() {
   const parts = location.hash.slice(1).split("&").filter((part) => part !== "");
   const wrong = [];
   const changes = new Map();
+  backToReport();
   for (const part of parts) {
     const [name, text] = splitPart(part);
     const value = Number(text);
     if (name === MODES && areModes(text)) live.modes = text.split(",").map(Number);
     else if (text === "" || !Number.isFinite(value)) wrong.push(part);
-    else if (live.dimensions.has(name)) changes.set(name, value);
+    else if (live.declared.has(name)) changes.set(name, value);
     else if (live.given.has(name)) live.given.set(name, value);
     else wrong.push(part);
   }
-  if (changes.size === 0 && !isChanged()) return wrong.length === 0 ? null : notUnderstood(wrong);
   const error = change(changes);
   return wrong.length === 0 ? sayingOf(error) : notUnderstood(wrong);
 }

@@ -9,8 +9,9 @@ const live = {
   // Of the first programs: as they are now, and of the report.
   modes: report.live.modes,
   firstModes: report.live.modes,
-  // An assembly for each of the programs.
+  // An assembly for each of the programs: as they are now, and of the report.
   assemblies: [],
+  firstAssemblies: [],
   tables: [],
   // Figures, errors, gaps and numbers of the report.
   summary: report.summary,
@@ -29,10 +30,27 @@ function onChange(listener) {
   live.listeners.push(listener);
 }
 
+// Of a dimension or an argument: as it is now, and in the report.
+function valueNow(name) {
+  return live.dimensions.get(name) ?? live.given.get(name);
+}
+
+function valueInReport(name) {
+  return live.declared.get(name) ?? live.stands.get(name);
+}
+
+// Names with values that are not those of the report.
+function changedOnes() {
+  const all = [...live.dimensions, ...live.given];
+  return all.filter(([name, value]) => value !== valueInReport(name));
+}
+
+function areOtherModes() {
+  return live.modes.join() !== live.firstModes.join();
+}
+
 function isChanged() {
-  return [...live.dimensions].some(([name, value]) => value !== live.declared.get(name))
-    || [...live.given].some(([name, value]) => value !== live.stands.get(name))
-    || live.modes !== live.firstModes && live.modes.join() !== live.firstModes.join();
+  return changedOnes().length > 0 || areOtherModes();
 }
 
 // Numbers are changed where they stand: each column needs its own. What the picture shows are the columns of its table.
@@ -111,6 +129,13 @@ function take(dimensions, assemblies) {
   live.assemblies = assemblies;
 }
 
+// Where each design begins that an address says: it is the same whatever was shown before.
+function backToReport() {
+  live.given = new Map(live.stands);
+  live.modes = live.firstModes;
+  take(live.declared, live.firstAssemblies);
+}
+
 function goAsFarAsPossible(to) {
   let [low, high, best] = [0, 1, null];
   for (let k = 0; k < BISECTIONS; k += 1) {
@@ -164,6 +189,6 @@ function fillTable({ table, number, fn, names }) {
 function startModel() {
   if (live.modes.length !== engine.programs[0].modes.length) live.modes = live.firstModes = [...engine.programs[0].modes];
   live.stands = new Map(live.given);
-  live.assemblies = assembledWith(live.dimensions, []);
+  live.firstAssemblies = live.assemblies = assembledWith(live.dimensions, []);
   live.tables = report.tables.map(bind);
 }

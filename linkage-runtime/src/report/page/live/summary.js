@@ -1,6 +1,6 @@
 // Figures of the cycle with other dimensions, as far as a table has their quantities: extremes between rows are looked for with the programs.
 
-const ORDERS = { "": 0, velocity: 1, acceleration: 2 };
+const ORDERS = { velocity: 1, acceleration: 2 };
 // Steps of golden sections from two rows apart: the place is as good as roundoff lets a flat extreme be known.
 const SECTIONS = 48;
 const GOLDEN = (3 - Math.sqrt(5)) / 2;
@@ -43,6 +43,18 @@ function extremeOf(own, sign, fold) {
   return { at, value: sign * most };
 }
 
+// Extremes with the present dimensions: strokes and true velocities need those that other rows have, too.
+const extremesNow = new Map();
+
+function extreme(quantity, order, sign, fold = same) {
+  const key = [quantity, order, sign, fold.name].join("|");
+  if (!extremesNow.has(key)) {
+    const own = quantityNow(quantity, order);
+    extremesNow.set(key, own === null ? undefined : extremeOf(own, sign, fold));
+  }
+  return extremesNow.get(key);
+}
+
 // The acute angle between two lines.
 function acute(angle) {
   const turned = Math.abs(angle) % Math.PI;
@@ -59,34 +71,28 @@ function figureNow(row) {
 }
 
 function figureOf({ quantity, what }) {
-  const extreme = (order, sign, fold = same) => {
-    const own = quantityNow(quantity, order);
-    return own === null ? undefined : extremeOf(own, sign, fold);
-  };
-  if (what === "smallest transmission angle") return extreme(0, -1, acute);
-  if (what === "greatest transmission angle") return extreme(0, 1, acute);
-  if (what === "smallest") return extreme(0, -1);
-  if (what === "lowest") return extreme(0, -1);
-  if (what === "highest") return extreme(0, 1);
+  if (what === "smallest transmission angle") return extreme(quantity, 0, -1, acute);
+  if (what === "greatest transmission angle") return extreme(quantity, 0, 1, acute);
+  if (what === "smallest" || what === "lowest") return extreme(quantity, 0, -1);
+  if (what === "highest") return extreme(quantity, 0, 1);
   if (what === "stroke") return strokeOf(quantity);
   const [, real, end, word] = /^(true )?(least|greatest) (velocity|acceleration)$/.exec(what) ?? [];
   if (word === undefined) return undefined;
   const order = ORDERS[word];
   const factor = real ? report.speed.omega ** order : 1;
-  const found = extreme(order, (end === "greatest" ? 1 : -1) * Math.sign(factor));
+  const found = extreme(quantity, order, (end === "greatest" ? 1 : -1) * Math.sign(factor));
   return found ? { ...found, value: factor * found.value } : found;
 }
 
 function strokeOf(quantity) {
-  const own = quantityNow(quantity, 0);
-  if (own === null) return undefined;
-  const [low, high] = [-1, 1].map((sign) => extremeOf(own, sign, same));
-  return low === null ? null : { value: high.value - low.value };
+  const [low, high] = [-1, 1].map((sign) => extreme(quantity, 0, sign));
+  return low ? { value: high.value - low.value } : low;
 }
 
 function remakeSummary() {
   const sheet = byId("summary");
   if (sheet === null) return;
+  extremesNow.clear();
   const rows = isChanged() ? live.summary.map(figureNow) : live.summary;
   sheet.replaceChildren(sheet.firstChild, summaryTable(rows));
 }
