@@ -31,7 +31,6 @@ function assembled(unit, dimensions, modes, before) {
   if (unit.coupled.length > 0) solve(own, before ?? declared(unit));
   const lost = wind(own, unit.angles.length, unit.reference);
   if (lost !== null) noTurns(own);
-  else unit.prepare(own, own.prepared);
   close(own, unit.reference);
   if (lost !== null) {
     throw new AssemblyError("turns", `${unit.name}: the turns of ${lost} cannot be followed over the ranges of its inputs`);

@@ -151,7 +151,6 @@ function carriedOver(before, dimensions, numbersOf) {
     for (const [number, group] of unit.coupled.entries()) {
       own.statesAt = () => states;
       if (wind(own, group.turning, x) !== null) return null;
-      unit.prepare(own, own.prepared);
       const correct = (state, after) => group.correct(own, x, [...states, state], after);
       const solution = settled(group, correct, known[number]);
       if (solution === null) return null;

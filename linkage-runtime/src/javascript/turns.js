@@ -12,7 +12,7 @@ function noTurns(own) {
   own.unit.prepare(own, own.prepared);
 }
 
-// Finds the turns of the first `count` angles from the inputs `at`; the name of the one that cannot be followed, or null.
+// Finds the turns of the first `count` angles from the inputs `at`, and prepares what depends on them; the name of the one that cannot be followed, or null.
 function windFrom(own, count, at) {
   const { unit } = own;
   noTurns(own);
