@@ -4,7 +4,7 @@
 mod describe;
 
 use linkage_compiler::Checked;
-use linkage_compiler::unit::Unit;
+use linkage_compiler::unit::{Unit, plain};
 use linkage_runtime::generated::{Angle, CoupledGroup};
 use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
 
@@ -82,11 +82,6 @@ impl Mechanism {
             }
         }
     }
-}
-
-/// A name as it is read: `loop` for `r#loop`.
-pub(crate) fn plain(name: &str) -> &str {
-    name.strip_prefix("r#").unwrap_or(name)
 }
 
 /// Something that lives as long as the process.

@@ -1,9 +1,9 @@
 //! What the engine knows of a mechanism: its numbers and its programs, as an object of JavaScript.
 
-use linkage_compiler::unit::{Coupled, Function, Input, Shape, Start, Unit};
+use linkage_compiler::unit::{Coupled, Function, Input, Shape, Start, Unit, plain};
 use linkage_runtime::numeric::continuation::Axis;
 use linkage_runtime::numeric::roots::Variable;
-use linkage_symbolic::program::{Instruction, Program, Source};
+use linkage_symbolic::program::Program;
 
 use crate::instruction::{function, literal};
 use crate::object::{Object, list, numbers, text};
@@ -187,16 +187,11 @@ fn evaluator(own: &Function, inputs: usize) -> String {
             "arguments",
             list(own.arguments.iter().map(usize::to_string)),
         )
-        .with("coupled", loads_states(program).to_string())
+        .with("coupled", (!own.states.is_empty()).to_string())
         .with("columns", list(columns))
         .with("fields", list(fields))
         .with("run", function(program, inputs))
         .text()
-}
-
-fn loads_states(program: &Program) -> bool {
-    let state = |own: &Instruction| matches!(own, Instruction::Load(Source::State(..)));
-    program.instructions.iter().any(state)
 }
 
 /// `null` for a number, else how many of what.
@@ -209,9 +204,4 @@ fn shape(own: &Shape) -> String {
         Shape::Array(count, entry) => many(count, shape(entry)),
         Shape::Frame => many(&4, many(&3, number())),
     }
-}
-
-/// A name as it is read: `loop` for `r#loop`.
-pub(crate) fn plain(name: &str) -> &str {
-    name.strip_prefix("r#").unwrap_or(name)
 }

@@ -2,9 +2,7 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::unit::{Function, Shape, Unit};
-
-use crate::description::plain;
+use linkage_compiler::unit::{Function, Shape, Unit, plain};
 
 /// What is the same for all mechanisms.
 const COMMON: &str = include_str!("common.d.ts");

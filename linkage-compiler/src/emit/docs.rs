@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::syntax::Attribute;
-use crate::unit::{Role, Unit};
+use crate::unit::{Role, Unit, plain};
 
 /// `#[doc = " ..."]` for each line.
 pub(super) fn doc(text: &str) -> TokenStream {
@@ -71,10 +71,7 @@ pub(super) fn argument(name: &str, place: usize, unit: &Unit) -> String {
         return format!("`{name}`{}", in_unit(&unit.inputs[place].unit));
     };
     let own = &unit.arguments[argument];
-    let input = |input: usize| {
-        let name = &unit.inputs[input].name;
-        name.strip_prefix("r#").unwrap_or(name)
-    };
+    let input = |input: usize| plain(&unit.inputs[input].name);
     let role = match own.role {
         Role::Speed(of) => format!(", the speed of `{}`", input(of)),
         Role::Acceleration(of) => format!(", the acceleration of `{}`", input(of)),

@@ -215,8 +215,7 @@ impl Function<'_> {
 
 /// A name without the `r#` of a raw identifier.
 pub(super) fn plain(name: &Ident) -> String {
-    let text = name.to_string();
-    text.strip_prefix("r#").map(str::to_owned).unwrap_or(text)
+    unit::plain(&name.to_string()).to_owned()
 }
 
 pub(super) fn params(def: &MechanismDef) -> impl Iterator<Item = &ParamItem> {

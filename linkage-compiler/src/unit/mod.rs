@@ -76,6 +76,11 @@ pub struct Unit {
     pub picture: Option<Picture>,
 }
 
+/// A name as it is read: `loop` for `r#loop`.
+pub fn plain(name: &str) -> &str {
+    name.strip_prefix("r#").unwrap_or(name)
+}
+
 impl Unit {
     /// The scalars of all parameters, as programs count them.
     pub fn scalars(&self) -> impl Iterator<Item = &Scalar> {
