@@ -2,38 +2,14 @@
 
 use linkage_c::Real;
 use linkage_random::Random;
-use linkage_symbolic::program::{
-    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
-};
+use linkage_symbolic::program::{Instruction, Program, Source, Unary};
 
 use crate::batch::{Batch, Number, Request};
 use crate::machine::Compiler;
 use linkage_corpus::given::Given;
+use linkage_corpus::operations::{operations, program};
 use linkage_corpus::programs::{Named, as_functions};
 use linkage_corpus::reference::run;
-
-/// All operations, each of the first ones of three inputs.
-fn operations() -> Vec<Instruction> {
-    let [a, b, c] = [0, 1, 2].map(Value);
-    let unary = Unary::ALL.iter().map(|&op| Instruction::Unary(op, a));
-    let binary = Binary::ALL.iter().map(|&op| Instruction::Binary(op, a, b));
-    let ternary = Ternary::ALL
-        .iter()
-        .map(|&op| Instruction::Ternary(op, a, b, c));
-    let fused = Fused::ALL.iter().map(|&op| Instruction::Fused(op, a, b, c));
-    unary.chain(binary).chain(ternary).chain(fused).collect()
-}
-
-/// A program of one operation of three inputs.
-fn program(operation: Instruction) -> Program {
-    let mut program = Program::default();
-    for input in 0..3 {
-        program.push(Instruction::Load(Source::Input(input)));
-    }
-    let value = program.push(operation);
-    program.outputs.push(value);
-    program
-}
 
 /// Zeros, infinities, NaN, subnormal numbers, and numbers whose squares are none.
 fn special(real: Real) -> Vec<f64> {

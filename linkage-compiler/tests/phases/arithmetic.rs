@@ -1,52 +1,12 @@
 //! Every operation of the table: generated code gives what the interpreter gives, or what is said here.
 
 use linkage_compiler::unit::Generated;
+use linkage_corpus::numbers::SPECIAL;
+use linkage_corpus::operations::{operations, program};
 use linkage_random::Random;
 use linkage_runtime::Scalar;
 use linkage_symbolic::interpret::{Arithmetic, run, run_by};
-use linkage_symbolic::program::{
-    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
-};
-
-/// All operations, each of the first ones of three inputs.
-fn operations() -> Vec<Instruction> {
-    let [a, b, c] = [0, 1, 2].map(Value);
-    let unary = Unary::ALL.iter().map(|&op| Instruction::Unary(op, a));
-    let binary = Binary::ALL.iter().map(|&op| Instruction::Binary(op, a, b));
-    let ternary = Ternary::ALL
-        .iter()
-        .map(|&op| Instruction::Ternary(op, a, b, c));
-    let fused = Fused::ALL.iter().map(|&op| Instruction::Fused(op, a, b, c));
-    unary.chain(binary).chain(ternary).chain(fused).collect()
-}
-
-/// A program of one operation of three inputs.
-fn program(operation: Instruction) -> Program {
-    let mut program = Program::default();
-    for input in 0..3 {
-        program.push(Instruction::Load(Source::Input(input)));
-    }
-    let value = program.push(operation);
-    program.outputs.push(value);
-    program
-}
-
-/// Zeros, infinities, NaN, subnormal numbers, and numbers whose squares are none.
-const SPECIAL: &[f64] = &[
-    0.0,
-    -0.0,
-    1.0,
-    -1.0,
-    f64::NAN,
-    f64::INFINITY,
-    f64::NEG_INFINITY,
-    f64::from_bits(1),
-    -f64::from_bits(0x000f_0000_0000_0001),
-    f64::MIN_POSITIVE,
-    1e-200,
-    -1e200,
-    f64::MAX,
-];
+use linkage_symbolic::program::{Binary, Fused, Instruction, Program, Source, Ternary, Unary};
 
 /// How many random operands each operation is tried on.
 const RANDOM: usize = 6000;

@@ -11,6 +11,7 @@ mod functions;
 pub mod given;
 mod groups;
 pub mod numbers;
+pub mod operations;
 mod plane;
 pub mod programs;
 pub mod reference;

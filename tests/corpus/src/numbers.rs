@@ -10,7 +10,7 @@ use linkage_symbolic::program::{Program, Source};
 use crate::reference::run;
 
 /// Zeros, infinities, NaN, subnormal numbers, and numbers whose squares are none.
-const SPECIAL: &[f64] = &[
+pub const SPECIAL: &[f64] = &[
     0.0,
     -0.0,
     1.0,
