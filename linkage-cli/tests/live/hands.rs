@@ -1,0 +1,190 @@
+//! What is done to dimensions: typed, pulled, undone, linked to.
+
+use linkage_browser::Key;
+
+use crate::pages::{self, Live};
+
+#[test]
+fn fields_buttons_and_keys_change_and_bring_back() {
+    let Some(mut live) = Live::golden("crank_rocker.mech") else {
+        return;
+    };
+    let before = live.csv("motion");
+    let crank = "input[data-dimension=crank]";
+    let page = &mut live.page;
+    page.value(&format!("(() => {{ const field = document.querySelector('{crank}'); field.focus(); field.select(); }})()"));
+    page.type_text("45");
+    page.key(Key::Enter);
+    page.wait("location.hash === '#crank=45'");
+    let changed = live.csv("motion");
+    assert!(changed != before);
+    live.page.value("document.getElementById('undo').click()");
+    assert!(live.csv("motion") == before);
+    assert_eq!(live.page.words("location.hash"), "");
+    live.page.value("document.getElementById('redo').click()");
+    assert!(live.csv("motion") == changed);
+    live.page.value("document.getElementById('reset').click()");
+    assert!(live.csv("motion") == before);
+    assert!(live.page.holds("document.getElementById('reset').disabled"));
+    live.page.assert_quiet();
+}
+
+const DRAWN: &str = "
+    pub struct CrankRocker {
+        unit mm;
+        const pivot_a = (0mm, 0mm);
+        param pivot_d = (140mm, 0mm);
+        param crank   = 50mm;
+        param coupler = 120mm;
+        param rocker  = 100mm;
+        input phi = 30deg in 0deg..360deg;
+        unknown theta = 40deg;
+        unknown psi   = 80deg;
+        let a = pivot_a + polar(crank, phi);
+        let b = a + polar(coupler, theta);
+        loop b = pivot_d + polar(rocker, psi);
+    }
+    impl CrankRocker {
+        pub fn motion(phi) -> Motion { psi, v: velocity(psi) }
+        pub fn shape(phi) -> Shape { shape: picture() }
+    }";
+
+/// A pivot is pulled with the mouse; its dimensions follow, and everything else.
+#[test]
+fn pivots_and_bars_are_pulled() {
+    let Some(mut live) = Live::text("pulled", DRAWN) else {
+        return;
+    };
+    let scale = live
+        .page
+        .number("Number(document.getElementById('drawing').dataset.scale)");
+    let place = |live: &mut Live, selector: &str| live.page.middle(selector);
+    let (x, y) = place(&mut live, ".point.ground[data-point=pivot_d] .target");
+    live.page.drag((x, y), (x + 20.0 * scale, y - 10.0 * scale));
+    live.page.wait("location.hash.includes('pivot_d')");
+    let mut value = |name: &str| {
+        live.page.number(&format!(
+            "Number(document.querySelector('input[data-dimension=\"{name}\"]').value)"
+        ))
+    };
+    let (before_x, before_y) = (140.0, 0.0);
+    assert!(
+        (value("pivot_d.x") - before_x - 20.0).abs() < 1.0,
+        "{}",
+        value("pivot_d.x")
+    );
+    assert!(
+        (value("pivot_d.y") - before_y - 10.0).abs() < 1.0,
+        "{}",
+        value("pivot_d.y")
+    );
+    live.page.value("document.getElementById('undo').click()");
+    let (x, y) = place(&mut live, ".link.bar[data-link=crank]");
+    let (a, _) = place(&mut live, ".point.ground[data-point=pivot_a] .target");
+    let side = if x > a { 1.0 } else { -1.0 };
+    live.page
+        .drag((x + side * 5.0, y), (x + side * (5.0 + 4.0 * scale), y));
+    live.page.wait("location.hash.startsWith('#crank=')");
+    live.page.assert_quiet();
+}
+
+/// The copied address opened anew shows the same design, and modes are part of it.
+#[test]
+fn the_address_is_the_design() {
+    let Some(mut live) = Live::golden("crank_rocker.mech") else {
+        return;
+    };
+    live.page
+        .value("location.hash = 'crank=43.25&pivot_d.y=7&assembly%20modes=1'");
+    live.page
+        .wait("document.querySelector('input[data-dimension=crank]').value === '43.25'");
+    let shown = live.csv("motion");
+    live.page.value("location.reload()");
+    live.page.wait("document.body.dataset.ready === 'true'");
+    live.page.value(pages::CATCH);
+    assert!(live.csv("motion") == shown);
+    live.page
+        .value("location.hash = 'crank=43.25&size=3&crank=much'");
+    live.page
+        .wait("document.getElementById('says').textContent.startsWith('The address')");
+    assert_eq!(
+        live.says(),
+        "The address says what this mechanism does not have: size=3, crank=much"
+    );
+    live.page.assert_quiet();
+}
+
+/// In a view of space a pivot is pulled in the plane that is seen.
+#[test]
+fn pivots_in_space_are_pulled_in_each_view() {
+    let Some(mut live) = Live::golden("rssr.mech") else {
+        return;
+    };
+    let pivots = live.page.words(
+        "[...document.querySelectorAll('.point.ground')].map((own) => own.dataset.point).join()",
+    );
+    let pivot = pivots.split(',').find(|name| {
+        live.mechanism
+            .parameters
+            .iter()
+            .any(|own| own.name == format!("{name}.x"))
+    });
+    let pivot = pivot.expect("a pivot that is a dimension").to_owned();
+    // At the first row the rocker's end lies over its pivot in one of the views.
+    live.page.value("(() => { const slider = document.getElementById('position'); slider.value = 150; slider.dispatchEvent(new Event('input')); })()");
+    let part = 0.02 * live.mechanism.unit.longest;
+    for (view, axes) in [
+        ("x-y", ["x", "y"]),
+        ("x-z", ["x", "z"]),
+        ("y-z", ["y", "z"]),
+    ] {
+        live.page.value("document.getElementById('reset').click()");
+        live.page.click(&format!("[data-view={view}]"));
+        let scale = live
+            .page
+            .number("Number(document.getElementById('drawing').dataset.scale)");
+        let (x, y) = live
+            .page
+            .middle(&format!(".point.ground[data-point={pivot}] .target"));
+        live.page
+            .drag((x, y), (x + 4.0 * part * scale, y - 3.0 * part * scale));
+        live.page.wait("location.hash !== ''");
+        let mut change = |axis: &str| {
+            let name = format!("{pivot}.{axis}");
+            let own = live
+                .mechanism
+                .parameters
+                .iter()
+                .find(|own| own.name == name)
+                .expect("a component");
+            live.page.number(&format!(
+                "Number(document.querySelector('input[data-dimension=\"{name}\"]').value)"
+            )) - own.nominal
+        };
+        let [right, up] = axes.map(&mut change);
+        assert!(
+            (right / part - 4.0).abs() < 0.5 && (up / part - 3.0).abs() < 0.5,
+            "{view}: {right}, {up}, {part}: {}",
+            live.says()
+        );
+    }
+    live.page.assert_quiet();
+}
+
+/// A browser that cannot read the script says a sentence; nothing is asked of the network.
+#[test]
+fn old_browsers_and_networks() {
+    let Some(mut live) = Live::golden("rssr.mech") else {
+        return;
+    };
+    let refused = live.page.words(
+        "new Promise((done) => { document.addEventListener('securitypolicyviolation', (event) => done(event.effectiveDirective)); fetch('http://localhost:9/').catch(() => {}); })",
+    );
+    assert_eq!(refused, "connect-src");
+    let html = pages::html("rssr");
+    let broken = html.replacen("\"use strict\";", "\"use strict\"; let let = 1;", 1);
+    assert_ne!(html, broken);
+    let file = pages::beside("rssr", "broken.html", &broken);
+    live.page.load(&file);
+    live.page.wait("!document.getElementById('old').hidden");
+}

@@ -1,0 +1,5 @@
+//! Pages that compute: what they show for other dimensions is what the command computes for these, however they are changed.
+
+mod hands;
+mod pages;
+mod values;
