@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{self, Child, Command, Stdio};
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError, Weak};
 use std::thread;
 
 const NAMES: [&str; 4] = [
@@ -36,6 +36,12 @@ const FLAGS: [&str; 14] = [
 /// The browser: what `CHROMIUM` names, otherwise the first that the search path has.
 #[must_use]
 pub fn find() -> Option<PathBuf> {
+    // Asking a program whether it is one takes longer than many a test.
+    static FOUND: LazyLock<Option<PathBuf>> = LazyLock::new(search);
+    FOUND.clone()
+}
+
+fn search() -> Option<PathBuf> {
     if let Some(named) = env::var_os("CHROMIUM") {
         let path = PathBuf::from(named);
         assert!(
@@ -76,9 +82,19 @@ pub(crate) struct Chromium {
 }
 
 impl Chromium {
-    pub(crate) fn start(program: &Path) -> Self {
-        static COUNT: AtomicU32 = AtomicU32::new(0);
-        let number = COUNT.fetch_add(1, Ordering::Relaxed);
+    /// The browser of this process: it starts with the first page and ends with the last, since starting takes longer than many a test.
+    pub(crate) fn shared(program: &Path) -> Arc<Self> {
+        static RUNNING: Mutex<(u32, Weak<Chromium>)> = Mutex::new((0, Weak::new()));
+        // A test that failed while it started one leaves none.
+        let mut running = RUNNING.lock().unwrap_or_else(PoisonError::into_inner);
+        running.1.upgrade().unwrap_or_else(|| {
+            let browser = Arc::new(Self::start(program, running.0));
+            *running = (running.0 + 1, Arc::downgrade(&browser));
+            browser
+        })
+    }
+
+    fn start(program: &Path, number: u32) -> Self {
         let profile = env::temp_dir().join(format!("linkage-browser-{}-{number}", process::id()));
         let mut child = Command::new(program)
             .args(FLAGS)

@@ -18,7 +18,7 @@ pub(crate) struct DevTools {
 }
 
 impl DevTools {
-    /// Connects to the browser and opens an empty page.
+    /// Connects to the browser and opens an empty page that shares nothing with others.
     pub(crate) fn connect(address: &str) -> Self {
         let place = address.trim_start_matches("ws://");
         let host = place.split('/').next().unwrap_or(place);
@@ -34,7 +34,15 @@ impl DevTools {
             session: None,
             events: Vec::new(),
         };
-        let target = tools.call("Target.createTarget", json!({ "url": "about:blank" }));
+        // Ends with the connection: no page stays behind.
+        let context = tools.call(
+            "Target.createBrowserContext",
+            json!({ "disposeOnDetach": true }),
+        );
+        let target = tools.call(
+            "Target.createTarget",
+            json!({ "url": "about:blank", "browserContextId": context["browserContextId"] }),
+        );
         let attached = tools.call(
             "Target.attachToTarget",
             json!({ "targetId": target["targetId"], "flatten": true }),

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 use std::path::Path;
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -11,8 +12,8 @@ use crate::devtools::DevTools;
 /// A page that is shown.
 pub struct Page {
     pub(crate) tools: DevTools,
-    // Ends the browser, after the connection to it.
-    _browser: Chromium,
+    // Ends the browser with the last page, after the connection to it.
+    _browser: Arc<Chromium>,
 }
 
 impl Page {
@@ -44,7 +45,7 @@ impl Page {
             eprintln!("skipped: no Chromium on the search path, and none is named by CHROMIUM");
             return None;
         };
-        let browser = Chromium::start(&program);
+        let browser = Chromium::shared(&program);
         let mut page = Self {
             tools: DevTools::connect(&browser.address),
             _browser: browser,
@@ -52,6 +53,11 @@ impl Page {
         for domain in ["Page", "Runtime", "Log", "Network"] {
             page.tools.call(&format!("{domain}.enable"), json!({}));
         }
+        // Beside others, too, it is the one that is looked at.
+        page.tools.call(
+            "Emulation.setFocusEmulationEnabled",
+            json!({ "enabled": true }),
+        );
         page.screen(crate::DESKTOP);
         Some(page)
     }
