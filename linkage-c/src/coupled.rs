@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use linkage_compiler::unit::{Coupled, Start, Unit};
-use linkage_runtime::numeric::continuation::{Axis, CellLayout, NodeLayout};
+use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
 use crate::helper::Helper;

@@ -84,7 +84,7 @@ impl Real {
             "RIGHT_FOURTH" => number(0x3a94_5c06_e0e6_8948, 0xa6f7_2ced),
             // Times this, angles without a sine become infinite.
             "SINE_LIMIT" => number(0x7e10_0000_0000_0000, 0x7580_0000),
-            // See `linkage_runtime::numeric::winding`: remainders that serve inputs a little outside the range, too, those that serve the range,
+            // See `linkage_core::numeric::winding`: remainders that serve inputs a little outside the range, too, those that serve the range,
             // and a sum of middles.
             "COMFORT" => self.literal(0.8 * std::f64::consts::PI),
             "MOST_STRAY" => self.literal(0.95 * std::f64::consts::PI),

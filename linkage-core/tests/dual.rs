@@ -1,8 +1,8 @@
 //! Derivatives through dual numbers.
 #![cfg(feature = "num-dual")]
 
+use linkage_core::{Dual, Scalar};
 use linkage_random::Random;
-use linkage_runtime::{Dual, Scalar};
 use num_dual::{Dual2_64, Dual64};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

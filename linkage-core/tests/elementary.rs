@@ -1,7 +1,7 @@
 //! Special values of the elementary functions, with and without fused multiply-add.
 #![cfg(any(feature = "std", feature = "libm"))]
 
-use linkage_runtime::Scalar;
+use linkage_core::Scalar;
 
 macro_rules! special_values {
     ($float:ident, $limit:expr) => {

@@ -1,8 +1,8 @@
 //! SIMD types give in every lane what plain numbers give.
 #![cfg(all(feature = "simba", feature = "std"))]
 
+use linkage_core::{Lanes, Scalar};
 use linkage_random::Random;
-use linkage_runtime::{Lanes, Scalar};
 use simba::simd::{AutoF32x4, AutoF64x4, WideF32x8, WideF64x4};
 
 /// Compares every function lane by lane with type `$plain`, to `$places` units in the last place.

@@ -1,6 +1,6 @@
 //! Where a margin fails in a range.
 
-use linkage_runtime::numeric::range::{first_failure, minimum};
+use linkage_core::numeric::range::{first_failure, minimum};
 use std::f64::consts::PI;
 
 fn close(a: f64, b: f64, tolerance: f64) {

@@ -2,13 +2,13 @@
 #![cfg(any(feature = "std", feature = "libm"))]
 
 use core::f64::consts::{PI, TAU};
+use linkage_core::Scalar;
 use linkage_random::Random;
-use linkage_runtime::Scalar;
 
 macro_rules! special_values {
     ($float:ident) => {
         mod $float {
-            use linkage_runtime::Scalar;
+            use linkage_core::Scalar;
 
             const NAN: $float = $float::NAN;
             const INF: $float = $float::INFINITY;

@@ -1,8 +1,8 @@
 //! How angles turn over a range.
 #![cfg(any(feature = "std", feature = "libm"))]
 
-use linkage_runtime::Scalar;
-use linkage_runtime::numeric::winding::{Centre, Winding, follow, uniform};
+use linkage_core::Scalar;
+use linkage_core::numeric::winding::{Centre, Winding, follow, uniform};
 use std::f64::consts::{PI, TAU};
 
 const RATES: [f64; 7] = [0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5];

@@ -1,8 +1,8 @@
 //! What the engine knows of a mechanism: its numbers and its programs, as an object of JavaScript.
 
 use linkage_compiler::unit::{Coupled, Function, Input, Shape, Start, Unit, plain};
-use linkage_runtime::numeric::continuation::Axis;
-use linkage_runtime::numeric::roots::Variable;
+use linkage_core::numeric::continuation::Axis;
+use linkage_core::numeric::roots::Variable;
 use linkage_symbolic::program::Program;
 
 use crate::instruction::{function, literal};

@@ -29,12 +29,13 @@
 mod description;
 mod instruction;
 mod object;
+#[cfg(feature = "module")]
 mod types;
 
 use linkage_compiler::unit::Unit;
-use linkage_runtime::javascript::ENGINE;
 
 /// A mechanism as JavaScript.
+#[cfg(feature = "module")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Module {
     /// The text of a module, which exports the mechanism and the error that assembling throws.
@@ -46,8 +47,9 @@ pub struct Module {
 /// Prints a mechanism that is called `name` in its declaration.
 ///
 /// The module exports the mechanism by this name, and `AssemblyError`, which its `assemble` throws.
+#[cfg(feature = "module")]
 pub fn module(name: &str, unit: &Unit) -> Module {
-    let engine = ENGINE.join("\n");
+    let engine = linkage_runtime::javascript::ENGINE.join("\n");
     let description = description(name, unit);
     // In a function: no name of the engine, or of the browser, meets that of the mechanism.
     let script = format!(

@@ -106,8 +106,9 @@ impl<const N: usize> Balance<N> {
     /// `NoEffect` for a mass that changes nothing, `Dependent` for one whose effects are, to 12 digits, a combination of those
     /// before it, `OutOfRange` if a result overflows.
     pub fn mean_square(&self) -> Result<Solution<N>, BalanceError> {
-        let rows =
-            self.scaled(|group| group.length * crate::math::double::sqrt(group.rows.len() as f64));
+        let rows = self.scaled(|group| {
+            group.length * linkage_core::math::double::sqrt(group.rows.len() as f64)
+        });
         let basis = Basis::new(&rows)?;
         let (coordinates, _) = basis.project(&rows);
         self.solution(basis.values(&coordinates), |after| after.rms)

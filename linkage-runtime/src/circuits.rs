@@ -15,24 +15,10 @@ mod trace;
 use crate::AssemblyError;
 use crate::numeric::range::minimum;
 use alloc::vec::Vec;
+use linkage_core::Cycle;
 use search::{End, Leaf, Search};
 
-pub use levels::{Chosen, Level, Levels, NoPrograms, Searched, SurveyedUnknown};
-
-/// The range of an input whose assemblies are looked for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cycle {
-    /// Lower end of the range.
-    pub low: f64,
-    /// Upper end of the range.
-    pub high: f64,
-    /// Whether the input is an angle in radians. Over a full turn, assemblies that continue each other from one turn to the
-    /// next belong to one circuit.
-    pub angle: bool,
-    /// At how many inputs the assemblies of coupled groups are listed, both ends included. A circuit that exists between two
-    /// neighbouring inputs only is not found.
-    pub samples: usize,
-}
+pub use levels::{Chosen, Levels, NoPrograms, Searched, SurveyedUnknown};
 
 /// All assemblies over the range of an input.
 ///
@@ -169,7 +155,7 @@ pub fn circuits<M: Levels>(
         .zip(&assemblies)
         .map(|(leaf, (assembly, _))| leaf.inputs.map(|x| numbers(mechanism, assembly, x)))
         .collect();
-    let (circuits, closed) = join::circuits(&leaves, &seams, cycle.is_turn());
+    let (circuits, closed) = join::circuits(&leaves, &seams, is_turn(cycle));
     let branches = leaves.iter().zip(assemblies).zip(circuits).zip(closed);
     let branches = branches.map(|(((leaf, (assembly, input)), circuit), closed)| {
         let (at, margin) = least(mechanism, leaf, &assembly);
@@ -260,19 +246,18 @@ impl Leaf {
     }
 }
 
-impl Cycle {
-    fn sample(&self, index: usize) -> f64 {
-        let last = self.samples.max(2) - 1;
-        if index == last {
-            return self.high;
-        }
-        self.low + (self.high - self.low) * (index as f64 / last as f64)
+/// The input of a sample.
+fn sample(cycle: &Cycle, index: usize) -> f64 {
+    let last = cycle.samples.max(2) - 1;
+    if index == last {
+        return cycle.high;
     }
+    cycle.low + (cycle.high - cycle.low) * (index as f64 / last as f64)
+}
 
-    /// Whether the range is a full turn.
-    fn is_turn(&self) -> bool {
-        self.angle && ((self.high - self.low) - core::f64::consts::TAU).abs() < TURN
-    }
+/// Whether the range is a full turn.
+fn is_turn(cycle: &Cycle) -> bool {
+    cycle.angle && ((cycle.high - cycle.low) - core::f64::consts::TAU).abs() < TURN
 }
 
 /// Whether places are the same, within a share of this size.

@@ -1,6 +1,6 @@
 //! Scalars and vectors as arrays of components.
 
-use crate::math::double::sqrt;
+use linkage_core::math::double::sqrt;
 
 /// A sensitivity, a force or a moment: a number, or a vector of two or three components.
 ///

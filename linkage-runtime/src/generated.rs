@@ -15,7 +15,7 @@ mod turns;
 mod way;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use crate::circuits::{Chosen, Level, Levels, NoPrograms, Searched, SurveyedUnknown, circuits};
+pub use crate::circuits::{Chosen, Levels, NoPrograms, Searched, SurveyedUnknown, circuits};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::numeric::continuation::{Correction, Range, Step};
 #[cfg(feature = "alloc")]
@@ -25,6 +25,8 @@ pub use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
 pub use close::{close, explained, finite};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_core::Level;
 pub use sealed::Sealed;
 pub use single::{Single, inlined, single};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

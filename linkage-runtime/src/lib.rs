@@ -1,5 +1,4 @@
-//! What mechanisms compiled by `linkage` call at run time, and the numeric core that the compiler
-//! shares with them.
+//! What mechanisms compiled by `linkage` call at run time, with what `linkage-core` holds of it, which the compiler needs, too.
 //!
 //! Users reach everything here through the facade crate `linkage`.
 //!
@@ -24,8 +23,6 @@ mod columns;
 mod components;
 mod data;
 mod dimensions;
-#[cfg(any(feature = "std", feature = "libm"))]
-mod elementary;
 mod error;
 #[cfg(feature = "nalgebra")]
 mod frame;
@@ -33,17 +30,11 @@ mod frame;
 pub mod generated;
 #[doc(hidden)]
 pub mod javascript;
-#[cfg(any(feature = "std", feature = "libm"))]
-mod math;
 mod motion;
-#[doc(hidden)]
-pub mod numeric;
-mod picture;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod pins;
 #[cfg(feature = "report")]
 pub mod report;
-mod scalar;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 mod scene;
 mod structure;
@@ -55,7 +46,7 @@ pub mod tolerance;
 mod words;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use circuits::{Branch, BranchEnd, Circuits, Cycle, Estimate};
+pub use circuits::{Branch, BranchEnd, Circuits, Estimate};
 #[cfg(feature = "alloc")]
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};
@@ -66,25 +57,26 @@ pub use error::{CoupledCause, CoupledError, Placed, Value};
 #[cfg(feature = "nalgebra")]
 pub use frame::Frame;
 pub use javascript::Programs;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_core::Cycle;
+#[cfg(feature = "num-dual")]
+pub use linkage_core::Dual;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use linkage_core::Float;
+#[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
+pub use linkage_core::Lanes;
+pub use linkage_core::{
+    Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Meaning, Picture,
+    PictureJoint, PictureLink, PicturePoint, PointKind, Scalar,
+};
+#[doc(hidden)]
+pub use linkage_core::{FUSED, numeric};
 pub use motion::{true_acceleration, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{self, Vector2, Vector3};
 #[cfg(feature = "alloc")]
 pub use numeric::roots::Unlisted;
-pub use picture::{
-    Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Picture, PictureJoint,
-    PictureLink, PicturePoint, PointKind,
-};
-#[cfg(feature = "num-dual")]
-pub use scalar::Dual;
-#[doc(hidden)]
-pub use scalar::FUSED;
-#[cfg(any(feature = "std", feature = "libm"))]
-pub use scalar::Float;
-#[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
-pub use scalar::Lanes;
-pub use scalar::Scalar;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use scene::{Handle, Scene};
 pub use structure::{FunctionInfo, Group, Structure};
-pub use table::{Column, Heading, Meaning, PictureColumns, Table};
+pub use table::{Column, Heading, PictureColumns, Table};

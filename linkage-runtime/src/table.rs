@@ -1,6 +1,6 @@
 //! What the columns of a sweep mean: for everything that prints, plots or writes them.
 
-use crate::Picture;
+use crate::{Meaning, Picture};
 
 /// The results of a sweep with the names and units of their numbers: every generated type of columns
 /// implements it (in `f64`, for functions with arguments).
@@ -40,31 +40,6 @@ pub struct Column {
     pub unit: &'static str,
     /// What it is.
     pub meaning: Meaning,
-}
-
-/// What a number is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Meaning {
-    /// A quantity as it is.
-    Value,
-    /// A derivative by the function's only input.
-    Rate {
-        /// 1 for a velocity, 2 for an acceleration.
-        order: u32,
-        /// The column of the quantity that is differentiated, if the function has it.
-        of: Option<usize>,
-    },
-    /// A derivative by a parameter.
-    Sensitivity {
-        /// Its index in `PARAMETERS`.
-        parameter: usize,
-        /// The column of the quantity that is differentiated, if the function has it.
-        of: Option<usize>,
-    },
-    /// A distance from the dead point: `margin()`.
-    Margin,
-    /// A component of a point or direction of the picture.
-    Picture,
 }
 
 /// Where the columns of a picture stand.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use linkage_runtime::numeric::continuation::{GridLayout, TableLayout};
+use linkage_core::numeric::continuation::{GridLayout, TableLayout};
 
 use crate::comment::comment;
 use crate::surface::Surface;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use linkage_c::{Real, sources};
-use linkage_runtime::Scalar;
+use linkage_core::Scalar;
 
 use crate::machine::{self, Compiler};
 use linkage_corpus::given::Given;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use linkage_runtime::numeric::winding::{Centre, follow};
+use linkage_core::numeric::winding::{Centre, follow};
 use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{Algebra, Nominal};

@@ -1,8 +1,8 @@
 //! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken.
 
-use linkage_runtime::numeric::continuation::{Correction, Grid, Range, Refusal, Step, Table};
-use linkage_runtime::numeric::nearest::{Ambiguity, nearest};
-use linkage_runtime::numeric::roots::{self, Term, Unlisted};
+use linkage_core::numeric::continuation::{Correction, Grid, Range, Refusal, Step, Table};
+use linkage_core::numeric::nearest::{Ambiguity, nearest};
+use linkage_core::numeric::roots::{self, Term, Unlisted};
 use linkage_symbolic::program::Program;
 
 use crate::algebra::Algebra;
@@ -216,7 +216,7 @@ impl<'m> Assembly<'_, 'm> {
         if listing.multiple > 0 {
             return Ok(None);
         }
-        let states = linkage_runtime::numeric::continuation::states(
+        let states = linkage_core::numeric::continuation::states(
             &group.variables,
             &listing,
             &own,

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::unordered::Map;
 
-use linkage_runtime::Scalar;
+use linkage_core::Scalar;
 use linkage_symbolic::interpret::{run, run_steps};
 use linkage_symbolic::program::{Program, Source, Value};
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};

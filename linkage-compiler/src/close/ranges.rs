@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use linkage_runtime::numeric::range::{Failure, first_failure, minimum};
+use linkage_core::numeric::range::{Failure, first_failure, minimum};
 
 use crate::algebra::Nominal;
 use crate::formulate::Formulation;

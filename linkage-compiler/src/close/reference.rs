@@ -1,6 +1,6 @@
 //! Closing the loops at the reference input: the assembly mode of each group, chosen by the start estimates.
 
-use linkage_runtime::numeric::nearest::{Ambiguity, nearest};
+use linkage_core::numeric::nearest::{Ambiguity, nearest};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::Reporter;

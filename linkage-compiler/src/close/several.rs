@@ -1,6 +1,6 @@
 //! The check over the ranges of several inputs.
 
-use linkage_runtime::numeric::continuation::{Correction, dead_point};
+use linkage_core::numeric::continuation::{Correction, dead_point};
 
 use super::listing::Numbers;
 use super::ranges::{Broken, Grid, ROUNDING, Ranges};

@@ -1,6 +1,6 @@
 //! What is said of a coupled group whose assembly cannot be followed over the range.
 
-use linkage_runtime::numeric::continuation::Refusal;
+use linkage_core::numeric::continuation::Refusal;
 
 use crate::formulate::{Prepared, Solved};
 use crate::structure::report::loop_list;

@@ -3,7 +3,7 @@
 //! A dead point on such a way lies in the ranges: that is found in a moment, where a grid over ranges with dead points in them takes
 //! seconds.
 
-use linkage_runtime::numeric::continuation::{self, Grid, LeftOut};
+use linkage_core::numeric::continuation::{self, Grid, LeftOut};
 
 use crate::formulate::{Prepared, Solved};
 use crate::structure::report::loop_list;

@@ -1,6 +1,6 @@
 //! Which assemblies of a mechanism with one input run through its range.
 
-use linkage_runtime::Cycle;
+use linkage_core::Cycle;
 use proc_macro2::TokenStream;
 use quote::quote;
 

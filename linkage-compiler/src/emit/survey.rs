@@ -1,6 +1,6 @@
 //! What is asked of a mechanism to compare its assemblies: the least margin, how far each group is from its ends, where its unknowns are.
 
-use linkage_runtime::generated::Level;
+use linkage_core::Level;
 use proc_macro2::TokenStream;
 use quote::quote;
 

@@ -1,6 +1,6 @@
 //! All loops on numbers, closed together: equations may be more than unknowns.
 
-use linkage_runtime::numeric::cholesky;
+use linkage_core::numeric::cholesky;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, substitute};
 

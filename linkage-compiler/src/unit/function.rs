@@ -6,7 +6,7 @@ use linkage_symbolic::program::Program;
 
 use crate::model::Shape;
 
-pub use linkage_runtime::Meaning;
+pub use linkage_core::Meaning;
 
 /// A function of the `impl` block.
 #[derive(Clone, Debug)]

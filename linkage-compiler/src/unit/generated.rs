@@ -2,7 +2,7 @@
 
 use std::marker::PhantomData;
 
-use linkage_runtime::Scalar;
+use linkage_core::Scalar;
 use linkage_symbolic::interpret::Arithmetic;
 use linkage_symbolic::program::{Binary, Fused, Ternary, Unary};
 

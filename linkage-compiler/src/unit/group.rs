@@ -1,7 +1,7 @@
 //! The groups of a mechanism: what is said of them, and what is prepared of coupled ones.
 
-use linkage_runtime::numeric::continuation::{Grid, Table};
-use linkage_runtime::numeric::roots::Variable;
+use linkage_core::numeric::continuation::{Grid, Table};
+use linkage_core::numeric::roots::Variable;
 use linkage_symbolic::program::Program;
 
 use super::Unit;

@@ -12,7 +12,7 @@ mod picture;
 mod picture_words;
 mod signature;
 
-use linkage_runtime::generated::Level;
+use linkage_core::Level;
 use linkage_symbolic::program::Program;
 
 pub use crate::model::{COMPONENTS, Shape};

@@ -1,6 +1,6 @@
 //! What is drawn.
 
-pub use linkage_runtime::{Drive, DriveOn, Gear, GuideOn, GuideShape, JointShape, PointKind};
+pub use linkage_core::{Drive, DriveOn, Gear, GuideOn, GuideShape, JointShape, PointKind};
 
 /// What the vectors of the quantity `picture()` are: points first, then directions.
 #[derive(Clone, Debug, Default)]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use linkage_runtime::Cycle;
+use linkage_core::Cycle;
 
 use crate::model::Shape;
 

@@ -1,10 +1,10 @@
 //! Every operation of the table: generated code gives what the interpreter gives, or what is said here.
 
 use linkage_compiler::unit::Generated;
+use linkage_core::Scalar;
 use linkage_corpus::numbers::SPECIAL;
 use linkage_corpus::operations::{operations, program};
 use linkage_random::Random;
-use linkage_runtime::Scalar;
 use linkage_symbolic::interpret::{Arithmetic, run, run_by};
 use linkage_symbolic::program::{Binary, Fused, Instruction, Program, Source, Ternary, Unary};
 

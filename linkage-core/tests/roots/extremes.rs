@@ -3,8 +3,8 @@
 use crate::has;
 use crate::laurent::{Complex, complex};
 use crate::triad::{Leg, Triad, direction, point};
+use linkage_core::numeric::roots::Unlisted;
 use linkage_random::Random;
-use linkage_runtime::numeric::roots::Unlisted;
 
 const CASES: usize = if cfg!(debug_assertions) { 20 } else { 1000 };
 

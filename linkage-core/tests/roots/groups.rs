@@ -2,8 +2,8 @@
 
 use crate::laurent::{Complex, Equations, Laurent, complex};
 use crate::triad::{direction, point};
+use linkage_core::numeric::roots::Variable;
 use linkage_random::Random;
-use linkage_runtime::numeric::roots::Variable;
 
 /// Two platforms that share a joint, each on two legs: three loops, six links.
 #[derive(Clone, Debug)]

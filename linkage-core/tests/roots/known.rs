@@ -105,7 +105,7 @@ fn the_same_system_gives_the_same_bits() {
     let equations = needle_drive(1.0).equations();
     let listings = [equations.solve(), equations.solve()];
     assert_eq!(listings[0], listings[1]);
-    let bits = |listing: &Result<linkage_runtime::numeric::roots::Listing, _>| -> Vec<u64> {
+    let bits = |listing: &Result<linkage_core::numeric::roots::Listing, _>| -> Vec<u64> {
         let real = listing.as_ref().expect("solutions").real.iter();
         real.flatten()
             .flatten()

@@ -1,7 +1,7 @@
 //! Laurent polynomials in unit vectors, lengths and points, with which the tests write their
 //! equations as they would be written by hand.
 
-use linkage_runtime::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
+use linkage_core::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
 use std::collections::BTreeMap;
 use std::ops::{Add, Mul, Sub};
 

@@ -3,8 +3,8 @@
 use crate::has;
 use crate::laurent::{Complex, complex};
 use crate::triad::{Leg, Triad, direction, point};
+use linkage_core::numeric::roots::{MOST_PATHS, System, Term, Unlisted, Variable, solve};
 use linkage_random::Random;
-use linkage_runtime::numeric::roots::{MOST_PATHS, System, Term, Unlisted, Variable, solve};
 
 const CASES: usize = if cfg!(debug_assertions) { 10 } else { 200 };
 

@@ -3,8 +3,8 @@
 use crate::has;
 use crate::laurent::{Complex, Equations, Laurent, complex, unit};
 use crate::triad::direction;
+use linkage_core::numeric::roots::Variable;
 use linkage_random::Random;
-use linkage_runtime::numeric::roots::Variable;
 
 #[test]
 fn a_length_may_be_zero() {

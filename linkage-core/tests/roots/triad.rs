@@ -2,8 +2,8 @@
 //! at the other.
 
 use crate::laurent::{Complex, Equations, Laurent, complex, unit};
+use linkage_core::numeric::roots::Variable;
 use linkage_random::Random;
-use linkage_runtime::numeric::roots::Variable;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Leg {

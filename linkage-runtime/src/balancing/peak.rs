@@ -12,8 +12,8 @@ use alloc::vec::Vec;
 
 use super::rows::{Row, add, dot, larger};
 use crate::components::norm;
-use crate::math::double::sqrt;
 use cholesky::Cholesky;
+use linkage_core::math::double::sqrt;
 use step::State;
 
 /// A point, and what no point goes below.

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::{BalanceError, Figures};
 use crate::components::{Components, in_space, norm};
-use crate::math::double::sqrt;
+use linkage_core::math::double::sqrt;
 
 /// A position.
 #[derive(Clone, Copy, Debug, PartialEq)]

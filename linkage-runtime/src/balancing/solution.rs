@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use crate::math::double::sqrt;
 use crate::words::rounded;
+use linkage_core::math::double::sqrt;
 
 /// How large a quantity is over the cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

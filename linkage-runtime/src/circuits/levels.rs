@@ -4,17 +4,7 @@ use crate::generated::{CoupledGroup, CoupledPrograms, Start};
 use crate::numeric::continuation::{Correction, Step};
 use crate::{AssemblyError, AssemblyMode};
 use alloc::vec::Vec;
-
-/// What assemblies of a group there are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
-    /// One.
-    Single,
-    /// Two, wherever it can be assembled: the index of the mode.
-    Modes(usize),
-    /// Those on the curve of its solutions: the index among the coupled groups.
-    Coupled(usize),
-}
+use linkage_core::Level;
 
 /// An unknown whose numbers are surveyed.
 #[derive(Clone, Copy, Debug)]

@@ -31,8 +31,8 @@ impl<A> fmt::Display for Circuits<A> {
                 end(branch.ends[0]),
                 end(branch.ends[1]),
                 rounded(branch.margin).to_string(),
-                self.cycle.input(branch.at),
-                self.cycle.input(branch.input),
+                input(&self.cycle, branch.at),
+                input(&self.cycle, branch.input),
             ];
             row.extend(branch.unknowns.iter().map(Estimate::value));
             rows.push(row);
@@ -55,7 +55,7 @@ impl<A> fmt::Display for Circuits<A> {
 
 impl<A> Circuits<A> {
     fn end(&self, end: BranchEnd, closed: bool) -> String {
-        let x = self.cycle.input(end.x());
+        let x = input(&self.cycle, end.x());
         match end {
             BranchEnd::Range(_) if closed => format!("{x} (closed)"),
             BranchEnd::Range(_) => x,
@@ -65,14 +65,12 @@ impl<A> Circuits<A> {
     }
 }
 
-impl Cycle {
-    /// An input as it is printed.
-    fn input(&self, x: f64) -> String {
-        if self.angle {
-            format!("{} deg", rounded(x.to_degrees()))
-        } else {
-            rounded(x).to_string()
-        }
+/// An input as it is printed.
+fn input(cycle: &Cycle, x: f64) -> String {
+    if cycle.angle {
+        format!("{} deg", rounded(x.to_degrees()))
+    } else {
+        rounded(x).to_string()
     }
 }
 

@@ -1,16 +1,17 @@
 //! Group after group: where it can be assembled given the groups before it, and in which ways.
 
 use super::coupled::{self, Found};
-use super::levels::{Chosen, Level, Levels, Searched};
+use super::levels::{Chosen, Levels, Searched};
 use super::slab::Slab;
 use super::stretches::{Border, stretches};
 use super::trace::CurveEnd;
-use super::{Cycle, MOST_MODES};
+use super::{Cycle, MOST_MODES, sample};
 use crate::generated::{CoupledGroup, CoupledPrograms, Start, prepared};
 use crate::numeric::continuation::Range;
 use crate::{AssemblyError, AssemblyMode};
 use alloc::vec;
 use alloc::vec::Vec;
+use linkage_core::Level;
 
 /// Places at which the slack of a group is sampled for every place at which coupled groups are listed, and at least.
 const SAMPLES: f64 = 0.85;
@@ -208,7 +209,7 @@ impl<'a, M: Levels> Search<'a, M> {
         programs: &mut dyn CoupledPrograms,
     ) -> Result<Vec<Leaf>, AssemblyError> {
         let slab = before.slab();
-        let inner = (0..self.cycle.samples).map(|index| self.cycle.sample(index));
+        let inner = (0..self.cycle.samples).map(|index| sample(&self.cycle, index));
         let inner = inner.filter(|&x| slab.covers(x)).map(|x| slab.parameter(x));
         let samples: Vec<f64> = inner.chain(ALWAYS).collect();
         let Found { strands, turning } = coupled::follow(description, programs, slab, &samples)?;

@@ -18,7 +18,7 @@ fn samples_are_even_and_reach_both_ends() {
         angle,
         samples,
     };
-    let all = [0, 1, 2, 3, 4].map(|index| cycle.sample(index));
+    let all = [0, 1, 2, 3, 4].map(|index| super::sample(&cycle, index));
     assert_eq!(all, [-1.0, 0.0, 1.0, 2.0, 3.0]);
 }
 

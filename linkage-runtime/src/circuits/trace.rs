@@ -1,9 +1,9 @@
 //! One connected piece of a curve, from end to end of its slab or round.
 
 use super::curve::{Curve, Node, dot};
-use crate::math;
 use alloc::collections::VecDeque;
 use alloc::vec::Vec;
+use linkage_core::math;
 
 /// Lengths of steps: the first, the largest, and one that is no step any more.
 const FIRST: f64 = 0.01;

@@ -2,12 +2,12 @@
 
 use super::settle::moved;
 use super::{CoupledGroup, CoupledPrograms, Start};
-use crate::circuits::Level;
 use crate::numeric::continuation::{Correction, Grid, Range, Table};
 use crate::numeric::range::first_failure;
 use crate::{AssemblyError, Group};
 use alloc::vec;
 use alloc::vec::Vec;
+use linkage_core::Level;
 
 /// The longest step, and one that is too short to go on with, as parts of the way.
 const LONGEST: f64 = 1.0 / 16.0;

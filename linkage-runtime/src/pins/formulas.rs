@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use super::{Fit, Mounting, Pin, PinError, Width};
-use crate::math::cube_root;
-use crate::math::double::sqrt;
+use linkage_core::math::cube_root;
+use linkage_core::math::double::sqrt;
 
 /// A length that grows with the diameter: `fixed + ratio * diameter`.
 #[derive(Clone, Copy)]

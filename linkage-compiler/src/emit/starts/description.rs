@@ -1,6 +1,6 @@
 //! What the runtime must know of a coupled group to prepare it.
 
-use linkage_runtime::numeric::roots::Variable;
+use linkage_core::numeric::roots::Variable;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::{Add, Mul, Sub};
 
-use linkage_runtime::numeric::roots::Variable;
+use linkage_core::numeric::roots::Variable;
 use linkage_symbolic::{Ex, V2, agree};
 
 /// Complex coefficients by the exponents of all variables.

@@ -3,7 +3,7 @@
 //! With `u = cos + i sin` and `1/u` its conjugate, a vector loop is one complex polynomial, and so is its conjugate. A private link
 //! gives `V conj(V) = r^2`, a private slide `Im(conj(guide) rest) = 0`. Loops in space and scalar loops are real polynomials, row by row.
 
-use linkage_runtime::numeric::roots::Variable;
+use linkage_core::numeric::roots::Variable;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::Algebra;

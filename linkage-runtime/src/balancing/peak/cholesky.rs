@@ -1,6 +1,6 @@
 //! Symmetric positive definite systems.
 
-use crate::math::double::sqrt;
+use linkage_core::math::double::sqrt;
 
 /// A matrix as the product of a lower triangle and its transpose.
 pub(super) struct Cholesky<const N: usize> {

@@ -4,10 +4,11 @@
 use crate::numeric::continuation::{Correction, LeftOut, Range, Refusal, states};
 use crate::numeric::nearest::{Ambiguity, nearest};
 use crate::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
-use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value, math};
+use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
+use linkage_core::math;
 
 /// A group without a closed form.
 #[derive(Clone, Copy, Debug)]

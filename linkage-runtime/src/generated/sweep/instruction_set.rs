@@ -1,8 +1,8 @@
 //! The best instruction set that the running machine has.
 
 use super::{Arguments, Kernel, blocks};
+use crate::FUSED;
 use crate::Scalar;
-use crate::scalar::FUSED;
 
 /// Evaluates the rows from `start` on, as many as the columns are long.
 pub(super) fn run<T, K, A, const I: usize, const W: usize>(

@@ -7,12 +7,12 @@
 pub mod cholesky;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod continuation;
-pub(crate) mod minimum;
+pub mod minimum;
 pub mod nearest;
 pub mod range;
 #[cfg(feature = "alloc")]
 pub mod roots;
 #[cfg(feature = "alloc")]
-pub(crate) mod summit;
+pub mod summit;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod winding;

@@ -45,7 +45,7 @@ const ROUNDINGS: f64 = 8.0;
 /// `acos` and `atan`, so that loops over them become vector code.
 ///
 /// ```
-/// use linkage_runtime::Scalar;
+/// use linkage_core::Scalar;
 ///
 /// fn third_side<T: Scalar>(a: T, b: T, angle: T) -> T {
 ///     let (_, cos) = angle.sin_cos();

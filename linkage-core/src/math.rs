@@ -7,7 +7,7 @@ mod root;
 macro_rules! functions {
     ($module:ident, $float:ty, $root:path, $tan:ident, $asin:ident, $acos:ident,
      $atan:ident) => {
-        pub(crate) mod $module {
+        pub mod $module {
             functions!(@one $float, sqrt, $root);
             functions!(@one $float, tan, libm::$tan);
             functions!(@one $float, asin, libm::$asin);
@@ -17,7 +17,7 @@ macro_rules! functions {
     };
     (@one $float:ty, $name:ident, $without:path) => {
         #[inline(always)]
-        pub(crate) fn $name(x: $float) -> $float {
+        pub fn $name(x: $float) -> $float {
             #[cfg(feature = "std")]
             return x.$name();
             #[cfg(not(feature = "std"))]
@@ -28,7 +28,7 @@ macro_rules! functions {
 
 /// Cube root.
 #[inline(always)]
-pub(crate) fn cube_root(x: f64) -> f64 {
+pub fn cube_root(x: f64) -> f64 {
     #[cfg(feature = "std")]
     return x.cbrt();
     #[cfg(not(feature = "std"))]

@@ -35,7 +35,7 @@ pub struct Failure {
 /// (`above` is false), or `lo` itself if it works nowhere.
 ///
 /// ```
-/// use linkage_runtime::numeric::range::first_failure;
+/// use linkage_core::numeric::range::first_failure;
 ///
 /// // Works while cos x > -0.5.
 /// let failure = first_failure(0.0, 6.0, 1.0, 100, |x| f64::cos(x) + 0.5).unwrap();
@@ -83,7 +83,7 @@ pub fn first_failure(
 /// `samples` places. If the margin is NaN somewhere among them, that place is the answer.
 ///
 /// ```
-/// use linkage_runtime::numeric::range::minimum;
+/// use linkage_core::numeric::range::minimum;
 ///
 /// let (x, margin) = minimum(0.0, 6.0, 50, |x| f64::cos(x) + 2.0);
 /// assert!((x - core::f64::consts::PI).abs() < 1e-6);

@@ -10,7 +10,7 @@ use num_dual::DualNum;
 /// what was chosen are kept.
 ///
 /// ```
-/// use linkage_runtime::{Dual, Scalar};
+/// use linkage_core::{Dual, Scalar};
 /// use num_dual::Dual64;
 ///
 /// // d/dx sqrt(x^2 - 1) = x / sqrt(x^2 - 1)

@@ -14,7 +14,7 @@ const MOST_BESIDE: f64 = 0.987_688_340_595_137_8;
 /// `None` if no vector decides.
 ///
 /// ```
-/// use linkage_runtime::numeric::winding::uniform;
+/// use linkage_core::numeric::winding::uniform;
 ///
 /// // Seen from a pivot at (-10, 0), a crank of 40 that turns with the input; across of that the angle at 0.6 rad.
 /// let base = [[0.0, 10.0], [0.0, 40.0]];

@@ -39,7 +39,7 @@ pub struct Winding {
 /// reference, or if the fastest candidate turns more than 16384 radians over the range.
 ///
 /// ```
-/// use linkage_runtime::numeric::winding::follow;
+/// use linkage_core::numeric::winding::follow;
 ///
 /// // A crank that turns with the input, 20 degrees ahead.
 /// let angle = |x: f64| x + 0.35;

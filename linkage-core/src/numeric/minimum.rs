@@ -2,13 +2,13 @@
 
 /// An input value and the margin there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Point {
-    pub(crate) x: f64,
-    pub(crate) margin: f64,
+pub struct Point {
+    pub x: f64,
+    pub margin: f64,
 }
 
 impl Point {
-    pub(crate) fn at(x: f64, margin: &mut impl FnMut(f64) -> f64) -> Self {
+    pub fn at(x: f64, margin: &mut impl FnMut(f64) -> f64) -> Self {
         Self {
             x,
             margin: margin(x),
@@ -16,7 +16,7 @@ impl Point {
     }
 
     /// The lower of two points; one without a margin is the lowest of all.
-    pub(crate) fn lower(self, other: Self) -> Self {
+    pub fn lower(self, other: Self) -> Self {
         if self.margin.is_nan() || self.margin <= other.margin {
             self
         } else {
@@ -27,7 +27,7 @@ impl Point {
 
 /// Golden section search between `a` and `b`: the lowest point seen, or the first one for which
 /// `enough` holds.
-pub(crate) fn descend(
+pub fn descend(
     a: Point,
     b: Point,
     margin: &mut impl FnMut(f64) -> f64,

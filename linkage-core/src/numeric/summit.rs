@@ -8,16 +8,16 @@ const SUMMITS: usize = 16;
 
 /// The highest value found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Summit {
-    pub(crate) at: f64,
-    pub(crate) value: f64,
+pub struct Summit {
+    pub at: f64,
+    pub value: f64,
     /// At how many of the samples there was none.
-    pub(crate) missing: usize,
+    pub missing: usize,
 }
 
 /// The highest value over `low` to `high`: the highest of evenly spaced positions (two or more, both ends among them), and what a golden
 /// section search finds around the highest ones. `None` if all of them are NaN.
-pub(crate) fn highest(
+pub fn highest(
     [low, high]: [f64; 2],
     positions: usize,
     mut figure: impl FnMut(f64) -> f64,
@@ -49,7 +49,7 @@ pub(crate) fn highest(
 }
 
 /// The highest of given values that are not NaN.
-pub(crate) fn highest_of(xs: &[f64], values: &[f64]) -> Option<Summit> {
+pub fn highest_of(xs: &[f64], values: &[f64]) -> Option<Summit> {
     let missing = values.iter().filter(|value| value.is_nan()).count();
     let assembled = xs.iter().zip(values).filter(|(_, value)| !value.is_nan());
     let (&at, &value) = assembled.reduce(|best, next| if next.1 > best.1 { next } else { best })?;

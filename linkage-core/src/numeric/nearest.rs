@@ -29,7 +29,7 @@ pub struct Nearest {
 /// largest of all.
 ///
 /// ```
-/// use linkage_runtime::numeric::nearest::{Ambiguity, Nearest, nearest};
+/// use linkage_core::numeric::nearest::{Ambiguity, Nearest, nearest};
 ///
 /// let clear = nearest([3.0, 0.2, 1.5], Ambiguity::AS_WRITTEN);
 /// assert_eq!(clear, Some(Nearest { index: 1, ambiguous: false }));

@@ -8,7 +8,7 @@ use simba::simd::SimdRealField;
 /// [`Scalar`].
 ///
 /// ```
-/// use linkage_runtime::{Lanes, Scalar};
+/// use linkage_core::{Lanes, Scalar};
 /// use simba::simd::AutoF64x4;
 ///
 /// let q = Lanes::<AutoF64x4>::from_lanes(|i| i as f64 - 1.0);

@@ -1,0 +1,41 @@
+//! What the compiler of `linkage` and the code that it generates have in common: scalars with their elementary functions, numeric searches
+//! and tables on plain `f64`, and the words that both say.
+//!
+//! Users reach what is theirs through the facade, the rest may change with every version. It stands in a crate of its own so that the
+//! compiler, which runs on the machine that builds, needs nothing else of the runtime.
+//!
+//! Features: `std` or `libm` (where the elementary functions come from), `alloc` (part of `std`), `simba` (`Lanes`), `num-dual` (`Dual`).
+#![no_std]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+#[cfg(any(feature = "std", feature = "libm"))]
+mod elementary;
+#[cfg(any(feature = "std", feature = "libm"))]
+#[doc(hidden)]
+pub mod math;
+mod meaning;
+#[doc(hidden)]
+pub mod numeric;
+mod picture;
+mod scalar;
+mod survey;
+
+pub use meaning::Meaning;
+pub use picture::{
+    Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Picture, PictureJoint,
+    PictureLink, PicturePoint, PointKind,
+};
+#[cfg(feature = "num-dual")]
+pub use scalar::Dual;
+#[doc(hidden)]
+pub use scalar::FUSED;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use scalar::Float;
+#[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
+pub use scalar::Lanes;
+pub use scalar::Scalar;
+pub use survey::{Cycle, Level};
