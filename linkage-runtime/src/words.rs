@@ -2,14 +2,27 @@
 
 use core::fmt;
 
+/// What a function prints: `fmt::from_fn`, which the oldest Rust that is supported does not have.
+pub(crate) fn printed(print: impl Fn(&mut fmt::Formatter<'_>) -> fmt::Result) -> impl fmt::Display {
+    struct Printed<F>(F);
+
+    impl<F: Fn(&mut fmt::Formatter<'_>) -> fmt::Result> fmt::Display for Printed<F> {
+        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            self.0(f)
+        }
+    }
+
+    Printed(print)
+}
+
 /// Items with `separator` between them.
 pub(crate) fn join<'a>(items: &'a [&'a str], separator: &'a str) -> impl fmt::Display + 'a {
-    fmt::from_fn(move |f| separated(f, items, separator))
+    printed(move |f| separated(f, items, separator))
 }
 
 /// Numbers with `separator` between them.
 pub(crate) fn numbers<'a>(items: &'a [usize], separator: &'a str) -> impl fmt::Display + 'a {
-    fmt::from_fn(move |f| separated(f, items, separator))
+    printed(move |f| separated(f, items, separator))
 }
 
 fn separated(
@@ -26,7 +39,7 @@ fn separated(
 
 /// A number rounded to six significant digits, printed as short as possible.
 pub(crate) fn rounded(x: f64) -> impl fmt::Display {
-    fmt::from_fn(move |f| {
+    printed(move |f| {
         let size = x.abs();
         if size == 0.0 {
             return f.write_str("0");

@@ -184,7 +184,7 @@ impl<'m> Check<'_, 'm> {
                     return self.reason(value, subject);
                 }
             }
-            ExprKind::Binary(BinaryOp::Sub, a, b) if !self.is_zero(a) => {
+            ExprKind::Binary(BinaryOp::Sub, a, _) if !self.is_zero(a) => {
                 let both = self.words(&[a]);
                 let fact = format!("{subject} is the difference of equal vectors{both}");
                 let help = "choose vectors that differ from each other";

@@ -1,5 +1,6 @@
 //! What does not fit together in a report.
 
+use crate::words::printed;
 use core::fmt;
 use std::string::String;
 use std::vec::Vec;
@@ -238,7 +239,7 @@ impl fmt::Display for Mistake {
 
 /// Names in back-ticks, or `nothing`.
 fn listed(names: &[String]) -> impl fmt::Display + '_ {
-    fmt::from_fn(move |f| {
+    printed(move |f| {
         if names.is_empty() {
             return f.write_str("nothing");
         }

@@ -3,7 +3,7 @@
 use super::course::Course;
 use super::extremes::{Extreme, Extremes};
 use super::interval::Interval;
-use crate::words::rounded;
+use crate::words::{printed, rounded};
 use core::fmt;
 
 /// A unit that numbers are printed in.
@@ -13,7 +13,7 @@ struct Unit<'a>(&'a str);
 impl Unit<'_> {
     /// The number with its unit: radians as degrees.
     fn print(self, value: f64) -> impl fmt::Display {
-        fmt::from_fn(move |f| match self.0 {
+        printed(move |f| match self.0 {
             "rad" => write!(f, "{} deg", rounded(value.to_degrees())),
             "" => write!(f, "{}", rounded(value)),
             unit => write!(f, "{} {unit}", rounded(value)),
@@ -44,7 +44,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
     /// ```
     pub fn describe<'a>(&'a self, unit: &'a str, input: &'a str) -> impl fmt::Display + 'a {
-        fmt::from_fn(move |f| self.print(f, Unit(unit), Unit(input)))
+        printed(move |f| self.print(f, Unit(unit), Unit(input)))
     }
 
     fn print(&self, f: &mut fmt::Formatter<'_>, unit: Unit<'_>, input: Unit<'_>) -> fmt::Result {
@@ -55,7 +55,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
         }
         writeln!(f, "{:14}  {}", "stroke", unit.print(position.stroke()))?;
         let per = |power: &'static str| {
-            fmt::from_fn(move |f| match (unit.0, input.0) {
+            printed(move |f| match (unit.0, input.0) {
                 (_, "") => f.write_str(unit.0),
                 ("", input) => write!(f, "1/{input}{power}"),
                 (unit, input) => write!(f, "{unit}/{input}{power}"),
