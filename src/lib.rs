@@ -1,5 +1,6 @@
 #![doc = include_str!("../docs/introduction.md")]
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "num-dual")]
 pub use linkage_runtime::Dual;
@@ -84,6 +85,11 @@ pub mod controllers {
 /// Mechanisms as C99, for controllers: what is printed, a control loop, a block of a PLC.
 pub mod c {
     #![doc = include_str!("../docs/c.md")]
+}
+
+/// What versions promise: names, digits of results, operation counts, the oldest Rust.
+pub mod stability {
+    #![doc = include_str!("../docs/stability.md")]
 }
 
 /// Accuracy: what tolerances do, and which tolerances an allowed error needs.

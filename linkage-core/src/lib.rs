@@ -6,6 +6,7 @@
 //!
 //! Features: `std` or `libm` (where the elementary functions come from), `alloc` (part of `std`), `simba` (`Lanes`), `num-dual` (`Dual`).
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;

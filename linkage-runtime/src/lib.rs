@@ -7,6 +7,7 @@
 //! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
 //! `tolerance` and `monte-carlo` (the module `tolerance`), `report` (the module `report`).
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;
