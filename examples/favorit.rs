@@ -5,9 +5,12 @@
 //! crank 7-8 through the rod 8-9 (dyad RRP on a moving guide). The needle 9-10 is part of the
 //! slider. The second crank turns backwards at half the speed, so that one cycle takes two turns.
 //!
-//! The exit status is 1 if one of the 63 published columns does not agree to its last digit.
+//! The exit status is 1 if one of the 63 published columns does not agree to its last digit. `cargo run --release --example favorit
+//! docs/favorit.svg` draws the picture of the README, too.
 
 mod check;
+#[path = "favorit/picture.rs"]
+mod picture;
 
 use check::Check;
 use linkage::{mechanism, true_acceleration, true_velocity};
@@ -143,6 +146,11 @@ Where the publication is wrong:
         factor = 180.0 / PI,
         square = (180.0 / PI).powi(2),
     );
+    let path = std::env::args().nth(1);
+    if let Some(path) = path.filter(|path| path.ends_with(".svg")) {
+        std::fs::write(&path, picture::moving()?)?;
+        println!("\npicture: {path}");
+    }
     check.finish()
 }
 

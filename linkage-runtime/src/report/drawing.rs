@@ -7,6 +7,7 @@ mod dxf;
 mod fixed;
 mod geometry;
 mod marks;
+mod moving;
 mod names;
 mod options;
 mod parts;
@@ -49,6 +50,8 @@ pub struct Drawing<'a> {
     vectors: Vec<Vector<'a>>,
     /// How much larger than they are ellipses of tolerance are drawn, if they are.
     enlarged: Option<f64>,
+    /// How long a cycle takes, if it moves.
+    seconds: Option<f64>,
     view: View,
     mistakes: Vec<Mistake>,
 }
@@ -78,6 +81,7 @@ impl Report {
             ticks: 0,
             vectors: Vec::new(),
             enlarged: None,
+            seconds: None,
             view: View::new(shown.picture.dimension),
             mistakes: Vec::new(),
         })
@@ -150,7 +154,11 @@ impl Drawing<'_> {
     /// [`ReportError::Mistakes`] for a point that is not there, a scale that is none, and if the mechanism cannot be
     /// assembled at the position that is wanted, or at all.
     pub fn svg(&self) -> Result<String, ReportError> {
-        self.possible_row().map(|row| self.drawn(row))
+        let row = self.possible_row()?;
+        match self.seconds {
+            Some(seconds) => self.film(seconds),
+            None => Ok(self.drawn(row, row).finish()),
+        }
     }
 
     /// Writes the drawing, by the ending of the file's name, as SVG, [DXF](Self::dxf) or (with feature `png`) PNG.
@@ -218,7 +226,8 @@ impl Drawing<'_> {
         (0..count).map(row).collect()
     }
 
-    fn drawn(&self, row: usize) -> String {
+    /// The drawing at a row; plates have the corners that they have at the row `form`.
+    fn drawn(&self, row: usize, form: usize) -> Svg {
         let sheet = Sheet::new(self);
         let [width, height] = sheet.size;
         let mut svg = Svg::new(width, height, "mm", &self.report.title);
@@ -234,7 +243,7 @@ impl Drawing<'_> {
         }
         self.axes(&mut svg, &sheet, row);
         self.wheels(&mut svg, &sheet, row);
-        self.links(&mut svg, &sheet, row);
+        self.links(&mut svg, &sheet, row, form);
         // In front of plates, which would hide them.
         self.pivots(&mut svg, &sheet, row);
         for guide in self.shown.picture.guides {
@@ -246,16 +255,25 @@ impl Drawing<'_> {
             self.path(&mut svg, &sheet, point, self.hue(point));
         }
         self.even_points(&mut svg, &sheet);
-        self.ellipses(&mut svg, &sheet, row);
+        if self.seconds.is_none() {
+            self.ellipses(&mut svg, &sheet, row);
+        }
         self.joint_signs(&mut svg, &sheet, row);
         self.points(&mut svg, &sheet, row);
-        self.drives(&mut svg, &sheet, row);
-        self.dimension_lines(&mut svg, &sheet, row);
-        self.vectors(&mut svg, &sheet, row);
-        if self.names {
-            self.point_names(&mut svg, &sheet, row);
+        if self.seconds.is_none() {
+            self.of_one_position(&mut svg, &sheet, row);
         }
         self.caption(&mut svg, &sheet, row);
-        svg.finish()
+        svg
+    }
+
+    /// What says something of this position: words and arrows, which would jump about if it moved.
+    fn of_one_position(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+        self.drives(svg, sheet, row);
+        self.dimension_lines(svg, sheet, row);
+        self.vectors(svg, sheet, row);
+        if self.names {
+            self.point_names(svg, sheet, row);
+        }
     }
 }

@@ -81,6 +81,15 @@ pub enum Mistake {
         /// The scale.
         scale: f64,
     },
+    /// A cycle of a drawing that moves takes no positive and finite time.
+    Seconds {
+        /// The time, in seconds.
+        seconds: f64,
+    },
+    /// A drawing in space is asked to move.
+    MovesInSpace,
+    /// A drawing that is asked to move has something at some positions only.
+    Changes,
     /// The mechanism cannot be assembled where it is to be drawn.
     NotAssembled {
         /// The input.
@@ -217,6 +226,16 @@ impl fmt::Display for Mistake {
             Self::Scale { scale } => write!(
                 f,
                 "{scale} is no scale; give a positive number, 1 for the true size"
+            ),
+            Self::Seconds { seconds } => write!(
+                f,
+                "a cycle takes {seconds} s; give a positive number of seconds"
+            ),
+            Self::MovesInSpace => f.write_str(
+                "drawings of mechanisms in space do not move, which is a limit of ours; the page of the report moves and turns them",
+            ),
+            Self::Changes => f.write_str(
+                "the drawing cannot move, since something is shown at some positions only; draw single positions, or look at the page of the report",
             ),
             Self::NotAssembled {
                 input,

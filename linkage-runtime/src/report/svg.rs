@@ -1,6 +1,8 @@
 //! Writing SVG.
 
-use core::fmt::{self, Write};
+mod film;
+
+use core::fmt;
 use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -13,13 +15,23 @@ const FONTS: &str = "system-ui, 'Segoe UI', Roboto, Helvetica, Arial, 'DejaVu Sa
 
 /// A drawing that is being written.
 pub(super) struct Svg {
-    text: String,
+    head: String,
+    marks: Vec<Mark>,
+}
+
+/// What a drawing consists of, in its order.
+enum Mark {
+    Alone(Element),
+    /// The begin of a group, which its end closes.
+    Begin(Element),
+    End(&'static str),
+    Words(Element, String),
 }
 
 /// A shape with its attributes.
 pub(super) struct Element {
     tag: &'static str,
-    attributes: String,
+    attributes: Vec<(String, String)>,
     classes: Vec<String>,
 }
 
@@ -28,13 +40,16 @@ impl Svg {
     /// see it.
     pub(super) fn new(width: f64, height: f64, unit: &str, title: &str) -> Self {
         let (w, h) = (short(width), short(height));
-        let text = format!(
+        let head = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}{unit}\" height=\"{h}{unit}\" viewBox=\"0 0 {w} {h}\" role=\"img\" font-family=\"{FONTS}\">\n\
              <title>{}</title>\n<style>{}</style>\n",
             escaped(title),
             dark_rules(),
         );
-        let mut svg = Self { text };
+        let mut svg = Self {
+            head,
+            marks: Vec::new(),
+        };
         svg.add(
             Element::new("rect")
                 .number("width", width)
@@ -45,32 +60,33 @@ impl Svg {
     }
 
     pub(super) fn add(&mut self, element: Element) {
-        let start = element.start();
-        self.put(format_args!("{start}/>\n"));
+        self.marks.push(Mark::Alone(element));
     }
 
     /// An element with others in it.
     pub(super) fn group(&mut self, element: Element, content: impl FnOnce(&mut Self)) {
-        let (tag, start) = (element.tag, element.start());
-        self.put(format_args!("{start}>\n"));
+        let tag = element.tag;
+        self.marks.push(Mark::Begin(element));
         content(self);
-        self.put(format_args!("</{tag}>\n"));
+        self.marks.push(Mark::End(tag));
     }
 
     /// A line of words.
     pub(super) fn words(&mut self, element: Element, words: &str) {
-        let (tag, start, words) = (element.tag, element.start(), escaped(words));
-        self.put(format_args!("{start}>{words}</{tag}>\n"));
+        self.marks.push(Mark::Words(element, words.to_string()));
     }
 
-    pub(super) fn finish(mut self) -> String {
-        self.text.push_str("</svg>\n");
-        self.text
-    }
-
-    fn put(&mut self, text: fmt::Arguments<'_>) {
-        // Writing to a string never fails.
-        let _ = self.text.write_fmt(text);
+    pub(super) fn finish(self) -> String {
+        let marks = self.marks.iter().map(|mark| match mark {
+            Mark::Alone(element) => format!("{}/>\n", element.start()),
+            Mark::Begin(element) => format!("{}>\n", element.start()),
+            Mark::End(tag) => format!("</{tag}>\n"),
+            Mark::Words(element, words) => {
+                format!("{}>{}</{}>\n", element.start(), escaped(words), element.tag)
+            }
+        });
+        let marks: String = marks.collect();
+        format!("{}{marks}</svg>\n", self.head)
     }
 }
 
@@ -78,7 +94,7 @@ impl Element {
     pub(super) fn new(tag: &'static str) -> Self {
         Self {
             tag,
-            attributes: String::new(),
+            attributes: Vec::new(),
             classes: Vec::new(),
         }
     }
@@ -146,12 +162,14 @@ impl Element {
 
     pub(super) fn set(mut self, name: &str, value: impl fmt::Display) -> Self {
         let value = escaped(&value.to_string());
-        self.attributes.push_str(&format!(" {name}=\"{value}\""));
+        self.attributes.push((name.to_string(), value));
         self
     }
 
-    fn start(self) -> String {
-        let (tag, attributes) = (self.tag, self.attributes);
+    fn start(&self) -> String {
+        let attributes = self.attributes.iter();
+        let attributes = attributes.map(|(name, value)| format!(" {name}=\"{value}\""));
+        let (tag, attributes) = (self.tag, attributes.collect::<String>());
         match self.classes.join(" ").as_str() {
             "" => format!("<{tag}{attributes}"),
             classes => format!("<{tag} class=\"{classes}\"{attributes}"),

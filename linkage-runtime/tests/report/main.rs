@@ -10,6 +10,7 @@ mod dxf_files;
 mod fixture;
 mod folder;
 mod mistakes;
+mod moving;
 mod once;
 mod picture;
 mod plots;

@@ -64,15 +64,29 @@ impl Drawing<'_> {
 
     fn described(&self, sheet: &Sheet<'_>, row: usize) -> String {
         let input = &self.report.input;
-        let at = self.report.positions[row];
-        let (at, unit) = match input.unit {
-            "rad" => (at.to_degrees(), "deg"),
-            unit => (at, unit),
+        let told = |row: usize| {
+            let at = self.report.positions[row];
+            rounded(match input.unit {
+                "rad" => at.to_degrees(),
+                _ => at,
+            })
+        };
+        let unit = match input.unit {
+            "rad" => "deg",
+            unit => unit,
         };
         let enlarged = self.enlarged.map_or_else(String::new, |times| {
             format!(", tolerances enlarged {} times", rounded(times))
         });
-        let position = format!("{} = {} {unit}{enlarged}", input.name, rounded(at));
+        let at = match self.seconds {
+            Some(_) => format!(
+                "from {} to {}",
+                told(0),
+                told(self.report.positions.len() - 1)
+            ),
+            None => format!("= {}", told(row)),
+        };
+        let position = format!("{} {at} {unit}{enlarged}", input.name);
         if sheet.axes().is_some() {
             // What is foreshortened has no scale.
             return position;

@@ -22,7 +22,7 @@ const STRETCH: usize = 6;
 impl Drawing<'_> {
     pub(super) fn taken(&self, sheet: &Sheet<'_>, row: usize) -> Vec<Taken> {
         let picture = self.shown.picture;
-        let bodies = self.bodies(sheet, row, false).into_iter();
+        let bodies = self.bodies(sheet, row, row, false).into_iter();
         let mut all: Vec<Taken> = bodies
             .map(|body| Taken::new(&body.corners, 0.5 * body.width + OUTLINE))
             .collect();

@@ -32,6 +32,13 @@ pub(super) fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     lower
 }
 
+/// The corners of the hull as places in the list of points: those of a body stay the same while it moves in the plane.
+pub(super) fn hull_places(points: &[[f64; 2]]) -> Vec<usize> {
+    let corners = hull(points).into_iter();
+    let places = corners.filter_map(|corner| points.iter().position(|point| *point == corner));
+    places.collect()
+}
+
 fn half(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
     let mut corners: Vec<[f64; 2]> = Vec::new();
     for point in points {

@@ -3,7 +3,7 @@
 use std::vec::Vec;
 
 use super::Drawing;
-use super::geometry::{hull, moved};
+use super::geometry::{hull_places, moved};
 use super::sheet::{BEYOND, Sheet};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
@@ -33,9 +33,10 @@ pub(super) struct Body<'a> {
 }
 
 impl Drawing<'_> {
-    /// Bars, plates and rails, the farthest first.
-    pub(super) fn links(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-        let mut bodies = self.bodies(sheet, row, false);
+    /// Bars, plates and rails, the farthest first. Plates have the corners that they have at the row `form`, so that all drawings of
+    /// one that moves have the same.
+    pub(super) fn links(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize, form: usize) {
+        let mut bodies = self.bodies(sheet, row, form, false);
         bodies.sort_by(|a, b| a.nearness.total_cmp(&b.nearness));
         for body in bodies {
             let group = Element::new("g").class("link").set("data-name", body.name);
@@ -61,7 +62,7 @@ impl Drawing<'_> {
 
     /// Lines and outlines without width.
     pub(super) fn ghost(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-        for body in self.bodies(sheet, row, true) {
+        for body in self.bodies(sheet, row, row, true) {
             let shape = Element::polygon(body.corners).set("stroke-linecap", "round");
             svg.add(
                 shape
@@ -127,16 +128,26 @@ impl Drawing<'_> {
         }
     }
 
-    pub(super) fn bodies(&self, sheet: &Sheet<'_>, row: usize, ghost: bool) -> Vec<Body<'static>> {
+    pub(super) fn bodies(
+        &self,
+        sheet: &Sheet<'_>,
+        row: usize,
+        form: usize,
+        ghost: bool,
+    ) -> Vec<Body<'static>> {
         let picture = self.shown.picture;
         let mut bodies = Vec::new();
         for (index, link) in picture.links.iter().enumerate() {
-            let points: Option<Vec<_>> = link.points.iter().map(|p| sheet.point(*p, row)).collect();
-            if let Some(points) = points {
+            let points = |row| {
+                let points = link.points.iter().map(|p| sheet.point(*p, row));
+                points.collect::<Option<Vec<_>>>()
+            };
+            if let (Some(points), Some(form)) = (points(row), points(form)) {
+                let corners = hull_places(&form).into_iter();
                 let near: f64 = link.points.iter().map(|p| sheet.nearness(*p, row)).sum();
                 bodies.push(Body {
                     name: link.name,
-                    corners: hull(&points),
+                    corners: corners.map(|place| points[place]).collect(),
                     width: BAR,
                     colour: Colour::Link(index),
                     nearness: near / link.points.len() as f64,
