@@ -60,30 +60,104 @@ macro_rules! mechanism {
     };
 }
 
+// Links between pages lead to files where the repository is read: each page ends with them. Here `links.md` stands before a page, and of
+// two definitions the first one counts. It begins with blank lines, which end the paragraph before it.
+
 /// From a sketch to loops: a tutorial that ends with the take-up lever of a sewing machine.
 ///
 /// Its pictures are seen where the repository's `docs/tutorial.md` is read.
 pub mod tutorial {
+    #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/tutorial.md")]
 }
 
 /// Fifteen tasks with a short program for each, from inverse motion to a counterweight.
 pub mod cookbook {
+    #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cookbook.md")]
 }
 
 /// The language of [`mechanism!`], and what it generates: the complete reference.
 pub mod language {
+    #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/language.md")]
+
+    /// Items of the struct block: units, parameters with tolerances, inputs, unknowns, derived names, loops.
+    pub mod items {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/items.md")]
+    }
+
+    /// Expressions: literals with units, functions, vectors; frames that follow bodies in space.
+    pub mod expressions {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/expressions.md")]
+    }
+
+    /// Loops: what is recognised and solved in closed form, in the plane and in space.
+    pub mod loops {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/loops.md")]
+    }
+
+    /// Coupled groups: loops that can only be solved together: class III and more, what is prepared, what is served.
+    pub mod coupled {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/coupled.md")]
+    }
+
+    /// Functions of the impl block: quantities: positions, derivatives, sensitivities, several inputs.
+    pub mod functions {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/functions.md")]
+    }
+
+    /// Forces: bodies, joints, loads, speeds; reactions, torques, energies; units of force, mass and time.
+    pub mod forces {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/forces.md")]
+    }
+
+    /// Pictures: what `picture()` finds in the loops, and what it does not see.
+    pub mod pictures {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/pictures.md")]
+    }
+
+    /// What comes out: all generated items; sweeps over positions and over mechanisms.
+    pub mod generated {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/generated.md")]
+    }
+
+    /// Whole machines: a `Scene` of functions of several linkages.
+    pub mod machines {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/machines.md")]
+    }
+
+    /// Assemblies: assembly modes, circuits, angles that count their turns, what fails at run time, margins.
+    pub mod assemblies {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/assemblies.md")]
+    }
+
+    /// What the compiler checks: ranges, directions, estimates; what is not supported yet.
+    pub mod checks {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/checks.md")]
+    }
 }
 
 /// Mechanisms on small processors, in single precision: what is called, bytes and instructions.
 pub mod controllers {
+    #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/controllers.md")]
 }
 
 /// Mechanisms as C99, for controllers: what is printed, a control loop, a block of a PLC.
 pub mod c {
+    #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/c.md")]
 }
 

@@ -46,15 +46,16 @@ pub(crate) fn markdown(panels: &[Panel], about: &str) -> String {
     text
 }
 
-const EXPLANATION: &str = "Kernel K1, a crank-rocker with a coupler point. Time per position: median \
-over interleaved rounds, with quartiles;\nthe ratio is that of times in one round, to the generated \
-function in f64. Errors are against 154 digits: \
-the largest of each part over all positions,\nand the median over the positions \
-of the largest of all parts. Newton's method goes on from the position before.\n\nMethods hardly differ on a crank-rocker \
-whose links are alike. The last table has a rocker of 10 um (needle), \
-the last 0.1 to 3e-7\nradians before a dead point, and a parallelogram as near to its change point, in units of what \
-a roundoff in each dimension, the angle\nand the point itself does; the times are those of the point alone. \
-NaN: a position that can be assembled has no result.";
+const EXPLANATION: &str = "\
+Kernel K1, a crank-rocker with a coupler point. Time per position: median over interleaved rounds, with quartiles;
+the ratio is that of times in one round, to the generated function in f64. Errors are against 154 digits: the
+largest of each part over all positions, and the median over the positions of the largest of all parts. Newton's
+method goes on from the position before.
+
+Methods hardly differ on a crank-rocker whose links are alike. The last table has a rocker of 10 um (needle), the
+last 0.1 to 3e-7 radians before a dead point, and a parallelogram as near to its change point, in units of what a
+roundoff in each dimension, the angle and the point itself does; the times are those of the point alone. NaN: a
+position that can be assembled has no result.";
 
 fn rows(panel: &Panel) -> Vec<Vec<String>> {
     let mut head = vec![

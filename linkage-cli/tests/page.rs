@@ -39,6 +39,8 @@ fn the_page_shows_what_is_printed() {
     let mut count = 0;
     for block in blocks {
         let (block, _) = block.split_once("```").expect("a block ends");
+        // A long command goes on in the next line, as in a shell.
+        let block = block.replace("\\\n    ", "");
         let (line, expected) = block
             .split_once('\n')
             .expect("a command and what it prints");
