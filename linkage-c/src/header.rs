@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
+use linkage_compiler::unit::in_degrees;
 use linkage_symbolic::count::Count;
 
 use crate::comment::comment;
-use crate::surface::{Evaluator, Surface, decimal};
+use crate::surface::{Evaluator, Surface};
 
 /// The text of the header.
 pub(crate) fn header(surface: &Surface) -> String {
@@ -233,7 +234,7 @@ fn cost(count: &Count) -> String {
 pub(crate) fn reference(surface: &Surface) -> String {
     let inputs = surface.unit.inputs.iter();
     let places: Vec<String> = inputs
-        .map(|own| format!("{} = {}", own.name, decimal(own.reference)))
+        .map(|own| format!("{} = {}", own.name, in_degrees(own.reference, &own.unit)))
         .collect();
     places.join(", ")
 }

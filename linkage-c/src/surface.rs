@@ -1,6 +1,6 @@
 //! What users of the C see: names, types, comments.
 
-use linkage_compiler::unit::{COMPONENTS, Column, Function, Shape, Unit};
+use linkage_compiler::unit::{COMPONENTS, Column, Function, Shape, Unit, in_degrees};
 
 use crate::Real;
 use crate::names::{Names, Place, plain, snake};
@@ -227,7 +227,7 @@ fn evaluator<'a>(
         Field {
             name: names.take(&field.name),
             documentation: &field.documentation,
-            note: field_note(&field.unit, &field.shape, own),
+            note: field_note(field, own),
             shape: field.shape.clone(),
         }
     });
@@ -242,12 +242,15 @@ fn evaluator<'a>(
     }
 }
 
-/// `rad, from -1.57 to 11.0`
+/// `rad, from -90 deg to 630 deg`
 fn input_note(unit: &Unit, place: usize) -> String {
     let input = &unit.inputs[place];
     let words = if input.angle { "rad" } else { &input.unit };
     match input.range {
-        Some((low, high)) => format!("{words}, from {} to {}", decimal(low), decimal(high)),
+        Some((low, high)) => {
+            let [low, high] = [low, high].map(|end| in_degrees(end, words));
+            format!("{words}, from {low} to {high}")
+        }
         None => words.to_owned(),
     }
 }
@@ -257,34 +260,28 @@ fn dimension_note(scalars: &[linkage_compiler::unit::Scalar]) -> String {
         "" => "a number",
         unit => unit,
     };
-    let tolerances: Vec<String> = scalars.iter().map(|own| decimal(own.tolerance)).collect();
+    let tolerances: Vec<String> = scalars
+        .iter()
+        .map(|own| in_degrees(own.tolerance, &own.unit))
+        .collect();
     match scalars.iter().any(|own| own.tolerance != 0.0) {
         true => format!("{unit}; tolerance {}", tolerances.join(", ")),
         false => unit.to_owned(),
     }
 }
 
-/// The unit, and what the entries of an array are.
-fn field_note(unit: &str, shape: &Shape, columns: &[Column]) -> String {
-    let unit = match unit {
-        "" => "a number",
-        unit => unit,
+/// What it is with its unit, and what the entries of an array are.
+fn field_note(field: &linkage_compiler::unit::Field, columns: &[Column]) -> String {
+    let about = match &field.told()[..] {
+        "" => "a number".to_owned(),
+        // In C there is no mark for names.
+        about => about.strip_prefix("in ").unwrap_or(about).replace('`', ""),
     };
-    match shape {
+    match field.shape {
         Shape::Array(..) => {
             let names: Vec<&str> = columns.iter().map(|own| &own.name[..]).collect();
-            format!("{unit}: {}", names.join(", "))
+            format!("{about}: {}", names.join(", "))
         }
-        Shape::Scalar | Shape::Vector(_) | Shape::Frame => unit.to_owned(),
-    }
-}
-
-/// A number as an engineer writes it.
-pub(crate) fn decimal(x: f64) -> String {
-    let plain = x == 0.0 || (1e-4..1e9).contains(&x.abs());
-    if plain {
-        format!("{x}")
-    } else {
-        format!("{x:e}")
+        Shape::Scalar | Shape::Vector(_) | Shape::Frame => about,
     }
 }

@@ -28,7 +28,7 @@ pub(crate) fn types(name: &str, unit: &Unit) -> String {
         "}}\n\n/** Closed loops: results at any inputs. */\nexport interface Assembly {{"
     );
     for own in &unit.functions {
-        text += &documented("  ", &own.documentation);
+        text += &documented("  ", &about(own));
         let _ = writeln!(
             text,
             "  {}({}): {};",
@@ -58,6 +58,22 @@ fn arguments(unit: &Unit, own: &Function) -> String {
         .map(|name| format!("{}: number", identifier(name)))
         .collect();
     arguments.join(", ")
+}
+
+/// The function's doc comment, then what its results are.
+fn about(own: &Function) -> String {
+    let told = own.fields.iter().map(|field| {
+        let name = plain(&field.name);
+        match &field.told()[..] {
+            "" => format!("- `{name}`: a number"),
+            about => format!("- `{name}`: {about}"),
+        }
+    });
+    let results = told.collect::<Vec<_>>().join("\n");
+    match own.documentation.trim() {
+        "" => results,
+        documentation => format!("{documentation}\n\n{results}"),
+    }
 }
 
 fn result(own: &Function) -> String {

@@ -235,8 +235,8 @@ fn names_are_those_of_the_user_where_c_can_have_them() {
         "double default_; /* mm */",
         "double size_t; /* mm */",
         "double u3bb; /* mm */",
-        "double class_; /* mm */",
-        "double int_; /* rad */",
+        "double class_; /* derivative of λ by signed, in mm/rad */",
+        "double int_; /* v1, in rad */",
         "double__error_result double__error_(const double_ *m, double signed_);",
         "double__own_pair_result double__own_pair(const double_ *m, double signed_);",
     ] {
@@ -253,7 +253,7 @@ fn comments_of_the_user_stand_in_front() {
         "not to be changed by hand.\n   A drive.\n\n   Turns * / 1 / * and *\\\n   / end ?? /\n   All numbers are doubles",
         "    /* From the shaft to the pin,\n       as milled. */\n    double crank; /* mm; tolerance 0.02 */\n",
         "    /* Not `//` long: λ. */\n    double rod; /* mm */\n",
-        "    /* Of the pin. */\n    double ram; /* mm */\n    double v; /* mm */\n",
+        "    /* Of the pin. */\n    double ram; /* mm */\n    double v; /* derivative of ram by phi, in mm/rad */\n",
         "/* What the controller asks.\n   ",
     ] {
         assert!(header.contains(lines), "`{lines}` in\n{header}");

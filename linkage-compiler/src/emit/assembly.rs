@@ -8,7 +8,9 @@ use super::body::Runs;
 use super::docs::doc;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
-use super::{attribute, body, closing, constructors, literal, prepare, sealed, starts, winding};
+use super::{
+    attribute, body, closing, constructors, literal, prepare, sealed, starts, sweeps, winding,
+};
 use crate::unit::Unit;
 
 /// The assembly type and the public functions that make one.
@@ -29,8 +31,9 @@ fn structure(outline: &Outline) -> TokenStream {
         ..
     } = outline;
     let doc = doc(&format!(
-        "An assembled `{}`: closed loops in one assembly, everything prepared that does not depend on the inputs.",
-        outline.title()
+        "An assembled `{}`: closed loops in one assembly, everything prepared that does not depend on the inputs.{}",
+        outline.title(),
+        sweeps::about(outline)
     ));
     let derives = attribute::derives([]);
     let modes = literal::index(outline.modes.len());

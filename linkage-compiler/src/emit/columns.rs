@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::at_word::type_at;
-use super::docs::{doc, in_unit};
+use super::docs::{behind_name, doc};
 use super::outline::{Function, Outline, plain};
 use super::{attribute, home, literal};
 use crate::model::Shape;
@@ -187,7 +187,7 @@ fn fields(outline: &Outline, function: &Function) -> TokenStream {
         let doc = doc(&format!(
             "`{}` at all positions{}.{}",
             plain(name),
-            in_unit(&field.unit),
+            behind_name(&field.about),
             match field.shape {
                 Shape::Frame => " Entries are its origin and its axes x, y, z.",
                 _ => "",

@@ -46,22 +46,29 @@ pub(super) fn documented(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|a| a.name == "doc")
 }
 
+/// What a field is, behind its name: `, in mm`, or `` : derivative of `p` by `phi`, in mm/rad ``.
+pub(super) fn behind_name(about: &str) -> String {
+    match about {
+        "" => String::new(),
+        unit if unit.starts_with("in ") => format!(", {unit}"),
+        about => format!(": {about}"),
+    }
+}
+
+/// Words as a sentence of their own.
+pub(super) fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().map(|letter| letter.to_uppercase());
+    let first: String = first.into_iter().flatten().collect();
+    format!("{first}{}.", letters.as_str())
+}
+
 /// `, in mm`, or nothing for a pure number.
 pub(super) fn in_unit(unit: &str) -> String {
     if unit.is_empty() {
         String::new()
     } else {
         format!(", in {unit}")
-    }
-}
-
-/// A number as an engineer writes it.
-pub(super) fn decimal(x: f64) -> String {
-    let plain = x == 0.0 || (1e-4..1e9).contains(&x.abs());
-    if plain {
-        format!("{x}")
-    } else {
-        format!("{x:e}")
     }
 }
 

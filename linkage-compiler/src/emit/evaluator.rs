@@ -6,7 +6,7 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::at_word::type_at;
 use super::body::Runs;
-use super::docs::{doc, documented, in_unit, tokens, with_note};
+use super::docs::{behind_name, doc, documented, sentence, tokens, with_note};
 use super::entries::{entries, entry};
 use super::load::{CARRIED, loader};
 use super::mechanism::{marker_field, marker_value};
@@ -46,11 +46,10 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
 fn field_item(outline: &Outline, field: &Field) -> TokenStream {
     let name = field.name;
     let ty = outline.field_type(&field.shape, &quote!(T));
-    let unit = in_unit(&field.unit);
-    let summary = format!("`{}`{unit}.", plain(name));
-    let note = match unit.strip_prefix(", in ") {
-        Some(unit) if documented(field.attributes) => format!("In {unit}."),
-        _ => String::new(),
+    let summary = format!("`{}`{}.", plain(name), behind_name(&field.about));
+    let note = match field.about.as_str() {
+        "" => String::new(),
+        about => sentence(about),
     };
     let attributes = tokens(field.attributes);
     let head = with_note(&attributes, documented(field.attributes), &note, &summary);

@@ -5,9 +5,10 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::docs::{decimal, doc, documented, tokens, with_note};
+use super::docs::{doc, documented, tokens, with_note};
 use super::outline::{Component, Outline, Parameter, plain};
 use super::{attribute, literal};
+use crate::unit::in_degrees;
 
 /// The struct, its default and its conversions.
 pub(super) fn items(outline: &Outline) -> TokenStream {
@@ -64,14 +65,15 @@ pub(super) fn marker_value() -> TokenStream {
 }
 
 /// The docs of a parameter after those of the user, `In mm; default 50, tolerance 0.012.`, and those where there are
-/// none, `` `crank`, in mm; default 50, tolerance 0.012. ``
+/// none, `` `crank`, in mm; default 50, tolerance 0.012. ``; angles are told in degrees
 fn parameter_notes(outline: &Outline, parameter: &Parameter) -> [String; 2] {
     let name = plain(parameter.name);
     if !outline.complete {
         return [String::new(), format!("`{name}`.")];
     }
     let list = |number: fn(&Component) -> f64| {
-        let words = parameter.components.iter().map(|c| decimal(number(c)));
+        let components = parameter.components.iter();
+        let words = components.map(|c| in_degrees(number(c), &c.unit));
         let words = words.collect::<Vec<_>>().join(", ");
         if parameter.components.len() == 1 {
             words

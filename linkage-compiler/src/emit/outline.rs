@@ -93,7 +93,8 @@ pub(super) struct Field<'a> {
     pub name: &'a Ident,
     pub attributes: &'a [Attribute],
     pub shape: Shape,
-    pub unit: String,
+    /// What it is and in which unit, for the docs: `` derivative of `p` by `phi`, in mm/rad ``.
+    pub about: String,
 }
 
 impl<'a> Outline<'a> {
@@ -251,12 +252,12 @@ pub(super) fn function<'a>(def: &'a FunctionDef, fields: Vec<Field<'a>>) -> Func
     }
 }
 
-pub(super) fn field<'a>(quantity: &'a QuantityDef, shape: Shape, unit: String) -> Field<'a> {
+pub(super) fn field<'a>(quantity: &'a QuantityDef, shape: Shape, about: String) -> Field<'a> {
     Field {
         name: &quantity.field,
         attributes: &quantity.attributes,
         shape,
-        unit,
+        about,
     }
 }
 
@@ -278,7 +279,7 @@ fn complete_parameter<'a>(item: &'a ParamItem, parameter: &unit::Parameter) -> P
 fn complete_function<'a>(def: &'a FunctionDef, own: &unit::Function, unit: &Unit) -> Function<'a> {
     let quantities = def.quantities.iter().zip(&own.fields);
     let fields = quantities
-        .map(|(quantity, own)| field(quantity, own.shape.clone(), own.unit.clone()))
+        .map(|(quantity, own)| field(quantity, own.shape.clone(), own.told()))
         .collect();
     let arguments = def.inputs.iter().zip(&own.arguments);
     let arguments: Vec<String> = arguments

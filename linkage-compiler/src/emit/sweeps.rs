@@ -1,7 +1,10 @@
 //! Many positions at once: the sweeps of a function over inputs, and over mechanisms.
 
+mod about;
 mod rows;
 
+pub(super) use about::about;
+use about::summary;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -84,20 +87,14 @@ impl Sweeps<'_> {
         format!("{}{}", plain(self.function.name), sweep.word())
     }
 
-    /// A method with its documentation.
-    fn method(
-        &self,
-        sweep: Sweep,
-        summary: &str,
-        panics: &str,
-        signature: TokenStream,
-        body: TokenStream,
-    ) -> TokenStream {
+    /// A method. What sweeps do is told once, in the docs of the assembly.
+    fn method(&self, sweep: Sweep, signature: TokenStream, body: TokenStream) -> TokenStream {
         let visibility = self.function.visibility;
         let name = format_ident!("{}{}", self.function.name, sweep.word());
         let name_only = plain(self.function.name);
         let doc = doc(&format!(
-            "`{name_only}` {summary}\n\n# Panics\n\nPanics if {panics}."
+            "`{name_only}` {}: see [sweeps](Self#sweeps).",
+            summary(sweep)
         ));
         let body = self.outline.body(body);
         quote!(#doc #visibility fn #name #signature { #body })
@@ -110,13 +107,6 @@ impl Sweeps<'_> {
         let (columns, slices) = (&self.columns, &self.slices);
         let width = literal::index(self.function.width());
         let inputs = quote!(#(#arguments: &[T]),*);
-        let (each, panics) = match arguments.len() {
-            1 => ("", "the slices differ in length"),
-            _ => (
-                " A slice with a single element has that value at all of them.",
-                "the slices differ in length, those with a single element aside",
-            ),
-        };
         let behind = self.behind(Sweep::Into);
         let rows = self.inputs(quote!(__title));
         let fill = self.outline.body(self.with_kernel(
@@ -125,8 +115,6 @@ impl Sweeps<'_> {
         let [owned, into] = [Sweep::Owned, Sweep::Into].map(|sweep| self.title(sweep));
         let sweep = self.method(
             Sweep::Owned,
-            &format!("at many positions, one for each element of the slices.{each}"),
-            panics,
             quote!((&self, #inputs) -> #ty<T>),
             quote! {
                 let mut __columns = ::core::default::Default::default();
@@ -136,10 +124,6 @@ impl Sweeps<'_> {
         );
         let sweep_into = self.method(
             Sweep::Into,
-            &format!(
-                "at many positions, into columns that are there already: allocates only if they are too small.{each}"
-            ),
-            panics,
             quote!((&self, #inputs, #columns: &mut #ty<T>)),
             quote!(self.#behind(#into, #(#arguments,)* #columns);),
         );
@@ -147,11 +131,6 @@ impl Sweeps<'_> {
         let inputs_slices = self.inputs(quote!(#title));
         let sweep_slices = self.method(
             Sweep::Slices,
-            &format!(
-                "at many positions, into slices: one for each number of the result, in the order of its fields. \
-                 Allocates nothing.{each}"
-            ),
-            panics,
             quote!((&self, #inputs, #slices: [&mut [T]; #width])),
             self.with_kernel(|kernel| {
                 quote!(#runtime::fill_slices(#title, &self.#kernel(), &#inputs_slices, #slices);)
@@ -161,10 +140,6 @@ impl Sweeps<'_> {
         let inputs_parallel = self.inputs(quote!(#title));
         let parallel = self.method(
             Sweep::ParallelInto,
-            &format!(
-                "at many positions, computed by all threads of rayon's current pool, into columns that are there already.{each}"
-            ),
-            panics,
             quote! {
                 (&self, #inputs, #columns: &mut #ty<T>)
                 where T: ::core::marker::Send + ::core::marker::Sync
@@ -200,20 +175,7 @@ impl Sweeps<'_> {
         let ty = home::columns(self.outline, self.function);
         let (columns, sets, kernel) = (&self.columns, &self.sets, &self.over_sets);
         let inputs = quote!(#sets: &[#mechanism<T>], #(#arguments: &[T]),*);
-        let panics =
-            "a slice of inputs has neither one element nor as many as there are mechanisms";
         let follow = !self.function.states.is_empty();
-        let followed_from = match follow {
-            true => {
-                " Coupled groups are followed straight from the dimensions of this one, at the position."
-            }
-            false => "",
-        };
-        let about = format!(
-            "for many mechanisms, each at inputs of its own, or all at one position where a slice has a \
-             single element. Each is assembled in the modes of this one, and its angles count their turns from \
-             those of this one; where one cannot be assembled at its position, the results are NaN.{followed_from}"
-        );
         let behind = self.behind(Sweep::SetsInto);
         let rows = self.sets(quote!(__title));
         let followed = follow.then(|| {
@@ -232,8 +194,6 @@ impl Sweeps<'_> {
         let [owned, into] = [Sweep::Sets, Sweep::SetsInto].map(|sweep| self.title(sweep));
         let sweep = self.method(
             Sweep::Sets,
-            &about,
-            panics,
             quote!((&self, #inputs) -> #ty<T>),
             quote! {
                 let mut __columns = ::core::default::Default::default();
@@ -243,9 +203,6 @@ impl Sweeps<'_> {
         );
         let sweep_into = self.method(
             Sweep::SetsInto,
-            "for many mechanisms, as the method without `_into`, into columns that are there already: allocates only if they are \
-             too small.",
-            panics,
             quote!((&self, #inputs, #columns: &mut #ty<T>)),
             quote!(self.#behind(#into, #sets, #(#arguments,)* #columns);),
         );
@@ -253,9 +210,6 @@ impl Sweeps<'_> {
         let source = self.sets(quote!(#title));
         let parallel = self.method(
             Sweep::SetsParallelInto,
-            "for many mechanisms, as the method without `_parallel_into`, computed by all threads of rayon's current pool, into columns that \
-             are there already.",
-            panics,
             quote! {
                 (&self, #inputs, #columns: &mut #ty<T>)
                 where T: ::core::marker::Send + ::core::marker::Sync

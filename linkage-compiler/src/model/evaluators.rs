@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
+use super::functions::MotionWord;
 use super::generated::{ASSEMBLY, COLUMNS, Sweep};
 use super::names::{Resolver, kind};
 use super::operators::settle_alone;
@@ -11,7 +12,7 @@ use super::place::{Context, Place};
 use super::types::{EvaluatorDef, Name, Quantity};
 use crate::diagnostic::text::{list, nearest};
 use crate::diagnostic::{OriginId, SourceSpan};
-use crate::syntax::{FunctionDef, MechanismDef, QuantityDef, Word, documentation};
+use crate::syntax::{Expr, ExprKind, FunctionDef, MechanismDef, QuantityDef, Word, documentation};
 
 /// Names taken so far: where, and by what if not by the user's own word.
 type Taken = BTreeMap<String, (SourceSpan, Option<String>)>;
@@ -197,6 +198,8 @@ impl Resolver<'_> {
             field,
             documentation: documentation(&quantity.attributes),
             value,
+            written: written(&quantity.value),
+            subject: written(subject(&quantity.value)),
             origin: self.origins.add(span),
         }
     }
@@ -206,5 +209,31 @@ impl Resolver<'_> {
         if self.find(&quantity.field.to_string()).is_none() {
             self.check_reserved(&quantity.field);
         }
+    }
+}
+
+/// What is differentiated, below all derivatives.
+fn subject(value: &Expr) -> &Expr {
+    match &value.kind {
+        ExprKind::Call(function, arguments) => {
+            let word = MotionWord::from_word(&function.to_string());
+            match (
+                word.is_some_and(MotionWord::differentiates),
+                arguments.first(),
+            ) {
+                (true, Some(inner)) => subject(inner),
+                _ => value,
+            }
+        }
+        _ => value,
+    }
+}
+
+/// An expression as text, without parentheses around all of it.
+fn written(value: &Expr) -> String {
+    let text = value.to_string();
+    match (&value.kind, text.strip_prefix('(')) {
+        (ExprKind::Binary(..), Some(rest)) => rest.strip_suffix(')').unwrap_or(rest).to_owned(),
+        _ => text,
     }
 }

@@ -170,6 +170,18 @@ impl MotionWord {
         }
     }
 
+    /// Whether it is a derivative of its first argument.
+    pub(super) fn differentiates(self) -> bool {
+        match self {
+            MotionWord::Derivative
+            | MotionWord::Velocity
+            | MotionWord::Acceleration
+            | MotionWord::Jerk
+            | MotionWord::Sensitivity => true,
+            MotionWord::Margin | MotionWord::Picture => false,
+        }
+    }
+
     /// The word for so many derivatives by the inputs.
     pub(super) fn of_order(order: u8) -> Option<Self> {
         Self::all().find(|word| word.order() == Some(order))

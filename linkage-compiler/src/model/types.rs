@@ -210,6 +210,10 @@ pub(crate) struct Quantity {
     /// Its doc comment, line by line as written.
     pub(crate) documentation: String,
     pub(crate) value: Expr,
+    /// The value as text.
+    pub(crate) written: String,
+    /// What it is the derivative of, as text; the value itself if it is none.
+    pub(crate) subject: String,
     pub(crate) origin: OriginId,
 }
 

@@ -95,6 +95,7 @@ impl Alone {
         let beside = self.beside.as_ref();
         let beside = beside.map(|outputs| schedule(&self.graph, outputs, slots));
         let picture = self.picture.as_ref();
+        let columns = columns::columns(algebra.mechanism, definition, picture);
         Function {
             name: definition.name.clone(),
             documentation: definition.documentation.clone(),
@@ -102,8 +103,8 @@ impl Alone {
             states: states(&program),
             called: body(program),
             beside: beside.map(body),
-            fields: fields::fields(algebra.mechanism, definition, picture),
-            columns: columns::columns(algebra.mechanism, definition, picture),
+            fields: fields::fields(algebra.mechanism, definition, picture, &columns),
+            columns,
             sensitivities: self.direction.map(Direction::words),
         }
     }

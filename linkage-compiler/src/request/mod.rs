@@ -1,5 +1,6 @@
 //! What functions ask for, and the unit that computes it: quantities as expressions, directions of sensitivities, programs.
 
+mod about;
 mod alone;
 mod choice;
 mod columns;

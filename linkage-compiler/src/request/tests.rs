@@ -1,5 +1,6 @@
 //! Sensitivities are the same in every direction, for every kind of group.
 
+mod about;
 mod alone;
 mod forces;
 mod space;

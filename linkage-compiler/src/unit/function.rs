@@ -88,8 +88,21 @@ pub struct Field {
     pub documentation: String,
     /// How its scalars are put together.
     pub shape: Shape,
-    /// Words for the docs: `mm`, `rad`, `mm/rad`, `1`, ...
+    /// Words for the docs: `mm`, `rad`, `mm/rad`, nothing for a number, and for a picture.
     pub unit: String,
+    /// What it is, for the docs: `` derivative of `p` by `phi` ``; nothing for what its name says.
+    pub about: String,
+}
+
+impl Field {
+    /// What it is and in which unit: `` derivative of `p` by `phi`, in mm/rad ``; nothing for a number that its name says all of.
+    pub fn told(&self) -> String {
+        match (self.about.as_str(), self.unit.as_str()) {
+            (about, "") => about.to_owned(),
+            ("", unit) => format!("in {unit}"),
+            (about, unit) => format!("{about}, in {unit}"),
+        }
+    }
 }
 
 /// One number of a result.

@@ -11,6 +11,7 @@ mod group;
 mod picture;
 mod picture_words;
 mod signature;
+mod words;
 
 use linkage_core::Level;
 use linkage_symbolic::program::Program;
@@ -26,6 +27,7 @@ pub use picture::{
     Point, PointKind,
 };
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};
+pub use words::{decimal, in_degrees};
 
 /// What a mechanism is after lowering.
 #[derive(Clone, Debug, Default)]

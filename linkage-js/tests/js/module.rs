@@ -107,7 +107,7 @@ fn types_are_those_of_the_functions() {
     let types = linkage_js::module(&own.name, &own.unit).types;
     for line in [
         "export interface Dimensions {\n  /** mm */\n  constructor: number;\n  /** mm */\n  \"pivot.x\": number;",
-        "  /**\n   * Where the slider is.\n   */\n  gaps(this_: number, columns: number): { s: number; default: number[]; both: [number, number][] };",
+        "  /**\n   * Where the slider is.\n   *\n   * - `s`: in mm\n   * - `default`: derivatives of `s` by `this` and `columns`, in mm/rad and mm/mm\n   * - `both`: derivatives of `tip` by each of `PARAMETERS`, in mm/mm\n   */\n  gaps(this_: number, columns: number): { s: number; default: number[]; both: [number, number][] };",
         "/**\n * A crank. * / <script> ${name} `\n */\nexport declare const Math: Mechanism<Dimensions, Assembly>;",
     ] {
         assert!(types.contains(line), "{line}\n{types}");

@@ -134,6 +134,7 @@ fn as_function((index, own): (usize, &Named)) -> Function {
         documentation: String::new(),
         shape: Shape::Scalar,
         unit: String::new(),
+        about: String::new(),
     };
     let column = |index: usize| Column {
         name: format!("r{index}"),

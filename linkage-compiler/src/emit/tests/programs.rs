@@ -153,6 +153,7 @@ pub(crate) fn unit() -> Unit {
         documentation: String::new(),
         shape,
         unit: unit.to_owned(),
+        about: String::new(),
     };
     let angle = |unknown, estimate| ContinuousAngle {
         unknown,

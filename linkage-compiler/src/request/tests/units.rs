@@ -64,7 +64,7 @@ fn results_are_in_their_units() {
     let units: Vec<&str> = fields.map(|field| field.unit.as_str()).collect();
     let expected = [
         "N*mm",
-        "various units",
+        "N*mm/kg and N*mm/mm",
         "kg",
         "kg",
         "N*mm",
