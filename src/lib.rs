@@ -14,7 +14,8 @@ pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
     Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning, Operations,
     Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePoint, PointKind,
-    Programs, Scalar, Structure, Table, Vector2, Vector3, true_acceleration, true_velocity,
+    Programs, Scalar, Structure, Table, Vector2, Vector3, true_acceleration, true_jerk,
+    true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};

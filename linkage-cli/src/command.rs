@@ -13,7 +13,6 @@ mod choose;
 mod course;
 mod js;
 mod new;
-mod numbers;
 mod output;
 mod page;
 mod sweep;

@@ -72,7 +72,7 @@ pub use linkage_core::{
 };
 #[doc(hidden)]
 pub use linkage_core::{FUSED, numeric};
-pub use motion::{true_acceleration, true_velocity};
+pub use motion::{true_acceleration, true_jerk, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{self, Vector2, Vector3};
 #[cfg(feature = "alloc")]

@@ -1,4 +1,4 @@
-//! True velocity and acceleration from the derivatives with respect to the input.
+//! True velocity, acceleration and jerk from the derivatives with respect to the input.
 
 use core::ops::{Add, Mul};
 
@@ -45,4 +45,27 @@ where
     T: Copy + Mul<Output = T>,
 {
     a1 * (omega * omega) + v1 * epsilon
+}
+
+/// True jerk `j = omega^3 j1 + 3 omega epsilon a1 + zeta v1` of a quantity: how fast its true acceleration changes.
+///
+/// `v1`, `a1` and `j1` are its first three derivatives with respect to the input, as `velocity(q)`, `acceleration(q)` and
+/// `jerk(q)` give them; `omega`, `epsilon` and `zeta` are the first three derivatives of the input by time, its speed, its
+/// acceleration and its jerk (rad/s, rad/s^2 and rad/s^3 for an angle).
+///
+/// ```
+/// use linkage_runtime::true_jerk;
+///
+/// // q = x^3, x = t^2 at t = 1: the third derivative of t^6.
+/// assert_eq!(true_jerk(3.0, 6.0, 6.0, 2.0, 2.0, 0.0), 120.0);
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn true_jerk<V, T>(v1: V, a1: V, j1: V, omega: T, epsilon: T, zeta: T) -> V
+where
+    V: Mul<T, Output = V> + Add<Output = V>,
+    T: Copy + Mul<Output = T> + Add<Output = T>,
+{
+    let mixed = omega * epsilon;
+    j1 * (omega * omega * omega) + a1 * (mixed + mixed + mixed) + v1 * zeta
 }

@@ -37,6 +37,7 @@ mod write;
 
 pub use accuracy::BandKind;
 pub use builder::Report;
+pub use csv::CsvStyle;
 pub use drawing::Drawing;
 pub use error::ReportError;
 pub use index::Index;

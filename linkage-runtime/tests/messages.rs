@@ -2,7 +2,7 @@
 
 use linkage_runtime::{
     AssemblyError, AssemblyMode, FunctionInfo, Group, Operations, Parameter, Structure,
-    true_acceleration, true_velocity,
+    true_acceleration, true_jerk, true_velocity,
 };
 
 const NONE: Operations = Operations {
@@ -282,6 +282,7 @@ fn groups_without_a_closed_form_say_what_is_wrong() {
 fn true_motion_of_numbers() {
     assert_eq!(true_velocity(0.5_f32, 10.0), 5.0);
     assert_eq!(true_acceleration(0.5, -0.2, 10.0, 4.0), -18.0);
+    assert_eq!(true_jerk(0.5, -0.25, 0.125, 10.0, 4.0, 6.0), 98.0);
 }
 
 #[cfg(feature = "nalgebra")]
@@ -291,6 +292,10 @@ fn true_motion_of_vectors() {
     let (v1, a1) = (Vector2::new(1.0, 2.0), Vector2::new(-1.0, 0.5));
     assert_eq!(true_velocity(v1, 3.0), Vector2::new(3.0, 6.0));
     assert_eq!(true_acceleration(v1, a1, 3.0, 2.0), Vector2::new(-7.0, 8.5));
+    assert_eq!(
+        true_jerk(v1, a1, v1, 3.0, 2.0, 4.0),
+        Vector2::new(13.0, 71.0)
+    );
     assert_eq!(
         true_velocity(Vector3::new(1.0_f32, 2.0, 3.0), 2.0),
         Vector3::new(2.0, 4.0, 6.0)

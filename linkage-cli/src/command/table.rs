@@ -1,15 +1,16 @@
 //! `linkage table`: a function over a range of its input, for spreadsheets and programs.
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, value_parser};
 use linkage_runtime::Table;
+use linkage_runtime::report::CsvStyle;
 use serde_json::{Value, json};
 
 use super::choose::Chosen;
 use super::course::{Along, Course};
-use super::numbers::Style;
 use super::output::put;
 use super::sweep::Rows;
 use super::values::Dimensions;
@@ -59,11 +60,10 @@ struct Column<'a> {
 
 /// Writes the table.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
-    if !options.json && options.separator.contains(options.decimal) {
-        let text =
-            "the decimal mark would be read as the end of a column: give another `--separator`";
+    let style = options.style();
+    if let Some(mistake) = style.mistake().filter(|_| !options.json) {
         let mut command = super::Arguments::command();
-        command.error(ErrorKind::ArgumentConflict, text).exit();
+        command.error(ErrorKind::ArgumentConflict, mistake).exit();
     }
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
     let dimensions = options.dimensions.of(&mechanism)?;
@@ -99,7 +99,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     }
     let text = match options.json {
         true => in_json(&mechanism, &options.function, &dimensions, &columns),
-        false => in_lines(options, &columns),
+        false => in_lines(&style, &columns),
     };
     put(&text, options.output.as_deref())
 }
@@ -120,23 +120,25 @@ impl Column<'_> {
     }
 }
 
+impl Options {
+    fn style(&self) -> CsvStyle {
+        let style = CsvStyle::default()
+            .separator(&self.separator.replace("\\t", "\t"))
+            .decimal(self.decimal);
+        match self.digits {
+            Some(digits) => style.digits(digits.into()),
+            None => style,
+        }
+    }
+}
+
 /// A line for each position, names and units in the first one.
-fn in_lines(options: &Options, columns: &[Column]) -> String {
-    let style = Style {
-        digits: options.digits.map(usize::from),
-        decimal: options.decimal,
-    };
-    let separator = options.separator.replace("\\t", "\t");
-    let line = |cells: Vec<String>| cells.join(&separator) + "\r\n";
-    let quoted = |title: String| match title.contains(&separator) || title.contains('"') {
-        true => format!("\"{}\"", title.replace('"', "\"\"")),
-        false => title,
-    };
-    let titles = columns.iter().map(|own| quoted(own.title()));
-    let mut text = line(titles.collect());
+fn in_lines(style: &CsvStyle, columns: &[Column]) -> String {
+    let titles: Vec<String> = columns.iter().map(Column::title).collect();
+    let mut text = style.line(titles.iter().map(|title| style.word(title)));
     for row in 0..columns.first().map_or(0, |own| own.values.len()) {
-        let cells = columns.iter().map(|own| style.written(own.values[row]));
-        text += &line(cells.collect());
+        let cells = columns.iter().map(|own| style.number(own.values[row]));
+        text += &style.line(cells.map(Cow::Owned));
     }
     text
 }

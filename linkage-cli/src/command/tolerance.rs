@@ -7,11 +7,11 @@ use std::fmt::Write;
 use clap::{Args, value_parser};
 use linkage_compiler::unit::{Field, Meaning, Shape};
 use linkage_runtime::Input;
+use linkage_runtime::report::CsvStyle;
 use linkage_runtime::tolerance::largest;
 
 use super::choose::Chosen;
 use super::course::{Along, Course};
-use super::numbers::Style;
 use super::output::print;
 use super::values::Dimensions;
 use crate::engine::Assembly;
@@ -131,10 +131,7 @@ impl Position<'_> {
             arguments[place] = x;
             self.figures(&arguments)
         };
-        let style = Style {
-            digits: Some(6),
-            decimal: '.',
-        };
+        let style = CsvStyle::default().digits(6);
         let (unit, shown): (&str, fn(f64) -> f64) = match input.unit {
             "rad" => ("deg", f64::to_degrees),
             other => (other, |x| x),
@@ -145,7 +142,7 @@ impl Position<'_> {
         let toleranced = |parts: Vec<f64>| {
             let pairs = parts.into_iter().zip(&parameters);
             let with = pairs.filter(|(_, own)| own.tolerance > 0.0);
-            with.map(|(part, _)| style.written(part))
+            with.map(|(part, _)| style.number(part))
         };
         let names = parameters.iter().filter(|own| own.tolerance > 0.0);
         let names = names.map(|own| own.name.to_owned());
@@ -160,7 +157,7 @@ impl Position<'_> {
         for &x in positions {
             let figures = at(x)?;
             let numbers = [shown(x), figures.worst, figures.statistical];
-            let numbers = numbers.map(|x| style.written(x)).into_iter();
+            let numbers = numbers.map(|x| style.number(x)).into_iter();
             rows.push(numbers.chain(toleranced(figures.parts)).collect());
         }
         let mut text = format!("{}\n{}", self.title(), aligned(&rows));

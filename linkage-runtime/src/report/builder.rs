@@ -4,6 +4,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::SummaryRow;
+use super::csv::CsvStyle;
 use super::figures::Figures;
 use super::tables::Saved;
 use crate::{AssemblyMode, Dimensions, Input, Parameter, Programs, Structure, Table};
@@ -34,6 +35,7 @@ pub struct Report {
     pub(super) version: Option<u64>,
     pub(super) programs: Vec<Programs>,
     pub(super) given: Vec<(String, f64)>,
+    pub(super) csv_style: CsvStyle,
 }
 
 /// A parameter and its value in this mechanism.
@@ -79,6 +81,7 @@ impl Report {
             version: None,
             programs: Vec::new(),
             given: Vec::new(),
+            csv_style: CsvStyle::default(),
         }
     }
 

@@ -22,6 +22,7 @@ impl Report {
         self.check_parameters(&mut mistakes);
         self.check_speed(&mut mistakes);
         self.check_given(&mut mistakes);
+        self.check_csv(&mut mistakes);
         if mistakes.is_empty() {
             Ok(())
         } else {

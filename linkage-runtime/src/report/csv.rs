@@ -1,19 +1,32 @@
 //! Tables as CSV.
 
+mod style;
+
 use std::borrow::Cow;
-use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::tables::Saved;
 use super::units::titled;
 use super::{Mistake, Report, ReportError};
+pub use style::CsvStyle;
 
 impl Report {
+    /// How [`csv`](Self::csv) and the files of [`write`](Self::write) are written: angles in degrees, digits, separator, decimal mark.
+    #[must_use]
+    pub fn csv_style(mut self, style: CsvStyle) -> Self {
+        self.csv_style = style;
+        self
+    }
+
+    pub(super) fn check_csv(&self, mistakes: &mut Vec<Mistake>) {
+        mistakes.extend(self.csv_style.mistake());
+    }
+
     /// The table of a function: the input, its columns, then the true velocities and accelerations that follow from them.
     ///
     /// The first line has names and units, `phi [rad],p.x [mm],v.x [mm/rad]`. Numbers have the digits that it takes to
-    /// read them back exactly; a number that is not finite is an empty cell.
+    /// read them back exactly, unless [`csv_style`](Self::csv_style) says something else; a number that is not finite is an empty cell.
     ///
     /// # Errors
     ///
@@ -36,50 +49,25 @@ impl Report {
         let rates = rates
             .iter()
             .filter(|rate| rate.table == table.heading.function);
-        let input = (
-            titled(self.input.name, self.input.unit),
-            self.positions.as_slice(),
-        );
-        let given = table
-            .columns()
-            .map(|(column, values)| (titled(column.name, column.unit), values));
-        let rates =
-            rates.map(|rate| (titled(rate.column.name, &rate.unit), rate.values.as_slice()));
-        let (titles, columns): (Vec<_>, Vec<_>) =
-            [input].into_iter().chain(given).chain(rates).unzip();
+        let style = &self.csv_style;
+        let input = (self.input.name, self.input.unit, self.positions.as_slice());
+        let given = table.columns();
+        let given = given.map(|(column, values)| (column.name, column.unit, values));
+        let rates = rates.map(|rate| (rate.column.name, &*rate.unit, rate.values.as_slice()));
+        let columns: Vec<_> = [input].into_iter().chain(given).chain(rates).collect();
 
-        let mut text = line(titles.iter().map(|title| quoted(title)));
+        let titles: Vec<String> = columns
+            .iter()
+            .map(|(name, unit, _)| titled(name, style.shown(unit).0))
+            .collect();
+        let mut text = style.line(titles.iter().map(|title| style.word(title)));
         for row in 0..self.positions.len() {
-            let cells = columns.iter().map(|values| Cow::Owned(cell(values[row])));
-            text.push_str(&line(cells));
+            let cells = columns.iter().map(|(_, unit, values)| {
+                let (_, shown) = style.shown(unit);
+                Cow::Owned(style.number(shown(values[row])))
+            });
+            text.push_str(&style.line(cells));
         }
         text
-    }
-}
-
-fn line<'a>(cells: impl Iterator<Item = Cow<'a, str>>) -> String {
-    let mut line = cells.collect::<Vec<_>>().join(",");
-    line.push_str("\r\n");
-    line
-}
-
-/// Shortest digits that are read back to the same number.
-fn cell(x: f64) -> String {
-    if !x.is_finite() {
-        return String::new();
-    }
-    let digits = format!("{x:?}");
-    match digits.strip_suffix(".0") {
-        Some(whole) => whole.to_string(),
-        None => digits,
-    }
-}
-
-/// A cell in quotes where commas or quotes in it would be misread.
-fn quoted(cell: &str) -> Cow<'_, str> {
-    if cell.contains([',', '"', '\r', '\n']) {
-        Cow::Owned(format!("\"{}\"", cell.replace('"', "\"\"")))
-    } else {
-        Cow::Borrowed(cell)
     }
 }

@@ -76,6 +76,13 @@ pub enum Mistake {
         /// The quantity that it is over.
         name: String,
     },
+    /// The cells of CSV could not be told apart: what stands between columns stands in numbers, too.
+    Separator {
+        /// What is between columns.
+        separator: String,
+        /// The decimal mark.
+        decimal: char,
+    },
     /// A drawing's scale is not positive and finite.
     Scale {
         /// The scale.
@@ -221,6 +228,10 @@ impl fmt::Display for Mistake {
             Self::Still { input, at } => write!(
                 f,
                 "`{input}` is {at} at all positions; give the input a range, or the report other positions"
+            ),
+            Self::Separator { separator, decimal } => write!(
+                f,
+                "columns with {separator:?} between them and numbers with {decimal:?} for the decimal point cannot be told apart when they are read; take \";\" and ',', or \",\" and '.'"
             ),
             Self::NoCurve => f.write_str("the plot has no curve; add one with `curve`"),
             Self::Scale { scale } => write!(

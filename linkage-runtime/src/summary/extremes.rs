@@ -21,7 +21,8 @@ pub enum Kind {
 pub struct Extreme {
     /// The input.
     pub at: f64,
-    /// The value there.
+    /// The value there. Its tolerance is that of the quantity at this place, `sensitivity(q)`: where the quantity stands still, its derivative by
+    /// the input is zero, and it does not matter that the place shifts (the envelope theorem).
     pub value: f64,
     /// Whether it is a limit, and which one.
     pub kind: Kind,

@@ -3,7 +3,7 @@
 use crate::data::same;
 use crate::fixture::{FourBar, PHI, Sweep, value};
 use crate::four_bar;
-use linkage_runtime::report::Report;
+use linkage_runtime::report::{CsvStyle, Report};
 use linkage_runtime::{Heading, Table};
 
 #[test]
@@ -93,4 +93,55 @@ fn names_are_quoted_where_they_would_be_misread() {
         "phi [rad],\"carriage\rreturn [mm]\",\"line\nfeed [mm]\",\"com,ma [mm]\",\"quo\"\"te [mm]\",\
          semi;colon 'and' tab\t [mm]\r\n0,2,2,2,2,2\r\n1,2,2,2,2,2\r\n"
     );
+}
+
+#[test]
+fn spreadsheets_have_their_style() {
+    let phi = PHI.positions(3);
+    let report = Report::new("Four-bar", &PHI, &phi).table(&FourBar::NOMINAL.motion(&phi));
+    let plain = report.csv("motion").unwrap();
+    let style = CsvStyle::default()
+        .degrees(true)
+        .digits(5)
+        .separator(";")
+        .decimal(',');
+    let styled = report.clone().csv_style(style).csv("motion").unwrap();
+    let mut lines = styled.split_terminator("\r\n");
+    let title = lines.next().unwrap();
+    assert!(title.starts_with("phi [deg];tracer.x [mm];"), "{title}");
+    // Rates stay in radians.
+    assert!(title.ends_with(";v.x [mm/rad];v.y [mm/rad];a.x [mm/rad^2];a.y [mm/rad^2];psi [deg]"));
+    assert_eq!(lines.clone().count(), 3);
+    for (line, plain) in lines.zip(plain.split_terminator("\r\n").skip(1)) {
+        let (cells, plain) = (line.split(';'), plain.split(','));
+        assert_eq!(cells.clone().count(), 8);
+        for (column, (cell, plain)) in cells.zip(plain).enumerate() {
+            let digits = cell.split('e').next().unwrap().chars();
+            let digits = digits.filter(char::is_ascii_digit).collect::<String>();
+            assert!(digits.trim_start_matches('0').len() <= 5, "{cell}");
+            let [cell, plain] = [&cell.replace(',', "."), plain].map(|x| x.parse::<f64>().unwrap());
+            let factor = if [0, 7].contains(&column) {
+                180.0 / std::f64::consts::PI
+            } else {
+                1.0
+            };
+            assert!(
+                (cell - factor * plain).abs() <= 5.1e-5 * cell.abs(),
+                "{cell} {plain}"
+            );
+        }
+    }
+    assert!(styled.contains("\r\n180,00;"), "{styled}");
+}
+
+#[test]
+fn a_separator_that_stands_in_numbers_is_refused() {
+    let report = four_bar(FourBar::NOMINAL).csv_style(CsvStyle::default().decimal(','));
+    let told = report.csv("motion").unwrap_err().to_string();
+    assert!(
+        told.starts_with("columns with \",\" between them and numbers with ','"),
+        "{told}"
+    );
+    // Nothing is written that could not be read.
+    assert!(report.check().is_err());
 }
