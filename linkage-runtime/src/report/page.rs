@@ -16,7 +16,7 @@ const STYLES: [&str; 6] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 35] = [
+const SCRIPTS: [&str; 36] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/exact.js"),
@@ -42,6 +42,7 @@ const SCRIPTS: [&str; 35] = [
     include_str!("page/zoom.js"),
     include_str!("page/extremes.js"),
     include_str!("page/curves.js"),
+    include_str!("page/axes.js"),
     include_str!("page/panel.js"),
     include_str!("page/choose.js"),
     include_str!("page/plots.js"),

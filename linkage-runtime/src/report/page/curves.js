@@ -25,8 +25,12 @@ function curveOf(column) {
     column,
     colour: `var(--curve-${column.colour})`,
     dash: DASHES[column.dash],
-    ys: column.values.map((value) => plotValue(value, column.unit)),
+    ys: plotted(column),
   };
+}
+
+function plotted({ values: numbers, unit }) {
+  return numbers.map((value) => plotValue(value, unit));
 }
 
 // Whether curves of one unit lie so far from each other that on one axis each would look like a straight line.
@@ -55,17 +59,18 @@ function setLimits(panel) {
   const seen = seenRows();
   const all = spread(panel.curves, seen);
   const beside = rowsBesideGaps();
-  const rest = spread(panel.curves, (row) => seen(row) && !beside[row]);
+  const rest = beside === null ? all : spread(panel.curves, (row) => seen(row) && !beside[row]);
   const cut = isMoreThanRoundoff(rest) && all[1] - all[0] > FAR_BEYOND * (rest[1] - rest[0]);
   panel.cut = cut ? all : null;
   panel.limits = zoom.y.get(panel.name) ?? withMargin(cut ? rest : all, extremes.shown ? ROOM : AIR);
 }
 
-// Rows so near to a gap that a dead point rules there.
+// Rows so near to a gap that a dead point rules there; null without gaps.
 function rowsBesideGaps() {
+  if ((report.gaps ?? []).length === 0) return null;
   const near = Math.max(2, Math.round(rowCount / 40));
   const beside = Array(rowCount).fill(false);
-  for (const { from, to } of report.gaps ?? []) {
+  for (const { from, to } of report.gaps) {
     beside.fill(true, Math.max(0, nearestRow(from) - near), nearestRow(to) + near + 1);
   }
   return beside;
@@ -83,7 +88,8 @@ function spread(curves, counts) {
   for (const { column, ys } of curves) {
     ys.forEach((y, row) => {
       if (y === null || !counts(row)) return;
-      const half = Math.max(0, ...column.bands.map((band) => halfWidth(band, row, column.unit)));
+      let half = 0;
+      for (const band of column.bands) half = Math.max(half, halfWidth(band, row, column.unit));
       low = Math.min(low, y - half);
       high = Math.max(high, y + half);
     });
@@ -110,26 +116,39 @@ function largestOf([low, high]) {
   return Math.max(Math.abs(low), Math.abs(high));
 }
 
-// `d` of the area between both sides of a band, a piece for every stretch without gap.
-function bandOutline(curve, band, toScreen) {
+// `d` of the area between both sides of a band, a piece for every stretch without gap. `across` are the places of the rows, as words.
+function bandOutline({ ys, column }, band, across, scales) {
   let d = "";
-  let stretch = [];
+  let [forth, back] = ["", ""];
+  let rows = 0;
   const close = () => {
-    const side = (sign) => stretch.map((row) => toScreen(row, curve.ys[row] + sign * halfWidth(band, row, curve.column.unit)));
-    if (stretch.length > 1) d += lineThrough([...side(1), ...side(-1).reverse()]) + "Z";
-    stretch = [];
+    if (rows > 1) d += `M${forth.slice(1)}${back}Z`;
+    [forth, back, rows] = ["", "", 0];
   };
-  curve.ys.forEach((y, row) => {
-    if (y === null || band.half[row] === null) close();
-    else stretch.push(row);
+  ys.forEach((y, row) => {
+    if (y === null || band.half[row] === null || across[row] === null) return close();
+    const half = halfWidth(band, row, column.unit);
+    forth += `L${across[row]} ${pixelText(scales.y(y + half))}`;
+    back = `L${across[row]} ${pixelText(scales.y(y - half))}${back}`;
+    rows += 1;
   });
   close();
   return d;
 }
 
 // `d` of the curve; a single value between gaps is a dot.
-function curveOutline({ ys }, toScreen) {
-  const places = ys.map((y, row) => (y === null ? null : toScreen(row, y)));
-  const lonely = places.filter((place, row) => place && !places[row - 1] && !places[row + 1]);
-  return lineThrough(places) + lonely.map(([x, y]) => `M${pixel(x)} ${pixel(y)}h0.01`).join("");
+function curveOutline({ ys }, across, scales) {
+  const isThere = (row) => ys[row] !== null && ys[row] !== undefined && across[row] !== null;
+  let d = "";
+  let pen = "M";
+  ys.forEach((y, row) => {
+    if (y === null || across[row] === null) {
+      pen = "M";
+      return;
+    }
+    d += pen + across[row] + " " + pixelText(scales.y(y));
+    if (pen === "M" && !isThere(row + 1)) d += "h0.01";
+    pen = "L";
+  });
+  return d;
 }

@@ -27,9 +27,33 @@ function shape(name, attributes, ...children) {
   return node;
 }
 
+// The words of a node, which has nothing else; and its children. What is there already stays untouched.
+function write(node, text) {
+  if (node.firstChild === null) node.append(text);
+  else if (node.firstChild.data !== text) node.firstChild.data = text;
+  return node;
+}
+
+function hold(node, children) {
+  const same = node.childNodes.length === children.length && children.every((child, k) => child === node.childNodes[k]);
+  if (!same) node.replaceChildren(...children);
+}
+
 // Attributes of drawings: no more digits than a screen shows.
 function pixel(value) {
   return Math.round(value * 100) / 100;
+}
+
+// The same as words, many of them: whole numbers are printed several times as fast as others.
+const HUNDREDTHS = Array.from({ length: 100 }, (_, n) => String(n / 100).slice(1));
+// As bits of whole numbers reach.
+const MOST_WHOLE = 2 ** 31;
+
+function pixelText(value) {
+  const all = Math.round(value * 100);
+  if (!(all >= 0 && all < MOST_WHOLE)) return String(all / 100);
+  const whole = (all / 100) | 0;
+  return whole + HUNDREDTHS[all - 100 * whole];
 }
 
 // `d` of a line through screen points; a null begins anew.

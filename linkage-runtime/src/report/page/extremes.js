@@ -26,32 +26,40 @@ function extremeRows({ ys }, xs) {
   return rows[0] !== null && isMoreThanRoundoff(rows.map((row) => ys[row])) ? rows : [];
 }
 
-function extremeMarks(panel) {
-  const group = shape("g", { class: "extremes" });
-  if (!extremes.shown) return group;
+// Each curve has two marks, which are made when they are first shown.
+function markExtremes(panel) {
+  const shown = [];
   const labels = [];
-  for (const curve of panel.curves) {
+  for (const curve of extremes.shown ? panel.curves : []) {
+    curve.marks ??= [makeMark(curve, "lowest"), makeMark(curve, "highest")];
     extremeRows(curve, panel.scales.xs).forEach((row, which) => {
       const y = curve.ys[row];
       // Beyond the axis beside gaps, or outside of a rectangle.
       if (y < panel.scales.low || y > panel.scales.high) return;
-      group.append(extremeMark(panel, curve, row, which, labels));
+      placeMark(curve.marks[which], panel, curve, row, which, labels);
+      shown.push(curve.marks[which].node);
     });
   }
-  return group;
+  hold(panel.extremes, shown);
 }
 
-function extremeMark({ scales, unit }, { column, colour, ys }, row, which, labels) {
+function makeMark({ column, colour }, what) {
+  const [title, circle, label] = [shape("title"), shape("circle", { r: 3, stroke: colour }), shape("text")];
+  const node = shape("g", { "data-extreme": what, "data-of": column.key }, title, circle);
+  return { node, title, circle, label, what };
+}
+
+function placeMark({ node, title, circle, label, what }, { scales, unit }, { column, ys }, row, which, labels) {
   const [x, y] = [scales.x(scales.xs[row]), scales.y(ys[row])];
   const value = digits(rounded(ys[row], 6));
-  const text = `${value} at ${inputShort(input.values[row])}`;
-  const told = `${which === 0 ? "lowest" : "highest"} ${column.name}: ${value}${unit ? " " + unit : ""} at ${input.name} = ${inputShort(input.values[row])}`;
-  const node = shape("g", { "data-extreme": which === 0 ? "lowest" : "highest", "data-of": column.key, "data-row": row },
-    shape("title", {}, told),
-    shape("circle", { cx: pixel(x), cy: pixel(y), r: 3, stroke: colour }));
+  const at = inputShort(input.values[row]);
+  const text = `${value} at ${at}`;
+  set(node, { "data-row": row });
+  write(title, `${what} ${column.name}: ${value}${unit ? " " + unit : ""} at ${input.name} = ${at}`);
+  set(circle, { cx: pixel(x), cy: pixel(y) });
   const place = labelPlace(scales, [x, y], text.length * LABEL.letter, which, labels);
-  if (place) node.append(shape("text", { x: pixel(place[0]), y: pixel(place[1]) }, text));
-  return node;
+  if (place) write(set(label, { x: pixel(place[0]), y: pixel(place[1]) }), text);
+  hold(node, place ? [title, circle, label] : [title, circle]);
 }
 
 // Where a label is inside of the frame and on no other one, above or below its place; null if nowhere.

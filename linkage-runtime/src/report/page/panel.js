@@ -31,93 +31,71 @@ function panelScales(panel, width) {
   return { xs, first, last, low, high, left, wide, tall, x, y, value, height };
 }
 
+// The nodes of a panel; what numbers make of them is put there by `fillPanel`.
 function drawPanel(panel, width) {
-  const scales = panelScales(panel, width);
-  panel.scales = scales;
-  const toScreen = (row, y) => (scales.xs[row] === null ? null : [scales.x(scales.xs[row]), scales.y(y)]);
   const view = shape("svg", {
     class: "plot", width, height: PANEL.height, viewBox: `0 0 ${width} ${PANEL.height}`, role: "img", tabindex: 0,
     "aria-label": `${panel.curves.map((curve) => curve.column.name).join(", ")} against ${(abscissa.column ?? input).name}`,
   });
   const clip = `frame-${plots.panels.indexOf(panel)}`;
   const clipped = (...parts) => shape("g", { "clip-path": `url(#${clip})` }, ...parts);
-  view.append(clipping(clip, scales), clipped(gapAreas(scales)), axes(panel, scales),
-    clipped(bandAreas(panel, toScreen), curveLines(panel, toScreen)), extremeMarks(panel));
+  panel.clip = shape("rect");
+  panel.gaps = shape("g", { class: "gaps" });
+  panel.extremes = shape("g", { class: "extremes" });
   panel.cursor = shape("g", { class: "cursor", "data-cursor": "position" });
   panel.pointer = shape("g", { class: "cursor pointer", "data-cursor": "pointer" });
-  view.append(panel.pointer, panel.cursor);
+  view.append(shape("clipPath", { id: clip }, panel.clip), clipped(panel.gaps), makeAxes(panel),
+    clipped(bandAreas(panel), curveLines(panel)), panel.extremes, panel.pointer, panel.cursor);
   panel.view = view;
+  fillPanel(panel, width);
   return view;
 }
 
-// The frame and half a stroke around it.
-function clipping(id, { left, wide, tall }) {
-  return shape("clipPath", { id }, shape("rect", { x: left - 1, y: PANEL.top - 1, width: wide + 2, height: tall + 2 }));
-}
-
-function axes(panel, scales) {
-  const group = shape("g", { class: "axes" });
-  const bottom = PANEL.top + scales.tall;
-  const unit = plotUnit((abscissa.column ?? input).unit);
-  for (const tick of ticks(scales.first, scales.last, scales.wide / 56, unit)) {
-    const x = pixel(scales.x(tick));
-    group.append(shape("path", { class: "grid", d: `M${x} ${PANEL.top}V${bottom}` }),
-      shape("text", { x, y: bottom + 15, "text-anchor": "middle" }, digits(tick)));
+function fillPanel(panel, width) {
+  const scales = panelScales(panel, width);
+  panel.scales = scales;
+  // The frame and half a stroke around it.
+  set(panel.clip, { x: scales.left - 1, y: PANEL.top - 1, width: scales.wide + 2, height: scales.tall + 2 });
+  shadeGaps(panel);
+  placeAxes(panel);
+  const across = scales.xs.map((x) => (x === null ? null : pixelText(scales.x(x))));
+  for (const curve of panel.curves) {
+    set(curve.line, { d: curveOutline(curve, across, scales) });
+    for (const [band, area] of curve.areas) set(area, { d: bandOutline(curve, band, across, scales) });
   }
-  for (const tick of ticks(scales.low, scales.high, 5, panel.unit)) {
-    const y = pixel(scales.y(tick));
-    group.append(shape("path", { class: tick === 0 ? "zero" : "grid", d: `M${scales.left} ${y}h${scales.wide}` }),
-      shape("text", { x: scales.left - 7, y: y + 4, "text-anchor": "end" }, digits(tick)));
-  }
-  group.append(
-    shape("rect", { class: "frame", x: scales.left, y: PANEL.top, width: scales.wide, height: scales.tall }),
-    shape("text", { class: "title", x: scales.left + scales.wide / 2, y: PANEL.height - 5, "text-anchor": "middle" }, abscissaTitle()),
-    shape("text", { class: "title", transform: `translate(13 ${PANEL.top + scales.tall / 2}) rotate(-90)`, "text-anchor": "middle" }, panelTitle(panel)),
-  );
-  return group;
+  markExtremes(panel);
 }
 
-function titled(name, unit) {
-  return unit ? `${name} [${unit}]` : name;
-}
-
-// The name of a single curve; several have theirs in the legend.
-function panelTitle({ curves, unit }) {
-  const name = curves.length === 1 ? curves[0].column.name : "";
-  return name ? titled(name, unit) : unit ? `[${unit}]` : "[1]";
-}
-
-function gapAreas(scales) {
-  const group = shape("g", { class: "gaps" });
-  for (const { from, to } of isAgainstInput() ? report.gaps ?? [] : []) {
+function shadeGaps({ gaps: group, scales }) {
+  const gaps = isAgainstInput() ? report.gaps ?? [] : [];
+  if (gaps.length === 0 && !group.hasChildNodes()) return;
+  const parts = gaps.flatMap(({ from, to }) => {
     const ends = [from, to].map((value) => scales.x(plotValue(value, input.unit)));
     const [x, width] = [Math.min(...ends), Math.max(2, Math.abs(ends[1] - ends[0]))];
-    group.append(shape("rect", { class: "gap", x: pixel(x), y: PANEL.top, width: pixel(width), height: scales.tall }));
-  }
-  return group;
+    return [shape("rect", { class: "gap", x: pixel(x), y: PANEL.top, width: pixel(width), height: scales.tall })];
+  });
+  group.replaceChildren(...parts);
 }
 
-function bandAreas(panel, toScreen) {
+function bandAreas(panel) {
   const group = shape("g", { class: "bands" });
-  // Beside a quantity that comes back, a band would lie on its own curve.
-  for (const curve of isAgainstInput() ? panel.curves : []) {
-    for (const band of curve.column.bands) {
+  for (const curve of panel.curves) {
+    // Beside a quantity that comes back, a band would lie on its own curve.
+    const bands = isAgainstInput() ? curve.column.bands : [];
+    curve.areas = new Map(bands.map((band) => {
       const kind = band.kind === "worst case" ? "worst" : "statistical";
-      group.append(shape("path", { class: `band ${kind}`, d: bandOutline(curve, band, toScreen), fill: curve.colour }));
-    }
+      return [band, shape("path", { class: `band ${kind}`, fill: curve.colour })];
+    }));
+    group.append(...curve.areas.values());
   }
   return group;
 }
 
-function curveLines(panel, toScreen) {
-  const group = shape("g", { class: "curves" });
+function curveLines(panel) {
   for (const curve of panel.curves) {
-    group.append(shape("path", {
-      class: "curve", "data-column": curve.column.key, d: curveOutline(curve, toScreen),
-      stroke: curve.colour, "stroke-dasharray": curve.dash,
-    }));
+    curve.line = shape("path", { class: "curve", "data-column": curve.column.key, stroke: curve.colour, "stroke-dasharray": curve.dash });
   }
-  return group;
+  return shape("g", { class: "curves" }, ...panel.curves.map(({ line }) => line));
 }
 
 // A line at a row, with a dot on each curve.
@@ -125,10 +103,11 @@ function drawCursor(group, panel, row) {
   const { scales } = panel;
   const value = scales.xs[row];
   if (value === null || value < scales.first || value > scales.last) return group.replaceChildren();
+  if (!group.hasChildNodes()) group.append(shape("path"));
   const x = pixel(scales.x(value));
-  group.replaceChildren(shape("path", { d: `M${x} ${PANEL.top}v${scales.tall}` }));
-  for (const { ys, colour } of panel.curves) {
-    const within = ys[row] !== null && ys[row] >= scales.low && ys[row] <= scales.high;
-    if (within) group.append(shape("circle", { cx: x, cy: pixel(scales.y(ys[row])), r: 3.5, fill: colour }));
-  }
+  set(group.firstChild, { d: `M${x} ${PANEL.top}v${scales.tall}` });
+  const seen = panel.curves.filter(({ ys }) => ys[row] !== null && ys[row] >= scales.low && ys[row] <= scales.high);
+  while (group.childNodes.length > seen.length + 1) group.lastChild.remove();
+  while (group.childNodes.length < seen.length + 1) group.append(shape("circle", { r: 3.5 }));
+  seen.forEach(({ ys, colour }, k) => set(group.childNodes[k + 1], { cx: x, cy: pixel(scales.y(ys[row])), fill: colour }));
 }

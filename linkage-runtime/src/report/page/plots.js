@@ -66,38 +66,35 @@ function legend(panel) {
   const body = element("tbody");
   for (const curve of panel.curves) {
     const line = shape("path", { d: "M1 6H25", stroke: curve.colour, "stroke-dasharray": curve.dash });
-    curve.cell = element("td", { class: "value" });
+    curve.value = element("span");
+    curve.halves = curve.column.bands.map(() => element("small"));
+    curve.cell = element("td", { class: "value" }, curve.value);
     body.append(element("tr", { "data-column": curve.column.key },
       element("td", {}, shape("svg", { class: "swatch", width: 26, height: 12 }, line)),
       element("th", { scope: "row", title: legendTitle(curve.column) }, curve.column.name),
       curve.cell));
   }
   panel.where = element("caption");
-  const box = element("div", { class: "scroll" }, element("table", { class: "legend" }, panel.where, body));
-  sayCut(box, panel);
-  return box;
+  panel.beyond = element("p", { class: "cut" });
+  panel.legend = element("table", { class: "legend" }, panel.where, body);
+  panel.below = element("div", { class: "scroll" }, panel.legend);
+  sayCut(panel);
+  return panel.below;
 }
 
-function sayCut(box, panel) {
-  box.querySelector(".cut")?.remove();
-  if (panel.cut) box.append(element("p", { class: "cut" }, cutText(panel)));
+function sayCut(panel) {
+  if (panel.cut) write(panel.beyond, cutText(panel));
+  hold(panel.below, panel.cut ? [panel.legend, panel.beyond] : [panel.legend]);
 }
 
-// The same curves through other numbers: legends stay, which take longer to make than all the rest.
+// The same curves through other numbers: their nodes stay, which take longer to make than all the rest. Cursors go where the position is told.
 function redrawPanels() {
-  const before = plots.panels;
-  plots.panels = chosenPanels(plots.apart);
+  for (const { curves } of plots.panels) for (const curve of curves) curve.ys = plotted(curve.column);
   measureLabels(plots.panels);
-  plots.panels.forEach((panel, k) => {
-    panel.where = before[k].where;
-    panel.curves.forEach((curve, n) => (curve.cell = before[k].curves[n].cell));
-    const figure = byId("panels").children[k];
-    const view = drawPanel(panel, plots.width);
-    listenToPanel(view, panel);
-    figure.firstChild.replaceWith(view);
-    sayCut(figure.lastChild, panel);
-  });
-  showCursors(position.row);
+  for (const panel of plots.panels) {
+    fillPanel(panel, plots.width);
+    sayCut(panel);
+  }
 }
 
 function legendTitle(column) {
@@ -152,10 +149,11 @@ function showCursors(row) {
 }
 
 function showValues(panel, row, what) {
-  panel.where.textContent = `${what}: ${inputText(input.values[row])}`;
-  for (const { column, cell } of panel.curves) {
-    const known = column.bands.filter((band) => band.half[row] !== null);
-    const bands = known.map((band) => element("small", {}, `${band.kind} \u00b1 ${withUnit(band.half[row], column.unit)}`));
-    cell.replaceChildren(element("span", {}, withUnit(column.values[row], column.unit)), ...bands);
+  write(panel.where, `${what}: ${inputText(input.values[row])}`);
+  for (const { column, cell, value, halves } of panel.curves) {
+    write(value, withUnit(column.values[row], column.unit));
+    const known = column.bands.map((band, k) => ({ band, node: halves[k] })).filter(({ band }) => band.half[row] !== null);
+    for (const { band, node } of known) write(node, `${band.kind} \u00b1 ${withUnit(band.half[row], column.unit)}`);
+    hold(cell, [value, ...known.map(({ node }) => node)]);
   }
 }

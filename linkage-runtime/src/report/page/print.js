@@ -14,6 +14,7 @@ function openFolds() {
   for (const closed of printed.opened) closed.open = true;
   // Folds tell that they were opened only when the sheets are done.
   showAllValues(position.row);
+  for (const own of contributions.folds) own.refresh();
 }
 
 function closeFolds() {

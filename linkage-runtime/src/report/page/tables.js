@@ -82,23 +82,40 @@ function withDegrees(value, unit, sign = "") {
 }
 
 function accuracyTables() {
-  const rows = report.accuracy.map(({ quantity, worst, statistical, unit, at }) =>
-    [quantity, worst, statistical, unit, placeButton(at)]);
-  return [
-    grid("accuracy", ["quantity", "worst case \u00b1", "statistical \u00b1", "unit", `at ${input.name}`], rows),
-    ...report.accuracy.map(contributions),
-  ];
+  contributions.folds = report.accuracy.map((_, index) => contributionsFold(index));
+  return [accuracyGrid(), ...contributions.folds.map(({ box }) => box)];
 }
 
-// Who contributes to the worst case, the largest first, with bars.
-function contributions({ quantity, unit, worst, contributions: parts }) {
+function accuracyGrid() {
+  const rows = report.accuracy.map(({ quantity, worst, statistical, unit, at }) =>
+    [quantity, worst, statistical, unit, placeButton(at)]);
+  return grid("accuracy", ["quantity", "worst case \u00b1", "statistical \u00b1", "unit", `at ${input.name}`], rows);
+}
+
+// Who contributes to the worst case. What is closed is made anew when it is opened.
+const contributions = { folds: [] };
+
+function contributionsFold(index) {
+  const box = fold(`Contributions to ${report.accuracy[index].quantity}`, false, contributionsGrid(index));
+  const own = { box, old: false, refresh };
+  function refresh() {
+    if (own.old) box.lastChild.replaceWith(contributionsGrid(index));
+    own.old = false;
+  }
+  box.addEventListener("toggle", refresh);
+  return own;
+}
+
+// The largest first, with bars.
+function contributionsGrid(index) {
+  const { quantity, unit, worst, contributions: parts } = report.accuracy[index];
   const sorted = [...parts].sort((a, b) => Math.abs(b.amount) - Math.abs(a.amount));
   const rows = sorted.map(({ parameter, amount }) => {
     const share = worst ? (100 * Math.abs(amount)) / worst : 0;
     const bar = element("span", { class: "bar", style: `width: ${share.toFixed(1)}%` });
     return [parameter, amount, unit, element("span", { class: "bars", title: `${share.toFixed(1)} %` }, bar)];
   });
-  return fold(`Contributions to ${quantity}`, false, grid(`contributions ${quantity}`, ["dimension", "amount", "unit", "share of the worst case"], rows));
+  return grid(`contributions ${quantity}`, ["dimension", "amount", "unit", "share of the worst case"], rows);
 }
 
 function structureTables({ mobility, groups, functions, prepare }) {

@@ -108,13 +108,17 @@ function drawNow() {
 function showControls() {
   const assembly = byId("assembly");
   if (assembly !== null && assembly.value !== live.modes.join()) fillAssemblies(assembly, [live.modes]);
-  for (const [name, { slider, field, shown }] of controls.rows) {
-    const value = shown(valueNow(name));
+  for (const [name, row] of controls.rows) {
+    const { slider, field } = row;
+    // Rounding takes longer than all the rest.
+    if (row.exact !== valueNow(name)) Object.assign(row, { exact: valueNow(name), value: row.shown(valueNow(name)) });
+    const { value } = row;
     // What is typed stays as it is written.
-    if (document.activeElement !== field || Number(field.value) !== value) field.value = value;
+    const stays = document.activeElement === field ? field.value !== "" && Number(field.value) === value : field.value === String(value);
+    if (!stays) field.value = value;
     if (value < Number(slider.min)) slider.min = value;
     if (value > Number(slider.max)) slider.max = value;
-    slider.value = value;
+    if (slider.value !== String(value)) slider.value = value;
     field.closest("label").classList.toggle("changed", valueNow(name) !== valueInReport(name));
   }
   showHistory();

@@ -19,8 +19,9 @@ function remakeDrawing() {
 function remakeAccuracy() {
   const sheet = byId("accuracy");
   if (sheet === null) return;
-  const open = new Set([...sheet.querySelectorAll("details[open] > summary")].map((own) => own.textContent));
-  const tables = accuracyTables();
-  for (const own of tables) if (own.matches("details") && open.has(own.firstChild.textContent)) own.open = true;
-  sheet.replaceChildren(sheet.firstChild, ...tables);
+  sheet.querySelector(".scroll").replaceWith(accuracyGrid());
+  for (const own of contributions.folds) {
+    own.old = true;
+    if (own.box.open) own.refresh();
+  }
 }
