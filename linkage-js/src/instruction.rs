@@ -17,13 +17,12 @@ pub(crate) fn function(program: &Program, inputs: usize) -> String {
         let place = match *instruction {
             Instruction::Constant(x) => literal(x),
             Instruction::Load(source) => take(index, &place(source, inputs)),
-            Instruction::SinCos(a) => take(index, &format!("sine({})", of(a))),
-            Instruction::Second(pair) => {
-                let Instruction::SinCos(a) = program.instructions[pair.0] else {
-                    unreachable!("only sines have a second result")
-                };
-                take(index, &format!("cosine({})", of(a)))
+            Instruction::SinCos(a) => {
+                // The cosine waits beside it until another sine is asked for.
+                let sine = format!("sine({}), w{index} = beside", of(a));
+                take(index, &sine)
             }
+            Instruction::Second(pair) => format!("w{}", pair.0),
             Instruction::Unary(op, a) => take(index, &unary(op, of(a))),
             Instruction::Binary(op, a, b) => take(index, &binary(op, of(a), of(b))),
             Instruction::Ternary(op, a, b, c) => take(index, &ternary(op, of(a), of(b), of(c))),
@@ -81,7 +80,7 @@ fn binary(op: Binary, a: &str, b: &str) -> String {
         Binary::Sub => format!("{a} - {b}"),
         Binary::Mul => format!("{a} * {b}"),
         Binary::Div => format!("{a} / {b}"),
-        Binary::Atan2 => format!("Math.atan2({a}, {b})"),
+        Binary::Atan2 => format!("angleOf({a}, {b})"),
         Binary::Hypot => format!("hypot({a}, {b})"),
         Binary::Min => format!("Math.min({a}, {b})"),
         Binary::Max => format!("Math.max({a}, {b})"),

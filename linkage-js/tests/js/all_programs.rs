@@ -1,5 +1,5 @@
-//! All programs of many mechanisms to the last bit, on positions and on numbers that are none. Sines and arcs are the browser's and not Rust's, so both
-//! get others here, which are made of sums, products and quotients.
+//! All programs of many mechanisms to the last bit, on positions and on numbers that are none. Tangents and arcs of single numbers are the browser's
+//! and not Rust's, so both get others here, which are made of sums, products and quotients.
 
 use std::collections::BTreeSet;
 
@@ -16,13 +16,10 @@ use crate::page::{WRITTEN, list, page, read};
 
 /// In place of the browser's functions.
 const SIMPLE: &str = "
-    Math.sin = (x) => x / (1 + x * x);
-    Math.cos = (x) => 1 / (1 + x * x);
     Math.tan = (x) => x / (2 + x * x);
     Math.atan = (x) => x / (3 + x * x);
     Math.asin = (x) => Math.sqrt(1 - x * x) + x;
     Math.acos = (x) => Math.sqrt(1 - x * x) - x;
-    Math.atan2 = (y, x) => y / (x * x + 2);
 ";
 
 /// The same in Rust.
@@ -42,35 +39,26 @@ impl Arithmetic for Simple {
             f64::NAN
         };
         match op {
-            Unary::Sin => limited / (1.0 + limited * limited),
-            Unary::Cos => 1.0 / (1.0 + limited * limited),
             Unary::Tan => limited / (2.0 + limited * limited),
             Unary::Atan => a / (3.0 + a * a),
             Unary::Asin => (1.0 - a * a).sqrt() + a,
             Unary::Acos => (1.0 - a * a).sqrt() - a,
-            Unary::Neg | Unary::Abs | Unary::Sqrt | Unary::Sign | Unary::InverseScale => {
-                Generated::<f64, false>::unary(op, a)
-            }
+            Unary::Neg
+            | Unary::Abs
+            | Unary::Sqrt
+            | Unary::Sin
+            | Unary::Cos
+            | Unary::Sign
+            | Unary::InverseScale => Generated::<f64, false>::unary(op, a),
         }
     }
 
     fn binary(op: Binary, a: f64, b: f64) -> f64 {
-        match op {
-            Binary::Atan2 => a / (b * b + 2.0),
-            _ => Generated::<f64, false>::binary(op, a, b),
-        }
+        Generated::<f64, false>::binary(op, a, b)
     }
 
     fn ternary(op: Ternary, a: f64, b: f64, c: f64) -> f64 {
-        match op {
-            Ternary::AngleNear => {
-                const ROUND: f64 = 6_755_399_441_055_744.0;
-                let angle = Self::binary(Binary::Atan2, a, b);
-                let turns = ((c - angle) * (1.0 / std::f64::consts::TAU) + ROUND) - ROUND;
-                (angle + turns * 2.430_840_202_602_477e-10) + turns * 6.283_185_306_936_502_5
-            }
-            Ternary::Select => Generated::<f64, false>::ternary(op, a, b, c),
-        }
+        Generated::<f64, false>::ternary(op, a, b, c)
     }
 
     fn fused(op: Fused, a: f64, b: f64, c: f64) -> f64 {

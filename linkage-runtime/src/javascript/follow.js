@@ -100,6 +100,6 @@ function advance(path, from, target) {
 function near(path, x, guide) {
   const [cosine, sine] = path.direction(x);
   if (!Number.isFinite(cosine) || !Number.isFinite(sine) || (cosine === 0 && sine === 0)) return NaN;
-  const turn = Math.atan2(sine, cosine) - guide;
+  const turn = angleOf(sine, cosine) - guide;
   return guide + (turn - TURN * whole(turn / TURN));
 }

@@ -1,23 +1,9 @@
-// Operations that JavaScript does not have, or not with these results: those of generated Rust. Sines and arcs are the browser's.
+// Operations that JavaScript does not have, or not with these results: those of generated Rust. Tangents and arcs of single numbers are the browser's.
 
 const EIGHT_ROUNDOFFS = 8 * Number.EPSILON;
-// Where neighbouring numbers are a turn apart, a sine is noise.
+// As of sines.
 const LARGEST_ANGLE = 2 ** 30;
 const TURN = 2 * Math.PI;
-
-const doubles = new Float64Array(1);
-const words = new Uint32Array(doubles.buffer);
-// Which of the two words has the exponent.
-doubles[0] = 1;
-const HIGH = words[1] === 0 ? 0 : 1;
-
-function sine(x) {
-  return Math.abs(x) < LARGEST_ANGLE ? Math.sin(x) : NaN;
-}
-
-function cosine(x) {
-  return Math.abs(x) < LARGEST_ANGLE ? Math.cos(x) : NaN;
-}
 
 function tangent(x) {
   return Math.abs(x) < LARGEST_ANGLE ? Math.tan(x) : NaN;
@@ -62,7 +48,6 @@ function hypot(a, b) {
 
 // The nearest integer; a half goes to the even one.
 function whole(x) {
-  const ROUND = 1.5 * 2 ** 52;
   return x + ROUND - ROUND;
 }
 
@@ -72,7 +57,7 @@ const TURN_LOW = 2.430840202602477e-10;
 
 // The direction of (x, y), with the whole turns that bring it nearest to guide.
 function angleNear(y, x, guide) {
-  const angle = Math.atan2(y, x);
+  const angle = angleOf(y, x);
   const turns = whole((guide - angle) * (1 / TURN));
   return angle + turns * TURN_LOW + turns * TURN_HIGH;
 }

@@ -62,7 +62,7 @@ function uniform(angle, vectors, first, at, here) {
   const windings = angle.phases[longest] ?? null;
   if (windings === null) return null;
   const turned = windings.reduce((sum, turns, input) => sum + turns * at[input], 0);
-  const centre = Math.atan2(vectors[2 * (first + longest) + 1], vectors[2 * (first + longest)]);
+  const centre = angleOf(vectors[2 * (first + longest) + 1], vectors[2 * (first + longest)]);
   return { centre: centre + TURN * whole((here - (centre + turned)) / TURN), windings };
 }
 

@@ -18,6 +18,7 @@ pub struct Assembled<'a, T> {
     centres: Vec<f64>,
     windings: Vec<Vec<f64>>,
     prepared: Vec<T>,
+    steps: usize,
 }
 
 impl<'a, T: Scalar> Assembled<'a, T> {
@@ -42,6 +43,7 @@ impl<'a, T: Scalar> Assembled<'a, T> {
             centres: unit.angles.iter().map(|own| own.estimate).collect(),
             windings: vec![vec![0.0; unit.inputs.len()]; unit.angles.len()],
             prepared: Vec::new(),
+            steps: 0,
         };
         own.prepare();
         own
@@ -49,6 +51,14 @@ impl<'a, T: Scalar> Assembled<'a, T> {
 
     fn prepare(&mut self) {
         self.prepared = run(&self.unit.prepare, |source| self.load(source, &[]));
+    }
+
+    /// The same, with so many more steps of Newton's method from the tables of coupled groups: generated Rust makes one, which leaves the square of what
+    /// the table is wrong by.
+    #[must_use]
+    pub fn stepped(mut self, steps: usize) -> Self {
+        self.steps = steps;
+        self
     }
 
     /// The results of a function at its arguments.
@@ -61,7 +71,7 @@ impl<'a, T: Scalar> Assembled<'a, T> {
         run(&function.called.program, |source| self.load(source, &all))
     }
 
-    /// The state of a coupled group in its table, and the floor.
+    /// The state of a coupled group, and the floor.
     fn state(&self, group: usize, inputs: &[T]) -> Vec<f64> {
         let coupled = &self.unit.coupled[group];
         let own = coupled.inputs.iter().map(|&input| inputs[input].lane(0));
@@ -72,6 +82,14 @@ impl<'a, T: Scalar> Assembled<'a, T> {
             Some(Start::Grid(grid)) => grid.state(&own, &mut state),
             None => unreachable!("it is closed"),
         };
+        for _ in 0..self.steps {
+            let next = run(&coupled.correct, |source| match source {
+                Source::State(own, component) if own == group => T::from_f64(state[component]),
+                other => self.load(other, inputs),
+            });
+            let next = next.iter().take(coupled.size).map(|x| x.lane(0));
+            state = next.collect();
+        }
         state.push(floor);
         state
     }
