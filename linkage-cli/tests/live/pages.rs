@@ -25,36 +25,36 @@ pub(crate) struct Live {
 impl Live {
     /// Of an example; `None` without a browser.
     pub(crate) fn example(name: &str) -> Option<Self> {
-        Self::new(
-            &Path::new(env!("CARGO_MANIFEST_DIR"))
-                .join("../examples")
-                .join(name),
-        )
+        Self::example_as(name, "live")
+    }
+
+    /// In a folder of its own: tests run beside each other.
+    pub(crate) fn example_as(name: &str, kind: &str) -> Option<Self> {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+        Self::new(&file.join(name), kind)
     }
 
     /// Of a golden file of the compiler.
     pub(crate) fn golden(name: &str) -> Option<Self> {
-        Self::new(
-            &Path::new(env!("CARGO_MANIFEST_DIR"))
-                .join("../linkage-compiler/tests/golden")
-                .join(name),
-        )
+        Self::golden_as(name, "live")
+    }
+
+    /// In a folder of its own.
+    pub(crate) fn golden_as(name: &str, kind: &str) -> Option<Self> {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../linkage-compiler/tests/golden");
+        Self::new(&file.join(name), kind)
     }
 
     /// Of a text.
     pub(crate) fn text(name: &str, text: &str) -> Option<Self> {
         let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.mech"));
         fs::write(&file, text).expect("a file");
-        Self::new(&file)
+        Self::new(&file, "live")
     }
 
-    fn new(file: &Path) -> Option<Self> {
-        let folder = written(file);
-        let text = fs::read_to_string(file).expect("the file");
-        let source = Source::new("file", &text).expect("brackets have partners");
-        let checked = linkage_compiler::check(source.mechanisms()[0].tokens.clone());
-        let mechanism = Mechanism::new(&checked).expect("a mechanism without a mistake");
-        let mechanism = Box::leak(Box::new(mechanism));
+    fn new(file: &Path, kind: &str) -> Option<Self> {
+        let folder = written(file, kind);
+        let mechanism = mechanism(file);
         let mut page = Page::open(&folder.join("index.html"))?;
         page.value(CATCH);
         Some(Self { page, mechanism })
@@ -84,9 +84,18 @@ impl Live {
     }
 }
 
-fn written(file: &Path) -> PathBuf {
+/// The first mechanism of a file.
+pub(crate) fn mechanism(file: &Path) -> &'static Mechanism {
+    let text = fs::read_to_string(file).expect("the file");
+    let source = Source::new("file", &text).expect("brackets have partners");
+    let checked = linkage_compiler::check(source.mechanisms()[0].tokens.clone());
+    let mechanism = Mechanism::new(&checked).expect("a mechanism without a mistake");
+    Box::leak(Box::new(mechanism))
+}
+
+fn written(file: &Path, kind: &str) -> PathBuf {
     let name = file.file_stem().expect("a name").to_string_lossy();
-    let folder = folder(&name);
+    let folder = folder(&name, kind);
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
     let output = command
         .arg("page")
@@ -185,16 +194,16 @@ pub(crate) fn compare(live: &mut Live, assembly: &Assembly, given: &[(&str, f64)
 
 /// The page of a mechanism as a text.
 pub(crate) fn html(name: &str) -> String {
-    fs::read_to_string(folder(name).join("index.html")).expect("it was written")
+    fs::read_to_string(folder(name, "live").join("index.html")).expect("it was written")
 }
 
 /// Another file beside a page.
 pub(crate) fn beside(name: &str, file: &str, text: &str) -> PathBuf {
-    let path = folder(name).join(file);
+    let path = folder(name, "live").join(file);
     fs::write(&path, text).expect("a file");
     path
 }
 
-fn folder(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("live_{name}"))
+fn folder(name: &str, kind: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{kind}_{name}"))
 }

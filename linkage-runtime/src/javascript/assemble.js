@@ -20,6 +20,7 @@ function numbersOf(unit, dimensions, modes) {
     prepared: new Float64Array(unit.slots),
     statesAt: () => [],
     known: () => [],
+    ends: () => [],
   };
 }
 
@@ -55,6 +56,7 @@ function solve(own, before) {
   const found = solutions(own, known);
   own.statesAt = (x) => found.statesAt(x);
   own.known = found.known;
+  own.ends = found.ends;
 }
 
 function checkNumbers(unit, dimensions) {
@@ -86,6 +88,13 @@ function gapsAt(own, x) {
   const gaps = new Float64Array(own.unit.groups.length);
   own.unit.gaps(own, x, own.statesAt(x), gaps);
   return gaps;
+}
+
+// The same with other dimensions, whether these close at the reference or not. For mechanisms whose groups all have closed forms: nothing is followed.
+function gapsNear(own, dimensions, x) {
+  const other = { ...own, dimensions, prepared: new Float64Array(own.unit.slots) };
+  own.unit.prepare(other, other.prepared);
+  return gapsAt(other, x);
 }
 
 // Writes the results of a function to `out`. Arguments stand as the function takes them.

@@ -120,7 +120,12 @@ function solutions(own, known) {
     return way.end;
   }
 
-  return { statesAt, known: () => strands.map(({ first }) => first) };
+  return {
+    statesAt,
+    known: () => strands.map(({ first }) => first),
+    // Where the solutions were found to end; infinite where they were not, and over several inputs.
+    ends: () => strands.map(({ low, high }) => [low, high]),
+  };
 }
 
 function distance(a, b) {

@@ -59,10 +59,14 @@ const START: usize = SCRIPTS.len() - 1;
 
 /// Of a page that computes: they stand before the last one of the others.
 const LIVE_STYLE: &str = include_str!("page/live/live.css");
-const LIVE: [&str; 10] = [
+const LIVE: [&str; 14] = [
     include_str!("page/live/model.js"),
     include_str!("page/live/derived.js"),
+    include_str!("page/live/reason.js"),
     include_str!("page/live/summary.js"),
+    include_str!("page/live/course.js"),
+    include_str!("page/live/dwell.js"),
+    include_str!("page/live/saved.js"),
     include_str!("page/live/assemblies.js"),
     include_str!("page/live/history.js"),
     include_str!("page/live/link.js"),
@@ -118,7 +122,7 @@ impl Report {
         let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
         let engine = ENGINE.join("\n");
         std::format!(
-            "const engine = (() => {{\n{engine}\nreturn {{ assembled, evaluate, gapsAt, AssemblyError, programs: [{programs}] }};\n}})();\n"
+            "const engine = (() => {{\n{engine}\nreturn {{ assembled, evaluate, gapsAt, gapsNear, AssemblyError, programs: [{programs}] }};\n}})();\n"
         )
     }
 

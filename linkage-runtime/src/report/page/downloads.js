@@ -26,16 +26,19 @@ function download(name, blob) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
+// The report as it came, and names of files; a page that computes has others for what was changed.
+const saved = { json: () => source, name: (name) => name };
+
 function downloadButton(name, make) {
   const button = element("button", { type: "button", "data-file": name }, name);
-  button.addEventListener("click", async () => download(name, await make()));
+  button.addEventListener("click", async () => download(saved.name(name), await make()));
   return button;
 }
 
 function startDownloads() {
   const csv = report.tables.map((table) =>
     downloadButton(`${table.function}.csv`, () => new Blob([csvOf(columns.filter((column) => column.table === table.function))], { type: "text/csv" })));
-  const json = downloadButton("data.json", () => new Blob([source], { type: "application/json" }));
+  const json = downloadButton("data.json", () => new Blob([saved.json()], { type: "application/json" }));
   addSheet("Data", true,
     ...(report.thinned ? [element("p", {}, thinnedText())] : []),
     element("p", {}, "All values of the page with all their digits. Angles are in radians; a value that does not exist is empty in CSV and null in JSON."),

@@ -72,7 +72,10 @@ function shadeGaps({ gaps: group, scales }) {
   const parts = gaps.flatMap(({ from, to }) => {
     const ends = [from, to].map((value) => scales.x(plotValue(value, input.unit)));
     const [x, width] = [Math.min(...ends), Math.max(2, Math.abs(ends[1] - ends[0]))];
-    return [shape("rect", { class: "gap", x: pixel(x), y: PANEL.top, width: pixel(width), height: scales.tall })];
+    return [
+      shape("rect", { class: "gap", x: pixel(x), y: PANEL.top, width: pixel(width), height: scales.tall }),
+      shape("path", { class: "hatch", d: hatchedArea(x, PANEL.top, x + width, PANEL.top + scales.tall) }),
+    ];
   });
   group.replaceChildren(...parts);
 }

@@ -11,8 +11,8 @@ function sayGaps() {
   const ranges = gaps.slice(0, GAPS_TOLD)
     .map(({ from, to }) => (from === to ? inputShort(from) : `${inputShort(from)} to ${inputShort(to)}`));
   if (gaps.length > GAPS_TOLD) ranges.push(`and ${gaps.length - GAPS_TOLD} more`);
-  byId("gaps").textContent =
-    `Some values do not exist at ${input.name} = ${ranges.join(", ")}: the mechanism cannot be assembled there, or stands at a dead point. Plots have gaps, tables say none.`;
+  const reason = report.reason ?? "the mechanism cannot be assembled there, or stands at a dead point";
+  byId("gaps").textContent = `Some values do not exist at ${input.name} = ${ranges.join(", ")}: ${reason}. Plots have gaps, tables say none.`;
 }
 
 function start() {

@@ -17,6 +17,16 @@ function hatching(from, to, spacing = 6) {
   return d;
 }
 
+// `d` of strokes that fill a rectangle. They belong to the whole plane, so that those of neighbours meet.
+function hatchedArea(left, top, right, bottom, spacing = 9) {
+  let d = "";
+  for (let sum = Math.ceil((left + top) / spacing) * spacing; sum < right + bottom; sum += spacing) {
+    const [from, to] = [Math.max(left, sum - bottom), Math.min(right, sum - top)];
+    d += lineThrough([[from, sum - from], [to, sum - to]]);
+  }
+  return d;
+}
+
 // A triangle on hatched ground with its tip in the origin.
 function groundSign() {
   const [wide, high] = [10, 15];

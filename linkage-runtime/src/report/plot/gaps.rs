@@ -4,6 +4,7 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
+use super::super::svg::short;
 use super::Plot;
 use crate::words::rounded;
 
@@ -53,6 +54,22 @@ impl Plot {
             stretches.join(", "),
         )])
     }
+}
+
+/// Between the strokes of hatching, along an axis.
+const SPACING: f64 = 9.0;
+
+/// `d` of strokes that fill a rectangle between two corners. They belong to the whole plane, so that those of neighbours meet.
+pub(super) fn hatching([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> String {
+    let first = ((left + top) / SPACING).ceil() as i64;
+    let last = ((right + bottom) / SPACING).floor() as i64;
+    let strokes = (first..=last).map(|n| {
+        let sum = n as f64 * SPACING;
+        let ends = [left.max(sum - bottom), right.min(sum - top)];
+        let [from, to] = ends.map(|x| format!("{} {}", short(x), short(sum - x)));
+        format!("M{from}L{to}")
+    });
+    strokes.collect()
 }
 
 /// The pieces of consecutive rows between gaps of these values.

@@ -6,7 +6,7 @@ use super::super::colour::Colour;
 use super::super::hues::Style;
 use super::super::svg::{Element, Svg};
 use super::axes::Axis;
-use super::gaps::{Rows, pieces};
+use super::gaps::{Rows, hatching, pieces};
 use super::legend::Entry;
 use super::{Band, Curve};
 use crate::report::BandKind;
@@ -126,6 +126,17 @@ impl Panel<'_> {
                     .number("width", (b - a).abs())
                     .number("height", places.frame.bottom - places.frame.top)
                     .fill(Colour::Gap),
+            );
+            let corners = [
+                [a.min(b), places.frame.top],
+                [a.max(b), places.frame.bottom],
+            ];
+            svg.add(
+                Element::new("path")
+                    .class("hatch")
+                    .set("d", hatching(corners[0], corners[1]))
+                    .set("fill", "none")
+                    .stroke(Colour::Frame, 0.6),
             );
         }
     }

@@ -134,8 +134,7 @@ function tell(error) {
 
 function say(text) {
   const still = live.tables.filter(({ why }) => why !== null).map(({ table, why }) => `${table.function} is not computed here: ${why}.`);
-  const reason = isChanged() ? reasonOfGap() : null;
-  const all = [text, reason === null ? null : `Gaps: ${reason}.`, ...(isChanged() ? still : [])].filter((own) => own !== null);
+  const all = [text, ...(isChanged() ? still : [])].filter((own) => own !== null);
   byId("says").textContent = all.join(" ");
 }
 

@@ -102,18 +102,3 @@ function gapsNow() {
   }
   return gaps;
 }
-
-// Why there is a gap: the first group that misses closing at the first row of the first gap; null if none does, as at a dead point.
-function reasonOfGap() {
-  if (report.gaps.length === 0) return null;
-  const at = report.gaps[0].from;
-  for (const [number, unit] of engine.programs.entries()) {
-    const x = unit.inputs.map(({ name, reference }) => (name === input.name ? at : live.given.get(name) ?? reference));
-    const gaps = engine.gapsAt(live.assemblies[number], Float64Array.from(x));
-    const group = gaps.findIndex((miss) => miss > 0);
-    if (group < 0) continue;
-    const { kind, unknowns, loops, unit: measure } = unit.groups[group];
-    return `${kind} group of ${unknowns.join(", ")} (loop ${loops.join(", ")}): ${digits(rounded(gaps[group], 3))} ${measure} missing at ${inputShort(at)}`;
-  }
-  return null;
-}

@@ -13,10 +13,11 @@ const live = {
   assemblies: [],
   firstAssemblies: [],
   tables: [],
-  // Figures, errors, gaps and numbers of the report.
+  // Figures, errors, gaps with their reason, and numbers of the report.
   summary: report.summary,
   accuracy: report.accuracy,
   gaps: report.gaps,
+  reason: null,
   numbers: new Map(allNumbers().map((numbers) => [numbers, [...numbers]])),
   listeners: [],
 };
@@ -162,7 +163,7 @@ function give(name, value) {
 function fillTables() {
   if (!isChanged()) {
     for (const [numbers, declared] of live.numbers) declared.forEach((value, row) => (numbers[row] = value));
-    Object.assign(report, { accuracy: live.accuracy, gaps: live.gaps });
+    Object.assign(report, { accuracy: live.accuracy, gaps: live.gaps, reason: live.reason });
     return;
   }
   for (const own of live.tables) if (own.why === null) fillTable(own);
@@ -170,6 +171,7 @@ function fillTables() {
   fillBands();
   report.accuracy = live.accuracy.map(accuracyNow);
   report.gaps = gapsNow();
+  report.reason = reasonOfGap();
 }
 
 function fillTable({ table, number, fn, names }) {
@@ -191,4 +193,8 @@ function startModel() {
   live.stands = new Map(live.given);
   live.firstAssemblies = live.assemblies = assembledWith(live.dimensions, []);
   live.tables = report.tables.map(bind);
+  report.reason = live.reason = reasonOfGap();
+  startDwells();
+  startSaving();
+  sayGaps();
 }

@@ -76,6 +76,8 @@ function figureOf({ quantity, what }) {
   if (what === "smallest" || what === "lowest") return extreme(quantity, 0, -1);
   if (what === "highest") return extreme(quantity, 0, 1);
   if (what === "stroke") return strokeOf(quantity);
+  if (what === "rises in" || what === "falls in" || what === "time ratio") return timeFigure(quantity, what);
+  if (what.startsWith("dwell, ")) return dwellFigure(quantity, what);
   const [, real, end, word] = /^(true )?(least|greatest) (velocity|acceleration)$/.exec(what) ?? [];
   if (word === undefined) return undefined;
   const order = ORDERS[word];
@@ -93,6 +95,7 @@ function remakeSummary() {
   const sheet = byId("summary");
   if (sheet === null) return;
   extremesNow.clear();
+  coursesNow.clear();
   const rows = isChanged() ? live.summary.map(figureNow) : live.summary;
   sheet.replaceChildren(sheet.firstChild, summaryTable(rows));
 }

@@ -1,0 +1,100 @@
+// The course of a quantity over the range with the present dimensions: its limits, which are roots of its derivative, and the time ratio, as the
+// report's figures have them.
+
+// Ends of a cycle agree up to this part of the largest value.
+const SAME = 1e-9;
+// Bisections after which only roundoff is left.
+const HALVES = 60;
+
+// Courses are made for each change when a figure asks for them; null where no table has the quantity and its derivative.
+const coursesNow = new Map();
+
+function courseNow(quantity) {
+  if (!coursesNow.has(quantity)) coursesNow.set(quantity, courseOf(quantity));
+  return coursesNow.get(quantity);
+}
+
+function courseOf(quantity) {
+  const [value, rate] = [0, 1].map((order) => quantityNow(quantity, order));
+  const [low, high] = [input.values[0], input.values.at(-1)];
+  const width = high - low;
+  if (value === null || rate === null || !(width > 0)) return null;
+  const isCycle = isCycleOf(width, rate.numbers);
+  const cyclesTo = (u) => (isCycle ? Math.floor((u - low) / width) : 0);
+  // Over a cycle a quantity may advance, as the angle of a crank does.
+  const advance = isCycle ? advanceOf(value.numbers) : 0;
+  const course = {
+    low, high, width, isCycle, advance,
+    hasGaps: value.numbers.includes(null),
+    numbers: value.numbers,
+    at: (u) => value.at(u - cyclesTo(u) * width) + cyclesTo(u) * advance,
+    rate: (u) => rate.at(u - cyclesTo(u) * width),
+  };
+  course.limits = limitsOf(course, rate.numbers);
+  return course;
+}
+
+function largestAmong(numbers) {
+  return numbers.reduce((most, x) => Math.max(most, Math.abs(x ?? 0)), 0);
+}
+
+function isCycleOf(width, rates) {
+  const turns = width / (2 * Math.PI);
+  const isWhole = input.unit === "rad" && Math.abs(turns - Math.round(turns)) < SAME;
+  const [first, last] = [rates[0], rates.at(-1)];
+  return isWhole && first !== null && last !== null && Math.abs(last - first) <= SAME * largestAmong(rates);
+}
+
+function advanceOf(numbers) {
+  const advance = numbers.at(-1) - numbers[0];
+  return Math.abs(advance) <= SAME * largestAmong(numbers) ? 0 : advance;
+}
+
+// Where the quantity turns, within the range: `sign` is 1 where it is highest.
+function limitsOf(course, rates) {
+  const limits = [];
+  let before = null;
+  if (course.isCycle) {
+    const row = rates.findLastIndex((rate) => rate !== null && rate !== 0);
+    if (row >= 0) before = { u: input.values[row] - course.width, sign: Math.sign(rates[row]) };
+  }
+  rates.forEach((rate, row) => {
+    if (rate === null) before = null;
+    if (rate === null || rate === 0) return;
+    const here = { u: input.values[row], sign: Math.sign(rate) };
+    if (before !== null && before.sign !== here.sign) {
+      const turns = lastWhere((u) => Math.sign(course.rate(u)) === before.sign, before.u, here.u);
+      limits.push({ u: turns < course.low ? turns + course.width : turns, sign: before.sign });
+    }
+    before = here;
+  });
+  return limits;
+}
+
+// The border between a place where something holds and one where it does not.
+function lastWhere(holds, from, to) {
+  for (let k = 0; k < HALVES; k += 1) {
+    const middle = from + (to - from) / 2;
+    if (holds(middle)) from = middle;
+    else to = middle;
+  }
+  return from;
+}
+
+// How the input of a cycle is divided between both strokes; null unless there is one highest and one lowest place.
+function timesOf(course) {
+  const [highs, lows] = [1, -1].map((sign) => course.limits.filter((limit) => limit.sign === sign));
+  if (!course.isCycle || course.hasGaps || highs.length !== 1 || lows.length !== 1) return null;
+  const way = highs[0].u - lows[0].u;
+  const rise = way > 0 ? way : way + course.width;
+  return { rise, fall: course.width - rise };
+}
+
+function timeFigure(quantity, what) {
+  const course = courseNow(quantity);
+  if (course === null) return undefined;
+  const times = timesOf(course);
+  if (times === null) return null;
+  const { rise, fall } = times;
+  return { value: { "rises in": rise, "falls in": fall, "time ratio": Math.max(rise, fall) / Math.min(rise, fall) }[what] };
+}

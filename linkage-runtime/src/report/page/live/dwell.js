@@ -1,0 +1,128 @@
+// Dwells with the present dimensions: the longest interval of the input in which a quantity stays within the band of the report's dwell.
+
+// The longest dwell of the report's mechanism is told apart from another one by this part of the range.
+const SAME_DWELL = 1e-6;
+// Roundoffs by which a row beside a limit may seem to lie beyond it.
+const SLACK = 16 * Number.EPSILON;
+
+// Quantities whose dwell in the report is not the longest one, or is one of several: they keep their values.
+const otherDwells = new Set();
+
+function startDwells() {
+  for (const { quantity, value } of live.summary.filter(({ what }) => what === "dwell, from")) {
+    const same = live.summary.filter((row) => row.quantity === quantity && row.what === "dwell, from");
+    const found = dwellNow(quantity);
+    const near = found && Math.abs(found.from - value) <= SAME_DWELL * (input.values.at(-1) - input.values[0]);
+    if (same.length > 1 || !near) otherDwells.add(quantity);
+  }
+  coursesNow.clear();
+}
+
+function dwellNow(quantity) {
+  const course = courseNow(quantity);
+  const { value: band } = live.summary.find((row) => row.quantity === quantity && row.what === "dwell, band");
+  return course === null ? undefined : longestDwell(course, band);
+}
+
+function dwellFigure(quantity, what) {
+  if (otherDwells.has(quantity)) return undefined;
+  const dwell = dwellNow(quantity);
+  if (!dwell) return dwell;
+  const value = dwell[what.slice("dwell, ".length)];
+  return what === "dwell, from" || what === "dwell, to" ? { value, at: value } : { value };
+}
+
+function longestDwell(course, band) {
+  const stops = stopsOf(course);
+  if (course.isCycle && !course.hasGaps && spanOf(course.numbers) <= band) return dwellOf(course, stops, [course.low, course.high]);
+  const turns = stops.filter((stop) => stop.sign !== 0 && stop.u >= course.low && stop.u <= course.high);
+  const around = turns.map((stop) => aroundLimit(course, stops, stop, band));
+  const [best] = around.sort((a, b) => b[1] - b[0] - (a[1] - a[0]));
+  const rough = longestOfStops(stops, band);
+  const isShorter = best === undefined || (rough !== null && rough.length > best[1] - best[0]);
+  const ends = isShorter ? rough && throughBand(course, stops, rough, band) : best;
+  return ends && dwellOf(course, stops, ends);
+}
+
+function spanOf(numbers) {
+  const known = numbers.filter((x) => x !== null);
+  return Math.max(...known) - Math.min(...known);
+}
+
+// Rows and limits in order, those of a cycle thrice; the ends of a course and of its parts are limits, too.
+function stopsOf(course) {
+  const rows = course.numbers.map((value, row) => ({ u: input.values[row], value: value ?? NaN, sign: 0 }));
+  if (course.isCycle) rows.pop();
+  const turns = course.limits.map(({ u, sign }) => ({ u, value: course.at(u), sign }));
+  const once = [...rows, ...turns].sort((a, b) => a.u - b.u);
+  if (!course.isCycle) return once.map((stop, k) => ({ ...stop, sign: stop.sign || endSign(once, k) }));
+  return [-1, 0, 1].flatMap((cycle) => once.map(({ u, value, sign }) => ({ u: u + cycle * course.width, value: value + cycle * course.advance, sign })));
+}
+
+// 1 where a part of the course begins or ends with its highest value, -1 with its lowest.
+function endSign(stops, k) {
+  const isThere = (n) => stops[n] !== undefined && !Number.isNaN(stops[n].value);
+  if (!isThere(k) || isThere(k - 1) === isThere(k + 1)) return 0;
+  const beside = stops[isThere(k - 1) ? k - 1 : k + 1];
+  return Math.sign(stops[k].value - beside.value);
+}
+
+// As far as the quantity stays in the band that the limit closes.
+function aroundLimit(course, stops, { u, value, sign }, band) {
+  const bounds = sign > 0 ? [value - band, value] : [value, value + band];
+  return [-1, 1].map((way) => leaves(course, stops, u, way, bounds));
+}
+
+// Where the quantity leaves the bounds on the way from `u`.
+function leaves(course, stops, u, way, [low, high]) {
+  const slack = SLACK * Math.max(Math.abs(low), Math.abs(high));
+  const isIn = (value) => value >= low - slack && value <= high + slack;
+  let inside = u;
+  for (let k = way > 0 ? 0 : stops.length - 1; k >= 0 && k < stops.length; k += way) {
+    const stop = stops[k];
+    if ((stop.u - u) * way <= 0) continue;
+    if (!isIn(stop.value)) return lastWhere((x) => isIn(course.at(x)), inside, stop.u);
+    inside = stop.u;
+  }
+  return inside;
+}
+
+// The longest row of stops within the band.
+function longestOfStops(stops, band) {
+  let best = null;
+  let first = 0;
+  for (let last = 0; last < stops.length; last += 1) {
+    if (Number.isNaN(stops[last].value)) first = last + 1;
+    while (first < last && spanOf(stops.slice(first, last + 1).map(({ value }) => value)) > band) first += 1;
+    const length = first < last ? stops[last].u - stops[first].u : 0;
+    if (length > (best?.length ?? 0)) best = { first, last, length };
+  }
+  return best;
+}
+
+// An interval in which the quantity goes through the whole band: its beginning is moved until it is longest.
+function throughBand(course, stops, { first, last }, band) {
+  const rises = stops[last].value > stops[first].value;
+  const endFrom = (start) => {
+    const value = course.at(start);
+    return leaves(course, stops, start, 1, rises ? [value, value + band] : [value - band, value]);
+  };
+  let [a, b] = [stops[Math.max(0, first - 1)].u, stops[Math.min(stops.length - 1, first + 1)].u];
+  for (let k = 0; k < SECTIONS; k += 1) {
+    const [left, right] = [a + GOLDEN * (b - a), b - GOLDEN * (b - a)];
+    if (endFrom(left) - left > endFrom(right) - right) b = right;
+    else a = left;
+  }
+  return [a, endFrom(a)];
+}
+
+function dwellOf(course, stops, [from, to]) {
+  const within = stops.filter(({ u }) => u >= from && u <= to);
+  const turns = within.filter(({ u, sign }) => sign !== 0 && course.limits.some((limit) => Math.abs((limit.u - u) % course.width) <= SLACK * Math.abs(u)));
+  const all = [course.at(from), course.at(to), ...within.map(({ value }) => value)];
+  const range = to - from;
+  const place = (u) => (course.isCycle ? u - Math.floor((u - course.low) / course.width) * course.width : u);
+  const start = place(from);
+  const end = range >= course.width ? course.high : place(to);
+  return { from: start, to: end <= course.low && range > 0 ? course.high : end, range, band: spanOf(all), ripple: turns.length > 1 ? spanOf(turns.map(({ value }) => value)) : 0 };
+}
