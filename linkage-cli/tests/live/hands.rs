@@ -20,7 +20,7 @@ fn fields_buttons_and_keys_change_and_bring_back() {
     assert!(changed != before);
     live.page.value("document.getElementById('undo').click()");
     assert!(live.csv("motion") == before);
-    assert_eq!(live.page.words("location.hash"), "");
+    live.page.wait("location.hash === ''");
     live.page.value("document.getElementById('redo').click()");
     assert!(live.csv("motion") == changed);
     live.page.value("document.getElementById('reset').click()");

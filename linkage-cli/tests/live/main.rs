@@ -3,5 +3,6 @@
 mod figures;
 mod gaps;
 mod hands;
+mod many;
 mod pages;
 mod values;

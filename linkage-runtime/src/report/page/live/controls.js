@@ -20,6 +20,8 @@ function startLive() {
     say(readLink());
     keepStep();
   });
+  // A page that goes has its last change in its address.
+  addEventListener("pagehide", () => link.waiting !== null && writeLinkNow());
   startPulling();
   if (picture) byId("hint").append(" Pull pivots and bars to change dimensions.");
 }
@@ -42,7 +44,7 @@ function makeControls() {
     button("undo", "Undo", "Undo (ctrl z)", undo),
     button("redo", "Redo", "Redo (ctrl y)", redo),
     ...(live.firstModes.length > 0 ? [assemblyChoice()] : []),
-    element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), copy("copy-link", "link", () => location.href)));
+    element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), copy("copy-link", "link", addressNow)));
   const says = element("p", { id: "says", role: "status" });
   // On a phone the plots come first.
   const box = fold("Change dimensions", matchMedia("(min-width: 861px)").matches, buttons, says, element("div", { class: "dimensions" }, ...rows));

@@ -8,8 +8,27 @@ function fragment() {
   return [...changedOnes(), ...modes].map(([name, value]) => `${encodeURIComponent(name)}=${value}`).join("&");
 }
 
+// Browsers let an address be written one or two hundred times in ten seconds: this many milliseconds lie between two of ours.
+const LINK_EVERY = 120;
+
+const link = { last: -Infinity, waiting: null };
+
 function writeLink() {
+  if (link.waiting !== null) return;
+  const rest = link.last + LINK_EVERY - performance.now();
+  if (rest <= 0) writeLinkNow();
+  else link.waiting = setTimeout(writeLinkNow, rest);
+}
+
+function writeLinkNow() {
+  clearTimeout(link.waiting);
+  [link.last, link.waiting] = [performance.now(), null];
   history.replaceState(null, "", `#${fragment()}`);
+}
+
+function addressNow() {
+  writeLinkNow();
+  return location.href;
 }
 
 // The report with what the address says; names that there are not, and what is no number, are told.
