@@ -1,5 +1,8 @@
 //! What is done to dimensions: typed, pulled, undone, linked to.
 
+use std::thread;
+use std::time::Duration;
+
 use linkage_browser::Key;
 
 use crate::pages::{self, Live};
@@ -99,9 +102,10 @@ fn the_address_is_the_design() {
     live.page
         .wait("document.querySelector('input[data-dimension=crank]').value === '43.25'");
     let shown = live.csv("motion");
-    // What is waited for is not the page that goes.
+    // What is waited for is not the page that goes, which cannot be asked while it does.
     live.page
-        .value("delete document.body.dataset.ready; location.reload()");
+        .value("delete document.body.dataset.ready; setTimeout(() => location.reload()); 0");
+    thread::sleep(Duration::from_secs(1));
     live.page.wait("document.body.dataset.ready === 'true'");
     live.page.value(pages::CATCH);
     assert!(live.csv("motion") == shown);

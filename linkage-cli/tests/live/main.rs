@@ -1,5 +1,6 @@
 //! Pages that compute: what they show for other dimensions is what the command computes for these, however they are changed.
 
+mod assemblies;
 mod figures;
 mod gaps;
 mod hands;

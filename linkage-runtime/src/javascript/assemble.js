@@ -90,13 +90,6 @@ function gapsAt(own, x) {
   return gaps;
 }
 
-// The same with other dimensions, whether these close at the reference or not. For mechanisms whose groups all have closed forms: nothing is followed.
-function gapsNear(own, dimensions, x) {
-  const other = { ...own, dimensions, prepared: new Float64Array(own.unit.slots) };
-  own.unit.prepare(other, other.prepared);
-  return gapsAt(other, x);
-}
-
 // Writes the results of a function to `out`. Arguments stand as the function takes them.
 function evaluate(own, fn, values, out) {
   const { unit } = own;

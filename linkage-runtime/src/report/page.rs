@@ -4,7 +4,7 @@ use std::string::String;
 
 use super::colour::page_rules;
 use super::{Report, ReportError};
-use crate::javascript::ENGINE;
+use crate::javascript::{ENGINE, OTHERS};
 
 const FRAME: &str = include_str!("page/page.html");
 const STYLES: [&str; 6] = [
@@ -122,7 +122,7 @@ impl Report {
         let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
         let engine = ENGINE.join("\n");
         std::format!(
-            "const engine = (() => {{\n{engine}\nreturn {{ assembled, evaluate, gapsAt, gapsNear, AssemblyError, programs: [{programs}] }};\n}})();\n"
+            "const engine = (() => {{\n{engine}\n{OTHERS}\nreturn {{ assembled, evaluate, gapsAt, solutionsAt, standing, AssemblyError, programs: [{programs}] }};\n}})();\n"
         )
     }
 

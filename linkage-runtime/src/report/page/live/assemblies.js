@@ -1,52 +1,94 @@
-// Other assemblies: groups with two modes are turned over.
+// Other assemblies: groups with two modes are turned over, groups without a closed form have further solutions.
 
 // More modes than this are not listed: every one doubles the number of assemblies.
 const MOST_MODES = 6;
+// Two assemblies of one mechanism differ by more than this in the numbers of their states.
+const SAME_STATE = 1e-4;
 
-// All modes in which the mechanism closes with these dimensions, those of the report first.
+// Of the first programs, as everywhere where modes are: all assemblies that close with these dimensions, the modes of the report first.
 function assembliesNow() {
   const [unit] = engine.programs;
-  const count = unit.modes.length;
-  if (count === 0 || count > MOST_MODES) return [live.modes];
-  const first = live.firstModes;
-  const all = Array.from({ length: 2 ** count }, (_, flips) => first.map((mode, k) => ((flips >> k) & 1 ? -mode : mode)));
-  return all.filter(closes);
+  const values = valuesOf(unit, live.dimensions);
+  const all = modesNow(unit).flatMap((modes) =>
+    unit.coupled.length === 0 ? [{ modes, states: [] }] : engine.solutionsAt(unit, values, modes).map((states) => ({ modes, states })));
+  return all.filter((own) => closes(unit, values, own));
 }
 
-function closes(modes) {
-  const before = live.modes;
-  live.modes = modes;
+function modesNow({ modes: { length } }) {
+  if (length === 0 || length > MOST_MODES) return [live.modes];
+  return Array.from({ length: 2 ** length }, (_, flips) => live.firstModes.map((mode, k) => ((flips >> k) & 1 ? -mode : mode)));
+}
+
+function closes(unit, values, { modes, states }) {
   try {
-    assembledWith(live.dimensions, live.assemblies);
+    engine.assembled(unit, values, modes, engine.standing(unit, values, modes, states));
     return true;
   } catch (thrown) {
     if (thrown instanceof engine.AssemblyError) return false;
     throw thrown;
-  } finally {
-    live.modes = before;
   }
 }
 
-// A word for each: the signs of the modes.
-function modesText(modes) {
-  return modes.map((mode) => (mode > 0 ? "+" : "\u2212")).join(" ");
+// The states that the present assembly has at the reference inputs.
+function statesNow() {
+  return live.assemblies[0].known().map(({ state }) => [...state]);
+}
+
+function isThisAssembly({ modes, states }) {
+  const own = statesNow().flat();
+  return modes.join() === live.modes.join() && states.flat().every((x, k) => Math.abs(x - own[k]) < SAME_STATE);
+}
+
+// A word for each: the signs of the modes, and a number if one of the solutions with them is meant.
+function assemblyText({ modes, states }, all) {
+  const signs = modes.map((mode) => (mode > 0 ? "+" : "\u2212")).join(" ");
+  const alike = all.filter((other) => other.modes.join() === modes.join());
+  return states.length === 0 ? signs : `${signs} ${alike.findIndex((other) => other.states === states) + 1}`.trim();
 }
 
 function assemblyChoice() {
   const select = element("select", { id: "assembly", "aria-label": "Assembly" });
-  select.addEventListener("change", () => {
-    live.modes = select.value.split(",").map(Number);
-    tell(change(new Map()));
-    keepStep();
-  });
+  select.addEventListener("change", () => choose(choices.all[Number(select.value)]));
   // Which ones there are is asked when somebody wants to choose.
   for (const event of ["pointerdown", "focus"]) select.addEventListener(event, () => fillAssemblies(select, assembliesNow()));
-  fillAssemblies(select, [live.modes]);
+  fillAssemblies(select, [assemblyNow()]);
   return element("label", { class: "choices" }, "Assembly ", select);
 }
 
+const choices = { all: [] };
+
+function assemblyNow() {
+  return { modes: live.modes, states: statesNow() };
+}
+
+function choose({ modes, states }) {
+  const [unit] = engine.programs;
+  live.modes = modes;
+  if (states.length > 0) {
+    const values = valuesOf(unit, live.dimensions);
+    live.assemblies = live.assemblies.with(0, engine.standing(unit, values, modes, states));
+    live.choice += 1;
+    if (isThatOfTheReport(modes, states)) backToSolution();
+  }
+  tell(change(new Map()));
+  keepStep();
+}
+
+// With no other dimensions: then the report's own numbers are shown.
+function isThatOfTheReport(modes, states) {
+  const first = live.firstAssemblies[0].known().flatMap(({ state }) => [...state]);
+  const isNear = states.flat().every((x, k) => Math.abs(x - first[k]) < SAME_STATE);
+  return isNear && modes.join() === live.firstModes.join() && changedOnes().length === 0;
+}
+
+function backToSolution() {
+  live.choice = 0;
+  live.assemblies = live.firstAssemblies;
+}
+
 function fillAssemblies(select, all) {
-  const options = all.map((modes) => element("option", { value: modes.join() }, modesText(modes)));
-  select.replaceChildren(...options);
-  select.value = live.modes.join();
+  choices.all = all;
+  const text = (own) => (all.length === 1 && own.states.length > 0 ? `${assemblyText({ ...own, states: [] }, all)} \u2026`.trim() : assemblyText(own, all));
+  select.replaceChildren(...all.map((own, index) => element("option", { value: index }, text(own))));
+  select.value = Math.max(0, all.findIndex(isThisAssembly));
 }

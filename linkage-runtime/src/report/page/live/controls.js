@@ -43,7 +43,7 @@ function makeControls() {
     button("reset", "Reset", "All as in the report", resetAll),
     button("undo", "Undo", "Undo (ctrl z)", undo),
     button("redo", "Redo", "Redo (ctrl y)", redo),
-    ...(live.firstModes.length > 0 ? [assemblyChoice()] : []),
+    ...(live.firstModes.length > 0 || engine.programs[0].coupled.length > 0 ? [assemblyChoice()] : []),
     element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), copy("copy-link", "link", addressNow)));
   const says = element("p", { id: "says", role: "status" });
   // On a phone the plots come first.
@@ -109,7 +109,7 @@ function drawNow() {
 
 function showControls() {
   const assembly = byId("assembly");
-  if (assembly !== null && assembly.value !== live.modes.join()) fillAssemblies(assembly, [live.modes]);
+  if (assembly !== null && !isThisAssembly(choices.all[Number(assembly.value)])) fillAssemblies(assembly, [assemblyNow()]);
   for (const [name, row] of controls.rows) {
     const { slider, field } = row;
     // Rounding takes longer than all the rest.

@@ -1,4 +1,4 @@
-// Undo and redo: what dimensions and arguments were.
+// Undo and redo: what dimensions, arguments and the assembly were.
 
 // So many steps are kept.
 const MOST_STEPS = 100;
@@ -6,7 +6,7 @@ const MOST_STEPS = 100;
 const past = { steps: [], next: [], last: null };
 
 function snapshot() {
-  return { dimensions: new Map(live.dimensions), given: new Map(live.given), modes: live.modes };
+  return { dimensions: new Map(live.dimensions), given: new Map(live.given), modes: live.modes, choice: live.choice, assemblies: live.assemblies };
 }
 
 function sameMaps(a, b) {
@@ -16,7 +16,7 @@ function sameMaps(a, b) {
 // A change is complete: a drag is one step.
 function keepStep() {
   const now = snapshot();
-  if (sameMaps(now.dimensions, past.last.dimensions) && sameMaps(now.given, past.last.given) && now.modes.join() === past.last.modes.join()) return;
+  if (sameMaps(now.dimensions, past.last.dimensions) && sameMaps(now.given, past.last.given) && now.modes.join() === past.last.modes.join() && now.choice === past.last.choice) return;
   past.steps.push(past.last);
   if (past.steps.length > MOST_STEPS) past.steps.shift();
   past.next = [];
@@ -30,7 +30,7 @@ function goBack(from, to) {
   to.push(past.last);
   past.last = from.pop();
   live.given = new Map(past.last.given);
-  live.modes = past.last.modes;
+  Object.assign(live, { modes: past.last.modes, choice: past.last.choice, assemblies: past.last.assemblies });
   tell(change(past.last.dimensions));
   writeLink();
   showHistory();

@@ -2,10 +2,13 @@
 
 // No dimension is called so: names have no spaces.
 const MODES = "assembly modes";
+const START = "assembly start";
 
 function fragment() {
   const modes = areOtherModes() ? [[MODES, live.modes.join()]] : [];
-  return [...changedOnes(), ...modes].map(([name, value]) => `${encodeURIComponent(name)}=${value}`).join("&");
+  // Steps begin so near to the solution that these digits are enough.
+  const start = live.choice === 0 ? [] : [[START, statesNow().flat().map((x) => rounded(x, 8)).join()]];
+  return [...changedOnes(), ...modes, ...start].map(([name, value]) => `${encodeURIComponent(name)}=${value}`).join("&");
 }
 
 // Browsers let an address be written one or two hundred times in ten seconds: this many milliseconds lie between two of ours.
@@ -36,15 +39,23 @@ function readLink() {
   const parts = location.hash.slice(1).split("&").filter((part) => part !== "");
   const wrong = [];
   const changes = new Map();
+  let states = null;
   backToReport();
   for (const part of parts) {
     const [name, text] = splitPart(part);
     const value = Number(text);
     if (name === MODES && areModes(text)) live.modes = text.split(",").map(Number);
+    else if (name === START && statesOf(text) !== null) states = statesOf(text);
     else if (text === "" || !Number.isFinite(value)) wrong.push(part);
     else if (live.declared.has(name)) changes.set(name, value);
     else if (live.given.has(name)) live.given.set(name, value);
     else wrong.push(part);
+  }
+  if (states !== null) {
+    const [unit] = engine.programs;
+    const values = valuesOf(unit, new Map([...live.dimensions, ...changes]));
+    live.assemblies = live.assemblies.with(0, engine.standing(unit, values, live.modes, states));
+    live.choice += 1;
   }
   const error = change(changes);
   return wrong.length === 0 ? sayingOf(error) : notUnderstood(wrong);
@@ -53,6 +64,15 @@ function readLink() {
 function areModes(text) {
   const modes = text.split(",").map(Number);
   return modes.length === live.firstModes.length && modes.every((mode) => Math.abs(mode) === 1);
+}
+
+// One for each group without a closed form; null for anything else.
+function statesOf(text) {
+  const numbers = text.split(",").map(Number);
+  const sizes = engine.programs[0].coupled.map(({ size }) => size);
+  const count = sizes.reduce((sum, size) => sum + size, 0);
+  if (text === "" || numbers.length !== count || !numbers.every(Number.isFinite)) return null;
+  return sizes.map((size) => numbers.splice(0, size));
 }
 
 function splitPart(part) {

@@ -9,6 +9,8 @@ const live = {
   // Of the first programs: as they are now, and of the report.
   modes: report.live.modes,
   firstModes: report.live.modes,
+  // 0 for the report's solution of groups without a closed form; another number for each choice of another one.
+  choice: 0,
   // An assembly for each of the programs: as they are now, and of the report.
   assemblies: [],
   firstAssemblies: [],
@@ -51,7 +53,7 @@ function areOtherModes() {
 }
 
 function isChanged() {
-  return changedOnes().length > 0 || areOtherModes();
+  return changedOnes().length > 0 || areOtherModes() || live.choice !== 0;
 }
 
 // Numbers are changed where they stand: each column needs its own. What the picture shows are the columns of its table.
@@ -87,10 +89,15 @@ function namesAreThose(own, others) {
   return own.length === others.length && own.every(({ name }, k) => name === others[k].name);
 }
 
+// The numbers of a mechanism's dimensions; what the report does not have is as declared.
+function valuesOf(unit, dimensions) {
+  return unit.dimensions.map(({ name, value }) => dimensions.get(name) ?? value);
+}
+
 // Assemblies with these dimensions; throws what the engine throws.
 function assembledWith(dimensions, before) {
   return engine.programs.map((unit, number) => {
-    const values = unit.dimensions.map(({ name, value }) => dimensions.get(name) ?? value);
+    const values = valuesOf(unit, dimensions);
     const modes = number === 0 ? live.modes : unit.modes;
     return engine.assembled(unit, values, modes, before[number] ?? null);
   });
@@ -134,6 +141,7 @@ function take(dimensions, assemblies) {
 function backToReport() {
   live.given = new Map(live.stands);
   live.modes = live.firstModes;
+  live.choice = 0;
   take(live.declared, live.firstAssemblies);
 }
 

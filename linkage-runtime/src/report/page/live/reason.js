@@ -63,7 +63,7 @@ function lengthsToBlame(own, group, x, miss) {
   const gapWith = (index, by) => {
     const other = Float64Array.from(own.dimensions);
     other[index] += by;
-    return engine.gapsNear(own, other, x)[group];
+    return gapsWith(own, other, x)[group];
   };
   const found = [];
   for (const index of dimensions) {
@@ -76,6 +76,13 @@ function lengthsToBlame(own, group, x, miss) {
   }
   const changed = found.filter((one) => one.changed);
   return (changed.length > 0 ? changed : found).sort((a, b) => Math.abs(a.by) - Math.abs(b.by)).slice(0, MOST_BLAMED);
+}
+
+// By how much groups miss closing with other dimensions, whether these close at the reference or not; nothing is followed.
+function gapsWith(own, dimensions, x) {
+  const other = { ...own, dimensions, prepared: new Float64Array(own.unit.slots) };
+  own.unit.prepare(other, other.prepared);
+  return engine.gapsAt(other, x);
 }
 
 // The first group without a closed form whose solution cannot be followed to all rows.

@@ -8,9 +8,10 @@ function startSaving() {
 // As `data.json`, without references between columns; `changed` has what is not as in the report.
 function dataNow() {
   const modes = areOtherModes() ? { modes: live.modes } : {};
+  const states = live.choice === 0 ? {} : { states: statesNow() };
   return {
     ...report,
-    changed: { ...Object.fromEntries(changedOnes()), ...modes },
+    changed: { ...Object.fromEntries(changedOnes()), ...modes, ...states },
     dimensions: report.dimensions.map((own) => ({ ...own, value: live.dimensions.get(own.name) })),
     summary: live.summary.map(figureNow),
     live: { ...report.live, given: Object.fromEntries(live.given), modes: live.modes },
