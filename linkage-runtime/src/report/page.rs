@@ -94,7 +94,7 @@ impl Report {
         // In a function, so that the names in it do not meet those of the browser.
         let script =
             self.engine() + &SCRIPTS[..START].join("\n") + &self.live() + SCRIPTS[START] + &follow;
-        let script = std::format!("(() => {{\n\"use strict\";\n{script}}})();");
+        let script = std::format!("(() => {{\n\"use strict\";\n{}}})();", bare(&script));
         // The data come last: they may contain anything, even the words that are replaced.
         Ok(FRAME
             .replace("<!-- title -->", &escaped(&self.title))
@@ -154,6 +154,13 @@ impl Report {
     }
 }
 
+/// Without comments and indentation, which are for readers of the sources: a fourth of a script. No text in scripts goes over lines.
+fn bare(script: &str) -> String {
+    let lines = script.lines().map(str::trim_start);
+    let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
+    lines.flat_map(|line| [line, "\n"]).collect()
+}
+
 fn enclosed(tag: &str, attributes: &str, content: &str) -> String {
     std::format!("<{tag}{attributes}>\n{content}\n</{tag}>")
 }
@@ -175,6 +182,24 @@ pub(super) fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
+
+    /// What a page takes to compute, beside the programs, which are 78 KB for the largest of the gallery: the two may have 150 KB.
+    #[test]
+    fn what_computes_is_small() {
+        let all = [&ENGINE.join("\n"), OTHERS, &LIVE.join("\n"), LIVE_STYLE];
+        let size: usize = all.iter().map(|own| bare(own).len()).sum();
+        assert!(size < 75_000, "{size} bytes");
+    }
+
+    /// Comments are left out line by line: a text over lines would lose some.
+    #[test]
+    fn texts_end_on_their_line() {
+        let all = SCRIPTS.iter().chain(&LIVE).chain(&ENGINE).chain([&OTHERS]);
+        for line in all.flat_map(|own| own.lines()) {
+            let is_comment = line.trim_start().starts_with("//");
+            assert!(is_comment || line.matches('`').count() % 2 == 0, "{line}");
+        }
+    }
 
     /// They are joined: of two functions of one name the first would be gone in silence.
     #[test]
