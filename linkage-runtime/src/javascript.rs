@@ -14,6 +14,7 @@ pub const ENGINE: [&str; 7] = [
 ];
 
 /// Of the page of a report alone, behind those: other assemblies of groups without a closed form.
+#[cfg(feature = "report")]
 pub(crate) const OTHERS: &str = include_str!("javascript/others.js");
 
 /// The programs of a mechanism as JavaScript, for the page of a report: the constant `PROGRAMS` of a mechanism with a function that asks for
