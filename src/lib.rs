@@ -237,7 +237,7 @@ pub mod __private {
         Wanted, fill_followed, nothing, pairs, placed, put_state, starts, stepped,
     };
     pub use linkage_runtime::generated::{
-        Sealed, Single, close, explained, finite, inlined, single,
+        Sealed, Single, close, explained, finite, inlined, named, single,
     };
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::generated::{fill_followed_parallel, fill_parallel};

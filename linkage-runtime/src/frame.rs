@@ -1,8 +1,10 @@
 //! A frame in space: where a body is and how it is turned.
 
+use core::fmt::{self, Debug, Formatter};
 use nalgebra::{Isometry3, Matrix3, RealField, Rotation3, Translation3, UnitQuaternion, Vector3};
 
 use crate::Scalar;
+use crate::generated::named;
 
 /// A frame in space: a point and three perpendicular directions of length 1, right-handed. What `frame(origin, x, z)`
 /// of the language gives as a quantity; the default is the fixed frame.
@@ -25,7 +27,7 @@ use crate::Scalar;
 /// assert_eq!(body.coordinates(tip), Vector3::new(2.0, 0.5, 0.0));
 /// assert!((body.isometry() * nalgebra::Point3::new(2.0, 0.5, 0.0) - tip).coords.norm() < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Frame<T = f64> {
     /// Where it is.
     pub origin: Vector3<T>,
@@ -35,6 +37,17 @@ pub struct Frame<T = f64> {
     pub y: Vector3<T>,
     /// Direction of its z axis.
     pub z: Vector3<T>,
+}
+
+impl<T: Debug> Debug for Frame<T> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self { origin, x, y, z } = self;
+        let mut shown = f.debug_struct("Frame");
+        for (name, own) in [("origin", origin), ("x", x), ("y", y), ("z", z)] {
+            shown.field(name, &named(own));
+        }
+        shown.finish()
+    }
 }
 
 impl<T: Scalar> Frame<T> {

@@ -1,6 +1,8 @@
 //! What only generated code calls.
 
 mod close;
+#[cfg(feature = "nalgebra")]
+mod named;
 mod sealed;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod settle;
@@ -27,6 +29,8 @@ pub use close::{assemblies, one};
 pub use close::{close, explained, finite};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::Level;
+#[cfg(feature = "nalgebra")]
+pub use named::{Named, named};
 pub use sealed::Sealed;
 pub use single::{Single, inlined, single};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -35,7 +35,7 @@ fn structure(outline: &Outline) -> TokenStream {
         outline.title(),
         sweeps::about(outline)
     ));
-    let derives = attribute::derives([]);
+    let derives = attribute::derives([], &[]);
     let modes = literal::index(outline.modes.len());
     let [angles, inputs, prepared] = [
         outline.continuous_angles,

@@ -28,13 +28,13 @@ pub(super) fn allow() -> TokenStream {
     }
 }
 
-/// The derives of every generated data type, without those that the user asks for anyway.
-pub(super) fn derives<'a>(user: impl IntoIterator<Item = &'a Attribute>) -> TokenStream {
-    let taken: Vec<String> = user
-        .into_iter()
-        .filter(|a| a.name == "derive")
-        .flat_map(derived_names)
-        .collect();
+/// The derives of every generated data type, without those that the user asks for anyway, and without what is written
+/// out (`ours`).
+pub(super) fn derives<'a>(
+    user: impl IntoIterator<Item = &'a Attribute>,
+    ours: &[&str],
+) -> TokenStream {
+    let taken = derived(user);
     let wanted = [
         ("Clone", quote!(::core::clone::Clone)),
         ("Copy", quote!(::core::marker::Copy)),
@@ -43,7 +43,7 @@ pub(super) fn derives<'a>(user: impl IntoIterator<Item = &'a Attribute>) -> Toke
     ];
     let paths: Vec<_> = wanted
         .into_iter()
-        .filter(|(name, _)| !taken.iter().any(|t| t == name))
+        .filter(|(name, _)| !ours.contains(name) && !taken.iter().any(|t| t == name))
         .map(|(_, p)| p)
         .collect();
     if paths.is_empty() {
@@ -51,6 +51,12 @@ pub(super) fn derives<'a>(user: impl IntoIterator<Item = &'a Attribute>) -> Toke
     } else {
         quote!(#[derive(#(#paths),*)])
     }
+}
+
+/// What the user derives.
+pub(super) fn derived<'a>(user: impl IntoIterator<Item = &'a Attribute>) -> Vec<String> {
+    let derives = user.into_iter().filter(|a| a.name == "derive");
+    derives.flat_map(derived_names).collect()
 }
 
 /// Last path segments of `derive(a, b::c)`.

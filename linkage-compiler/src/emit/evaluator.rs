@@ -11,7 +11,7 @@ use super::entries::{entries, entry};
 use super::load::{CARRIED, loader};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
-use super::{attribute, body, home, literal, sealed, starts};
+use super::{attribute, body, debug, home, literal, sealed, starts};
 
 /// The result type.
 pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
@@ -19,7 +19,9 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
     let split = attribute::split(function.attributes);
     let everywhere = &split.everywhere;
     let user_derives = split.result.iter().map(|a| &a.tokens);
-    let derives = attribute::derives(split.result.iter().copied());
+    let shown = debug::shown(outline, function);
+    let ours: &[&str] = if shown.is_some() { &["Debug"] } else { &[] };
+    let derives = attribute::derives(split.result.iter().copied(), ours);
     let head = doc(&format!(
         "What `{}::{}` returns.",
         outline.assembly,
@@ -40,6 +42,7 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
         #derives
         #(#user_derives)*
         #item
+        #shown
     }
 }
 

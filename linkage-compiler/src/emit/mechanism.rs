@@ -25,7 +25,7 @@ fn structure(outline: &Outline) -> TokenStream {
         attributes,
         ..
     } = outline;
-    let derives = attribute::derives(*attributes);
+    let derives = attribute::derives(*attributes, &[]);
     let head = with_note(
         &tokens(attributes),
         documented(attributes),

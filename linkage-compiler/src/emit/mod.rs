@@ -14,6 +14,7 @@ mod closing;
 mod columns;
 mod constructors;
 mod count;
+mod debug;
 mod dimensions;
 mod docs;
 mod entries;

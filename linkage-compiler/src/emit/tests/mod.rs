@@ -141,9 +141,11 @@ fn derives_of_the_user_are_not_repeated() {
         derive(quote!(std::clone::Clone, serde::Serialize)),
         derive(quote!(Copy,)),
     ];
-    let derives = attribute::derives(&user).to_string();
+    let derives = |ours| attribute::derives(&user, ours).to_string();
     let rest = quote!(#[derive(::core::fmt::Debug, ::core::cmp::PartialEq)]);
-    assert_eq!(derives, rest.to_string());
+    assert_eq!(derives(&[]), rest.to_string());
+    let rest = quote!(#[derive(::core::cmp::PartialEq)]);
+    assert_eq!(derives(&["Debug"]), rest.to_string());
 }
 
 #[test]

@@ -1,0 +1,51 @@
+//! `Debug` of results with vectors: their components by name, where a derive would show columns of a matrix.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::attribute;
+use super::outline::{Field, Function, Outline, plain};
+use crate::model::Shape;
+
+/// Nothing where a derive shows the same, or where the user derives it.
+pub(super) fn shown(outline: &Outline, function: &Function) -> Option<TokenStream> {
+    let split = attribute::split(function.attributes);
+    let derived = attribute::derived(split.result.iter().copied());
+    if derived.iter().any(|name| name == "Debug") || !function.fields.iter().any(has_vectors) {
+        return None;
+    }
+    let runtime = &outline.runtime;
+    let everywhere = &split.everywhere;
+    let result = function.result;
+    let title = plain(function.result);
+    let fields = function.fields.iter().map(|field| {
+        let (name, title) = (field.name, plain(field.name));
+        match has_vectors(field) {
+            true => quote!(.field(#title, &#runtime::named(&self.#name))),
+            false => quote!(.field(#title, &self.#name)),
+        }
+    });
+    let allow = attribute::allow();
+    Some(quote! {
+        #(#everywhere)*
+        #allow
+        #[automatically_derived]
+        impl<T: ::core::fmt::Debug> ::core::fmt::Debug for #result<T> {
+            fn fmt(&self, __f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                __f.debug_struct(#title)#(#fields)*.finish()
+            }
+        }
+    })
+}
+
+fn has_vectors(field: &Field) -> bool {
+    fn within(shape: &Shape) -> bool {
+        match shape {
+            Shape::Vector(_) => true,
+            Shape::Array(_, entry) => within(entry),
+            // It shows its own.
+            Shape::Scalar | Shape::Frame => false,
+        }
+    }
+    within(&field.shape)
+}
