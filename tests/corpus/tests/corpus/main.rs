@@ -60,17 +60,8 @@ macro_rules! corpus {
         // Random mechanisms have parameters that nothing uses.
         #[allow(deprecated)]
         mod $module {
-            #[cfg(not(clippy))]
             linkage::mechanism! { $($text)* }
 
-            /// For the linter: what it has to say of generated code it says of the programs of `tests/messages`, and a mechanism takes it
-            /// a second.
-            #[cfg(clippy)]
-            pub(super) fn results(_: &[f64], _: &[f64]) -> Vec<Vec<f64>> {
-                vec![crate::numbers(&[])]
-            }
-
-            #[cfg(not(clippy))]
             pub(super) fn results(changes: &[f64], inputs: &[f64]) -> Vec<Vec<f64>> {
                 let mut mechanism = $name::default();
                 let mut changes = changes.iter();
