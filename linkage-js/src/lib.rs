@@ -1,9 +1,9 @@
 //! Mechanisms of linkage as JavaScript: what computes in pages.
 //!
 //! [`module`] prints what [`linkage_compiler::check`] makes of a mechanism as a module of its own, with types for TypeScript; nothing else is
-//! needed to run it. Sums, products, quotients, roots, sines and angles of vectors are those of generated Rust without fused multiply-adds, to the last bit;
-//! tangents and arcs of single numbers are the browser's. Groups without a closed form are followed by certified steps of Newton's method from the declared assembly; where that ends,
-//! there is no number.
+//! needed to run it. Sums, products, quotients, roots, sines and angles of vectors are those of generated Rust without fused
+//! multiply-adds, to the last bit; tangents and arcs of single numbers are the browser's. Groups without a closed form are followed by
+//! certified steps of Newton's method from the declared assembly; where that ends, there is no number.
 //!
 //! ```
 //! let text = "

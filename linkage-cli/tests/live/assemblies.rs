@@ -2,7 +2,7 @@
 
 use linkage_cli::Assembly;
 
-use crate::pages::Live;
+use crate::pages::{self, Live};
 
 /// Values of a table for these rows, every so many of them.
 fn rows(live: &mut Live, function: &str) -> Vec<Vec<Option<f64>>> {
@@ -122,5 +122,107 @@ fn a_choice_is_undone() {
     assert!(same(&click(&mut live, "redo"), &first));
     assert!(click(&mut live, "reset") == before);
     assert!(live.page.holds("document.getElementById('reset').disabled"));
+    live.page.assert_quiet();
+}
+
+/// The second dyad reaches the rocker's end in one of the two assemblies of the four-bar only.
+const ABOVE: &str = "
+    pub struct Above {
+        unit mm;
+        param crank   = 50mm;
+        param coupler = 120mm;
+        param rocker  = 100mm;
+        param lower   = 60mm;
+        param upper   = 70mm;
+        const frame = (140mm, 0mm);
+        const pivot = (160mm, 190mm);
+        input phi = 30deg in 20deg..40deg;
+        unknown theta = 40deg;
+        unknown psi   = 80deg;
+        unknown sigma = 30deg;
+        unknown tau   = 120deg;
+        let b = frame + polar(rocker, psi);
+        loop polar(crank, phi) + polar(coupler, theta) = b;
+        loop b + polar(lower, sigma) = pivot - polar(upper, tau);
+    }
+    impl Above {
+        pub fn motion(phi) -> Motion { psi, sigma, tau }
+    }";
+
+/// The page after another address, whose assembly does not close: it says which part that is, and everything else is computed.
+fn follows_but(live: &mut Live, dimension: (&str, f64), wrong: &str) {
+    let (name, x) = dimension;
+    live.page
+        .value(&format!("location.hash = '{name}={x}&{wrong}'"));
+    live.page.wait(&format!(
+        "document.querySelector('input[data-dimension={name}]').value === '{x}'"
+    ));
+    assert_eq!(
+        live.says(),
+        format!("The address says what this mechanism does not have: {wrong}")
+    );
+    compares(live, dimension);
+}
+
+/// All tables are those of Rust with one other dimension.
+fn compares(live: &mut Live, (name, x): (&str, f64)) {
+    let mut dimensions = live.mechanism.dimensions();
+    let mut all = live.mechanism.parameters.iter();
+    let place = all.position(|own| own.name == name).expect("a dimension");
+    dimensions[place] = x;
+    let assembly = live.mechanism.assemble(&dimensions).expect("it closes");
+    let gaps = pages::compare(live, &assembly, &[]);
+    assert_eq!(gaps, 0, "{name} = {x}");
+}
+
+#[test]
+fn links_to_modes_that_do_not_close_are_told() {
+    let Some(mut live) = Live::text("above", ABOVE) else {
+        return;
+    };
+    let signs = live
+        .page
+        .words("document.getElementById('assembly').options[0].textContent");
+    let turned = if signs.starts_with('+') {
+        "-1,1"
+    } else {
+        "1,1"
+    };
+    follows_but(
+        &mut live,
+        ("lower", 61.5),
+        &format!("assembly%20modes={turned}"),
+    );
+    // Further changes are not refused.
+    live.page.value("location.hash = 'lower=62.5'");
+    live.page
+        .wait("document.querySelector('input[data-dimension=lower]').value === '62.5'");
+    assert_eq!(live.says(), "");
+    compares(&mut live, ("lower", 62.5));
+    live.page.assert_quiet();
+}
+
+#[test]
+fn links_to_starts_without_a_solution_are_told() {
+    let Some(mut live) = Live::example_as("eye_needle.rs", "starts") else {
+        return;
+    };
+    live.page.value(
+        "(() => { const select = document.getElementById('assembly'); select.dispatchEvent(new Event('focus')); \
+         select.value = 1 - Number(select.value); select.dispatchEvent(new Event('change')); })()",
+    );
+    live.page.wait("location.hash.includes('start')");
+    let numbers = live.page.words("location.hash.split('=').pop()");
+    let nowhere = vec!["9"; numbers.split(',').count()].join(",");
+    follows_but(
+        &mut live,
+        ("l12", 48.0),
+        &format!("assembly%20start={nowhere}"),
+    );
+    live.page.value("location.hash = 'l12=49'");
+    live.page
+        .wait("document.querySelector('input[data-dimension=l12]').value === '49'");
+    assert_eq!(live.says(), "");
+    compares(&mut live, ("l12", 49.0));
     live.page.assert_quiet();
 }

@@ -1,6 +1,7 @@
 //! Figures of the cycle, and what is saved, after dimensions were changed. The pages are those of the gallery's example.
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use linkage_browser::Page;
 use linkage_cli::{Assembly, Mechanism};
@@ -8,14 +9,29 @@ use linkage_runtime::summary::Course;
 
 use crate::pages;
 
-/// Opens a page of the gallery. `None` without a browser or a gallery.
-fn gallery(name: &str) -> Option<Page> {
-    let entry = linkage_browser::entries()
-        .into_iter()
-        .find(|own| own.name == name)?;
-    let mut page = Page::open(&entry.page)?;
+/// The file of a page of the gallery. `None` without a gallery.
+fn file_of(name: &str) -> Option<PathBuf> {
+    let entries = linkage_browser::entries();
+    if entries.is_empty() {
+        return None;
+    }
+    let entry = entries.into_iter().find(|own| own.name == name);
+    Some(
+        entry
+            .unwrap_or_else(|| panic!("the gallery has no {name}"))
+            .page,
+    )
+}
+
+/// Opens a page. `None` without a browser.
+fn open(file: &Path) -> Option<Page> {
+    let mut page = Page::open(file)?;
     page.value(pages::CATCH);
     Some(page)
+}
+
+fn gallery(name: &str) -> Option<Page> {
+    open(&file_of(name)?)
 }
 
 /// The mechanism of an example.
@@ -94,9 +110,7 @@ fn time_ratios_follow() {
     let names: Vec<&str> = mechanism.parameters.iter().map(|own| own.name).collect();
     for (index, part) in [(0, 1.03), (2, 0.97), (3, 1.02)] {
         let own = &mechanism.parameters[index];
-        if own.nominal == 0.0 || own.unit == "rad" {
-            continue;
-        }
+        assert!(own.nominal != 0.0 && own.unit != "rad", "{}", own.name);
         // As many digits as fields show.
         let changed = (own.nominal * part * 1e3).round() / 1e3;
         let dimensions = set(&mut page, mechanism, &[(own.name, changed)]);
@@ -154,6 +168,40 @@ fn dwells_follow() {
     page.assert_quiet();
 }
 
+/// Figures that a report was given have any names: what nothing computes stays as it is, also if its name begins as that of a dwell.
+#[test]
+fn figures_of_any_name_stay() {
+    let Some(written) = file_of("eye_needle") else {
+        return;
+    };
+    let html = fs::read_to_string(written).expect("a page");
+    let row = |quantity: &str, what: &str| {
+        format!(r#"{{"at":null,"quantity":"{quantity}","unit":"","value":7.25,"what":"{what}"}},"#)
+    };
+    let figures = [
+        ("margin", "dwell, from"),
+        ("margin", "dwell, mean"),
+        ("phi75", "dwell, mean"),
+    ];
+    let rows = figures.map(|(quantity, what)| row(quantity, what));
+    let list = "\"summary\":[";
+    let own = html.replacen(list, &(list.to_owned() + &rows.concat()), 1);
+    assert_ne!(own, html);
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("any_name.html");
+    fs::write(&file, own).expect("a file");
+    let Some(mut page) = open(&file) else {
+        return;
+    };
+    let before = figure(&mut page, "phi75", "dwell, from");
+    set(&mut page, example("eye_needle"), &[("l34", 80.5)]);
+    for (quantity, what) in figures {
+        let shown = figure(&mut page, quantity, &format!("{what} (as in the report)"));
+        assert_eq!(shown, 7.25, "{quantity}, {what}");
+    }
+    assert_ne!(figure(&mut page, "phi75", "dwell, from"), before);
+    page.assert_quiet();
+}
+
 /// What is saved of a changed page is of its mechanism, and says so; of another one it is the report.
 #[test]
 fn saved_data_are_those_of_the_page() {
@@ -172,7 +220,15 @@ fn saved_data_are_those_of_the_page() {
     let [report, changed]: [serde_json::Value; 2] =
         [report, changed].map(|text| serde_json::from_str(&text).expect("JSON"));
     assert_eq!(report.get("changed"), None);
-    assert_eq!(changed["changed"], serde_json::json!({ "l34": 80.5 }));
+    assert_eq!(
+        changed["changed"],
+        serde_json::json!({ "dimensions": { "l34": 80.5 }, "given": {} })
+    );
+    let keys = |own: &serde_json::Value| -> Vec<String> {
+        let all = own.as_object().expect("an object").keys();
+        all.filter(|key| *key != "changed").cloned().collect()
+    };
+    assert_eq!(keys(&changed), keys(&report));
     let named = |list: &serde_json::Value| {
         let all = list.as_array().expect("dimensions").clone();
         all.into_iter()

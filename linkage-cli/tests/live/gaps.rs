@@ -33,6 +33,12 @@ fn the_length_that_is_too_short_is_named() {
         said.contains("crank 10 mm too long at phi = 180 deg"),
         "{said}"
     );
+    // A crank that is 30 mm long cannot be 50 mm too long.
+    let said = reason(&mut live, "crank=30&coupler=20");
+    assert!(
+        said.contains(": coupler 50 mm too short at phi = 180 deg."),
+        "{said}"
+    );
     let strokes = "document.querySelectorAll('.panel .hatch').length === document.querySelectorAll('.panel .gap').length";
     assert!(live.page.holds(strokes));
     live.page.shoot("live-hatched");

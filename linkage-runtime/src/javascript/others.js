@@ -22,14 +22,8 @@ function solutionsAt(unit, dimensions, modes) {
 
 // The correction of a group behind others whose states are known; null where an angle before it cannot be followed.
 function correctionBehind(unit, dimensions, modes, states, number) {
-  const own = numbersOf(unit, dimensions, modes);
-  const floors = [];
-  own.statesAt = () => floors;
-  for (const [k, state] of states.entries()) {
-    const next = corrected(unit, own, floors, k, state);
-    if (next === null) return null;
-    floors.push(Float64Array.of(...state, 0.5 * next[state.length + 1]));
-  }
+  const own = standing(unit, dimensions, modes, states);
+  const floors = own.statesAt();
   return wind(own, unit.coupled[number].turning, unit.reference) === null
     ? (state, next) => unit.coupled[number].correct(own, unit.reference, [...floors, state], next)
     : null;

@@ -183,7 +183,7 @@ mod tests {
     use super::*;
     use std::collections::BTreeSet;
 
-    /// What a page takes to compute, beside the programs, which are 78 KB for the largest of the gallery: the two may have 150 KB.
+    /// What a page takes to compute, beside the programs, which are 78,000 bytes for the largest of the gallery: the two may have 150 KiB, 153,600 bytes.
     #[test]
     fn what_computes_is_small() {
         let all = [&ENGINE.join("\n"), OTHERS, &LIVE.join("\n"), LIVE_STYLE];

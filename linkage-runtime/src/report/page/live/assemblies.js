@@ -11,7 +11,9 @@ function assembliesNow() {
   const values = valuesOf(unit, live.dimensions);
   const all = modesNow(unit).flatMap((modes) =>
     unit.coupled.length === 0 ? [{ modes, states: [] }] : engine.solutionsAt(unit, values, modes).map((states) => ({ modes, states })));
-  return all.filter((own) => closes(unit, values, own));
+  const found = all.filter((own) => closes(unit, values, own));
+  // A search from many places may miss the one that is shown.
+  return found.some(isThisAssembly) ? found : [assemblyNow(), ...found];
 }
 
 function modesNow({ modes: { length } }) {
@@ -50,28 +52,52 @@ function assemblyChoice() {
   const select = element("select", { id: "assembly", "aria-label": "Assembly" });
   select.addEventListener("change", () => choose(choices.all[Number(select.value)]));
   // Which ones there are is asked when somebody wants to choose.
-  for (const event of ["pointerdown", "focus"]) select.addEventListener(event, () => fillAssemblies(select, assembliesNow()));
+  for (const event of ["pointerdown", "focus"]) select.addEventListener(event, () => searchAssemblies(select));
   fillAssemblies(select, [assemblyNow()]);
   return element("label", { class: "choices" }, "Assembly ", select);
 }
 
-const choices = { all: [] };
+// What the list has, for which assemblies it was searched (null where it was not), and how many choices were made.
+const choices = { all: [], of: null, made: 0 };
+
+// A press brings the focus, too: one search is enough.
+function searchAssemblies(select) {
+  if (choices.of === live.assemblies) return;
+  fillAssemblies(select, assembliesNow());
+  choices.of = live.assemblies;
+}
 
 function assemblyNow() {
   return { modes: live.modes, states: statesNow() };
 }
 
-function choose({ modes, states }) {
-  const [unit] = engine.programs;
-  live.modes = modes;
-  if (states.length > 0) {
-    const values = valuesOf(unit, live.dimensions);
-    live.assemblies = live.assemblies.with(0, engine.standing(unit, values, modes, states));
-    live.choice += 1;
-    if (isThatOfTheReport(modes, states)) backToSolution();
+function choose(own) {
+  if (!takeAssembly(own, live.dimensions)) {
+    // The list is of other dimensions: undone steps leave it as it was.
+    say("With these dimensions that assembly does not close.");
+    showControls();
+    return;
   }
+  if (own.states.length > 0 && isThatOfTheReport(own.modes, own.states)) backToSolution();
   tell(change(new Map()));
   keepStep();
+}
+
+// Another assembly with these dimensions, for all that follows; if it does not close there, all is as before, and the answer is false.
+function takeAssembly({ modes, states }, dimensions) {
+  const [unit] = engine.programs;
+  const before = live.modes;
+  const start = states.length === 0 ? live.assemblies : live.assemblies.with(0, engine.standing(unit, valuesOf(unit, dimensions), modes, states));
+  live.modes = modes;
+  try {
+    take(dimensions, assembledWith(dimensions, start));
+  } catch (thrown) {
+    if (!(thrown instanceof engine.AssemblyError)) throw thrown;
+    live.modes = before;
+    return false;
+  }
+  if (states.length > 0) live.choice = choices.made += 1;
+  return true;
 }
 
 // With no other dimensions: then the report's own numbers are shown.
@@ -87,8 +113,15 @@ function backToSolution() {
 }
 
 function fillAssemblies(select, all) {
-  choices.all = all;
+  Object.assign(choices, { all, of: null });
   const text = (own) => (all.length === 1 && own.states.length > 0 ? `${assemblyText({ ...own, states: [] }, all)} \u2026`.trim() : assemblyText(own, all));
   select.replaceChildren(...all.map((own, index) => element("option", { value: index }, text(own))));
-  select.value = Math.max(0, all.findIndex(isThisAssembly));
+  select.value = all.findIndex(isThisAssembly);
+}
+
+// A list that has the present assembly stays as it is.
+function showAssembly(select) {
+  const index = choices.all.findIndex(isThisAssembly);
+  if (index < 0) fillAssemblies(select, [assemblyNow()]);
+  else select.value = index;
 }

@@ -109,7 +109,7 @@ function drawNow() {
 
 function showControls() {
   const assembly = byId("assembly");
-  if (assembly !== null && !isThisAssembly(choices.all[Number(assembly.value)])) fillAssemblies(assembly, [assemblyNow()]);
+  if (assembly !== null) showAssembly(assembly);
   for (const [name, row] of controls.rows) {
     const { slider, field } = row;
     // Rounding takes longer than all the rest.

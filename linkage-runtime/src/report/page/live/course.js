@@ -5,6 +5,8 @@
 const SAME = 1e-9;
 // Bisections after which only roundoff is left.
 const HALVES = 60;
+// Rates below so many roundoffs of their median are rounding, as in Rust.
+const ROUNDING = 32 * Number.EPSILON;
 
 // Courses are made for each change when a figure asks for them; null where no table has the quantity and its derivative.
 const coursesNow = new Map();
@@ -30,7 +32,7 @@ function courseOf(quantity) {
     at: (u) => value.at(u - cyclesTo(u) * width) + cyclesTo(u) * advance,
     rate: (u) => rate.at(u - cyclesTo(u) * width),
   };
-  course.limits = limitsOf(course, rate.numbers);
+  course.limits = limitsOf(course, rate.numbers, noiseOf(value.numbers, rate.numbers, width));
   return course;
 }
 
@@ -50,17 +52,28 @@ function advanceOf(numbers) {
   return Math.abs(advance) <= SAME * largestAmong(numbers) ? 0 : advance;
 }
 
+// Up to which size a rate is no different from zero. The median is its size, since some rows may be next to a dead point; rates that could not
+// change the quantity over the whole range beyond its rounding are nothing else.
+function noiseOf(numbers, rates, width) {
+  if (largestAmong(rates) * width <= ROUNDING * largestAmong(numbers)) return Infinity;
+  const sizes = Float64Array.from(rates.filter((rate) => rate !== null), Math.abs).sort();
+  return ROUNDING * (sizes[sizes.length >> 1] ?? 0);
+}
+
 // Where the quantity turns, within the range: `sign` is 1 where it is highest.
-function limitsOf(course, rates) {
+function limitsOf(course, all, noise) {
   const limits = [];
+  // The last row of a cycle is its first one.
+  const rates = course.isCycle ? all.slice(0, -1) : all;
+  const isZero = (rate) => Math.abs(rate) <= noise;
   let before = null;
   if (course.isCycle) {
-    const row = rates.findLastIndex((rate) => rate !== null && rate !== 0);
-    if (row >= 0) before = { u: input.values[row] - course.width, sign: Math.sign(rates[row]) };
+    const row = rates.findLastIndex((rate) => rate === null || !isZero(rate));
+    if (row >= 0 && rates[row] !== null) before = { u: input.values[row] - course.width, sign: Math.sign(rates[row]) };
   }
   rates.forEach((rate, row) => {
     if (rate === null) before = null;
-    if (rate === null || rate === 0) return;
+    if (rate === null || isZero(rate)) return;
     const here = { u: input.values[row], sign: Math.sign(rate) };
     if (before !== null && before.sign !== here.sign) {
       const turns = lastWhere((u) => Math.sign(course.rate(u)) === before.sign, before.u, here.u);
@@ -81,10 +94,10 @@ function lastWhere(holds, from, to) {
   return from;
 }
 
-// How the input of a cycle is divided between both strokes; null unless there is one highest and one lowest place.
+// How the input of a cycle is divided between both strokes; null unless there is one highest and one lowest place, to which the quantity returns.
 function timesOf(course) {
   const [highs, lows] = [1, -1].map((sign) => course.limits.filter((limit) => limit.sign === sign));
-  if (!course.isCycle || course.hasGaps || highs.length !== 1 || lows.length !== 1) return null;
+  if (!course.isCycle || course.advance !== 0 || course.hasGaps || highs.length !== 1 || lows.length !== 1) return null;
   const way = highs[0].u - lows[0].u;
   const rise = way > 0 ? way : way + course.width;
   return { rise, fall: course.width - rise };

@@ -20,8 +20,9 @@ function startDwells() {
 
 function dwellNow(quantity) {
   const course = courseNow(quantity);
-  const { value: band } = live.summary.find((row) => row.quantity === quantity && row.what === "dwell, band");
-  return course === null ? undefined : longestDwell(course, band);
+  // Rows may be a user's own: nothing is known of a dwell without its band.
+  const band = live.summary.find((row) => row.quantity === quantity && row.what === "dwell, band")?.value;
+  return course === null || band === undefined ? undefined : longestDwell(course, band);
 }
 
 function dwellFigure(quantity, what) {
@@ -29,6 +30,7 @@ function dwellFigure(quantity, what) {
   const dwell = dwellNow(quantity);
   if (!dwell) return dwell;
   const value = dwell[what.slice("dwell, ".length)];
+  if (value === undefined) return undefined;
   return what === "dwell, from" || what === "dwell, to" ? { value, at: value } : { value };
 }
 
@@ -51,12 +53,13 @@ function spanOf(numbers) {
 
 // Rows and limits in order, those of a cycle thrice; the ends of a course and of its parts are limits, too.
 function stopsOf(course) {
-  const rows = course.numbers.map((value, row) => ({ u: input.values[row], value: value ?? NaN, sign: 0 }));
+  const rows = course.numbers.map((value, row) => ({ u: input.values[row], value: value ?? NaN, sign: 0, turns: false }));
   if (course.isCycle) rows.pop();
-  const turns = course.limits.map(({ u, sign }) => ({ u, value: course.at(u), sign }));
+  const turns = course.limits.map(({ u, sign }) => ({ u, value: course.at(u), sign, turns: true }));
   const once = [...rows, ...turns].sort((a, b) => a.u - b.u);
-  if (!course.isCycle) return once.map((stop, k) => ({ ...stop, sign: stop.sign || endSign(once, k) }));
-  return [-1, 0, 1].flatMap((cycle) => once.map(({ u, value, sign }) => ({ u: u + cycle * course.width, value: value + cycle * course.advance, sign })));
+  const later = (cycle) => once.map((stop) => ({ ...stop, u: stop.u + cycle * course.width, value: stop.value + cycle * course.advance }));
+  const all = course.isCycle ? [-1, 0, 1].flatMap(later) : once;
+  return all.map((stop, k) => ({ ...stop, sign: stop.sign || endSign(all, k) }));
 }
 
 // 1 where a part of the course begins or ends with its highest value, -1 with its lowest.
@@ -91,13 +94,36 @@ function leaves(course, stops, u, way, [low, high]) {
 function longestOfStops(stops, band) {
   let best = null;
   let first = 0;
+  let [highest, lowest] = [1, -1].map((sign) => mostOfWindow(stops, sign));
   for (let last = 0; last < stops.length; last += 1) {
-    if (Number.isNaN(stops[last].value)) first = last + 1;
-    while (first < last && spanOf(stops.slice(first, last + 1).map(({ value }) => value)) > band) first += 1;
+    if (Number.isNaN(stops[last].value)) {
+      first = last + 1;
+      [highest, lowest] = [1, -1].map((sign) => mostOfWindow(stops, sign));
+      continue;
+    }
+    for (const most of [highest, lowest]) most.add(last);
+    while (first < last && highest.from(first) - lowest.from(first) > band) first += 1;
     const length = first < last ? stops[last].u - stops[first].u : 0;
     if (length > (best?.length ?? 0)) best = { first, last, length };
   }
   return best;
+}
+
+// The highest value of a window that only goes forward, or with sign -1 the lowest one: stops stand in a queue until a later one surpasses them,
+// so that each is looked at twice at most, however long the window is.
+function mostOfWindow(stops, sign) {
+  const queue = [];
+  let head = 0;
+  return {
+    add(index) {
+      while (queue.length > head && sign * stops[queue.at(-1)].value <= sign * stops[index].value) queue.pop();
+      queue.push(index);
+    },
+    from(first) {
+      while (queue[head] < first) head += 1;
+      return stops[queue[head]].value;
+    },
+  };
 }
 
 // An interval in which the quantity goes through the whole band: its beginning is moved until it is longest.
@@ -118,7 +144,7 @@ function throughBand(course, stops, { first, last }, band) {
 
 function dwellOf(course, stops, [from, to]) {
   const within = stops.filter(({ u }) => u >= from && u <= to);
-  const turns = within.filter(({ u, sign }) => sign !== 0 && course.limits.some((limit) => Math.abs((limit.u - u) % course.width) <= SLACK * Math.abs(u)));
+  const turns = within.filter((stop) => stop.turns);
   const all = [course.at(from), course.at(to), ...within.map(({ value }) => value)];
   const range = to - from;
   const place = (u) => (course.isCycle ? u - Math.floor((u - course.low) / course.width) * course.width : u);

@@ -34,31 +34,36 @@ function addressNow() {
   return location.href;
 }
 
-// The report with what the address says; names that there are not, and what is no number, are told.
+// The report with what the address says; names that there are not, what is no number, and assemblies that do not close are told.
 function readLink() {
   const parts = location.hash.slice(1).split("&").filter((part) => part !== "");
   const wrong = [];
   const changes = new Map();
-  let states = null;
+  const asked = {};
   backToReport();
   for (const part of parts) {
     const [name, text] = splitPart(part);
     const value = Number(text);
-    if (name === MODES && areModes(text)) live.modes = text.split(",").map(Number);
-    else if (name === START && statesOf(text) !== null) states = statesOf(text);
+    if (name === MODES && areModes(text)) asked.modes = { part, value: text.split(",").map(Number) };
+    else if (name === START && statesOf(text) !== null) asked.states = { part, value: statesOf(text) };
     else if (text === "" || !Number.isFinite(value)) wrong.push(part);
     else if (live.declared.has(name)) changes.set(name, value);
     else if (live.given.has(name)) live.given.set(name, value);
     else wrong.push(part);
   }
-  if (states !== null) {
-    const [unit] = engine.programs;
-    const values = valuesOf(unit, new Map([...live.dimensions, ...changes]));
-    live.assemblies = live.assemblies.with(0, engine.standing(unit, values, live.modes, states));
-    live.choice += 1;
-  }
+  wrong.push(...whatDoesNotClose(asked, new Map([...live.dimensions, ...changes])));
   const error = change(changes);
   return wrong.length === 0 ? sayingOf(error) : notUnderstood(wrong);
+}
+
+// Takes the assembly that is asked for, its modes alone if its start leads nowhere; gives the parts of the address that are left.
+function whatDoesNotClose({ modes, states }, dimensions) {
+  // With the report's dimensions others are gone to as far as possible.
+  const takes = (own) => [dimensions, live.declared].some((there) => takeAssembly(own, there));
+  const own = { modes: modes?.value ?? live.modes, states: states?.value ?? [] };
+  if ((!modes && !states) || takes(own)) return [];
+  if (!modes || !states) return [(modes ?? states).part];
+  return takes({ ...own, states: [] }) ? [states.part] : [modes.part, states.part];
 }
 
 function areModes(text) {

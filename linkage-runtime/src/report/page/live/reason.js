@@ -72,6 +72,8 @@ function lengthsToBlame(own, group, x, miss) {
     const slope = (gapWith(index, step) - miss) / step;
     if (!(Math.abs(slope) > LEAST_SLOPE)) continue;
     const by = -miss / slope;
+    // A gap goes on through length 0, to lengths that are none; coordinates have both signs.
+    if (!name.includes(".") && own.dimensions[index] * (own.dimensions[index] + by) < 0) continue;
     if (gapWith(index, BLAMED_MORE * by) <= 0) found.push({ name, by, unit: its, changed: valueNow(name) !== valueInReport(name) });
   }
   const changed = found.filter((one) => one.changed);

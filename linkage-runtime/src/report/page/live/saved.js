@@ -2,18 +2,30 @@
 
 function startSaving() {
   saved.json = () => (isChanged() ? JSON.stringify(dataNow()) : source);
-  saved.name = (name) => (isChanged() ? name.replace(/(\.[^.]+)$/, "_changed$1") : name);
+  saved.name = (name) => (isChanged() && !staysAsItWas(name) ? name.replace(/(\.[^.]+)$/, "_changed$1") : name);
 }
 
-// As `data.json`, without references between columns; `changed` has what is not as in the report.
+// Of a table that nothing computes here the report's numbers are saved.
+function staysAsItWas(file) {
+  return live.tables.some(({ table, why }) => why !== null && file === `${table.function}.csv`);
+}
+
+// As `data.json`, without references between columns; `changed` has what is not as in the report, `stands` is true where nothing computes.
 function dataNow() {
+  // The reason of gaps is the page's own.
+  const { reason, ...data } = report;
   const modes = areOtherModes() ? { modes: live.modes } : {};
   const states = live.choice === 0 ? {} : { states: statesNow() };
   return {
-    ...report,
-    changed: { ...Object.fromEntries(changedOnes()), ...modes, ...states },
+    ...data,
+    changed: { dimensions: changedAmong(live.dimensions), given: changedAmong(live.given), ...modes, ...states },
     dimensions: report.dimensions.map((own) => ({ ...own, value: live.dimensions.get(own.name) })),
+    tables: live.tables.map(({ table, why }) => (why === null ? table : { ...table, stands: true })),
     summary: live.summary.map(figureNow),
     live: { ...report.live, given: Object.fromEntries(live.given), modes: live.modes },
   };
+}
+
+function changedAmong(all) {
+  return Object.fromEntries([...all].filter(([name, value]) => value !== valueInReport(name)));
 }
