@@ -3,7 +3,10 @@
 use crate::pages::Live;
 
 fn reason(live: &mut Live, address: &str) -> String {
-    live.page.value(&format!("location.hash = '{address}'"));
+    // Until it is read, what is shown is that of the address before.
+    live.page.value(&format!(
+        "new Promise((done) => {{ addEventListener('hashchange', () => setTimeout(done), {{ once: true }}); location.hash = '{address}'; }})"
+    ));
     live.page.wait(
         "!document.getElementById('gaps').hidden && document.querySelector('.hatch') !== null",
     );
