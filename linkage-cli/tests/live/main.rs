@@ -6,4 +6,5 @@ mod gaps;
 mod hands;
 mod many;
 mod pages;
+mod strokes;
 mod values;
