@@ -117,7 +117,17 @@ fn a_choice_is_undone() {
             .value(&format!("document.getElementById('{id}').click()"));
         live.csv("motion")
     };
+    let options = "document.getElementById('assembly').options.length";
+    let listed = live.page.number(options);
+    assert!(listed > 2.0, "{listed}");
     assert!(same(&click(&mut live, "undo"), &first));
+    // The list stays open, with the assembly that is shown.
+    assert_eq!(live.page.number(options), listed);
+    assert_eq!(
+        live.page
+            .number("Number(document.getElementById('assembly').value)"),
+        0.0
+    );
     assert!(click(&mut live, "undo") == before);
     assert!(same(&click(&mut live, "redo"), &first));
     assert!(click(&mut live, "reset") == before);
