@@ -170,6 +170,7 @@ pub mod stability {
 /// Accuracy: what tolerances do, and which tolerances an allowed error needs.
 #[cfg(feature = "tolerance")]
 pub mod tolerance {
+    #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/tolerance.md")]
 
     pub use linkage_runtime::tolerance::*;
@@ -178,6 +179,7 @@ pub mod tolerance {
 /// Reports: plots, drawings to scale, data and interactive pages of a mechanism over its range.
 #[cfg(feature = "report")]
 pub mod report {
+    #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/report.md")]
 
     pub use linkage_runtime::report::*;

@@ -1,19 +1,29 @@
-//! README and `docs/`: lines that fit beside code, links that lead somewhere.
+//! README, `docs/` and what else is read in the repository: lines that fit beside code, links that lead somewhere.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Rows of tables are as long as they are: they cannot be broken.
-const LONGEST: usize = 120;
+/// Lines are shorter. Rows of tables are as long as they are, and so is what a command prints: they cannot be broken.
+const TOO_LONG: usize = 120;
 
 fn pages() -> Vec<PathBuf> {
-    let mut pages = vec![PathBuf::from("README.md")];
+    let alone = [
+        "README.md",
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "tests/README.md",
+    ];
+    let mut pages: Vec<PathBuf> = alone.iter().map(PathBuf::from).collect();
+    let packages = fs::read_dir(".").expect("the repository");
+    let packages = packages.map(|entry| entry.expect("an entry").path());
+    let own = packages.filter(|path| path.join("Cargo.toml").exists());
+    pages.extend(own.map(|path| path.join("README.md")));
     for folder in ["docs", "docs/language"] {
         let entries = fs::read_dir(folder).expect("the folder is there");
         let paths = entries.map(|entry| entry.expect("an entry").path());
         pages.extend(paths.filter(|path| path.extension().is_some_and(|own| own == "md")));
     }
-    assert!(pages.len() > 25, "{} pages", pages.len());
+    assert!(pages.len() > 35, "{} pages", pages.len());
     pages
 }
 
@@ -31,11 +41,16 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, bool, &str)> {
 fn lines_are_not_long() {
     for page in pages() {
         let text = fs::read_to_string(&page).expect("a page");
-        for (number, _, line) in lines(&text) {
+        let mut fence = "";
+        for (number, in_code, line) in lines(&text) {
+            if line.starts_with("```") {
+                fence = line;
+            }
             let length = line.chars().count();
             let is_row = line.starts_with('|');
+            let is_printed = in_code && fence == "```console";
             assert!(
-                is_row || length <= LONGEST,
+                is_row || is_printed || length < TOO_LONG,
                 "{}:{number}: {length}",
                 page.display()
             );
@@ -127,4 +142,70 @@ fn names_of_links_are_defined() {
         }
     }
     assert!(count > 20, "{count} names");
+}
+
+/// Pages that are documentation of modules of the crate: they stand behind `links.md`, which the introduction does without.
+fn pages_of_the_crate() -> Vec<PathBuf> {
+    let source = fs::read_to_string("src/lib.rs").expect("the crate");
+    let pages = source.split("include_str!(\"../docs/").skip(1);
+    let pages = pages.filter_map(|rest| Some(rest.split_once('"')?.0));
+    let pages = pages.filter(|page| *page != "introduction.md");
+    let pages: Vec<PathBuf> = pages.map(|page| Path::new("docs").join(page)).collect();
+    assert!(pages.len() > 20, "{} pages", pages.len());
+    pages
+}
+
+/// Names that lines `[name]: target` of a page define, but for code.
+fn defined(text: &str) -> Vec<String> {
+    let prose = lines(text).filter(|(_, in_code, _)| !in_code);
+    let names = prose.filter_map(|(_, _, line)| Some(line.strip_prefix('[')?.split_once("]: ")?.0));
+    names.map(String::from).collect()
+}
+
+/// The documentation of the crate has no files: a link leads to a module there, by a name that `links.md` defines, too.
+#[test]
+fn links_lead_somewhere_in_the_documentation_of_the_crate() {
+    let links = fs::read_to_string("src/links.md").expect("links");
+    let items = defined(&links);
+    let source = fs::read_to_string("src/lib.rs").expect("the crate");
+    let mut used = Vec::new();
+    for page in pages_of_the_crate() {
+        let text = fs::read_to_string(&page).expect("a page");
+        for (number, _, line) in lines(&text).filter(|(_, in_code, _)| !in_code) {
+            let targets = line
+                .split("](")
+                .skip(1)
+                .filter_map(|rest| rest.split(')').next());
+            for target in targets {
+                assert!(
+                    !target.contains(".md"),
+                    "{}:{number}: `{target}` is no page of the crate",
+                    page.display()
+                );
+            }
+        }
+        let names = defined(&text);
+        for name in &names {
+            assert!(
+                items.contains(name),
+                "{}: `{name}` is not in src/links.md",
+                page.display()
+            );
+        }
+        let included = format!("include_str!(\"../{}\")", page.display());
+        let before = source.split(&included).next().unwrap_or_default();
+        let behind_links = before
+            .trim_end_matches("#![doc = ")
+            .trim_end()
+            .ends_with("include_str!(\"links.md\")]");
+        assert!(
+            names.is_empty() || behind_links,
+            "{}: src/lib.rs does not put links.md before it",
+            page.display()
+        );
+        used.extend(names);
+    }
+    for name in items {
+        assert!(used.contains(&name), "src/links.md: no page uses `{name}`");
+    }
 }
