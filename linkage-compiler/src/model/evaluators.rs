@@ -233,7 +233,9 @@ fn subject(value: &Expr) -> &Expr {
 fn written(value: &Expr) -> String {
     let text = value.to_string();
     match (&value.kind, text.strip_prefix('(')) {
-        (ExprKind::Binary(..), Some(rest)) => rest.strip_suffix(')').unwrap_or(rest).to_owned(),
+        (ExprKind::Binary(..) | ExprKind::Negate(_), Some(rest)) => {
+            rest.strip_suffix(')').unwrap_or(rest).to_owned()
+        }
         _ => text,
     }
 }

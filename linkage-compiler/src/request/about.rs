@@ -68,11 +68,11 @@ impl Words<'_> {
                 (inner, format!("{ordinal}derivative"), listed(&names))
             }
         };
-        let of = match inner.derived() {
-            Some(_) => format!("the {}", self.of(inner)),
-            None => format!("`{}`", self.subject),
-        };
-        format!("{which} of {of} by {by}")
+        // First by what: the words of the inner derivative end with a variable of their own.
+        match inner.derived() {
+            Some(_) => format!("{which} by {by} of the {}", self.of(inner)),
+            None => format!("{which} of `{}` by {by}", self.subject),
+        }
     }
 
     fn variable(&self, variable: Variable) -> &str {

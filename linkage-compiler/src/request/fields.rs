@@ -1,6 +1,9 @@
 //! Shapes and units of results.
 
-use crate::model::{EvaluatorDef, LengthUnit, Mechanism, Quantity, Shape, Type};
+use crate::model::{
+    Derived, EvaluatorDef, Expr, LengthUnit, Mechanism, Quantity, ScalarParameterId, Shape, Type,
+    Variable,
+};
 use crate::unit::{Column, Field, Picture};
 
 use super::about::about;
@@ -47,6 +50,10 @@ pub(super) fn fields(
                 shape,
                 unit: match quantity.value.derived() {
                     Some(_) => units_of(columns),
+                    // Types know no angle below the line: what is made of such a derivative has a unit that they do not tell.
+                    None if has_rate_of_angles(mechanism, definition, &quantity.value) => {
+                        String::new()
+                    }
                     None => unit_words(&quantity.value.ty, unit),
                 },
                 about: about(mechanism, definition, quantity),
@@ -56,22 +63,62 @@ pub(super) fn fields(
     definition.quantities.iter().map(field).collect()
 }
 
+/// Whether a derivative by an angle, or one of an angle, is a part of it.
+fn has_rate_of_angles(mechanism: &Mechanism, definition: &EvaluatorDef, value: &Expr) -> bool {
+    let input_is = |input: usize| mechanism.inputs[input].dimension.angle;
+    let parameter_is = |id: ScalarParameterId| mechanism.scalar_parameters[id.0].dimension.angle;
+    value.parts().any(|part| {
+        let (inner, by_angle) = match part.derived() {
+            None => return false,
+            Some(Derived::ByInputs(inner, _)) => {
+                let inputs = definition.inputs.iter().copied();
+                let mut drives = inputs.filter(|&input| input < mechanism.inputs.len());
+                (inner, drives.any(input_is))
+            }
+            Some(Derived::ByParameters(inner, by)) => {
+                (inner, by.iter().any(|&id| parameter_is(id)))
+            }
+            Some(Derived::By(inner, by)) => {
+                let by_angle = by.iter().any(|&variable| match variable {
+                    Variable::Input(input) => input_is(input),
+                    Variable::Parameter(id) => parameter_is(id),
+                });
+                (inner, by_angle)
+            }
+        };
+        by_angle || matches!(inner.ty, Type::Scalar(own) if own.angle)
+    })
+}
+
 /// The different units of numbers, in their order: `mm/mm and mm/rad`.
 fn units_of(columns: &[Column]) -> String {
-    let mut units: Vec<&str> = Vec::new();
+    let mut units: Vec<String> = Vec::new();
     for column in columns {
         let unit = match column.unit.as_str() {
-            "" => "1",
-            unit => unit,
+            "" => "1".to_owned(),
+            unit => ordered(unit),
         };
         if !units.contains(&unit) {
             units.push(unit);
         }
     }
     match &units[..] {
-        ["1"] => String::new(),
+        [only] if only == "1" => String::new(),
         [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
         units => units.concat(),
+    }
+}
+
+/// Factors below the line by the alphabet: `mm/(rad*mm)` and `mm/(mm*rad)` are the same unit.
+fn ordered(unit: &str) -> String {
+    let below = unit.split_once("/(");
+    match below.and_then(|(above, below)| Some((above, below.strip_suffix(')')?))) {
+        Some((above, below)) => {
+            let mut factors: Vec<&str> = below.split('*').collect();
+            factors.sort_unstable();
+            format!("{above}/({})", factors.join("*"))
+        }
+        None => unit.to_owned(),
     }
 }
 

@@ -24,7 +24,8 @@ fn derivatives_say_of_what_by_what_and_in_which_unit() {
             p, x: p.x, twice: 2 * p.x - l, n: p.x / l,
             v: velocity(p), w: velocity(p.x - l), a: acceleration(p), j: jerk(p),
             s: sensitivity(p), one: sensitivity(p, [l]), c: sensitivity(velocity(p)),
-            d: d(p, l), m: d(p.y, phi, lift), r: velocity(phi), speed: velocity(p.x) * 3,
+            d: d(p, l), m: d(p.y, phi, lift), r: velocity(phi),
+            speed: velocity(p.x) * 3, back: -velocity(p), left: -p.x, length: d(p.x, l) * l,
         }",
     );
     let expected = [
@@ -38,11 +39,14 @@ fn derivatives_say_of_what_by_what_and_in_which_unit() {
         "j: third derivative of `p` by `phi`, in mm/rad^3",
         "s: derivatives of `p` by each of `PARAMETERS`, in mm/mm and mm/rad",
         "one: derivatives of `p` by `l`, in mm/mm",
-        "c: derivatives of the derivative of `p` by `phi` by each of `PARAMETERS`, in mm/(rad*mm) and mm/rad^2",
+        "c: derivatives by each of `PARAMETERS` of the derivative of `p` by `phi`, in mm/(mm*rad) and mm/rad^2",
         "d: derivative of `p` by `l`, in mm/mm",
         "m: second derivative of `p.y` by `phi` and `lift`, in mm/rad^2",
         "r: derivative of `phi` by `phi`, in rad/rad",
-        "speed: `velocity(p.x) * 3`, in mm",
+        "speed: `velocity(p.x) * 3`",
+        "back: `-velocity(p)`",
+        "left: `-p.x`, in mm",
+        "length: `d(p.x, l) * l`, in mm",
     ];
     assert_eq!(told, expected);
 }
@@ -57,7 +61,7 @@ fn arrays_say_what_their_entries_are() {
     );
     let expected = [
         "v: derivatives of `p` by `phi` and `s`, in mm/rad and mm/mm",
-        "a: second derivatives of `p.x` by each two of `phi` and `s`, in mm/rad^2, mm/(mm*rad), mm/(rad*mm) and mm/mm^2",
+        "a: second derivatives of `p.x` by each two of `phi` and `s`, in mm/rad^2, mm/(mm*rad) and mm/mm^2",
         "s: derivatives of `p` by `a`, `b` and `c`, in mm/mm",
         "t: derivatives of `p` by 5 of `PARAMETERS`, in mm/mm",
     ];
