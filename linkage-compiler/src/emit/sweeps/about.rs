@@ -30,8 +30,8 @@ pub(in super::super) fn about(outline: &Outline) -> String {
         format!("| `{name}{}({given})` | {does} |\n", sweep.word())
     };
     let mut text = String::from(
-        "\n\n# Sweeps\n\nEach function of inputs has methods that compute it many times, side by side; those of the \
-         first one are:\n\n| method | does |\n|---|---|\n",
+        "\n\n# Sweeps\n\nEach function of inputs has methods that compute it many times, side by side, with feature \
+         `alloc`, which is part of `std`; those of the first one are:\n\n| method | does |\n|---|---|\n",
     );
     text += &row(
         Sweep::Owned,
@@ -68,7 +68,7 @@ pub(in super::super) fn about(outline: &Outline) -> String {
         text += &row(
             Sweep::SetsParallelInto,
             &format!("sets, {arguments}, columns"),
-            "the same on all threads",
+            "the same on all threads of rayon's current pool; with feature `rayon`",
         );
         text += "\nMany mechanisms are assembled in the modes of this one, and their angles count turns from those of this one. \
                  Where one cannot be assembled at its position, the results are NaN.";
