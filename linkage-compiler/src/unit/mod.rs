@@ -27,7 +27,7 @@ pub use picture::{
     Point, PointKind,
 };
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};
-pub use words::{decimal, in_degrees};
+pub use words::in_degrees;
 
 /// What a mechanism is after lowering.
 #[derive(Clone, Debug, Default)]

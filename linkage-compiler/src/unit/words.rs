@@ -4,7 +4,7 @@
 const DIGITS: usize = 9;
 
 /// A number as an engineer writes it.
-pub fn decimal(x: f64) -> String {
+fn decimal(x: f64) -> String {
     let plain = x == 0.0 || (1e-4..1e9).contains(&x.abs());
     if plain {
         format!("{x}")

@@ -149,7 +149,6 @@ fn significant(x: f64, digits: usize) -> String {
         Some(exponent) if exponent >= 0 && size(exponent) <= behind => {
             format!("{x:.*}", behind - size(exponent))
         }
-        _ if x == 0.0 => String::from("0"),
         _ => rounded,
     }
 }
