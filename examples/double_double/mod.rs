@@ -142,7 +142,9 @@ impl Scalar for DoubleDouble {
 
     fn root(self, scale: Self) -> Self {
         let slack = 8.0 * Self::EPSILON * scale.high().abs();
-        if self.high() < 0.0 && -self.high() <= slack && slack.is_finite() {
+        if !slack.is_finite() {
+            Self::from_f64(f64::NAN)
+        } else if self.high() < 0.0 && -self.high() <= slack {
             Self::from_f64(0.0)
         } else {
             self.sqrt()

@@ -164,7 +164,7 @@ fn binary(operation: Binary, a: &Ident, b: &Ident) -> TokenStream {
         Binary::Hypot => quote!(T::hypot(#a, #b)),
         Binary::Min => quote!(T::min(#a, #b)),
         Binary::Max => quote!(T::max(#a, #b)),
-        Binary::Root => quote!(T::root(#a, #b)),
+        Binary::Root => quote!(T::root_with::<__FUSED>(#a, #b)),
     }
 }
 

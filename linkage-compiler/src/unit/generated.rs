@@ -48,7 +48,7 @@ impl<T: Scalar, const FUSED: bool> Arithmetic for Generated<T, FUSED> {
             Binary::Hypot => a.hypot(b),
             Binary::Min => a.min(b),
             Binary::Max => a.max(b),
-            Binary::Root => a.root(b),
+            Binary::Root => a.root_with::<FUSED>(b),
         }
     }
 

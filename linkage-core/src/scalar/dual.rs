@@ -103,9 +103,10 @@ impl<D: DualNum<Primitive = f64> + Copy> Scalar for Dual<D> {
     #[inline(always)]
     fn root(self, scale: Self) -> Self {
         let q = self.0.re();
-        if q > 0.0 {
+        let root = q.root(scale.0.re());
+        if root > 0.0 {
             Self(self.0.sqrt())
-        } else if q.root(scale.0.re()) == 0.0 {
+        } else if root == 0.0 {
             Self((self.0 - q).sqrt())
         } else {
             self.nowhere()

@@ -116,17 +116,23 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn root(self, scale: Self) -> Self {
+                self.root_with::<FUSED>(scale)
+            }
+
+            #[inline(always)]
+            fn root_with<const FUSED: bool>(self, scale: Self) -> Self {
                 const SLACK: $float = ROUNDINGS as $float * <$float>::EPSILON;
-                // What is negative is none of rounding's beside a scale that is no number.
                 let size = <$float>::abs(scale);
-                let size = select_unpredictable(size <= <$float>::MAX, size, 0.0);
-                // The root does not wait for the test. NaN stays, -0 does not.
-                let positive = <$float>::abs(select_unpredictable(self < 0.0, 0.0, self));
-                let root = math::$functions::sqrt(positive).to_bits();
-                // Negative if more is missing: then all bits are set, NaN.
-                let missing = SLACK * size + self;
-                let nan = missing.to_bits().cast_signed() >> (<$bits>::BITS - 1);
-                <$float>::from_bits(root | nan.cast_unsigned())
+                // Its sign is right however it is rounded, since the product is exact.
+                let reserve = elementary::$functions::mul_add::<FUSED>(size, SLACK, self);
+                // 0, or NaN beside a scale that is no number: then nothing is told of the root.
+                let least = size - size;
+                // The root does not wait for the tests. Choices beside 0 stay in the registers of floats; a sign bit that is spread out
+                // does not.
+                let nan = select_unpredictable(reserve >= least, 0.0, <$float>::NAN);
+                let root = math::$functions::sqrt(self);
+                let root = select_unpredictable(self > 0.0, root, 0.0);
+                <$float>::from_bits(root.to_bits() | nan.to_bits())
             }
 
             #[inline(always)]

@@ -18,7 +18,7 @@ pub fn contract(mut program: Program) -> Program {
 }
 
 /// Divisors, and what only its size counts of: a determinant of parallel directions is 0 if both of its products are
-/// rounded, and the rounding error of one of them if that is not.
+/// rounded, and the rounding error of one of them if that is not. Squares have no difference to lose.
 fn compared_with_zero(program: &Program) -> Vec<bool> {
     let mut exact = vec![false; program.instructions.len()];
     for instruction in &program.instructions {
@@ -32,13 +32,21 @@ fn compared_with_zero(program: &Program) -> Vec<bool> {
     exact
 }
 
+/// Whether both operands are products that may cancel each other.
 fn is_of_two_products(program: &Program, sum: Value) -> bool {
-    program.instructions[sum.0].operands().all(|x| {
-        matches!(
-            program.instructions[x.0],
-            Instruction::Binary(Binary::Mul, ..)
-        )
-    })
+    let mut squares = 0;
+    let products = program.instructions[sum.0].operands().all(|x| {
+        let Instruction::Binary(Binary::Mul, a, b) = program.instructions[x.0] else {
+            return false;
+        };
+        squares += usize::from(a == b);
+        true
+    });
+    let is_sum = matches!(
+        program.instructions[sum.0],
+        Instruction::Binary(Binary::Add, ..)
+    );
+    products && !(is_sum && squares == 2)
 }
 
 /// The multiply-add for a sum or a difference. Of two products, the one that is known later is fused: the other can be
@@ -162,6 +170,21 @@ mod tests {
             ];
             let written = program(&operations, &[7]);
             assert_eq!(contract(written.clone()), written);
+        }
+    }
+
+    #[test]
+    fn a_sum_of_squares_is_fused_a_difference_is_not() {
+        for (last, fuses) in [(Binary::Add, true), (Binary::Sub, false)] {
+            let operations = [
+                binary(Binary::Mul, 0, 0),
+                binary(Binary::Mul, 1, 1),
+                binary(last, 4, 5),
+                binary(Binary::Div, 2, 6),
+            ];
+            let contracted = contract(program(&operations, &[7]));
+            let is_fused = |own: &Instruction| matches!(own, Instruction::Fused(..));
+            assert_eq!(contracted.instructions.iter().any(is_fused), fuses);
         }
     }
 
