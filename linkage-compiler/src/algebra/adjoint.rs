@@ -24,7 +24,7 @@ pub(crate) enum Direction {
     Forward,
     /// Backwards from each number that is differentiated.
     FromResults,
-    /// Backwards from each unknown in it, then forward: several results often hang on one angle.
+    /// Backwards from the unknowns in it, and anew from each narrow place before these: several results often hang on one angle.
     FromUnknowns,
     /// Backwards from each number through its whole formula.
     Gradient,
@@ -50,7 +50,7 @@ impl Direction {
 }
 
 /// The multipliers of the equations of each system that something depends on.
-type Multipliers<'m> = Vec<Multiplier<'m>>;
+pub(super) type Multipliers<'m> = Vec<Multiplier<'m>>;
 
 /// Those of one system.
 #[derive(Clone, Debug)]
@@ -61,12 +61,25 @@ pub(super) struct Multiplier<'m> {
     pub(super) factors: Vec<Ex<'m>>,
 }
 
+/// What a sweep backwards finds.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Flow<'m> {
+    /// Of all systems that it visited.
+    pub(super) multipliers: Multipliers<'m>,
+    /// The derivatives by unknowns and rates at which it ended.
+    pub(super) ends: BTreeMap<Solved, Ex<'m>>,
+}
+
 /// Multipliers found already.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Adjoints<'m> {
     of_nodes: Map<NodeId, Multipliers<'m>>,
-    of_unknowns: Map<Solved, Multipliers<'m>>,
-    rates: Map<(Solved, SymbolId), Ex<'m>>,
+    /// Of numbers, with the ends at all narrow places.
+    pub(super) flows: Map<NodeId, Flow<'m>>,
+    /// Of narrow places.
+    pub(super) of_places: Map<Solved, Flow<'m>>,
+    /// Derivatives of these, without what passes others before them.
+    pub(super) between: Map<(Solved, SymbolId), Ex<'m>>,
 }
 
 impl<'m> Algebra<'m> {
@@ -85,57 +98,33 @@ impl<'m> Algebra<'m> {
                 let start = self.partial(x, parameter);
                 self.minus_slopes(start, &multipliers, parameter)
             }
-            Direction::FromUnknowns => {
-                let start = self.partial(x, parameter);
-                let mentioned = self.mentioned_in(&[x]);
-                mentioned.iter().fold(start, |sum, solved| {
-                    let variable = self.symbol_for(solved);
-                    let weight = self.partial(x, variable);
-                    sum + weight * self.rate_backwards(solved, parameter)
-                })
-            }
+            Direction::FromUnknowns => self.derivative_through(x, parameter),
         }
-    }
-
-    /// The derivative of an unknown or a rate by a parameter.
-    fn rate_backwards(&mut self, solved: &Solved, parameter: SymbolId) -> Ex<'m> {
-        let key = (solved.clone(), parameter);
-        if let Some(&known) = self.derivatives.adjoints.rates.get(&key) {
-            return known;
-        }
-        let known = self.derivatives.adjoints.of_unknowns.get(solved).cloned();
-        let multipliers = known.unwrap_or_else(|| {
-            let one = self.one();
-            let found = self.sweep(vec![(solved.clone(), one)]);
-            let all = &mut self.derivatives.adjoints.of_unknowns;
-            all.insert(solved.clone(), found.clone());
-            found
-        });
-        let zero = self.zero();
-        let rate = self.minus_slopes(zero, &multipliers, parameter);
-        self.derivatives.adjoints.rates.insert(key, rate);
-        rate
     }
 
     fn multipliers_of(&mut self, x: Ex<'m>) -> Multipliers<'m> {
         if let Some(known) = self.derivatives.adjoints.of_nodes.get(&x.id()) {
             return known.clone();
         }
-        let mentioned = self.mentioned_in(&[x]).into_iter();
-        let weights = mentioned
-            .map(|solved| {
-                let variable = self.symbol_for(&solved);
-                (solved, self.partial(x, variable))
-            })
-            .collect();
-        let multipliers = self.sweep(weights);
+        let weights = self.weights_of(x);
+        let multipliers = self.sweep(weights, |_, _| false).multipliers;
         let all = &mut self.derivatives.adjoints.of_nodes;
         all.insert(x.id(), multipliers.clone());
         multipliers
     }
 
+    /// The derivatives by the unknowns and rates in an expression.
+    pub(super) fn weights_of(&mut self, x: Ex<'m>) -> Vec<(Solved, Ex<'m>)> {
+        let mentioned = self.mentioned_in(&[x]).into_iter();
+        let weights = mentioned.map(|solved| {
+            let variable = self.symbol_for(&solved);
+            (solved, self.partial(x, variable))
+        });
+        weights.collect()
+    }
+
     /// `start` minus the sum of multiplier times slope.
-    fn minus_slopes(
+    pub(super) fn minus_slopes(
         &mut self,
         start: Ex<'m>,
         multipliers: &Multipliers<'m>,
@@ -150,19 +139,30 @@ impl<'m> Algebra<'m> {
         })
     }
 
-    /// From the derivatives by unknowns and rates to all multipliers, the last system first.
-    fn sweep(&mut self, weights: Vec<(Solved, Ex<'m>)>) -> Multipliers<'m> {
+    /// From the derivatives by unknowns and rates to all multipliers, the last system first, but not beyond ends.
+    pub(super) fn sweep(
+        &mut self,
+        weights: Vec<(Solved, Ex<'m>)>,
+        is_end: impl Fn(&Self, &Solved) -> bool,
+    ) -> Flow<'m> {
+        let zero = self.zero();
         let mut open: BTreeMap<System, Vec<Ex<'m>>> = BTreeMap::new();
+        let mut flow = Flow::default();
+        let mut add = |own: &Self, open: &mut BTreeMap<_, _>, solved: Solved, weight: Ex<'m>| {
+            if is_end(own, &solved) {
+                *flow.ends.entry(solved).or_insert(zero) += weight;
+            } else {
+                own.add_weight(open, solved, weight);
+            }
+        };
         for (solved, weight) in weights {
-            self.add_weight(&mut open, solved, weight);
+            add(self, &mut open, solved, weight);
         }
-        let mut all = Multipliers::new();
         while let Some((system, weights)) = open.pop_last() {
             let factors = self.solve_transposed(system.group, &weights);
             if factors.iter().all(|factor| factor.is_zero()) {
                 continue;
             }
-            let zero = self.zero();
             let found = vec![Multiplier {
                 system,
                 weights,
@@ -171,19 +171,14 @@ impl<'m> Algebra<'m> {
             for solved in self.mentioned_by(&found[0].system) {
                 let variable = self.symbol_for(&solved);
                 let weight = self.minus_slopes(zero, &found, variable);
-                self.add_weight(&mut open, solved, weight);
+                add(self, &mut open, solved, weight);
             }
-            all.extend(found);
+            flow.multipliers.extend(found);
         }
-        all
+        flow
     }
 
-    fn add_weight(
-        &mut self,
-        open: &mut BTreeMap<System, Vec<Ex<'m>>>,
-        solved: Solved,
-        weight: Ex<'m>,
-    ) {
+    fn add_weight(&self, open: &mut BTreeMap<System, Vec<Ex<'m>>>, solved: Solved, weight: Ex<'m>) {
         let count = self.solutions.groups[solved.system.group].jacobian.len();
         let zero = self.zero();
         let weights = open
@@ -193,7 +188,7 @@ impl<'m> Algebra<'m> {
     }
 
     /// What the equations of a system mention of earlier ones.
-    fn mentioned_by(&mut self, system: &System) -> Vec<Solved> {
+    pub(super) fn mentioned_by(&mut self, system: &System) -> Vec<Solved> {
         let solution = &self.solutions.groups[system.group];
         let mut all: Vec<Ex<'m>> = Vec::new();
         if system.by.is_empty() {

@@ -15,6 +15,7 @@ mod frame;
 mod implicit;
 mod links;
 mod names;
+mod narrow;
 mod nominal;
 mod other_side;
 mod partial;

@@ -1,9 +1,12 @@
 //! How the unknowns are found: the equations of each group, and the rules by which symbols are differentiated.
 
+use std::collections::BTreeSet;
+
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, SymbolId, V2};
 
+use super::partial::Solved;
 use super::{Carrier, Elimination, Link, OtherSide, Rod};
 
 /// How a symbol that lives by its definition is differentiated.
@@ -123,6 +126,8 @@ pub(crate) struct Solutions<'m> {
     pub(crate) other_sides: Vec<OtherSide<'m>>,
     /// Whether derivatives use products that are known of links.
     pub(super) by_products: bool,
+    /// The places between parameters and the results of a function that all paths of some groups lead through.
+    pub(super) narrow: BTreeSet<Solved>,
 }
 
 impl<'m> Solutions<'m> {

@@ -20,7 +20,8 @@ pub(super) struct Choice<'m> {
     scalars: Vec<Ex<'m>>,
     pub(super) formulas: Formulas,
     way: Way,
-    by_parameters: bool,
+    /// What is differentiated by parameters.
+    sensed: Vec<Ex<'m>>,
     /// What a call costs, once another way has been tried.
     time: Option<u32>,
 }
@@ -36,14 +37,14 @@ impl<'m> Choice<'m> {
             formulas: Formulas::new(inliner, &requested.scalars),
             scalars: requested.scalars,
             way: Way::default(),
-            by_parameters: requested.by_parameters,
+            sensed: requested.sensed,
             time: None,
         }
     }
 
     /// How derivatives by parameters are found; `None` if there are none.
     pub(super) fn direction(&self) -> Option<Direction> {
-        self.by_parameters.then_some(self.way.direction)
+        (!self.sensed.is_empty()).then_some(self.way.direction)
     }
 
     /// The results with the definitions as they are now.
@@ -60,7 +61,8 @@ impl<'m> Choice<'m> {
         definition: &EvaluatorDef,
     ) {
         // One after the other: each choice is made with those before.
-        if self.by_parameters {
+        if !self.sensed.is_empty() {
+            state.algebra.find_narrow_places(&self.sensed);
             for direction in Direction::ALL {
                 let way = Way {
                     direction,
@@ -105,13 +107,10 @@ impl<'m> Choice<'m> {
         let own = *self.time.get_or_insert_with(|| time_of(&self.formulas));
         let other = time_of(&formulas);
         if f64::from(other) < f64::from(own) * (1.0 - share) {
-            *self = Self {
-                scalars,
-                formulas,
-                way,
-                by_parameters: self.by_parameters,
-                time: Some(other),
-            };
+            self.scalars = scalars;
+            self.formulas = formulas;
+            self.way = way;
+            self.time = Some(other);
         }
     }
 }

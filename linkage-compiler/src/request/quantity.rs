@@ -18,8 +18,8 @@ pub(super) struct Requested<'m> {
     pub(super) underlying: Vec<Ex<'m>>,
     /// Inputs that the function differentiates by.
     pub(super) variables: Vec<usize>,
-    /// Whether it differentiates by parameters.
-    pub(super) by_parameters: bool,
+    /// What it differentiates by parameters, each once.
+    pub(super) sensed: Vec<Ex<'m>>,
 }
 
 /// How a function finds what it asks for; all ways have equal results.
@@ -162,7 +162,14 @@ impl<'m> Request<'_, 'm> {
     fn derivative(&mut self, value: &Value<'m>, variable: Variable) -> Value<'m> {
         match variable {
             Variable::Input(input) => self.requested.variables.push(input),
-            Variable::Parameter(_) => self.requested.by_parameters = true,
+            Variable::Parameter(_) => {
+                let mut scalars = Vec::new();
+                self.flatten(value, &mut scalars);
+                let sensed = &mut self.requested.sensed;
+                let known = sensed.len();
+                scalars.retain(|x| !sensed[..known].contains(x));
+                sensed.extend(scalars);
+            }
         }
         let symbol = self.algebra.variable(variable);
         let (direction, ty) = match variable {

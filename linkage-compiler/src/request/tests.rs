@@ -64,7 +64,9 @@ fn expect_agreement(items: &str, function: &str) {
             drawn: Vec::new(),
         };
         let requested = request(&mut state, function, way);
-        assert!(requested.by_parameters);
+        assert!(!requested.sensed.is_empty());
+        // Forward is the first.
+        algebra.find_narrow_places(&requested.sensed);
         requested.scalars
     });
     let results: Vec<Vec<Ex>> = results.collect();
@@ -301,6 +303,13 @@ fn chains() {
          loop f = k + (e, -d) + rotate((s, e), v + p);"
     );
     expect_all(&items, &["x", "s", "v", "k + polar(s, v - t)"]);
+    // Through narrow places one behind the other, and beside them.
+    for quantities in [
+        "sensitivity(f), w: sensitivity(k + polar(s, v - t)), v: sensitivity(polar(b, v + t))",
+        "sensitivity(velocity(k + polar(s, v))), w: sensitivity(acceleration(f))",
+    ] {
+        expect_agreement(&items, &format!("f(phi) -> R {{ s: {quantities} }}"));
+    }
 }
 
 #[test]

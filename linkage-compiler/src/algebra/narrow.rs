@@ -1,0 +1,142 @@
+//! Derivatives by parameters through the narrow places of a mechanism.
+//!
+//! All that the dimensions of a dyad do to the numbers behind it, they often do through one angle. Then those numbers are differentiated by the angle, the
+//! angle by the dimensions, and both are multiplied: what a sweep backwards would do for each number is done once for all of them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use linkage_symbolic::{Ex, SymbolId};
+
+use super::Algebra;
+use super::adjoint::Flow;
+use super::partial::{Solved, System};
+
+/// What hangs on an unknown or a rate: results, and narrow places behind it.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Behind {
+    Result(usize),
+    Place(Solved),
+}
+
+impl<'m> Algebra<'m> {
+    /// Finds the narrow places between parameters and `results`: what is used of a group, if that is less than what hangs on it. What the results
+    /// themselves use may be more: what is behind it is gone through once.
+    pub(crate) fn find_narrow_places(&mut self, results: &[Ex<'m>]) {
+        let mut hanging: BTreeMap<Solved, BTreeSet<Behind>> = BTreeMap::new();
+        for (index, &result) in results.iter().enumerate() {
+            for solved in self.mentioned_in(&[result]) {
+                let behind = hanging.entry(solved).or_default();
+                behind.insert(Behind::Result(index));
+            }
+        }
+        let mut narrow = BTreeSet::new();
+        // The last group first.
+        while let Some(group) = hanging.keys().next_back().map(|own| own.system.group) {
+            let used = hanging.split_off(&first_of(group));
+            let behind: BTreeSet<&Behind> = used.values().flatten().collect();
+            let are_results = behind.iter().all(|own| matches!(own, Behind::Result(_)));
+            let is_narrow = used.len() < behind.len() || are_results;
+            for (solved, behind) in &used {
+                for earlier in self.mentioned_by_group(&solved.system) {
+                    let all = hanging.entry(earlier).or_default();
+                    match is_narrow {
+                        true => _ = all.insert(Behind::Place(solved.clone())),
+                        false => all.extend(behind.iter().cloned()),
+                    }
+                }
+            }
+            if is_narrow {
+                narrow.extend(used.into_keys());
+            }
+        }
+        self.solutions.narrow = narrow;
+    }
+
+    /// What the equations of a system, and those of its group that it mentions, mention of earlier groups.
+    fn mentioned_by_group(&mut self, system: &System) -> BTreeSet<Solved> {
+        let mut earlier = BTreeSet::new();
+        let mut entered = BTreeSet::from([system.clone()]);
+        let mut open = vec![system.clone()];
+        while let Some(next) = open.pop() {
+            for solved in self.mentioned_by(&next) {
+                if solved.system.group < system.group {
+                    earlier.insert(solved);
+                } else if entered.insert(solved.system.clone()) {
+                    open.push(solved.system);
+                }
+            }
+        }
+        earlier
+    }
+
+    /// The derivative by a parameter through the narrow places.
+    pub(super) fn derivative_through(&mut self, x: Ex<'m>, parameter: SymbolId) -> Ex<'m> {
+        let known = self.derivatives.adjoints.flows.get(&x.id()).cloned();
+        let flow = known.unwrap_or_else(|| {
+            let flow = self.whole_flow(x);
+            let all = &mut self.derivatives.adjoints.flows;
+            all.insert(x.id(), flow.clone());
+            flow
+        });
+        let start = self.partial(x, parameter);
+        let direct = self.minus_slopes(start, &flow.multipliers, parameter);
+        flow.ends.iter().fold(direct, |sum, (place, &weight)| {
+            sum + weight * self.rate_between(place, parameter)
+        })
+    }
+
+    /// From a number backwards, with its derivatives by all narrow places, also by those before others.
+    fn whole_flow(&mut self, x: Ex<'m>) -> Flow<'m> {
+        let zero = self.zero();
+        let weights = self.weights_of(x);
+        let mut flow = self.sweep(weights, |own, solved| own.is_narrow(solved));
+        let mut open = std::mem::take(&mut flow.ends);
+        while let Some((place, weight)) = open.pop_last() {
+            for (earlier, own) in self.flow_of(&place).ends {
+                *open.entry(earlier).or_insert(zero) += weight * own;
+            }
+            flow.ends.insert(place, weight);
+        }
+        flow
+    }
+
+    fn is_narrow(&self, solved: &Solved) -> bool {
+        self.solutions.narrow.contains(solved)
+    }
+
+    /// From a narrow place to those of earlier groups.
+    fn flow_of(&mut self, place: &Solved) -> Flow<'m> {
+        if let Some(known) = self.derivatives.adjoints.of_places.get(place) {
+            return known.clone();
+        }
+        let group = place.system.group;
+        let weights = vec![(place.clone(), self.one())];
+        let flow = self.sweep(weights, |own, solved| {
+            solved.system.group < group && own.is_narrow(solved)
+        });
+        let all = &mut self.derivatives.adjoints.of_places;
+        all.insert(place.clone(), flow.clone());
+        flow
+    }
+
+    /// The derivative of a narrow place by a parameter, without what passes those of earlier groups.
+    fn rate_between(&mut self, place: &Solved, parameter: SymbolId) -> Ex<'m> {
+        let key = (place.clone(), parameter);
+        if let Some(&known) = self.derivatives.adjoints.between.get(&key) {
+            return known;
+        }
+        let flow = self.flow_of(place);
+        let zero = self.zero();
+        let rate = self.minus_slopes(zero, &flow.multipliers, parameter);
+        self.derivatives.adjoints.between.insert(key, rate);
+        rate
+    }
+}
+
+/// The smallest of what is solved in a group.
+fn first_of(group: usize) -> Solved {
+    Solved {
+        system: System::new(group, Vec::new()),
+        position: 0,
+    }
+}
