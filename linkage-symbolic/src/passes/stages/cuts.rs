@@ -1,7 +1,5 @@
 //! Where stages end: what the loops and their memory cost together is least.
 
-use std::collections::BTreeSet;
-
 use super::is_free;
 use crate::program::{Instruction, Program};
 
@@ -12,22 +10,26 @@ const SIZE: usize = 64;
 const ACCESS: usize = 1;
 const LOOP: usize = 8;
 
-/// The ends of the stages, the cheapest that there are.
+/// The ends of the stages, the cheapest that there are. What is free stands first in `program`.
 pub(super) fn ends(program: &Program, last_uses: &[usize]) -> Vec<usize> {
     let count = program.instructions.len();
+    let free = program.instructions.iter().take_while(|own| is_free(own));
+    let free = free.count();
     // The least cost of stages up to each instruction, and where the last of them starts.
     let mut best: Vec<(usize, usize)> = vec![(0, 0)];
-    for end in 1..=count {
+    best.resize(free + 1, (LOOP, 0));
+    let mut last = Last::new(program, last_uses, free);
+    for end in free + 1..=count {
         let mut least = (usize::MAX, 0);
-        let mut last = Last::new(program, last_uses, end);
-        for start in (0..end).rev() {
+        last.end_at(end);
+        for start in (free..end).rev() {
             last.begin_at(start);
             if splits_pair(program, start) {
                 continue;
             }
-            let excess = last.size.saturating_sub(SIZE);
-            let own = ACCESS * (last.taken.len() + last.kept) + LOOP + excess * excess / SIZE;
-            let cost = best[start].0 + own;
+            // A stage that begins with the first operation has what is free, too.
+            let start = if start == free { 0 } else { start };
+            let cost = best[start].0 + last.cost();
             if cost < least.0 {
                 least = (cost, start);
             }
@@ -49,41 +51,71 @@ pub(super) fn ends(program: &Program, last_uses: &[usize]) -> Vec<usize> {
 
 /// What a stage that ends before `end` has to do, while its begin moves to the front.
 struct Last<'a> {
-    program: &'a Program,
     last_uses: &'a [usize],
     end: usize,
+    /// Of the program.
+    operations: Vec<Operation>,
     size: usize,
-    /// What it needs of stages before.
-    taken: BTreeSet<usize>,
+    /// For which end each value was last found among what a stage uses.
+    used: Vec<usize>,
+    /// How many values it needs of stages before.
+    taken: usize,
     /// How many of its values later stages need.
     kept: usize,
 }
 
+/// What an instruction is to stages.
+struct Operation {
+    size: usize,
+    /// Operands that are not free.
+    operands: Vec<usize>,
+}
+
 impl<'a> Last<'a> {
-    fn new(program: &'a Program, last_uses: &'a [usize], end: usize) -> Self {
+    fn new(program: &Program, last_uses: &'a [usize], free: usize) -> Self {
+        let operation = |instruction: &Instruction| {
+            let operands = instruction.operands().map(|operand| operand.0);
+            Operation {
+                size: instruction.size() as usize,
+                operands: operands.filter(|&value| value >= free).collect(),
+            }
+        };
         Self {
-            program,
             last_uses,
-            end,
+            end: 0,
+            operations: program.instructions.iter().map(operation).collect(),
             size: 0,
-            taken: BTreeSet::new(),
+            used: vec![0; program.instructions.len()],
+            taken: 0,
             kept: 0,
         }
     }
 
+    /// An empty stage before `end`.
+    fn end_at(&mut self, end: usize) {
+        self.end = end;
+        self.size = 0;
+        self.taken = 0;
+        self.kept = 0;
+    }
+
     /// Adds the instruction before the present begin.
     fn begin_at(&mut self, start: usize) {
-        let instruction = &self.program.instructions[start];
-        if is_free(instruction) {
-            return;
-        }
-        self.size += instruction.size() as usize;
+        let operation = &self.operations[start];
+        self.size += operation.size;
         self.kept += usize::from(self.last_uses[start] >= self.end);
-        self.taken.remove(&start);
-        let before = instruction.operands().map(|operand| operand.0);
-        let program = self.program;
-        self.taken
-            .extend(before.filter(|&value| !is_free(&program.instructions[value])));
+        self.taken -= usize::from(self.used[start] == self.end);
+        for &value in &operation.operands {
+            if self.used[value] != self.end {
+                self.used[value] = self.end;
+                self.taken += 1;
+            }
+        }
+    }
+
+    fn cost(&self) -> usize {
+        let excess = self.size.saturating_sub(SIZE);
+        ACCESS * (self.taken + self.kept) + LOOP + excess * excess / SIZE
     }
 }
 
