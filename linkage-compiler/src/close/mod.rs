@@ -3,6 +3,7 @@
 //! Runs the programs of a [`Closing`](crate::unit::Closing) by the interpreter. Ends with a [`Reference`]: the assembly that the start
 //! estimates choose.
 
+mod altered;
 mod apart;
 mod check;
 mod dead_point;
@@ -24,6 +25,7 @@ mod values;
 mod ways;
 mod words;
 
+pub(crate) use altered::{ALTERATIONS, altered, scattered};
 pub(crate) use check::check_ranges;
 pub(crate) use directions::check_directions;
 pub(crate) use follow::followed_range;

@@ -31,7 +31,10 @@ pub(crate) fn check<'m>(
     mechanics.look_at_motion(&positions);
     let mut functions = mechanism.evaluators.iter();
     if reporter.errors() == before && functions.any(EvaluatorDef::asks_for_reactions) {
+        mechanics.find_links(&positions, nominal);
         mechanics.check_system(&positions, reporter);
+        let system = mechanics.system();
+        mechanics.find_determinants(&system, &positions, nominal);
     }
 }
 

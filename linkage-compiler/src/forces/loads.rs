@@ -27,8 +27,8 @@ pub(super) struct BodyLoads<'m> {
 pub(super) struct PointForce<'m> {
     pub(super) point: Vn<'m>,
     pub(super) force: Vn<'m>,
-    /// A centre of mass, whose expression moves with the body.
-    pub(super) is_mass: bool,
+    /// Of inertia and weight: the mass that has its centre there. Its expression moves with the body.
+    pub(super) mass: Option<Ex<'m>>,
 }
 
 impl<'m> Mechanics<'_, 'm> {
@@ -83,7 +83,7 @@ impl<'m> Mechanics<'_, 'm> {
                 loads.forces.push(PointForce {
                     point,
                     force: mass * field,
-                    is_mass: true,
+                    mass: Some(mass),
                 });
             }
         }
@@ -239,7 +239,7 @@ impl<'m> Loads<'m> {
             Some(point) => loads.forces.push(PointForce {
                 point,
                 force: value,
-                is_mass: false,
+                mass: None,
             }),
         }
     }

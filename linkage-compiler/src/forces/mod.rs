@@ -17,6 +17,7 @@
 //! | `system` | equations for the reactions of the cut joints |
 //! | `rank` | do equations that are solved together tell their unknowns? |
 //! | `elimination` | Gauss elimination on plain numbers |
+//! | `closed` | what the loops' closed forms know already |
 //! | `links` | links that leave one number of a reaction open |
 //! | `reactions` | the equations solved, group by group |
 //! | `wrench` | what bodies beyond a joint carry together |
@@ -29,6 +30,7 @@
 //! | `print` | how reactions are found, for golden files |
 
 mod check;
+mod closed;
 mod drives;
 mod elimination;
 mod ends;
@@ -56,6 +58,7 @@ use linkage_symbolic::{Ex, Graph, Vn};
 
 use crate::algebra::Algebra;
 
+use closed::Closed;
 use geometry::Geometry;
 use loads::Loads;
 use motion::{Motion, Speeds};
@@ -78,6 +81,7 @@ pub(crate) struct Forces<'m> {
     still: Vec<(usize, bool)>,
     /// Bodies that turn with a vector whose length does not change.
     rigid_rods: Vec<usize>,
+    closed: Closed<'m>,
     system: Option<Rc<System<'m>>>,
     /// By the speeds and accelerations that functions list.
     cases: Map<Speeds, Case<'m>>,
@@ -113,6 +117,7 @@ impl<'m> Forces<'m> {
             steady: Vec::new(),
             still: Vec::new(),
             rigid_rods: Vec::new(),
+            closed: Closed::default(),
             system: None,
             cases: Map::new(),
         }
@@ -174,6 +179,7 @@ impl<'m> Mechanics<'_, 'm> {
 
     /// The vector from a body's origin to a point.
     fn arm(&self, body: usize, point: Vn<'m>) -> Vn<'m> {
-        point - self.forces.geometry.origins[body]
+        let known = self.forces.closed.arm(body, point);
+        known.unwrap_or_else(|| point - self.forces.geometry.origins[body])
     }
 }

@@ -3,7 +3,7 @@
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::Nominal;
-use crate::close::{Reference, Words, places};
+use crate::close::{ALTERATIONS, Reference, Words, altered, places};
 use crate::model::Mechanism;
 
 /// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is written wrongly is
@@ -42,6 +42,37 @@ impl<'a> Positions<'a> {
             reference: self.reference,
             inputs,
         })
+    }
+
+    /// Numbers where the mechanism closes, also with other dimensions and in other assemblies, each group in its other mode once: what they have in
+    /// common there is no chance.
+    pub(super) fn numbers_anyhow(
+        &self,
+        mechanism: &Mechanism,
+        nominal: &Nominal,
+        all: &[Ex],
+    ) -> Vec<Vec<f64>> {
+        let machine = &self.reference.machine;
+        let modes = std::iter::once(None).chain((0..machine.modes.len()).map(Some));
+        let machines = modes.flat_map(|flipped| {
+            (0..ALTERATIONS).map(move |number| {
+                let dimensions = altered(mechanism, nominal, self.reference.longest, number);
+                let mut machine = machine.with_dimensions(dimensions);
+                if let Some(mode) = flipped {
+                    machine.modes[mode] *= -1.0;
+                }
+                machine
+            })
+        });
+        let numbers = machines.flat_map(|machine| {
+            let places = self.inputs.iter();
+            places
+                .map(|inputs| machine.evaluate(all, inputs))
+                .collect::<Vec<_>>()
+        });
+        numbers
+            .filter(|numbers| numbers.iter().all(|x| x.is_finite()))
+            .collect()
     }
 
     /// Numbers at the positions where the mechanism closes.

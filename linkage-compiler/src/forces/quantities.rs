@@ -94,9 +94,9 @@ impl<'m> Mechanics<'_, 'm> {
         let mut work = self.algebra.zero();
         for (body, own) in loads.bodies.iter().enumerate() {
             for load in &own.forces {
-                let moved = match load.is_mass {
-                    true => self.moved(load.point, input),
-                    false => self.velocity_of(Some(body), load.point, input),
+                let moved = match load.mass {
+                    Some(_) => self.moved(load.point, input),
+                    None => self.velocity_of(Some(body), load.point, input),
                 };
                 work += load.force.dot(moved);
             }

@@ -50,11 +50,9 @@ impl<'m> Mechanics<'_, 'm> {
             .iter()
             .map(|&equation| -self.known(&system, equation, &own))
             .collect();
-        let matrix: Vec<Vec<Ex>> = block
-            .iter()
-            .map(|&equation| own.iter().map(|&k| system.matrix[equation][k]).collect())
-            .collect();
-        let determinant = self.algebra.determinant(&matrix);
+        let matrix = system.matrix_of(block);
+        let known = self.forces.closed.determinant(block);
+        let determinant = known.unwrap_or_else(|| self.algebra.determinant(&matrix));
         let numerators = self.algebra.cofactor_products(&matrix, &right);
         // The determinant is known long before the loads.
         let factor = 1.0 / determinant;

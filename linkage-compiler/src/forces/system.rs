@@ -252,7 +252,15 @@ impl Unknown<'_> {
     }
 }
 
-impl System<'_> {
+impl<'m> System<'m> {
+    /// The rows of equations that are solved together, by the unknowns that they find.
+    pub(super) fn matrix_of(&self, block: &[usize]) -> Vec<Vec<Ex<'m>>> {
+        let own = self.unknowns_of(block);
+        let rows = block.iter();
+        rows.map(|&equation| own.iter().map(|&k| self.matrix[equation][k]).collect())
+            .collect()
+    }
+
     /// Which equation finds which unknown, and in which order.
     pub(super) fn order(&mut self) {
         let rows = vec![1; self.equations.len()];

@@ -6,9 +6,11 @@ use std::ops::{Add, Neg};
 
 use linkage_symbolic::{Ex, Vector, Vn};
 
+use crate::model::JointKind;
+
 use super::Mechanics;
 use super::freedom::Way;
-use super::system::Unknown;
+use super::system::{Equation, System, Unknown};
 
 /// A force and a moment about a point.
 #[derive(Clone, Copy, Debug)]
@@ -117,12 +119,23 @@ impl<'m> Mechanics<'_, 'm> {
             }
         }
         for child in self.forces.tree.children[body].clone() {
-            let beyond = self.wrench(child, inside, open);
+            let mut beyond = self.wrench(child, inside, open);
+            if open.is_empty() && self.is_balanced(&system, child, inside) {
+                beyond.moment = self.zero_turn();
+            }
             let point = self.forces.geometry.origins[child];
             sum = sum + beyond.with_arm(self.arm(body, point));
         }
         self.case().wrenches.insert(carried, sum);
         sum
+    }
+
+    /// Whether equilibrium leaves no moment about a body's own pin in the plane: the reactions of all cut joints beyond it count, and were found by that.
+    fn is_balanced(&self, system: &System<'m>, body: usize, inside: &[usize]) -> bool {
+        let mut ways = system.equations.iter().filter_map(Equation::way);
+        self.forces.geometry.is_plane()
+            && ways.any(|way| way.body == body && !way.slides)
+            && inside.iter().all(|&joint| self.joins(joint, body) == 0)
     }
 
     /// The loads on a body alone.
@@ -131,16 +144,44 @@ impl<'m> Mechanics<'_, 'm> {
         let own = &loads.bodies[body];
         let mut sum = self.zero_wrench();
         for load in &own.forces {
+            let arm = self.arm(body, load.point);
             let force = Wrench {
                 force: load.force,
                 ..self.zero_wrench()
             };
-            sum = sum + force.with_arm(self.arm(body, load.point));
+            sum = sum
+                + match load
+                    .mass
+                    .and_then(|mass| self.moment_of_mass(body, mass, arm))
+                {
+                    Some(moment) => Wrench { moment, ..force },
+                    None => force.with_arm(arm),
+                };
         }
         for &couple in &own.couples {
             sum.moment = sum.moment + couple;
         }
         sum
+    }
+
+    /// The moment of a mass, its inertia and weight, about its body's own joint, if that is a pin of the plane on the frame: what turns evenly
+    /// has no moment but that of its weight.
+    fn moment_of_mass(&mut self, body: usize, mass: Ex<'m>, arm: Vn<'m>) -> Option<Vn<'m>> {
+        let mechanism = self.algebra.mechanism;
+        let joint = &mechanism.joints[mechanism.bodies[body].joint];
+        let origin = self.forces.geometry.origins[body];
+        let rests = joint.on.is_none() && origin.iter().all(|x| x.is_fixed());
+        if !self.forces.geometry.is_plane() || joint.kind != JointKind::Pin || !rests {
+            return None;
+        }
+        let gain = self.angular_acceleration(body);
+        let square = arm.square();
+        if !gain.is_zero() && !square.is_fixed() {
+            return None;
+        }
+        let weight = self.gravity().map(|gravity| mass * gravity);
+        let weighs = weight.map_or(self.zero_turn(), |weight| arm.moment_of(weight));
+        Some(weighs - (mass * square) * gain)
     }
 
     /// 1 if the reaction of a cut joint acts on what hangs on a body, -1 if its opposite does, 0 if neither or both.

@@ -5,10 +5,10 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, Vn};
 
 use crate::algebra::{Algebra, Bound, Nominal, Translate};
-use crate::close::{Machine, Reference, places};
+use crate::close::{Machine, Reference, places, scattered};
 use crate::model::{Dimension, Expr, ExprKind, Loop};
 
-use super::seen::scattered;
+use super::seen::divided;
 
 /// Vectors at several places or of several motions.
 pub(super) type Track = Vec<Vec<f64>>;
@@ -82,15 +82,15 @@ impl<'a> Free<'a> {
         free
     }
 
-    /// Where a point is at each place, then its velocity in each motion.
-    pub(super) fn course(&self, vector: Vn) -> Track {
-        let numbers: Vec<Ex> = vector.iter().collect();
+    /// Where points are at each place, then their velocities in each motion.
+    pub(super) fn courses(&self, vectors: &[Vn]) -> Vec<Track> {
+        let numbers: Vec<Ex> = vectors.iter().flat_map(|own| own.iter()).collect();
         let places = self.places.iter();
         let places = places.map(|(inputs, unknowns)| {
             let machine = self.machine;
             machine.evaluate_open(&numbers, inputs, unknowns)
         });
-        places.chain(self.rates(&numbers)).collect()
+        divided(&places.chain(self.rates(&numbers)).collect(), vectors)
     }
 
     fn rates(&self, numbers: &[Ex]) -> Track {
@@ -184,11 +184,15 @@ impl Place {
             angles: Vec::new(),
             lengths: Vec::new(),
         };
-        for (unknown, bound) in algebra.names.bound.iter().enumerate() {
-            let values = machine.evaluate(&algebra.names.numbers_of(unknown), &inputs);
-            if values.iter().any(|x| !x.is_finite()) {
-                return None;
-            }
+        let unknowns = 0..algebra.names.bound.len();
+        let numbers: Vec<Vec<Ex>> = unknowns.map(|own| algebra.names.numbers_of(own)).collect();
+        let all = machine.evaluate(&numbers.concat(), &inputs);
+        if all.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        let mut all = all.into_iter();
+        for (unknown, (bound, numbers)) in algebra.names.bound.iter().zip(&numbers).enumerate() {
+            let values: Vec<f64> = all.by_ref().take(numbers.len()).collect();
             match bound {
                 Bound::Angle(angle) => {
                     let symbols = algebra.names.angles[*angle].symbols();

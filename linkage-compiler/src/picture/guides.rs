@@ -6,6 +6,7 @@ use crate::algebra::Translate;
 use crate::model::{BinaryOp, Dimension, Expr, ExprKind, Function, Name, Type};
 
 use super::chains::{Line, Segment, Shape, Sketch};
+use super::free::Track;
 use super::links::{Links, is_rigid};
 use super::parts::Slide;
 use super::seen::Seen;
@@ -58,8 +59,9 @@ impl<'m> Guides<'m> {
         seen.add(&sketch.points[known..]);
 
         let mut guides = Self { all: Vec::new() };
-        for candidate in candidates {
-            guides.add(candidate, seen, links);
+        let ways: Vec<Vn> = candidates.iter().map(|own| own.along).collect();
+        for (candidate, along) in candidates.into_iter().zip(seen.tracks_of(&ways)) {
+            guides.add(candidate, &along, seen, links);
         }
         guides
     }
@@ -71,15 +73,16 @@ impl<'m> Guides<'m> {
     }
 
     /// Adds a guide unless it is known.
-    fn add(&mut self, candidate: Candidate<'m>, seen: &Seen, links: &Links) {
+    fn add(&mut self, candidate: Candidate<'m>, along: &Track, seen: &Seen, links: &Links) {
         let (origin, slider) = (seen.same[candidate.origin], seen.same[candidate.slider]);
-        let along = seen.track(candidate.along);
         if along.iter().flatten().any(|x| !x.is_finite()) {
             return;
         }
         let known = self.all.iter().any(|guide| {
-            let other = seen.track(guide.along);
-            guide.slider == slider && parallel(&along, &other)
+            guide.slider == slider && {
+                let other = seen.tracks_of(&[guide.along]);
+                parallel(along, &other[0])
+            }
         });
         if known {
             return;
@@ -88,13 +91,13 @@ impl<'m> Guides<'m> {
         let carrier = each.position(|link| {
             let mut points = link.points.iter();
             points.all(|&point| {
-                seen.keep_distance(point, origin) && seen.carries(point, origin, &along)
+                seen.keep_distance(point, origin) && seen.carries(point, origin, along)
             })
         });
         let fixed = candidate.on_frame || seen.is_fixed(origin);
         let on = match carrier {
             _ if candidate.is_distance => GuideOn::Itself,
-            _ if fixed && seen.is_steady(&along) => GuideOn::Frame,
+            _ if fixed && seen.is_steady(along) => GuideOn::Frame,
             Some(link) => GuideOn::Link(link),
             None => GuideOn::Itself,
         };
@@ -105,7 +108,7 @@ impl<'m> Guides<'m> {
             return;
         }
         // A driven length that turns about its end.
-        let pushes = candidate.is_driven && on == GuideOn::Itself && !seen.is_steady(&along);
+        let pushes = candidate.is_driven && on == GuideOn::Itself && !seen.is_steady(along);
         self.all.push(RawGuide {
             name: candidate.name,
             origin,

@@ -94,7 +94,7 @@ pub(super) fn named<'m>(
     let turning = Turning {
         seen,
         points: kept.iter().map(|(point, _)| *point).collect(),
-        ways: directions.iter().map(|own| seen.track(*own)).collect(),
+        ways: seen.tracks_of(&directions),
         declared: declared.collect(),
     };
     picture.joints = turning.joints(&picture);

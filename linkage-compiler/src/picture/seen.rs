@@ -5,8 +5,7 @@ use std::ops::Range;
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::close::{Machine, Reference, places};
-use crate::model::{Dimension, Mechanism};
+use crate::close::{ALTERATIONS, Machine, Reference, altered, places};
 
 use super::chains::Spot;
 use super::free::{Free, Rate, Track};
@@ -17,14 +16,6 @@ const EQUAL: f64 = 1e-9;
 /// Unit vectors that differ by less are one direction. They are quotients of differences of points, so they are known less well than
 /// these.
 const STEADY: f64 = 1e3 * EQUAL;
-
-/// Dimensions are altered by about this share: what is equal by chance differs by far more than `EQUAL` then, and a mechanism that
-/// is not at a limit still closes.
-const ALTERED: f64 = 1e-3;
-
-/// How often all dimensions are altered. Each is altered by a share of its own, so once would do; the second one guards against
-/// a share that is the right one by chance.
-const ALTERATIONS: usize = 2;
 
 pub(super) struct Seen<'a> {
     free: Free<'a>,
@@ -76,14 +67,16 @@ impl<'a> Seen<'a> {
 
     /// Looks at further points.
     pub(super) fn add(&mut self, points: &[Spot]) {
-        for point in points {
-            let track = self.track(point.at);
+        // All at once: points at the end of a chain have most of it in common.
+        let vectors: Vec<Vn> = points.iter().map(|point| point.at).collect();
+        let tracks = self.tracks_of(&vectors);
+        let courses = self.free.courses(&vectors);
+        for (track, course) in tracks.into_iter().zip(courses) {
             self.size = track
                 .iter()
                 .flatten()
                 .fold(self.size, |size, x| size.max(x.abs()));
             self.tracks.push(track);
-            let course = self.free.course(point.at);
             let size = self.size;
             self.fixed.push(self.free.rests(&course, size));
             self.courses.push(course);
@@ -96,16 +89,16 @@ impl<'a> Seen<'a> {
         }
     }
 
-    /// A vector at each place of each view.
-    pub(super) fn track(&self, vector: Vn) -> Track {
-        let components: Vec<Ex> = vector.iter().collect();
+    /// Vectors at each place of each view.
+    pub(super) fn tracks_of(&self, vectors: &[Vn]) -> Vec<Track> {
+        let components: Vec<Ex> = vectors.iter().flat_map(|own| own.iter()).collect();
         let look = |view: &View| -> Track {
             let places = view.places.iter();
             places
                 .map(|inputs| view.machine.evaluate(&components, inputs))
                 .collect()
         };
-        self.views.iter().flat_map(look).collect()
+        divided(&self.views.iter().flat_map(look).collect(), vectors)
     }
 
     /// Where a point is at the places that are looked at with the dimensions as they are written.
@@ -251,33 +244,15 @@ fn views(algebra: &Algebra, reference: &Reference, nominal: &Nominal) -> Vec<Vie
     views
 }
 
-/// Dimensions that differ a little from those that are written, each by a share of its own.
-fn altered(mechanism: &Mechanism, nominal: &Nominal, longest: f64, number: usize) -> Vec<f64> {
-    let each = nominal.parameters.iter().zip(&mechanism.scalar_parameters);
-    each.enumerate()
-        .map(|(index, (&value, own))| {
-            let share = ALTERED * scattered(index, number);
-            let is_length = own.dimension.fits(Dimension::LENGTH);
-            match (value == 0.0, is_length) {
-                (false, _) => value * (1.0 + share),
-                (true, true) => longest * share,
-                (true, false) => share,
-            }
-        })
-        .collect()
-}
-
-/// Numbers between -1 and 1, none too small, that have nothing to do with each other: what is true for them is true in general.
-pub(super) fn scattered(index: usize, number: usize) -> f64 {
-    // Multiples of irrational numbers are spread evenly, and far from those of others.
-    let x = (index + 1) as f64 * 0.754_877_666 + (number + 1) as f64 * 0.569_840_291;
-    let y = ((index + 1) * (number + 1)) as f64 * 0.362_436_069;
-    let size = 0.3 + 0.7 * (x + y).fract();
-    if (17.0 * x + 31.0 * y).fract() < 0.5 {
-        -size
-    } else {
-        size
-    }
+/// The parts that belong to vectors of lists of all their components.
+pub(super) fn divided(all: &Track, vectors: &[Vn]) -> Vec<Track> {
+    let mut start = 0;
+    let part = vectors.iter().map(|vector| {
+        let own = start..start + vector.len();
+        start = own.end;
+        all.iter().map(|list| list[own.clone()].to_vec()).collect()
+    });
+    part.collect()
 }
 
 pub(super) fn difference(a: &[Vec<f64>], b: &[Vec<f64>]) -> Track {

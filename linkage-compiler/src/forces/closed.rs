@@ -1,0 +1,210 @@
+//! What the loops' closed forms know already: arms that are links of a loop, determinants that are those of a loop, with their reciprocals. Loops may be
+//! written in any way, so which they are is found by numbers, with other dimensions and in other assemblies, too.
+
+use linkage_symbolic::unordered::Map;
+
+use linkage_symbolic::{Ex, NodeId, Vn};
+
+use crate::algebra::Nominal;
+
+use super::Mechanics;
+use super::positions::Positions;
+use super::system::System;
+
+/// What is computed by the closed forms.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Closed<'m> {
+    /// By body, and the point that the arm leads to.
+    arms: Map<(usize, Vec<NodeId>), Vn<'m>>,
+    /// By the equations that are solved together.
+    determinants: Map<Vec<usize>, Ex<'m>>,
+}
+
+/// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below what altered dimensions change.
+const EQUAL: f64 = 1e-9;
+
+impl<'m> Closed<'m> {
+    pub(super) fn arm(&self, body: usize, point: Vn<'m>) -> Option<Vn<'m>> {
+        self.arms.get(&(body, point.ids().to_vec())).copied()
+    }
+
+    pub(super) fn determinant(&self, block: &[usize]) -> Option<Ex<'m>> {
+        self.determinants.get(block).copied()
+    }
+}
+
+impl<'m> Mechanics<'_, 'm> {
+    /// Finds the arms from the joints of bodies to others that are links.
+    pub(super) fn find_links(&mut self, positions: &Positions, nominal: &Nominal) {
+        let groups = self.algebra.solutions.groups.iter();
+        let links = groups.flat_map(|group| group.links.iter().flatten());
+        let links: Vec<Vn> = links.map(|link| link.vector.into()).collect();
+        let ends: Vec<(usize, Vn)> = self.ends_of_arms();
+        if links.is_empty() || ends.is_empty() || !self.forces.geometry.is_plane() {
+            return;
+        }
+        let arms = ends.iter().map(|&(body, point)| self.arm(body, point));
+        let all: Vec<Ex> = arms
+            .chain(links.iter().copied())
+            .flat_map(|v| v.iter())
+            .collect();
+        let numbers = positions.numbers_anyhow(self.algebra.mechanism, nominal, &all);
+        for (index, &(body, point)) in ends.iter().enumerate() {
+            let found = links.iter().enumerate().find_map(|(link, &vector)| {
+                let other = ends.len() + link;
+                let signs = [0, 1].map(|k| sign(&numbers, 2 * index + k, 2 * other + k));
+                let [Some(sign), Some(same)] = signs else {
+                    return None;
+                };
+                (sign == same).then_some(if sign < 0.0 { -vector } else { vector })
+            });
+            if let Some(arm) = found {
+                let key = (body, point.ids().to_vec());
+                self.forces.closed.arms.insert(key, arm);
+            }
+        }
+    }
+
+    /// The bodies with points that arms from their own joints lead to.
+    fn ends_of_arms(&self) -> Vec<(usize, Vn<'m>)> {
+        let (tree, geometry) = (&self.forces.tree, &self.forces.geometry);
+        let cut = tree.closing.iter().flat_map(|&joint| {
+            let declared = &self.algebra.mechanism.joints[joint];
+            let bodies = [Some(declared.body), declared.on].into_iter().flatten();
+            bodies.map(move |body| (body, geometry.points[joint]))
+        });
+        let children = tree.children.iter().enumerate().flat_map(|(body, all)| {
+            all.iter()
+                .map(move |&child| (body, geometry.origins[child]))
+        });
+        let ends = cut.chain(children);
+        ends.filter(|&(body, point)| !self.arm(body, point).is_zero())
+            .collect()
+    }
+
+    /// Finds the blocks of equations whose determinants are those of loops.
+    pub(super) fn find_determinants(
+        &mut self,
+        system: &System<'m>,
+        positions: &Positions,
+        nominal: &Nominal,
+    ) {
+        let groups = self.algebra.solutions.groups.iter();
+        let known: Vec<Ex> = groups.map(|group| group.determinant).collect();
+        let blocks = system.blocks.iter().filter(|block| block.len() == 2);
+        let blocks: Vec<&Vec<usize>> = blocks.collect();
+        if known.is_empty() || blocks.is_empty() {
+            return;
+        }
+        let own = blocks
+            .iter()
+            .map(|block| self.algebra.determinant(&system.matrix_of(block)));
+        let all: Vec<Ex> = own.chain(known.iter().copied()).collect();
+        let numbers = positions.numbers_anyhow(self.algebra.mechanism, nominal, &all);
+        for (index, block) in blocks.iter().enumerate() {
+            let found = known.iter().enumerate().find_map(|(group, &determinant)| {
+                let sign = sign(&numbers, index, blocks.len() + group)?;
+                Some(if sign < 0.0 {
+                    -determinant
+                } else {
+                    determinant
+                })
+            });
+            if let Some(determinant) = found {
+                let all = &mut self.forces.closed.determinants;
+                all.insert((*block).clone(), determinant);
+            }
+        }
+    }
+}
+
+/// Whether two numbers are equal at all positions, or opposite: 1 or -1.
+fn sign(numbers: &[Vec<f64>], a: usize, b: usize) -> Option<f64> {
+    let largest = numbers.iter().map(|own| own[b].abs()).fold(0.0, f64::max);
+    let is = |sign: f64| {
+        let mut all = numbers.iter();
+        all.all(|own| (own[a] - sign * own[b]).abs() <= EQUAL * largest)
+    };
+    [1.0, -1.0]
+        .into_iter()
+        .find(|&sign| numbers.len() > 1 && largest > 0.0 && is(sign))
+}
+
+#[cfg(test)]
+mod tests {
+    use linkage_symbolic::interpret::run;
+    use linkage_symbolic::program::{Program, Source};
+
+    use crate::check;
+    use crate::unit::Unit;
+
+    /// Two dyads side by side on one crank, the second one with a coupler of its own length.
+    fn two_dyads(coupler: f64) -> Unit {
+        let dyad = |k: usize| {
+            format!(
+                "unknown t{k} = 20deg; unknown p{k} = 70deg; let e{k} = k + polar(b{k}, t{k});
+                 loop e{k} = (100mm, 0mm) + polar(c{k}, p{k});
+                 body coupler{k} = pin in{k} on wheel at k, turns t{k}, mass 1kg at k + polar(40mm, t{k});
+                 body rocker{k} = pin on{k} on frame at (100mm, 0mm), turns p{k}, mass 2kg at (100mm, 0mm) + polar(30mm, p{k});
+                 pin end{k} = coupler{k} on rocker{k} at e{k};"
+            )
+        };
+        let text = format!(
+            "pub struct M {{
+                unit mm; param a = 30mm; param b1 = 80mm; param c1 = 60mm; param b2 = {coupler}mm; param c2 = 60mm;
+                gravity = (0m/s^2, -10m/s^2);
+                input phi = 60deg in 50deg..70deg at omega;
+                let k = polar(a, phi);
+                body wheel = pin hub on frame at (0mm, 0mm), turns phi;
+                {} {}
+            }}
+            impl M {{ pub fn f(phi, omega) -> F {{ r: reaction(end1), s: reaction(end2), t: torque(phi) }} }}",
+            dyad(1),
+            dyad(2),
+        );
+        let checked = check(text.parse().expect("tokens"));
+        let texts: Vec<&String> = checked.messages.iter().map(|own| &own.text).collect();
+        checked.unit.unwrap_or_else(|| panic!("{texts:?}"))
+    }
+
+    /// The results with the second coupler of a length.
+    fn results(unit: &Unit, coupler: f64) -> Vec<f64> {
+        let values = |program: &Program, prepared: &[f64]| {
+            run(program, |source| match source {
+                Source::Parameter(3) => coupler,
+                Source::Parameter(k) => unit.scalars().nth(k).map_or(f64::NAN, |own| own.nominal),
+                Source::Input(k) => [1.0, 7.0][k],
+                Source::Mode(k) => {
+                    if unit.modes()[k] {
+                        1.0
+                    } else {
+                        -1.0
+                    }
+                }
+                Source::Prepared(slot) => prepared[slot],
+                _ => f64::NAN,
+            })
+        };
+        let prepared = values(&unit.prepare, &[]);
+        values(&unit.functions[0].called.program, &prepared)
+    }
+
+    #[test]
+    fn dyads_that_are_equal_by_chance_have_determinants_of_their_own() {
+        let [equal, apart] = [80.0, 85.0].map(two_dyads);
+        let pairs = results(&equal, 85.0).into_iter().zip(results(&apart, 85.0));
+        for (found, expected) in pairs {
+            assert!(
+                (found - expected).abs() < 1e-9 * expected.abs(),
+                "{found} {expected}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_dyad_has_one_division_for_its_determinant() {
+        let count = two_dyads(85.0).functions[0].called.count;
+        // Of the points, and of the determinants, for each dyad.
+        assert_eq!(count.div, 4);
+    }
+}
