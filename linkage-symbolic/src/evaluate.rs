@@ -27,7 +27,8 @@ pub fn evaluate_given(
             stack.pop();
             continue;
         }
-        let own = match graph.node(id) {
+        let node = graph.node(id);
+        let own = match node {
             Node::Symbol(symbol) => given(symbol),
             _ => None,
         };
@@ -36,22 +37,20 @@ pub fn evaluate_given(
             stack.pop();
             continue;
         }
-        let below = dependencies(graph, id);
+        let meaning = meaning(graph, node);
         let waiting = stack.len();
-        stack.extend(below.iter().filter(|x| !memo.contains_key(x)));
+        let below = node.operands().chain(meaning.0);
+        stack.extend(below.filter(|x| !memo.contains_key(x)));
         if stack.len() > waiting {
             continue;
         }
-        let value = match graph.node(id) {
+        let value = match node {
             Node::Constant(bits) => f64::from_bits(bits),
-            Node::Symbol(symbol) => {
-                let symbol = graph.symbol(symbol);
-                match (symbol.definition, symbol.source) {
-                    (Some(definition), _) => memo[&definition],
-                    (None, Some(source)) => load(source),
-                    (None, None) => f64::NAN,
-                }
-            }
+            Node::Symbol(_) => match meaning {
+                (Some(definition), _) => memo[&definition],
+                (None, Some(source)) => load(source),
+                (None, None) => f64::NAN,
+            },
             Node::Unary(op, a) => op.apply([memo[&a]]),
             Node::Binary(op, a, b) => op.apply([memo[&a], memo[&b]]),
             Node::Ternary(op, a, b, c) => op.apply([memo[&a], memo[&b], memo[&c]]),
@@ -62,10 +61,18 @@ pub fn evaluate_given(
     roots.iter().map(|root| memo[&root.id()]).collect()
 }
 
+/// What a symbol stands for, and where it is loaded from; nothing for operations.
+fn meaning(graph: &Graph, node: Node) -> (Option<NodeId>, Option<Source>) {
+    let Node::Symbol(symbol) = node else {
+        return (None, None);
+    };
+    let store = graph.store();
+    let symbol = store.symbol(symbol);
+    (symbol.definition, symbol.source)
+}
+
 /// What must be known before `id`: its operands, or the definition of a symbol.
-pub(crate) fn dependencies(graph: &Graph, id: NodeId) -> Vec<NodeId> {
-    match graph.node(id) {
-        Node::Symbol(symbol) => graph.symbol(symbol).definition.into_iter().collect(),
-        node => node.operands().collect(),
-    }
+pub(crate) fn dependencies(graph: &Graph, id: NodeId) -> impl Iterator<Item = NodeId> + use<> {
+    let node = graph.node(id);
+    node.operands().chain(meaning(graph, node).0)
 }

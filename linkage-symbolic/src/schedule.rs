@@ -72,7 +72,18 @@ impl Slots {
 /// The program for `outputs` at a call: what is known earlier comes from slots, what no output needs is not in it.
 pub fn schedule(graph: &Graph, outputs: &[NodeId], slots: &mut Slots) -> Program {
     slots.copied.clear();
-    Scheduler::new(graph, Some(slots)).run(outputs)
+    let mut slot = |node| slots.slot(graph, node);
+    Scheduler::new(graph, Some(&mut slot)).run(outputs)
+}
+
+/// The same program but for the numbers of its slots, to be counted and thrown away: nothing is kept of what `assemble()` would compute.
+pub fn draft(graph: &Graph, outputs: &[NodeId]) -> Program {
+    let mut count = 0;
+    let mut slot = |_| {
+        count += 1;
+        count - 1
+    };
+    Scheduler::new(graph, Some(&mut slot)).run(outputs)
 }
 
 /// The program for `outputs` from parameters and inputs alone, without slots.
@@ -82,13 +93,14 @@ pub fn schedule_whole(graph: &Graph, outputs: &[NodeId]) -> Program {
 
 struct Scheduler<'a> {
     graph: &'a Graph,
-    slots: Option<&'a mut Slots>,
+    /// Numbers what `assemble()` computes.
+    slots: Option<&'a mut dyn FnMut(NodeId) -> usize>,
     program: Program,
     values: Map<NodeId, Value>,
 }
 
 impl<'a> Scheduler<'a> {
-    fn new(graph: &'a Graph, slots: Option<&'a mut Slots>) -> Self {
+    fn new(graph: &'a Graph, slots: Option<&'a mut dyn FnMut(NodeId) -> usize>) -> Self {
         Self {
             graph,
             slots,
@@ -154,9 +166,9 @@ impl<'a> Scheduler<'a> {
 
     fn append(&mut self, id: NodeId) -> Value {
         if self.is_slot(id)
-            && let Some(slots) = self.slots.as_mut()
+            && let Some(slot_of) = self.slots.as_mut()
         {
-            let slot = slots.slot(self.graph, id);
+            let slot = slot_of(id);
             return self.program.push(Instruction::Load(Source::Prepared(slot)));
         }
         let instruction = match self.operation(id) {

@@ -5,7 +5,7 @@
 use linkage_symbolic::count::{Count, chain, time};
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::passes::{PASSES, polished, stages};
-use linkage_symbolic::schedule::{Slots, schedule, schedule_whole};
+use linkage_symbolic::schedule::{draft, schedule_whole};
 use linkage_symbolic::{Ex, Graph, NodeId, by_half_angles, roots_last, share_multiples};
 
 use crate::unit::Unit;
@@ -39,7 +39,7 @@ impl Formulas {
     /// Then `half angles` and `roots last`, each where that costs no operation.
     pub(crate) fn settled(mut self, graph: &Graph) -> Self {
         let cost = |outputs: &[NodeId]| {
-            let program = polished(schedule(graph, outputs, &mut Slots::default()));
+            let program = polished(draft(graph, outputs));
             (time(&program), chain(&program))
         };
         let mut least = None;

@@ -3,7 +3,7 @@
 use linkage_symbolic::count::time;
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::passes::polished;
-use linkage_symbolic::schedule::{Slots, schedule};
+use linkage_symbolic::schedule::draft;
 use linkage_symbolic::{Ex, Graph, NodeId};
 
 use crate::algebra::Direction;
@@ -117,5 +117,5 @@ impl<'m> Choice<'m> {
 
 /// What a call costs; what `assemble()` computes is free.
 fn time_of(graph: &Graph, outputs: &[NodeId]) -> u32 {
-    time(&polished(schedule(graph, outputs, &mut Slots::default())))
+    time(&polished(draft(graph, outputs)))
 }
