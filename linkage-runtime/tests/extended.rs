@@ -3,20 +3,20 @@
 use linkage_runtime::Columns;
 use linkage_runtime::generated::{Arguments, Block, Extended, Inputs, Kernel, States, fill, rows};
 
-/// Twice an argument, by way of a place, and minus its square.
+/// Twice an argument, and minus its square.
 struct Twice;
 
-impl States<f64, 1, 1, 2> for Twice {
-    fn locate(&self, [x]: [f64; 1]) -> [f64; 1] {
-        [2.0 * x]
-    }
-
-    fn at<const FUSED: bool>(&self, [x]: [f64; 1], [twice]: [f64; 1]) -> [f64; 2] {
-        [twice, -x * x]
-    }
-
-    fn whole(&self, x: [f64; 1]) -> [f64; 2] {
-        self.at::<false>(x, self.locate(x))
+impl States<f64, 1, 2> for Twice {
+    fn fill<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        [x]: &[[f64; B]; 1],
+        vectors: usize,
+        [twice, minus]: &mut [[f64; B]; 2],
+    ) {
+        for lane in 0..vectors * V {
+            twice[lane] = 2.0 * x[lane];
+            minus[lane] = -x[lane] * x[lane];
+        }
     }
 }
 

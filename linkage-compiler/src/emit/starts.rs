@@ -122,53 +122,46 @@ fn extend(outline: &Outline) -> TokenStream {
         let k = literal::index(k);
         quote!(__x[#k])
     });
-    let (looked_up, states) = look_up(
-        outline,
-        &inputs,
-        &groups,
-        &|number, _, at| quote!(__starts.#number.at::<T>(#at)),
-    );
+    let starts = quote!(__starts);
+    let (looked_up, states) = look_up(outline, &inputs, &groups, &starts);
     quote!(#looked_up [#(#own,)* #(#states),*])
 }
 
-/// Statements that look up the states of groups, and the numbers of these; `how` prints the look-up from the number of the group, its
-/// place among the groups over one input, and its inputs.
+/// Statements that look up the states of groups in `starts` at the inputs `__x`, and the numbers of these.
 fn look_up(
     outline: &Outline,
     inputs: &[usize],
     groups: &[usize],
-    how: &dyn Fn(&Literal, Option<usize>, &TokenStream) -> TokenStream,
+    starts: &TokenStream,
 ) -> (TokenStream, Vec<TokenStream>) {
     let mut looked_up = TokenStream::new();
     let mut numbers = Vec::new();
-    let mut tables = 0;
     for &group in groups {
-        let Start { inputs: of, size } = &outline.starts[group];
         let name = format_ident!("__state{group}");
         let number = literal::index(group);
-        let at: Vec<TokenStream> = of
-            .iter()
-            .map(|input| {
-                let place = inputs.iter().position(|i| i == input);
-                let place = literal::index(place.expect("a function has the inputs of its groups"));
-                quote!(__x[#place])
-            })
-            .collect();
-        let at = match &at[..] {
-            [one] => one.clone(),
-            several => quote!([#(#several),*]),
+        let places = places(outline, inputs, group);
+        let at = match &places[..] {
+            [one] => quote!(__x[#one]),
+            several => quote!([#(__x[#several]),*]),
         };
-        let table = (of.len() == 1).then_some(tables);
-        tables += usize::from(table.is_some());
-        let found = how(&number, table, &at);
-        looked_up.extend(quote!(let #name = #found;));
-        numbers.extend((0..*size).map(|k| {
+        looked_up.extend(quote!(let #name = #starts.#number.at::<T>(#at);));
+        numbers.extend((0..outline.starts[group].size).map(|k| {
             let k = literal::index(k);
             quote!(#name.0[#k])
         }));
         numbers.push(quote!(#name.1));
     }
     (looked_up, numbers)
+}
+
+/// Where the inputs of a group stand among `inputs`.
+fn places(outline: &Outline, inputs: &[usize], group: usize) -> Vec<Literal> {
+    let of = outline.starts[group].inputs.iter();
+    of.map(|input| {
+        let place = inputs.iter().position(|own| own == input);
+        literal::index(place.expect("a function has the inputs of its groups"))
+    })
+    .collect()
 }
 
 /// The programs of all groups as functions of the plumbing's arguments.

@@ -3,6 +3,7 @@
 use crate::triads::{EyeNeedle, TwoCranks, unit};
 use crate::{TURN, build, certified, survey};
 use linkage_random::Random;
+use linkage_runtime::FUSED;
 use linkage_runtime::numeric::continuation::{Correction, End, Refusal, Table};
 use std::f64::consts::TAU;
 
@@ -32,6 +33,34 @@ fn the_look_up_of_generated_code_is_the_same() {
         assert_eq!(floor, table.state(x, &mut checked));
         for (a, b) in state.iter().zip(checked) {
             assert!((a - b).abs() < 1e-15);
+        }
+    }
+}
+
+#[test]
+fn many_look_ups_are_the_same() {
+    const ROWS: usize = 32;
+    let table = build(EyeNeedle::MACHINE, TURN, false).unwrap();
+    let lookup = table.lookup::<4>().unwrap();
+    let mut random = Random::new(4);
+    for vectors in 0..=4 {
+        let mut x: [f64; ROWS] = std::array::from_fn(|_| random.between(-10.0, 10.0));
+        (x[3], x[5]) = (f64::NAN, f64::INFINITY);
+        let mut columns = [[f64::NEG_INFINITY; ROWS]; 5];
+        lookup.fill::<f64, FUSED, 8, ROWS>(&x, vectors, &mut columns);
+        for (row, x) in x.into_iter().enumerate() {
+            let (state, floor) = lookup.at(x);
+            let numbers = state.into_iter().chain([floor]);
+            for (number, column) in numbers.zip(columns) {
+                let expected = match row < 8 * vectors {
+                    true => number,
+                    false => f64::NEG_INFINITY,
+                };
+                assert!(
+                    column[row].to_bits() == expected.to_bits()
+                        || column[row].is_nan() && expected.is_nan()
+                );
+            }
         }
     }
 }

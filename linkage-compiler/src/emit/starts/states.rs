@@ -1,4 +1,4 @@
-//! Where a function finds the prepared states that it starts from: at once for a call, in two steps for a sweep.
+//! Where a function finds the prepared states that it starts from: one for a call, many side by side for a sweep.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::emit::outline::{Function, Outline};
 use crate::emit::{attribute, literal, sealed};
 
-use super::look_up;
+use super::{look_up, places};
 
 /// The type that looks up the states of a function; it refers to the assembly.
 pub(in crate::emit) fn states_name(outline: &Outline, function: &Function) -> Ident {
@@ -18,12 +18,7 @@ pub(in crate::emit) fn with_states(outline: &Outline, function: &Function) -> To
     let inputs = &function.arguments;
     let count = literal::index(inputs.len());
     let starts = sealed::starts(outline, &quote!(self));
-    let (looked_up, states) = look_up(
-        outline,
-        &function.positions,
-        &function.states,
-        &|number, _, at| quote!(#starts.#number.at::<T>(#at)),
-    );
+    let (looked_up, states) = look_up(outline, &function.positions, &function.states, &starts);
     quote! {
         {
             let __x: [T; #count] = [#(#inputs),*];
@@ -43,35 +38,27 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     } = outline;
     let name = states_name(outline, function);
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let looked_up =
-        |how: &dyn Fn(&proc_macro2::Literal, Option<usize>, &TokenStream) -> TokenStream| {
-            let (looked_up, states) = look_up(outline, &function.positions, &function.states, how);
-            quote!(#looked_up [#(#states),*])
-        };
     let starts = sealed::starts(outline, &quote!(self.0));
-    let whole = looked_up(&|number, _, at| quote!(#starts.#number.at::<T>(#at)));
-    let at = looked_up(&|number, table, at| match table {
-        None => quote!(#starts.#number.at::<T>(#at)),
-        Some(table) => {
-            let [place, slot] = [2 * table, 2 * table + 1].map(literal::index);
-            quote!(#starts.#number.at_place::<T, __FUSED>([__places[#place], __places[#slot]]))
-        }
-    });
-    let mut located = Vec::new();
+    let mut filled = TokenStream::new();
+    let mut first = 0;
     for &group in &function.states {
-        if let [input] = outline.starts[group].inputs[..] {
-            let place = function.positions.iter().position(|&own| own == input);
-            let place = literal::index(place.expect("a function has the inputs of its groups"));
-            let number = literal::index(group);
-            located.push(quote!(#starts.#number.locate::<T>(__x[#place])));
-        }
+        // Its numbers and its floor.
+        let behind = first + outline.starts[group].size + 1;
+        let [number, from, to] = [group, first, behind].map(literal::index);
+        let places = places(outline, &function.positions, group);
+        filled.extend(match &places[..] {
+            [one] => quote! {
+                #starts.#number
+                    .fill::<T, __FUSED, __LANES, __BLOCK>(&__x[#one], __vectors, &mut __states[#from..#to]);
+            },
+            several => quote! {
+                #starts.#number
+                    .fill::<T, __LANES, __BLOCK>([#(&__x[#several]),*], __vectors, &mut __states[#from..#to]);
+            },
+        });
+        first = behind;
     }
-    let names: Vec<Ident> = (0..located.len())
-        .map(|k| format_ident!("__place{k}"))
-        .collect();
-    let width = function.places(outline).width() - function.positions.len();
-    let [inputs, places, states] =
-        [function.positions.len(), 2 * located.len(), width].map(literal::index);
+    let [inputs, states] = [function.positions.len(), first].map(literal::index);
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*
@@ -80,22 +67,18 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
 
         #(#everywhere)*
         #allow
-        impl<T: #runtime::Scalar> #runtime::States<T, #inputs, #places, #states> for #name<'_, T> {
+        impl<T: #runtime::Scalar> #runtime::States<T, #inputs, #states> for #name<'_, T> {
             #[inline(always)]
-            fn locate(&self, __x: [T; #inputs]) -> [::core::primitive::f64; #places] {
-                #(let #names = #located;)*
-                [#(#names[0], #names[1]),*]
-            }
-
-            #[inline(always)]
-            fn at<const __FUSED: ::core::primitive::bool>(
+            fn fill<
+                const __FUSED: ::core::primitive::bool,
+                const __LANES: ::core::primitive::usize,
+                const __BLOCK: ::core::primitive::usize,
+            >(
                 &self,
-                __x: [T; #inputs],
-                __places: [::core::primitive::f64; #places],
-            ) -> [T; #states] { #at }
-
-            #[inline(always)]
-            fn whole(&self, __x: [T; #inputs]) -> [T; #states] { #whole }
+                __x: &[[T; __BLOCK]; #inputs],
+                __vectors: ::core::primitive::usize,
+                __states: &mut [[T; __BLOCK]; #states],
+            ) { #filled }
         }
     }
 }

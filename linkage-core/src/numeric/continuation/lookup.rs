@@ -1,5 +1,7 @@
 //! The look-up of generated code: no branch, no call, no panic.
 
+mod block;
+
 use super::cell::{Cell, Frame};
 use super::polynomial::{TERMS, by_pairs};
 use super::scale::{Scale, guard};
@@ -29,6 +31,24 @@ struct Fixed<const S: usize> {
     centre: f64,
     inverse: f64,
     floor: f64,
+}
+
+impl<const S: usize> Fixed<S> {
+    /// A place as the polynomials see it.
+    #[inline(always)]
+    fn t(&self, place: f64) -> f64 {
+        (place - self.centre) * self.inverse
+    }
+}
+
+/// The values of a cell's polynomials at `t`.
+#[inline(always)]
+fn polynomials<const FUSED: bool, const S: usize>(c: &[[f64; S]; TERMS], t: f64) -> [f64; S] {
+    let mut state = [0.0; S];
+    for (index, number) in state.iter_mut().enumerate() {
+        *number = by_pairs::<FUSED>(|power| c[power][index], t);
+    }
+    state
 }
 
 impl<const S: usize> Lookup<S> {
@@ -79,42 +99,30 @@ impl<const S: usize> Lookup<S> {
     #[must_use]
     #[inline(always)]
     pub fn at(&self, x: f64) -> ([f64; S], f64) {
-        self.at_place::<{ FUSED }>(self.locate(x))
-    }
-
-    /// Where [`at`](Self::at) looks: the place in the range, and the bits of a slot's number.
-    #[must_use]
-    #[inline(always)]
-    pub fn locate(&self, x: f64) -> [f64; 2] {
         let (place, slot) = self.scale.find(x);
-        [place, f64::from_bits(slot as u64)]
-    }
-
-    /// The state at a place from [`locate`](Self::locate). With `FUSED` only on machines with fused multiply-add.
-    #[must_use]
-    #[inline(always)]
-    pub fn at_place<const FUSED: bool>(&self, [place, slot]: [f64; 2]) -> ([f64; S], f64) {
-        let cell = self.cell(slot.to_bits() as usize);
-        let t = (place - cell.centre) * cell.inverse;
+        let cell = self.cell(slot);
+        let t = cell.t(place);
         let guard = guard(t, OUTSIDE);
-        let c = &cell.coefficients;
-        let mut state = [0.0; S];
-        for (index, number) in state.iter_mut().enumerate() {
-            *number = by_pairs::<FUSED>(|power| c[power][index], t) + guard;
-        }
-        (state, cell.floor + guard)
+        let state = polynomials::<{ FUSED }, S>(&cell.coefficients, t);
+        (state.map(|number| number + guard), cell.floor + guard)
     }
 
-    #[allow(unsafe_code, reason = "a bounds check would be a branch")]
+    /// The cell that serves a slot.
     #[inline(always)]
     fn cell(&self, slot: usize) -> &Fixed<S> {
-        // SAFETY: the index has as many elements as the scale has slots, at least one; they are numbers of cells, and nothing changes
-        // either after `Table::from_pieces`.
-        unsafe {
-            let slot = slot.min(self.scale.slots() - 1);
-            let number = *self.index.get_unchecked(slot);
-            self.cells.get_unchecked(usize::from(number))
-        }
+        cell(&self.index, &self.cells, slot)
+    }
+}
+
+/// Of the index and the cells of a table, the cell that serves a slot.
+#[allow(unsafe_code, reason = "a bounds check would be a branch")]
+#[inline(always)]
+fn cell<'a, const S: usize>(index: &[u16], cells: &'a [Fixed<S>], slot: usize) -> &'a Fixed<S> {
+    // SAFETY: the index has as many elements as the scale has slots, at least one; they are numbers of cells, and nothing changes
+    // either after `Table::from_pieces`.
+    unsafe {
+        let number = *index.get_unchecked(slot.min(index.len() - 1));
+        cells.get_unchecked(usize::from(number))
     }
 }
 

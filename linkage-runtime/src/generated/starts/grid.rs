@@ -1,9 +1,10 @@
 //! Prepared states over several inputs, for every lane of a scalar.
 
-use super::lanes::{by_lane, constants};
+use super::lanes::{by_lane, constants, put};
 use crate::Scalar;
 use crate::numeric::continuation::GridLookup;
 use alloc::vec::Vec;
+use core::hint::black_box;
 
 /// The grid of a group: one for every lane, since each lane has dimensions of its own.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,5 +47,25 @@ impl<const I: usize, const S: usize> CoupledGrid<I, S> {
                 _ => self.others[lane - 1].at(inputs),
             }
         })
+    }
+
+    /// What [`at`](Self::at) gives for the first `vectors` times `V` rows of the inputs: the numbers of the state and then the floor, a column
+    /// each.
+    #[inline(always)]
+    pub fn fill<T: Scalar, const V: usize, const B: usize>(
+        &self,
+        x: [&[T; B]; I],
+        vectors: usize,
+        columns: &mut [[T; B]],
+    ) {
+        for lane in 0..vectors * V {
+            // Across rows, look-ups would become gathers, which are slow: nothing is moved across this.
+            black_box(());
+            let mut inputs = [T::from_f64(0.0); I];
+            for (input, column) in inputs.iter_mut().zip(x) {
+                *input = column[lane];
+            }
+            put(self.at(inputs), lane, columns);
+        }
     }
 }

@@ -24,20 +24,6 @@ impl<const S: usize> Coupled<S> {
         }
     }
 
-    /// Where the state at `x` stands, for scalars of one lane.
-    #[must_use]
-    #[inline(always)]
-    pub fn locate<T: Scalar>(&self, x: T) -> [f64; 2] {
-        self.first.locate(x.lane(0))
-    }
-
-    /// The state at a place from [`locate`](Self::locate), and the floor.
-    #[must_use]
-    #[inline(always)]
-    pub fn at_place<T: Scalar, const FUSED: bool>(&self, place: [f64; 2]) -> ([T; S], T) {
-        constants(self.first.at_place::<FUSED>(place))
-    }
-
     /// The state at `x` and the floor, without derivatives.
     #[must_use]
     #[inline(always)]
@@ -49,6 +35,35 @@ impl<const S: usize> Coupled<S> {
             0 => self.first.at(x.lane(0)),
             _ => self.others[lane - 1].at(x.lane(lane)),
         })
+    }
+
+    /// What [`at`](Self::at) gives for the first `vectors` times `V` of `x`, to the last bit where that has fused multiply-add as `FUSED` says:
+    /// the numbers of the state and then the floor, a column each.
+    #[inline(always)]
+    pub fn fill<T: Scalar, const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        x: &[T; B],
+        vectors: usize,
+        columns: &mut [[T; B]],
+    ) {
+        if T::VECTORISES {
+            return self.first.fill::<T, FUSED, V, B>(x, vectors, columns);
+        }
+        for lane in 0..vectors * V {
+            put(self.at(x[lane]), lane, columns);
+        }
+    }
+}
+
+/// Writes a state and its floor into a row of columns.
+#[inline(always)]
+pub(super) fn put<T: Copy, const S: usize, const B: usize>(
+    (state, floor): ([T; S], T),
+    row: usize,
+    columns: &mut [[T; B]],
+) {
+    for (column, number) in columns.iter_mut().zip(state.iter().chain([&floor])) {
+        column[row] = *number;
     }
 }
 
