@@ -13,7 +13,7 @@ pub(super) fn over_blocks(outline: &Outline, body: &TokenStream) -> TokenStream 
         let __count = #runtime::rows(&__results);
         let mut __done_rows = 0;
         while __done_rows < __count {
-            let __vectors = #runtime::next_vectors::<__LANES, __BLOCK>(__count - __done_rows);
+            let __vectors = #runtime::next_vectors::<__LANES, __BLOCK>(__count - __done_rows, __count);
             let __rows = __vectors * __LANES;
             let __row = ::core::cmp::Ord::min(__done_rows, __count - __rows);
             __arguments.block::<__FUSED, __LANES, __BLOCK>(__first + __row, __rows, &mut __x.0);

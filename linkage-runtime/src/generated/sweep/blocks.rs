@@ -60,11 +60,17 @@ fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
     }
 }
 
-/// How many vectors of `V` rows the next block has, of `left` rows that are still to come: one at least, as many as fill `B` rows at most. The
-/// last one may have rows that are done already.
+/// How many vectors of `V` rows the next block has, of `left` rows that are still to come of `count`: one at least, as many as fill `B` rows at
+/// most. What is left for the last may have rows that are done already.
 #[inline(always)]
-pub fn next_vectors<const V: usize, const B: usize>(left: usize) -> usize {
-    (left / V).clamp(1, B / V)
+pub fn next_vectors<const V: usize, const B: usize>(left: usize, count: usize) -> usize {
+    let (vectors, most) = (left.div_ceil(V), B / V);
+    // A block of one vector takes as long as one of two: every operation waits for the one before. So the last two blocks share.
+    let shared = match vectors > most && vectors < 2 * most {
+        true => vectors.div_ceil(2),
+        false => vectors,
+    };
+    shared.min(count / V).clamp(1, most)
 }
 
 /// Fewer rows than stand side by side: `evaluate` fills `V`, the first go into the columns.
