@@ -6,12 +6,12 @@ use super::instruction_set::run;
 use super::{Arguments, Kernel, rows};
 use crate::{Columns, FUSED, Scalar};
 use alloc::vec::Vec;
-use travel::{Place, Rows, Traveller, travel};
+use travel::{Groups, Place, Rows, travel};
 
 pub use travel::Moving;
 
 /// Rows that are followed together: enough for vectors of rows, few enough for the processor's cache.
-const TOGETHER: usize = 256;
+const TOGETHER: usize = 512;
 
 /// A function's part of a mechanism that is followed.
 #[derive(Clone, Copy, Debug)]
@@ -69,31 +69,33 @@ impl<F, const P: usize> Followed<F, P> {
             first,
             size,
         });
-        let groups: Vec<Place> = groups.collect();
+        let groups = Groups::new(groups.collect());
         let one = |&number: &usize| one_row(arguments, start + number);
         let mut all: Vec<[T; I]> = numbers.iter().map(one).collect();
+        let mut reached = alloc::vec![false; all.len()];
+        let (mut missing, mut ways) = (Vec::new(), Vec::new());
         for lane in 0..T::LANES {
-            let mechanism = (self.mechanism)(lane);
-            let from = mechanism.dimensions();
-            let pairs = numbers.iter().zip(&mut all);
-            let missing = pairs.filter(|&(&number, _)| is_missing(columns, number, lane));
-            let mut missing: Vec<&mut [T; I]> = missing.map(|(_, row)| row).collect();
-            let travellers = missing.iter();
-            let travellers =
-                travellers.map(|row| Traveller::new(from, self.whole(row, lane), &groups));
-            let mut travellers: Vec<Traveller<P, R>> = travellers.collect();
-            travel(&mechanism, &groups, &mut travellers);
-            for (row, traveller) in missing.iter_mut().zip(&travellers) {
-                if let Some(there) = traveller.arrived() {
-                    self.put(row, lane, there);
+            let rows = numbers.iter().enumerate();
+            let own = rows.filter(|&(_, &number)| is_missing(columns, number, lane));
+            missing.clear();
+            missing.extend(own.map(|(at, _)| at));
+            ways.clear();
+            ways.extend(missing.iter().map(|&at| self.whole(&all[at], lane)));
+            travel(&(self.mechanism)(lane), &groups, &mut ways);
+            for (&at, there) in missing.iter().zip(&ways) {
+                if groups.have(there) {
+                    self.put(&mut all[at], lane, there);
+                    reached[at] = true;
                 }
             }
         }
-        let mut found = Columns::new(W, numbers.len());
-        run(kernel, &Rows(&all), 0, found.all_mut());
+        let kept = || reached.iter().zip(0..).filter(|(reached, _)| **reached);
+        let rows: Vec<[T; I]> = kept().map(|(_, at)| all[at]).collect();
+        let mut found = Columns::new(W, rows.len());
+        run(kernel, &Rows(&rows), 0, found.all_mut());
         for (index, column) in columns.iter_mut().enumerate() {
-            for (&number, &value) in numbers.iter().zip(found.column(index)) {
-                column[number] = value;
+            for ((_, at), &value) in kept().zip(found.column(index)) {
+                column[numbers[at]] = value;
             }
         }
     }

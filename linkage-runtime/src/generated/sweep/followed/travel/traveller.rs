@@ -1,0 +1,272 @@
+//! One mechanism on its way.
+
+use super::history::History;
+use super::slots::Lane;
+use super::{Groups, Place};
+use crate::Scalar;
+use crate::generated::CoupledGroup;
+use crate::generated::settle::{CONTRACTION, CORRECTIONS, FIRST, scaled, scales};
+
+/// Where the way is looked at to see how states change.
+const BESIDE: f64 = 1.0 / 1024.0;
+
+/// Where shorter steps were needed, the way is blocked, or next to it.
+const SHORTEST: f64 = 1e-4;
+
+/// The length of a step is chosen so that the first correction will be about this part of the largest one.
+const WANTED: f64 = 0.5 * FIRST;
+
+/// How much shorter or longer the next step may be.
+const SHORTER: f64 = 1.0 / 8.0;
+const LONGER: f64 = 4.0;
+
+/// A step goes no nearer to a dead point that seems to be ahead than by this part of the distance.
+const TOWARDS_END: f64 = 0.9;
+
+/// States are extrapolated by no more, in radians or scaled lengths: far less than the distance of another assembly.
+const AHEAD: f64 = 0.25;
+
+/// What the next correction may be where none is made: the kernel corrects what is left.
+const SETTLED: f64 = 1e-4;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Stage {
+    /// The group that is corrected, by its place among those that are followed.
+    Group(usize),
+    Arrived,
+    Blocked,
+}
+
+/// What is to be said of a correction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Verdict {
+    /// Too large, or on another assembly.
+    Unsound,
+    /// No mechanism has these dimensions.
+    Impossible,
+    Closer,
+    /// The next one would hardly change anything.
+    Settled,
+}
+
+/// A mechanism on its way; the place that it tries is in its slot.
+pub(super) struct Traveller<const R: usize> {
+    number: usize,
+    history: History<R>,
+    /// The place that is tried, and the step to it.
+    share: f64,
+    length: f64,
+    stage: Stage,
+    /// Whether it only looks at what is beside the last place, since it knows no other.
+    looks: bool,
+    /// Which scale of lengths is tried, and whether the step has changed one.
+    scale: usize,
+    rescaled: bool,
+    /// The last correction, the largest one now, how many there were, and the largest first one of the step.
+    last: f64,
+    allowed: f64,
+    corrections: usize,
+    first: f64,
+    /// Before the last correction.
+    determinant: f64,
+}
+
+impl<const R: usize> Traveller<R> {
+    /// Nobody yet.
+    pub(super) fn new() -> Self {
+        Self {
+            number: 0,
+            history: History::new(),
+            share: 0.0,
+            length: 0.0,
+            stage: Stage::Blocked,
+            looks: false,
+            scale: 0,
+            rescaled: false,
+            last: FIRST,
+            allowed: FIRST,
+            corrections: 0,
+            first: 0.0,
+            determinant: 0.0,
+        }
+    }
+
+    /// Begins with the states that `row` has behind the dimensions that are wanted; the slot has that row.
+    pub(super) fn begin(
+        &mut self,
+        number: usize,
+        row: &[f64; R],
+        groups: &Groups,
+        lane: &mut Lane<'_, R>,
+    ) {
+        self.number = number;
+        self.stage = Stage::Blocked;
+        self.history.begin(row);
+        if groups.have(row) {
+            self.look(lane);
+        }
+    }
+
+    /// Whether it waits for a correction of the group with this place among those that are followed.
+    pub(super) fn wants(&self, at: usize) -> bool {
+        self.stage == Stage::Group(at)
+    }
+
+    /// Whether it has come as far as it can; its row then has what it has found.
+    pub(super) fn leave(&self, groups: &Groups, rows: &mut [[f64; R]]) -> bool {
+        let arrived = match self.stage {
+            Stage::Group(_) => return false,
+            Stage::Arrived => true,
+            Stage::Blocked => false,
+        };
+        let row = &mut rows[self.number];
+        for &k in &groups.numbers {
+            row[k] = if arrived { self.here()[k] } else { f64::NAN };
+        }
+        true
+    }
+
+    /// The states of the last place.
+    fn here(&self) -> &[f64; R] {
+        self.history.here()
+    }
+
+    /// Finds how states change where it is, by a correction a little further on.
+    fn look(&mut self, lane: &mut Lane<'_, R>) {
+        self.looks = true;
+        self.share = (self.history.share() + BESIDE).min(1.0);
+        lane.go(self.share);
+        self.try_group(0);
+    }
+
+    /// Begins a step of about this length, or gives up.
+    fn set_out(&mut self, length: f64, groups: &Groups, lane: &mut Lane<'_, R>) {
+        let here = self.history.share();
+        let end = self.history.end(groups);
+        let left = 1.0 - here;
+        let mut length = length.min(left).min(TOWARDS_END * (end - here));
+        loop {
+            if length < SHORTEST.min(left) || length.is_nan() {
+                self.stage = Stage::Blocked;
+                return;
+            }
+            self.share = if length < left { here + length } else { 1.0 };
+            let outlook = self.history.outlook(self.share, end);
+            let mut moved = 0.0_f64;
+            for &k in &groups.states {
+                let ahead = self.history.ahead(&outlook, k);
+                moved = moved.max((ahead - self.here()[k]).abs());
+                lane.set(k, ahead);
+            }
+            if moved <= AHEAD {
+                break;
+            }
+            length *= (AHEAD / moved).clamp(SHORTER, 1.0 - SHORTER);
+        }
+        self.length = length;
+        (self.first, self.rescaled) = (0.0, false);
+        lane.go(self.share);
+        self.try_group(0);
+    }
+
+    fn try_group(&mut self, group: usize) {
+        self.stage = Stage::Group(group);
+        self.scale = 0;
+        (self.last, self.allowed, self.corrections) = (FIRST, FIRST, 0);
+    }
+
+    /// What a correction of this size, from where the determinant is that, is worth.
+    pub(super) fn judge(&mut self, place: Place, size: f64, determinant: f64) -> Verdict {
+        if self.corrections == 0 {
+            self.first = self.first.max(size);
+        }
+        let sound = size <= self.allowed
+            && determinant * self.here()[place.floor()] > 0.0
+            && self.corrections < CORRECTIONS;
+        self.determinant = determinant;
+        if !sound {
+            // States are finite, and have no root in the equations of their group.
+            return match determinant.is_nan() {
+                true => Verdict::Impossible,
+                false => Verdict::Unsound,
+            };
+        }
+        let next = size * (size / self.last);
+        self.corrections += 1;
+        (self.last, self.allowed) = (size, CONTRACTION * size);
+        match next <= SETTLED || self.looks {
+            true => Verdict::Settled,
+            false => Verdict::Closer,
+        }
+    }
+
+    /// Goes on after a correction of the group with this place among those that are followed.
+    pub(super) fn go_on(
+        &mut self,
+        verdict: Verdict,
+        groups: &Groups,
+        at: usize,
+        group: &CoupledGroup,
+        lane: &mut Lane<'_, R>,
+    ) {
+        match verdict {
+            Verdict::Closer => {}
+            // Before the first group nothing depends on a state that another place would mend.
+            Verdict::Impossible if at == 0 => self.stage = Stage::Blocked,
+            Verdict::Impossible | Verdict::Unsound => self.refuse(groups, at, group, lane),
+            Verdict::Settled => {
+                self.rescaled |= self.scale > 0;
+                lane.set(groups.places[at].floor(), 0.5 * self.determinant);
+                match at + 1 < groups.places.len() {
+                    true => self.try_group(at + 1),
+                    false => self.arrive(groups, lane),
+                }
+            }
+        }
+    }
+
+    /// Goes on from where a step has led.
+    fn arrive(&mut self, groups: &Groups, lane: &mut Lane<'_, R>) {
+        if self.looks {
+            self.history.look(self.share, groups, lane);
+            self.looks = false;
+            return self.set_out(1.0, groups, lane);
+        }
+        self.history.add(self.share, groups, lane);
+        if self.share >= 1.0 {
+            self.stage = Stage::Arrived;
+            return;
+        }
+        if self.rescaled {
+            return self.look(lane);
+        }
+        let longer = Scalar::sqrt(WANTED / self.first).clamp(SHORTER, LONGER);
+        self.set_out(longer * self.length, groups, lane);
+    }
+
+    /// Tries another scale of lengths, or a shorter step.
+    fn refuse(&mut self, groups: &Groups, at: usize, group: &CoupledGroup, lane: &mut Lane<'_, R>) {
+        if self.looks {
+            self.looks = false;
+            return self.set_out(1.0, groups, lane);
+        }
+        let scale = self.scale + 1;
+        if let Some(&factor) = scales(group.variables).get(scale) {
+            self.try_group(at);
+            self.scale = scale;
+            let state = groups.places[at].state();
+            let other = scaled(group.variables, &self.here()[state.clone()], factor);
+            for (k, value) in state.zip(other) {
+                lane.set(k, value);
+            }
+            return;
+        }
+        let shorter = Scalar::sqrt(WANTED / self.first);
+        let shorter = if shorter > SHORTER {
+            shorter.min(0.5)
+        } else {
+            SHORTER
+        };
+        self.set_out(shorter * self.length, groups, lane);
+    }
+}
