@@ -164,8 +164,10 @@ fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
     k: usize,
 ) -> Result<Node<N>, Gap> {
     let mut gap = None;
+    let mut last = *a;
     let mut value = |u: f64| {
         let node = source.at(u);
+        last = node;
         if !node.is_finite() {
             gap = Some(u);
             // An end to the search.
@@ -181,6 +183,7 @@ fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
         Some(u) => Err(Gap(u)),
         None if u == a.u => Ok(*a),
         None if u == b.u => Ok(*b),
+        None if u == last.u => finite(last),
         None => finite(source.at(u)),
     }
 }

@@ -6,7 +6,7 @@ use super::extremes::Extremes;
 use super::interval::Interval;
 use super::noise::Noise;
 use super::source::{Node, Source};
-use super::stretch::{advance, sample, stretches};
+use super::stretch::{advance, positions, stretches};
 use alloc::vec::Vec;
 
 /// The course of a quantity over the range of its input, with all places where it or one of its derivatives stands still.
@@ -57,6 +57,42 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     /// `Range` for an empty or infinite range, `Positions` for less than two, `NotAssembled` if there is no position with finite
     /// numbers.
     pub fn of(range: (f64, f64), positions: usize, function: F) -> Result<Self, SummaryError> {
+        Self::followed(range, positions, function, |function, _, u| function(u))
+    }
+
+    /// As [`of`](Self::of), where the evenly spaced positions have been evaluated already: `row(i)` gives the quantity and
+    /// its derivatives at the `i`th of [`positions`](super::positions). A sweep computes them several times faster than single calls
+    /// do; `function` is then called for roots alone.
+    ///
+    /// ```
+    /// use linkage_runtime::summary::{Course, positions};
+    ///
+    /// let range = (0.0, std::f64::consts::TAU);
+    /// let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
+    /// let rows: Vec<[f64; 3]> = positions(range, 90).map(yoke).collect();
+    /// let course = Course::swept(range, 90, |i| rows[i], yoke)?;
+    /// assert_eq!(course.position().stroke(), 80.0);
+    /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`of`](Self::of).
+    pub fn swept(
+        range: (f64, f64),
+        positions: usize,
+        mut row: impl FnMut(usize) -> [f64; N],
+        function: F,
+    ) -> Result<Self, SummaryError> {
+        Self::followed(range, positions, function, |_, i, _| row(i))
+    }
+
+    fn followed(
+        range: (f64, f64),
+        count: usize,
+        function: F,
+        mut row: impl FnMut(&F, usize, f64) -> [f64; N],
+    ) -> Result<Self, SummaryError> {
         const { assert!(N >= 2, "a course needs the quantity and its derivative") };
         let (low, high) = range;
         if !((high - low).is_finite() && high > low) {
@@ -65,8 +101,8 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
                 to: high,
             });
         }
-        if positions < 2 {
-            return Err(SummaryError::Positions { positions });
+        if count < 2 {
+            return Err(SummaryError::Positions { positions: count });
         }
         let mut source = Source {
             function,
@@ -74,9 +110,14 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
             high,
             advance: None,
         };
-        let nodes = sample(&source, positions);
+        let rows = positions(range, count).enumerate();
+        let node = |(i, u)| Node {
+            u,
+            jet: row(&source.function, i, u),
+        };
+        let nodes: Vec<Node<N>> = rows.map(node).collect();
         if !nodes.iter().any(Node::is_finite) {
-            return Err(SummaryError::NotAssembled { positions });
+            return Err(SummaryError::NotAssembled { positions: count });
         }
         source.advance = advance(&nodes);
         let noise = Noise::of(&nodes, source.width());

@@ -71,18 +71,30 @@ pub(super) fn passing<const N: usize, F: Fn(f64) -> [f64; N]>(
     outside: &Node<N>,
     bound: f64,
 ) -> f64 {
+    passage(source, inside, outside, bound).u
+}
+
+/// As [`passing`], with the derivatives there.
+pub(super) fn passage<const N: usize, F: Fn(f64) -> [f64; N]>(
+    source: &Source<N, F>,
+    inside: &Node<N>,
+    outside: &Node<N>,
+    bound: f64,
+) -> Node<N> {
     let beyond = outside.jet[0] - bound;
+    let mut last = *inside;
     let mut value = |u: f64| {
-        let node = source.at(u);
-        if node.is_finite() {
-            [node.jet[0] - bound, node.jet[1]]
+        last = source.at(u);
+        if last.is_finite() {
+            [last.jet[0] - bound, last.jet[1]]
         } else {
             [beyond, f64::NAN]
         }
     };
-    root(
+    let u = root(
         (inside.u, inside.jet[0] - bound),
         (outside.u, beyond),
         &mut value,
-    )
+    );
+    if u == last.u { last } else { source.at(u) }
 }

@@ -12,20 +12,23 @@ pub(super) struct Stretch<const N: usize> {
     pub(super) whole: bool,
 }
 
-/// The evenly spaced positions, both ends among them.
-pub(super) fn sample<const N: usize, F: Fn(f64) -> [f64; N]>(
-    source: &Source<N, F>,
-    positions: usize,
-) -> Vec<Node<N>> {
-    let last = positions - 1;
-    let place = |i: usize| {
+/// The evenly spaced positions over a range, both ends among them, from which a [`Course`](super::Course) is followed: what a sweep
+/// takes for [`Course::swept`](super::Course::swept).
+///
+/// ```
+/// use linkage_runtime::summary::positions;
+///
+/// assert_eq!(positions((0.0, 6.0), 4).collect::<Vec<_>>(), [0.0, 2.0, 4.0, 6.0]);
+/// ```
+pub fn positions((low, high): (f64, f64), count: usize) -> impl ExactSizeIterator<Item = f64> {
+    let last = count.saturating_sub(1);
+    (0..count).map(move |i| {
         if i == last {
-            source.high
+            high
         } else {
-            source.low + source.width() * (i as f64 / last as f64)
+            low + (high - low) * (i as f64 / last as f64)
         }
-    };
-    (0..positions).map(|i| source.at(place(i))).collect()
+    })
 }
 
 /// How far the quantity advances in a range of whole turns after which all derivatives are what they were before;
