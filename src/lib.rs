@@ -209,6 +209,14 @@ pub mod summary {
     pub use linkage_runtime::summary::*;
 }
 
+/// Cyclograms: what the organs of a machine do at which angle of the shaft.
+#[cfg(feature = "alloc")]
+pub mod cyclogram {
+    #![doc = include_str!("../docs/cyclogram.md")]
+
+    pub use linkage_runtime::cyclogram::*;
+}
+
 /// The code of the README is a test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -3,7 +3,7 @@
 //! Users reach everything here through the facade crate `linkage`.
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
-//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the module `summary`, with elementary functions the module `balancing`), `nalgebra`
+//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the modules `summary` and `cyclogram`, with elementary functions `balancing` and `clearance`), `nalgebra`
 //! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
 //! `tolerance` and `monte-carlo` (the module `tolerance`), `report` (the module `report`).
 #![no_std]
@@ -22,6 +22,8 @@ mod circuits;
 mod columns;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod components;
+#[cfg(feature = "alloc")]
+pub mod cyclogram;
 mod data;
 mod dimensions;
 mod error;

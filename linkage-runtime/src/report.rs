@@ -10,6 +10,7 @@ mod builder;
 mod check;
 mod colour;
 mod csv;
+mod cyclogram;
 mod drawing;
 mod error;
 mod figures;

@@ -5,7 +5,7 @@ mod gaps;
 mod legend;
 mod mistakes;
 mod panel;
-mod ticks;
+pub(super) mod ticks;
 
 use std::path::{Path, PathBuf};
 use std::string::{String, ToString};

@@ -175,6 +175,11 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
         self.source.advance == Some(0.0)
     }
 
+    /// The quantity at both ends of the range.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        [self.source.low, self.source.high].map(|u| (self.source.function)(u)[0])
+    }
+
     /// Where the quantity and all its derivatives are finite, in order of the input: the whole range if there is no gap.
     /// The borders of gaps are found by bisection. A gap that is narrower than the spacing of the positions is found if the search for roots meets it.
     #[must_use]

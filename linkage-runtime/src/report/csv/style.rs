@@ -121,7 +121,7 @@ impl CsvStyle {
     }
 
     /// The unit in which numbers of a unit are shown, and what they are multiplied by.
-    pub(super) fn shown<'a>(&self, unit: &'a str) -> (&'a str, fn(f64) -> f64) {
+    pub(in crate::report) fn shown<'a>(&self, unit: &'a str) -> (&'a str, fn(f64) -> f64) {
         match unit {
             "rad" if self.degrees => ("deg", f64::to_degrees),
             unit => (unit, |x| x),

@@ -1,0 +1,66 @@
+//! What an organ does, and where it begins to.
+
+use super::Band;
+use core::fmt;
+
+/// What an organ does during an interval of the cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Motion {
+    /// The quantity rises.
+    Advance,
+    /// It is in a band, the one of this index.
+    Dwell(usize),
+    /// It falls.
+    Return,
+}
+
+impl Motion {
+    /// Whether it is a dwell, in any of the bands.
+    #[must_use]
+    pub const fn is_dwell(self) -> bool {
+        matches!(self, Self::Dwell(_))
+    }
+
+    /// In words, with the organ's bands.
+    pub(crate) fn told<'a>(self, bands: &'a [Band], unit: &'a str) -> impl fmt::Display + 'a {
+        crate::words::printed(move |f| match self {
+            Self::Advance => f.write_str("advance"),
+            Self::Return => f.write_str("return"),
+            Self::Dwell(band) => {
+                let space = if unit.is_empty() { "" } else { " " };
+                write!(f, "dwell ({}{space}{unit})", bands[band])
+            }
+        })
+    }
+}
+
+/// Why a motion ends where it does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Cause {
+    /// The quantity passes a bound of the band.
+    Bound {
+        /// The index of the band.
+        band: usize,
+    },
+    /// It turns back, from an advance to a return or the other way round, without a dwell.
+    Turn,
+}
+
+/// The angle of the shaft at which one motion of an organ ends and the next one begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event {
+    /// The angle, in radians.
+    pub at: f64,
+    /// The quantity there.
+    pub value: f64,
+    /// Its derivative by the angle.
+    pub slope: f64,
+    /// Its second derivative; NaN where the course has none.
+    pub bend: f64,
+    /// Why it is there.
+    pub cause: Cause,
+    /// What ends.
+    pub ends: Motion,
+    /// What begins.
+    pub begins: Motion,
+}

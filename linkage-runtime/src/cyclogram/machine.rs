@@ -1,0 +1,183 @@
+//! All organs of a shaft.
+
+use super::{CyclogramError, Event, Motion, Organ};
+use crate::summary::Interval;
+use alloc::vec::Vec;
+
+/// The organs of a machine over a cycle of its main shaft.
+///
+/// ```
+/// use linkage_runtime::cyclogram::{Band, Cyclogram, Organ};
+/// use linkage_runtime::summary::Course;
+///
+/// let organ = |name: &str, lead: f64| -> Result<Organ, Box<dyn std::error::Error>> {
+///     let lift = |x: f64| [(x + lead).sin(), (x + lead).cos(), -(x + lead).sin()];
+///     let course = Course::of((0.0, std::f64::consts::TAU), 90, lift)?;
+///     Ok(Organ::new(name, &course, &[Band::Top(0.5)])?)
+/// };
+/// let machine = Cyclogram::of([organ("hook", 0.0)?, organ("eye", 30f64.to_radians())?])?;
+/// assert_eq!(machine.to_string(), "\
+/// cycle of 360 deg, from 0 to 360 deg
+///
+///  at, deg     after  organ  ends             begins
+///   0.0000   30.0000  eye    advance          dwell (top 0.5)
+/// ");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Cyclogram {
+    pub(crate) organs: Vec<Organ>,
+    pub(crate) range: (f64, f64),
+    /// Indices of organs and of their events, in order of the angle.
+    order: Vec<[usize; 2]>,
+}
+
+/// An event among those of all organs.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment<'a> {
+    /// The organ.
+    pub organ: &'a Organ,
+    /// The index of its event.
+    pub index: usize,
+    /// The event.
+    pub event: &'a Event,
+    /// How far the shaft turns from the event before it, of whichever organ, to this one.
+    pub after: f64,
+}
+
+impl Cyclogram {
+    /// The organs of a shaft, in the order in which they are listed and drawn.
+    ///
+    /// # Errors
+    ///
+    /// `Ranges` if two of them were followed over different ranges.
+    pub fn of(organs: impl IntoIterator<Item = Organ>) -> Result<Self, CyclogramError> {
+        let organs: Vec<Organ> = organs.into_iter().collect();
+        let range = organs.first().map_or((0.0, 0.0), |organ| organ.range);
+        if let Some(other) = organs.iter().find(|organ| organ.range != range) {
+            return Err(CyclogramError::Ranges {
+                organs: [&organs[0], other].map(|organ| organ.name.clone()),
+                ranges: [range, other.range],
+            });
+        }
+        let events =
+            |(organ, one): (usize, &Organ)| (0..one.events.len()).map(move |event| [organ, event]);
+        let mut order: Vec<[usize; 2]> = organs.iter().enumerate().flat_map(events).collect();
+        order.sort_by(|&[a, i], &[b, k]| {
+            let [x, y] = [organs[a].events[i].at, organs[b].events[k].at];
+            x.total_cmp(&y)
+        });
+        Ok(Self {
+            organs,
+            range,
+            order,
+        })
+    }
+
+    /// The organs, as they were given.
+    #[must_use]
+    pub fn organs(&self) -> &[Organ] {
+        &self.organs
+    }
+
+    /// The organ of this name.
+    #[must_use]
+    pub fn organ(&self, name: &str) -> Option<&Organ> {
+        self.organs.iter().find(|organ| organ.name == name)
+    }
+
+    /// The range of the shaft's angle: the cycle.
+    #[must_use]
+    pub fn range(&self) -> (f64, f64) {
+        self.range
+    }
+
+    /// The events of all organs, in order of the angle.
+    pub fn moments(&self) -> impl ExactSizeIterator<Item = Moment<'_>> {
+        let count = self.order.len();
+        let event = |i: usize| {
+            let [organ, index] = self.order[i];
+            let organ = &self.organs[organ];
+            (organ, index, &organ.events[index])
+        };
+        (0..count).map(move |i| {
+            let (organ, index, own) = event(i);
+            let before = event((i + count - 1) % count).2.at;
+            let after = if i == 0 {
+                own.at - before + self.width()
+            } else {
+                own.at - before
+            };
+            Moment {
+                organ,
+                index,
+                event: own,
+                after,
+            }
+        })
+    }
+
+    /// The intervals in which a condition holds of what all organs do at once, in the order of the organs; as overlaps
+    /// of dwells, `|motions| motions[0].is_dwell() && motions[1].is_dwell()`. In order of the angle; one that goes across the seam is
+    /// a single interval.
+    #[must_use]
+    pub fn together(&self, condition: impl Fn(&[Motion]) -> bool) -> Vec<Interval> {
+        let low = self.range.0;
+        let mut motions: Vec<Motion> = self
+            .organs
+            .iter()
+            .map(|organ| {
+                organ
+                    .events
+                    .last()
+                    .map_or(Motion::Advance, |last| last.begins)
+            })
+            .collect();
+        let at_seam = condition(&motions);
+        let mut since = at_seam.then_some(low);
+        let mut found: Vec<[f64; 2]> = Vec::new();
+        for (i, &[organ, event]) in self.order.iter().enumerate() {
+            let event = &self.organs[organ].events[event];
+            motions[organ] = event.begins;
+            // Several events at one angle are one change.
+            let next = self.order.get(i + 1);
+            if next.is_some_and(|&[other, index]| self.organs[other].events[index].at == event.at) {
+                continue;
+            }
+            match (since, condition(&motions)) {
+                (None, true) => since = Some(event.at),
+                (Some(from), false) => {
+                    found.push([from, event.at]);
+                    since = None;
+                }
+                _ => {}
+            }
+        }
+        if let Some(from) = since {
+            let whole = found.is_empty() && from == low;
+            match found.first().filter(|_| at_seam && !whole) {
+                // It goes on across the seam.
+                Some(&[_, end]) => {
+                    found.remove(0);
+                    found.push([from, end + self.width()]);
+                }
+                None => found.push([from, self.range.1]),
+            }
+        }
+        let interval = |[from, to]: [f64; 2]| Interval {
+            from,
+            to: if to > self.range.1 {
+                to - self.width()
+            } else {
+                to
+            },
+            range: to - from,
+        };
+        let found = found.into_iter().map(interval);
+        found.filter(|interval| interval.range > 0.0).collect()
+    }
+
+    fn width(&self) -> f64 {
+        self.range.1 - self.range.0
+    }
+}

@@ -1,0 +1,54 @@
+//! A cyclogram as a table to be read.
+
+use super::{Cyclogram, Moment};
+use crate::words::rounded;
+use alloc::format;
+use alloc::string::{String, ToString};
+use core::fmt;
+
+/// The events of all organs in order of the angle, in degrees: when, how long after the event before, whose, what ends and what
+/// begins; by how much tolerances shift it, if they were given.
+impl fmt::Display for Cyclogram {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (low, high) = self.range();
+        let [width, from, to] = [high - low, low, high].map(|x| rounded(x.to_degrees()));
+        writeln!(f, "cycle of {width} deg, from {from} to {to} deg\n")?;
+        let name = |moment: &Moment<'_>| moment.organ.name().to_string();
+        let ends = |moment: &Moment<'_>| told(moment, moment.event.ends);
+        let widest = |word: &dyn Fn(&Moment<'_>) -> String, title: &str| {
+            let words = self.moments().map(|moment| word(&moment).chars().count());
+            words.max().unwrap_or(0).max(title.len())
+        };
+        let (names, endings) = (widest(&name, "organ"), widest(&ends, "ends"));
+        let tolerances = self.organs().iter().any(|organ| organ.shift(0).is_some());
+        let shift = if tolerances { "  +- deg" } else { "" };
+        writeln!(
+            f,
+            " at, deg     after{shift}  {:names$}  {:endings$}  begins",
+            "organ", "ends"
+        )?;
+        for moment in self.moments() {
+            let [at, after] = [moment.event.at, moment.after].map(f64::to_degrees);
+            write!(f, "{at:8.4}  {after:8.4}")?;
+            if tolerances {
+                let shift = moment.organ.shift(moment.index);
+                let shift = shift.map(|shift| format!("{:.4}", shift.to_degrees()));
+                write!(f, "  {:>6}", shift.unwrap_or_default())?;
+            }
+            let (name, ends, begins) = (
+                name(&moment),
+                ends(&moment),
+                told(&moment, moment.event.begins),
+            );
+            writeln!(f, "  {name:names$}  {ends:endings$}  {begins}")?;
+        }
+        Ok(())
+    }
+}
+
+/// A motion of the moment's organ.
+fn told(moment: &Moment<'_>, motion: super::Motion) -> String {
+    motion
+        .told(moment.organ.bands(), &moment.organ.unit)
+        .to_string()
+}

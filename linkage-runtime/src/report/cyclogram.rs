@@ -1,0 +1,146 @@
+//! Cyclograms as files: CSV, JSON, and the diagram of bars.
+
+mod bars;
+
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::letters::control;
+use super::units::titled;
+use super::{CsvStyle, ReportError};
+use crate::cyclogram::{Cyclogram, Motion, Organ};
+
+impl Cyclogram {
+    /// The intervals of all organs as CSV, organ by organ: what it does, in which band, from which angle to which, for how long, and by
+    /// how much tolerances shift the beginning and the end, if they were given.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Mistakes`] if the style cannot tell cells apart.
+    pub fn csv(&self, style: &CsvStyle) -> Result<String, ReportError> {
+        if let Some(mistake) = style.mistake() {
+            return Err(ReportError::from(mistake));
+        }
+        let (unit, shown) = style.shown("rad");
+        let angles = ["from", "to", "range", "+- from", "+- to"];
+        let angles = angles.map(|name| titled(name, unit));
+        let words = ["organ", "motion", "band"].map(String::from);
+        let titles = words.iter().chain(&angles);
+        let mut text = style.line(titles.map(|title| style.word(title)));
+        for organ in &self.organs {
+            let count = organ.events().len();
+            for (index, (motion, interval)) in organ.intervals().enumerate() {
+                let band = band(organ, motion);
+                let words = [organ.name(), word(motion), &band].map(|word| style.word(word));
+                let shifts = [index, (index + 1) % count].map(|event| organ.shift(event));
+                let [from, to] = shifts.map(|shift| shift.unwrap_or(f64::NAN));
+                let numbers = [interval.from, interval.to, interval.range, from, to];
+                let numbers = numbers.map(|x| style.number(shown(x)).into());
+                text.push_str(&style.line(words.into_iter().chain(numbers)));
+            }
+        }
+        Ok(text)
+    }
+
+    /// All of it as JSON, angles in radians: each organ with its limits, bands, intervals and events, these with their sensitivities
+    /// and shifts; and the order of all events.
+    #[must_use]
+    pub fn json(&self) -> String {
+        let index = |organ: &Organ| self.organs.iter().position(|own| core::ptr::eq(own, organ));
+        let order = self.moments().map(|moment| {
+            json!({
+                "organ": index(moment.organ),
+                "event": moment.index,
+                "at": moment.event.at,
+                "after": moment.after,
+            })
+        });
+        let value = json!({
+            "from": self.range.0,
+            "to": self.range.1,
+            "organs": self.organs.iter().map(organ_value).collect::<Vec<_>>(),
+            "order": order.collect::<Vec<_>>(),
+        });
+        value.to_string()
+    }
+
+    /// The diagram of bars: a row for each organ, with the line on which it rises and falls, bars where it dwells, and the angles of its
+    /// events. It follows the reader's choice of a light or dark ground.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Mistakes`] if names have control characters.
+    pub fn svg(&self) -> Result<String, ReportError> {
+        let names = self.organs.iter().map(Organ::name);
+        let mistakes: Vec<_> = names
+            .filter_map(|name| control("the name of an organ", name))
+            .collect();
+        match mistakes.is_empty() {
+            true => Ok(bars::drawn(self)),
+            false => Err(ReportError::Mistakes(mistakes)),
+        }
+    }
+
+    /// Writes the diagram, by the ending of the file's name, as SVG or (with feature `png`) as PNG.
+    ///
+    /// # Errors
+    ///
+    /// As [`svg`](Self::svg), if the file cannot be written, and for any other ending.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<PathBuf, ReportError> {
+        super::write::picture(path.as_ref(), &self.svg()?)
+    }
+}
+
+fn organ_value(organ: &Organ) -> Value {
+    let intervals = organ.intervals().map(|(motion, interval)| {
+        json!({
+            "motion": word(motion),
+            "band": index(motion),
+            "from": interval.from,
+            "to": interval.to,
+            "range": interval.range,
+        })
+    });
+    let events = organ.events().iter().enumerate().map(|(index, event)| {
+        json!({
+            "at": event.at,
+            "value": event.value,
+            "ends": word(event.ends),
+            "begins": word(event.begins),
+            "sensitivity": organ.sensitivity(index),
+            "shift": organ.shift(index),
+        })
+    });
+    let [lowest, highest] = organ.limits();
+    json!({
+        "name": organ.name(),
+        "unit": organ.unit,
+        "lowest": lowest,
+        "highest": highest,
+        "bands": organ.bands().iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "intervals": intervals.collect::<Vec<_>>(),
+        "events": events.collect::<Vec<_>>(),
+    })
+}
+
+const fn word(motion: Motion) -> &'static str {
+    match motion {
+        Motion::Advance => "advance",
+        Motion::Dwell(_) => "dwell",
+        Motion::Return => "return",
+    }
+}
+
+const fn index(motion: Motion) -> Option<usize> {
+    match motion {
+        Motion::Dwell(band) => Some(band),
+        Motion::Advance | Motion::Return => None,
+    }
+}
+
+/// The band of a dwell in words.
+fn band(organ: &Organ, motion: Motion) -> String {
+    index(motion).map_or_else(String::new, |band| organ.bands()[band].to_string())
+}

@@ -1,0 +1,7 @@
+//! Several organs on one shaft: cyclograms, clearances and phases against references of 40 digits.
+
+mod cyclogram;
+mod mechanisms;
+mod references;
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
