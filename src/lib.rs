@@ -209,6 +209,14 @@ pub mod summary {
     pub use linkage_runtime::summary::*;
 }
 
+/// Clearances: how close two organs come over a cycle, and the phase that makes it largest.
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub mod clearance {
+    #![doc = include_str!("../docs/clearance.md")]
+
+    pub use linkage_runtime::clearance::*;
+}
+
 /// Cyclograms: what the organs of a machine do at which angle of the shaft.
 #[cfg(feature = "alloc")]
 pub mod cyclogram {

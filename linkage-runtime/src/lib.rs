@@ -18,6 +18,8 @@ extern crate std;
 pub mod balancing;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod circuits;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub mod clearance;
 #[cfg(feature = "alloc")]
 mod columns;
 #[cfg(any(feature = "std", feature = "libm"))]

@@ -1,5 +1,6 @@
 //! Several organs on one shaft: cyclograms, clearances and phases against references of 40 digits.
 
+mod clearance;
 mod cyclogram;
 mod mechanisms;
 mod references;

@@ -7,12 +7,19 @@ pub(crate) fn cyclogram() -> Value {
     read(include_str!("cyclogram.json"))
 }
 
+pub(crate) fn mutual() -> Value {
+    read(include_str!("mutual.json"))
+}
+
 fn read(text: &str) -> Value {
     serde_json::from_str(text).expect("JSON")
 }
 
-/// A number, which is written as a string of digits.
+/// A number, which is written as a string of digits unless it is a whole one.
 pub(crate) fn number(value: &Value) -> f64 {
+    if let Some(whole) = value.as_i64() {
+        return whole as f64;
+    }
     value
         .as_str()
         .and_then(|digits| digits.parse().ok())

@@ -1,0 +1,155 @@
+//! One way in which two shapes can be nearest to each other: from end to end, from an end to the inside of an edge, or from inside to
+//! inside.
+//!
+//! With `E` for the vector between two places of the shapes and `s`, `t` for the places along their edges, half the square of the
+//! distance is `q = E.E/2`, smooth in angle, places and parameters. Where a place is free, `dq/ds = 0` tells it; second derivatives are
+//! those of `q` less what the free places take up: `q_xy - q_xf (q_ff)^-1 q_fy`.
+
+use super::shape::{Jet, Pair, Part, difference, dot, edge};
+
+/// The distance of two parts at one angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Case<const K: usize> {
+    parts: [Part; 2],
+    /// Places along the edges, 0 to 1 within them.
+    pub(super) feet: [f64; 2],
+    /// From the second to the first place, with its derivatives while the places stay.
+    pub(super) gap: Jet<K>,
+    /// The edges with their first derivatives; zeros for points.
+    edges: [[[f64; K]; 2]; 2],
+}
+
+/// What a variable does to a case while the places along the edges stay: derivatives of the gap, of its derivative by the angle,
+/// and of both edges.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Variation<const K: usize> {
+    pub(super) gap: [f64; K],
+    pub(super) rate: [f64; K],
+    pub(super) edges: [[f64; K]; 2],
+}
+
+/// By how much a place may be beyond an end by rounding, as a share of the edge, and a distance along the edge so small that it is none:
+/// both neighbouring cases are then taken for nearest, and one is dropped.
+const BESIDE: f64 = 1e-12;
+
+impl<const K: usize> Case<K> {
+    pub(super) fn of<const A: usize, const B: usize>(
+        parts: [Part; 2],
+        pair: &Pair<K, A, B>,
+    ) -> Self {
+        let [u, w] = [edge(&pair.first), edge(&pair.second)];
+        let start = |part: Part| match part {
+            Part::Vertex(index) => index,
+            Part::Edge => 0,
+        };
+        let (a, b) = (&pair.first[start(parts[0])], &pair.second[start(parts[1])]);
+        let base: Jet<K> = core::array::from_fn(|k| difference(&a[k], &b[k]));
+        let [s, t] = match parts {
+            [Part::Vertex(_), Part::Vertex(_)] => [0.0; 2],
+            [Part::Edge, Part::Vertex(_)] => [-dot(&base[0], &u[0]) / dot(&u[0], &u[0]), 0.0],
+            [Part::Vertex(_), Part::Edge] => [0.0, dot(&base[0], &w[0]) / dot(&w[0], &w[0])],
+            [Part::Edge, Part::Edge] => {
+                let (uu, uw, ww) = (dot(&u[0], &u[0]), dot(&u[0], &w[0]), dot(&w[0], &w[0]));
+                let (du, dw) = (dot(&base[0], &u[0]), dot(&base[0], &w[0]));
+                let determinant = uu * ww - uw * uw;
+                [
+                    (uw * dw - ww * du) / determinant,
+                    (uu * dw - uw * du) / determinant,
+                ]
+            }
+        };
+        let gap = core::array::from_fn(|k| {
+            core::array::from_fn(|i| base[k][i] + s * u[k][i] - t * w[k][i])
+        });
+        Self {
+            parts,
+            feet: [start(parts[0]) as f64 + s, start(parts[1]) as f64 + t],
+            gap,
+            edges: [[u[0], u[1]], [w[0], w[1]]],
+        }
+    }
+
+    /// Half the square of the distance with its derivatives by the angle.
+    pub(super) fn jet(&self) -> [f64; 3] {
+        let [gap, rate, _] = &self.gap;
+        [0.5 * dot(gap, gap), dot(gap, rate), self.bend()]
+    }
+
+    /// The second derivative of that by the angle.
+    pub(super) fn bend(&self) -> f64 {
+        let angle = self.gradient(&self.angle());
+        angle[0] - self.taken_up(&angle, &angle)
+    }
+
+    /// Whether no place of the shapes is nearer: the distance does not fall along an edge.
+    pub(super) fn is_nearest(&self) -> bool {
+        let [gap, ..] = &self.gap;
+        (0..2).all(|side| {
+            let edge = &self.edges[side][0];
+            let along = if side == 0 {
+                dot(gap, edge)
+            } else {
+                -dot(gap, edge)
+            };
+            let size = dot(edge, edge);
+            match self.parts[side] {
+                Part::Vertex(0) => along >= -BESIDE * size,
+                Part::Vertex(_) => along <= BESIDE * size,
+                Part::Edge => self.feet[side] >= -BESIDE && self.feet[side] <= 1.0 + BESIDE,
+            }
+        })
+    }
+
+    /// What the angle does.
+    fn angle(&self) -> Variation<K> {
+        let [_, rate, second] = self.gap;
+        Variation {
+            gap: rate,
+            rate: second,
+            edges: [self.edges[0][1], self.edges[1][1]],
+        }
+    }
+
+    /// The derivatives of `q` by a variable and by the angle and both places.
+    fn gradient(&self, by: &Variation<K>) -> [f64; 3] {
+        let [gap, rate, _] = &self.gap;
+        let along = |side: usize| dot(&by.gap, &self.edges[side][0]) + dot(gap, &by.edges[side]);
+        [dot(&by.gap, rate) + dot(gap, &by.rate), along(0), -along(1)]
+    }
+
+    /// What the free places take up of the second derivative by two variables.
+    fn taken_up(&self, x: &[f64; 3], y: &[f64; 3]) -> f64 {
+        let [u, w] = [&self.edges[0][0], &self.edges[1][0]];
+        let (uu, uw, ww) = (dot(u, u), -dot(u, w), dot(w, w));
+        match self.parts {
+            [Part::Vertex(_), Part::Vertex(_)] => 0.0,
+            [Part::Edge, Part::Vertex(_)] => x[1] * y[1] / uu,
+            [Part::Vertex(_), Part::Edge] => x[2] * y[2] / ww,
+            [Part::Edge, Part::Edge] => {
+                let sum = x[1] * (ww * y[1] - uw * y[2]) + x[2] * (uu * y[2] - uw * y[1]);
+                sum / (uu * ww - uw * uw)
+            }
+        }
+    }
+
+    /// The second derivative of `q` by the angle and a variable.
+    pub(super) fn mixed(&self, by: &Variation<K>) -> f64 {
+        let (angle, own) = (self.gradient(&self.angle()), self.gradient(by));
+        own[0] - self.taken_up(&angle, &own)
+    }
+
+    /// Slope and second derivative of `q` by the phase of the second shape, whose derivatives by it are those by the angle, where the angle follows so
+    /// that `q` stays least.
+    pub(super) fn by_phase(&self, second: &Jet<K>) -> [f64; 2] {
+        let [gap, ..] = &self.gap;
+        let by = Variation {
+            gap: second[1].map(|v| -v),
+            rate: second[2].map(|a| -a),
+            edges: [[0.0; K], self.edges[1][1]],
+        };
+        let own = self.gradient(&by);
+        let held = dot(&by.gap, &by.gap) + dot(gap, &by.rate) - self.taken_up(&own, &own);
+        let mixed = self.mixed(&by);
+        [dot(gap, &by.gap), held - mixed * mixed / self.bend()]
+    }
+}
