@@ -82,10 +82,10 @@ impl<'a> Surface<'a> {
             .parameters
             .iter()
             .map(|parameter| {
-                let first = &parameter.scalars[0];
-                let name = first.name.split('.').next().unwrap_or_default();
+                // Of a part's parameter: `hook_crank`.
+                let name = parameter.name.replace('.', "_");
                 Dimension {
-                    name: fields.take(name),
+                    name: fields.take(&name),
                     documentation: &parameter.documentation,
                     shape: parameter.shape.clone(),
                     note: dimension_note(&parameter.scalars),

@@ -23,7 +23,7 @@
 //!         pub fn motion(phi) -> Motion { s, speed: velocity(s) }
 //!     }";
 //! let source = Source::new("slider.mech", text).expect("brackets have partners");
-//! let checked = linkage_compiler::check(source.mechanisms()[0].tokens.clone());
+//! let checked = linkage_compiler::check(source.calls()[0].tokens.clone());
 //! let mechanism = Mechanism::new(&checked).expect("a mechanism without a mistake");
 //! let assembly = mechanism.assemble(&mechanism.dimensions()).expect("it closes");
 //! let motion = assembly.call(0, &[0.0]);

@@ -14,10 +14,10 @@ use crate::failure::Failure;
 pub struct Source {
     name: String,
     text: String,
-    mechanisms: Vec<Found>,
+    calls: Vec<Found>,
 }
 
-/// A mechanism in a file.
+/// Mechanisms of a file that may have each other as parts: those of a call of the macro, or all of a file that is not Rust.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// As the compiler takes it.
@@ -58,25 +58,21 @@ impl Source {
         })?;
         let ending = Path::new(name).extension();
         let is_rust = ending.is_some_and(|ending| ending == "rs");
-        let mechanisms = match (calls.is_empty(), is_rust) {
+        let calls = match (calls.is_empty(), is_rust) {
             (true, true) => {
                 let text = format!("there is no call of `mechanism!` in `{name}`");
                 return Err(Failure::Told(text));
             }
             (true, false) => {
-                let parts = linkage_compiler::mechanisms(tokens).into_iter();
-                let found = |tokens| Found {
-                    tokens,
-                    place: 0..0,
-                };
-                parts.map(found).collect()
+                let place = 0..0;
+                vec![Found { tokens, place }]
             }
             (false, _) => calls,
         };
         Ok(Self {
             name: name.to_owned(),
             text: text.to_owned(),
-            mechanisms,
+            calls,
         })
     }
 
@@ -92,10 +88,10 @@ impl Source {
         &self.text
     }
 
-    /// The mechanisms in it, in order.
+    /// The mechanisms in it, call by call.
     #[must_use]
-    pub fn mechanisms(&self) -> &[Found] {
-        &self.mechanisms
+    pub fn calls(&self) -> &[Found] {
+        &self.calls
     }
 }
 

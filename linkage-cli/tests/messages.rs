@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use linkage_cli::{Source, rendered};
-use linkage_compiler::check;
+use linkage_compiler::{check, check_all};
 
 /// Faulty programs beside what rustc prints for them.
 fn folder() -> PathBuf {
@@ -46,7 +46,7 @@ fn messages_are_those_of_the_macro() {
         let name = Path::new("tests/ui").join(name);
         let source = Source::new(&name.to_string_lossy(), &text).expect("tokens");
         let told: String = source
-            .mechanisms()
+            .calls()
             .iter()
             .map(|found| rendered(&source, found, &check(found.tokens.clone()), false))
             .collect();
@@ -78,14 +78,16 @@ impl Second {
 }
 ";
     let source = Source::new("two.mech", text).expect("tokens");
-    let [first, second] = source.mechanisms() else {
+    let [all] = source.calls() else {
+        panic!("they may have each other as parts");
+    };
+    let checked = check_all(all.tokens.clone());
+    let [first, second] = &checked[..] else {
         panic!("two mechanisms");
     };
-    let checked = check(first.tokens.clone());
-    assert_eq!(rendered(&source, first, &checked, false), "");
-    let checked = check(second.tokens.clone());
-    assert_eq!(checked.name.as_deref(), Some("Second"));
-    let told = rendered(&source, second, &checked, false);
+    assert_eq!(rendered(&source, all, first, false), "");
+    assert_eq!(second.name.as_deref(), Some("Second"));
+    let told = rendered(&source, all, second, false);
     let expected = "error: unknown name `crnak`
        help: did you mean `crank`?
   --> two.mech:14:21
@@ -105,7 +107,7 @@ fn deep_nesting_is_a_limit() {
     };
     let messages = |depth| {
         let source = Source::new("a.mech", &text(depth)).expect("it is read");
-        check(source.mechanisms()[0].tokens.clone()).messages
+        check(source.calls()[0].tokens.clone()).messages
     };
     assert!(messages(60).is_empty());
     // The macro has a limit of its own.

@@ -30,6 +30,7 @@ pub(crate) struct Reporter<'a> {
 impl Reporter<'_> {
     /// See [`Diagnostics::error`].
     pub(crate) fn error(&mut self, origin: OriginId, message: impl Into<String>) {
+        let message = self.within_part(origin, message.into());
         self.diagnostics.error(self.origins.span(origin), message);
     }
 
@@ -40,8 +41,7 @@ impl Reporter<'_> {
         fact: impl Display,
         help: impl Display,
     ) {
-        let span = self.origins.span(origin);
-        self.diagnostics.error_with_help(span, fact, help);
+        self.error(origin, format!("{fact}\nhelp: {help}"));
     }
 
     /// At all that stands from one place to another.
@@ -51,6 +51,7 @@ impl Reporter<'_> {
         message: impl Into<String>,
     ) {
         let span = self.origins.span(first).to(self.origins.span(last));
+        let message = self.within_part(first, message.into());
         self.diagnostics.error(span, message);
     }
 
@@ -63,6 +64,14 @@ impl Reporter<'_> {
     ) {
         let span = self.origins.span(origin);
         self.diagnostics.warning_with_help(span, fact, help);
+    }
+
+    /// What is said about a place in a part begins with the part: the words at fault are those of its own struct.
+    fn within_part(&self, origin: OriginId, message: String) -> String {
+        match self.origins.part(origin) {
+            Some(part) => format!("in the part `{part}`: {message}"),
+            None => message,
+        }
     }
 
     /// For somebody who keeps it.

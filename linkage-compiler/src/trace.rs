@@ -7,11 +7,12 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::algebra::{Algebra, Nominal};
+use crate::call::Call;
 use crate::formulate::Formulation;
 use crate::structure::Structure;
 use crate::unit::{self, Unit};
 use crate::watch::Watch;
-use crate::{Analysed, forces, model, syntax};
+use crate::{forces, model, syntax};
 
 /// The phases of one mechanism, as text.
 #[derive(Clone, Debug, Default)]
@@ -34,27 +35,30 @@ pub struct Trace {
     pub messages: Vec<String>,
 }
 
-/// Runs all phases on a mechanism without the facade's path in front.
+/// Runs all phases on a mechanism without the facade's path in front; of several, the last one's are told.
 pub fn trace(body: TokenStream) -> Trace {
     let mut middle = Middle::default();
-    let analysed = Analysed::new(body, &mut middle);
+    let call = Call::new(body, &mut middle);
+    let mut messages = call.syntax.texts();
+    messages.extend(
+        call.mechanisms
+            .iter()
+            .flat_map(|own| own.diagnostics.texts()),
+    );
     let mut trace = Trace {
-        syntax: analysed
-            .definition
-            .as_ref()
-            .map(syntax::dump)
-            .unwrap_or_default(),
-        model: analysed
-            .mechanism
-            .as_ref()
-            .map(model::dump)
-            .unwrap_or_default(),
         structure: middle.structure,
         passes: middle.passes,
-        emit: analysed.emitted(&quote!(::linkage), &|name, _| format!("{name} as a text")),
-        messages: analysed.diagnostics.texts(),
+        emit: call.emitted(&quote!(::linkage), &|name, _| format!("{name} as a text")),
+        messages,
         ..Trace::default()
     };
+    let Some(analysed) = call.mechanisms.last() else {
+        return trace;
+    };
+    trace.syntax = syntax::dump(&analysed.definition);
+    if let Some(model) = &analysed.model {
+        trace.model = model::dump(&model.mechanism);
+    }
     if let Some(unit) = &analysed.unit {
         trace.formulate = formulate_text(unit) + &middle.forces;
         trace.lower = unit::dump(unit);

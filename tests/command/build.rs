@@ -23,7 +23,7 @@ fn main() {
             let Ok(source) = Source::read(&path) else {
                 continue;
             };
-            for (number, found) in source.mechanisms().iter().enumerate() {
+            for (number, found) in source.calls().iter().enumerate() {
                 let stem = path.file_stem().expect("a name").to_string_lossy();
                 let name = format!("{ending}_{stem}_{number}");
                 text += &module(&name, &path, number, &source, found);

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use linkage_compiler::check;
+use linkage_compiler::check_all;
 use linkage_runtime::Input;
 
 use super::assemblies::{placed, shown};
@@ -35,12 +35,13 @@ pub(super) fn run(files: &[PathBuf]) -> Result<(), Failure> {
 fn one(file: &Path) -> Result<bool, Failure> {
     let source = Source::read(file)?;
     let mut sound = true;
-    for found in source.mechanisms() {
-        let checked = check(found.tokens.clone());
-        eprint!("{}", rendered(&source, found, &checked, is_coloured()));
-        match Mechanism::new(&checked) {
-            Some(mechanism) => print(&known(&mechanism))?,
-            None => sound = false,
+    for found in source.calls() {
+        for checked in check_all(found.tokens.clone()) {
+            eprint!("{}", rendered(&source, found, &checked, is_coloured()));
+            match Mechanism::new(&checked) {
+                Some(mechanism) => print(&known(&mechanism))?,
+                None => sound = false,
+            }
         }
     }
     Ok(sound)

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use linkage_compiler::check;
+use linkage_compiler::check_all;
 
 use super::is_coloured;
 use crate::failure::{Failure, listed};
@@ -83,12 +83,13 @@ fn read(file: &Path) -> Result<Vec<Mechanism>, Failure> {
     let source = Source::read(file)?;
     let mut all = Vec::new();
     let mut sound = true;
-    for found in source.mechanisms() {
-        let checked = check(found.tokens.clone());
-        eprint!("{}", rendered(&source, found, &checked, is_coloured()));
-        match Mechanism::new(&checked) {
-            Some(mechanism) => all.push(mechanism),
-            None => sound = false,
+    for found in source.calls() {
+        for checked in check_all(found.tokens.clone()) {
+            eprint!("{}", rendered(&source, found, &checked, is_coloured()));
+            match Mechanism::new(&checked) {
+                Some(mechanism) => all.push(mechanism),
+                None => sound = false,
+            }
         }
     }
     match sound {

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use linkage_compiler::check;
+use linkage_compiler::unit::COMPONENTS;
 
 use crate::failure::{Failure, listed};
 use crate::mechanism::Mechanism;
@@ -34,7 +35,11 @@ impl Dimensions {
 
 /// The scalars of a parameter, or one of them: `pivot`, `pivot.x`.
 fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
-    let whole = |own: &str| own == name || own.split_once('.').is_some_and(|own| own.0 == name);
+    let component = |own: &str| COMPONENTS.contains(&own);
+    let whole = |own: &str| {
+        let last = own.rsplit_once('.');
+        own == name || last.is_some_and(|(of, last)| of == name && component(last))
+    };
     let all = mechanism.parameters.iter().enumerate();
     let found: Vec<usize> = all
         .filter(|(_, own)| whole(own.name))

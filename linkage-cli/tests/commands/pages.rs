@@ -15,7 +15,7 @@ fn a_page_has_all_functions() {
     let folder = folder("page");
     // The hook-needle drive as a text file.
     let source = Source::read(Path::new(favorit())).expect("the example");
-    let tokens: Vec<_> = source.mechanisms()[0].tokens.clone().into_iter().collect();
+    let tokens: Vec<_> = source.calls()[0].tokens.clone().into_iter().collect();
     let [first, last] = [&tokens[0], &tokens[tokens.len() - 1]].map(|own| own.span().byte_range());
     let text = &source.text()[first.start..last.end];
     fs::write(folder.join("favorit.mech"), text).expect("it can be written");

@@ -88,7 +88,7 @@ impl Live {
 pub(crate) fn mechanism(file: &Path) -> &'static Mechanism {
     let text = fs::read_to_string(file).expect("the file");
     let source = Source::new("file", &text).expect("brackets have partners");
-    let checked = linkage_compiler::check(source.mechanisms()[0].tokens.clone());
+    let checked = linkage_compiler::check(source.calls()[0].tokens.clone());
     let mechanism = Mechanism::new(&checked).expect("a mechanism without a mistake");
     Box::leak(Box::new(mechanism))
 }

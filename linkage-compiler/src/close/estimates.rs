@@ -110,7 +110,8 @@ impl Assembly<'_, '_> {
     }
 
     fn is_estimated(&self, unknown: usize) -> bool {
-        self.algebra.mechanism.unknowns[unknown].estimate.is_some()
+        let own = &self.algebra.mechanism.unknowns[unknown];
+        own.of_part || own.estimate.is_some()
     }
 
     /// Reports an assembly whose unknowns are not where their estimates are, among all that the group has, the nearest first; false if it did.

@@ -12,6 +12,7 @@ use super::check::report_unfollowed;
 use super::estimates::Position;
 use super::follow::follow_angles;
 use super::machine::Machine;
+use super::parts::InnerPart;
 use super::refusal::Verdict;
 use super::sizes::Sizes;
 use super::words::Words;
@@ -38,7 +39,8 @@ pub(crate) fn assemble_reference<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
     closing: Closing,
-    nominal: &Nominal,
+    nominal: &mut Nominal,
+    parts: Vec<InnerPart<'m>>,
     reporter: Reporter,
 ) -> Reference {
     let machine = Machine::new(closing, formulation, nominal);
@@ -51,14 +53,16 @@ pub(crate) fn assemble_reference<'m>(
         machine,
         longest,
         size: largest,
+        parts,
         found: Vec::new(),
         values: Vec::new(),
     };
-    assembly.centre_estimates();
+    assembly.centre(None);
     let mut scales = Vec::new();
     let mut closed = true;
     let mut start = 0;
     for (index, solved) in formulation.groups.iter().enumerate() {
+        assembly.settle_parts(formulation, index);
         let stage = assembly.machine.closing.groups[index].clone();
         closed &= assembly.close(solved, &stage, start, closed);
         let slack = assembly.output(stage.slack);
@@ -78,7 +82,7 @@ pub(crate) fn assemble_reference<'m>(
 pub(super) struct Assembly<'a, 'm> {
     pub(super) algebra: &'a Algebra<'m>,
     pub(super) words: Words<'m>,
-    pub(super) nominal: &'a Nominal,
+    pub(super) nominal: &'a mut Nominal,
     pub(super) reporter: Reporter<'a>,
     pub(super) machine: Machine,
     pub(super) longest: f64,
@@ -86,6 +90,8 @@ pub(super) struct Assembly<'a, 'm> {
     pub(super) size: f64,
     /// See [`Reference::found`].
     pub(super) found: Vec<(usize, Vec<f64>)>,
+    /// Parts of which it is not known yet where they are.
+    pub(super) parts: Vec<InnerPart<'m>>,
     values: Vec<f64>,
 }
 
@@ -102,11 +108,14 @@ impl<'m> Assembly<'_, 'm> {
         self.machine.output(&self.values, output)
     }
 
-    /// At the reference every angle is the one nearest to its estimate.
-    fn centre_estimates(&mut self) {
+    /// At the reference every angle is the one nearest to its estimate: all of them, or those of a part.
+    pub(super) fn centre(&mut self, part: Option<&InnerPart>) {
         for (index, angle) in self.algebra.names.angles.iter().enumerate() {
-            let estimate = angle.estimate(self.nominal);
-            self.machine.centres.insert(index, estimate);
+            let mut summands = angle.summands().into_iter();
+            if part.is_none_or(|part| summands.any(|(unknown, _)| part.has(unknown))) {
+                let estimate = angle.estimate(self.nominal);
+                self.machine.centres.insert(index, estimate);
+            }
         }
     }
 

@@ -52,6 +52,7 @@ impl<'a> Guess<'a> {
                 Item::Unit(_)
                 | Item::Input(_)
                 | Item::Argument(_)
+                | Item::Part(_)
                 | Item::Loop(_)
                 | Item::Gravity(_)
                 | Item::Body(_)

@@ -34,12 +34,12 @@ fn structure(outline: &Outline) -> TokenStream {
     );
     let scalar = quote!(T);
     let fields = outline.parameters.iter().map(|parameter| {
-        let name = parameter.name;
+        let name = &parameter.name;
         let ty = outline.field_type(&parameter.shape, &scalar);
         let [note, alone] = parameter_notes(outline, parameter);
         let head = with_note(
-            &tokens(parameter.attributes),
-            documented(parameter.attributes),
+            &tokens(&parameter.attributes),
+            documented(&parameter.attributes),
             &note,
             &alone,
         );
@@ -67,7 +67,7 @@ pub(super) fn marker_value() -> TokenStream {
 /// The docs of a parameter after those of the user, `In mm; default 50, tolerance 0.012.`, and those where there are
 /// none, `` `crank`, in mm; default 50, tolerance 0.012. ``; angles are told in degrees
 fn parameter_notes(outline: &Outline, parameter: &Parameter) -> [String; 2] {
-    let name = plain(parameter.name);
+    let name = plain(&parameter.name);
     if !outline.complete {
         return [String::new(), format!("`{name}`.")];
     }
@@ -100,7 +100,7 @@ fn parameter_notes(outline: &Outline, parameter: &Parameter) -> [String; 2] {
 fn default(outline: &Outline) -> TokenStream {
     let name = outline.name;
     let fields = outline.parameters.iter().map(|parameter| {
-        let name = parameter.name;
+        let name = &parameter.name;
         let mut numbers = parameter
             .components
             .iter()
@@ -175,7 +175,7 @@ pub(super) fn from_scalars(
 ) -> TokenStream {
     let name = outline.name;
     let fields = outline.parameters.iter().map(|parameter| {
-        let name = parameter.name;
+        let name = &parameter.name;
         let value = outline.field_value(&parameter.shape, scalars);
         quote!(#name: #value,)
     });

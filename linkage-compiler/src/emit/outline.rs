@@ -1,5 +1,7 @@
 //! What the generated items are: names, types and docs, with or without the programs behind them.
 
+use std::borrow::Cow;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -37,8 +39,9 @@ pub(super) struct Outline<'a> {
 
 /// A public field of the mechanism.
 pub(super) struct Parameter<'a> {
-    pub name: &'a Ident,
-    pub attributes: &'a [Attribute],
+    /// Of the field: `hook_crank` for `hook.crank`.
+    pub name: Ident,
+    pub attributes: Cow<'a, [Attribute]>,
     pub shape: Shape,
     pub components: Vec<Component>,
 }
@@ -110,7 +113,8 @@ impl<'a> Outline<'a> {
             reference: input.reference,
             range: input.range,
         });
-        let parameters = params(def).zip(&unit.parameters);
+        let own: Vec<&ParamItem> = params(def).collect();
+        let parameters = unit.parameters.iter().enumerate();
         let functions = def.functions.iter().zip(&unit.functions);
         let starts = unit.coupled.iter().map(|group| Start {
             inputs: group.inputs.clone(),
@@ -118,7 +122,7 @@ impl<'a> Outline<'a> {
         });
         Self {
             parameters: parameters
-                .map(|(item, parameter)| complete_parameter(item, parameter))
+                .map(|(index, parameter)| complete_parameter(own.get(index).copied(), parameter))
                 .collect(),
             functions: functions
                 .map(|(def, function)| complete_function(def, function, unit))
@@ -188,7 +192,7 @@ impl<'a> Outline<'a> {
 
 impl Parameter<'_> {
     pub(super) fn scalar_fields(&self) -> Vec<TokenStream> {
-        let name = self.name;
+        let name = &self.name;
         match self.shape {
             Shape::Vector(n) => COMPONENTS[..n.min(3)]
                 .iter()
@@ -261,19 +265,43 @@ pub(super) fn field<'a>(quantity: &'a QuantityDef, shape: Shape, about: String) 
     }
 }
 
-fn complete_parameter<'a>(item: &'a ParamItem, parameter: &unit::Parameter) -> Parameter<'a> {
+/// `item` declares it; those of parts stand behind all that are declared.
+fn complete_parameter<'a>(
+    item: Option<&'a ParamItem>,
+    parameter: &unit::Parameter,
+) -> Parameter<'a> {
     let components = parameter.scalars.iter().map(|scalar| Component {
         name: scalar.name.clone(),
         unit: scalar.unit.clone(),
         nominal: scalar.nominal,
         tolerance: scalar.tolerance,
     });
+    let (name, attributes) = match item {
+        Some(item) => (item.name.clone(), Cow::Borrowed(&item.attributes[..])),
+        None => of_part(&parameter.name, &parameter.documentation),
+    };
     Parameter {
-        name: &item.name,
-        attributes: &item.attributes,
+        name,
+        attributes,
         shape: parameter.shape.clone(),
         components: components.collect(),
     }
+}
+
+/// The field of a part's parameter and its docs. Other attributes are about the struct that they stand in.
+pub(super) fn of_part<'a>(name: &str, documentation: &str) -> (Ident, Cow<'a, [Attribute]>) {
+    let name = format_ident!("{}", name.replace('.', "_"));
+    let docs = documentation.lines().map(|line| {
+        let line = format!(" {line}");
+        Attribute {
+            name: "doc".to_owned(),
+            tokens: quote!(#[doc = #line]),
+            arguments: quote!(= #line),
+            span: (&name).into(),
+        }
+    });
+    let docs = docs.collect();
+    (name, Cow::Owned(docs))
 }
 
 fn complete_function<'a>(def: &'a FunctionDef, own: &unit::Function, unit: &Unit) -> Function<'a> {

@@ -1,6 +1,7 @@
 //! The items of a mechanism that has mistakes: names and types as far as they can be known, panicking bodies. So that
 //! code which uses the mechanism still has its types, and editors their completions, while the mistake is repaired.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::iter;
 
@@ -70,20 +71,21 @@ fn sketch<'a>(
 ) -> Outline<'a> {
     let guess = Guess::new(def);
     let mut seen = Seen::default();
-    let parameters = params(def)
+    let mut parameters: Vec<Parameter> = params(def)
         .filter(|param| seen.first(&param.name))
         .map(|param| {
             let known = mechanism.and_then(|m| m.parameters.iter().find(|p| param.name == p.name));
             let shape = known.map_or_else(|| guess.parameter(param), |p| Shape::of(&p.ty));
             let components = components(&param.name, &shape);
             Parameter {
-                name: &param.name,
-                attributes: &param.attributes,
+                name: param.name.clone(),
+                attributes: Cow::Borrowed(&param.attributes[..]),
                 shape,
                 components,
             }
         })
         .collect();
+    parameters.extend(parameters_of_parts(&parameters, mechanism));
     let mut seen = Seen::default();
     let inputs = outline::inputs(def)
         .filter(|name| seen.first(name))
@@ -114,6 +116,25 @@ fn sketch<'a>(
         functions,
         ..Outline::empty(krate, def)
     }
+}
+
+/// The fields of parts, if they are known.
+fn parameters_of_parts<'a>(own: &[Parameter], mechanism: Option<&Mechanism>) -> Vec<Parameter<'a>> {
+    let all = mechanism.iter().flat_map(|own| &own.parameters);
+    let of_parts = all.filter(|parameter| parameter.name.contains('.'));
+    let fields = of_parts.map(|parameter| {
+        let (name, attributes) = outline::of_part(&parameter.name, &parameter.documentation);
+        let shape = Shape::of(&parameter.ty);
+        Parameter {
+            components: components(&name, &shape),
+            name,
+            attributes,
+            shape,
+        }
+    });
+    fields
+        .filter(|field| own.iter().all(|own| own.name != field.name))
+        .collect()
 }
 
 fn sketch_function<'a>(

@@ -53,7 +53,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn refuse_bare_angle(&mut self, value: &Expr, what: &str) {
+    pub(super) fn refuse_bare_angle(&mut self, value: &Expr, what: &str) {
         if let Some(number) = value.bare_number() {
             let fact = format!("{what} has no unit: `{number}` would be {number} rad");
             let help = format!("write `{number}deg`, or `{number}rad`");

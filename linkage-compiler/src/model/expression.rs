@@ -22,10 +22,13 @@ impl Resolver<'_> {
                 let components = self.expressions(components, context);
                 self.vector(components, span)
             }
-            syntax::ExprKind::Field(value, field) => {
-                let value = self.expression(value, context);
-                self.component(value, field, span)
-            }
+            syntax::ExprKind::Field(value, field) => match self.part_named(value) {
+                Some(path) => self.member(&path, field, context, span),
+                None => {
+                    let value = self.expression(value, context);
+                    self.component(value, field, span)
+                }
+            },
             syntax::ExprKind::Index(value, index) => {
                 let value = self.expression(value, context);
                 self.entry(value, index, span)

@@ -1,5 +1,7 @@
 //! The items of the struct block.
 
+use super::embed::Embedding;
+use super::library::Source;
 use super::names::Resolver;
 use super::passes::{Coordinate, Definition, Passes};
 use super::place::{Context, Place};
@@ -8,15 +10,17 @@ use super::types::{
 };
 use crate::diagnostic::text::nearest;
 use crate::syntax::{
-    Attribute, InputItem, LoopItem, MechanismDef, NamedItem, UnitItem, UnknownItem, Word,
+    Attribute, InputItem, Item, LoopItem, MechanismDef, NamedItem, UnitItem, UnknownItem, Word,
     documentation,
 };
 
 impl Resolver<'_> {
     /// All items, pass by pass.
-    pub(super) fn items(&mut self, definition: &MechanismDef) -> Mechanism {
+    pub(super) fn items(&mut self, source: &Source) -> Mechanism {
+        let definition = source.definition;
         let passes = Passes::of(definition);
-        self.unit = self.length_unit(&passes.units);
+        let unit = self.length_unit(&passes.units);
+        self.unit = source.unit.unwrap_or(unit);
         let mut mechanism = Mechanism {
             name: definition.name.to_string(),
             documentation: documentation(&definition.attributes),
@@ -29,6 +33,8 @@ impl Resolver<'_> {
             lets: Vec::new(),
             loops: Vec::new(),
             arguments: Vec::new(),
+            parts: Vec::new(),
+            placed: Vec::new(),
             gravity: None,
             bodies: Vec::new(),
             joints: Vec::new(),
@@ -69,6 +75,7 @@ impl Resolver<'_> {
             }
         }
         mechanism.arguments = self.arguments(&passes.arguments, &mechanism.inputs);
+        self.coordinates_of_parts(&mut mechanism);
         for (position, item) in passes.definitions {
             let context = Context {
                 place: Place::LetOrLoop,
@@ -84,13 +91,36 @@ impl Resolver<'_> {
                     mechanism.lets.push(Let { name, value });
                 }
                 Definition::Loop(item) => mechanism.loops.push(self.loop_item(item, context)),
+                Definition::Part(item) => self.part_item(item, position, &mut mechanism),
             }
         }
-        self.mechanics(&passes.bodies, &passes.mechanics, &mut mechanism);
+        mechanism.placed.clone_from(&self.placed);
+        self.mechanics(
+            &passes.bodies,
+            &passes.mechanics,
+            &passes.parts,
+            &mut mechanism,
+        );
         mechanism
             .scalar_parameters
             .clone_from(&self.scalar_parameters);
         mechanism
+    }
+
+    /// What parts bring that does not depend on what they are given.
+    fn coordinates_of_parts(&mut self, mechanism: &mut Mechanism) {
+        for part in 0..self.parts.len() {
+            let own = Embedding::new(&self.parts[part], &mechanism.lets, &[]);
+            let Some(embedding) = own else { continue };
+            mechanism.constants.extend(embedding.constants());
+            mechanism.unknowns.extend(embedding.unknowns());
+            for mut own in embedding.parameters() {
+                let index = mechanism.parameters.len();
+                own.first_scalar = self.add_scalars(&own.name, index, &own.ty);
+                self.check_field(&own.name, part, &mechanism.parameters);
+                mechanism.parameters.push(own);
+            }
+        }
     }
 
     fn length_unit(&mut self, items: &[&UnitItem]) -> LengthUnit {
@@ -216,6 +246,7 @@ impl Resolver<'_> {
             name: item.name.to_string(),
             ty,
             estimate,
+            of_part: false,
             origin,
         }
     }
@@ -272,4 +303,13 @@ impl Resolver<'_> {
             origin,
         }
     }
+}
+
+/// The length unit that a mechanism says, if it is one.
+pub(super) fn length_unit(definition: &MechanismDef) -> Option<LengthUnit> {
+    let mut items = definition.items.iter();
+    items.find_map(|item| match item {
+        Item::Unit(item) => LengthUnit::from_name(&item.unit.to_string()),
+        _ => None,
+    })
 }

@@ -10,17 +10,21 @@ mod decimal;
 mod derivative;
 mod dimension;
 mod dump;
+mod embed;
 mod evaluators;
 mod expression;
 mod factors;
 mod frame;
 mod functions;
 mod generated;
+mod given;
 mod items;
+mod library;
 mod mechanics;
 mod names;
 mod operators;
 mod parameter;
+mod part;
 mod passes;
 mod picture;
 mod place;
@@ -43,25 +47,10 @@ pub(crate) use dump::dump;
 pub(crate) use frame::PARTS as FRAME_PARTS;
 pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
 pub(crate) use generated::{ASSEMBLY, COLUMNS, Sweep, TYPE_PARAMETER};
+pub(crate) use library::{Library, Model, resolve};
 pub use parameter::COMPONENTS;
 pub(crate) use presentation::significant;
 pub use shape::Shape;
 pub(crate) use types::*;
 pub(crate) use usage::AskedPicture;
 pub(crate) use walk::Derived;
-
-use crate::diagnostic::{Diagnostics, Origins};
-use crate::syntax::MechanismDef;
-
-/// Checks names, dimensions and argument counts. `None` if anything was wrong, here or in the syntax; as much as can
-/// be found is reported, consequences of what has been reported are not. What `origins` held before is replaced.
-pub(crate) fn resolve(
-    definition: &MechanismDef,
-    origins: &mut Origins,
-    diagnostics: &mut Diagnostics,
-) -> Option<Mechanism> {
-    let attempt = unitless::best_attempt(definition);
-    *origins = attempt.origins;
-    diagnostics.append(attempt.diagnostics);
-    diagnostics.is_empty().then_some(attempt.mechanism)
-}

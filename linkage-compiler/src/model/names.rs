@@ -4,13 +4,15 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
+use super::library::Source;
 use super::mechanics::Scope;
+use super::part::PartScope;
 use super::place::{Context, refusal};
-use super::types::{Dimension, LengthUnit, Name, ScalarParameter, Type};
+use super::types::{Dimension, LengthUnit, Name, Placed, ScalarParameter, Type};
 use super::unitless::Unitless;
 use super::zeros::Zeros;
 use crate::diagnostic::{Diagnostics, Origins, SourceSpan};
-use crate::syntax::{InputItem, Item, MechanismDef};
+use crate::syntax::{InputItem, Item};
 
 /// One declared name.
 pub(super) struct Symbol {
@@ -37,6 +39,9 @@ pub(super) struct Resolver<'a> {
     /// Speeds and accelerations of each input.
     pub(super) rates: Vec<[Option<usize>; 2]>,
     pub(super) mechanics: Scope,
+    pub(super) parts: Vec<PartScope>,
+    /// Where parts stand, as far as they have been read.
+    pub(super) placed: Vec<Placed>,
     /// Names whose number without a unit is taken for a length, and unknowns that are taken for vectors.
     pub(super) zeros: &'a Zeros,
     /// Names declared by numbers without a unit.
@@ -52,7 +57,7 @@ pub(super) struct Resolver<'a> {
 impl<'a> Resolver<'a> {
     /// Declares all names of the struct block.
     pub(super) fn new(
-        definition: &MechanismDef,
+        source: &Source,
         zeros: &'a Zeros,
         origins: &'a mut Origins,
         diagnostics: &'a mut Diagnostics,
@@ -66,6 +71,8 @@ impl<'a> Resolver<'a> {
             arguments_of_lets: Vec::new(),
             rates: Vec::new(),
             mechanics: Scope::default(),
+            parts: Vec::new(),
+            placed: Vec::new(),
             zeros,
             unitless: Vec::new(),
             lacking: BTreeMap::new(),
@@ -73,8 +80,10 @@ impl<'a> Resolver<'a> {
             origins,
             diagnostics,
         };
+        let definition = source.definition;
         resolver.check_reserved(&definition.name);
         let mut counts = Counts::default();
+        let mut parts = source.parts.iter();
         for (position, item) in definition.items.iter().enumerate() {
             if let Some((ident, name)) = counts.next(item) {
                 resolver.declare(ident, position, name);
@@ -82,8 +91,14 @@ impl<'a> Resolver<'a> {
             if let Item::Input(input) = item {
                 resolver.declare_rates(input, position, &mut counts);
             }
+            if let Item::Part(item) = item
+                && let Some(found) = parts.next()
+            {
+                resolver.declare_part(item, position, found, &mut counts);
+            }
         }
         resolver.input_count = counts.inputs;
+        resolver.declare_members_of_parts(&mut counts);
         resolver
     }
 
@@ -99,32 +114,35 @@ impl<'a> Resolver<'a> {
     }
 
     fn declare(&mut self, ident: &Ident, item: usize, name: Name) {
-        let text = ident.to_string();
-        let span = SourceSpan::from(ident);
         self.check_reserved(ident);
-        match self.by_name.get(&text) {
-            Some(first) => {
-                let first = self.symbols[*first].span;
-                self.duplicate(
-                    &format!("the name `{text}` is defined twice"),
-                    &text,
-                    span,
-                    first,
-                );
-            }
-            None => {
-                self.by_name.insert(text.clone(), self.symbols.len());
-            }
-        }
-        let ty = Type::Error;
-        self.symbols.push(Symbol {
+        self.check_new(ident);
+        self.add_symbol(Symbol {
             name,
-            text,
-            ty,
+            text: ident.to_string(),
+            ty: Type::Error,
             item,
             bare_zero: false,
-            span,
+            span: ident.into(),
         });
+    }
+
+    /// Reports a name that stands for something else, too.
+    pub(super) fn check_new(&mut self, ident: &Ident) {
+        let text = ident.to_string();
+        let symbol = self.find(&text).map(|symbol| symbol.span);
+        let mut parts = self.parts.iter();
+        let part = parts.find_map(|part| (part.name == text).then_some(part.span));
+        if let Some(first) = symbol.or(part) {
+            let fact = format!("the name `{text}` is defined twice");
+            self.duplicate(&fact, &text, ident.into(), first);
+        }
+    }
+
+    /// A name; of two that are the same, the first counts.
+    pub(super) fn add_symbol(&mut self, symbol: Symbol) {
+        let index = self.symbols.len();
+        self.by_name.entry(symbol.text.clone()).or_insert(index);
+        self.symbols.push(symbol);
     }
 
     /// The type of a declared value; what lacks a unit is a number or a length.
@@ -152,6 +170,10 @@ impl<'a> Resolver<'a> {
     pub(super) fn look_up(&mut self, ident: &Ident, context: Context) -> Option<(Name, Type)> {
         let text = ident.to_string();
         let Some(symbol) = self.find(&text) else {
+            if self.is_part(&text) {
+                self.lonely_part(&text, ident.into());
+                return None;
+            }
             if text == "PI" {
                 return Some((Name::Pi, Type::NUMBER));
             }
@@ -174,13 +196,13 @@ impl<'a> Resolver<'a> {
 
 /// How many names there are of each kind so far.
 #[derive(Default)]
-struct Counts {
-    constants: usize,
-    parameters: usize,
-    inputs: usize,
-    unknowns: usize,
-    lets: usize,
-    arguments: usize,
+pub(super) struct Counts {
+    pub(super) constants: usize,
+    pub(super) parameters: usize,
+    pub(super) inputs: usize,
+    pub(super) unknowns: usize,
+    pub(super) lets: usize,
+    pub(super) arguments: usize,
 }
 
 impl Counts {
@@ -193,6 +215,8 @@ impl Counts {
             Item::Unknown(item) => (&item.name, Name::Unknown(next(&mut self.unknowns))),
             Item::Let(item) => (&item.name, Name::Let(next(&mut self.lets))),
             Item::Argument(item) => (&item.name, Name::Argument(next(&mut self.arguments))),
+            // What they declare follows behind all others.
+            Item::Part(_) => return None,
             Item::Unit(_)
             | Item::Loop(_)
             | Item::Gravity(_)
@@ -206,7 +230,7 @@ impl Counts {
     }
 }
 
-fn next(count: &mut usize) -> usize {
+pub(super) fn next(count: &mut usize) -> usize {
     *count += 1;
     *count - 1
 }

@@ -147,7 +147,12 @@ impl Resolver<'_> {
         self.diagnostics.error_with_help(span, fact, help);
     }
 
-    fn add_scalars(&mut self, name: &str, parameter: usize, ty: &Type) -> ScalarParameterId {
+    pub(super) fn add_scalars(
+        &mut self,
+        name: &str,
+        parameter: usize,
+        ty: &Type,
+    ) -> ScalarParameterId {
         let first = ScalarParameterId(self.scalar_parameters.len());
         if let (Some(count), Some(dimension)) = (ty.components(), ty.dimension()) {
             for letter in COMPONENTS.iter().take(count) {

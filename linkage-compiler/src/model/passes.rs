@@ -5,7 +5,7 @@
 
 use crate::syntax::{
     BodyItem, ElementItem, GravityItem, InputItem, Item, JointItem, LoadItem, LoopItem,
-    MechanismDef, NamedItem, ParamItem, UnitItem, UnknownItem,
+    MechanismDef, NamedItem, ParamItem, PartItem, UnitItem, UnknownItem,
 };
 
 /// Items with their positions in the struct block, in the order of the passes.
@@ -17,6 +17,7 @@ pub(super) struct Passes<'a> {
     pub(super) coordinates: Vec<(usize, Coordinate<'a>)>,
     pub(super) arguments: Vec<(usize, Taken<'a>)>,
     pub(super) definitions: Vec<(usize, Definition<'a>)>,
+    pub(super) parts: Vec<&'a PartItem>,
     pub(super) bodies: Vec<&'a BodyItem>,
     pub(super) mechanics: Vec<Mechanical<'a>>,
 }
@@ -38,6 +39,7 @@ pub(super) enum Taken<'a> {
 pub(super) enum Definition<'a> {
     Let(&'a NamedItem),
     Loop(&'a LoopItem),
+    Part(&'a PartItem),
 }
 
 /// What acts between bodies.
@@ -72,6 +74,10 @@ impl<'a> Passes<'a> {
                 }
                 Item::Let(item) => passes.definitions.push((position, Definition::Let(item))),
                 Item::Loop(item) => passes.definitions.push((position, Definition::Loop(item))),
+                Item::Part(item) => {
+                    passes.definitions.push((position, Definition::Part(item)));
+                    passes.parts.push(item);
+                }
                 Item::Body(item) => passes.bodies.push(item),
                 Item::Gravity(item) => passes.mechanics.push(Mechanical::Gravity(item)),
                 Item::Joint(item) => passes.mechanics.push(Mechanical::Joint(item)),

@@ -12,6 +12,8 @@ pub(super) enum Place<'a> {
     Input,
     Estimate,
     Argument,
+    /// A parameter of a part.
+    PartParameter,
     LetOrLoop,
     /// A clause of bodies, joints and loads.
     Mechanics,
@@ -52,6 +54,10 @@ pub(super) fn refusal(symbol: &Symbol, context: Context) -> Option<(String, Stri
             constant || parameter,
             "an estimate may use numbers, functions, constants and parameters only",
         ),
+        Place::PartParameter => (
+            constant || parameter,
+            "a parameter of a part is given by numbers, functions, constants and parameters only",
+        ),
         Place::LetOrLoop | Place::Mechanics | Place::Function(_) => (true, ""),
     };
     if !allowed {
@@ -74,6 +80,7 @@ pub(super) fn refusal(symbol: &Symbol, context: Context) -> Option<(String, Stri
         | Place::Input
         | Place::Estimate
         | Place::Argument
+        | Place::PartParameter
         | Place::Mechanics
         | Place::Function(_) => false,
     };

@@ -4,6 +4,8 @@
 
 mod mechanics;
 
+use std::ops::Range;
+
 pub(crate) use super::functions::Function;
 pub(crate) use super::units::LengthUnit;
 pub(crate) use mechanics::*;
@@ -172,6 +174,8 @@ pub(crate) struct Unknown {
     pub(crate) ty: Type,
     /// The start estimate, if there is one: numbers, constants and parameters only.
     pub(crate) estimate: Option<Expr>,
+    /// Whether it is one of a part: its estimate is then where the part alone has it.
+    pub(crate) of_part: bool,
     pub(crate) origin: OriginId,
 }
 
@@ -188,6 +192,33 @@ pub(crate) struct Loop {
     pub(crate) left: Expr,
     pub(crate) right: Expr,
     pub(crate) origin: OriginId,
+}
+
+/// A mechanism within this one: what is its own stands among what is of its kind, under names that begin with its own.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub(crate) name: String,
+    /// The mechanism that it is, as it is called.
+    pub(crate) mechanism: String,
+    /// The derived quantities that its inputs are here.
+    pub(crate) inputs: Vec<usize>,
+    /// What its parameters are here: parameters, or derived quantities for those that are given.
+    pub(crate) parameters: Vec<Name>,
+    /// Its unknowns.
+    pub(crate) unknowns: Range<usize>,
+    /// The parts within it, with the mechanisms that they are.
+    pub(crate) inner: Vec<(String, String)>,
+}
+
+/// Where a part stands in the mechanism that it is a part of.
+#[derive(Clone, Debug)]
+pub(crate) struct Placed {
+    /// The part's name, those of the parts around it in front.
+    pub(crate) path: String,
+    /// The derived quantity that its origin is, or its frame in space.
+    pub(crate) at: Option<Expr>,
+    /// The derived quantity that is the angle of its x axis in the plane.
+    pub(crate) turned: Option<Expr>,
 }
 
 #[derive(Clone, Debug)]
@@ -232,6 +263,9 @@ pub(crate) struct Mechanism {
     pub(crate) lets: Vec<Let>,
     pub(crate) loops: Vec<Loop>,
     pub(crate) arguments: Vec<Argument>,
+    pub(crate) parts: Vec<Part>,
+    /// Parts, and parts of parts, with coordinates of their own.
+    pub(crate) placed: Vec<Placed>,
     pub(crate) gravity: Option<Expr>,
     pub(crate) bodies: Vec<Body>,
     /// Those that bodies hang on, and those that close loops.
@@ -243,6 +277,18 @@ pub(crate) struct Mechanism {
 }
 
 impl Mechanism {
+    /// The names of its parts and of those within them, each with the mechanism that it is.
+    pub(crate) fn paths_of_parts(&self) -> Vec<(String, String)> {
+        let parts = self.parts.iter();
+        let paths = parts.flat_map(|part| {
+            let own = (part.name.clone(), part.mechanism.clone());
+            let inner = part.inner.iter();
+            let inner = inner.map(|(path, of)| (format!("{}.{path}", part.name), of.clone()));
+            std::iter::once(own).chain(inner)
+        });
+        paths.collect()
+    }
+
     /// A name as it is written.
     pub(crate) fn name(&self, name: Name) -> &str {
         match name {

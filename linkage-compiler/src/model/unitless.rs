@@ -5,11 +5,11 @@
 
 use std::ops::RangeInclusive;
 
+use super::library::Source;
 use super::names::Resolver;
 use super::types::{BinaryOp, Dimension, Expr, ExprKind, Name, Type};
 use super::zeros::{self, Attempt, Zeros, attempt};
 use crate::diagnostic::{Diagnostics, SourceSpan};
-use crate::syntax::MechanismDef;
 
 /// A vector of such a length may well be a direction, which is a vector of numbers: estimates of directions are rough.
 const LENGTHS_OF_DIRECTIONS: RangeInclusive<f64> = 0.5..=2.0;
@@ -28,21 +28,21 @@ pub(super) struct Unitless {
 }
 
 /// The attempt to resolve a mechanism whose mistakes say most.
-pub(super) fn best_attempt(definition: &MechanismDef) -> Attempt {
-    let best = zeros::best_attempt(definition, &[]);
-    let lengths = suspected(definition, &best);
+pub(super) fn best_attempt(source: &Source) -> Attempt {
+    let best = zeros::best_attempt(source, &[]);
+    let lengths = suspected(source, &best);
     if lengths.is_empty() {
         return best;
     }
-    let with_units = zeros::best_attempt(definition, &lengths);
+    let with_units = zeros::best_attempt(source, &lengths);
     if with_units.diagnostics.len() >= best.diagnostics.len() {
         return best;
     }
-    without_needless(definition, lengths, with_units).told()
+    without_needless(source, lengths, with_units).told()
 }
 
 /// All names that may lack a unit of length, those too that are noticed only when others have one.
-fn suspected(definition: &MechanismDef, first: &Attempt) -> Vec<Name> {
+fn suspected(source: &Source, first: &Attempt) -> Vec<Name> {
     let mut lengths: Vec<Name> = Vec::new();
     let mut suspects = first.suspects.clone();
     loop {
@@ -53,19 +53,15 @@ fn suspected(definition: &MechanismDef, first: &Attempt) -> Vec<Name> {
             return lengths;
         }
         lengths.append(&mut suspects);
-        suspects = attempt(definition, Zeros::lengths(&lengths)).suspects;
+        suspects = attempt(source, Zeros::lengths(&lengths)).suspects;
     }
 }
 
 /// The attempt with those lengths alone that lessen the mistakes.
-fn without_needless(
-    definition: &MechanismDef,
-    mut lengths: Vec<Name>,
-    mut best: Attempt,
-) -> Attempt {
+fn without_needless(source: &Source, mut lengths: Vec<Name>, mut best: Attempt) -> Attempt {
     for name in lengths.clone() {
         let fewer: Vec<Name> = lengths.iter().copied().filter(|own| *own != name).collect();
-        let other = zeros::best_attempt(definition, &fewer);
+        let other = zeros::best_attempt(source, &fewer);
         if other.diagnostics.len() <= best.diagnostics.len() {
             (lengths, best) = (fewer, other);
         }

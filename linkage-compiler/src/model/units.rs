@@ -1,5 +1,6 @@
 //! What the units of literals are measured in, and which of them fields and results may have.
 
+use super::conversion::{Literal, convert};
 use super::types::Dimension;
 use crate::syntax::{Unit, Word, first_spelling, vocabulary};
 
@@ -33,6 +34,15 @@ impl LengthUnit {
     /// The unit of `unit NAME;`, in any spelling.
     pub(crate) fn from_name(name: &str) -> Option<LengthUnit> {
         LengthUnit::from_word(first_spelling(name)?)
+    }
+
+    /// How many of another unit it is.
+    pub(crate) fn in_units_of(self, other: LengthUnit) -> f64 {
+        match convert("1", self.word(), other) {
+            Literal::Value(number, _) => number,
+            // Units of length have no other.
+            _ => f64::NAN,
+        }
     }
 
     /// `m`, `mm`, ...

@@ -4,27 +4,38 @@ use proc_macro2::Ident;
 
 use super::names::{Resolver, kind};
 use super::parameter::COMPONENTS;
+use super::place::{Context, Place};
 use super::types::{Name, ScalarParameterId, Type, Variable};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::list;
 use crate::syntax;
 
+/// Functions may use all names.
+const IN_FUNCTIONS: Context = Context {
+    place: Place::Function(None),
+    item: usize::MAX,
+};
+
 impl Resolver<'_> {
     /// A variable of `d`; `None` after a report.
     pub(super) fn variable(&mut self, expr: &syntax::Expr) -> Option<Variable> {
-        let (ident, field) = match &expr.kind {
+        let (text, field) = match &expr.kind {
             syntax::ExprKind::Error => return None,
-            syntax::ExprKind::Name(ident) => (ident, None),
-            syntax::ExprKind::Field(value, field) => match &value.kind {
-                syntax::ExprKind::Name(ident) => (ident, Some(field)),
-                _ => return self.not_a_variable("an expression", expr.span),
-            },
             syntax::ExprKind::Number { .. } => {
                 return self.not_a_variable("a constant", expr.span);
             }
-            _ => return self.not_a_variable("an expression", expr.span),
+            syntax::ExprKind::Field(value, field) => {
+                match (self.dotted(expr), self.dotted(value)) {
+                    (Some(text), _) => (text, None),
+                    (None, Some(text)) => (text, Some(field)),
+                    (None, None) => return self.not_a_variable("an expression", expr.span),
+                }
+            }
+            _ => match self.dotted(expr) {
+                Some(text) => (text, None),
+                None => return self.not_a_variable("an expression", expr.span),
+            },
         };
-        let text = ident.to_string();
         let Some((name, ty)) = self
             .find(&text)
             .map(|symbol| (symbol.name, symbol.ty.clone()))
@@ -32,7 +43,11 @@ impl Resolver<'_> {
             if text == "PI" {
                 return self.not_a_variable("a constant", expr.span);
             }
-            self.unknown_name(ident);
+            match &expr.kind {
+                syntax::ExprKind::Name(ident) if !self.is_part(&text) => self.unknown_name(ident),
+                // It is reported as any other name that a part does not have.
+                _ => drop(self.expression(expr, IN_FUNCTIONS)),
+            }
             return None;
         };
         if ty.is_error() {
@@ -41,7 +56,7 @@ impl Resolver<'_> {
         match (name, field) {
             (Name::Input(input), None) => Some(Variable::Input(input)),
             (Name::Parameter(parameter), _) => {
-                let scalars = self.scalars(ident, parameter, &ty, field)?;
+                let scalars = self.scalars(&text, parameter, &ty, field)?;
                 match scalars[..] {
                     [scalar] => Some(Variable::Parameter(scalar)),
                     _ => {
@@ -76,7 +91,7 @@ impl Resolver<'_> {
     /// The scalar parameters of a parameter, or one of its components.
     fn scalars(
         &mut self,
-        ident: &Ident,
+        text: &str,
         parameter: usize,
         ty: &Type,
         field: Option<&Ident>,
@@ -91,9 +106,9 @@ impl Resolver<'_> {
         match component.and_then(|component| mine.get(component)) {
             Some(scalar) if mine.len() > 1 => Some(vec![*scalar]),
             _ => {
-                let fact = format!("`{ident}`, {ty}, has no component `{field}`");
+                let fact = format!("`{text}`, {ty}, has no component `{field}`");
                 let help = match mine.len() {
-                    1 => format!("write `{ident}`"),
+                    1 => format!("write `{text}`"),
                     count => format!("components are `.{}`", COMPONENTS[..count].join("`, `.")),
                 };
                 self.diagnostics.error_with_help(field.into(), fact, help);
@@ -155,19 +170,20 @@ impl Resolver<'_> {
     }
 
     fn listed(&mut self, entry: &syntax::Expr) -> Option<Vec<ScalarParameterId>> {
-        if let syntax::ExprKind::Name(ident) = &entry.kind
-            && let Some(symbol) = self.find(&ident.to_string())
+        let text = self.dotted(entry);
+        if let Some(text) = &text
+            && let Some(symbol) = self.find(text)
             && let Name::Parameter(parameter) = symbol.name
         {
             let ty = symbol.ty.clone();
             return if ty.is_error() {
                 None
             } else {
-                self.scalars(ident, parameter, &ty, None)
+                self.scalars(text, parameter, &ty, None)
             };
         }
-        if let syntax::ExprKind::Name(ident) = &entry.kind
-            && let Some(symbol) = self.find(&ident.to_string())
+        if let Some(text) = &text
+            && let Some(symbol) = self.find(text)
             && !matches!(symbol.name, Name::Input(_))
             && !symbol.ty.is_error()
         {

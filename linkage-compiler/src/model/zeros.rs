@@ -1,11 +1,12 @@
 //! Attempts to resolve a mechanism. Defaults and estimates written as `0` without a unit, and unknowns without an estimate: numbers, or lengths if the mechanism makes
 //! sense only so. What has no estimate may be a point or a direction, too.
 
+use super::library::Source;
 use super::names::Resolver;
 use super::types::{Mechanism, Name, Type};
 use super::unitless::Unitless;
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::syntax::{Item, MechanismDef};
+use crate::syntax::Item;
 
 /// Up to so many zeros every choice is tried; of more, the first so many.
 const TRIED_ZEROS: usize = 8;
@@ -72,8 +73,8 @@ pub(super) struct Attempt {
 }
 
 /// The attempt with the fewest mistakes, among these the one with the fewest zeros taken for lengths; `lengths` are taken for such in all.
-pub(super) fn best_attempt(definition: &MechanismDef, lengths: &[Name]) -> Attempt {
-    let mut best = attempt(definition, Zeros::lengths(lengths));
+pub(super) fn best_attempt(source: &Source, lengths: &[Name]) -> Attempt {
+    let mut best = attempt(source, Zeros::lengths(lengths));
     let names = best.names.clone();
     let tried = names.len().min(TRIED_ZEROS);
     let mut choices: Vec<u32> = (1..1 << tried).collect();
@@ -85,14 +86,14 @@ pub(super) fn best_attempt(definition: &MechanismDef, lengths: &[Name]) -> Attem
         let is_length = |index: &usize| choice & 1 << index != 0;
         let chosen = (0..tried).filter(is_length).map(|index| names[index]);
         let lengths: Vec<Name> = lengths.iter().copied().chain(chosen).collect();
-        best = fewer_mistakes(best, attempt(definition, Zeros::lengths(&lengths)));
+        best = fewer_mistakes(best, attempt(source, Zeros::lengths(&lengths)));
     }
-    with_points(definition, best)
+    with_points(source, best)
 }
 
 /// Unknowns without an estimate, one after the other, as what they make the fewest mistakes as.
-fn with_points(definition: &MechanismDef, mut best: Attempt) -> Attempt {
-    let unknowns = definition.items.iter().filter_map(|item| {
+fn with_points(source: &Source, mut best: Attempt) -> Attempt {
+    let unknowns = source.definition.items.iter().filter_map(|item| {
         let Item::Unknown(item) = item else {
             return None;
         };
@@ -105,7 +106,7 @@ fn with_points(definition: &MechanismDef, mut best: Attempt) -> Attempt {
                 return best;
             }
             let zeros = best.zeros.with(Name::Unknown(index), components, length);
-            best = fewer_mistakes(best, attempt(definition, zeros));
+            best = fewer_mistakes(best, attempt(source, zeros));
         }
     }
     best
@@ -119,12 +120,12 @@ fn fewer_mistakes(best: Attempt, other: Attempt) -> Attempt {
 }
 
 /// One attempt, with names taken for this.
-pub(super) fn attempt(definition: &MechanismDef, zeros: Zeros) -> Attempt {
+pub(super) fn attempt(source: &Source, zeros: Zeros) -> Attempt {
     let mut origins = Origins::default();
     let mut diagnostics = Diagnostics::default();
-    let mut resolver = Resolver::new(definition, &zeros, &mut origins, &mut diagnostics);
-    let mut mechanism = resolver.items(definition);
-    mechanism.evaluators = resolver.functions(definition);
+    let mut resolver = Resolver::new(source, &zeros, &mut origins, &mut diagnostics);
+    let mut mechanism = resolver.items(source);
+    mechanism.evaluators = resolver.functions(source.definition);
     resolver.refuse_bare_coordinates(&mechanism);
     let names = resolver.symbols.iter().filter(|symbol| symbol.bare_zero);
     let names = names.map(|symbol| symbol.name).collect();

@@ -10,6 +10,7 @@ mod quantity;
 mod signature;
 #[cfg(test)]
 mod tests;
+mod touched;
 mod turning;
 
 use linkage_symbolic::inline::Inliner;
@@ -55,16 +56,21 @@ pub(crate) fn unit<'m>(
     watch: &mut dyn Watch,
 ) -> Unit {
     // All graphs begin with the solved groups, so that what functions have in common is put together alike in each of them.
-    let mut inliner = Inliner::default();
-    let closed = state.formulation.groups.iter().flat_map(|group| {
-        let all = group.group.unknowns.iter();
-        let all = all.flat_map(|&unknown| state.algebra.names.numbers_of(unknown));
-        all.chain([group.closed.gap]).collect::<Vec<_>>()
-    });
-    plain(&mut inliner, &closed.collect::<Vec<_>>());
-    let functions = state.algebra.mechanism.evaluators.iter();
+    let groups_of_all: Vec<usize> = (0..state.formulation.groups.len()).collect();
+    let mut inliner = solved(&state, &groups_of_all);
+    let mechanism = state.algebra.mechanism;
+    let functions = mechanism.evaluators.iter();
     let all: Vec<Alone> = functions
-        .map(|definition| Alone::new(&mut state, at, &inliner, definition, reporter))
+        .map(|definition| {
+            let touched = touched::groups(mechanism, state.formulation, definition);
+            match touched == groups_of_all {
+                true => Alone::new(&mut state, at, &inliner, definition, reporter),
+                false => {
+                    let inliner = solved(&state, &touched);
+                    Alone::new(&mut state, at, &inliner, definition, reporter)
+                }
+            }
+        })
         .collect();
     let State {
         algebra,
@@ -129,6 +135,19 @@ pub(crate) fn unit<'m>(
     renumber(&mut unit, &angles);
     lower::polish(&mut unit, watch);
     unit
+}
+
+/// A plain graph that begins with these of the solved groups.
+fn solved(state: &State, groups: &[usize]) -> Inliner {
+    let mut inliner = Inliner::default();
+    let all = groups.iter().map(|&group| &state.formulation.groups[group]);
+    let closed = all.flat_map(|group| {
+        let all = group.group.unknowns.iter();
+        let all = all.flat_map(|&unknown| state.algebra.names.numbers_of(unknown));
+        all.chain([group.closed.gap]).collect::<Vec<_>>()
+    });
+    plain(&mut inliner, &closed.collect::<Vec<_>>());
+    inliner
 }
 
 /// See [`Unit::survey`].

@@ -34,6 +34,7 @@ pub(super) fn signature<'m>(
             }
         });
         Parameter {
+            name: parameter.name.clone(),
             documentation: parameter.documentation.clone(),
             scalars: scalars.collect(),
             shape,

@@ -15,9 +15,10 @@ use super::State;
 use super::quantity::{Way, request};
 use crate::algebra::{Algebra, Direction, Nominal};
 use crate::close::{Reference, assemble_reference};
-use crate::diagnostic::{Diagnostics, Origins, Reporter};
+use crate::diagnostic::{Diagnostics, Reporter};
 use crate::forces::Forces;
 use crate::formulate::Formulation;
+use crate::model::{Library, Model};
 use crate::{formulate, lower, model, structure, syntax};
 
 const ITEMS: &str =
@@ -30,16 +31,17 @@ fn expect_agreement(items: &str, function: &str) {
     let text = format!("pub struct M {{ {ITEMS} {items} }} impl M {{ pub fn {function} }}");
     let tokens: TokenStream = text.parse().expect("tokens");
     let mut diagnostics = Diagnostics::default();
-    let mut origins = Origins::default();
-    let definition = syntax::parse(tokens, &mut diagnostics).expect("a mechanism");
-    let mechanism = model::resolve(&definition, &mut origins, &mut diagnostics);
+    let definition = syntax::parse(tokens, &mut diagnostics).pop();
+    let definition = definition.expect("a mechanism");
+    let library = Library::default();
+    let model = model::resolve(&definition, &library, &mut diagnostics);
     let messages = diagnostics.texts();
     assert!(messages.is_empty(), "{messages:?}");
-    let mechanism = mechanism.expect("it resolves");
+    let Model { mechanism, origins } = model.expect("it resolves");
 
     let graph = Graph::new();
     let mut algebra = Algebra::new(&mechanism, &graph);
-    let nominal = Nominal::of(&mut algebra);
+    let mut nominal = Nominal::of(&mut algebra);
     let mut reporter = Reporter {
         origins: &origins,
         diagnostics: &mut diagnostics,
@@ -71,7 +73,14 @@ fn expect_agreement(items: &str, function: &str) {
     });
     let results: Vec<Vec<Ex>> = results.collect();
     let closing = lower::closing(&mut algebra, &formulation, &nominal);
-    let reference = assemble_reference(&algebra, &formulation, closing, &nominal, reporter);
+    let reference = assemble_reference(
+        &algebra,
+        &formulation,
+        closing,
+        &mut nominal,
+        Vec::new(),
+        reporter,
+    );
     let messages = diagnostics.texts();
     assert!(
         reference.closed || formulation.prepared().count() == 0,

@@ -8,7 +8,7 @@ use super::vocabulary::vocabulary;
 use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
 use crate::diagnostic::SourceSpan;
 
-/// The whole macro input: the struct block and the `impl` block.
+/// One mechanism of the macro's input: its struct block and its `impl` blocks.
 #[derive(Debug)]
 pub(crate) struct MechanismDef {
     /// Outer attributes of the struct, doc comments included, as written (`#[...] #[...]`).
@@ -61,6 +61,7 @@ pub(crate) enum Item {
     Loop(LoopItem),
     /// `argument NAME = expr;`
     Argument(NamedItem),
+    Part(PartItem),
     Gravity(GravityItem),
     Body(BodyItem),
     Joint(JointItem),
@@ -134,6 +135,31 @@ pub(crate) struct LoopItem {
     pub(crate) span: SourceSpan,
 }
 
+/// `part NAME: MECHANISM { given = expr, ... } [on BODY] [at expr] [, turned by expr];`
+#[derive(Debug)]
+pub(crate) struct PartItem {
+    pub(crate) name: Ident,
+    /// The struct of the mechanism that it is.
+    pub(crate) mechanism: Ident,
+    /// Its inputs, and other names of it that are given by the mechanism around it.
+    pub(crate) given: Vec<GivenPart>,
+    /// False if something between the braces could not be read, which has been reported.
+    pub(crate) whole: bool,
+    /// The body that its frame is fixed on.
+    pub(crate) on: Option<Member>,
+    /// Where its origin is, or its frame in space.
+    pub(crate) at: Option<Expr>,
+    /// The angle of its x axis.
+    pub(crate) turned: Option<Expr>,
+}
+
+/// `phi = shaft`
+#[derive(Debug)]
+pub(crate) struct GivenPart {
+    pub(crate) name: Ident,
+    pub(crate) value: Expr,
+}
+
 /// `gravity = expr;`
 #[derive(Debug)]
 pub(crate) struct GravityItem {
@@ -157,7 +183,7 @@ pub(crate) struct BodyItem {
 pub(crate) struct JointPart {
     pub(crate) kind: JointKind,
     pub(crate) name: Option<Ident>,
-    pub(crate) on: Ident,
+    pub(crate) on: Member,
     pub(crate) at: Expr,
     /// The guide of a slide, the axis of a pin or a cylinder in space.
     pub(crate) direction: Option<Expr>,
@@ -193,18 +219,25 @@ pub(crate) struct InertiaPart {
 #[derive(Debug)]
 pub(crate) struct JointItem {
     /// The body on which the reaction acts.
-    pub(crate) body: Ident,
+    pub(crate) body: Member,
     /// Its name is never missing.
     pub(crate) joint: JointPart,
+}
+
+/// The name of a body or a joint, with those of the parts that it belongs to in front: `rod`, `hook.rod`.
+#[derive(Clone, Debug)]
+pub(crate) struct Member {
+    pub(crate) text: String,
+    pub(crate) span: SourceSpan,
 }
 
 /// `force expr on BODY [from BODY] at expr;`, `torque expr on BODY [from BODY];`
 #[derive(Debug)]
 pub(crate) struct LoadItem {
     pub(crate) value: Expr,
-    pub(crate) on: Ident,
+    pub(crate) on: Member,
     /// The body that takes the opposite; the frame if it is not named.
-    pub(crate) from: Option<Ident>,
+    pub(crate) from: Option<Member>,
     pub(crate) at: Option<Expr>,
     pub(crate) span: SourceSpan,
 }
@@ -223,9 +256,9 @@ pub(crate) struct ElementItem {
 #[derive(Debug)]
 pub(crate) enum Between {
     /// `from BODY at expr to BODY at expr`
-    Points([(Ident, Expr); 2]),
+    Points(Box<[(Member, Expr); 2]>),
     /// `on JOINT`
-    Joint(Ident),
+    Joint(Member),
 }
 
 #[derive(Clone, Debug)]
@@ -287,6 +320,15 @@ pub(crate) struct QuantityDef {
     pub(crate) value: Expr,
 }
 
+impl From<&Ident> for Member {
+    fn from(ident: &Ident) -> Self {
+        Self {
+            text: ident.to_string(),
+            span: ident.into(),
+        }
+    }
+}
+
 impl Expr {
     /// What a mistake leaves behind.
     pub(crate) fn error(span: SourceSpan) -> Self {
@@ -323,6 +365,7 @@ impl Item {
             Item::Let(_) => ItemWord::Declaration(Declared::Let),
             Item::Loop(_) => ItemWord::Declaration(Declared::Loop),
             Item::Argument(_) => ItemWord::Declaration(Declared::Argument),
+            Item::Part(_) => ItemWord::Declaration(Declared::Part),
             Item::Gravity(_) => ItemWord::Declaration(Declared::Gravity),
             Item::Body(_) => ItemWord::Declaration(Declared::Body),
             Item::Joint(item) => ItemWord::Joint(item.joint.kind),

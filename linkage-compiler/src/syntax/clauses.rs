@@ -1,8 +1,6 @@
 //! Clauses: a word and what belongs to it, as in `on crank at p2`. Which an item has, in any order.
 
-use proc_macro2::Ident;
-
-use super::ast::Expr;
+use super::ast::{Expr, Member};
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use super::words::ClauseWord;
@@ -86,6 +84,7 @@ impl Rule {
             | ClauseWord::Along
             | ClauseWord::About
             | ClauseWord::Turns
+            | ClauseWord::Turned
             | ClauseWord::Free => Self::value(word),
         }
     }
@@ -94,7 +93,7 @@ impl Rule {
 /// A clause as it was read; mistakes in it have been reported.
 pub(super) struct Clause {
     word: ClauseWord,
-    pub(super) name: Option<Ident>,
+    pub(super) name: Option<Member>,
     /// The expression, or what stands for it after a mistake.
     pub(super) value: Expr,
     pub(super) point: Option<Expr>,
@@ -126,7 +125,7 @@ impl Clauses {
         Some(self.found.remove(index))
     }
 
-    pub(super) fn take_name(&mut self, word: ClauseWord) -> Option<Ident> {
+    pub(super) fn take_name(&mut self, word: ClauseWord) -> Option<Member> {
         self.take(word)?.name
     }
 
@@ -237,7 +236,13 @@ impl Parser<'_> {
     fn clause(&mut self, rule: &Rule, start: SourceSpan) -> Clause {
         let (name, value) = match rule.content {
             Content::Name(what) => (self.clause_name(rule.word, what), Expr::error(start)),
-            Content::Value => (None, self.clause_value(rule.word.word())),
+            Content::Value => {
+                // It reads better with its `by`.
+                if rule.word == ClauseWord::Turned {
+                    self.stream.eat_word("by");
+                }
+                (None, self.clause_value(rule.word.word()))
+            }
         };
         let lost = rule.is_named() && name.is_none();
         let point = match lost && !self.stream.is_word(0, "at") {

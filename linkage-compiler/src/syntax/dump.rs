@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 
 use super::ast::{
     Between, BinaryOp, BodyItem, ElementItem, Expr, ExprKind, InputItem, Item, JointItem,
-    JointKind, LoadItem, MechanismDef, Toleranced,
+    JointKind, LoadItem, MechanismDef, Member, PartItem, Toleranced,
 };
 use super::vocabulary::Word;
 
@@ -49,6 +49,7 @@ impl Display for Line<'_> {
             Item::Loop(item) => write!(f, "{} = {}", item.left, item.right),
             Item::Param(item) => write!(f, "{} = {}", item.name, item.value),
             Item::Input(item) => write!(f, "{item}"),
+            Item::Part(item) => write!(f, "{item}"),
             Item::Gravity(item) => write!(f, "= {}", item.value),
             Item::Body(item) => write!(f, "{item}"),
             Item::Joint(item) => write!(f, "{item}"),
@@ -66,6 +67,30 @@ impl Display for InputItem {
         }
         optional(f, " at ", self.speed.as_ref())?;
         optional(f, ", ", self.acceleration.as_ref())
+    }
+}
+
+impl Display for Member {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl Display for PartItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let given = self.given.iter();
+        let given = given.map(|own| format!("{} = {}", own.name, own.value));
+        let given: Vec<String> = given.collect();
+        write!(
+            f,
+            "{}: {} {{ {} }}",
+            self.name,
+            self.mechanism,
+            given.join(", ")
+        )?;
+        optional(f, " on ", self.on.as_ref())?;
+        optional(f, " at ", self.at.as_ref())?;
+        optional(f, ", turned by ", self.turned.as_ref())
     }
 }
 
@@ -121,7 +146,8 @@ impl Display for Between {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         match self {
             Between::Joint(joint) => write!(f, "on {joint}"),
-            Between::Points([(from, start), (to, end)]) => {
+            Between::Points(ends) => {
+                let [(from, start), (to, end)] = &**ends;
                 write!(f, "from {from} at {start} to {to} at {end}")
             }
         }

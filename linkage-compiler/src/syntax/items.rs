@@ -83,6 +83,7 @@ impl Parser<'_> {
             DeclarationWord::Param => return self.param_item(attributes),
             DeclarationWord::Input => return self.input_item(),
             DeclarationWord::Body => return self.body_item(),
+            DeclarationWord::Part => return self.part_item(),
             DeclarationWord::Const => return self.named_item(word, Item::Const),
             DeclarationWord::Unknown => return self.unknown_item(),
             DeclarationWord::Let => return self.named_item(word, Item::Let),

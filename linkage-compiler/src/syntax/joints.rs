@@ -2,7 +2,9 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::ast::{BodyItem, Expr, InertiaPart, Item, JointItem, JointKind, JointPart, MassPart};
+use super::ast::{
+    BodyItem, Expr, InertiaPart, Item, JointItem, JointKind, JointPart, MassPart, Member,
+};
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
@@ -96,7 +98,7 @@ impl Parser<'_> {
         self.equals(&help)?;
         let body = match self.lacks_operand() {
             true => self.expected("the name of a body after `=`", &help).ok(),
-            false => Some(self.name("the name of a body after `=`")?),
+            false => Some(self.member("the name of a body after `=`")?),
         };
         let owner = Owner {
             what: &format!("`{word}` joint"),
@@ -217,7 +219,7 @@ fn lost_joint(span: SourceSpan) -> JointPart {
     JointPart {
         kind: JointKind::Fixed,
         name: None,
-        on: Ident::new("frame", Span::call_site()),
+        on: Member::from(&Ident::new("frame", Span::call_site())),
         at: Expr::error(span),
         direction: None,
         span,

@@ -1,8 +1,6 @@
 //! Forces, torques, springs and dampers.
 
-use proc_macro2::Ident;
-
-use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem};
+use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem, Member};
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::expression::PlusMinus;
 use super::parser::{Parsed, Parser, Reported};
@@ -131,7 +129,7 @@ impl Parser<'_> {
             [None, Some(from), Some(to)] => {
                 let ends = end(from).zip(end(to));
                 return ends
-                    .map(|(from, to)| Between::Points([from, to]))
+                    .map(|(from, to)| Between::Points(Box::new([from, to])))
                     .ok_or(Reported);
             }
             [None, None, None] => format!("the {what} lacks its ends"),
@@ -144,6 +142,6 @@ impl Parser<'_> {
     }
 }
 
-fn end(clause: Clause) -> Option<(Ident, Expr)> {
+fn end(clause: Clause) -> Option<(Member, Expr)> {
     clause.name.zip(clause.point)
 }

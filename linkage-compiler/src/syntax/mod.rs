@@ -13,6 +13,7 @@ mod literal;
 mod loads;
 mod operands;
 mod parser;
+mod part;
 mod power;
 mod recovery;
 mod spelling;
@@ -34,33 +35,36 @@ pub(crate) use units::{Scale, Unit, find_unit, first_spelling, is_unit};
 pub(crate) use vocabulary::{Word, vocabulary};
 
 use crate::diagnostic::Diagnostics;
+use crate::diagnostic::text::{list, nearest};
 use parser::{Parsed, Parser};
 use stream::Stream;
 
-/// Reads the body of the macro (without the facade's path in front). `None` if there is no `struct NAME { ... }`;
-/// whatever else is missing or wrong is reported and left out.
-pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Option<MechanismDef> {
+/// Reads the body of the macro (without the facade's path in front): the mechanisms of one call in the order of their structs, none if there
+/// is no `struct NAME { ... }`; whatever else is missing or wrong is reported and left out.
+pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<MechanismDef> {
     let mut parser = Parser::new(Stream::new(tokens), diagnostics);
-    let mut mechanism = None;
+    let mut mechanisms = Vec::new();
     let mut implementations = Vec::new();
     while !parser.stream.at_end() {
-        let block = parser.block(&mut mechanism, &mut implementations);
+        let block = parser.block(&mut mechanisms, &mut implementations);
         if block.is_err() {
             parser.skip_block();
         }
     }
-    let Some(mut mechanism) = mechanism else {
+    if mechanisms.is_empty() {
         if parser.diagnostics.is_empty() {
             let help = "write `pub struct NAME { ... }`";
             let _ = parser.fail::<()>("there is no struct block", help);
         }
-        return None;
-    };
-    for Implementation { name, functions } in implementations {
-        parser.check_name(&name, &mechanism.name);
-        mechanism.functions.extend(functions);
+        return mechanisms;
     }
-    Some(mechanism)
+    for Implementation { name, functions } in implementations {
+        if let Some(own) = parser.implemented(&name, &mechanisms) {
+            mechanisms[own].functions.extend(functions);
+        }
+    }
+    parser.drop_second(&mut mechanisms);
+    mechanisms
 }
 
 struct Implementation {
@@ -72,7 +76,7 @@ impl Parser<'_> {
     /// A struct block or an `impl` block.
     fn block(
         &mut self,
-        mechanism: &mut Option<MechanismDef>,
+        mechanisms: &mut Vec<MechanismDef>,
         implementations: &mut Vec<Implementation>,
     ) -> Parsed<()> {
         let attributes = self.attributes()?;
@@ -83,14 +87,10 @@ impl Parser<'_> {
         }
         let visibility = self.visibility();
         if !self.stream.is_word(0, "struct") {
-            return match mechanism {
-                None => self.expected("`struct NAME { ... }`", ""),
-                Some(_) => self.expected("`impl NAME { ... }`", "a macro call is one mechanism"),
+            return match mechanisms.is_empty() {
+                true => self.expected("`struct NAME { ... }`", ""),
+                false => self.expected("`impl NAME { ... }` or another `struct NAME { ... }`", ""),
             };
-        }
-        if mechanism.is_some() {
-            let help = "write another `mechanism!` for another mechanism";
-            return self.fail("a second struct block", help);
         }
         self.stream.skip(1);
         let name = self.name("the name of the mechanism")?;
@@ -104,7 +104,7 @@ impl Parser<'_> {
         let body = self.braces(&definition.name.to_string());
         let items = body.map(|group| self.within(&group, |parser| parser.items()));
         let result = items.map(|items| definition.items = items);
-        *mechanism = Some(definition);
+        mechanisms.push(definition);
         result
     }
 
@@ -149,12 +149,46 @@ impl Parser<'_> {
         Ok(Implementation { name, functions })
     }
 
-    fn check_name(&mut self, name: &Ident, wanted: &Ident) {
-        if name != wanted {
+    /// The mechanism that an `impl` block belongs to, by its number.
+    fn implemented(&mut self, name: &Ident, mechanisms: &[MechanismDef]) -> Option<usize> {
+        let found = mechanisms.iter().position(|own| own.name == *name);
+        if found.is_some() {
+            return found;
+        }
+        if let [only] = mechanisms {
+            let wanted = &only.name;
             let fact = format!("the struct is named `{wanted}`, its `impl` block `{name}`");
             let help = format!("write `impl {wanted}`");
             self.diagnostics.error_with_help(name.into(), fact, help);
+            return Some(0);
         }
+        let names: Vec<String> = mechanisms.iter().map(|own| own.name.to_string()).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let fact = format!("there is no struct `{name}` in this call");
+        let help = match nearest(&name.to_string(), names.iter().copied()) {
+            Some(name) => format!("did you mean `impl {name}`?"),
+            None => format!("the structs of this call are {}", list(&names)),
+        };
+        self.diagnostics.error_with_help(name.into(), fact, help);
+        None
+    }
+
+    /// Two structs of one name are told, and the first is kept.
+    fn drop_second(&mut self, mechanisms: &mut Vec<MechanismDef>) {
+        let mut kept: Vec<MechanismDef> = Vec::new();
+        for own in mechanisms.drain(..) {
+            let Some(first) = kept.iter().find(|first| first.name == own.name) else {
+                kept.push(own);
+                continue;
+            };
+            let name = &own.name;
+            let fact = format!("two structs of this call have the name `{name}`");
+            self.diagnostics
+                .error_with_help(name.into(), fact, "choose another name");
+            let fact = format!("`{name}` is first defined here");
+            self.diagnostics.error((&first.name).into(), fact);
+        }
+        *mechanisms = kept;
     }
 
     /// Past the next braces, after a mistake.

@@ -2,26 +2,38 @@
 
 use proc_macro2::Ident;
 
-use super::ast::Expr;
+use super::ast::{Expr, Member};
 use super::clauses::{Point, Rule};
 use super::expression::PlusMinus;
-use super::parser::Parser;
+use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use super::words::ClauseWord;
 use crate::diagnostic::SourceSpan;
 
 impl Parser<'_> {
     /// The name after the word of a clause; a mistake in it has been read over.
-    pub(super) fn clause_name(&mut self, word: ClauseWord, what: &str) -> Option<Ident> {
+    pub(super) fn clause_name(&mut self, word: ClauseWord, what: &str) -> Option<Member> {
         let wanted = format!("{what} after `{}`", word.word());
         let name = match self.lacks_operand() {
             true => self.expected(&wanted, ""),
-            false => self.name(&wanted),
+            false => self.member(&wanted),
         };
         if name.is_err() {
             self.skip_clause();
         }
         name.ok()
+    }
+
+    /// `rod`, `hook.rod`
+    pub(super) fn member(&mut self, what: &str) -> Parsed<Member> {
+        let mut member = Member::from(&self.name(what)?);
+        while self.stream.eat_punct('.') {
+            let next = self.name("the name of a body or joint of the part")?;
+            member.text.push('.');
+            member.text.push_str(&next.to_string());
+            member.span = member.span.to((&next).into());
+        }
+        Ok(member)
     }
 
     /// The expression after the word of a clause or a load; a mistake in it has been read over.

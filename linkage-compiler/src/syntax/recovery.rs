@@ -108,6 +108,7 @@ fn names_without_equals(word: DeclarationWord) -> bool {
         | DeclarationWord::Input
         | DeclarationWord::Unknown
         | DeclarationWord::Argument
+        | DeclarationWord::Part
         | DeclarationWord::Body => true,
         DeclarationWord::Const
         | DeclarationWord::Let

@@ -23,6 +23,7 @@ vocabulary! {
         Let = "let",
         Loop = "loop",
         Argument = "argument",
+        Part = "part",
         Gravity = "gravity",
         Body = "body",
     }
@@ -46,6 +47,7 @@ vocabulary! {
         Along = "along",
         About = "about",
         Turns = "turns",
+        Turned = "turned",
         Mass = "mass",
         Inertia = "inertia",
         From = "from",

@@ -12,6 +12,8 @@ const SAMPLES: usize = 72;
 /// A parameter as the user declared it.
 #[derive(Clone, Debug)]
 pub struct Parameter {
+    /// As declared; that of a part has the part's name in front: `crank`, `hook.crank`.
+    pub name: String,
     /// Its doc comment, line by line as written.
     pub documentation: String,
     /// A number or a vector.

@@ -91,6 +91,12 @@ fn rssr() {
     check("rssr");
 }
 
+/// Parts: the text of the last mechanism, which has the others in it.
+#[test]
+fn machine() {
+    check("machine");
+}
+
 /// What each pass makes of each function: programs are written where a pass changed something.
 #[test]
 fn passes() {

@@ -7,6 +7,7 @@ mod forms_space;
 mod golden;
 mod growth;
 mod margins;
+mod parts;
 mod proposals;
 mod robust;
 mod speed;

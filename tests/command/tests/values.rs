@@ -12,7 +12,7 @@ const POSITIONS: usize = 40;
 
 fn read(subject: &Subject) -> Mechanism {
     let source = Source::read(Path::new(subject.path)).expect("it can be read");
-    let checked = check(source.mechanisms()[subject.number].tokens.clone());
+    let checked = check(source.calls()[subject.number].tokens.clone());
     Mechanism::new(&checked).expect("a mechanism without a mistake")
 }
 

@@ -203,6 +203,7 @@ pub(crate) fn mechanism() -> Mechanism {
         name: name.to_owned(),
         ty: Type::Scalar(ANGLE),
         estimate: Some(zero()),
+        of_part: false,
         origin: OriginId(0),
     };
     let evaluator = |name: &str, result: &str, inputs: Vec<usize>| model::EvaluatorDef {
@@ -243,6 +244,8 @@ pub(crate) fn mechanism() -> Mechanism {
         lets: vec![],
         loops: vec![],
         arguments: vec![],
+        parts: vec![],
+        placed: vec![],
         gravity: None,
         bodies: vec![],
         joints: vec![],
@@ -269,7 +272,8 @@ fn unit() -> Unit {
         unit: "rad".to_owned(),
         is_number: true,
     };
-    let alone = |own| Parameter {
+    let alone = |own: Scalar| Parameter {
+        name: own.name.clone(),
         documentation: String::new(),
         shape: Shape::Scalar,
         scalars: vec![own],
@@ -277,6 +281,7 @@ fn unit() -> Unit {
     Unit {
         parameters: vec![
             Parameter {
+                name: "pivot".to_owned(),
                 documentation: String::new(),
                 shape: Shape::Vector(2),
                 scalars: vec![scalar("pivot.x", 1.0, 0.5), scalar("pivot.y", -2.0, 0.0)],

@@ -12,8 +12,7 @@ impl Resolver<'_> {
             let fact = "the body of a joint moves, `frame` does not";
             let kind = item.joint.kind.word();
             let help = format!("name the frame second: `{kind} NAME = BODY on frame`");
-            self.diagnostics
-                .error_with_help((&item.body).into(), fact, help);
+            self.diagnostics.error_with_help(item.body.span, fact, help);
         }
         let joint = self.joint(&item.joint, body.flatten().unwrap_or_default());
         if body.is_some_and(|body| body.is_some() && body == joint.on) {

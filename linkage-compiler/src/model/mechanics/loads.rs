@@ -1,12 +1,10 @@
 //! Forces, torques, springs, dampers.
 
-use proc_macro2::Ident;
-
 use super::super::names::Resolver;
 use super::super::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use super::CONTEXT;
 use crate::diagnostic::SourceSpan;
-use crate::syntax::{self, ElementItem, JointKind, LoadItem, Word};
+use crate::syntax::{self, ElementItem, JointKind, LoadItem, Member, Word};
 
 /// What a value must be, and how one is written.
 #[derive(Clone, Copy)]
@@ -79,7 +77,7 @@ impl Resolver<'_> {
         &mut self,
         first: Option<Option<usize>>,
         second: Option<Option<usize>>,
-        name: &Ident,
+        name: &Member,
         span: SourceSpan,
     ) {
         if first.is_none() || first != second {
@@ -177,7 +175,8 @@ impl Resolver<'_> {
     /// Where a spring or damper is, and whether it acts on an angle, if that is known.
     fn between(&mut self, item: &ElementItem) -> (Between, Option<bool>) {
         match &item.between {
-            syntax::Between::Points([(from, start), (to, end)]) => {
+            syntax::Between::Points(ends) => {
+                let [(from, start), (to, end)] = &**ends;
                 let (first, second) = (self.body_named(from), self.body_named(to));
                 self.different(first, second, from, item.span);
                 let ends = [
@@ -186,16 +185,16 @@ impl Resolver<'_> {
                 ];
                 (Between::Points(ends), Some(false))
             }
-            syntax::Between::Joint(ident) => {
-                let joint = self.joint_named(ident);
+            syntax::Between::Joint(name) => {
+                let joint = self.joint_named(name);
                 let kind = joint.map(|joint| self.mechanics.joints[joint]);
                 let turning = kind.map(|kind| match kind {
                     JointKind::Pin => true,
                     JointKind::Slide => false,
                     JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
-                        let fact = format!("`{ident}` is a `{}`", kind.word());
+                        let fact = format!("`{name}` is a `{}`", kind.word());
                         let help = "springs and dampers act on a `pin`, on a `slide`, or between two points";
-                        self.diagnostics.error_with_help(ident.into(), fact, help);
+                        self.diagnostics.error_with_help(name.span, fact, help);
                         true
                     }
                 });

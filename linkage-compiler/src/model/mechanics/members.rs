@@ -1,14 +1,17 @@
 //! Names of bodies and joints: a name space of their own.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use proc_macro2::Ident;
 
+use super::super::embed::Members;
 use super::super::names::Resolver;
+use super::super::part::PartScope;
 use super::super::passes::Mechanical;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
-use crate::syntax::{BodyItem, JointKind, Word};
+use crate::syntax::{BodyItem, JointKind, JointPart, Member as Named, Word};
 
 /// The fixed link.
 const FRAME: &str = "frame";
@@ -38,25 +41,89 @@ impl Scope {
 }
 
 impl Resolver<'_> {
-    /// Declares all bodies and joints.
-    pub(super) fn declare_members(&mut self, bodies: &[&BodyItem], others: &[Mechanical]) {
+    /// Declares all bodies and joints: own bodies with the joints that they hang on, those of parts, own joints that close loops, those of
+    /// parts. The answer is what the numbers of each part's are.
+    pub(super) fn declare_members(
+        &mut self,
+        bodies: &[&BodyItem],
+        others: &[Mechanical],
+    ) -> Vec<Members> {
+        for (index, item) in bodies.iter().enumerate() {
+            self.declare_member(&item.name, Member::Body(index));
+            self.declare_joint(&item.joint);
+        }
         self.mechanics.bodies = bodies.len();
-        let hanging = bodies.iter().map(|item| (Some(&item.name), &item.joint));
-        let closing = others.iter().filter_map(|item| match item {
-            Mechanical::Joint(item) => Some((None, &item.joint)),
-            // They have no names.
-            Mechanical::Gravity(_)
-            | Mechanical::Force(_)
-            | Mechanical::Torque(_)
-            | Mechanical::Spring(_)
-            | Mechanical::Damper(_) => None,
-        });
-        for (index, (body, joint)) in hanging.chain(closing).enumerate() {
-            if let Some(body) = body {
-                self.declare_member(body, Member::Body(index));
+        let mut all: Vec<Members> = Vec::new();
+        for part in 0..self.parts.len() {
+            let first_body = self.mechanics.bodies;
+            let bodies = self.declare_bodies_of_part(part, first_body);
+            self.mechanics.bodies += bodies;
+            all.push(Members {
+                first_body,
+                bodies,
+                first_closing: 0,
+                on: None,
+            });
+        }
+        for item in others {
+            match item {
+                Mechanical::Joint(item) => self.declare_joint(&item.joint),
+                // They have no names.
+                Mechanical::Gravity(_)
+                | Mechanical::Force(_)
+                | Mechanical::Torque(_)
+                | Mechanical::Spring(_)
+                | Mechanical::Damper(_) => {}
             }
-            if let Some(name) = &joint.name {
-                self.declare_member(name, Member::Joint(index));
+        }
+        for (part, members) in all.iter_mut().enumerate() {
+            members.first_closing = self.mechanics.joints.len();
+            self.declare_joints_of_part(part, members.bodies..usize::MAX);
+        }
+        all
+    }
+
+    fn declare_joint(&mut self, joint: &JointPart) {
+        if let Some(name) = &joint.name {
+            let index = self.mechanics.joints.len();
+            self.declare_member(name, Member::Joint(index));
+        }
+        self.mechanics.joints.push(joint.kind);
+    }
+
+    /// A part's bodies from this number on, with the joints that they hang on; how many there are.
+    fn declare_bodies_of_part(&mut self, part: usize, first: usize) -> usize {
+        let PartScope {
+            name, span, body, ..
+        } = &self.parts[part];
+        let Some(body) = body else {
+            return 0;
+        };
+        let bodies = body.mechanism().bodies.iter().enumerate();
+        let bodies = bodies.map(|(index, own)| {
+            let member = Member::Body(first + index);
+            (format!("{name}.{}", own.name), (member, *span))
+        });
+        let bodies: Vec<_> = bodies.collect();
+        let count = bodies.len();
+        self.mechanics.members.extend(bodies);
+        self.declare_joints_of_part(part, 0..count);
+        count
+    }
+
+    fn declare_joints_of_part(&mut self, part: usize, among: Range<usize>) {
+        let PartScope {
+            name, span, body, ..
+        } = &self.parts[part];
+        let joints = body.iter().flat_map(|body| &body.mechanism().joints);
+        for (index, joint) in joints.enumerate() {
+            if !among.contains(&index) {
+                continue;
+            }
+            if let Some(own) = &joint.name {
+                let member = Member::Joint(self.mechanics.joints.len());
+                let members = &mut self.mechanics.members;
+                members.insert(format!("{name}.{own}"), (member, *span));
             }
             self.mechanics.joints.push(joint.kind);
         }
@@ -85,10 +152,13 @@ impl Resolver<'_> {
     }
 
     /// The body of that name, `Some(None)` for the frame; `None` after a report.
-    pub(super) fn body_named(&mut self, ident: &Ident) -> Option<Option<usize>> {
-        let text = ident.to_string();
+    pub(super) fn body_named(&mut self, name: &Named) -> Option<Option<usize>> {
+        let text = name.text.clone();
         if text == FRAME {
             return Some(None);
+        }
+        if self.is_broken_part(&text) {
+            return None;
         }
         let fact = match self.mechanics.members.get(&text) {
             Some((Member::Body(body), _)) => return Some(Some(*body)),
@@ -101,13 +171,16 @@ impl Resolver<'_> {
             Some(name) => format!("did you mean `{name}`?"),
             None => format!("bodies are `{}`", names.join("`, `")),
         };
-        self.diagnostics.error_with_help(ident.into(), fact, help);
+        self.diagnostics.error_with_help(name.span, fact, help);
         None
     }
 
     /// The joint of that name; `None` after a report.
-    pub(super) fn joint_named(&mut self, ident: &Ident) -> Option<usize> {
-        let text = ident.to_string();
+    pub(super) fn joint_named(&mut self, name: &Named) -> Option<usize> {
+        let text = name.text.clone();
+        if self.is_broken_part(&text) {
+            return None;
+        }
         let found = self.mechanics.members.get(&text).map(|(member, _)| *member);
         let fact = match found {
             Some(Member::Joint(joint)) => return Some(joint),
@@ -125,7 +198,7 @@ impl Resolver<'_> {
             }
             (None, _) => format!("joints are `{}`", names.join("`, `")),
         };
-        self.diagnostics.error_with_help(ident.into(), fact, help);
+        self.diagnostics.error_with_help(name.span, fact, help);
         None
     }
 

@@ -7,13 +7,14 @@ mod inertia;
 mod joints;
 mod loads;
 mod members;
+mod parts;
 mod quantities;
 
 use super::names::Resolver;
 use super::passes::Mechanical;
 use super::place::{Context, Place};
 use super::types::{Dimension, Expr, Mechanism};
-use crate::syntax::{BodyItem, GravityItem};
+use crate::syntax::{BodyItem, GravityItem, PartItem};
 
 pub(super) use dump::write_mechanics;
 pub(super) use members::Scope;
@@ -30,14 +31,16 @@ impl Resolver<'_> {
         &mut self,
         bodies: &[&BodyItem],
         others: &[Mechanical],
+        parts: &[&PartItem],
         mechanism: &mut Mechanism,
     ) {
-        self.declare_members(bodies, others);
+        let mut members = self.declare_members(bodies, others);
         for (index, item) in bodies.iter().enumerate() {
             let (body, joint) = self.body_item(item, index);
             mechanism.bodies.push(body);
             mechanism.joints.push(joint);
         }
+        self.bodies_of_parts(parts, &mut members, mechanism);
         self.refuse_circles(mechanism);
         let mut gravity = None;
         for item in others {
@@ -60,6 +63,7 @@ impl Resolver<'_> {
                 Mechanical::Damper(item) => mechanism.elements.push(self.damper_item(item)),
             }
         }
+        self.mechanics_of_parts(parts, &members, mechanism);
     }
 
     fn gravity_item(&mut self, item: &GravityItem, first: Option<&GravityItem>) -> Expr {

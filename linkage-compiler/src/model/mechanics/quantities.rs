@@ -8,7 +8,7 @@ use super::super::place::{Context, Place};
 use super::super::types::{Dimension, Expr, ExprKind, Mechanics, Name, Type};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::list;
-use crate::syntax::{self, JointKind, Word};
+use crate::syntax::{self, JointKind, Member, Word};
 
 impl Resolver<'_> {
     /// A quantity of the mechanics, in a function of these inputs and arguments.
@@ -20,6 +20,10 @@ impl Resolver<'_> {
         span: SourceSpan,
     ) -> Expr {
         let name = word.word();
+        // What a part with a mistake consists of is not known.
+        if self.parts.iter().any(|part| part.body.is_none()) {
+            return self.failed(span);
+        }
         if self.mechanics.bodies == 0 {
             let fact = format!("`{name}` in a mechanism without bodies");
             let help = "declare what moves: `body crank = pin b1 on frame at pivot, turns phi, mass 100g at c;`";
@@ -109,8 +113,14 @@ impl Resolver<'_> {
         arguments: &[syntax::Expr],
         span: SourceSpan,
     ) -> Option<usize> {
+        if let [argument] = arguments
+            && let Some(text) = self.dotted(argument)
+        {
+            let span = argument.span;
+            return self.joint_named(&Member { text, span });
+        }
         let ident = self.name_asked(word, "joint", arguments, span)?;
-        self.joint_named(ident)
+        self.joint_named(&ident.into())
     }
 
     /// A joint that takes a moment.

@@ -11,18 +11,18 @@ mod messages;
 mod mutations;
 mod units;
 
-use super::{Mechanism, resolve};
-use crate::diagnostic::{Diagnostics, Origins};
+use super::{Library, Mechanism, resolve};
+use crate::diagnostic::Diagnostics;
 use crate::syntax::parse;
 
 /// The model, if there is no mistake, and the messages.
 pub(super) fn model(source: &str) -> (Option<Mechanism>, Vec<String>) {
     let mut diagnostics = Diagnostics::default();
-    let mut origins = Origins::default();
     let tokens = source.parse().expect("the source has tokens");
-    let definition = parse(tokens, &mut diagnostics);
-    let mechanism =
-        definition.and_then(|definition| resolve(&definition, &mut origins, &mut diagnostics));
+    let definition = parse(tokens, &mut diagnostics).pop();
+    let library = Library::default();
+    let model = definition.and_then(|definition| resolve(&definition, &library, &mut diagnostics));
+    let mechanism = model.map(|own| own.mechanism);
     let messages: Vec<String> = diagnostics.texts();
     assert_eq!(mechanism.is_none(), !messages.is_empty(), "{messages:#?}");
     (mechanism, messages)

@@ -4,8 +4,8 @@ use linkage_random::Random;
 use proc_macro2::{Group, TokenStream, TokenTree};
 
 use super::{CRANK_ROCKER, PRESS, SPACE_FORCES, SPATIAL, TWO_INPUTS};
-use crate::diagnostic::{Diagnostics, Origins};
-use crate::model::resolve;
+use crate::diagnostic::Diagnostics;
+use crate::model::{Library, resolve};
 use crate::syntax::{dump, parse};
 
 /// All tokens, those inside of groups too.
@@ -59,13 +59,12 @@ fn mutated_mechanisms_do_not_panic() {
             tokens = mutate(tokens, &pool, &mut random);
         }
         let mut diagnostics = Diagnostics::default();
-        let mut origins = Origins::default();
-        let Some(definition) = parse(tokens, &mut diagnostics) else {
+        let Some(definition) = parse(tokens, &mut diagnostics).pop() else {
             assert!(!diagnostics.is_empty());
             continue;
         };
         dump(&definition);
-        let mechanism = resolve(&definition, &mut origins, &mut diagnostics);
+        let mechanism = resolve(&definition, &Library::default(), &mut diagnostics);
         assert_eq!(mechanism.is_some(), diagnostics.is_empty());
         diagnostics.to_tokens();
     }

@@ -54,7 +54,8 @@ fn invisible_groups_are_opened() {
     ] {
         let stream = with_invisible_groups(tokens(&format!("[pub] struct A {{ {source} }}")));
         let mut diagnostics = Diagnostics::default();
-        let definition = parse(stream, &mut diagnostics).expect("a struct block");
+        let definition = parse(stream, &mut diagnostics).pop();
+        let definition = definition.expect("a struct block");
         assert!(diagnostics.is_empty(), "{source} {diagnostics:?}");
         assert_eq!(dump(&definition), format!("struct A\n  {expected}\n"));
         assert_eq!(definition.visibility.to_string(), "pub");
@@ -95,7 +96,8 @@ fn invisible_groups_of_attributes_are_opened() {
         stream.extend([brackets]);
         stream.extend(tokens("struct A { param a = 1mm; }"));
         let mut diagnostics = Diagnostics::default();
-        let definition = parse(stream, &mut diagnostics).expect("a struct block");
+        let definition = parse(stream, &mut diagnostics).pop();
+        let definition = definition.expect("a struct block");
         assert!(diagnostics.is_empty(), "{attribute} {diagnostics:?}");
         let [found] = &definition.attributes[..] else {
             panic!("{attribute}: one attribute");

@@ -168,7 +168,7 @@ fn a_missing_token_is_one_mistake() {
         rest.remove(missing);
         tokens[2] = TokenTree::Group(Group::new(Delimiter::Brace, rest.into_iter().collect()));
         let mut diagnostics = Diagnostics::default();
-        let definition = parse(tokens.iter().cloned().collect(), &mut diagnostics);
+        let definition = parse(tokens.iter().cloned().collect(), &mut diagnostics).pop();
         let text = dump(&definition.expect("a struct block"));
         let message = format!(
             "token {missing}, `{}`: {diagnostics:#?}\n{text}",

@@ -273,14 +273,17 @@ fn blocks() {
             "found `<`\nhelp: write `A` alone: a mechanism borrows nothing",
         ),
         ("struct A;", "expected `{` after `A`, found `;`"),
-        ("struct A {} struct B {}", "a second struct block"),
+        (
+            "struct A {} struct Bar {} impl Baz {}",
+            "there is no struct `Baz` in this call\nhelp: did you mean `impl Bar`?",
+        ),
         (
             "struct A {} impl B {}",
             "the struct is named `A`, its `impl` block `B`\nhelp: write `impl A`",
         ),
         (
             "struct A {} fn f() {}",
-            "expected `impl NAME { ... }`, found keyword `fn`",
+            "expected `impl NAME { ... }` or another `struct NAME { ... }`, found keyword `fn`",
         ),
         (
             "struct A {} #[inline] impl A {}",

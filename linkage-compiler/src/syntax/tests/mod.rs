@@ -12,7 +12,7 @@ use crate::diagnostic::Diagnostics;
 fn read(source: &str) -> (String, Vec<String>) {
     let mut diagnostics = Diagnostics::default();
     let tokens = source.parse().expect("the source has tokens");
-    let definition = parse(tokens, &mut diagnostics);
+    let definition = parse(tokens, &mut diagnostics).pop();
     let messages = diagnostics.texts();
     (definition.as_ref().map(dump).unwrap_or_default(), messages)
 }

@@ -1,0 +1,96 @@
+//! The phases between resolving and emission.
+
+use std::rc::Rc;
+
+use linkage_symbolic::Graph;
+
+use crate::algebra::{Algebra, Nominal};
+use crate::close::Closed;
+use crate::diagnostic::{Diagnostics, Reporter};
+use crate::forces::Forces;
+use crate::model::Model;
+use crate::request::{AtReference, State};
+use crate::unit::Unit;
+use crate::watch::Watch;
+use crate::{close, forces, formulate, lower, request, structure};
+
+/// The middle phases of a resolved mechanism: structure, formulation, checks and lowering. Their order stands here alone.
+pub(crate) fn analyse(
+    model: &Model,
+    parts: &[Rc<Closed>],
+    diagnostics: &mut Diagnostics,
+    watch: &mut dyn Watch,
+) -> (Unit, Option<Closed>) {
+    let Model { mechanism, origins } = model;
+    let graph = Graph::new();
+    let mut algebra = Algebra::new(mechanism, &graph);
+    let mut nominal = Nominal::of(&mut algebra);
+    let mut reporter = Reporter {
+        origins,
+        diagnostics,
+    };
+    let before = reporter.errors();
+    close::check_directions(mechanism, &nominal, &mut reporter);
+    if reporter.errors() > before {
+        // What is computed with them would be reported as not finite.
+        return (Unit::default(), None);
+    }
+    nominal.check(mechanism, &mut reporter);
+    if reporter.errors() == before {
+        close::check_values(mechanism, &nominal, &mut reporter);
+    }
+    close::warn_of_unused(mechanism, &nominal, &mut reporter);
+    let structure = structure::decompose(&mut algebra, &nominal, reporter.reborrow());
+    watch.structure(&algebra, &structure);
+    if reporter.errors() > before {
+        return (Unit::default(), None);
+    }
+    let formulation = formulate::formulate(&mut algebra, structure);
+    watch.formulated(&mut algebra, &formulation, &nominal);
+    let closing = lower::closing(&mut algebra, &formulation, &nominal);
+    let inner = close::inner_parts(&mut algebra, &nominal, parts);
+    let mut reference = close::assemble_reference(
+        &algebra,
+        &formulation,
+        closing,
+        &mut nominal,
+        inner,
+        reporter.reborrow(),
+    );
+    nominal.complete(&reference.found);
+    let mut forces = Forces::new(&mut algebra);
+    if reference.closed {
+        forces::check(
+            &mut algebra,
+            &mut forces,
+            &reference,
+            &nominal,
+            &mut reporter,
+        );
+    }
+    let state = State {
+        algebra: &mut algebra,
+        forces: &mut forces,
+        formulation: &formulation,
+        drawn: Vec::new(),
+    };
+    let at = AtReference {
+        reference: &reference,
+        nominal: &nominal,
+    };
+    let unit = request::unit(state, at, &mut reporter, watch);
+    if reference.closed {
+        close::check_ranges(
+            &mut algebra,
+            &formulation,
+            &nominal,
+            &mut reference,
+            &unit.angles,
+            &mut reporter,
+        );
+    }
+    let closed = reference
+        .closed
+        .then(|| Closed::new(&algebra, reference, nominal));
+    (unit, closed)
+}

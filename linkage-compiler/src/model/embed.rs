@@ -1,0 +1,415 @@
+//! Parts: what a mechanism within another consists of, under other names and in another frame.
+
+use super::part::{PartBody, PartScope};
+use super::types::{Between, Constant};
+use super::types::{
+    BinaryOp, Body, Dimension, Element, Expr, ExprKind, Function, Inertia, Joint, Let, Load, Loop,
+    Name, Parameter, Part, Placed, Type, Unknown,
+};
+
+/// How a part's expressions are read in the mechanism around it.
+pub(super) struct Embedding<'p> {
+    name: &'p str,
+    body: &'p PartBody,
+    /// What its inputs are: other names, where they are nothing else.
+    inputs: Vec<Name>,
+    frame: PartFrame,
+}
+
+/// Where a part stands.
+#[derive(Clone, Default)]
+pub(super) struct PartFrame {
+    pub(super) at: Option<Expr>,
+    pub(super) turned: Option<Expr>,
+}
+
+/// What numbers of bodies and joints of a part are in the mechanism around it.
+#[derive(Clone, Copy)]
+pub(super) struct Members {
+    pub(super) first_body: usize,
+    pub(super) bodies: usize,
+    pub(super) first_closing: usize,
+    /// The body that the part's fixed link is.
+    pub(super) on: Option<usize>,
+}
+
+impl<'p> Embedding<'p> {
+    /// `lets` has all derived quantities that come before the part's own.
+    pub(super) fn new(part: &'p PartScope, lets: &[Let], placed: &[Placed]) -> Option<Self> {
+        let body = part.body.as_ref()?;
+        let inputs = (0..body.mechanism().inputs.len()).map(|input| {
+            let own = body.input(input);
+            let value = lets.get(own).and_then(|own| own.value.as_name());
+            value.unwrap_or(Name::Let(own))
+        });
+        let mut placed = placed.iter().filter(|placed| placed.path == part.name);
+        let frame = placed.next().map_or_else(PartFrame::default, Placed::frame);
+        Some(Self {
+            name: &part.name,
+            inputs: inputs.collect(),
+            body,
+            frame,
+        })
+    }
+
+    /// A name of the part, with the part in front.
+    fn text(&self, own: &str) -> String {
+        format!("{}.{own}", self.name)
+    }
+
+    fn origin(&self, own: crate::diagnostic::OriginId) -> crate::diagnostic::OriginId {
+        own.in_part(self.body.first_origin)
+    }
+
+    /// What a name of the part is; `None` for an argument that is not given, which has been reported.
+    fn meant(&self, name: Name) -> Option<Name> {
+        let body = self.body;
+        match name {
+            Name::Const(index) => Some(Name::Const(body.first_constant + index)),
+            Name::Parameter(index) => body.parameters[index],
+            Name::Input(index) => Some(self.inputs[index]),
+            Name::Unknown(index) => Some(Name::Unknown(body.first_unknown + index)),
+            Name::Let(index) => Some(Name::Let(body.own_lets() + index)),
+            Name::Argument(index) => body.arguments[index],
+            Name::Pi => Some(Name::Pi),
+        }
+    }
+
+    /// An expression of the part in its own frame.
+    pub(super) fn expr(&self, own: &Expr) -> Expr {
+        let boxed = |own: &Expr| Box::new(self.expr(own));
+        let all = |own: &[Expr]| own.iter().map(|own| self.expr(own)).collect();
+        let kind = match &own.kind {
+            ExprKind::Name(name) => self.meant(*name).map_or(ExprKind::Error, ExprKind::Name),
+            ExprKind::Vector(components) => ExprKind::Vector(all(components)),
+            ExprKind::Component(own, index) => ExprKind::Component(boxed(own), *index),
+            ExprKind::Index(own, index) => ExprKind::Index(boxed(own), *index),
+            ExprKind::Negate(own) => ExprKind::Negate(boxed(own)),
+            ExprKind::Binary(operator, a, b) => ExprKind::Binary(*operator, boxed(a), boxed(b)),
+            ExprKind::Call(function, arguments) => ExprKind::Call(*function, all(arguments)),
+            ExprKind::Number(_)
+            | ExprKind::Error
+            // Functions do not come along with a part.
+            | ExprKind::Derivative(..)
+            | ExprKind::InputDerivative(..)
+            | ExprKind::Sensitivity(..)
+            | ExprKind::Margin
+            | ExprKind::Picture(_)
+            | ExprKind::Mechanics(_) => own.kind.clone(),
+        };
+        Expr {
+            kind,
+            ty: own.ty.clone(),
+            origin: self.origin(own.origin),
+        }
+    }
+
+    pub(super) fn constants(&self) -> impl Iterator<Item = Constant> {
+        let own = self.body.mechanism().constants.iter();
+        own.map(|own| Constant {
+            name: self.text(&own.name),
+            value: self.expr(&own.value),
+        })
+    }
+
+    /// Those that are not given.
+    pub(super) fn parameters(&self) -> Vec<Parameter> {
+        let all = self.body.mechanism().parameters.iter();
+        let open = all.zip(&self.body.parameters);
+        let open = open.filter(|(_, name)| matches!(name, Some(Name::Parameter(_))));
+        let parameters = open.map(|(own, _)| Parameter {
+            name: self.text(&own.name),
+            origin: self.origin(own.origin),
+            // The part's own struct tells.
+            may_be_unused: true,
+            nominal: self.expr(&own.nominal),
+            tolerances: own
+                .tolerances
+                .iter()
+                .map(|own| own.as_ref().map(|own| self.expr(own)))
+                .collect(),
+            ..own.clone()
+        });
+        parameters.collect()
+    }
+
+    pub(super) fn unknowns(&self) -> impl Iterator<Item = Unknown> {
+        let own = self.body.mechanism().unknowns.iter();
+        own.map(|own| Unknown {
+            name: self.text(&own.name),
+            ty: own.ty.clone(),
+            estimate: own.estimate.as_ref().map(|own| self.expr(own)),
+            of_part: true,
+            origin: self.origin(own.origin),
+        })
+    }
+
+    pub(super) fn lets(&self) -> impl Iterator<Item = Let> {
+        let own = self.body.mechanism().lets.iter();
+        own.map(|own| Let {
+            name: self.text(&own.name),
+            value: self.expr(&own.value),
+        })
+    }
+
+    pub(super) fn loops(&self) -> impl Iterator<Item = Loop> {
+        let own = self.body.mechanism().loops.iter();
+        own.map(|own| Loop {
+            left: self.expr(&own.left),
+            right: self.expr(&own.right),
+            origin: self.origin(own.origin),
+        })
+    }
+
+    /// What is known of it as a part.
+    pub(super) fn part(&self) -> Part {
+        let mechanism = self.body.mechanism();
+        Part {
+            name: self.name.to_owned(),
+            mechanism: mechanism.name.clone(),
+            inputs: (0..mechanism.inputs.len())
+                .map(|input| self.body.input(input))
+                .collect(),
+            parameters: self.body.parameters.iter().copied().flatten().collect(),
+            unknowns: self.body.first_unknown..self.body.first_unknown + mechanism.unknowns.len(),
+            inner: mechanism.paths_of_parts(),
+        }
+    }
+
+    /// The parts within it that have frames of their own.
+    pub(super) fn placed(&self) -> impl Iterator<Item = Placed> {
+        let own = self.body.mechanism().placed.iter();
+        own.map(|own| Placed {
+            path: self.text(&own.path),
+            at: own.at.as_ref().map(|own| self.expr(own)),
+            turned: own.turned.as_ref().map(|own| self.expr(own)),
+        })
+    }
+}
+
+/// Bodies and what acts on them, where the part stands.
+impl Embedding<'_> {
+    fn vector(&self, own: &Expr) -> Expr {
+        self.frame.seen(self.expr(own))
+    }
+
+    /// A point at which something is; zero is the part's origin.
+    fn point(&self, own: &Expr) -> Expr {
+        self.frame.seen_point(self.expr(own))
+    }
+
+    pub(super) fn gravity(&self) -> Option<Expr> {
+        let own = self.body.mechanism().gravity.as_ref();
+        own.map(|own| self.expr(own))
+    }
+
+    pub(super) fn bodies(&self, members: Members) -> impl Iterator<Item = Body> {
+        let own = self.body.mechanism().bodies.iter();
+        own.map(move |own| Body {
+            name: self.text(&own.name),
+            joint: members.joint(own.joint),
+            turns: own
+                .turns
+                .as_ref()
+                .map(|own| self.frame.turning(self.expr(own))),
+            masses: own
+                .masses
+                .iter()
+                .map(|(mass, at)| (self.expr(mass), self.point(at)))
+                .collect(),
+            inertias: own
+                .inertias
+                .iter()
+                .map(|(inertia, at)| {
+                    let at = at.as_ref().map(|at| self.point(at));
+                    (self.inertia(inertia), at)
+                })
+                .collect(),
+            origin: self.origin(own.origin),
+        })
+    }
+
+    /// In the axes of the body, wherever the part stands.
+    fn inertia(&self, own: &Inertia) -> Inertia {
+        match own {
+            Inertia::Scalar(own) => Inertia::Scalar(self.expr(own)),
+            Inertia::Tensor(rows) => {
+                let rows = rows
+                    .each_ref()
+                    .map(|row| row.each_ref().map(|own| self.expr(own)));
+                Inertia::Tensor(Box::new(rows))
+            }
+        }
+    }
+
+    /// Those that its bodies hang on, or those that close loops.
+    pub(super) fn joints(&self, members: Members, hanging: bool) -> impl Iterator<Item = Joint> {
+        let all = self.body.mechanism().joints.iter().enumerate();
+        let own = all.filter(move |(index, _)| (*index < members.bodies) == hanging);
+        own.map(move |(_, own)| Joint {
+            name: own.name.as_ref().map(|own| self.text(own)),
+            kind: own.kind,
+            body: members.first_body + own.body,
+            on: members.body(own.on),
+            at: self.point(&own.at),
+            direction: own.direction.as_ref().map(|own| self.vector(own)),
+            origin: self.origin(own.origin),
+        })
+    }
+
+    pub(super) fn loads(&self, members: Members) -> impl Iterator<Item = Load> {
+        let own = self.body.mechanism().loads.iter();
+        own.map(move |own| Load {
+            value: self.vector(&own.value),
+            on: members.body(own.on),
+            from: members.body(own.from),
+            at: own.at.as_ref().map(|own| self.point(own)),
+        })
+    }
+
+    pub(super) fn elements(&self, members: Members) -> impl Iterator<Item = Element> {
+        let own = self.body.mechanism().elements.iter();
+        own.map(move |own| Element {
+            kind: own.kind,
+            value: self.expr(&own.value),
+            between: match &own.between {
+                Between::Points(ends) => Between::Points(
+                    ends.each_ref()
+                        .map(|(body, at)| (members.body(*body), self.point(at))),
+                ),
+                Between::Joint(joint) => Between::Joint(members.joint(*joint)),
+            },
+            free: own.free.as_ref().map(|own| self.expr(own)),
+            origin: self.origin(own.origin),
+        })
+    }
+}
+
+impl Members {
+    fn body(self, own: Option<usize>) -> Option<usize> {
+        own.map_or(self.on, |own| Some(self.first_body + own))
+    }
+
+    fn joint(self, own: usize) -> usize {
+        match own.checked_sub(self.bodies) {
+            None => self.first_body + own,
+            Some(closing) => self.first_closing + closing,
+        }
+    }
+}
+
+impl Placed {
+    pub(super) fn frame(&self) -> PartFrame {
+        PartFrame {
+            at: self.at.clone(),
+            turned: self.turned.clone(),
+        }
+    }
+}
+
+impl PartFrame {
+    /// What of a part is seen from the mechanism around it: vectors of lengths are points, other vectors directions; scalars stay.
+    pub(super) fn seen(&self, own: Expr) -> Expr {
+        match &own.ty {
+            Type::Vector(_, dimension) if dimension.fits(Dimension::LENGTH) => self.seen_point(own),
+            Type::Vector(..) | Type::Frame => self.seen_direction(own),
+            Type::Scalar(_) | Type::Array(_) | Type::Zero(_) | Type::Error => own,
+        }
+    }
+
+    fn seen_point(&self, own: Expr) -> Expr {
+        let Some(at) = &self.at else {
+            return self.rotated(own);
+        };
+        if at.ty == Type::Frame {
+            return called(Function::PointIn, [at.clone(), own]);
+        }
+        let turned = self.rotated(own);
+        Expr {
+            ty: turned.ty.clone(),
+            origin: turned.origin,
+            kind: ExprKind::Binary(BinaryOp::Add, Box::new(at.clone()), Box::new(turned)),
+        }
+    }
+
+    fn rotated(&self, own: Expr) -> Expr {
+        match (&self.turned, &self.at) {
+            (Some(angle), _) => called(Function::Rotate, [own, angle.clone()]),
+            (None, Some(at)) if at.ty == Type::Frame => of_axes(at, own),
+            (None, _) => own,
+        }
+    }
+
+    /// The angle of a body in the plane; in space its frame, or the vector along it.
+    fn turning(&self, own: Expr) -> Expr {
+        let Some(angle) = &self.turned else {
+            return self.seen_direction(own);
+        };
+        Expr {
+            ty: own.ty.clone(),
+            origin: own.origin,
+            kind: ExprKind::Binary(BinaryOp::Add, Box::new(own), Box::new(angle.clone())),
+        }
+    }
+
+    fn seen_direction(&self, own: Expr) -> Expr {
+        match (&own.ty, &self.at) {
+            (Type::Vector(..), _) => self.rotated(own),
+            (Type::Frame, Some(_)) => {
+                let [origin, x, _, z] = [0, 1, 2, 3].map(|part| part_of(&own, part));
+                let arguments = [self.seen_point(origin), self.rotated(x), self.rotated(z)];
+                Expr {
+                    ty: Type::Frame,
+                    origin: own.origin,
+                    kind: ExprKind::Call(Function::Frame, arguments.into()),
+                }
+            }
+            _ => own,
+        }
+    }
+}
+
+/// A call whose value is of the type of the vector among its arguments.
+fn called(function: Function, arguments: [Expr; 2]) -> Expr {
+    let mut vectors = arguments.iter();
+    let vector = vectors.find(|own| own.ty.components().is_some_and(|count| count > 1));
+    let vector = vector.unwrap_or(&arguments[0]);
+    Expr {
+        ty: vector.ty.clone(),
+        origin: vector.origin,
+        kind: ExprKind::Call(function, arguments.into()),
+    }
+}
+
+/// `.origin`, `.x`, `.y` or `.z` of a frame.
+fn part_of(frame: &Expr, part: usize) -> Expr {
+    let dimension = match part {
+        0 => Dimension::LENGTH,
+        _ => Dimension::NUMBER,
+    };
+    Expr {
+        kind: ExprKind::Index(Box::new(frame.clone()), part),
+        ty: Type::Vector(3, dimension),
+        origin: frame.origin,
+    }
+}
+
+/// A vector by its components along the axes of a frame.
+fn of_axes(frame: &Expr, own: Expr) -> Expr {
+    let (ty, origin) = (own.ty.clone(), own.origin);
+    let product = |axis: usize| {
+        let component = own.component(axis);
+        let axis = part_of(frame, axis + 1);
+        Expr {
+            kind: ExprKind::Binary(BinaryOp::Mul, Box::new(axis), Box::new(component)),
+            ty: ty.clone(),
+            origin,
+        }
+    };
+    let sum = |a, b| Expr {
+        kind: ExprKind::Binary(BinaryOp::Add, Box::new(a), Box::new(b)),
+        ty: ty.clone(),
+        origin,
+    };
+    sum(sum(product(0), product(1)), product(2))
+}
