@@ -181,14 +181,19 @@ impl Store {
 
     /// The symbols that `roots` are made of, in order, without following definitions.
     pub(crate) fn symbols_of(&self, roots: &[NodeId]) -> Vec<SymbolId> {
-        let mut symbols: Vec<SymbolId> = self
-            .reachable(roots)
-            .into_iter()
-            .filter_map(|id| match self.node(id) {
-                Node::Symbol(symbol) => Some(symbol),
-                _ => None,
-            })
-            .collect();
+        // Most are asked of small expressions in a large graph: nothing here is as long as that.
+        let mut seen = Set::new();
+        let mut stack: Vec<NodeId> = roots.to_vec();
+        let mut symbols = Vec::new();
+        while let Some(id) = stack.pop() {
+            if !seen.insert(id) {
+                continue;
+            }
+            match self.node(id) {
+                Node::Symbol(symbol) => symbols.push(symbol),
+                node => stack.extend(node.operands()),
+            }
+        }
         symbols.sort_unstable();
         symbols
     }
