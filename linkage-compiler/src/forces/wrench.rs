@@ -6,10 +6,9 @@ use std::ops::{Add, Neg};
 
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::model::JointKind;
-
 use super::Mechanics;
 use super::freedom::Way;
+use super::geometry::{Turns, slides_along, turns_of};
 use super::system::{Equation, System, Unknown};
 
 /// A force and a moment about a point.
@@ -171,7 +170,8 @@ impl<'m> Mechanics<'_, 'm> {
         let joint = &mechanism.joints[mechanism.bodies[body].joint];
         let origin = self.forces.geometry.origins[body];
         let rests = joint.on.is_none() && origin.iter().all(|x| x.is_fixed());
-        if !self.forces.geometry.is_plane() || joint.kind != JointKind::Pin || !rests {
+        let is_pin = turns_of(joint.kind) == Turns::AboutAxis && !slides_along(joint.kind);
+        if !self.forces.geometry.is_plane() || !is_pin || !rests {
             return None;
         }
         let gain = self.angular_acceleration(body);
