@@ -1,9 +1,9 @@
 //! Derivatives by parameters from the results backwards.
 //!
-//! A quantity `q` is a function of parameters, unknowns and rates; the unknowns solve `F = 0`, the rates linear systems with
-//! the same Jacobian. Each system gets multipliers `l` with `J^T l = dq/du`, the last system first: what the equations
-//! mention of earlier systems is added to their `dq/du`. Then `dq/dp` is the partial derivative
-//! of `q` minus the sum of `l . dF/dp`. One sweep serves all parameters, where going forward solves a system for each;
+//! A quantity `q` is a function of parameters, unknowns and rates; the unknowns solve `F = 0`, the rates linear
+//! systems with the same Jacobian. Each system gets multipliers `l` with `J^T l = dq/du`, the last system first: what
+//! the equations mention of earlier systems is added to their `dq/du`. Then `dq/dp` is the partial derivative of `q`
+//! minus the sum of `l . dF/dp`. One sweep serves all parameters, where going forward solves a system for each;
 //! forward needs no sweep for each result. [`Direction`] names the ways, lowering takes the cheapest.
 
 use std::collections::BTreeMap;
@@ -24,7 +24,8 @@ pub(crate) enum Direction {
     Forward,
     /// Backwards from each number that is differentiated.
     FromResults,
-    /// Backwards from the unknowns in it, and anew from each narrow place before these: several results often hang on one angle.
+    /// Backwards from the unknowns in it, and anew from each narrow place before these: several results often hang on
+    /// one angle.
     FromUnknowns,
     /// Backwards from each number through its whole formula.
     Gradient,
@@ -223,8 +224,9 @@ impl<'m> Algebra<'m> {
         })
     }
 
-    /// `J^T l = weights` by Cramer's rule. The determinant is known from the closed form. Computed from the scaled weights,
-    /// of which there are fewer; differentiated as the quotients, whose derivatives stay in range for lengths of any unit.
+    /// `J^T l = weights` by Cramer's rule. The determinant is known from the closed form. Computed from the scaled
+    /// weights, of which there are fewer; differentiated as the quotients, whose derivatives stay in range for lengths
+    /// of any unit.
     pub(super) fn solve_transposed(&mut self, group: usize, weights: &[Ex<'m>]) -> Vec<Ex<'m>> {
         let solution = self.solutions.groups[group].clone();
         if solution.elimination.is_some() {

@@ -1,7 +1,8 @@
 //! Derivatives by parameters through the narrow places of a mechanism.
 //!
-//! All that the dimensions of a dyad do to the numbers behind it, they often do through one angle. Then those numbers are differentiated by the angle, the
-//! angle by the dimensions, and both are multiplied: what a sweep backwards would do for each number is done once for all of them.
+//! All that the dimensions of a dyad do to the numbers behind it, they often do through one angle. Then those numbers
+//! are differentiated by the angle, the angle by the dimensions, and both are multiplied: what a sweep backwards would
+//! do for each number is done once for all of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,8 +20,8 @@ enum Behind {
 }
 
 impl<'m> Algebra<'m> {
-    /// Finds the narrow places between parameters and `results`: what is used of a group, if that is less than what hangs on it. What the results
-    /// themselves use may be more: what is behind it is gone through once.
+    /// Finds the narrow places between parameters and `results`: what is used of a group, if that is less than what
+    /// hangs on it. What the results themselves use may be more: what is behind it is gone through once.
     pub(crate) fn find_narrow_places(&mut self, results: &[Ex<'m>]) {
         let mut hanging: BTreeMap<Solved, BTreeSet<Behind>> = BTreeMap::new();
         for (index, &result) in results.iter().enumerate() {

@@ -1,5 +1,6 @@
-//! What the loops' closed forms know already: arms that are links of a loop, determinants that are those of a loop, with their reciprocals. Loops may be
-//! written in any way, so which they are is found by numbers, with other dimensions and in other assemblies, too.
+//! What the loops' closed forms know already: arms that are links of a loop, determinants that are those of a loop,
+//! with their reciprocals. Loops may be written in any way, so which they are is found by numbers, with other
+//! dimensions and in other assemblies, too.
 
 use linkage_symbolic::unordered::Map;
 
@@ -20,7 +21,8 @@ pub(super) struct Closed<'m> {
     determinants: Map<Vec<usize>, Ex<'m>>,
 }
 
-/// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below what altered dimensions change.
+/// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below what altered
+/// dimensions change.
 const EQUAL: f64 = 1e-9;
 
 impl<'m> Closed<'m> {

@@ -6,12 +6,12 @@ use crate::algebra::Nominal;
 use crate::close::{ALTERATIONS, Reference, Words, altered, places};
 use crate::model::Mechanism;
 
-/// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is written wrongly is
-/// wrong by far more.
+/// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is
+/// written wrongly is wrong by far more.
 pub(super) const EQUAL: f64 = 1e-7;
 
-/// Where velocities are compared, smaller ones count as so large: per unit of an input a turn in radians, a shift in lengths of the
-/// mechanism.
+/// Where velocities are compared, smaller ones count as so large: per unit of an input a turn in radians, a shift in
+/// lengths of the mechanism.
 pub(super) const SLOW: f64 = 1e-3;
 
 /// The reference position and a few others.
@@ -44,8 +44,8 @@ impl<'a> Positions<'a> {
         })
     }
 
-    /// Numbers where the mechanism closes, also with other dimensions and in other assemblies, each group in its other mode once: what they have in
-    /// common there is no chance.
+    /// Numbers where the mechanism closes, also with other dimensions and in other assemblies, each group in its other
+    /// mode once: what they have in common there is no chance.
     pub(super) fn numbers_anyhow(
         &self,
         mechanism: &Mechanism,

@@ -77,7 +77,8 @@ impl<'m> Mechanics<'_, 'm> {
         }
     }
 
-    /// Of a body and those that hang on it. Cut joints in `inside` join two of them and cancel; the unknowns in `open` count as 0.
+    /// Of a body and those that hang on it. Cut joints in `inside` join two of them and cancel; the unknowns in `open`
+    /// count as 0.
     pub(super) fn wrench(&mut self, body: usize, inside: &[usize], open: &[usize]) -> Wrench<'m> {
         let closing = self.forces.tree.closing.iter().copied();
         let (inside, crossing): (Vec<usize>, Vec<usize>) = closing
@@ -129,7 +130,8 @@ impl<'m> Mechanics<'_, 'm> {
         sum
     }
 
-    /// Whether equilibrium leaves no moment about a body's own pin in the plane: the reactions of all cut joints beyond it count, and were found by that.
+    /// Whether equilibrium leaves no moment about a body's own pin in the plane: the reactions of all cut joints
+    /// beyond it count, and were found by that.
     fn is_balanced(&self, system: &System<'m>, body: usize, inside: &[usize]) -> bool {
         let mut ways = system.equations.iter().filter_map(Equation::way);
         self.forces.geometry.is_plane()
@@ -163,8 +165,8 @@ impl<'m> Mechanics<'_, 'm> {
         sum
     }
 
-    /// The moment of a mass, its inertia and weight, about its body's own joint, if that is a pin of the plane on the frame: what turns evenly
-    /// has no moment but that of its weight.
+    /// The moment of a mass, its inertia and weight, about its body's own joint, if that is a pin of the plane on the
+    /// frame: what turns evenly has no moment but that of its weight.
     fn moment_of_mass(&mut self, body: usize, mass: Ex<'m>, arm: Vn<'m>) -> Option<Vn<'m>> {
         let mechanism = self.algebra.mechanism;
         let joint = &mechanism.joints[mechanism.bodies[body].joint];
