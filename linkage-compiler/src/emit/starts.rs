@@ -123,16 +123,20 @@ fn extend(outline: &Outline) -> TokenStream {
         quote!(__x[#k])
     });
     let starts = quote!(__starts);
-    let (looked_up, states) = look_up(outline, &inputs, &groups, &starts);
+    let runtime = &outline.runtime;
+    let fused = quote!({ #runtime::FUSED });
+    let (looked_up, states) = look_up(outline, &inputs, &groups, &starts, &fused);
     quote!(#looked_up [#(#own,)* #(#states),*])
 }
 
-/// Statements that look up the states of groups in `starts` at the inputs `__x`, and the numbers of these.
+/// Statements that look up the states of groups in `starts` at the inputs `__x`, and the numbers of these; `fused` says whether with fused
+/// multiply-add.
 fn look_up(
     outline: &Outline,
     inputs: &[usize],
     groups: &[usize],
     starts: &TokenStream,
+    fused: &TokenStream,
 ) -> (TokenStream, Vec<TokenStream>) {
     let mut looked_up = TokenStream::new();
     let mut numbers = Vec::new();
@@ -140,11 +144,11 @@ fn look_up(
         let name = format_ident!("__state{group}");
         let number = literal::index(group);
         let places = places(outline, inputs, group);
-        let at = match &places[..] {
-            [one] => quote!(__x[#one]),
-            several => quote!([#(__x[#several]),*]),
+        let found = match &places[..] {
+            [one] => quote!(#starts.#number.at::<T, #fused>(__x[#one])),
+            several => quote!(#starts.#number.at::<T>([#(__x[#several]),*])),
         };
-        looked_up.extend(quote!(let #name = #starts.#number.at::<T>(#at);));
+        looked_up.extend(quote!(let #name = #found;));
         numbers.extend((0..outline.starts[group].size).map(|k| {
             let k = literal::index(k);
             quote!(#name.0[#k])

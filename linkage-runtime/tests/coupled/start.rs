@@ -7,7 +7,7 @@ use linkage_runtime::generated::{
 };
 use linkage_runtime::numeric::continuation::{Correction, Range, Step};
 use linkage_runtime::numeric::roots::{Term, Variable};
-use linkage_runtime::{AssemblyError, CoupledCause, Scalar};
+use linkage_runtime::{AssemblyError, CoupledCause, FUSED, Scalar};
 use std::f64::consts::TAU;
 
 const fn term(equation: usize, exponents: &'static [i8]) -> Term<'static> {
@@ -106,11 +106,11 @@ fn all_assemblies_are_listed_and_the_nearest_is_taken() {
     }
     let start = nearest(EyeNeedle::MACHINE).unwrap();
     let coupled = Coupled::<4>::of::<f64>(|_| &start);
-    let (state, floor) = coupled.at(1.0);
+    let (state, floor) = coupled.at::<_, FUSED>(1.0);
     assert!(floor > 0.0 && (state[0].hypot(state[1]) - 1.0).abs() < 1e-9);
     let single = Coupled::<4>::of::<f32>(|_| &start);
     assert_eq!(
-        single.at(1.0_f32),
+        single.at::<_, FUSED>(1.0_f32),
         (state.map(|number| number as f32), floor as f32)
     );
 }
@@ -189,9 +189,9 @@ fn every_lane_has_its_table() {
     let starts = cranks.map(|crank| nearest(EyeNeedle::with_crank(crank)).unwrap());
     let coupled = Coupled::<4>::of::<Four>(|lane| &starts[lane]);
     let x = Four::from_lanes(|lane| lane as f64);
-    let (state, floor) = coupled.at(x);
+    let (state, floor) = coupled.at::<_, FUSED>(x);
     for (lane, start) in starts.iter().enumerate() {
-        let (alone, alone_floor) = Coupled::<4>::of::<f64>(|_| start).at(lane as f64);
+        let (alone, alone_floor) = Coupled::<4>::of::<f64>(|_| start).at::<_, FUSED>(lane as f64);
         assert_eq!(floor.lane(lane), alone_floor);
         assert_eq!(state.map(|number| number.lane(lane)), alone);
     }
@@ -204,7 +204,7 @@ fn what_is_not_prepared_is_not_a_number() {
         (Coupled::<5>::of::<f64>(|_| &start), 0.0),
         (Coupled::<5>::of::<f64>(|_| &Start::Nothing), 1.0),
     ] {
-        let (state, floor) = coupled.at::<f64>(number);
+        let (state, floor) = coupled.at::<f64, FUSED>(number);
         assert!(floor.is_nan() && state.iter().all(|number: &f64| number.is_nan()));
     }
 }

@@ -18,7 +18,13 @@ pub(in crate::emit) fn with_states(outline: &Outline, function: &Function) -> To
     let inputs = &function.arguments;
     let count = literal::index(inputs.len());
     let starts = sealed::starts(outline, &quote!(self));
-    let (looked_up, states) = look_up(outline, &function.positions, &function.states, &starts);
+    let (looked_up, states) = look_up(
+        outline,
+        &function.positions,
+        &function.states,
+        &starts,
+        &quote!(__FUSED),
+    );
     quote! {
         {
             let __x: [T; #count] = [#(#inputs),*];

@@ -99,11 +99,18 @@ impl<const S: usize> Lookup<S> {
     #[must_use]
     #[inline(always)]
     pub fn at(&self, x: f64) -> ([f64; S], f64) {
+        self.at_with::<{ FUSED }>(x)
+    }
+
+    /// The same, for the machines that [`Scalar::mul_add`](crate::Scalar::mul_add) speaks of.
+    #[must_use]
+    #[inline(always)]
+    pub fn at_with<const FUSED: bool>(&self, x: f64) -> ([f64; S], f64) {
         let (place, slot) = self.scale.find(x);
         let cell = self.cell(slot);
         let t = cell.t(place);
         let guard = guard(t, OUTSIDE);
-        let state = polynomials::<{ FUSED }, S>(&cell.coefficients, t);
+        let state = polynomials::<FUSED, S>(&cell.coefficients, t);
         (state.map(|number| number + guard), cell.floor + guard)
     }
 

@@ -24,21 +24,21 @@ impl<const S: usize> Coupled<S> {
         }
     }
 
-    /// The state at `x` and the floor, without derivatives.
+    /// The state at `x` and the floor, without derivatives. With `FUSED` only on machines with fused multiply-add.
     #[must_use]
     #[inline(always)]
-    pub fn at<T: Scalar>(&self, x: T) -> ([T; S], T) {
+    pub fn at<T: Scalar, const FUSED: bool>(&self, x: T) -> ([T; S], T) {
         if T::LANES == 1 {
-            return constants(self.first.at(x.lane(0)));
+            return constants(self.first.at_with::<FUSED>(x.lane(0)));
         }
         by_lane::<T, S>(|lane| match lane {
-            0 => self.first.at(x.lane(0)),
-            _ => self.others[lane - 1].at(x.lane(lane)),
+            0 => self.first.at_with::<FUSED>(x.lane(0)),
+            _ => self.others[lane - 1].at_with::<FUSED>(x.lane(lane)),
         })
     }
 
-    /// What [`at`](Self::at) gives for the first `vectors` times `V` of `x`, to the last bit where that has fused multiply-add as `FUSED` says:
-    /// the numbers of the state and then the floor, a column each.
+    /// What [`at`](Self::at) gives for the first `vectors` times `V` of `x`, to the last bit: the numbers of the state and then the floor, a
+    /// column each.
     #[inline(always)]
     pub fn fill<T: Scalar, const FUSED: bool, const V: usize, const B: usize>(
         &self,
@@ -49,8 +49,8 @@ impl<const S: usize> Coupled<S> {
         if T::VECTORISES {
             return self.first.fill::<T, FUSED, V, B>(x, vectors, columns);
         }
-        for lane in 0..vectors * V {
-            put(self.at(x[lane]), lane, columns);
+        for (row, x) in x.iter().enumerate().take(vectors * V) {
+            put(self.at::<T, FUSED>(*x), row, columns);
         }
     }
 }

@@ -23,8 +23,8 @@ impl<X, const B: usize> Column<X, B> {
 }
 
 impl<const S: usize> Lookup<S> {
-    /// What [`at`](Self::at) gives for the first `vectors` times `V` of `x`, to the last bit where `FUSED` is what it is there: the numbers of
-    /// the state and then the floor, a column each. With `FUSED` only on machines with fused multiply-add.
+    /// What [`at_with`](Self::at_with) gives for the first `vectors` times `V` of `x`, to the last bit: the numbers of the state and then the
+    /// floor, a column each.
     #[allow(
         unsafe_code,
         reason = "rows that are written before they are read are not cleared"
