@@ -240,8 +240,8 @@ pub mod __private {
     pub use linkage_runtime::generated::{Along, Angle, Turns, turns, wind};
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::generated::{
-        Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_slices, next_vectors,
-        one, rows,
+        Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_or_call, fill_slices,
+        next_vectors, one, rows,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
@@ -255,7 +255,7 @@ pub mod __private {
         Wanted, fill_followed, nothing, pairs, placed, put_state, starts, stepped,
     };
     pub use linkage_runtime::generated::{
-        Sealed, Single, close, explained, finite, inlined, named, single,
+        Sealed, Single, as_in_sweeps, close, explained, finite, inlined, named, single,
     };
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::generated::{fill_followed_parallel, fill_parallel};

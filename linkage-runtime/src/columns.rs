@@ -65,6 +65,13 @@ impl<T: Scalar> Columns<T> {
         self.start = if start < unit { start } else { 0 };
     }
 
+    /// Writes a row.
+    pub(crate) fn set<const W: usize>(&mut self, row: usize, numbers: [T; W]) {
+        for (column, number) in numbers.into_iter().enumerate() {
+            self.data[self.start + column * self.distance + row] = number;
+        }
+    }
+
     /// All columns, to write to: there are `W`.
     pub(crate) fn all_mut<const W: usize>(&mut self) -> [&mut [T]; W] {
         let len = self.len;

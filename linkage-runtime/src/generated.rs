@@ -32,7 +32,7 @@ pub use linkage_core::Level;
 #[cfg(feature = "nalgebra")]
 pub use named::{Named, named};
 pub use sealed::Sealed;
-pub use single::{Single, inlined, single};
+pub use single::{Single, as_in_sweeps, inlined, single};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use starts::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,
@@ -40,7 +40,9 @@ pub use starts::{
     prepared_over, put_state, starts, starts_of, stepped,
 };
 #[cfg(feature = "alloc")]
-pub use sweep::{Arguments, Block, Inputs, Kernel, Sets, fill, fill_slices, next_vectors, rows};
+pub use sweep::{
+    Arguments, Block, Inputs, Kernel, Sets, fill, fill_or_call, fill_slices, next_vectors, rows,
+};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use sweep::{Extended, Followed, Moving, States, fill_followed};
 #[cfg(feature = "rayon")]

@@ -52,3 +52,25 @@ impl Outline<'_> {
         }
     }
 }
+
+/// The scalars of a field's value in order: the way back from [`Outline::field_value`].
+pub(super) fn field_scalars(shape: &Shape, value: &TokenStream) -> Vec<TokenStream> {
+    let vector = |value: &TokenStream, size: usize| -> Vec<TokenStream> {
+        let components = [quote!(#value.x), quote!(#value.y), quote!(#value.z)];
+        components.into_iter().take(size).collect()
+    };
+    match shape {
+        Shape::Scalar => vec![value.clone()],
+        Shape::Vector(size) => vector(value, *size),
+        Shape::Array(count, entry) => (0..*count)
+            .flat_map(|index| {
+                let index = literal::index(index);
+                field_scalars(entry, &quote!(#value[#index]))
+            })
+            .collect(),
+        Shape::Frame => [quote!(origin), quote!(x), quote!(y), quote!(z)]
+            .iter()
+            .flat_map(|axis| vector(&quote!(#value.#axis), 3))
+            .collect(),
+    }
+}

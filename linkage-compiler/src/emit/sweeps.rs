@@ -11,6 +11,7 @@ use quote::{format_ident, quote};
 use super::docs::doc;
 use super::evaluator::Version;
 use super::outline::{Function, Outline, plain};
+use super::shape::field_scalars;
 use super::{attribute, home, literal, starts};
 use crate::model::Sweep;
 use crate::syntax::Word;
@@ -109,9 +110,11 @@ impl Sweeps<'_> {
         let inputs = quote!(#(#arguments: &[T]),*);
         let behind = self.behind(Sweep::Into);
         let rows = self.inputs(quote!(__title));
-        let fill = self.outline.body(self.with_kernel(
-            |kernel| quote!(#runtime::fill(&self.#kernel(), &#rows, #ty::__of_mut(#columns));),
-        ));
+        let fill = self.outline.body(self.with_kernel(|kernel| {
+            let given = quote!(&self.#kernel(), &#rows, #ty::__of_mut(#columns));
+            let one = self.one();
+            quote!(#runtime::fill_or_call(#given, || #one);)
+        }));
         let [owned, into] = [Sweep::Owned, Sweep::Into].map(|sweep| self.title(sweep));
         let sweep = self.method(
             Sweep::Owned,
@@ -156,6 +159,24 @@ impl Sweeps<'_> {
             #sweep_slices
             #runtime::if_rayon! { #parallel }
         }
+    }
+
+    /// The numbers at the first position, by the function as it is called.
+    fn one(&self) -> TokenStream {
+        let Self {
+            outline, function, ..
+        } = *self;
+        let runtime = &outline.runtime;
+        let arguments = &function.arguments;
+        let result = home::result(outline, function);
+        let fields = function.fields.iter().flat_map(|field| {
+            let name = field.name;
+            field_scalars(&field.shape, &quote!(__one.#name))
+        });
+        quote! {{
+            let __one: #result<T> = #runtime::as_in_sweeps(self, [#(#arguments[0]),*])?;
+            ::core::option::Option::Some([#(#fields),*])
+        }}
     }
 
     /// A sweep by the kernel over inputs, or by the one that does not rely on the digits of tables.

@@ -25,6 +25,24 @@ where
     inlined(assembly, x)
 }
 
+/// The function's value to the last bit as sweeps compute it, by code that [`single`] has, too; none on machines without fused
+/// multiply-add, unless the build has code for them alone.
+#[inline(always)]
+pub fn as_in_sweeps<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> Option<R>
+where
+    A: Single<T, R, I>,
+    T: Copy,
+{
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    if !crate::FUSED {
+        return match avx2::detected() {
+            true => Some(avx2::at(assembly, x)),
+            false => None,
+        };
+    }
+    Some(inlined(assembly, x))
+}
+
 /// The function's value by code for the build's own instruction set: for what is less than a call.
 #[inline(always)]
 pub fn inlined<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> R

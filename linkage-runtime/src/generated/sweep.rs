@@ -46,6 +46,29 @@ pub fn fill<T: Scalar, const I: usize, const W: usize>(
     instruction_set::run(kernel, arguments, 0, columns.all_mut());
 }
 
+/// As [`fill`], but a single position by `one`, the function as it is called, if that gives something: a vector of positions takes as long
+/// as several calls.
+///
+/// # Panics
+///
+/// Panics if the arguments differ in length.
+#[inline(always)]
+pub fn fill_or_call<T: Scalar, const I: usize, const W: usize>(
+    kernel: &impl Kernel<T, I, W>,
+    arguments: &impl Arguments<T, I>,
+    columns: &mut Columns<T>,
+    one: impl FnOnce() -> Option<[T; W]>,
+) {
+    if const { T::VECTORISES }
+        && arguments.check() == 1
+        && let Some(row) = one()
+    {
+        columns.resize(1);
+        return columns.set(0, row);
+    }
+    fill(kernel, arguments, columns);
+}
+
 /// Evaluates `kernel` at all positions, into slices of that length. `title` is the function, for the panic.
 ///
 /// # Panics
