@@ -9,8 +9,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::Level;
 
-/// The longest step, and one that is too short to go on with, as parts of the way.
-const LONGEST: f64 = 1.0 / 16.0;
+/// The longest step, and one that is too short to go on with, as parts of the way. What certifies a step is how little the states change;
+/// places are near each other so that a stretch without the assembly between them is met.
+const LONGEST: f64 = 1.0 / 4.0;
 const SHORTEST: f64 = 1e-7;
 
 /// Places on the way at which slacks are looked at before dips between them are.
@@ -234,7 +235,11 @@ fn reach<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
                 let found = moved(&mut programs, description.variables, &x, before, sign);
                 let (state, determinant) = found.ok_or(Obstacle::Group(group))?;
                 next.determinants[number] = determinant;
-                starts[number] = here(&mut programs, &x, &state).ok_or(Obstacle::Group(group))?;
+                // Only groups behind it would read that.
+                if group + 1 < W::LEVELS.len() {
+                    starts[number] =
+                        here(&mut programs, &x, &state).ok_or(Obstacle::Group(group))?;
+                }
                 next.states[number] = state;
                 1.0
             }
