@@ -6,6 +6,7 @@
 //! those of `q` less what the free places take up: `q_xy - q_xf (q_ff)^-1 q_fy`.
 
 use super::shape::{Jet, Pair, Part, difference, dot, edge};
+use crate::components::norm;
 
 /// The distance of two parts at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +18,12 @@ pub(super) struct Case<const K: usize> {
     pub(super) gap: Jet<K>,
     /// The edges with their first derivatives; zeros for points.
     edges: [[[f64; K]; 2]; 2],
+    /// Up to which length the gap may be rounding.
+    rounding: f64,
 }
+
+/// Roundoffs of coordinates, edges and velocities that a gap may have where two shapes touch.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// What a variable does to a case while the places along the edges stay: derivatives of the gap, of its derivative by the angle,
 /// and of both edges.
@@ -61,11 +67,23 @@ impl<const K: usize> Case<K> {
         let gap = core::array::from_fn(|k| {
             core::array::from_fn(|i| base[k][i] + s * u[k][i] - t * w[k][i])
         });
+        let gap: Jet<K> = gap;
+        let sizes = [&a[0], &b[0], &u[0], &w[0], &gap[1]];
+        let sizes = sizes.into_iter().flatten();
         Self {
             parts,
             feet: [start(parts[0]) as f64 + s, start(parts[1]) as f64 + t],
             gap,
             edges: [[u[0], u[1]], [w[0], w[1]]],
+            rounding: ROUNDING * sizes.fold(0.0, |size: f64, x| size.max(x.abs())),
+        }
+    }
+
+    /// The distance; 0 if it is nothing but rounding.
+    pub(super) fn distance(&self) -> f64 {
+        match norm(&self.gap[0]) {
+            distance if distance <= self.rounding => 0.0,
+            distance => distance,
         }
     }
 

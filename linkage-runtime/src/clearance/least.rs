@@ -130,7 +130,7 @@ impl<const K: usize> Clearance<K> {
             if parts == inside && K < 3 {
                 let mut places = positions(range, rows.len()).zip(rows);
                 let crossing = places.find(|(_, row)| Case::of(inside, row).is_nearest());
-                found.extend(crossing.map(|(u, row)| touching(u, Case::of(inside, row))));
+                found.extend(crossing.map(|(u, row)| Nearest::of(u, Case::of(inside, row))));
                 continue;
             }
             let jet = |pair: &Pair<K, A, B>| Case::of(parts, pair).jet();
@@ -214,13 +214,4 @@ impl<const K: usize> Clearance<K> {
 
 fn lower<const K: usize>(a: &Nearest<K>, b: &Nearest<K>) -> bool {
     a.distance < b.distance
-}
-
-/// Two segments of the plane that cross.
-fn touching<const K: usize>(at: f64, case: Case<K>) -> Nearest<K> {
-    Nearest {
-        distance: 0.0,
-        direction: [f64::NAN; K],
-        ..Nearest::of(at, case)
-    }
 }

@@ -2,14 +2,14 @@
 
 use super::case::{Case, Variation};
 use super::shape::{between, difference, dot};
-use crate::components::{Components, norm};
+use crate::components::Components;
 
 /// A place of the cycle where the distance of two shapes is less than beside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest<const K: usize> {
     /// The angle of the shaft.
     pub at: f64,
-    /// The distance.
+    /// The distance; 0 where the shapes touch, up to rounding of their coordinates.
     pub distance: f64,
     /// Where on the shapes it is: of a segment 0 at its first and 1 at its second end, of a point 0.
     pub feet: [f64; 2],
@@ -20,12 +20,16 @@ pub struct Nearest<const K: usize> {
 
 impl<const K: usize> Nearest<K> {
     pub(super) fn of(at: f64, case: Case<K>) -> Self {
-        let distance = norm(&case.gap[0]);
+        let distance = case.distance();
+        let direction = |component| match distance > 0.0 {
+            true => component / distance,
+            false => f64::NAN,
+        };
         Self {
             at,
             distance,
             feet: case.feet,
-            direction: case.gap[0].map(|component| component / distance),
+            direction: case.gap[0].map(direction),
             case,
         }
     }

@@ -45,8 +45,8 @@ const REPEATS: f64 = 1e-9;
 /// positions, a harmonic as high as the tenth of the shaft's turn loses no more than a twentieth between two of them.
 const BETWEEN: f64 = 1.25;
 
-/// How far a phase may be from a multiple of the spacing to be taken for one, as a share of the spacing.
-const ON_GRID: f64 = 1e-9;
+/// How far a phase may be from a multiple of the spacing to be taken for one, as a share of the spacing: rounding.
+const ON_GRID: f64 = 1e-13;
 
 impl<V, const K: usize, const A: usize, const B: usize, F, G> Phases<V, K, A, B, F, G>
 where

@@ -23,7 +23,8 @@ pub struct BestPhase<const K: usize> {
     pub optimum: Optimum,
     /// Where the organs are that near: one place, or several that are equally near.
     pub contacts: Vec<Contact<K>>,
-    /// No phase of the range has a larger least distance than this: at most a thousandth more than `distance`.
+    /// No phase of the range has a larger least distance than this: at most a thousandth more than `distance`, or, if that is more, a two-hundredth of the
+    /// way of the second organ over a radian at its fastest.
     pub bound: f64,
     /// How many phases were looked at.
     pub probes: usize,
@@ -62,9 +63,9 @@ const INTERVALS: usize = 16;
 /// By how much more, as a share, a least distance might be than the one that is told.
 const CERTAIN: f64 = 1e-3;
 
-/// Distances below this share of the organ's way over a radian at its fastest are no different from a touch: what could be gained beside is not looked
-/// for.
-const TOUCH: f64 = 1e-3;
+/// Beside a touch the distance grows by as much as the organ moves, so that phases would have to be as close as what is looked for: less than this
+/// share of its way over a radian at its fastest is not.
+const TOUCH: f64 = 5e-3;
 
 /// More phases are not looked at: the bound then tells what is left open.
 const PROBES: usize = 1000;
@@ -86,7 +87,7 @@ where
 {
     /// The phase from the first to the second one of `range`, a cycle at most, that makes the least distance over the cycle largest.
     ///
-    /// It is the best of all local optima: every interval of phases that might hold a distance larger by a thousandth is divided until none is left, by bounds that hold if
+    /// It is the best of all local optima: every interval of phases that might hold more than [`bound`](BestPhase::bound) is divided until none is left, by bounds that hold if
     /// the second organ is nowhere between the positions more than a quarter faster, or more than a quarter harder accelerated, than at
     /// the fastest of them. The optimum itself is located to the last digits, by derivatives.
     ///
@@ -137,7 +138,7 @@ where
                 bounds.insert(open + 1, pair(open + 1));
             }
         };
-        let bound = sqrt(2.0 * limit.max(best.q()));
+        let bound = sqrt(2.0 * limit).max(best.clearance.least().distance);
         let best = told(&best, [low, high], bound, probes.len());
         Ok(Search { probes, best })
     }

@@ -44,9 +44,13 @@ where
         if !(step > 0.0 && step.is_finite() && steps(low).abs().max(steps(high).abs()) < 1e9) {
             return Err(PhaseError::Step { step, range });
         }
-        let first = (steps(low) - BESIDE).ceil() as i64;
-        let last = (steps(high) + BESIDE).floor() as i64;
-        let mut open: Vec<(f64, i64)> = (first..=last)
+        let [first, last] = [steps(low), steps(high)].map(|steps| steps as i64);
+        let is_in = |index: &i64| {
+            let steps_in = *index as f64;
+            steps_in >= steps(low) - BESIDE && steps_in <= steps(high) + BESIDE
+        };
+        let mut open: Vec<(f64, i64)> = (first - 1..=last + 1)
+            .filter(is_in)
             .map(|index| {
                 let phase = index as f64 * step;
                 let next = found.probes.partition_point(|probe| probe.phase < phase);
