@@ -212,6 +212,7 @@ pub mod summary {
 /// Clearances: how close two organs come over a cycle, and the phase that makes it largest.
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod clearance {
+    #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/clearance.md")]
 
     pub use linkage_runtime::clearance::*;
@@ -220,6 +221,7 @@ pub mod clearance {
 /// Cyclograms: what the organs of a machine do at which angle of the shaft.
 #[cfg(feature = "alloc")]
 pub mod cyclogram {
+    #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cyclogram.md")]
 
     pub use linkage_runtime::cyclogram::*;
