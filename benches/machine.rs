@@ -1,7 +1,8 @@
 //! Several organs on one shaft: `cargo bench --bench machine`.
 //!
-//! A cyclogram of four organs with all switching angles and their sensitivities; the least distance of two needles with its sensitivities to all 34
-//! dimensions; the best phase of the two. Times are of everything after `assemble()`, sweeps included.
+//! A cyclogram of four organs with all switching angles and their sensitivities; the least distance of two needles
+//! with its sensitivities to all 34 dimensions; the best phase of the two. Times are of everything after
+//! `assemble()`, sweeps included.
 
 use linkage::clearance::{Clearance, Phases};
 use linkage::cyclogram::{Band, Cyclogram, Organ};

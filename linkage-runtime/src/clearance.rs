@@ -1,8 +1,9 @@
-//! How close two organs come: the least distance of points and segments over a cycle, and the phase that makes it largest.
+//! How close two organs come: the least distance of points and segments over a cycle, and the phase that makes it
+//! largest.
 //!
 //! A [`Clearance`] holds all places of a cycle where the distance is least, as roots of exact derivatives; each
-//! [`Nearest`] knows what dimensions do to the distance and to its place. [`Phases`] turns one organ against the other on their
-//! shaft.
+//! [`Nearest`] knows what dimensions do to the distance and to its place. [`Phases`] turns one organ against the
+//! other on their shaft.
 
 mod case;
 mod error;

@@ -1,9 +1,9 @@
 //! Cyclograms: from which to which angle of the shaft each organ of a machine advances, dwells and returns.
 //!
-//! An [`Organ`] is made of the [`Course`](crate::summary::Course) of a quantity and of the [`Band`]s in which it is said to dwell. Its
-//! [`Event`]s, where one motion ends and the next one begins, are roots of exact derivatives, with their sensitivities to the
-//! dimensions by the implicit function theorem. A [`Cyclogram`] is all organs of a shaft: what follows what, by how many
-//! degrees, and what happens at the same time.
+//! An [`Organ`] is made of the [`Course`](crate::summary::Course) of a quantity and of the [`Band`]s in which it is
+//! said to dwell. Its [`Event`]s, where one motion ends and the next one begins, are roots of exact derivatives, with
+//! their sensitivities to the dimensions by the implicit function theorem. A [`Cyclogram`] is all organs of a shaft:
+//! what follows what, by how many degrees, and what happens at the same time.
 
 mod accuracy;
 mod band;

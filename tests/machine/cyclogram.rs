@@ -78,7 +78,8 @@ impl<const P: usize> Drive<'_, P> {
         errors
     }
 
-    /// The limits are the events of an organ whose one band is a hair in the middle: between they turn without a dwell.
+    /// The limits are the events of an organ whose one band is a hair in the middle: between they turn without a
+    /// dwell.
     fn compare_limits(&self, known: &Value, errors: &mut Errors) {
         let [low, high] = ["global_min", "global_max"].map(|name| number(&known[name]));
         let middle = 0.5 * (low + high);

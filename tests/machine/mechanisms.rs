@@ -3,8 +3,8 @@
 use linkage::mechanism;
 
 mechanism! {
-    /// Hook needle and eye needle on one main shaft, which turns once in a cycle; the eye needle's frame is placed beside the hook
-    /// needle's.
+    /// Hook needle and eye needle on one main shaft, which turns once in a cycle; the eye needle's frame is placed
+    /// beside the hook needle's.
     pub struct TwoNeedles {
         unit mm;
         param hook_p1 = (0mm, 0mm) +- 20um;

@@ -31,8 +31,8 @@ pub(crate) fn radians(value: &Value) -> f64 {
     number(value).to_radians()
 }
 
-/// The derivatives by the parameters, in their order. `organ` stands before the names of the reference: `hook` and `P1x` are
-/// `hook_p1.x`. 0 for a parameter of another organ.
+/// The derivatives by the parameters, in their order. `organ` stands before the names of the reference: `hook` and
+/// `P1x` are `hook_p1.x`. 0 for a parameter of another organ.
 pub(crate) fn derivatives(value: &Value, organ: &str, parameters: &[Parameter]) -> Vec<f64> {
     let plain = |name: &str| name.replace(['.', '_'], "").to_lowercase();
     let known = value.as_object().expect("an object");

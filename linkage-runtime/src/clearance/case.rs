@@ -1,9 +1,9 @@
-//! One way in which two shapes can be nearest to each other: from end to end, from an end to the inside of an edge, or from inside to
-//! inside.
+//! One way in which two shapes can be nearest to each other: from end to end, from an end to the inside of an edge,
+//! or from inside to inside.
 //!
-//! With `E` for the vector between two places of the shapes and `s`, `t` for the places along their edges, half the square of the
-//! distance is `q = E.E/2`, smooth in angle, places and parameters. Where a place is free, `dq/ds = 0` tells it; second derivatives are
-//! those of `q` less what the free places take up: `q_xy - q_xf (q_ff)^-1 q_fy`.
+//! With `E` for the vector between two places of the shapes and `s`, `t` for the places along their edges, half the
+//! square of the distance is `q = E.E/2`, smooth in angle, places and parameters. Where a place is free, `dq/ds = 0`
+//! tells it; second derivatives are those of `q` less what the free places take up: `q_xy - q_xf (q_ff)^-1 q_fy`.
 
 use super::shape::{Jet, Pair, Part, difference, dot, edge};
 use crate::components::norm;
@@ -25,8 +25,8 @@ pub(super) struct Case<const K: usize> {
 /// Roundoffs of coordinates, edges and velocities that a gap may have where two shapes touch.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// What a variable does to a case while the places along the edges stay: derivatives of the gap, of its derivative by the angle,
-/// and of both edges.
+/// What a variable does to a case while the places along the edges stay: derivatives of the gap, of its derivative by
+/// the angle, and of both edges.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Variation<const K: usize> {
     pub(super) gap: [f64; K],
@@ -34,8 +34,8 @@ pub(super) struct Variation<const K: usize> {
     pub(super) edges: [[f64; K]; 2],
 }
 
-/// By how much a place may be beyond an end by rounding, as a share of the edge, and a distance along the edge so small that it is none:
-/// both neighbouring cases are then taken for nearest, and one is dropped.
+/// By how much a place may be beyond an end by rounding, as a share of the edge, and a distance along the edge so
+/// small that it is none: both neighbouring cases are then taken for nearest, and one is dropped.
 const BESIDE: f64 = 1e-12;
 
 impl<const K: usize> Case<K> {
@@ -156,8 +156,8 @@ impl<const K: usize> Case<K> {
         own[0] - self.taken_up(&angle, &own)
     }
 
-    /// Slope and second derivative of `q` by the phase of the second shape, whose derivatives by it are those by the angle, where the angle follows so
-    /// that `q` stays least.
+    /// Slope and second derivative of `q` by the phase of the second shape, whose derivatives by it are those by the
+    /// angle, where the angle follows so that `q` stays least.
     pub(super) fn by_phase(&self, second: &Jet<K>) -> [f64; 2] {
         let [gap, ..] = &self.gap;
         let by = Variation {

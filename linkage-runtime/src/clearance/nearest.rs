@@ -40,11 +40,12 @@ impl<const K: usize> Nearest<K> {
         self.case.bend() / self.distance
     }
 
-    /// The derivatives of the distance by all parameters, from those of the points here: for each point of both shapes what `sensitivity(point)` gives at the
-    /// angle [`at`](Self::at).
+    /// The derivatives of the distance by all parameters, from those of the points here: for each point of both
+    /// shapes what `sensitivity(point)` gives at the angle [`at`](Self::at).
     ///
-    /// Neither the angle at which the distance is least nor the places along segments need follow the parameters, since the distance does not notice, to first
-    /// order (the envelope theorem): `dD/dp = direction . (dP/dp - dQ/dp)`. It is NaN where the shapes touch.
+    /// Neither the angle at which the distance is least nor the places along segments need follow the parameters,
+    /// since the distance does not notice, to first order (the envelope theorem): `dD/dp = direction . (dP/dp -
+    /// dQ/dp)`. It is NaN where the shapes touch.
     #[must_use]
     pub fn sensitivity<V: Components<K>, const A: usize, const B: usize, const P: usize>(
         &self,
@@ -59,11 +60,11 @@ impl<const K: usize> Nearest<K> {
         })
     }
 
-    /// The derivatives of the angle [`at`](Self::at) by all parameters, in radians for a unit of each: for each point of both shapes what
-    /// `sensitivity(point)` and `sensitivity(velocity(point))` give there.
+    /// The derivatives of the angle [`at`](Self::at) by all parameters, in radians for a unit of each: for each point
+    /// of both shapes what `sensitivity(point)` and `sensitivity(velocity(point))` give there.
     ///
-    /// By the implicit function theorem, `-(d2q/dtheta dp) / (d2q/dtheta2)` with half the square of the distance for `q`, places along
-    /// segments eliminated.
+    /// By the implicit function theorem, `-(d2q/dtheta dp) / (d2q/dtheta2)` with half the square of the distance for
+    /// `q`, places along segments eliminated.
     #[must_use]
     pub fn shift<V: Components<K>, const A: usize, const B: usize, const P: usize>(
         &self,

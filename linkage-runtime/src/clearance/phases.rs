@@ -10,8 +10,8 @@ use crate::summary::{SummaryError, positions};
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
-/// Two organs on one shaft, the second of which leads by a phase: at the shaft's angle `x` it stands where it stands at `x + phase`
-/// without one.
+/// Two organs on one shaft, the second of which leads by a phase: at the shaft's angle `x` it stands where it stands
+/// at `x + phase` without one.
 ///
 /// ```
 /// use linkage_runtime::clearance::Phases;
@@ -41,8 +41,9 @@ pub struct Phases<V, const K: usize, const A: usize, const B: usize, F, G> {
 /// By how much, as a share of its largest value, a point or derivative may differ between both ends of a cycle.
 const REPEATS: f64 = 1e-9;
 
-/// How much faster than at the fastest of the positions, and harder accelerated, an organ is thought to be between them at most: with 90
-/// positions, a harmonic as high as the tenth of the shaft's turn loses no more than a twentieth between two of them.
+/// How much faster than at the fastest of the positions, and harder accelerated, an organ is thought to be between
+/// them at most: with 90 positions, a harmonic as high as the tenth of the shaft's turn loses no more than a
+/// twentieth between two of them.
 const BETWEEN: f64 = 1.25;
 
 /// How far a phase may be from a multiple of the spacing to be taken for one, as a share of the spacing: rounding.
@@ -54,14 +55,14 @@ where
     F: Fn(f64) -> [[V; 3]; A],
     G: Fn(f64) -> [[V; 3]; B],
 {
-    /// Follows both organs over a cycle of the shaft, from this many evenly spaced positions, both ends among them: each function gives
-    /// the points of its organ, as [`Clearance::of`] takes them, at its own angle, without a phase. Neither is ever called outside
-    /// the range.
+    /// Follows both organs over a cycle of the shaft, from this many evenly spaced positions, both ends among them:
+    /// each function gives the points of its organ, as [`Clearance::of`] takes them, at its own angle, without a
+    /// phase. Neither is ever called outside the range.
     ///
     /// # Errors
     ///
-    /// `Course` for an empty range or less than two positions, `Gap` if an organ cannot be assembled at a position, `NoCycle` if it
-    /// does not end where it began.
+    /// `Course` for an empty range or less than two positions, `Gap` if an organ cannot be assembled at a position,
+    /// `NoCycle` if it does not end where it began.
     pub fn of(
         range: (f64, f64),
         positions: usize,

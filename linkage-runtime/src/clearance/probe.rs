@@ -3,7 +3,8 @@
 use super::least::Clearance;
 use linkage_core::math::double::sqrt;
 
-/// What a minimum over the cycle does as the phase changes: half the square of its distance, with slope and second derivative.
+/// What a minimum over the cycle does as the phase changes: half the square of its distance, with slope and second
+/// derivative.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
     pub(super) q: f64,
@@ -30,8 +31,8 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    /// The largest second derivative by the phase of half the square of a distance that is `sqrt(2 q)` at one end of a way `width` long:
-    /// `v.v - E.a`, where `E` grows by the way of the organ at most.
+    /// The largest second derivative by the phase of half the square of a distance that is `sqrt(2 q)` at one end of
+    /// a way `width` long: `v.v - E.a`, where `E` grows by the way of the organ at most.
     fn bend(self, q: f64, width: f64) -> f64 {
         let reach = sqrt(2.0 * q) + self.speed * width;
         self.speed * self.speed + reach * self.acceleration
@@ -48,8 +49,9 @@ impl<const K: usize> Probe<K> {
         self.lines[self.least]
     }
 
-    /// What no phase from `self` to `next` exceeds: with the shaft's angle and the places held at which a minimum was found at either end, the distance is
-    /// not less than the least one, and half its square stays below a parabola with the largest second derivative.
+    /// What no phase from `self` to `next` exceeds: with the shaft's angle and the places held at which a minimum was
+    /// found at either end, the distance is not less than the least one, and half its square stays below a parabola
+    /// with the largest second derivative.
     pub(super) fn bound(&self, next: &Self, limits: Limits) -> f64 {
         let width = next.phase - self.phase;
         let mut bound = f64::INFINITY;
@@ -70,8 +72,9 @@ impl<const K: usize> Probe<K> {
         self.lines.iter().map(above).fold(f64::INFINITY, f64::min)
     }
 
-    /// Where between two phases the least distance is probably largest, by the parabolas of the minima at both ends: the top of one of
-    /// them, or where two cross. Each end has all its minima: beside a place where two are equal, both are known there.
+    /// Where between two phases the least distance is probably largest, by the parabolas of the minima at both ends:
+    /// the top of one of them, or where two cross. Each end has all its minima: beside a place where two are equal,
+    /// both are known there.
     pub(super) fn trial(&self, next: &Self) -> f64 {
         let h = next.phase - self.phase;
         let height = |x: f64| match x < 0.5 * h {
@@ -134,8 +137,8 @@ fn crossings(line: &Line) -> [f64; 2] {
     [sum / s, c / sum]
 }
 
-/// The highest point below both of two parabolas of the same bend, one from either end. Less that bend they are straight lines, so it
-/// is at an end or where they cross.
+/// The highest point below both of two parabolas of the same bend, one from either end. Less that bend they are
+/// straight lines, so it is at an end or where they cross.
 fn highest(a: &Line, b: &Line, width: f64, bend: f64) -> f64 {
     let from_left = |x: f64| a.q + x * (a.slope + 0.5 * bend * x);
     let from_right = |x: f64| b.q + x * (-b.slope + 0.5 * bend * x);

@@ -1,8 +1,9 @@
 //! The phase at which the least distance is largest.
 //!
-//! At each phase the least distance is the smallest of some minima over the cycle, each smooth: so it is largest where the slope of one
-//! of them is zero, where two of them are equal and have slopes of different signs, or at an end of the phases. Parabolas
-//! from the phases looked at bound it between them; intervals that might hold more than what was found are divided until none is left.
+//! At each phase the least distance is the smallest of some minima over the cycle, each smooth: so it is largest
+//! where the slope of one of them is zero, where two of them are equal and have slopes of different signs, or at an
+//! end of the phases. Parabolas from the phases looked at bound it between them; intervals that might hold more than
+//! what was found are divided until none is left.
 
 use super::PhaseError;
 use super::nearest::Nearest;
@@ -23,8 +24,8 @@ pub struct BestPhase<const K: usize> {
     pub optimum: Optimum,
     /// Where the organs are that near: one place, or several that are equally near.
     pub contacts: Vec<Contact<K>>,
-    /// No phase of the range has a larger least distance than this: at most a thousandth more than `distance`, or, if that is more, a two-hundredth of the
-    /// way of the second organ over a radian at its fastest.
+    /// No phase of the range has a larger least distance than this: at most a thousandth more than `distance`, or, if
+    /// that is more, a two-hundredth of the way of the second organ over a radian at its fastest.
     pub bound: f64,
     /// How many phases were looked at.
     pub probes: usize,
@@ -63,8 +64,8 @@ const INTERVALS: usize = 16;
 /// By how much more, as a share, a least distance might be than the one that is told.
 const CERTAIN: f64 = 1e-3;
 
-/// Beside a touch the distance grows by as much as the organ moves, so that phases would have to be as close as what is looked for: less than this
-/// share of its way over a radian at its fastest is not.
+/// Beside a touch the distance grows by as much as the organ moves, so that phases would have to be as close as what
+/// is looked for: less than this share of its way over a radian at its fastest is not.
 const TOUCH: f64 = 5e-3;
 
 /// More phases are not looked at: the bound then tells what is left open.
@@ -85,11 +86,13 @@ where
     F: Fn(f64) -> [[V; 3]; A],
     G: Fn(f64) -> [[V; 3]; B],
 {
-    /// The phase from the first to the second one of `range`, a cycle at most, that makes the least distance over the cycle largest.
+    /// The phase from the first to the second one of `range`, a cycle at most, that makes the least distance over the
+    /// cycle largest.
     ///
-    /// It is the best of all local optima: every interval of phases that might hold more than [`bound`](BestPhase::bound) is divided until none is left, by bounds that hold if
-    /// the second organ is nowhere between the positions more than a quarter faster, or more than a quarter harder accelerated, than at
-    /// the fastest of them. The optimum itself is located to the last digits, by derivatives.
+    /// It is the best of all local optima: every interval of phases that might hold more than
+    /// [`bound`](BestPhase::bound) is divided until none is left, by bounds that hold if the second organ is nowhere
+    /// between the positions more than a quarter faster, or more than a quarter harder accelerated, than at the
+    /// fastest of them. The optimum itself is located to the last digits, by derivatives.
     ///
     /// # Errors
     ///
@@ -143,8 +146,8 @@ where
         Ok(Search { probes, best })
     }
 
-    /// Evenly spaced phases: where the spacing is not that of the positions, only both ends need calls of the second organ at
-    /// other places.
+    /// Evenly spaced phases: where the spacing is not that of the positions, only both ends need calls of the second
+    /// organ at other places.
     fn coarse(&self, low: f64, high: f64) -> Result<Vec<Probe<K>>, PhaseError> {
         let spacing = self.width() / (self.positions() - 1) as f64;
         let stride = ((high - low) / spacing / INTERVALS as f64).max(1.0) as i64;
@@ -186,7 +189,8 @@ where
         Ok(found)
     }
 
-    /// From a phase where the least distance rises and one where it falls, or is less: the optimum between them, to the last digit.
+    /// From a phase where the least distance rises and one where it falls, or is less: the optimum between them, to
+    /// the last digit.
     fn climbed(
         &self,
         mut a: Probe<K>,
@@ -207,7 +211,8 @@ where
             }
             let probe = self.probe(trial)?;
             let slope = probe.line().slope;
-            // A rising phase is left of the optimum, unless a higher one that rises is left of it; the same the other way round.
+            // A rising phase is left of the optimum, unless a higher one that rises is left of it; the same the other
+            // way round.
             let lower = |than: &Probe<K>| probe.q() < than.q() * (1.0 - NOISE);
             let beyond_left = a.line().slope > 0.0 && lower(&a);
             let beyond_right = b.line().slope < 0.0 && lower(&b);

@@ -29,8 +29,8 @@ where
     F: Fn(f64) -> [[V; 3]; A],
     G: Fn(f64) -> [[V; 3]; B],
 {
-    /// The best of the phases in `range` that are whole multiples of `step`, as `TAU / 48.0` for a gear of 48 slots, and what is lost against the
-    /// [best](Self::best) phase of all.
+    /// The best of the phases in `range` that are whole multiples of `step`, as `TAU / 48.0` for a gear of 48 slots,
+    /// and what is lost against the [best](Self::best) phase of all.
     ///
     /// All steps are compared: those that cannot be better, by the same bounds, without being looked at.
     ///

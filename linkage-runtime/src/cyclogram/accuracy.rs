@@ -9,11 +9,13 @@ use super::CyclogramError;
 use crate::tolerance::{Effects, Tolerances};
 
 impl Organ {
-    /// Adds the sensitivities of all events: the derivatives of their angles by the parameters, in radians for a unit of the parameter.
+    /// Adds the sensitivities of all events: the derivatives of their angles by the parameters, in radians for a unit
+    /// of the parameter.
     ///
-    /// `value` gives those of the quantity, `sensitivity(y)`, `velocity` those of its derivative, `sensitivity(velocity(y))`; the latter is
-    /// called only where the organ turns back outside its bands, and needs a course with a second derivative. With `y'` for
-    /// derivatives by the shaft's angle, the implicit function theorem says:
+    /// `value` gives those of the quantity, `sensitivity(y)`, `velocity` those of its derivative,
+    /// `sensitivity(velocity(y))`; the latter is called only where the organ turns back outside its bands, and needs
+    /// a course with a second derivative. With `y'` for derivatives by the shaft's angle, the implicit function
+    /// theorem says:
     ///
     /// | event | derivative of its angle by `p` |
     /// |---|---|
@@ -60,8 +62,8 @@ impl Organ {
         (count > 0).then(|| &self.sensitivities[event * count..][..count])
     }
 
-    /// By how much, in radians, the tolerances shift the event of this index in the worst case, to first order; `None` unless they
-    /// were given.
+    /// By how much, in radians, the tolerances shift the event of this index in the worst case, to first order;
+    /// `None` unless they were given.
     ///
     /// # Panics
     ///

@@ -26,12 +26,17 @@ pub enum CyclogramError {
         /// Where it is assembled.
         parts: Vec<(f64, f64)>,
     },
+    /// It stands still: there is nothing to tell.
+    Still {
+        /// The organ.
+        organ: String,
+        /// Where.
+        value: f64,
+    },
     /// Its bands do not fit its motion.
     Bands {
         /// The organ.
         organ: String,
-        /// The unit of the quantity; empty if it was not said.
-        unit: String,
         /// The lowest and the highest position.
         limits: [f64; 2],
         /// What is wrong, band by band.
@@ -112,16 +117,20 @@ impl fmt::Display for CyclogramError {
                 }
                 Ok(())
             }
+            Self::Still { organ, value } => write!(
+                f,
+                "`{organ}` stands still at {} over the whole cycle",
+                rounded(*value)
+            ),
             Self::Bands {
                 organ,
-                unit,
                 limits,
                 mistakes,
             } => {
                 for (index, mistake) in mistakes.iter().enumerate() {
                     let line = if index == 0 { "" } else { "\n" };
                     write!(f, "{line}`{organ}`: ")?;
-                    mistake.print(f, unit, *limits)?;
+                    mistake.print(f, *limits)?;
                 }
                 Ok(())
             }
@@ -151,29 +160,25 @@ impl fmt::Display for CyclogramError {
 }
 
 impl BandMistake {
-    fn print(self, f: &mut fmt::Formatter<'_>, unit: &str, limits: [f64; 2]) -> fmt::Result {
+    fn print(self, f: &mut fmt::Formatter<'_>, limits: [f64; 2]) -> fmt::Result {
         let [lowest, highest] = limits.map(rounded);
-        let unit = crate::words::printed(|f| match unit {
-            "" => Ok(()),
-            unit => write!(f, " {unit}"),
-        });
         match self {
             Self::Width { band } => {
-                write!(f, "the band {band}{unit} has no positive width")
+                write!(f, "the band {band} has no positive width")
             }
             Self::Unreached { band } => write!(
                 f,
-                "nothing reaches the band {band}{unit}: the motion is from {lowest} to {highest}{unit}"
+                "nothing reaches the band {band}: the motion is from {lowest} to {highest}"
             ),
             Self::Whole { band } => write!(
                 f,
-                "the whole motion, from {lowest} to {highest}{unit}, is in the band {band}{unit}: there is nothing but a dwell"
+                "the whole motion, from {lowest} to {highest}, is in the band {band}: there is nothing but a dwell"
             ),
             Self::Overlap { bands: [a, b], by } => {
                 let by = rounded(by);
                 write!(
                     f,
-                    "the bands {a}{unit} and {b}{unit} overlap by {by}{unit}: the motion is from {lowest} to {highest}{unit}"
+                    "the bands {a} and {b} overlap by {by}: the motion is from {lowest} to {highest}"
                 )
             }
         }

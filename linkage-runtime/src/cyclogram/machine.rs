@@ -15,12 +15,17 @@ use alloc::vec::Vec;
 ///     let course = Course::of((0.0, std::f64::consts::TAU), 90, lift)?;
 ///     Ok(Organ::new(name, &course, &[Band::Top(0.5)])?)
 /// };
-/// let machine = Cyclogram::of([organ("hook", 0.0)?, organ("eye", 30f64.to_radians())?])?;
+/// let machine = Cyclogram::of([organ("hook", 0.0)?, organ("eye", 20f64.to_radians())?])?;
 /// assert_eq!(machine.to_string(), "\
 /// cycle of 360 deg, from 0 to 360 deg
 ///
 ///  at, deg     after  organ  ends             begins
-///   0.0000   30.0000  eye    advance          dwell (top 0.5)
+///  10.0000  100.0000  eye    advance          dwell (top 0.5)
+///  30.0000   20.0000  hook   advance          dwell (top 0.5)
+/// 130.0000  100.0000  eye    dwell (top 0.5)  return
+/// 150.0000   20.0000  hook   dwell (top 0.5)  return
+/// 250.0000  100.0000  eye    return           advance
+/// 270.0000   20.0000  hook   return           advance
 /// ");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -117,9 +122,9 @@ impl Cyclogram {
         })
     }
 
-    /// The intervals in which a condition holds of what all organs do at once, in the order of the organs; as overlaps
-    /// of dwells, `|motions| motions[0].is_dwell() && motions[1].is_dwell()`. In order of the angle; one that goes across the seam is
-    /// a single interval.
+    /// The intervals in which a condition holds of what all organs do at once, in the order of the organs; as
+    /// overlaps of dwells, `|motions| motions[0].is_dwell() && motions[1].is_dwell()`. In order of the angle; one
+    /// that goes across the seam is a single interval.
     #[must_use]
     pub fn together(&self, condition: impl Fn(&[Motion]) -> bool) -> Vec<Interval> {
         let low = self.range.0;

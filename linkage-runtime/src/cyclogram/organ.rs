@@ -38,16 +38,17 @@ pub struct Organ {
 }
 
 impl Organ {
-    /// From the course of a quantity over a cycle, and the bands in which it is said to dwell. What rises is an advance:
-    /// turn the quantity round where it is the other way.
+    /// From the course of a quantity over a cycle, and the bands in which it is said to dwell. What rises is an
+    /// advance: turn the quantity round where it is the other way.
     ///
-    /// A band begins and ends where the quantity passes its bound, at roots to the last digits. The highest and the lowest position are
-    /// the first ones of the highest and lowest limits.
+    /// A band begins and ends where the quantity passes its bound, at roots to the last digits. The highest and the
+    /// lowest position are the first ones of the highest and lowest limits.
     ///
     /// # Errors
     ///
-    /// `NoCycle` if the range is none, `Gap` if there is a position that cannot be assembled, `Bands` for
-    /// bands without width, that are not reached, that hold the whole motion, or that overlap: all of them.
+    /// `NoCycle` if the range is none, `Gap` if there is a position that cannot be assembled, `Still` if it does not
+    /// move, `Bands` for bands without width, that are not reached, that hold the whole motion, or that overlap: all
+    /// of them.
     pub fn new<const N: usize, F: Fn(f64) -> [f64; N]>(
         name: impl Into<String>,
         course: &Course<N, F>,
@@ -70,11 +71,14 @@ impl Organ {
         }
         let [lowest, highest] = [course.position().lowest, course.position().highest];
         let limits = [lowest.value, highest.value];
+        if course.position().limits().next().is_none() {
+            let value = lowest.value;
+            return Err(CyclogramError::Still { organ, value });
+        }
         let mistakes = mistakes(bands, limits);
         if !mistakes.is_empty() {
             return Err(CyclogramError::Bands {
                 organ,
-                unit: String::new(),
                 limits,
                 mistakes,
             });
@@ -134,7 +138,8 @@ impl Organ {
         &self.events
     }
 
-    /// What it does in which interval: the first one begins with the first event, the last one goes on across the seam to it.
+    /// What it does in which interval: the first one begins with the first event, the last one goes on across the
+    /// seam to it.
     pub fn intervals(&self) -> impl ExactSizeIterator<Item = (Motion, Interval)> {
         let count = self.events.len();
         let width = self.range.1 - self.range.0;
@@ -160,8 +165,9 @@ impl Organ {
         }
     }
 
-    /// By how much the organ must be turned ahead on the shaft so that its event of this index happens at `angle`, from minus half to half a cycle: what is
-    /// turned ahead by `x` does everything `x` earlier. [`nearest_slot`](super::nearest_slot) sets it in steps.
+    /// By how much the organ must be turned ahead on the shaft so that its event of this index happens at `angle`,
+    /// from minus half to half a cycle: what is turned ahead by `x` does everything `x` earlier.
+    /// [`nearest_slot`](super::nearest_slot) sets it in steps.
     ///
     /// # Panics
     ///

@@ -6,8 +6,8 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use core::fmt;
 
-/// The events of all organs in order of the angle, in degrees: when, how long after the event before, whose, what ends and what
-/// begins; by how much tolerances shift it, if they were given.
+/// The events of all organs in order of the angle, in degrees: when, how long after the event before, whose, what
+/// ends and what begins; by how much tolerances shift it, if they were given.
 impl fmt::Display for Cyclogram {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (low, high) = self.range();

@@ -13,8 +13,8 @@ use super::{CsvStyle, ReportError};
 use crate::cyclogram::{Cyclogram, Motion, Organ};
 
 impl Cyclogram {
-    /// The intervals of all organs as CSV, organ by organ: what it does, in which band, from which angle to which, for how long, and by
-    /// how much tolerances shift the beginning and the end, if they were given.
+    /// The intervals of all organs as CSV, organ by organ: what it does, in which band, from which angle to which,
+    /// for how long, and by how much tolerances shift the beginning and the end, if they were given.
     ///
     /// # Errors
     ///
@@ -44,8 +44,8 @@ impl Cyclogram {
         Ok(text)
     }
 
-    /// All of it as JSON, angles in radians: each organ with its limits, bands, intervals and events, these with their sensitivities
-    /// and shifts; and the order of all events.
+    /// All of it as JSON, angles in radians: each organ with its limits, bands, intervals and events, these with
+    /// their sensitivities and shifts; and the order of all events.
     #[must_use]
     pub fn json(&self) -> String {
         let index = |organ: &Organ| self.organs.iter().position(|own| core::ptr::eq(own, organ));
@@ -66,8 +66,8 @@ impl Cyclogram {
         value.to_string()
     }
 
-    /// The diagram of bars: a row for each organ, with the line on which it rises and falls, bars where it dwells, and the angles of its
-    /// events. It follows the reader's choice of a light or dark ground.
+    /// The diagram of bars: a row for each organ, with the line on which it rises and falls, bars where it dwells,
+    /// and the angles of its events. It follows the reader's choice of a light or dark ground.
     ///
     /// # Errors
     ///

@@ -96,7 +96,8 @@ fn all_minima() {
     assert!(minima > 100, "{minima}");
 }
 
-/// The envelope theorem and the implicit function theorem against clearances of changed motions, in all cases of two segments in space.
+/// The envelope theorem and the implicit function theorem against clearances of changed motions, in all cases of two
+/// segments in space.
 #[test]
 fn sensitivities_are_differences() {
     let mut random = Random::new(7);

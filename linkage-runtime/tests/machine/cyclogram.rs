@@ -197,6 +197,11 @@ fn messages() {
         error.to_string(),
         "`press` cannot be assembled over the whole cycle, only from 143.239 to 114.592 deg"
     );
+    let error = organ("press", |_| [3.0, 0.0, 0.0], &[]).expect_err("it stands still");
+    assert_eq!(
+        error.to_string(),
+        "`press` stands still at 3 over the whole cycle"
+    );
     let twice = Course::of((0.0, 2.0 * TAU), 73, lift).expect("a course");
     let organs = [organ("press", lift, &[]), Organ::new("sinker", &twice, &[])];
     let error =

@@ -1,4 +1,5 @@
-//! The distance of points and segments, by another way than the library's: one foot after the other until nothing changes.
+//! The distance of points and segments, by another way than the library's: one foot after the other until nothing
+//! changes.
 
 pub(crate) fn distance<const K: usize>(first: &[[f64; K]], second: &[[f64; K]]) -> f64 {
     let at = |shape: &[[f64; K]], foot: f64| -> [f64; K] {

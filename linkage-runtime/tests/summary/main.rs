@@ -6,6 +6,7 @@ mod dwells;
 mod gaps;
 mod harmonics;
 mod lengths;
+mod passages;
 mod printed;
 mod ranges;
 mod samples;
