@@ -152,3 +152,53 @@ fn highest(a: &Line, b: &Line, width: f64, bend: f64) -> f64 {
         ends
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Limits, Line, highest};
+
+    /// A point on a circle of radius 3 and one that stands 5 from its centre: half the square of their distance is
+    /// `17 - 15 cos x`, with a second derivative of 15 at most.
+    #[test]
+    fn bounds_hold_and_are_not_loose() {
+        let limits = Limits {
+            speed: 3.0,
+            acceleration: 3.0,
+        };
+        let at = |x: f64| Line {
+            q: 17.0 - 15.0 * x.cos(),
+            slope: 15.0 * x.sin(),
+            bend: 15.0 * x.cos(),
+        };
+        for i in 0..60 {
+            let (from, width) = (0.1 * f64::from(i), 0.05 + 0.01 * f64::from(i));
+            let [a, b] = [from, from + width].map(at);
+            let bend = limits.bend(a.q, width).max(limits.bend(b.q, width));
+            let bound = highest(&a, &b, width, bend);
+            let inside = (0..=50).map(|k| at(from + width * f64::from(k) / 50.0).q);
+            let most = inside.fold(f64::NEG_INFINITY, f64::max);
+            assert!(
+                bend >= 15.0 && bound >= most,
+                "{from} {width}: {bound} {most}"
+            );
+            assert!(bound <= most + 0.125 * (bend + 15.0) * width * width);
+        }
+        // Straight lines cross at 0.5; what bends as much as it may is higher there.
+        let [a, b] = [
+            Line {
+                q: 0.0,
+                slope: 1.0,
+                bend: 5.0,
+            },
+            Line {
+                q: 0.0,
+                slope: -1.0,
+                bend: 5.0,
+            },
+        ];
+        assert_eq!(
+            [0.0, 5.0].map(|bend| highest(&a, &b, 1.0, bend)),
+            [0.5, 1.125]
+        );
+    }
+}

@@ -90,6 +90,36 @@ fn best_of_all_phases() {
     assert!(kinds.contains(&(Optimum::Equal as u8)));
 }
 
+/// A narrow peak between the phases that a search begins with, beside wide ones that are lower: fast motions that fit
+/// each other at one phase alone, there to the last digit.
+#[test]
+fn a_narrow_peak() {
+    for lead in [0.2, 0.19, 2.55, -1.1] {
+        let along = |x: f64| {
+            let mut jet = [0.0; 3];
+            for (n, size) in [(1.0, 6.0), (7.0, 4.0), (9.0, 5.0)] {
+                let (sin, cos) = (n * x).sin_cos();
+                jet[0] += size * cos;
+                jet[1] -= size * n * sin;
+                jet[2] -= size * n * n * cos;
+            }
+            jet
+        };
+        let first = |x: f64| [along(x).map(|x| [x, 0.0])];
+        let second = |x: f64| {
+            let [y, v, a] = along(x + lead);
+            [[[y + 40.0, 0.0], [v, 0.0], [a, 0.0]]]
+        };
+        let phases = Phases::of(TURN, 145, first, second).expect("phases");
+        let best = phases.best((-PI, PI)).expect("a best phase");
+        assert!(
+            (best.distance - 40.0).abs() < 1e-9 && (best.phase + lead).abs() < 1e-9,
+            "{lead}: {best:?}"
+        );
+        assert!(best.bound < 40.05);
+    }
+}
+
 #[test]
 fn messages() {
     let crank = |x: f64| {
