@@ -315,6 +315,23 @@ fn files() {
     };
     // Both dwells go across the seam: two bars each.
     assert_eq!((class("organ"), class("dwell")), (2, 4));
+    // Where an angle is: on the axis, whose ends have theirs.
+    let axis = drawing.descendants().find(|node| {
+        node.attribute("class")
+            .is_some_and(|own| own.split(' ').any(|word| word == "shaft"))
+    });
+    let number = |name: &str| {
+        axis.and_then(|axis| axis.attribute(name)?.parse::<f64>().ok())
+            .expect(name)
+    };
+    let share = (machine.organs()[1].events()[0].at - number("data-from"))
+        / (number("data-to") - number("data-from"));
+    let place = number("x1") + share * (number("x2") - number("x1"));
+    let circles = drawing
+        .descendants()
+        .filter(|node| node.has_tag_name("circle"));
+    let mut places = circles.filter_map(|node| node.attribute("cx")?.parse::<f64>().ok());
+    assert!(places.any(|x| (x - place).abs() < 1e-3), "{place}");
     assert!(
         svg.contains("60.00")
             && svg.contains("prefers-color-scheme: dark")

@@ -186,6 +186,33 @@ pub fn swing(rocker: impl Fn(f64) -> [f64; 2]) -> Result<f64, linkage::summary::
     Ok(course.position().stroke())
 }
 
+/// Where the rocker's dwell within a band below its highest position begins, in radians of the shaft.
+#[cfg(feature = "alloc")]
+pub fn dwell(rocker: impl Fn(f64) -> [f64; 2], band: f64) -> Option<f64> {
+    use linkage::cyclogram::{Band, Event, Motion, Organ};
+    let turn = (0.0, core::f64::consts::TAU);
+    let course = linkage::summary::Course::of(turn, 360, rocker).ok()?;
+    let organ = Organ::new("rocker", &course, &[Band::Top(band)]).ok()?;
+    let begins = |event: &&Event| event.begins == Motion::Dwell(0);
+    organ.events().iter().find(begins).map(|event| event.at)
+}
+
+/// How close two points come.
+///
+/// # Errors
+///
+/// If they cannot be followed over the turn.
+#[cfg(feature = "alloc")]
+pub fn least_distance(
+    points: impl Fn(f64) -> [[[f64; 2]; 3]; 2],
+) -> Result<f64, linkage::summary::SummaryError> {
+    let turn = (0.0, core::f64::consts::TAU);
+    let pair = |x| points(x).map(|point| [point]).into();
+    Ok(linkage::clearance::Clearance::of(turn, 90, pair)?
+        .least()
+        .distance)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

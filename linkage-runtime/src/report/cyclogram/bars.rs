@@ -53,7 +53,7 @@ pub(super) fn drawn(cyclogram: &Cyclogram) -> String {
         "",
         &format!("Cyclogram{names}"),
     );
-    grid(&mut svg, &places);
+    grid(&mut svg, &places, cyclogram.range());
     for (index, organ) in organs.iter().enumerate() {
         let group = Element::new("g")
             .class("organ")
@@ -65,7 +65,7 @@ pub(super) fn drawn(cyclogram: &Cyclogram) -> String {
     svg.finish()
 }
 
-fn grid(svg: &mut Svg, places: &Places) {
+fn grid(svg: &mut Svg, places: &Places, range: (f64, f64)) {
     let [left, right] = [places.left, WIDTH - RIGHT];
     for &tick in &places.scale.ticks {
         let x = places.x(tick.to_radians());
@@ -79,7 +79,9 @@ fn grid(svg: &mut Svg, places: &Places) {
             &places.scale.label(tick),
         );
     }
-    let axis = Element::line([left, places.bottom], [right, places.bottom]);
+    // With the angles of its ends, so that a page knows where an angle is.
+    let axis = Element::line([left, places.bottom], [right, places.bottom]).class("shaft");
+    let axis = axis.set("data-from", range.0).set("data-to", range.1);
     svg.add(axis.stroke(Colour::Frame, 1.0));
     let title = Element::text([0.5 * (left + right), places.bottom + 39.0], 13.0);
     svg.words(
