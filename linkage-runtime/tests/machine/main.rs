@@ -4,6 +4,8 @@
 mod clearance;
 mod cyclogram;
 mod distance;
+#[cfg(feature = "report")]
+mod files;
 mod motion;
 mod phases;
 

@@ -1,0 +1,79 @@
+//! Cyclograms as CSV, JSON and pictures.
+
+use crate::cyclogram::organ;
+use linkage_runtime::cyclogram::{Band, Cyclogram};
+use linkage_runtime::report::CsvStyle;
+
+#[test]
+fn files() {
+    let lift = |lead: f64| move |x: f64| [(x + lead).cos(), -(x + lead).sin(), -(x + lead).cos()];
+    let organs = [("hook & eye", 0.0), ("press", 1.0)].map(|(name, lead)| {
+        organ(name, lift(lead), &[Band::Top(0.5)])
+            .expect("an organ")
+            .unit("mm")
+            .sensitivities(|x| [x.cos()], |x| [-x.sin()])
+    });
+    let machine = Cyclogram::of(organs).expect("a machine");
+    let csv = machine
+        .csv(&CsvStyle::default().degrees(true).digits(6))
+        .expect("CSV");
+    assert_eq!(
+        csv,
+        "organ,motion,band,from [deg],to [deg],range [deg],+- from [deg],+- to [deg]\r\n\
+         hook & eye,return,,60.0000,180.000,120.000,,\r\n\
+         hook & eye,advance,,180.000,300.000,120.000,,\r\n\
+         hook & eye,dwell,top 0.5,300.000,60.0000,120.000,,\r\n\
+         press,return,,2.70422,122.704,120.000,,\r\n\
+         press,advance,,122.704,242.704,120.000,,\r\n\
+         press,dwell,top 0.5,242.704,2.70422,120.000,,\r\n"
+    );
+    assert!(machine.csv(&CsvStyle::default().separator("1")).is_err());
+    let json: serde_json::Value = serde_json::from_str(&machine.json()).expect("JSON");
+    let at = json["organs"][1]["events"][2]["at"].as_f64();
+    assert_eq!(at, Some(machine.organs()[1].events()[2].at));
+    assert_eq!(json["order"].as_array().map(Vec::len), Some(6));
+    assert_eq!(
+        json["organs"][0]["events"][0]["sensitivity"]
+            .as_array()
+            .map(Vec::len),
+        Some(1)
+    );
+
+    let svg = machine.svg().expect("a picture");
+    let drawing = roxmltree::Document::parse(&svg).expect("XML");
+    let class = |name: &str| {
+        drawing
+            .descendants()
+            .filter(|node| {
+                node.attribute("class")
+                    .is_some_and(|own| own.split(' ').any(|word| word == name))
+            })
+            .count()
+    };
+    // Both dwells go across the seam: two bars each.
+    assert_eq!((class("organ"), class("dwell")), (2, 4));
+    // Where an angle is: on the axis, whose ends have theirs.
+    let axis = drawing.descendants().find(|node| {
+        node.attribute("class")
+            .is_some_and(|own| own.split(' ').any(|word| word == "shaft"))
+    });
+    let number = |name: &str| {
+        axis.and_then(|axis| axis.attribute(name)?.parse::<f64>().ok())
+            .expect(name)
+    };
+    let share = (machine.organs()[1].events()[0].at - number("data-from"))
+        / (number("data-to") - number("data-from"));
+    let place = number("x1") + share * (number("x2") - number("x1"));
+    let circles = drawing
+        .descendants()
+        .filter(|node| node.has_tag_name("circle"));
+    let mut places = circles.filter_map(|node| node.attribute("cx")?.parse::<f64>().ok());
+    assert!(places.any(|x| (x - place).abs() < 1e-3), "{place}");
+    assert!(
+        svg.contains("60.00")
+            && svg.contains("prefers-color-scheme: dark")
+            && svg.contains("hook &amp; eye")
+    );
+    let organ = organ("a\u{1}b", lift(0.0), &[Band::Top(0.5)]).expect("an organ");
+    assert!(Cyclogram::of([organ]).expect("a machine").svg().is_err());
+}
