@@ -1,7 +1,7 @@
 //! What a part is given: expressions for its inputs, and where it stands.
 
 use super::embed::Embedding;
-use super::names::{Resolver, kind};
+use super::names::{Resolver, Symbol, kind};
 use super::part::PartBody;
 use super::place::{Context, Place, refusal};
 use super::types::{Dimension, Expr, ExprKind, Let, Mechanism, Name, Parameter, Placed, Type};
@@ -338,7 +338,8 @@ impl Resolver<'_> {
             self.unknown_member(path, member);
             return self.failed(span);
         };
-        let refused = refusal(symbol, context).or_else(|| self.refused_place(&text, context));
+        let refused = self.refused_order(symbol, context);
+        let refused = refused.or_else(|| refusal(symbol, context));
         if let Some((fact, help)) = refused {
             self.diagnostics.error_with_help(span, fact, help);
             return self.failed(span);
@@ -359,19 +360,21 @@ impl Resolver<'_> {
         value
     }
 
-    /// Where a part stands is known behind its item.
-    fn refused_place(&self, text: &str, context: Context) -> Option<(String, String)> {
+    /// What a part is made of, and where it stands, is known behind its item.
+    fn refused_order(&self, symbol: &Symbol, context: Context) -> Option<(String, String)> {
+        let text = &symbol.text;
         let first = text.split('.').next().unwrap_or_default();
         let part = self.parts.iter().find(|part| part.name == first)?;
-        let placed = part
-            .body
-            .as_ref()
-            .is_some_and(|own| own.is_placed || own.is_turned);
+        let body = part.body.as_ref();
+        let placed = body.is_some_and(|own| own.is_placed || own.is_turned);
         let ordered = matches!(context.place, Place::LetOrLoop) && part.item > context.item;
-        (placed && ordered).then(|| {
-            let fact = format!("`{text}` is used before it is known where `{first}` stands");
-            (fact, format!("move the part `{first}` up"))
-        })
+        let fact = match symbol.name {
+            _ if !ordered => return None,
+            Name::Let(_) => format!("`{text}` is used before the part `{first}`"),
+            _ if placed => format!("`{text}` is used before it is known where `{first}` stands"),
+            _ => return None,
+        };
+        Some((fact, format!("move the part `{first}` up")))
     }
 
     /// A part is no value.

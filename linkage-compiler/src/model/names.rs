@@ -126,8 +126,8 @@ impl<'a> Resolver<'a> {
         });
     }
 
-    /// Reports a name that stands for something else, too.
-    pub(super) fn check_new(&mut self, ident: &Ident) {
+    /// Reports a name that stands for something else, too; true if it does not.
+    pub(super) fn check_new(&mut self, ident: &Ident) -> bool {
         let text = ident.to_string();
         let symbol = self.find(&text).map(|symbol| symbol.span);
         let mut parts = self.parts.iter();
@@ -135,7 +135,9 @@ impl<'a> Resolver<'a> {
         if let Some(first) = symbol.or(part) {
             let fact = format!("the name `{text}` is defined twice");
             self.duplicate(&fact, &text, ident.into(), first);
+            return false;
         }
+        true
     }
 
     /// A name; of two that are the same, the first counts.

@@ -71,9 +71,11 @@ impl Resolver<'_> {
         counts: &mut Counts,
     ) {
         self.check_reserved(&item.name);
-        self.check_new(&item.name);
+        let new = self.check_new(&item.name);
         let name = item.name.to_string();
         let body = match found {
+            // Its names would be those of another part.
+            _ if !new => None,
             Found::Sound(model) => Some(self.part_body(item, model, counts)),
             Found::Broken => None,
             Found::Unknown(names) => {
@@ -208,8 +210,8 @@ impl Resolver<'_> {
     /// Whether nothing is known about a part because of a mistake that has been reported.
     pub(super) fn is_broken_part(&self, path: &str) -> bool {
         let first = path.split('.').next().unwrap_or_default();
-        let mut parts = self.parts.iter();
-        parts.any(|part| part.name == first && part.body.is_none())
+        let part = self.parts.iter().find(|part| part.name == first);
+        part.is_some_and(|part| part.body.is_none())
     }
 
     /// Reports a name that a part does not have.
@@ -225,13 +227,26 @@ impl Resolver<'_> {
         let mechanism = self.mechanism_of(path);
         let fact = format!("the part `{path}`, a `{mechanism}`, has no `{text}`");
         let help = match nearest(&text, own.iter().copied()) {
-            _ if self.mechanics.has(&format!("{path}.{text}")) => {
+            _ if self.is_member(&format!("{path}.{text}")) => {
                 "that is a body or a joint: ask for forces like `reaction(joint)`".to_owned()
             }
             Some(name) => format!("did you mean `{path}.{name}`?"),
             None => format!("it has {}", list(&own)),
         };
         self.diagnostics.error_with_help(member.into(), fact, help);
+    }
+
+    /// Whether a body or joint of a part has this name.
+    fn is_member(&self, path: &str) -> bool {
+        let (first, rest) = path.split_once('.').unwrap_or((path, ""));
+        let part = self.parts.iter().find(|part| part.name == first);
+        part.and_then(|part| part.body.as_ref())
+            .is_some_and(|body| {
+                let mechanism = body.mechanism();
+                let mut bodies = mechanism.bodies.iter().map(|own| &own.name);
+                let mut joints = mechanism.joints.iter().filter_map(|own| own.name.as_ref());
+                bodies.any(|own| own == rest) || joints.any(|own| own == rest)
+            })
     }
 
     /// What a part is called as a mechanism.

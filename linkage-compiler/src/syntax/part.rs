@@ -55,6 +55,9 @@ impl Parser<'_> {
     /// `phi = shaft`
     fn given(&mut self) -> Parsed<GivenPart> {
         let name = self.name("the name of an input")?;
+        if self.stream.is_punct(0, ':') {
+            return self.expected("`=`", &format!("write `{name} = expression`"));
+        }
         self.equals("write `input = expression`")?;
         let value = self.expression()?;
         Ok(GivenPart { name, value })
