@@ -1,7 +1,7 @@
 //! Every message about expressions, once.
 
-use super::check;
 use super::dimensions::with_let;
+use super::{check, last_of};
 
 #[test]
 fn expressions() {
@@ -207,5 +207,47 @@ fn expressions() {
             "nope + nope2" => check(&with_let(value), &both),
             _ => check(&with_let(value), &[expected]),
         }
+    }
+}
+
+#[test]
+fn parts() {
+    const BAR: &str = "struct Bar { unit mm; param way = 2mm; input phi = 0deg at omega; let tip = polar(way, phi); \
+        body crank = pin hub on frame at (0, 0), turns phi, mass 20g at tip; } ";
+    for (machine, message) in [
+        (
+            "struct M { part bar: Bar { phi = 0deg } at (1mm, 0); } impl M { fn f() -> F { p: picture() } }",
+            "the part `bar` stands in a frame of its own, in which its loops cannot be drawn yet",
+        ),
+        (
+            "struct M { input s = 0deg; part bar: Bar { phi = s }; } impl M { fn f(s) -> F { r: reaction(bar.hob) } }",
+            "unknown joint `bar.hob`\nhelp: did you mean `bar.hub`?",
+        ),
+        (
+            "struct M { input s = 0deg; part bar: Bar { phi = s }; } impl M { fn f(s) -> F { r: reaction(bar.crank) } }",
+            "`bar.crank` is a body, not a joint\nhelp: it hangs on the joint `bar.hub`",
+        ),
+        (
+            "struct M { input s = 0deg; part bar: Bar { phi = s }; part bars: Bar { phi = bar.phi + bars.phi }; }",
+            "`bars.phi` is used in its own definition",
+        ),
+        (
+            "struct M { input s = 0deg; part bar: Bar { phi = s }; let a = 1mm + bar; }",
+            "`bar` is a part, which has no value of its own",
+        ),
+        (
+            "struct M { input s = 0deg; argument load = 3; part bar: Bar { phi = s * load }; }",
+            "the input `phi` of the part `bar` depends on the argument `load`",
+        ),
+        (
+            "struct M { input s = 0deg; part bar: Bar { phi = s } at frame((0, 0, 0), (1, 0, 0), (0, 0, 1)); }",
+            "the part `bar` has vectors of the plane, and stands at a place of space",
+        ),
+    ] {
+        let (_, messages) = last_of(&format!("{BAR}{machine}"));
+        let [own] = &messages[..] else {
+            panic!("{machine}: {messages:#?}");
+        };
+        assert!(own.contains(message), "{machine}: {own}");
     }
 }

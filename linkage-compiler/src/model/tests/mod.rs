@@ -11,6 +11,8 @@ mod messages;
 mod mutations;
 mod units;
 
+use std::rc::Rc;
+
 use super::{Library, Mechanism, resolve};
 use crate::diagnostic::Diagnostics;
 use crate::syntax::parse;
@@ -26,6 +28,22 @@ pub(super) fn model(source: &str) -> (Option<Mechanism>, Vec<String>) {
     let messages: Vec<String> = diagnostics.texts();
     assert_eq!(mechanism.is_none(), !messages.is_empty(), "{messages:#?}");
     (mechanism, messages)
+}
+
+/// The model of the last mechanism of a call, and the messages of all.
+fn last_of(source: &str) -> (Option<Mechanism>, Vec<String>) {
+    let mut diagnostics = Diagnostics::default();
+    let tokens = source.parse().expect("the source has tokens");
+    let definitions = parse(tokens, &mut diagnostics);
+    let mut library = Library::default();
+    let mut last = None;
+    for definition in &definitions {
+        let model = resolve(definition, &library, &mut diagnostics).map(Rc::new);
+        library.add(definition, model.clone());
+        last = model;
+    }
+    let mechanism = last.map(|own| own.mechanism.clone());
+    (mechanism, diagnostics.texts())
 }
 
 /// Each message must contain its part.
