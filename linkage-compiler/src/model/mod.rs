@@ -25,6 +25,8 @@ mod names;
 mod operators;
 mod parameter;
 mod part;
+mod part_frame;
+mod part_place;
 mod passes;
 mod picture;
 mod place;

@@ -379,3 +379,37 @@ fn parts_of_space_stand_in_frames() {
         assert!((found - expected).abs() < 1e-12, "{found} and {expected}");
     }
 }
+
+/// A part's angles count the turns that they would alone, on the way from its own reference to where the machine has it.
+#[test]
+fn angles_of_parts_count_the_turns_from_their_own_reference() {
+    let estimates = |shaft: &str| {
+        let text = format!(
+            "struct Drag {{
+                unit mm;
+                param base = 20mm; param crank = 60mm; param coupler = 50mm; param driven = 55mm;
+                input phi = 10deg in 0deg..360deg;
+                unknown theta = 100deg; unknown psi = 60deg;
+                loop polar(crank, phi) + polar(coupler, theta) = (base, 0) + polar(driven, psi);
+            }}
+            struct Machine {{
+                unit cm;
+                input shaft = {shaft};
+                part first: Drag {{ phi = shaft }};
+                part second: Drag {{ phi = first.psi, crank = 61mm }};
+            }}
+            impl Machine {{ fn angle(shaft) -> Angle {{ first: first.psi, second: second.psi }} }}"
+        );
+        let all = checked(&text);
+        let angles = unit(&all, "Machine").angles.iter();
+        angles.map(|own| own.estimate).collect::<Vec<f64>>()
+    };
+    let (near, far) = (estimates("15deg"), estimates("-705deg"));
+    assert_eq!(near.len(), 2);
+    for (near, far) in near.into_iter().zip(far) {
+        assert!(
+            (near - far - 2.0 * std::f64::consts::TAU).abs() < 1e-9,
+            "{near} and {far}"
+        );
+    }
+}
