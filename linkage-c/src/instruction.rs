@@ -90,6 +90,7 @@ impl Printer<'_> {
             Unary::Acos => self.call(Helper::Acos, "acos", &[a]),
             Unary::Atan => self.call(Helper::Atan, "atan", &[a]),
             Unary::Sign => self.call(Helper::Sign, "sign", &[a]),
+            Unary::Whole => self.call(Helper::Whole, "whole", &[a]),
             Unary::InverseScale => self.call(Helper::InverseScale, "inverse_scale", &[a]),
         }
     }

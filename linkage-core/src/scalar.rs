@@ -168,6 +168,14 @@ pub trait Scalar:
         Self::angle_near(y, x, guide)
     }
 
+    /// The nearest whole number, of two the even one: a constant, derivative zero. Right up to 2^51 (`f32`: 2^22).
+    #[inline(always)]
+    fn whole(self) -> Self {
+        // Added and taken away again, it leaves whole numbers.
+        const ROUND: f64 = 1.5 / f64::EPSILON;
+        Self::from_lanes(|lane| (self.lane(lane) + ROUND) - ROUND)
+    }
+
     /// `a` where `s >= 0`, `b` where `s < 0`, NaN where `s` is NaN.
     fn select(s: Self, a: Self, b: Self) -> Self;
 

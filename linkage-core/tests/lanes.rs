@@ -46,6 +46,7 @@ macro_rules! compare {
                 same("min", a.min(b), &|a, b, _| Scalar::min(a, b));
                 same("max", a.max(b), &|a, b, _| Scalar::max(a, b));
                 same("sign", a.sign(), &|a, _, _| Scalar::sign(a));
+                same("whole", a.whole(), &|a, _, _| Scalar::whole(a));
                 same("scale", a.inverse_scale(), &|a, _, _| {
                     Scalar::inverse_scale(a)
                 });

@@ -54,6 +54,27 @@ macro_rules! special_values {
             }
 
             #[test]
+            fn whole_numbers_are_the_nearest_and_then_even() {
+                for (x, whole) in [
+                    (0.49, 0.0),
+                    (-0.49, 0.0),
+                    (0.5, 0.0),
+                    (1.5, 2.0),
+                    (-2.5, -2.0),
+                ] {
+                    assert_eq!(
+                        $float::whole(x).to_bits(),
+                        (whole as $float).to_bits(),
+                        "{x}"
+                    );
+                }
+                let large = 0.25 / $float::EPSILON;
+                assert_eq!($float::whole(large + 1.0), large + 1.0);
+                assert_eq!($float::whole(-INF), -INF);
+                assert!($float::whole(NAN).is_nan());
+            }
+
+            #[test]
             fn scales_are_finite_powers_of_two() {
                 for x in [0.0, -0.0, INF, -INF, NAN, 1.0, -1.0, 1.99] {
                     assert_eq!(Scalar::inverse_scale(x), 1.0, "{x}");

@@ -70,6 +70,7 @@ fn unary(op: Unary, a: &str) -> String {
         Unary::Acos => format!("Math.acos({a})"),
         Unary::Atan => format!("Math.atan({a})"),
         Unary::Sign => format!("signOf({a})"),
+        Unary::Whole => format!("whole({a})"),
         Unary::InverseScale => format!("inverseScale({a})"),
     }
 }

@@ -35,12 +35,24 @@ pub fn differentiate<'g, C: Calculus<'g> + ?Sized>(
         }
         let node = graph.node(id);
         let waiting = stack.len();
-        for operand in node.operands() {
+        let known = graph.known_slope(id);
+        let operands = match known {
+            Some((argument, _)) => vec![argument],
+            None => node.operands().collect(),
+        };
+        for operand in operands {
             if !calculus.memo().contains_key(&(operand, variable)) {
                 stack.push(operand);
             }
         }
         if stack.len() > waiting {
+            continue;
+        }
+        if let Some((argument, slope)) = known {
+            let rate = calculus.memo()[&(argument, variable)];
+            let derivative = graph.mul(slope, rate);
+            calculus.memo().insert((id, variable), derivative);
+            stack.pop();
             continue;
         }
         let derivative = match node {
@@ -104,7 +116,7 @@ fn unary_rule<'g>(op: Unary, y: Ex<'g>, a: Ex<'g>, da: Ex<'g>) -> Ex<'g> {
         Unary::Asin => arc_rule(a, da),
         Unary::Acos => -arc_rule(a, da),
         Unary::Atan => da / (1.0 + a.square()),
-        Unary::Sign | Unary::InverseScale => a.number(0.0),
+        Unary::Sign | Unary::Whole | Unary::InverseScale => a.number(0.0),
     }
 }
 

@@ -92,6 +92,11 @@ impl<'g> Ex<'g> {
         self * self
     }
 
+    /// The nearest whole number, of two the even one.
+    pub fn whole(self) -> Self {
+        self.unary(Unary::Whole)
+    }
+
     /// A power of two near `1/|x|`: scales lengths without rounding.
     pub fn inverse_scale(self) -> Self {
         self.unary(Unary::InverseScale)

@@ -1,5 +1,6 @@
 //! The graph: a flat arena of operations, behind a cell, so that formulas can be written as formulas.
 
+mod slopes;
 mod store;
 
 use std::cell::{Ref, RefCell, RefMut};

@@ -111,6 +111,8 @@ table! {
         Atan => Row { splits: true, ..arc("atan", |[a]| a.atan()) },
         /// `+1` for a number that is positive or `+0`, `-1` for a negative one: the derivative of `Abs`.
         Sign => Row { latency: 20, splits: true, ..row("sign", |[a]| sign(a)) },
+        /// The nearest whole number, of two the even one; right up to `2^51`.
+        Whole => Row { latency: 8, size: 2, splits: true, ..row("whole", |[a]| (a + WHOLE) - WHOLE) },
         /// A power of two near `1/|x|` (1 for 0 and non-finite numbers): scales lengths without rounding.
         InverseScale => Row { latency: 20, size: 6, ..row("inverse_scale", |[a]| inverse_scale(a)) },
     }
@@ -193,6 +195,9 @@ const fn arc<const ARITY: usize>(name: &'static str, value: fn([f64; ARITY]) -> 
 
 /// Roundoffs of the scale by which a discriminant may be negative at the dead point: what its terms are rounded by.
 pub const DEAD_POINT: f64 = 8.0 * f64::EPSILON;
+
+/// Added and taken away again, it leaves whole numbers: the numbers beside it have no digits behind the point.
+const WHOLE: f64 = 1.5 / f64::EPSILON;
 
 fn sign(a: f64) -> f64 {
     if a.is_nan() {

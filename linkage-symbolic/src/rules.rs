@@ -130,7 +130,7 @@ pub fn of_unary(op: Unary) -> &'static [Rule<Unary, 1>] {
         Unary::Sqrt => functions::ROOT,
         Unary::Sin | Unary::Tan | Unary::Asin | Unary::Atan => functions::ODD,
         Unary::Cos => functions::EVEN,
-        Unary::Acos | Unary::Sign | Unary::InverseScale => functions::OF_ONE,
+        Unary::Acos | Unary::Sign | Unary::Whole | Unary::InverseScale => functions::OF_ONE,
     }
 }
 

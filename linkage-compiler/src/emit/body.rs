@@ -150,6 +150,7 @@ fn unary(operation: Unary, runs: Runs, x: &Ident) -> TokenStream {
         Unary::Acos => quote!(T::acos(#x)),
         Unary::Atan => quote!(T::atan(#x)),
         Unary::Sign => quote!(T::sign(#x)),
+        Unary::Whole => quote!(T::whole(#x)),
         Unary::InverseScale => quote!(T::inverse_scale(#x)),
     }
 }

@@ -33,6 +33,7 @@ impl<T: Scalar, const FUSED: bool> Arithmetic for Generated<T, FUSED> {
             Unary::Acos => a.acos(),
             Unary::Atan => a.atan(),
             Unary::Sign => a.sign(),
+            Unary::Whole => a.whole(),
             Unary::InverseScale => a.inverse_scale(),
         }
     }

@@ -73,6 +73,7 @@ fn allowed(operation: Instruction, [a, b, _]: [f64; 3], interpreted: f64, rust: 
             | Unary::Acos
             | Unary::Atan
             | Unary::Sign
+            | Unary::Whole
             | Unary::InverseScale,
             _,
         )

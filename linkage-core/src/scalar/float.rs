@@ -148,6 +148,11 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
+            fn whole(self) -> Self {
+                (self + Self::ROUND) - Self::ROUND
+            }
+
+            #[inline(always)]
             fn select(s: Self, a: Self, b: Self) -> Self {
                 // The sign bit, but not that of -0. A choice by masks is seen through and may become a branch around a load.
                 let negative = s.to_bits() & s.to_bits().wrapping_sub(1);

@@ -116,6 +116,12 @@ where
     }
 
     #[inline(always)]
+    fn whole(self) -> Self {
+        let round = S::splat(S::Element::ROUND);
+        Self((self.0 + round) - round)
+    }
+
+    #[inline(always)]
     fn select(s: Self, a: Self, b: Self) -> Self {
         let zero = S::splat(S::Element::from_f64(0.0));
         Self::unless_nan(s.0, a.0.select(s.0.simd_ge(zero), b.0))

@@ -22,6 +22,8 @@ pub(crate) struct Store {
     revision: usize,
     /// What is known of vectors.
     pub(crate) vectors: Vectors,
+    /// What is known of slopes: of a node by another one.
+    pub(crate) slopes: Map<NodeId, (NodeId, NodeId)>,
 }
 
 impl Store {

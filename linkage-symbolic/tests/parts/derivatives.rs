@@ -16,6 +16,8 @@ fn place(random: &mut Random, name: &str) -> [f64; 3] {
         "asin" | "acos" => numbers[0] = random.between(-0.9, 0.9),
         // Not where the next power of two begins.
         "inverse_scale" => numbers[0] = random.between(1.1, 1.9) * [0.5, -4.0][random.below(2)],
+        // Not where the next whole number begins.
+        "whole" => numbers[0] = random.between(-0.4, 0.4) + 3.0,
         "tan" => numbers[0] = random.between(-1.2, 1.2),
         // Not where it jumps to the next turn.
         "angle_near" => numbers[2] = numbers[0].atan2(numbers[1]) + random.between(-3.0, 3.0),
@@ -157,4 +159,30 @@ fn lengths_join_their_directions_in_rates() {
     assert_eq!(rewritten(z, x * y), None);
     assert_eq!(rewritten(p, q * x), None);
     assert_eq!(rewritten(r, x * y), None, "no such vector");
+}
+
+/// A slope that is said is taken, and what it is the slope of is followed no further.
+#[test]
+fn slopes_that_are_said_are_taken() {
+    let graph = Graph::new();
+    let [x, y, _] = inputs(&graph);
+    let argument = x * y;
+    // Not its slope, so that one sees which one is taken.
+    let value = (argument.square() + 1.0).with_slope(argument, argument.number(7.0));
+    let variable = graph.symbols_of(&[x.id()])[0];
+    let mut plain = Plain {
+        graph: &graph,
+        memo: DerivativeMemo::new(),
+    };
+    let found = [value, value.square()].map(|own| differentiate(&mut plain, own.id(), variable));
+    let at = [2.0, 3.0, 0.0];
+    assert_near(
+        &values(found, &graph, &at),
+        &[21.0, 2.0 * 37.0 * 21.0],
+        1e-12,
+    );
+    // A number and a symbol have the slopes that they have.
+    let [constant, own] = [x.number(2.0), x].map(|own| own.with_slope(argument, argument));
+    let found = [constant, own].map(|own| differentiate(&mut plain, own.id(), variable));
+    assert_near(&values(found, &graph, &at), &[0.0, 1.0], 0.0);
 }
