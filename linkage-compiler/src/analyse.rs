@@ -36,6 +36,7 @@ pub(crate) fn analyse(
         return (Unit::default(), None);
     }
     nominal.check(mechanism, &mut reporter);
+    close::check_courses(mechanism, &nominal, &mut reporter);
     if reporter.errors() == before {
         close::check_values(mechanism, &nominal, &mut reporter);
     }

@@ -5,7 +5,7 @@ use linkage_symbolic::{Ex, NodeId, Vn};
 
 use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
 
-use super::{Algebra, Atom, Bound, Scalar};
+use super::{Algebra, Atom, Bound, Scalar, course};
 
 /// The value of an expression.
 #[derive(Clone, Debug)]
@@ -61,6 +61,16 @@ pub(crate) trait Translate<'m> {
             ExprKind::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|a| self.translate(a)).collect();
                 self.algebra().call(*function, arguments)
+            }
+            ExprKind::Course(course) => {
+                let argument = self.translate_number(&course.argument);
+                let knots = course.knots.iter().map(|own| {
+                    let place = self.translate_number(&own.place);
+                    let value = self.translate_number(&own.value);
+                    (place, value)
+                });
+                let knots: Vec<(Ex, Ex)> = knots.collect();
+                course::value(argument, course, &knots).into()
             }
             ExprKind::Derivative(..)
             | ExprKind::InputDerivative(..)

@@ -6,6 +6,7 @@
 mod altered;
 mod apart;
 mod check;
+mod courses;
 mod dead_point;
 mod degenerate;
 mod directions;
@@ -28,6 +29,7 @@ mod words;
 
 pub(crate) use altered::{ALTERATIONS, altered, scattered};
 pub(crate) use check::check_ranges;
+pub(crate) use courses::check_courses;
 pub(crate) use directions::check_directions;
 pub(crate) use follow::followed_range;
 pub(crate) use machine::Machine;

@@ -92,6 +92,14 @@ impl<'m> Angles<'m> {
                     }
                 }
                 ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => self.together(&[a, b]),
+                ExprKind::Course(course) => {
+                    let places = course.knots.iter().map(|own| &own.place);
+                    let along: Vec<&Expr> =
+                        std::iter::once(&*course.argument).chain(places).collect();
+                    self.together(&along);
+                    let values: Vec<&Expr> = course.knots.iter().map(|own| &own.value).collect();
+                    self.together(&values);
+                }
                 // The others do not tell what their operands are.
                 _ => {}
             }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use super::functions::QuantityWord;
+use super::functions::{CourseWord, QuantityWord};
 use super::names::{Resolver, kind};
 use super::types::{Expr, Function};
 use crate::diagnostic::SourceSpan;
@@ -12,7 +12,8 @@ use crate::syntax::Word;
 impl Resolver<'_> {
     pub(super) fn unknown_function(&mut self, ident: &Ident) {
         let name = ident.to_string();
-        let functions = || Function::all().map(Function::word);
+        let courses = || CourseWord::all().map(CourseWord::word);
+        let functions = || Function::all().map(Function::word).chain(courses());
         let known = functions().chain(QuantityWord::all().map(QuantityWord::word));
         let fact = match self.find(&name) {
             Some(symbol) => format!("`{name}` is {}, not a function", kind(symbol.name)),

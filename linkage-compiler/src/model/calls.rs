@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use super::frame::SecondArgument;
-use super::functions::QuantityWord;
+use super::functions::{CourseWord, QuantityWord};
 use super::names::Resolver;
 use super::operators::settle_alone;
 use super::place::Context;
@@ -22,6 +22,9 @@ impl Resolver<'_> {
         let name = ident.to_string();
         if let Some(quantity) = QuantityWord::from_word(&name) {
             return self.quantity_call(quantity, ident, arguments, context, span);
+        }
+        if let Some(course) = CourseWord::from_word(&name) {
+            return self.course_call(course, arguments, context, span);
         }
         let Some(function) = Function::from_word(&name) else {
             self.unknown_function(ident);

@@ -4,7 +4,9 @@ use std::fmt::{self, Display, Formatter, Write};
 
 use super::functions::MotionWord;
 use super::mechanics::write_mechanics;
-use super::types::{BinaryOp, Expr, ExprKind, Mechanism, Type, Variable};
+use super::types::{
+    BinaryOp, Course, CourseKind, Expr, ExprKind, Knot, Mechanism, Repeats, Type, Variable,
+};
 use crate::syntax::Word;
 
 /// One line for each item and quantity; every operation in parentheses, numbers in the mechanism's unit and radians.
@@ -188,6 +190,7 @@ impl Display for Show<'_> {
                 f.write_str(function.word())?;
                 separated(f, "(", arguments.iter().map(|value| self.inner(value)), ")")
             }
+            ExprKind::Course(course) => self.course(f, course),
             ExprKind::Derivative(value, variables) => {
                 write!(f, "d({}, ", self.inner(value))?;
                 separated(
@@ -233,4 +236,29 @@ pub(super) fn separated<T: Display>(
         write!(f, "{separator}{entry}")?;
     }
     f.write_str(close)
+}
+
+impl<'a> Show<'a> {
+    fn course(&self, f: &mut Formatter, course: &'a Course) -> fmt::Result {
+        let knot = |own: &'a Knot| {
+            let (place, value) = (self.inner(&own.place), self.inner(&own.value));
+            let law = own
+                .law
+                .map_or(String::new(), |law| format!(", {}", law.word()));
+            let jump = if own.may_jump { ", jump" } else { "" };
+            format!("({place}, {value}{law}{jump})")
+        };
+        let name = match course.kind {
+            CourseKind::Rise | CourseKind::Laws => "piecewise",
+            CourseKind::Spline(ends) => ends.word(),
+        };
+        let repeats = match course.repeats {
+            Repeats::Never => "",
+            Repeats::EachTurn => " each turn",
+            Repeats::FromLastToFirst => " again and again",
+        };
+        write!(f, "{name}({}, ", self.inner(&course.argument))?;
+        separated(f, "[", course.knots.iter().map(knot), "]")?;
+        write!(f, "{repeats})")
+    }
 }

@@ -35,6 +35,15 @@ vocabulary! {
 }
 
 vocabulary! {
+    /// Functions that give a number along another one: their lists and words are read by themselves.
+    pub(crate) enum CourseWord {
+        Rise = "rise",
+        Piecewise = "piecewise",
+        Spline = "spline",
+    }
+}
+
+vocabulary! {
     /// What functions of the `impl` block ask for, beside expressions.
     pub(crate) enum QuantityWord {
         Motion(MotionWord),
@@ -190,5 +199,7 @@ impl MotionWord {
 
 /// Whether it can be called.
 pub(super) fn is_function(name: &str) -> bool {
-    Function::from_word(name).is_some() || QuantityWord::from_word(name).is_some()
+    Function::from_word(name).is_some()
+        || CourseWord::from_word(name).is_some()
+        || QuantityWord::from_word(name).is_some()
 }

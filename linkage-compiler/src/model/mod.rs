@@ -6,6 +6,7 @@ mod bare;
 mod call_messages;
 mod calls;
 mod conversion;
+mod course;
 mod decimal;
 mod derivative;
 mod dimension;

@@ -2,12 +2,14 @@
 //!
 //! No spans here: an [`OriginId`] leads back to the source text.
 
+mod course;
 mod mechanics;
 
 use std::ops::Range;
 
 pub(crate) use super::functions::Function;
 pub(crate) use super::units::LengthUnit;
+pub(crate) use course::{Course, CourseKind, Ends, Knot, Law, Repeats};
 pub(crate) use mechanics::*;
 
 use crate::diagnostic::OriginId;
@@ -67,6 +69,8 @@ pub(crate) enum ExprKind {
     Negate(Box<Expr>),
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     Call(Function, Vec<Expr>),
+    /// `rise(x, law)`, `piecewise(x, [...])`, `spline(x, [...])`.
+    Course(Course),
     /// `d(q, x)`, `d(q, x, y)`.
     Derivative(Box<Expr>, Vec<Variable>),
     /// `velocity` 1, `acceleration` 2, `jerk` 3: by the inputs of the function that asks.

@@ -29,6 +29,7 @@ impl Expr {
             | ExprKind::Negate(_)
             | ExprKind::Binary(..)
             | ExprKind::Call(..)
+            | ExprKind::Course(_)
             | ExprKind::Margin
             | ExprKind::Picture(_)
             | ExprKind::Mechanics(_)
@@ -40,6 +41,7 @@ impl Expr {
     pub(crate) fn operands(&self) -> Vec<&Expr> {
         match &self.kind {
             ExprKind::Vector(all) | ExprKind::Call(_, all) => all.iter().collect(),
+            ExprKind::Course(course) => course.operands(),
             ExprKind::Component(a, _) | ExprKind::Index(a, _) | ExprKind::Negate(a) => vec![a],
             ExprKind::Binary(_, a, b) => vec![a, b],
             ExprKind::Derivative(a, _)
@@ -91,6 +93,7 @@ impl Expr {
             | ExprKind::Negate(_)
             | ExprKind::Binary(..)
             | ExprKind::Call(..)
+            | ExprKind::Course(_)
             | ExprKind::Error => false,
         }
     }

@@ -282,6 +282,7 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
             | ExprKind::Negate(_)
             | ExprKind::Binary(..)
             | ExprKind::Call(..)
+            | ExprKind::Course(_)
             | ExprKind::Error => unreachable!("no quantity: translated as it stands"),
         }
     }

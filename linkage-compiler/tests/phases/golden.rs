@@ -62,6 +62,11 @@ fn crank_rocker() {
 }
 
 #[test]
+fn cam_press() {
+    check("cam_press");
+}
+
+#[test]
 fn eye_needle() {
     check("eye_needle");
 }
@@ -117,6 +122,7 @@ fn output_is_deterministic() {
         "loader",
         "rssr",
         "wrist",
+        "cam_press",
     ] {
         let first = trace(read(name)).emit.to_string();
         let _ = trace(read("favorit"));

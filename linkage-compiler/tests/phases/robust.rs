@@ -13,12 +13,13 @@ use quote::quote;
 use super::compiled;
 use traps::TRAPS;
 
-const SAMPLES: [&str; 6] = [
+const SAMPLES: [&str; 7] = [
     "crank_rocker",
     "favorit",
     "shaper",
     "loader",
     "wrist",
+    "cam_press",
     "forces",
 ];
 

@@ -1,0 +1,289 @@
+//! `rise`, `piecewise` and `spline`: what they are written with.
+
+mod knots;
+
+use std::f64::consts::TAU;
+
+use super::functions::CourseWord;
+use super::names::Resolver;
+use super::operators::settle_alone;
+use super::place::Context;
+use super::types::{
+    BinaryOp, Course, CourseKind, Dimension, Ends, Expr, ExprKind, Knot, Repeats, Type,
+};
+use crate::diagnostic::SourceSpan;
+use crate::diagnostic::text::count;
+use crate::syntax::{self, Word};
+
+/// How far knots may be from a turn apart to be meant so: angles are rounded once or twice.
+const TURN_ROUNDING: f64 = 4.0 * f64::EPSILON * TAU;
+
+impl CourseWord {
+    /// How it is written, in messages.
+    pub(super) fn form(self) -> &'static str {
+        match self {
+            CourseWord::Rise => "rise(x, law)",
+            CourseWord::Piecewise => "piecewise(x, [(place, value), (place, value, law)])",
+            CourseWord::Spline => "spline(x, [(place, value), (place, value)], ends)",
+        }
+    }
+}
+
+impl Resolver<'_> {
+    pub(super) fn course_call(
+        &mut self,
+        word: CourseWord,
+        arguments: &[syntax::Expr],
+        context: Context,
+        span: SourceSpan,
+    ) -> Expr {
+        let course = match word {
+            CourseWord::Rise => self.rise(arguments, context, span),
+            CourseWord::Piecewise => self.piecewise(arguments, context, span),
+            CourseWord::Spline => self.spline(arguments, context, span),
+        };
+        match course {
+            Some((course, ty)) => self.make(ExprKind::Course(course), ty, span),
+            None => self.failed(span),
+        }
+    }
+
+    fn rise(
+        &mut self,
+        arguments: &[syntax::Expr],
+        context: Context,
+        span: SourceSpan,
+    ) -> Option<(Course, Type)> {
+        let [x, law] = self.so_many(CourseWord::Rise, arguments, span)?;
+        let mut argument = self.expression(x, context);
+        let law = self.law(law);
+        settle_alone(&mut argument);
+        let number = Type::Scalar(Dimension::NUMBER);
+        if !argument.ty.is_error() && argument.ty != number {
+            let fact = format!(
+                "`rise` takes a number that goes from 0 to 1, found {}",
+                argument.ty
+            );
+            let help = match argument.ty {
+                Type::Scalar(_) => "divide by the whole way: `rise((phi - 30deg) / 90deg, law)`",
+                _ => "take a component `.x` or the length `norm(v)`",
+            };
+            self.diagnostics.error_with_help(x.span, fact, help);
+            return None;
+        }
+        if argument.ty.is_error() {
+            return None;
+        }
+        let mut knot = |at: f64, law| {
+            let [place, value] =
+                [0; 2].map(|_| self.make(ExprKind::Number(at), number.clone(), span));
+            let origin = self.origins.add(span);
+            Knot {
+                place,
+                value,
+                law,
+                may_jump: true,
+                origin,
+            }
+        };
+        let knots = vec![knot(0.0, None), knot(1.0, Some(law?))];
+        let course = Course {
+            argument: Box::new(argument),
+            knots,
+            kind: CourseKind::Rise,
+            repeats: Repeats::Never,
+        };
+        Some((course, Type::NUMBER))
+    }
+
+    fn piecewise(
+        &mut self,
+        arguments: &[syntax::Expr],
+        context: Context,
+        span: SourceSpan,
+    ) -> Option<(Course, Type)> {
+        let word = CourseWord::Piecewise;
+        let [x, list] = self.so_many(word, arguments, span)?;
+        let (argument, knots, ty) = self.along(word, x, list, context)?;
+        if knots[0].law.is_some() {
+            let span = self.origins.span(knots[0].origin);
+            let fact = "no piece leads to the first knot, so it has no law";
+            let help = "the law of a piece stands with the knot at its end";
+            self.diagnostics.error_with_help(span, fact, help);
+            return None;
+        }
+        let repeats = match spans_a_turn(&knots) {
+            true => Repeats::EachTurn,
+            false => Repeats::Never,
+        };
+        let argument = Box::new(argument);
+        Some((
+            Course {
+                argument,
+                knots,
+                kind: CourseKind::Laws,
+                repeats,
+            },
+            ty,
+        ))
+    }
+
+    fn spline(
+        &mut self,
+        arguments: &[syntax::Expr],
+        context: Context,
+        span: SourceSpan,
+    ) -> Option<(Course, Type)> {
+        let word = CourseWord::Spline;
+        let (arguments, ends) = match arguments {
+            [before @ .., ends] if arguments.len() == 3 => (before, Some(self.ends(ends)?)),
+            all => (all, None),
+        };
+        let [x, list] = self.so_many(word, arguments, span)?;
+        let (argument, knots, ty) = self.along(word, x, list, context)?;
+        let worded = knots.iter().find(|own| own.law.is_some() || own.may_jump);
+        if let Some(knot) = worded {
+            let span = self.origins.span(knot.origin);
+            let fact = "a point of a spline has a place and a value, found more";
+            self.diagnostics.error_with_help(
+                span,
+                fact,
+                "laws lead from knot to knot in `piecewise`",
+            );
+            return None;
+        }
+        let turn = spans_a_turn(&knots);
+        let ends = ends.unwrap_or(if turn { Ends::Periodic } else { Ends::Natural });
+        let repeats = match (ends, turn) {
+            (Ends::Periodic, true) => Repeats::EachTurn,
+            (Ends::Periodic, false) => Repeats::FromLastToFirst,
+            (Ends::Natural | Ends::Clamped, _) => Repeats::Never,
+        };
+        if ends == Ends::Periodic && knots.len() < 4 {
+            let found = knots.len() - 1;
+            let fact =
+                format!("a periodic spline goes through at least three points, found {found}");
+            let help = "the last point is the first one, a period later";
+            self.diagnostics.error_with_help(list.span, fact, help);
+            return None;
+        }
+        let argument = Box::new(argument);
+        Some((
+            Course {
+                argument,
+                knots,
+                kind: CourseKind::Spline(ends),
+                repeats,
+            },
+            ty,
+        ))
+    }
+
+    /// The two arguments of a function.
+    fn so_many<'e>(
+        &mut self,
+        word: CourseWord,
+        arguments: &'e [syntax::Expr],
+        span: SourceSpan,
+    ) -> Option<[&'e syntax::Expr; 2]> {
+        if let [x, second] = arguments {
+            return Some([x, second]);
+        }
+        let found = count(arguments.len(), "argument");
+        let fact = format!(
+            "`{}` is written with an argument and what it is to become, found {found}",
+            word.word()
+        );
+        self.diagnostics
+            .error_with_help(span, fact, format!("write `{}`", word.form()));
+        None
+    }
+
+    /// The argument and the knots, with the type of the values.
+    fn along(
+        &mut self,
+        word: CourseWord,
+        x: &syntax::Expr,
+        list: &syntax::Expr,
+        context: Context,
+    ) -> Option<(Expr, Vec<Knot>, Type)> {
+        let mut argument = self.expression(x, context);
+        let knots = self.knots(word, list, context);
+        let mut knots = knots.filter(|_| !argument.ty.is_error())?;
+        let mut along: Vec<&mut Expr> = vec![&mut argument];
+        along.extend(knots.iter_mut().map(|own| &mut own.place));
+        let what = format!(
+            "the argument of `{}` and the places of its knots",
+            word.word()
+        );
+        let place = self.common_scalar(&mut along, word, &what)?;
+        let mut values: Vec<&mut Expr> = knots.iter_mut().map(|own| &mut own.value).collect();
+        let what = format!("the values of `{}`", word.word());
+        let value = self.common_scalar(&mut values, word, &what)?;
+        if let Type::Scalar(Dimension { angle: true, .. }) = place {
+            let before = self.diagnostics.len();
+            knots
+                .iter()
+                .for_each(|own| self.refuse_bare_angle(&own.place, "the place of a knot"));
+            if self.diagnostics.len() > before {
+                return None;
+            }
+        }
+        Some((argument, knots, value))
+    }
+
+    /// The type of scalars that belong together.
+    fn common_scalar(
+        &mut self,
+        all: &mut [&mut Expr],
+        word: CourseWord,
+        what: &str,
+    ) -> Option<Type> {
+        let ty = self.common_type(all, what).settled();
+        all.iter_mut().for_each(|own| own.settle(&ty));
+        match ty {
+            Type::Scalar(_) => Some(ty),
+            Type::Error => None,
+            _ => {
+                let fact = format!("`{}` takes scalars, found {ty}", word.word());
+                let span = self.origins.span(all[0].origin);
+                let help = "take a component `.x`; a vector has a course for each component";
+                self.diagnostics.error_with_help(span, fact, help);
+                None
+            }
+        }
+    }
+}
+
+/// Whether the last knot stands a turn behind the first one, whatever the dimensions are: both are numbers, or the last one is
+/// written as the first one and `360deg`.
+fn spans_a_turn(knots: &[Knot]) -> bool {
+    let (Some(first), Some(last)) = (knots.first(), knots.last()) else {
+        return false;
+    };
+    let (first, last) = (&first.place, &last.place);
+    if !matches!(first.ty, Type::Scalar(own) if own.angle) {
+        return false;
+    }
+    let turn = |x: f64| (x - TAU).abs() <= TURN_ROUNDING;
+    if let (Some(first), Some(last)) = (number(first), number(last)) {
+        return turn(last - first);
+    }
+    match &last.kind {
+        ExprKind::Binary(BinaryOp::Add, a, b) => {
+            (**a == *first && number(b).is_some_and(turn))
+                || (**b == *first && number(a).is_some_and(turn))
+        }
+        // Other forms may be a turn apart for some dimensions alone.
+        _ => false,
+    }
+}
+
+/// A number as it is written, with signs.
+fn number(expr: &Expr) -> Option<f64> {
+    match &expr.kind {
+        ExprKind::Number(value) => Some(*value),
+        ExprKind::Negate(inner) => number(inner).map(|value| -value),
+        _ => None,
+    }
+}
