@@ -193,6 +193,15 @@ pub mod pins {
     pub use linkage_runtime::pins::*;
 }
 
+/// Plate cams: profile, pressure angle, curvature, undercut.
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub mod cam {
+    #![doc = include_str!("links.md")]
+    #![doc = include_str!("../docs/cam.md")]
+
+    pub use linkage_runtime::cam::*;
+}
+
 /// Counterweights: the least shaking force over a cycle.
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod balancing {

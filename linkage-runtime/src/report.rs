@@ -31,6 +31,7 @@ mod row;
 mod shown;
 mod svg;
 mod tables;
+pub(crate) mod tags;
 mod thin;
 mod units;
 mod whole;

@@ -1,7 +1,5 @@
 //! Drawings for programs that construct: DXF, true to size.
 
-mod tags;
-
 use std::format;
 use std::string::String;
 use std::vec::Vec;
@@ -10,9 +8,9 @@ use super::Drawing;
 use super::geometry::{along, hull};
 use super::wheels::Wheels;
 use crate::report::ReportError;
+use crate::report::tags::{Layer, Tags};
 use crate::words::rounded;
 use crate::{GuideShape, PointKind};
-use tags::{Layer, Tags};
 
 /// Shares of the mechanism's size, the diagonal of the box about all places of its points: the radius of joints, half the length of
 /// axes, the height of letters.
@@ -35,7 +33,7 @@ impl Drawing<'_> {
         let [low, high] = self.bounds(row);
         let size = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>();
         let size = if size > 0.0 { size.sqrt() } else { 1.0 };
-        let mut tags = Tags::new([low, high], size * JOINT);
+        let mut tags = Tags::new(Layer::OF_MECHANISMS, [low, high], size * JOINT);
         self.solid_links(&mut tags, row);
         self.straight_guides(&mut tags, row, size * JOINT);
         for (centre, radius) in self.circles(row) {

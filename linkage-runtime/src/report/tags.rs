@@ -9,7 +9,7 @@ use std::string::String;
 
 /// Where an entity belongs to.
 #[derive(Clone, Copy)]
-pub(super) enum Layer {
+pub(crate) enum Layer {
     Links,
     Joints,
     Paths,
@@ -17,10 +17,13 @@ pub(super) enum Layer {
     Gears,
     Axes,
     Names,
+    Profile,
+    Pitch,
 }
 
 impl Layer {
-    const ALL: [Self; 7] = [
+    /// Those of a mechanism.
+    pub(crate) const OF_MECHANISMS: &[Self] = &[
         Self::Links,
         Self::Joints,
         Self::Paths,
@@ -40,18 +43,20 @@ impl Layer {
             Self::Gears => ("gears", 3),
             Self::Axes => ("axes", 4),
             Self::Names => ("names", 7),
+            Self::Profile => ("profile", 7),
+            Self::Pitch => ("pitch", 8),
         }
     }
 }
 
 /// A file that is being written.
-pub(super) struct Tags {
+pub(crate) struct Tags {
     text: String,
 }
 
 impl Tags {
     /// Everything before the entities. Points are seen as dots in circles of this radius.
-    pub(super) fn new([low, high]: [[f64; 3]; 2], radius: f64) -> Self {
+    pub(crate) fn new(layers: &[Layer], [low, high]: [[f64; 3]; 2], radius: f64) -> Self {
         let mut tags = Self {
             text: String::new(),
         };
@@ -67,8 +72,8 @@ impl Tags {
         tags.put(3, "Solid line").put(72, 65).put(73, 0);
         tags.number(40, 0.0).put(0, "ENDTAB");
         tags.put(0, "TABLE").put(2, "LAYER");
-        tags.put(70, Layer::ALL.len());
-        for (name, colour) in Layer::ALL.map(Layer::named) {
+        tags.put(70, layers.len());
+        for (name, colour) in layers.iter().map(|own| own.named()) {
             tags.put(0, "LAYER").put(2, name).put(70, 0);
             tags.put(62, colour).put(6, "CONTINUOUS");
         }
@@ -76,25 +81,25 @@ impl Tags {
         tags
     }
 
-    pub(super) fn finish(mut self) -> String {
+    pub(crate) fn finish(mut self) -> String {
         self.put(0, "ENDSEC").put(0, "EOF");
         self.text
     }
 
-    pub(super) fn point(&mut self, layer: Layer, at: [f64; 3]) {
+    pub(crate) fn point(&mut self, layer: Layer, at: [f64; 3]) {
         self.entity("POINT", layer).place(0, at);
     }
 
-    pub(super) fn line(&mut self, layer: Layer, from: [f64; 3], to: [f64; 3]) {
+    pub(crate) fn line(&mut self, layer: Layer, from: [f64; 3], to: [f64; 3]) {
         self.entity("LINE", layer).place(0, from).place(1, to);
     }
 
-    pub(super) fn circle(&mut self, layer: Layer, centre: [f64; 3], radius: f64) {
+    pub(crate) fn circle(&mut self, layer: Layer, centre: [f64; 3], radius: f64) {
         self.entity("CIRCLE", layer).place(0, centre);
         self.number(40, radius);
     }
 
-    pub(super) fn polyline(
+    pub(crate) fn polyline(
         &mut self,
         layer: Layer,
         closed: bool,
@@ -111,7 +116,7 @@ impl Tags {
         self.entity("SEQEND", layer);
     }
 
-    pub(super) fn text(&mut self, layer: Layer, at: [f64; 3], height: f64, words: &str) {
+    pub(crate) fn text(&mut self, layer: Layer, at: [f64; 3], height: f64, words: &str) {
         self.entity("TEXT", layer).place(0, at);
         self.number(40, height).put(1, ascii(words));
     }

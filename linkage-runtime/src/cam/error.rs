@@ -1,0 +1,104 @@
+//! Why there is no cam.
+
+use core::fmt;
+
+use super::{Follower, Undercut};
+use crate::words::rounded;
+
+/// Why a cam cannot be made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CamError {
+    /// A number that makes no sense.
+    Invalid {
+        /// What it stands for.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// What it must be.
+        expected: &'static str,
+    },
+    /// The motion is NaN or infinite.
+    NotFinite {
+        /// The first such angle that was met.
+        angle: f64,
+    },
+    /// The motion ends elsewhere than it began: the profile would have a step.
+    Open {
+        /// Its value at a turn less that at 0.
+        gap: f64,
+    },
+    /// The profile cuts itself off: the follower would not come where its motion says.
+    Undercut {
+        /// Where, and by how much.
+        undercut: Undercut,
+        /// Of which follower.
+        follower: Follower,
+    },
+}
+
+impl fmt::Display for CamError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Invalid {
+                what,
+                value,
+                expected,
+            } => {
+                write!(
+                    f,
+                    "the {what} is {}, and must be {expected}",
+                    rounded(value)
+                )
+            }
+            Self::NotFinite { angle } => write!(
+                f,
+                "the motion is no number at {} deg: give a value and three derivatives over the whole turn",
+                rounded(angle.to_degrees())
+            ),
+            Self::Open { gap } => write!(
+                f,
+                "the motion ends a turn {} from where it began: a cam needs a motion that comes back",
+                rounded(gap)
+            ),
+            Self::Undercut { undercut, follower } => {
+                let Undercut {
+                    from,
+                    to,
+                    at,
+                    radius,
+                    limit,
+                } = undercut;
+                let [from, to, at] = [from, to, at].map(f64::to_degrees);
+                write!(
+                    f,
+                    "the profile is undercut from {} deg to {} deg: ",
+                    rounded(from),
+                    rounded(to)
+                )?;
+                match follower {
+                    Follower::Flat { base } => write!(
+                        f,
+                        "at {} deg its radius of curvature is {} where the face begins {} from the centre; begin more than {} from \
+                         it, or take a slower motion",
+                        rounded(at),
+                        rounded(radius),
+                        rounded(base),
+                        rounded(limit)
+                    ),
+                    Follower::Roller { radius: own, .. }
+                    | Follower::Swinging { radius: own, .. } => write!(
+                        f,
+                        "at {} deg the pitch curve has a radius of {}, and the roller one of {}; take a roller of less than \
+                         that, a larger cam or a slower motion",
+                        rounded(at),
+                        rounded(limit),
+                        rounded(own)
+                    ),
+                }
+            }
+        }
+    }
+}
+
+impl core::error::Error for CamError {}
