@@ -6,6 +6,7 @@
 //! knot the piece behind it counts.
 
 use linkage_symbolic::Ex;
+use linkage_symbolic::program::Unary;
 
 use super::choice::Choice;
 use super::law::profile;
@@ -55,7 +56,8 @@ fn periods<'m>(argument: Ex<'m>, first: Ex<'m>, period: Ex<'m>) -> Ex<'m> {
     let frequency = 1.0 / period;
     let nearest = (from_first * frequency).whole();
     let rest = from_first - nearest * period;
-    rest.select(nearest, nearest - 1.0)
+    // As a sign, since a choice between neighbouring numbers becomes a branch.
+    (nearest - 0.5) + 0.5 * rest.unary(Unary::Sign)
 }
 
 /// What a piece is made of; `None` where nothing moves.

@@ -123,6 +123,27 @@ mechanism! {
     }
 }
 
+mechanism! {
+    pub struct Laws {
+        unit mm;
+        param lift = 20mm;
+        param lead = 15deg;
+        input phi = 40deg in 0deg..360deg;
+        let s = piecewise(phi, [
+            (lead, 0mm), (120deg, lift, modified_sine), (150deg, lift), (240deg, 5mm, poly345),
+            (300deg, 0mm, modified_trapezoid), (lead + 360deg, 0mm),
+        ]);
+        let t = spline(phi, [(0deg, 0mm), (90deg, 4mm), (200deg, lift), (290deg, 6mm), (360deg, 0mm)]);
+    }
+    impl Laws {
+        pub fn position(phi) -> LawsPosition { s, t }
+        pub fn motion(phi) -> LawsMotion { v: velocity(s), a: acceleration(s), j: jerk(s), w: velocity(t) }
+    }
+}
+
+check!(laws: Laws, LawsAssembly:
+    position [position_sweep position_sweep_sets] (phi),
+    motion [motion_sweep motion_sweep_sets] (phi));
 check!(rrr: Rrr, RrrAssembly:
     position [position_sweep position_sweep_sets] (phi),
     motion [motion_sweep motion_sweep_sets] (phi),
