@@ -3,8 +3,8 @@
 //! Users reach everything here through the facade crate `linkage`.
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
-//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the modules `summary` and `cyclogram`, with elementary functions `balancing` and `clearance`), `nalgebra`
-//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the module `summary`, with elementary functions the modules `balancing` and `cam`), `nalgebra`
+//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the modules
+//! `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and `clearance`), `nalgebra`
 //! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
 //! `tolerance` and `monte-carlo` (the module `tolerance`), `report` (the module `report`).
 #![no_std]

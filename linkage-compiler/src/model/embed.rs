@@ -81,6 +81,7 @@ impl<'p> Embedding<'p> {
             ExprKind::Negate(own) => ExprKind::Negate(boxed(own)),
             ExprKind::Binary(operator, a, b) => ExprKind::Binary(*operator, boxed(a), boxed(b)),
             ExprKind::Call(function, arguments) => ExprKind::Call(*function, all(arguments)),
+            ExprKind::Course(course) => ExprKind::Course(course.map(|own| self.expr(own), |own| self.origin(own))),
             ExprKind::Number(_)
             | ExprKind::Error
             // Functions do not come along with a part.

@@ -107,6 +107,25 @@ impl Course {
         angle.map_or(&*self.argument, |own| &own.place).ty.clone()
     }
 
+    /// The same course of other expressions, from elsewhere.
+    pub(crate) fn map(
+        &self,
+        expression: impl Fn(&Expr) -> Expr,
+        origin: impl Fn(OriginId) -> OriginId,
+    ) -> Self {
+        let knot = |own: &Knot| Knot {
+            place: expression(&own.place),
+            value: expression(&own.value),
+            origin: origin(own.origin),
+            ..own.clone()
+        };
+        Self {
+            argument: Box::new(expression(&self.argument)),
+            knots: self.knots.iter().map(knot).collect(),
+            ..*self
+        }
+    }
+
     /// The expressions that it is made of, as they are read.
     pub(crate) fn operands(&self) -> Vec<&Expr> {
         let mut all = vec![&*self.argument];
