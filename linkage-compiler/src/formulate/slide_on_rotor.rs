@@ -29,10 +29,10 @@ impl<'m> Solver<'_, 'm> {
         let h = q.root(distance2);
         let from_foot = w * h;
         let position = (from_foot - foot) / stretch;
-        let [along, across] = [from_foot, offset].map(|x| x / distance2);
-        let minus_across = -across;
+        // The division stands beside the root.
+        let towards = (1.0 / distance2) * c;
         let turned = c.perp();
-        let value = along * c + minus_across * turned;
+        let value = from_foot * towards - offset * towards.perp();
         let determinant = -(stretch * from_foot);
 
         let unit = self.unit_of(rotor);

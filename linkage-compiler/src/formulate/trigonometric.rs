@@ -27,8 +27,9 @@ impl<'m> Solver<'_, 'm> {
         let r2 = normal.square();
         let h = q.root(r2);
         let hw = w * h;
-        let [along, across] = [c, hw].map(|x| x / r2);
-        let unit = along * normal + across * normal.perp();
+        // The division stands beside the root.
+        let direction = (1.0 / r2) * normal;
+        let unit = c * direction + hw * direction.perp();
         self.define_angle(angle, 1.0, unit.map(|x| guarded(x, h)), 0);
 
         let bearing = Bearing {
