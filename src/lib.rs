@@ -13,7 +13,7 @@ pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
     Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning, Operations,
-    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePoint, PointKind,
+    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind,
     Programs, Scalar, Structure, Table, Vector2, Vector3, true_acceleration, true_jerk,
     true_velocity,
 };
@@ -273,7 +273,7 @@ pub mod __private {
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, FUSED, Frame,
         FunctionInfo, Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning,
-        Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePoint,
+        Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
         PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3, if_alloc, if_rayon,
         if_report,
     };

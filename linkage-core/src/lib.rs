@@ -28,7 +28,7 @@ mod survey;
 pub use meaning::Meaning;
 pub use picture::{
     Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Picture, PictureJoint,
-    PictureLink, PicturePoint, PointKind,
+    PictureLink, PicturePart, PicturePoint, PointKind,
 };
 #[cfg(feature = "num-dual")]
 pub use scalar::Dual;

@@ -28,6 +28,8 @@ pub struct Picture {
     pub drives: &'static [Drive],
     /// Loops that are not drawn, by number from 1: it is not known where in space they lie.
     pub undrawn: &'static [usize],
+    /// The parts of a machine, mechanisms within the one that is drawn: what of all this each of them has. Empty without parts.
+    pub parts: &'static [PicturePart],
 }
 
 /// A point of the picture.
@@ -98,6 +100,19 @@ pub enum GuideOn {
     Link(usize),
     /// A link of its own that turns about the origin, as in an oscillating cylinder.
     Itself,
+}
+
+/// What a part has of a picture, by indices. What the machine itself adds belongs to no part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PicturePart {
+    /// Its name in the program; names of what it has begin with it: `hook.tip` is the tip of `hook`.
+    pub name: &'static str,
+    /// Points. One in which parts meet belongs to all of them.
+    pub points: &'static [usize],
+    /// Links.
+    pub links: &'static [usize],
+    /// Guides.
+    pub guides: &'static [usize],
 }
 
 /// Where links meet.

@@ -75,7 +75,7 @@ pub use linkage_core::Float;
 pub use linkage_core::Lanes;
 pub use linkage_core::{
     Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Meaning, Picture,
-    PictureJoint, PictureLink, PicturePoint, PointKind, Scalar,
+    PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind, Scalar,
 };
 #[doc(hidden)]
 pub use linkage_core::{FUSED, numeric};

@@ -6,7 +6,7 @@ use linkage_runtime::generated::{
 };
 use linkage_runtime::{
     Axis, Column, FunctionInfo, Group, Guide, Heading, Input, Operations, Parameter,
-    PictureColumns, PictureJoint, PictureLink, PicturePoint, Structure,
+    PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint, Structure,
 };
 use linkage_symbolic::count::Count;
 
@@ -133,6 +133,12 @@ fn picture(own: &Picture) -> &'static linkage_runtime::Picture {
         point: joint.point,
         shape: joint.shape,
     });
+    let parts = own.parts.iter().map(|part| PicturePart {
+        name: forever(part.name.as_str()),
+        points: forever(part.points.as_slice()),
+        links: forever(part.links.as_slice()),
+        guides: forever(part.guides.as_slice()),
+    });
     forever(linkage_runtime::Picture {
         dimension: own.dimension,
         points: forever(points.collect::<Vec<_>>()),
@@ -144,6 +150,7 @@ fn picture(own: &Picture) -> &'static linkage_runtime::Picture {
         gears: forever(own.gears.clone()),
         drives: forever(own.drives.clone()),
         undrawn: forever(own.undrawn.clone()),
+        parts: forever(parts.collect::<Vec<_>>()),
     })
 }
 

@@ -108,6 +108,14 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
         quote!(#runtime::Drive { input: #input, on: #runtime::DriveOn::#on })
     });
     let undrawn = picture.undrawn.iter().map(|&number| literal::index(number));
+    let parts = picture.parts.iter().map(|part| {
+        let name = &part.name;
+        let [points, links, guides] = [&part.points, &part.links, &part.guides].map(|all| {
+            let all = all.iter().map(|&own| literal::index(own));
+            quote!(&[#(#all),*])
+        });
+        quote!(#runtime::PicturePart { name: #name, points: #points, links: #links, guides: #guides })
+    });
     quote! {
         #runtime::Picture {
             dimension: #dimension,
@@ -120,6 +128,7 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
             gears: &[#(#gears),*],
             drives: &[#(#drives),*],
             undrawn: &[#(#undrawn),*],
+            parts: &[#(#parts),*],
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Segments that are written as one link are one.
 
 use super::chains::{Segment, Shape, Sketch, Title};
+use super::owners::Owners;
 use super::seen::Seen;
 use super::welded::{Frame, Welds};
 
@@ -18,10 +19,12 @@ pub(super) struct RawLink<'m> {
     asked: bool,
     /// The body that it is.
     pub(super) body: Option<usize>,
+    /// The part of a machine that it belongs to.
+    pub(super) part: Option<usize>,
 }
 
 impl<'m> Links<'m> {
-    pub(super) fn find(sketch: &Sketch<'_, 'm>, seen: &Seen) -> Self {
+    pub(super) fn find(sketch: &Sketch<'_, 'm>, seen: &Seen, owners: &Owners) -> Self {
         let mut links = Self { all: Vec::new() };
         let welds = Welds::new(sketch, seen);
         let first = |point: usize| seen.same[point];
@@ -33,6 +36,7 @@ impl<'m> Links<'m> {
                 step: sketch.points[ends[1]].at - sketch.points[ends[0]].at,
             });
             links.all.push(RawLink {
+                part: owners.of(None, &points),
                 points,
                 title: None,
                 frames: frames.collect(),
@@ -44,8 +48,10 @@ impl<'m> Links<'m> {
             let (from, to) = (first(segment.from), first(segment.to));
             let moves = !(seen.is_fixed(from) && seen.is_fixed(to));
             if from != to && moves && is_rigid(segment, seen) {
+                let name = segment.title.as_ref().map(|title| title.text.as_str());
                 links.all.push(RawLink {
                     points: vec![from, to],
+                    part: owners.of(name, &[from, to]),
                     title: segment.title.clone(),
                     frames: vec![Frame {
                         from: segment.from,
@@ -64,7 +70,7 @@ impl<'m> Links<'m> {
         links.take_means(sketch, seen);
         links.join(seen, &welds);
         if !sketch.algebra.mechanism.inputs.is_empty() {
-            links.attach(sketch, seen);
+            links.attach(sketch, seen, owners);
         }
         links
     }
@@ -86,6 +92,7 @@ impl<'m> Links<'m> {
             link.frames.extend(other.frames);
             link.asked |= other.asked;
             link.body = link.body.or(other.body);
+            link.part = link.part.or(other.part);
             let titles = [link.title.take(), other.title].into_iter().flatten();
             link.title = titles.min_by_key(|title| title.rank);
             // It has grown: what did not fit before may fit now.
@@ -111,7 +118,7 @@ impl<'m> Links<'m> {
     }
 
     /// Named points that move with a link belong to it.
-    fn attach(&mut self, sketch: &Sketch, seen: &Seen) {
+    fn attach(&mut self, sketch: &Sketch, seen: &Seen, owners: &Owners) {
         for (index, spot) in sketch.points.iter().enumerate() {
             let point = seen.same[index];
             let free = !self.all.iter().any(|link| link.points.contains(&point));
@@ -121,6 +128,7 @@ impl<'m> Links<'m> {
             let rigid = |link: &&mut RawLink<'m>| {
                 let mut points = link.points.iter();
                 points.all(|&other| seen.keep_distance(point, other))
+                    && !owners.is_foreign(point, link.part)
             };
             if let Some(link) = self.all.iter_mut().find(rigid) {
                 link.points.push(point);
@@ -174,7 +182,10 @@ fn are_one(a: &RawLink, b: &RawLink, seen: &Seen, welds: &Welds) -> bool {
     // Lists are different links: in space, turning about a common line does not show in distances. So are bodies.
     let other_lists = a.asked && b.asked;
     let other_bodies = a.body.is_some() && b.body.is_some() && a.body != b.body;
-    if shared.is_empty() || other_lists || other_bodies || !a.points.iter().all(rigid) {
+    // Cranks of two parts on one shaft are drawn as two.
+    let other_parts = a.part.is_some() && b.part.is_some() && a.part != b.part;
+    let others = other_lists || other_bodies || other_parts;
+    if shared.is_empty() || others || !a.points.iter().all(rigid) {
         return false;
     }
     // What has two points of a link is part of it, such as a rod between two joints of a body.

@@ -20,6 +20,7 @@
 //! | `guides` | lines along which points slide, and what carries them |
 //! | `drives` | what inputs move, and wheels |
 //! | `joints` | what meets in points, and how it moves against each other |
+//! | `owners` | which part of a machine everything belongs to |
 //! | `names` | names for points and links that the program does not name |
 //! | `check` | links that the user added must be rigid |
 
@@ -34,6 +35,7 @@ mod links;
 mod literals;
 mod loops;
 mod names;
+mod owners;
 mod parts;
 mod roles;
 mod seen;
@@ -55,6 +57,7 @@ use crate::unit::Picture;
 use chains::Sketch;
 use guides::Guides;
 use links::Links;
+use owners::Owners;
 use seen::Seen;
 
 /// What is drawn, and the vectors that say where it is: points first, then directions.
@@ -86,7 +89,8 @@ pub(crate) fn find<'m>(
         return Found::default();
     }
     check::check_lists(&sketch, &seen, reporter);
-    let mut links = Links::find(&sketch, &seen);
+    let owners = Owners::new(&sketch, &seen);
+    let mut links = Links::find(&sketch, &seen, &owners);
     let guides = Guides::find(&mut sketch, &mut seen, &links);
     links.drop_corners(|point| {
         let mut own = sketch
@@ -107,7 +111,7 @@ pub(crate) fn find<'m>(
             "name the points that links join: `picture([a, b], [b, c, d])`",
         );
     }
-    let mut found = names::named(&sketch, &seen, &links, &guides);
+    let mut found = names::named(&sketch, &seen, &links, &guides, &owners);
     // Who lists links tells of what loops do not.
     if asked.links.is_empty() {
         found.picture.undrawn = sketch.undrawn;

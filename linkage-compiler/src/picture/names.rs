@@ -9,6 +9,7 @@ use super::chains::Sketch;
 use super::guides::Guides;
 use super::joints::Turning;
 use super::links::Links;
+use super::owners::Owners;
 use super::seen::Seen;
 
 pub(super) fn named<'m>(
@@ -16,6 +17,7 @@ pub(super) fn named<'m>(
     seen: &Seen,
     links: &Links<'m>,
     guides: &Guides<'m>,
+    owners: &Owners,
 ) -> Found<'m> {
     let namer = Namer {
         sketch,
@@ -100,6 +102,8 @@ pub(super) fn named<'m>(
     picture.joints = turning.joints(&picture);
     picture.drives = sketch.drives(&picture, &place);
     picture.gears = sketch.gears(&picture, &place, seen);
+    let own: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
+    picture.parts = owners.parts(&picture, links, &own);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     Found {
         vectors: vectors.chain(directions).collect(),

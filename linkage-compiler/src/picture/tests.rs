@@ -1,7 +1,7 @@
 //! What is recognised, however a mechanism is written.
 
 use crate::unit::Unit;
-use crate::{Checked, check};
+use crate::{Checked, check, check_all};
 
 fn compile(items: &str, functions: &str) -> (Unit, Vec<String>) {
     let text = format!("struct M {{ unit mm; {items} }} impl M {{ {functions} }}");
@@ -453,4 +453,44 @@ fn other_functions_stay_as_they_are() {
         assert_eq!(find(&beside), find(&alone));
     }
     assert!(alone.picture.is_none());
+}
+
+/// Points in which parts meet belong to both; cranks on one shaft are two links, and one that is called after the shaft is known by its points.
+#[test]
+fn parts_of_a_machine_have_what_they_bring_along() {
+    let text = "
+        struct Crank {
+            unit mm;
+            const pivot = (0mm, 0mm);
+            param rod = 120mm;
+            input phi = 30deg in 0deg..360deg;
+            unknown s = 160mm;
+            unknown theta = -10deg;
+            let pin = pivot + polar(50mm, phi);
+            loop pin + polar(rod, theta) = (s, 0mm);
+            let slide = pin + polar(rod, theta);
+        }
+        struct M {
+            unit mm;
+            param arm = 30mm;
+            input shaft = 30deg in 0deg..360deg;
+            part one: Crank { phi = shaft };
+            part two: Crank { phi = shaft + 90deg };
+            let end = one.pin + polar(arm, one.theta);
+        }
+        impl M { fn look(shaft) -> Look { shape: picture() } }";
+    let all = check_all(text.parse().expect("tokens"));
+    let machine = all.into_iter().next_back().expect("the machine");
+    assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
+    let picture = machine.unit.and_then(|own| own.picture);
+    let picture = picture.expect("a picture").to_string();
+    let parts: Vec<&str> = picture
+        .lines()
+        .filter(|line| line.starts_with("part "))
+        .collect();
+    let expected = [
+        "part one: one.pivot, one.pin, one.slide, end; shaft, one.rod; one.s",
+        "part two: one.pivot, two.pin, two.slide; two.phi, two.rod; two.s",
+    ];
+    assert_eq!(parts, expected, "\n{picture}");
 }

@@ -23,8 +23,8 @@ pub use function::{Body, Column, Field, Function, Meaning};
 pub use generated::Generated;
 pub use group::{Coupled, Group, Placed, Shown, Start, Surveyed};
 pub use picture::{
-    Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, Joint, JointShape, Link, Member, Picture,
-    Point, PointKind,
+    Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, Joint, JointShape, Link, Member, Part,
+    Picture, Point, PointKind,
 };
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};
 pub use words::in_degrees;

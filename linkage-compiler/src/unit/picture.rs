@@ -25,6 +25,21 @@ pub struct Picture {
     pub drives: Vec<Drive>,
     /// Loops that are not drawn, by number from 1.
     pub undrawn: Vec<usize>,
+    /// What of all this each part of a machine has.
+    pub parts: Vec<Part>,
+}
+
+/// What a part of a machine has of its picture, by index.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// From the program.
+    pub name: String,
+    /// Those in which parts meet belong to all of them.
+    pub points: Vec<usize>,
+    /// Links.
+    pub links: Vec<usize>,
+    /// Guides.
+    pub guides: Vec<usize>,
 }
 
 /// What meets in a point, and how it moves against each other.

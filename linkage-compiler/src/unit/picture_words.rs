@@ -48,6 +48,21 @@ impl Display for Picture {
                 DriveOn::Slide(guide) => writeln!(f, "drive: along {}", self.guides[guide].name)?,
             }
         }
+        for part in &self.parts {
+            let names = [
+                part.points.iter().map(|&own| point(own).as_str()).collect(),
+                part.links
+                    .iter()
+                    .map(|&own| self.links[own].name.as_str())
+                    .collect(),
+                part.guides
+                    .iter()
+                    .map(|&own| self.guides[own].name.as_str())
+                    .collect::<Vec<_>>(),
+            ];
+            let names: Vec<String> = names.iter().map(|own| own.join(", ")).collect();
+            writeln!(f, "part {}: {}", part.name, names.join("; "))?;
+        }
         Ok(())
     }
 }

@@ -198,6 +198,7 @@ static PICTURE: Picture = Picture {
     gears: &[],
     drives: &[],
     undrawn: &[],
+    parts: &[],
 };
 
 static VIEW: Heading = Heading {

@@ -85,6 +85,7 @@ static PICTURE: Picture = Picture {
         },
     ],
     undrawn: &[],
+    parts: &[],
 };
 
 static VIEW: Heading = Heading {

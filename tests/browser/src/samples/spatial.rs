@@ -60,6 +60,7 @@ static PICTURE: Picture = Picture {
         on: DriveOn::Turn([0, 2]),
     }],
     undrawn: &[],
+    parts: &[],
     axes: &[
         Axis {
             point: 0,
