@@ -19,6 +19,7 @@ mod hues;
 mod index;
 mod json;
 mod letters;
+mod machine;
 mod mistake;
 mod page;
 mod panels;

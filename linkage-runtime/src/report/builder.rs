@@ -7,6 +7,7 @@ use super::SummaryRow;
 use super::csv::CsvStyle;
 use super::figures::Figures;
 use super::tables::Saved;
+use crate::cyclogram::Cyclogram;
 use crate::{AssemblyMode, Dimensions, Input, Parameter, Programs, Structure, Table};
 
 /// What there is to tell about a mechanism over its range.
@@ -36,6 +37,7 @@ pub struct Report {
     pub(super) programs: Vec<Programs>,
     pub(super) given: Vec<(String, f64)>,
     pub(super) csv_style: CsvStyle,
+    pub(super) cyclogram: Option<Cyclogram>,
 }
 
 /// A parameter and its value in this mechanism.
@@ -82,6 +84,7 @@ impl Report {
             programs: Vec::new(),
             given: Vec::new(),
             csv_style: CsvStyle::default(),
+            cyclogram: None,
         }
     }
 

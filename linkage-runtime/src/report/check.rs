@@ -23,6 +23,7 @@ impl Report {
         self.check_speed(&mut mistakes);
         self.check_given(&mut mistakes);
         self.check_csv(&mut mistakes);
+        self.check_cyclogram(&mut mistakes);
         if mistakes.is_empty() {
             Ok(())
         } else {

@@ -48,6 +48,10 @@ impl Cyclogram {
     /// their sensitivities and shifts; and the order of all events.
     #[must_use]
     pub fn json(&self) -> String {
+        self.value().to_string()
+    }
+
+    pub(super) fn value(&self) -> Value {
         let index = |organ: &Organ| self.organs.iter().position(|own| core::ptr::eq(own, organ));
         let order = self.moments().map(|moment| {
             json!({
@@ -57,13 +61,12 @@ impl Cyclogram {
                 "after": moment.after,
             })
         });
-        let value = json!({
+        json!({
             "from": self.range.0,
             "to": self.range.1,
             "organs": self.organs.iter().map(organ_value).collect::<Vec<_>>(),
             "order": order.collect::<Vec<_>>(),
-        });
-        value.to_string()
+        })
     }
 
     /// The diagram of bars: a row for each organ, with the line on which it rises and falls, bars where it dwells,
@@ -73,14 +76,20 @@ impl Cyclogram {
     ///
     /// [`ReportError::Mistakes`] if names have control characters.
     pub fn svg(&self) -> Result<String, ReportError> {
-        let names = self.organs.iter().map(Organ::name);
+        let names: Vec<_> = self.organs.iter().map(Organ::name).collect();
         let mistakes: Vec<_> = names
+            .iter()
             .filter_map(|name| control("the name of an organ", name))
             .collect();
         match mistakes.is_empty() {
-            true => Ok(bars::drawn(self)),
+            true => Ok(self.drawn(&(0..names.len()).collect::<Vec<_>>())),
             false => Err(ReportError::Mistakes(mistakes)),
         }
+    }
+
+    /// The diagram with these of the colours of links, organ by organ.
+    pub(super) fn drawn(&self, hues: &[usize]) -> String {
+        bars::drawn(self, hues)
     }
 
     /// Writes the diagram, by the ending of the file's name, as SVG or (with feature `png`) as PNG.

@@ -6,6 +6,7 @@ mod cover;
 mod dxf;
 mod fixed;
 mod geometry;
+mod legend;
 mod marks;
 mod moving;
 mod names;
@@ -264,6 +265,7 @@ impl Drawing<'_> {
             self.of_one_position(&mut svg, &sheet, row);
         }
         self.caption(&mut svg, &sheet, row);
+        self.legend(&mut svg, &sheet);
         svg
     }
 

@@ -41,7 +41,7 @@ impl Report {
         let hues = self.hues();
         let (bands, accuracy) = self.tolerances(&series);
         let tables = self.tables.iter().enumerate();
-        json!({
+        let mut value = json!({
             "title": self.title,
             "about": self.about,
             "notes": self.told(),
@@ -76,7 +76,11 @@ impl Report {
             "facts": list(&self.facts, |f| json!({ "name": f.name, "text": f.text })),
             "gaps": list(self.gaps(), |gap| json!({ "from": gap.from, "to": gap.to })),
             "live": (!self.programs.is_empty()).then(|| self.live_value()),
-        })
+        });
+        if let Some(cyclogram) = &self.cyclogram {
+            value["cyclogram"] = self.cyclogram_value(cyclogram);
+        }
+        value
     }
 
     fn table_value(&self, series: &Series<'_>, hues: &Hues, index: usize, table: &Saved) -> Value {
@@ -187,6 +191,14 @@ impl Report {
             "traces": self.traced(picture),
         });
         signs::add(&mut value, shown);
+        if !picture.parts.is_empty() {
+            value["parts"] = json!(list(picture.parts, |part| json!({
+                "name": part.name,
+                "points": part.points,
+                "links": part.links,
+                "guides": part.guides,
+            })));
+        }
         value
     }
 

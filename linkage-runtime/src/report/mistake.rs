@@ -111,6 +111,18 @@ pub enum Mistake {
         /// How many there are.
         count: usize,
     },
+    /// A cyclogram is over the angle of a shaft, which the report's input is not.
+    NoShaft {
+        /// The input.
+        input: String,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A table would be written into the file of the cyclogram.
+    File {
+        /// Its function.
+        function: String,
+    },
     /// A position or a speed is not finite.
     NotFinite {
         /// What it is.
@@ -232,6 +244,19 @@ impl fmt::Display for Mistake {
             Self::Separator { separator, decimal } => write!(
                 f,
                 "columns with {separator:?} between them and numbers with {decimal:?} for the decimal point cannot be told apart when they are read; take \";\" and ',', or \",\" and '.'"
+            ),
+            Self::NoShaft { input, unit } => write!(
+                f,
+                "a cyclogram is over an angle in rad, and the input `{input}` is {}; give the report the shaft as its input",
+                if unit.is_empty() {
+                    String::from("a number")
+                } else {
+                    std::format!("in {unit}")
+                }
+            ),
+            Self::File { function } => write!(
+                f,
+                "the table of `{function}` and the cyclogram would both be `{function}.csv`; give the function another name"
             ),
             Self::NoCurve => f.write_str("the plot has no curve; add one with `curve`"),
             Self::Scale { scale } => write!(

@@ -7,22 +7,25 @@ use super::{Report, ReportError};
 use crate::javascript::{ENGINE, OTHERS};
 
 const FRAME: &str = include_str!("page/page.html");
-const STYLES: [&str; 6] = [
+const STYLES: [&str; 7] = [
     include_str!("page/style.css"),
     include_str!("page/drawing.css"),
     include_str!("page/signs.css"),
     include_str!("page/sheets.css"),
     include_str!("page/plots.css"),
+    include_str!("page/machine.css"),
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 36] = [
+const SCRIPTS: [&str; 39] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/exact.js"),
     include_str!("page/data.js"),
     include_str!("page/position.js"),
     include_str!("page/picture.js"),
+    include_str!("page/machine.js"),
+    include_str!("page/stand.js"),
     include_str!("page/camera.js"),
     include_str!("page/symbols.js"),
     include_str!("page/parts.js"),
@@ -33,6 +36,7 @@ const SCRIPTS: [&str; 36] = [
     include_str!("page/points.js"),
     include_str!("page/traces.js"),
     include_str!("page/drawing.js"),
+    include_str!("page/cyclogram.js"),
     include_str!("page/stack.js"),
     include_str!("page/grip.js"),
     include_str!("page/gestures.js"),

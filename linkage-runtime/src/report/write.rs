@@ -19,6 +19,7 @@ impl Report {
     /// | `index.html` | the interactive page |
     /// | `data.json` | all data |
     /// | `FUNCTION.csv` | each table |
+    /// | `cyclogram.svg`, `cyclogram.csv` | the [cyclogram](Self::cyclogram), if there is one |
     /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
     /// | `drawing.dxf` | the same, true to size, for programs that construct |
     /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | each function's values and derivatives; true velocities and accelerations |
@@ -44,6 +45,12 @@ impl Report {
             let drawing = self.drawing()?.ghosts(GHOSTS);
             files.push((folder.join("drawing.svg"), drawing.svg()?));
             files.push((folder.join("drawing.dxf"), drawing.dxf()?));
+        }
+        if let Some(cyclogram) = &self.cyclogram {
+            let hues = self.organ_hues(cyclogram);
+            files.push((folder.join("cyclogram.svg"), cyclogram.drawn(&hues)));
+            let csv = cyclogram.csv(&self.csv_style)?;
+            files.push((folder.join("cyclogram.csv"), csv));
         }
         for (name, plot) in self.all_plots()? {
             files.push((folder.join(format!("plots/{name}.svg")), plot.svg()?));

@@ -9,6 +9,7 @@ mod drawings;
 mod dxf_files;
 mod fixture;
 mod folder;
+mod machines;
 mod mistakes;
 mod moving;
 mod once;

@@ -1,6 +1,7 @@
 //! Mechanisms computed by hand, for pages that a test makes.
 
 mod four_bar;
+mod machine;
 mod many;
 mod roundoff;
 mod sheet;
@@ -8,6 +9,7 @@ mod sliders;
 mod spatial;
 
 pub use four_bar::{FourBar, four_bar};
+pub use machine::{lift, machine};
 pub use many::{falling, many};
 pub use roundoff::roundoff;
 pub use sheet::Sheet;

@@ -34,7 +34,7 @@ impl Places {
     }
 }
 
-pub(super) fn drawn(cyclogram: &Cyclogram) -> String {
+pub(super) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
     let organs = cyclogram.organs();
     let (low, high) = cyclogram.range();
     let names = organs.iter().map(|organ| organ.name().chars().count());
@@ -54,12 +54,12 @@ pub(super) fn drawn(cyclogram: &Cyclogram) -> String {
         &format!("Cyclogram{names}"),
     );
     grid(&mut svg, &places, cyclogram.range());
-    for (index, organ) in organs.iter().enumerate() {
+    for (index, (organ, &hue)) in organs.iter().zip(hues).enumerate() {
         let group = Element::new("g")
             .class("organ")
             .set("data-name", organ.name());
         svg.group(group, |svg| {
-            row(svg, &places, organ, index, TOP + ROW * index as f64);
+            row(svg, &places, organ, hue, TOP + ROW * index as f64);
         });
     }
     svg.finish()
@@ -90,7 +90,7 @@ fn grid(svg: &mut Svg, places: &Places, range: (f64, f64)) {
     );
 }
 
-fn row(svg: &mut Svg, places: &Places, organ: &Organ, index: usize, top: f64) {
+fn row(svg: &mut Svg, places: &Places, organ: &Organ, hue: usize, top: f64) {
     let name = Element::text([places.left - 12.0, top + 0.5 * STROKE + 4.0], 13.0);
     svg.words(
         name.anchor("end").class("name").fill(Colour::Ink),
@@ -106,7 +106,7 @@ fn row(svg: &mut Svg, places: &Places, organ: &Organ, index: usize, top: f64) {
                 svg,
                 [span.map(|angle| places.x(angle)), levels],
                 motion,
-                index,
+                hue,
                 top,
             );
         }
@@ -119,7 +119,7 @@ fn row(svg: &mut Svg, places: &Places, organ: &Organ, index: usize, top: f64) {
             line.stroke(Colour::Frame, 0.8)
                 .set("stroke-dasharray", "2.5 3"),
         );
-        svg.add(Element::circle([x, y], 2.2).fill(Colour::Curve(index)));
+        svg.add(Element::circle([x, y], 2.2).fill(Colour::Curve(hue)));
         // Angles that have no room stand in the tables.
         if x - free >= ANGLE {
             let words = Element::text([x, top + STROKE + 19.0], 11.0).anchor("middle");
@@ -155,7 +155,7 @@ fn stretch(
     svg: &mut Svg,
     [[left, right], levels]: [[f64; 2]; 2],
     motion: Motion,
-    index: usize,
+    hue: usize,
     top: f64,
 ) {
     let dwell = motion.is_dwell();
@@ -165,10 +165,10 @@ fn stretch(
             .number("x", left)
             .number("y", top)
             .number("width", right - left);
-        svg.add(bar.number("height", STROKE).fill(Colour::Link(index)));
+        svg.add(bar.number("height", STROKE).fill(Colour::Link(hue)));
     }
     let line = Element::polyline([[left, levels[0]], [right, levels[1]]]);
-    svg.add(line.stroke(Colour::Curve(index), if dwell { 2.6 } else { 1.8 }));
+    svg.add(line.stroke(Colour::Curve(hue), if dwell { 2.6 } else { 1.8 }));
     let word = word(motion);
     if dwell && right - left > CHARACTER * word.len() as f64 + 8.0 {
         // On the side of the line where there is room.

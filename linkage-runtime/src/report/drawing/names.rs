@@ -6,6 +6,7 @@ use core::f64::consts::{FRAC_PI_4, TAU};
 use std::vec::Vec;
 
 use super::Drawing;
+use super::legend;
 use super::parts::JOINT;
 use super::room::{Area, Taken};
 use super::sheet::Sheet;
@@ -98,7 +99,7 @@ impl Drawing<'_> {
         let [width, height] = sheet.size;
         [
             EDGE,
-            self.head() + EDGE,
+            self.head() + legend::height(self, width) + EDGE,
             width - EDGE,
             height - super::caption::FOOT - EDGE,
         ]

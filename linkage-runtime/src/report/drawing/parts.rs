@@ -149,7 +149,7 @@ impl Drawing<'_> {
                     name: link.name,
                     corners: corners.map(|place| points[place]).collect(),
                     width: BAR,
-                    colour: Colour::Link(index),
+                    colour: Colour::Link(self.shown.link_hue(index)),
                     nearness: near / link.points.len() as f64,
                 });
             }
@@ -159,8 +159,8 @@ impl Drawing<'_> {
                 // Drawn by itself, but as a ghost.
                 GuideOn::Itself if guide.shape == GuideShape::Cylinder && !ghost => continue,
                 GuideOn::Frame => continue,
-                GuideOn::Link(link) => Colour::Link(link),
-                GuideOn::Itself => Colour::Link(picture.links.len() + index),
+                GuideOn::Link(link) => Colour::Link(self.shown.link_hue(link)),
+                GuideOn::Itself => Colour::Link(self.shown.guide_hue(index)),
             };
             let beyond = BEYOND / sheet.factor;
             let [low, high] = self.shown.rail(guide);

@@ -4,6 +4,7 @@ use std::vec::Vec;
 
 use super::Drawing;
 use super::geometry::along;
+use super::legend;
 use super::wheels::Wheels;
 use crate::PointKind;
 use crate::report::shown::Shown;
@@ -78,6 +79,8 @@ pub(super) struct Sheet<'a> {
     corner: [f64; 2],
     /// What is left free at the left, to centre a narrow drawing.
     shift: f64,
+    /// Above the mechanism.
+    top: f64,
 }
 
 impl<'a> Sheet<'a> {
@@ -94,14 +97,16 @@ impl<'a> Sheet<'a> {
         let title = 12.0 + LETTER * drawing.report.title.chars().count() as f64;
         let beside = 2.0 * (MARGIN + drawing.names_width().min(LONGEST));
         let width = (wide * factor + beside).max(NARROWEST).max(title);
+        let top = MARGIN + HEAD + legend::height(drawing, width);
         Self {
             shown,
             view,
             factor,
             scale,
-            size: [width, high * factor + 2.0 * MARGIN + HEAD + FOOT],
+            size: [width, high * factor + top + MARGIN + FOOT],
             corner: [limits[0][0], limits[1][1]],
             shift: 0.5 * (width - wide * factor),
+            top,
         }
     }
 
@@ -164,7 +169,7 @@ impl<'a> Sheet<'a> {
             (x - self.corner[0]) * self.factor,
             (self.corner[1] - y) * self.factor,
         );
-        (x.is_finite() && y.is_finite()).then_some([x + self.shift, y + MARGIN + HEAD])
+        (x.is_finite() && y.is_finite()).then_some([x + self.shift, y + self.top])
     }
 }
 

@@ -168,7 +168,7 @@ impl Drawing<'_> {
             let (Some(foot), Some(mouth), Some(eye), Some(way)) = (foot, mouth, eye, way) else {
                 continue;
             };
-            let colour = Colour::Link(self.shown.picture.links.len() + index);
+            let colour = Colour::Link(self.shown.guide_hue(index));
             let group = Element::new("g")
                 .class("cylinder")
                 .set("data-name", guide.name);

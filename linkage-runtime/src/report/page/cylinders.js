@@ -7,7 +7,7 @@ function cylinderPart(guide, index) {
   const rod = shape("path", { class: "body" });
   const barrel = shape("path", { class: "barrel" });
   const title = shape("title", {}, `cylinder ${guide.name}`);
-  const node = shape("g", { class: "link slot cylinder", style: `--colour: ${linkColour(picture.links.length + index)}` }, title, outline, rod, barrel);
+  const node = shape("g", { class: "link slot cylinder", style: `--colour: ${linkColour(hueOf("guides", index, picture.links.length + index))}` }, title, outline, rod, barrel);
   set(node, { "data-guide": guide.name });
   return {
     node,

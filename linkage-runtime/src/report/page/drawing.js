@@ -22,6 +22,7 @@ function startDrawing() {
   makeParts();
   startGestures();
   startViews();
+  startMachine();
   camera.listeners.push(redraw);
   new ResizeObserver(measureDrawing).observe(byId("figure"));
   measureDrawing();
@@ -39,15 +40,16 @@ function makeLayers() {
 }
 
 function makeParts() {
-  const guides = picture.guides.flatMap(guideParts);
+  const guides = picture.guides.flatMap((guide, index) => guideParts(guide, index).map((part) => ownedBy(part, ["guides", index])));
   // In the plane nothing is nearer: guides, plates, bars, blocks lie on each other in this order.
-  const links = picture.links.map(linkPart);
+  const links = picture.links.map((link, index) => ownedBy(linkPart(link, index), ["links", index]));
   const ranks = [".axis", ".guide", ".slot", ".plate", ".bar", "[data-slider]"];
   const rank = (part) => ranks.findIndex((selector) => part.node.matches(selector));
-  drawing.bodies = [...(picture.axes ?? []).map(axisPart), ...guides, ...links].sort((a, b) => rank(a) - rank(b));
+  const axes = (picture.axes ?? []).map((axis) => ownedBy(axisPart(axis), ["points", axis.point]));
+  drawing.bodies = [...axes, ...guides, ...links].sort((a, b) => rank(a) - rank(b));
   picture.points.forEach((point, index) => {
     if (!isDrawn(point)) return;
-    const part = pointPart(point, index);
+    const part = ownedBy(pointPart(point, index), ["points", index]);
     drawing.tops.push(part);
     drawing.points.set(index, part.node);
   });
@@ -88,13 +90,14 @@ function placeParts(row) {
     drawing.layers.bodies.append(...seen.map((part) => part.node));
   }
   placeNames(tops, [...[...seen, ...tops, ...signs].flatMap((part) => part.covers), ...[...traces.covers.values()].flat(), ...drawing.tools, ...drawing.marks]);
-  const whole = seen.length === drawing.bodies.length && tops.length === drawing.tops.length;
+  const isThere = (part) => !part.away;
+  const whole = seen.length === drawing.bodies.filter(isThere).length && tops.length === drawing.tops.filter(isThere).length;
   byId("impossible").hidden = whole;
   byId("impossible").textContent = whole ? "" : `Cannot be assembled at ${inputShort(input.values[row])}`;
 }
 
 function placePart(part, row) {
-  part.nearness = part.update(row);
+  part.nearness = part.away ? null : part.update(row);
   const there = part.nearness !== null;
   part.node.style.display = there ? "" : "none";
   if (there && isSpatial()) part.node.style.setProperty("--far", `${Math.round(60 * farness(part.nearness))}%`);

@@ -118,7 +118,7 @@ async function pixelsOf(view) {
 }
 
 function pictureButtons() {
-  const pages = [...(picture ? [["mechanism", drawingPage]] : []), ["plots", plotsPage]];
+  const pages = [...(picture ? [["mechanism", drawingPage]] : []), ...(cycle.view ? [["cyclogram", cyclogramPage]] : []), ["plots", plotsPage]];
   return pages.flatMap(([name, make]) => [
     downloadButton(`${name}.svg`, () => new Blob([textOf(make())], { type: "image/svg+xml" })),
     downloadButton(`${name}.png`, () => pixelsOf(make())),

@@ -24,12 +24,13 @@ function pathOf(index) {
 
 // Whether a point goes anywhere.
 function isMoving(index) {
-  const { at } = picture.points[index];
-  const reach = (values) => {
-    const known = values.filter((value) => value !== null);
-    return known.reduce((most, value) => Math.max(most, value), -Infinity) - known.reduce((least, value) => Math.min(least, value), Infinity);
-  };
-  return Math.max(...at.map(reach)) > GRIP.still * camera.box.radius;
+  const known = [];
+  eachRow((row) => {
+    const place = pointAt(index, row);
+    if (place !== null) known.push(place);
+  });
+  const reach = (i) => known.reduce((most, place) => Math.max(most, place[i]), -Infinity) - known.reduce((least, place) => Math.min(least, place[i]), Infinity);
+  return Math.max(...picture.points[index].at.map((_, i) => reach(i))) > GRIP.still * camera.box.radius;
 }
 
 // Takes the nearest moving point, or none.

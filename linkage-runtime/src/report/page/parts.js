@@ -30,7 +30,7 @@ function meanNearness(places) {
 
 function linkPart(link, index) {
   const plate = link.points.length > 2;
-  const [node, draw] = outlined(plate ? "link plate" : "link bar", linkColour(index), `link ${link.name}`);
+  const [node, draw] = outlined(plate ? "link plate" : "link bar", linkColour(hueOf("links", index, index)), `link ${link.name}`);
   set(node, { "data-link": link.name });
   return {
     node,
@@ -66,9 +66,9 @@ function framePart(guide) {
   };
 }
 
-// From left to right, so that the hatching is below, and by half a block aside.
+// From left to right, so that the hatching is below, and by half a block aside. A frame that turns keeps its side.
 function besideBlock(ends) {
-  const [from, to] = ends[0][0] <= ends[1][0] ? ends : [ends[1], ends[0]];
+  const [from, to] = isStanding() || ends[0][0] <= ends[1][0] ? ends : [ends[1], ends[0]];
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
   const [x, y] = [(-8 * (to[1] - from[1])) / length, (8 * (to[0] - from[0])) / length];
   return [[from[0] + x, from[1] + y], [to[0] + x, to[1] + y]];
@@ -86,7 +86,7 @@ function guideEnds(guide, row, [low, high], beyond) {
 function movingPart(guide, index) {
   const own = guide.on === "itself";
   const reach = ([low, high]) => (own ? [Math.min(0, low), Math.max(0, high)] : [low, high]);
-  const colour = linkColour(own ? picture.links.length + index : guide.on);
+  const colour = linkColour(own ? hueOf("guides", index, picture.links.length + index) : hueOf("links", guide.on, guide.on));
   const [node, draw] = outlined("link slot", colour, `guide ${guide.name}`);
   set(node, { "data-guide": guide.name });
   return {

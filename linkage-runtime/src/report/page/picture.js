@@ -1,4 +1,4 @@
-// Places of the mechanism's points and directions, row by row, as the report has them.
+// Places of the mechanism's points and directions, row by row, as the report has them or as they are seen from a link.
 
 const picture = report.picture;
 
@@ -9,16 +9,23 @@ function placeOf(item, row) {
 }
 
 function pointAt(index, row) {
-  return placeOf(picture.points[index], row);
+  const place = placeOf(picture.points[index], row);
+  return place === null ? null : seenPlace(place, row);
 }
 
 function directionAt(index, row) {
-  return placeOf(picture.directions[index], row);
+  const direction = placeOf(picture.directions[index], row);
+  return direction === null ? null : seenDirection(direction, row);
 }
 
 // Points that only say where a guide is are no part of the mechanism.
 function isDrawn(point) {
   return point.kind !== "construction";
+}
+
+// Their indices.
+function drawnPoints() {
+  return picture.points.flatMap((point, index) => (isDrawn(point) ? [index] : []));
 }
 
 function along(place, direction, length) {
@@ -66,9 +73,9 @@ function guidePlaces(guide, row) {
 function extent() {
   const low = Array(picture.dimension).fill(Infinity);
   const high = Array(picture.dimension).fill(-Infinity);
-  for (const point of picture.points.filter(isDrawn)) {
+  for (const point of drawnPoints()) {
     eachRow((row) => {
-      const place = placeOf(point, row);
+      const place = pointAt(point, row);
       if (place === null) return;
       place.forEach((component, i) => {
         low[i] = Math.min(low[i], component);
@@ -86,17 +93,34 @@ function extent() {
       });
     }));
   }
+  if (isStanding()) guidesAround(low, high);
   const known = low.every(Number.isFinite);
   const middle = low.map((component, i) => (known ? (component + high[i]) / 2 : 0));
   const half = low.map((component, i) => (known ? (high[i] - component) / 2 : 1));
   return { middle, half, radius: reachFrom(middle) || 1 };
 }
 
+// Guides of a frame that moves sweep more than what slides on them.
+function guidesAround(low, high) {
+  for (const guide of picture.guides.filter(({ on }) => on === "frame")) {
+    eachRow((row) => {
+      const [origin, direction] = guidePlaces(guide, row);
+      if (origin === null || direction === null) return;
+      for (const place of reachOf(guide).map((distance) => along(origin, direction, distance))) {
+        place.forEach((component, i) => {
+          low[i] = Math.min(low[i], component);
+          high[i] = Math.max(high[i], component);
+        });
+      }
+    });
+  }
+}
+
 function reachFrom(middle) {
   let reach = 0;
-  for (const point of picture.points.filter(isDrawn)) {
+  for (const point of drawnPoints()) {
     eachRow((row) => {
-      const place = placeOf(point, row);
+      const place = pointAt(point, row);
       if (place !== null) reach = Math.max(reach, Math.hypot(...minus(place, middle)));
     });
   }

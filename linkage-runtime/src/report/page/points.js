@@ -38,7 +38,8 @@ function movePoint(part, { mark, target, ground, signs, radius }, row) {
   part.joint = taken([[cx, cy]], radius + 1);
   part.covers = [part.joint, ...signs.flatMap((sign) => sign.update([cx, cy], row))];
   if (ground) part.covers.push(taken(groundCorners([cx, cy]), 0));
-  if (ground) set(ground, { transform: `translate(${pixel(cx)} ${pixel(cy)})` });
+  const turned = isStanding() && !isSpatial() ? ` rotate(${pixel(seenTurn(row))})` : "";
+  if (ground) set(ground, { transform: `translate(${pixel(cx)} ${pixel(cy)})${turned}` });
   return nearness + 2e-3 * camera.box.radius;
 }
 

@@ -11,7 +11,10 @@ const CROSS = 15;
 const RATIO = { aside: 32, half: 24 };
 
 function signParts() {
-  return [...picture.gears.flatMap((gear) => [gearPart(gear), ratioPart(gear)]), ...picture.drives.map(drivePart)];
+  return [
+    ...picture.gears.flatMap((gear) => [gearPart(gear), ratioPart(gear)].map((part) => ownedBy(part, ...gear.centres.map((centre) => ["points", centre])))),
+    ...picture.drives.map((drive) => ownedBy(drivePart(drive), ownersOfDrive(drive))),
+  ];
 }
 
 // Pitch circles, a belt where both turn the same way.
@@ -78,6 +81,7 @@ function drivePart({ turn, slide }) {
   const node = shape("g", { class: "drive" }, shape("title", {}, `moved by ${input.name}`), line, head);
   return {
     node,
+    drive: true,
     update(row) {
       const places = turn ? driveArc(turn, row) : driveLine(picture.guides[slide], row);
       if (places === null) return null;

@@ -23,6 +23,7 @@ function start() {
   startTheme();
   startPlayer();
   startDrawing();
+  startCyclogram();
   startPlots();
   startTables();
   startKeys();

@@ -35,7 +35,7 @@ function addTrace(index) {
 }
 
 function drawTrace(path, index) {
-  const places = pathOf(index);
+  const places = isHidden(["points", index]) ? [] : pathOf(index);
   set(path, { d: lineThrough(places) });
   traces.covers.set(index, stretchesOf(places));
 }

@@ -8,6 +8,7 @@ mod follow;
 mod gallery;
 mod gaps;
 mod grip;
+mod machine;
 mod names;
 mod one_colour;
 mod parts;

@@ -12,7 +12,8 @@ function startGhost() {
 }
 
 function drawGhost(row) {
-  if (!isChanged()) {
+  // It has not the link that somebody stands on.
+  if (!isChanged() || isStanding()) {
     ghost.layer.replaceChildren();
     return;
   }

@@ -90,7 +90,7 @@ function placeUnder([x, y]) {
 }
 
 function pullPressed(event) {
-  if (event.button !== 0) return;
+  if (event.button !== 0 || isStanding()) return;
   const row = position.row;
   const pivot = event.target.closest(".point.ground");
   const bar = event.target.closest(".link.bar");

@@ -13,6 +13,7 @@ function showChange() {
 // Guides are as long as their sliders go.
 function remakeDrawing() {
   reaches.clear();
+  stand.frames = [];
   drawTraces();
 }
 

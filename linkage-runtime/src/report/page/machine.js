@@ -1,0 +1,57 @@
+// The parts of a machine: their colours, and which of them are shown.
+
+const machine = { parts: picture?.parts ?? [], hidden: new Set() };
+
+// Indices of the parts that have something of a kind: `points`, `links`, `guides`.
+function partsWith(kind, index) {
+  return machine.parts.flatMap((part, own) => (part[kind].includes(index) ? [own] : []));
+}
+
+// What several parts have is shown as long as one of them is.
+function isHidden([kind, index]) {
+  const parts = partsWith(kind, index);
+  return parts.length > 0 && parts.every((own) => machine.hidden.has(own));
+}
+
+// The number of the colour of a link or guide: that of its part, behind all parts what the machine itself adds; without parts each has its own.
+function hueOf(kind, index, own) {
+  return machine.parts.length === 0 ? own : partsWith(kind, index)[0] ?? machine.parts.length;
+}
+
+// What is drawn, with what it belongs to.
+function ownedBy(part, ...owners) {
+  return Object.assign(part, { owners, away: false });
+}
+
+function ownersOfDrive({ turn, slide }) {
+  return turn ? ["points", turn[1]] : ["guides", slide];
+}
+
+// While somebody stands on a link, nothing is seen of what inputs move against the frame.
+function findAway() {
+  for (const part of [...drawing.bodies, ...drawing.tops, ...drawing.signs]) {
+    part.away = part.owners.some(isHidden) || (isStanding() && part.drive === true);
+  }
+}
+
+function togglePart(index) {
+  if (!machine.hidden.delete(index)) machine.hidden.add(index);
+  const shown = !machine.hidden.has(index);
+  byId("parts").querySelector(`[data-part="${index}"]`).setAttribute("aria-pressed", shown);
+  fadeOrgans();
+  findAway();
+  redraw();
+}
+
+function startMachine() {
+  if (machine.parts.length === 0) return;
+  const buttons = machine.parts.map(({ name }, index) => {
+    const swatch = element("span", { class: "chip", style: `--colour: ${linkColour(index)}` });
+    const button = element("button", { type: "button", "data-part": index, "aria-pressed": "true", title: `Show or hide ${name}` }, swatch, name);
+    button.addEventListener("click", () => togglePart(index));
+    return button;
+  });
+  byId("hint").textContent += " Double-click a link to stand on it.";
+  byId("parts").hidden = false;
+  byId("parts").append(element("div", { class: "names", role: "group", "aria-label": "Parts" }, ...buttons), standChoice());
+}
