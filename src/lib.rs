@@ -13,8 +13,8 @@ pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
     Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning, Operations,
-    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind,
-    Programs, Scalar, Structure, Table, Vector2, Vector3, true_acceleration, true_jerk,
+    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
+    PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3, true_acceleration, true_jerk,
     true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -273,9 +273,9 @@ pub mod __private {
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, FUSED, Frame,
         FunctionInfo, Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning,
-        Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
-        PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3, if_alloc, if_rayon,
-        if_report,
+        Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart,
+        PicturePoint, PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3, if_alloc,
+        if_rayon, if_report,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle};

@@ -14,7 +14,7 @@ pub use many::{falling, many};
 pub use roundoff::roundoff;
 pub use sheet::Sheet;
 pub use sliders::sliders;
-pub use spatial::spatial;
+pub use spatial::{spatial, spatial_machine};
 
 use linkage_runtime::report::Report;
 use std::fs;

@@ -2,6 +2,8 @@
 
 // Points of a link that are nearer to each other, or to the line through two others, than this share of the mechanism say nothing of how it turns.
 const TELLING = 1e-3;
+// A line is square to an axis but for rounding.
+const SQUARE = 1e-9;
 
 // `home` is the frame of the link that stands still, `frames` those of all rows that were asked for.
 const stand = { body: null, home: null, frames: [] };
@@ -28,45 +30,57 @@ function placeInReport(index, row) {
   return placeOf(picture.points[index], row);
 }
 
-// What can be stood on: links, and in the plane what slides on a guide of the frame.
+// What can be stood on: links, and what slides on a guide of the frame.
 function bodiesToStandOn() {
-  const links = picture.links.map((link, index) => linkToStandOn(link, index));
-  const blocks = picture.guides.filter(({ on }) => on === "frame" && !isSpatial()).map((guide) => ({
-    name: `slider ${guide.name}`,
-    own: ["guides", picture.guides.indexOf(guide)],
-    node: `[data-slider="${CSS.escape(guide.name)}"]`,
-    frame: (row) => {
-      const [place, way] = [placeInReport(guide.slider, row), placeOf(picture.directions[guide.direction], row)];
-      return place === null || way === null ? null : { origin: place, axes: axesAlong(way) };
-    },
-  }));
-  return [...links, ...blocks].filter((body) => body !== null);
+  const blocks = picture.guides.map((guide) => (guide.on === "frame" ? blockToStandOn(guide) : null));
+  return [...picture.links.map(linkToStandOn), ...blocks].filter((body) => body !== null);
 }
 
-// Two of its points, in space three, as far apart as they are; null if they are in no row.
-function linkToStandOn({ name, points }, index) {
-  const rows = input.values.map((_, row) => row);
-  const first = rows.find((row) => points.every((point) => placeInReport(point, row) !== null));
-  if (first === undefined) return null;
-  const [from, ...others] = points;
-  const away = (point) => minus(placeInReport(point, first), placeInReport(from, first));
-  const farthest = (size) => others.reduce((best, point) => (size(point) > size(best) ? point : best), others[0]);
-  const end = farthest((point) => Math.hypot(...away(point)));
-  const least = TELLING * camera.box.radius;
-  if (Math.hypot(...away(end)) < least) return null;
-  const beside = (point) => Math.hypot(...crossed(away(end), away(point))) / Math.hypot(...away(end));
-  const side = isSpatial() ? farthest(beside) : end;
-  if (isSpatial() && beside(side) < least) return null;
-  return {
-    name,
-    own: ["links", index],
-    node: `[data-link="${CSS.escape(name)}"]`,
-    frame: (row) => {
-      const [origin, along, aside] = [from, end, side].map((point) => placeInReport(point, row));
-      if (origin === null || along === null || aside === null) return null;
-      return { origin, axes: axesAlong(minus(along, origin), minus(aside, origin)) };
-    },
+// It does not turn.
+function blockToStandOn({ name, slider }) {
+  const axes = Array.from({ length: picture.dimension }, (_, k) => Array.from({ length: picture.dimension }, (_, i) => (i === k ? 1 : 0)));
+  const frame = (row) => {
+    const origin = placeInReport(slider, row);
+    return origin === null ? null : { origin, axes };
   };
+  return { name: `slider ${name}`, node: `[data-slider="${CSS.escape(name)}"]`, frame };
+}
+
+// A link by two of its points, as far apart as they are; in space by a third one, or by the axis about which the line through two turns. Null if it is
+// in no row, and if nothing tells how it turns about that line.
+function linkToStandOn({ name, points: [from, ...others] }) {
+  const body = (frame) => ({ name, node: `[data-link="${CSS.escape(name)}"]`, frame });
+  const step = (point, row) => {
+    const [start, place] = [from, point].map((own) => placeInReport(own, row));
+    return start === null || place === null ? null : minus(place, start);
+  };
+  const first = input.values.findIndex((_, row) => others.every((point) => step(point, row) !== null));
+  if (first < 0) return null;
+  const farthest = (size) => others.reduce((best, point) => (size(point) > size(best) ? point : best));
+  const end = farthest((point) => Math.hypot(...step(point, first)));
+  const least = TELLING * camera.box.radius;
+  if (Math.hypot(...step(end, first)) < least) return null;
+  const framed = (aside) => body((row) => {
+    const [along, side] = [step(end, row), aside(row)];
+    return along === null || side === null ? null : { origin: placeInReport(from, row), axes: axesAlong(along, side) };
+  });
+  if (!isSpatial()) return framed((row) => step(end, row));
+  const beside = (point) => Math.hypot(...crossed(step(end, first), step(point, first))) / Math.hypot(...step(end, first));
+  const third = farthest(beside);
+  if (beside(third) > least) return framed((row) => step(third, row));
+  const axis = axisOfTurning((row) => step(end, row));
+  return axis === null ? null : framed(() => axis);
+}
+
+// The direction that a line that moves stays square to, or null: that of a coupler between balls is none, and who stands on it might turn about it.
+function axisOfTurning(along) {
+  const known = input.values.flatMap((_, row) => (along(row) === null ? [] : [along(row).map((component) => component / Math.hypot(...along(row)))]));
+  const ways = known.map((way) => crossed(known[0], way));
+  const widest = ways.reduce((best, way) => (Math.hypot(...way) > Math.hypot(...best) ? way : best));
+  const size = Math.hypot(...widest);
+  if (size < TELLING) return null;
+  const axis = widest.map((component) => component / size);
+  return known.every((way) => Math.abs(dot(way, axis)) < SQUARE) ? axis : null;
 }
 
 function frameAt(row) {

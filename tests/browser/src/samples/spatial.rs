@@ -3,7 +3,7 @@
 use linkage_runtime::report::Report;
 use linkage_runtime::{
     Axis, Drive, DriveOn, Heading, Input, JointShape, Meaning, Picture, PictureColumns,
-    PictureJoint, PictureLink, PicturePoint, PointKind,
+    PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind,
 };
 
 use super::sheet::{Sheet, column, shown};
@@ -23,7 +23,7 @@ const fn joint(point: usize, shape: JointShape) -> PictureJoint {
     PictureJoint { point, shape }
 }
 
-static PICTURE: Picture = Picture {
+const PICTURE: Picture = Picture {
     dimension: 3,
     points: &[
         point("shaft", PointKind::Ground),
@@ -82,7 +82,7 @@ static PICTURE: Picture = Picture {
     ],
 };
 
-static VIEW: Heading = Heading {
+const VIEW: Heading = Heading {
     function: "view",
     arguments: &["phi"],
     columns: &[
@@ -115,6 +115,31 @@ static VIEW: Heading = Heading {
     }),
 };
 
+/// The same as a machine of two parts.
+static OF_PARTS: Heading = Heading {
+    picture: Some(PictureColumns {
+        first: 0,
+        picture: &Picture {
+            parts: &[
+                PicturePart {
+                    name: "drive",
+                    points: &[0, 2],
+                    links: &[0],
+                    guides: &[],
+                },
+                PicturePart {
+                    name: "output",
+                    points: &[1, 2, 3, 4],
+                    links: &[1, 2],
+                    guides: &[],
+                },
+            ],
+            ..PICTURE
+        },
+    }),
+    ..VIEW
+};
+
 const CRANK: f64 = 40.0;
 const LINK: f64 = 130.0;
 const ROCKER: f64 = 70.0;
@@ -123,10 +148,20 @@ const PIVOT: [f64; 3] = [60.0, 90.0, 10.0];
 /// The report about it, every two degrees.
 #[must_use]
 pub fn spatial() -> Report {
+    report(&VIEW)
+}
+
+/// The same as a machine of two parts.
+#[must_use]
+pub fn spatial_machine() -> Report {
+    report(&OF_PARTS)
+}
+
+fn report(heading: &'static Heading) -> Report {
     let positions = INPUT.positions(181);
     Report::new("Crank and rocker in space", &INPUT, &positions)
         .about("RSSR, the axes at right angles.")
-        .table(&Sheet::new(&VIEW, &positions, row))
+        .table(&Sheet::new(heading, &positions, row))
         .trace("tip")
 }
 

@@ -1,7 +1,7 @@
 //! Machines: parts with their colours, switched on and off; the cyclogram; what is seen from a moving link.
 
 use crate::checks;
-use linkage_browser::samples::{FourBar, four_bar, lift, machine, written};
+use linkage_browser::samples::{FourBar, four_bar, lift, machine, spatial_machine, written};
 use linkage_browser::{DESKTOP, Key, PHONE, Page};
 
 fn page(name: &str) -> Option<Page> {
@@ -272,6 +272,57 @@ fn who_stands_on_a_link_sees_it_stand_still() {
         (x + 190.0).abs() < 1e-9 && (y - 30.0 - from + to).abs() < 1e-9,
         "{x} {y}"
     );
+    page.assert_quiet();
+}
+
+/// A crank turns about its axis and the rocker has three points; who stands on the coupler between balls might turn about it.
+#[test]
+fn in_space_one_stands_on_what_tells_how_it_turns() {
+    let file = written(&spatial_machine(), "machine-in-space");
+    let Some(mut page) = Page::open(&file) else {
+        return;
+    };
+    let offered =
+        "[...document.querySelectorAll('#seen option')].map((o) => o.textContent).join('; ')";
+    assert_eq!(page.words(offered), "the frame; crank; rocker");
+    let at = |page: &mut Page, name: &str| {
+        let found = page.value(&format!(
+            "(() => {{ const d = document.querySelector('[data-point={name}]').dataset; return [d.x, d.y, d.z].map(Number); }})()"
+        ));
+        [0, 1, 2].map(|i| found[i].as_f64().expect("a place"))
+    };
+    let apart =
+        |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+    let rows = [0, 45, 100, 180];
+    let mut lengths = Vec::new();
+    for row in rows {
+        go(&mut page, row);
+        let [p, q, tip] = ["p", "q", "tip"].map(|name| at(&mut page, name));
+        lengths.push([apart(p, q), apart(p, tip)]);
+    }
+    for (body, fixed, path) in [
+        ("crank", ["shaft", "p"], "q"),
+        ("rocker", ["q", "tip"], "p"),
+    ] {
+        go(&mut page, 0);
+        let home = fixed.map(|name| at(&mut page, name));
+        let start = at(&mut page, path);
+        stand_on(&mut page, body);
+        for (row, lengths) in rows.into_iter().zip(&lengths) {
+            go(&mut page, row);
+            let now = fixed.map(|name| at(&mut page, name));
+            assert!(apart(now[0], home[0]) < 1e-9 && apart(now[1], home[1]) < 1e-9);
+            let [p, q, tip] = ["p", "q", "tip"].map(|name| at(&mut page, name));
+            assert!((apart(p, q) - lengths[0]).abs() < 1e-9);
+            assert!((apart(p, tip) - lengths[1]).abs() < 1e-9);
+        }
+        go(&mut page, 45);
+        assert!(
+            apart(at(&mut page, path), start) > 10.0,
+            "{path} moves about {body}"
+        );
+        page.click("#back");
+    }
     page.assert_quiet();
 }
 

@@ -97,19 +97,24 @@ function notUnderstood(wrong) {
 // As Rust: the fields that differ from the declaration.
 function asRust() {
   const { name, dimensions } = engine.programs[0];
-  const fields = [];
+  const fields = new Map();
+  const changed = new Set(changedFromDeclaration().map(fieldOf));
   for (const own of dimensions) {
-    const [field, component] = own.name.split(".");
     const value = rustNumber(live.dimensions.get(own.name) ?? own.value);
-    if (component === undefined) fields.push([field, [value]]);
-    else if (component === "x") fields.push([field, [value]]);
-    else fields.at(-1)[1].push(value);
+    fields.set(fieldOf(own.name), [...(fields.get(fieldOf(own.name)) ?? []), value]);
   }
-  const vectors = new Set(dimensions.filter((own) => own.name.includes(".")).map((own) => own.name.split(".")[0]));
-  const text = ([field, numbers]) => (vectors.has(field) ? `${field}: linkage::Vector${numbers.length}::new(${numbers.join(", ")})` : `${field}: ${numbers[0]}`);
-  const changed = new Set(changedFromDeclaration().map((own) => own.split(".")[0]));
-  const own = fields.filter(([field]) => changed.has(field)).map(text);
+  const text = ([field, numbers]) => (numbers.length > 1 ? `${field}: linkage::Vector${numbers.length}::new(${numbers.join(", ")})` : `${field}: ${numbers[0]}`);
+  const own = [...fields].filter(([field]) => changed.has(field)).map(text);
   return own.length === 0 ? `${name}::default()` : `${name} { ${own.join(", ")}, ..${name}::default() }`;
+}
+
+// The field that a dimension is, or is a component of; those of parts have the part in front, `hook_crank`.
+function fieldOf(name) {
+  const stem = name.slice(0, Math.max(0, name.lastIndexOf(".")));
+  const members = engine.programs[0].dimensions.filter((own) => own.name.startsWith(`${stem}.`)).map((own) => own.name.slice(stem.length + 1));
+  // Lengths of a part may be called `x` and `y`, too.
+  const isVector = members.length > 1 && members.every((own, k) => own === "xyz"[k]) && machine.parts.every((part) => part.name !== stem);
+  return (isVector ? stem : name).replaceAll(".", "_");
 }
 
 function rustNumber(value) {
