@@ -6,6 +6,7 @@ use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Nominal};
 use crate::close::{ALTERATIONS, Machine, Reference, altered, places};
+use crate::model::Part;
 
 use super::chains::Spot;
 use super::free::{Free, Rate, Track};
@@ -223,12 +224,19 @@ fn views(algebra: &Algebra, reference: &Reference, nominal: &Nominal) -> Vec<Vie
         };
         all.iter().filter(closes).cloned().collect()
     };
-    let altered = (0..ALTERATIONS).map(|number| {
-        let dimensions = altered(mechanism, nominal, reference.longest, number);
-        reference.machine.with_dimensions(dimensions)
-    });
+    let altered = |number: usize| altered(mechanism, nominal, reference.longest, number);
+    let of_part = |part: &Part| -> Vec<f64> {
+        let own = mechanism.scalar_parameters.iter().zip(&nominal.parameters);
+        let own = own.zip(altered(0)).map(|((scalar, &value), other)| {
+            match scalar.name.split('.').next() == Some(part.name.as_str()) {
+                true => other,
+                false => value,
+            }
+        });
+        own.collect()
+    };
     let mut views: Vec<View> = Vec::new();
-    for machine in std::iter::once(reference.machine.clone()).chain(altered) {
+    let mut look_at = |machine: Machine| {
         let places = look(&machine);
         let start = views.last().map_or(0, |view| view.own.end);
         // Nothing is learned from one position with dimensions that nobody asked for.
@@ -239,6 +247,17 @@ fn views(algebra: &Algebra, reference: &Reference, nominal: &Nominal) -> Vec<Vie
                 places,
                 own,
             });
+        }
+        views.len()
+    };
+    let mut count = look_at(reference.machine.clone());
+    for number in 0..ALTERATIONS {
+        count = look_at(reference.machine.with_dimensions(altered(number)));
+    }
+    // A group that is closed by steps from a table closes with no other dimensions: then parts without any are altered alone.
+    if count == 1 {
+        for part in &mechanism.parts {
+            look_at(reference.machine.with_dimensions(of_part(part)));
         }
     }
     views

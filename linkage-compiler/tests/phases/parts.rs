@@ -109,6 +109,7 @@ const OF_PARTS: &str = "
         pub fn accuracy(shaft) -> EyeAccuracy { e: sensitivity(needle.p8, [needle.l12, needle.p7.y]) }
         pub fn needle(shaft) -> Hook { p10: favorit.p10, v: velocity(favorit.p10), a: acceleration(favorit.p10) }
         pub fn between(shaft) -> Between { gap, e: d(gap, lead), all: sensitivity(gap) }
+        pub fn look(shaft) -> Look { shape: picture() }
     }";
 
 /// Four organs on one shaft: what is asked of one costs and gives, to the last bit, what it does in its own mechanism.
@@ -184,6 +185,15 @@ fn a_part_costs_and_gives_what_it_does_alone() {
         );
     }
     assert_eq!(between.len(), 4 + 2 * machine.scalars().count());
+    // Cranks of rocker and needle are equally long and turn together, and are two all the same.
+    let picture = machine.picture.as_ref().expect("a picture");
+    let points: Vec<&str> = picture.names().collect();
+    for name in ["rocker.a", "needle.p2", "ahead.p2", "favorit.p2"] {
+        assert!(points.contains(&name), "{name} of {points:?}");
+    }
+    let parts = picture.parts.iter();
+    let links: Vec<usize> = parts.map(|part| part.links.len()).collect();
+    assert_eq!(links, [3, 5, 6, 5], "{picture}");
 }
 
 /// A machine of this many crank-rockers on one shaft, each with a lead of its own.
