@@ -182,7 +182,9 @@ impl<'m> Sketch<'_, 'm> {
             ExprKind::Call(Function::Polar, arguments) => {
                 let angle = self.algebra.translate(&arguments[1]);
                 let unit = self.algebra.call(Function::Dir, vec![angle]);
-                Some(straight(self.algebra.vector(&unit)))
+                // In a picture of space, the plane is that of x and y.
+                let along = self.algebra.vector(&unit).resized(self.dimension);
+                Some(straight(along))
             }
             ExprKind::Binary(BinaryOp::Mul, a, b) => {
                 let vector = if matches!(a.ty, Type::Vector(..)) {

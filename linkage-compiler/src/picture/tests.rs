@@ -14,7 +14,14 @@ fn compile(items: &str, functions: &str) -> (Unit, Vec<String>) {
 fn expect(items: &str, call: &str, expected: &str) {
     let (unit, messages) = compile(items, &format!("fn look(phi) -> Look {{ shape: {call} }}"));
     assert!(messages.is_empty(), "{messages:?}");
-    let picture = unit.picture.expect("a picture").to_string();
+    let picture = unit.picture.expect("a picture");
+    let numbers = unit.functions[0].called.program.outputs.len();
+    assert_eq!(
+        numbers,
+        picture.dimension * picture.vectors(),
+        "\n{picture}"
+    );
+    let picture = picture.to_string();
     // Joints, gears and drives are those of `tests/drawings`.
     let lines = |text: &str| -> Vec<String> {
         let words = ["point", "link", "guide", "cylinder", "axis"];
@@ -385,6 +392,37 @@ fn the_user_adds_what_loops_do_not_tell() {
     found.sort();
     expected.sort();
     assert_eq!(found, expected, "{picture}");
+}
+
+/// A slotted lever of the plane beside a linkage in space: its guide is a direction in space, too.
+#[test]
+fn a_guide_of_the_plane_lies_in_space() {
+    expect(
+        "param r = 40mm; param pivot = (0mm, -100mm); param l12 = 30mm; param l43 = 70mm; param l23 = 130mm;
+         input phi = 0deg in 0deg..360deg; unknown theta = 70deg; unknown slide = 125mm; unknown psi = 100deg;
+         loop polar(r, phi) = pivot + polar(slide, theta);
+         let p2 = (0mm, 0mm, 90mm) + turn((0, l12, 0), (1, 0, 0), phi);
+         let p3 = (110mm, 30mm, 40mm) + turn((l43, 0, 0), (0, 0, 1), psi);
+         loop distance(p2, p3) = l23;",
+        "picture()",
+        "point l12/frame: Ground
+         point p2: Joint
+         point l43/frame: Ground
+         point p3: Joint
+         point r/frame: Ground
+         point r/slide: Joint
+         point pivot: Ground
+         link l12: l12/frame, p2
+         link l43: l43/frame, p3
+         link r: r/frame, r/slide
+         link l23: p2, p3
+         guide slide: r/slide from pivot, on itself
+         axis in l12/frame: axis at l12/frame
+         axis in l43/frame: axis at l43/frame
+         axis in r/frame: axis at l43/frame
+         axis in r/slide: axis at l43/frame
+         axis in pivot: axis at l43/frame",
+    );
 }
 
 #[test]
