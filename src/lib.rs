@@ -22,7 +22,7 @@ pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{Columns, CoupledCause, CoupledError, Placed, Unlisted, Value};
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
-pub use linkage_runtime::{Handle, Scene};
+pub use linkage_runtime::{Handle, Handles, Scene};
 
 /// Compiles a mechanism of the plane or of space: a struct block with dimensions, inputs, unknowns and loops, then an
 /// `impl` block with functions, listed by the quantities that they give.

@@ -85,6 +85,6 @@ pub use nalgebra::{self, Vector2, Vector3};
 #[cfg(feature = "alloc")]
 pub use numeric::roots::Unlisted;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
-pub use scene::{Handle, Scene};
+pub use scene::{Handle, Handles, Scene};
 pub use structure::{FunctionInfo, Group, Structure};
 pub use table::{Column, Heading, PictureColumns, Table};

@@ -1,9 +1,11 @@
 //! Several linkages on one shaft, evaluated together.
 
 mod handle;
+mod handles;
 mod place;
 
 pub use handle::Handle;
+pub use handles::Handles;
 
 use alloc::borrow::ToOwned;
 use alloc::vec::Vec;
@@ -11,7 +13,7 @@ use core::borrow::Borrow;
 use core::fmt;
 use core::marker::PhantomData;
 use core::sync::atomic::{AtomicUsize, Ordering};
-use place::{Evaluate, Filling, Place, Returning};
+use place::{Filling, Joining, Place, Returning};
 
 /// A machine: functions of one argument, such as the angle of the main shaft, each of which can be
 /// switched on and off.
@@ -76,6 +78,8 @@ pub struct Scene<'a, X> {
     on: Vec<usize>,
 }
 
+const OTHER: &str = "the handle is of another scene";
+
 impl<'a, X: PartialEq> Scene<'a, X> {
     /// A scene without functions.
     #[must_use]
@@ -92,7 +96,7 @@ impl<'a, X: PartialEq> Scene<'a, X> {
 
     /// Adds a function, switched on. It is evaluated at the next update.
     pub fn add<R: 'static>(&mut self, function: impl FnMut(&X) -> R + 'a) -> Handle<R> {
-        self.push(Returning::new(function))
+        self.push(Place::new(Returning::new(function)))
     }
 
     /// Adds a function that writes its result into `buffer`, switched on.
@@ -103,7 +107,44 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         buffer: R,
         function: impl FnMut(&X, &mut R) + 'a,
     ) -> Handle<R> {
-        self.push(Filling::new(buffer, function))
+        self.push(Place::new(Filling::new(buffer, function)))
+    }
+
+    /// Adds a function of the results of others, one handle or a tuple of two to four, switched on: what is asked of several parts at once,
+    /// from what each of them has computed already.
+    ///
+    /// It is evaluated after them, and only if one of them was evaluated anew. While one of them is off, or has no result, it has none
+    /// and costs nothing.
+    ///
+    /// ```
+    /// use linkage_runtime::Scene;
+    ///
+    /// let mut scene = Scene::new();
+    /// let hook = scene.add(|x: &f64| 10.0 * x.cos());
+    /// let eye = scene.add(|x| 12.0 * x.sin());
+    /// let gap = scene.add_of((hook, eye), |(hook, eye)| eye - hook);
+    /// assert_eq!(scene.update(0.0), 3);
+    /// assert_eq!(scene.get(gap), Some(&-10.0));
+    ///
+    /// scene.switch_off(eye);
+    /// assert_eq!(scene.update(1.0), 1); // the hook alone
+    /// assert_eq!(scene.get(gap), None);
+    /// ```
+    ///
+    /// # Panics
+    /// If a handle is of another scene.
+    pub fn add_of<S: Handles + 'a, R: 'static>(
+        &mut self,
+        sources: S,
+        function: impl FnMut(S::Results<'_>) -> R + 'a,
+    ) -> Handle<R> {
+        let places = sources.places();
+        let places = places.into_iter().map(|(scene, index)| {
+            assert!(scene == self.id, "{OTHER}");
+            index
+        });
+        let places = places.collect();
+        self.push(Place::made_of(places, Joining::new(sources, function)))
     }
 
     /// Puts another function with the same type of result in the place of one; whether it is on
@@ -212,26 +253,42 @@ impl<'a, X: PartialEq> Scene<'a, X> {
     /// If the handle is of another scene.
     #[must_use]
     pub fn get<R: 'static>(&self, handle: Handle<R>) -> Option<&R> {
-        if !self.is_on(handle) {
-            return None;
-        }
-        self.places[handle.index].result(self.frame)?.downcast_ref()
+        let index = self.index(handle);
+        let is_current = self.frame != 0 && self.is_current(index);
+        is_current.then(|| self.places[index].result()?.downcast_ref())?
+    }
+
+    /// Whether the function is on and its result is that of this frame, and of the results that it is made of.
+    fn is_current(&self, index: usize) -> bool {
+        let place = &self.places[index];
+        let seen = |(source, version): &(usize, u64)| {
+            self.is_current(*source) && self.places[*source].version == *version
+        };
+        self.on.binary_search(&index).is_ok()
+            && place.frame == self.frame
+            && place.sources.iter().all(seen)
     }
 
     fn evaluate(&mut self) -> usize {
-        let (Some(argument), frame) = (&self.argument, self.frame) else {
-            return 0;
-        };
         let mut evaluated = 0;
-        for &index in &self.on {
-            evaluated += usize::from(self.places[index].update(argument, frame));
+        for at in 0..self.on.len() {
+            let index = self.on[at];
+            let mut sources = self.places[index].sources.iter();
+            if self.is_current(index) || !sources.all(|(source, _)| self.is_current(*source)) {
+                continue;
+            }
+            let (earlier, own) = self.places.split_at_mut(index);
+            if let (Some(argument), [own, ..]) = (&self.argument, own) {
+                own.evaluate(argument, self.frame, earlier);
+                evaluated += 1;
+            }
         }
         evaluated
     }
 
-    fn push<R>(&mut self, function: impl Evaluate<X> + 'a) -> Handle<R> {
+    fn push<R>(&mut self, place: Place<'a, X>) -> Handle<R> {
         let index = self.places.len();
-        self.places.push(Place::new(function));
+        self.places.push(place);
         self.on.push(index);
         Handle {
             scene: self.id,
@@ -246,7 +303,7 @@ impl<'a, X: PartialEq> Scene<'a, X> {
     }
 
     fn index<R>(&self, handle: Handle<R>) -> usize {
-        assert!(handle.scene == self.id, "the handle is of another scene");
+        assert!(handle.scene == self.id, "{OTHER}");
         handle.index
     }
 }

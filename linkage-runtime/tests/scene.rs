@@ -203,3 +203,64 @@ fn handles_are_small_names() {
         "Scene { argument: None, functions: 2, .. }"
     );
 }
+
+/// What several parts are asked for at once is made of what each has computed: the parts are not evaluated for it again.
+#[test]
+fn results_are_made_of_results() {
+    let calls = [const { Cell::new(0) }; 3];
+    let mut scene = Scene::new();
+    let hook = scene.add(counted(&calls[0], 2.0));
+    let eye = scene.add(counted(&calls[1], 3.0));
+    let gap = scene.add_of((hook, eye), |(hook, eye)| {
+        calls[2].set(calls[2].get() + 1);
+        eye - hook
+    });
+    let far = scene.add_of(gap, |gap| *gap > 1.0);
+    let counts = || [&calls[0], &calls[1], &calls[2]].map(Cell::get);
+    assert_eq!((scene.update(1.0), counts()), (4, [1, 1, 1]));
+    assert_eq!((scene.get(gap), scene.get(far)), (Some(&1.0), Some(&false)));
+    assert_eq!((scene.update(1.0), counts()), (0, [1, 1, 1]));
+    assert_eq!((scene.update(2.0), counts()), (4, [2, 2, 2]));
+
+    // Without a part there is nothing of it, and the other one costs what it costs alone.
+    scene.switch_off(eye);
+    assert_eq!((scene.get(gap), scene.get(far)), (None, None));
+    assert_eq!((scene.update(3.0), counts()), (1, [3, 2, 2]));
+    assert_eq!((scene.get(hook), scene.get(far)), (Some(&6.0), None));
+    scene.switch_on(eye);
+    assert_eq!((scene.update(3.0), counts()), (3, [3, 3, 3]));
+    // On again for the same argument: nothing has changed.
+    scene.switch_off(hook);
+    assert_eq!((scene.update(3.0), scene.get(gap)), (0, None));
+    scene.switch_on(hook);
+    assert_eq!((scene.update(3.0), scene.get(gap)), (0, Some(&3.0)));
+
+    // Another function of a part, or one that is out of date: what is made of it follows.
+    scene.set(hook, |x| 10.0 * x);
+    assert_eq!((scene.get(gap), scene.get(far)), (None, None));
+    assert_eq!((scene.update(3.0), counts()), (3, [3, 3, 4]));
+    assert_eq!(
+        (scene.get(gap), scene.get(far)),
+        (Some(&-21.0), Some(&false))
+    );
+    scene.invalidate(eye);
+    assert_eq!((scene.update(3.0), counts()), (3, [3, 4, 5]));
+
+    // A part that changes while what is made of it is off.
+    scene.switch_off(gap);
+    scene.set(hook, |_| 0.0);
+    assert_eq!((scene.update(3.0), scene.get(far)), (1, None));
+    scene.switch_on(gap);
+    assert_eq!((scene.update(3.0), scene.get(far)), (2, Some(&true)));
+    scene.set(gap, |_| 0.5);
+    assert_eq!((scene.update(3.0), scene.get(far)), (2, Some(&false)));
+}
+
+#[test]
+#[should_panic(expected = "the handle is of another scene")]
+fn nothing_is_made_of_another_scene() {
+    let mut scene = Scene::new();
+    let handle = scene.add(|x: &f64| *x);
+    let mut other = Scene::<f64>::new();
+    other.add_of(handle, |x| *x);
+}

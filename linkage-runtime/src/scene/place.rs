@@ -1,12 +1,18 @@
 //! A function of a scene, with its result.
 
+use super::handles::sealed::Handles;
 use alloc::boxed::Box;
+use alloc::vec::Vec;
 use core::any::Any;
 
 /// Where a scene keeps a function.
 pub(super) struct Place<'a, X> {
     /// The frame that the result is of; 0 if there is none.
-    frame: u64,
+    pub(super) frame: u64,
+    /// How many results there have been.
+    pub(super) version: u64,
+    /// The earlier places that the result is made of, and which of their results it has seen.
+    pub(super) sources: Vec<(usize, u64)>,
     function: Box<dyn Evaluate<X> + 'a>,
 }
 
@@ -14,11 +20,22 @@ impl<'a, X> Place<'a, X> {
     pub(super) fn new(function: impl Evaluate<X> + 'a) -> Self {
         Self {
             frame: 0,
+            version: 0,
+            sources: Vec::new(),
             function: Box::new(function),
         }
     }
 
+    /// A place whose function is given the results of others.
+    pub(super) fn made_of(sources: Vec<usize>, function: impl Evaluate<X> + 'a) -> Self {
+        Self {
+            sources: sources.into_iter().map(|index| (index, 0)).collect(),
+            ..Self::new(function)
+        }
+    }
+
     pub(super) fn put(&mut self, function: impl Evaluate<X> + 'a) {
+        self.sources.clear();
         self.function = Box::new(function);
         self.invalidate();
     }
@@ -27,28 +44,25 @@ impl<'a, X> Place<'a, X> {
         self.frame = 0;
     }
 
-    /// Brings the result to a frame; true if that took an evaluation.
-    pub(super) fn update(&mut self, argument: &X, frame: u64) -> bool {
-        let stale = self.frame != frame;
-        if stale {
-            self.function.evaluate(argument);
-            self.frame = frame;
+    /// Evaluates for a frame. The places before this one have their results.
+    pub(super) fn evaluate(&mut self, argument: &X, frame: u64, earlier: &[Place<'_, X>]) {
+        self.function.evaluate(argument, earlier);
+        for (index, seen) in &mut self.sources {
+            *seen = earlier[*index].version;
         }
-        stale
+        self.frame = frame;
+        self.version += 1;
     }
 
-    /// The result, if the function was evaluated for this frame.
-    pub(super) fn result(&self, frame: u64) -> Option<&dyn Any> {
-        if self.frame == 0 || self.frame != frame {
-            return None;
-        }
+    /// The result of the last evaluation.
+    pub(super) fn result(&self) -> Option<&dyn Any> {
         self.function.result()
     }
 }
 
 /// A function that keeps its result.
 pub(super) trait Evaluate<X> {
-    fn evaluate(&mut self, argument: &X);
+    fn evaluate(&mut self, argument: &X, earlier: &[Place<'_, X>]);
 
     /// The result of the last evaluation.
     fn result(&self) -> Option<&dyn Any>;
@@ -68,7 +82,7 @@ impl<F, R> Returning<F, R> {
 }
 
 impl<X, R: 'static, F: FnMut(&X) -> R> Evaluate<X> for Returning<F, R> {
-    fn evaluate(&mut self, argument: &X) {
+    fn evaluate(&mut self, argument: &X, _: &[Place<'_, X>]) {
         self.result = Some((self.function)(argument));
     }
 
@@ -90,11 +104,39 @@ impl<F, R> Filling<F, R> {
 }
 
 impl<X, R: 'static, F: FnMut(&X, &mut R)> Evaluate<X> for Filling<F, R> {
-    fn evaluate(&mut self, argument: &X) {
+    fn evaluate(&mut self, argument: &X, _: &[Place<'_, X>]) {
         (self.function)(argument, &mut self.result);
     }
 
     fn result(&self) -> Option<&dyn Any> {
         Some(&self.result)
+    }
+}
+
+/// Evaluates from the results of earlier places.
+pub(super) struct Joining<S, F, R> {
+    sources: S,
+    function: F,
+    result: Option<R>,
+}
+
+impl<S, F, R> Joining<S, F, R> {
+    pub(super) fn new(sources: S, function: F) -> Self {
+        Self {
+            sources,
+            function,
+            result: None,
+        }
+    }
+}
+
+impl<X, S: Handles, R: 'static, F: FnMut(S::Results<'_>) -> R> Evaluate<X> for Joining<S, F, R> {
+    fn evaluate(&mut self, _: &X, earlier: &[Place<'_, X>]) {
+        let results = self.sources.results(&|index| earlier[index].result());
+        self.result = results.map(&mut self.function);
+    }
+
+    fn result(&self) -> Option<&dyn Any> {
+        self.result.as_ref().map(|result| result as &dyn Any)
     }
 }
