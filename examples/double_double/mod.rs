@@ -142,9 +142,7 @@ impl Scalar for DoubleDouble {
 
     fn root(self, scale: Self) -> Self {
         let slack = 8.0 * Self::EPSILON * scale.high().abs();
-        if !slack.is_finite() {
-            Self::from_f64(f64::NAN)
-        } else if self.high() < 0.0 && -self.high() <= slack {
+        if self.high() < 0.0 && -self.high() <= slack && slack.is_finite() {
             Self::from_f64(0.0)
         } else {
             self.sqrt()

@@ -160,7 +160,9 @@ fn compare(
         let alike =
             (0..js.len()).filter(|&other| own.columns[other].unit == own.columns[column].unit);
         let sizes = alike.flat_map(|other| rust.iter().map(move |row| row[other].abs()));
-        let size = sizes.filter(|x| x.is_finite()).fold(0.0, f64::max);
+        // A number is a quotient of lengths: what it is made of has the size 1.
+        let least = f64::from(own.columns[column].unit.is_empty());
+        let size = sizes.filter(|x| x.is_finite()).fold(least, f64::max);
         // Functions without arguments have one row.
         for (row, js) in values.iter().enumerate() {
             let (rust, growth) = (rust[row][column], growth[row][column]);

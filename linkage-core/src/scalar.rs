@@ -147,8 +147,7 @@ pub trait Scalar:
     /// Square root of a discriminant `self` that was computed from terms of the size `scale`.
     ///
     /// It is 0 for a negative value that can be rounding only (down to `-8 EPSILON |scale|`), so
-    /// that a position at a dead point has a value, and NaN below that; NaN beside a scale that is
-    /// infinite or NaN.
+    /// that a position at a dead point has a value, and NaN below that.
     fn root(self, scale: Self) -> Self;
 
     /// As [`root`](Self::root), to the last bit, with a fused multiply-add if `FUSED`: where that is an instruction.

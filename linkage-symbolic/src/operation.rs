@@ -234,12 +234,12 @@ fn one_of(a: f64, b: f64, first: bool, second: bool) -> f64 {
 }
 
 fn root(q: f64, scale: f64) -> f64 {
-    if !scale.is_finite() {
-        f64::NAN
-    } else if q < 0.0 && q >= -DEAD_POINT * scale.abs() {
+    if q > 0.0 {
+        q.sqrt()
+    } else if scale.is_finite() && q >= -DEAD_POINT * scale.abs() {
         0.0
     } else {
-        (q + 0.0).sqrt()
+        f64::NAN
     }
 }
 

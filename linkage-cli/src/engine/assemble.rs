@@ -5,7 +5,7 @@ use linkage_runtime::generated::{Start, Which, assemblies, close, explained, fin
 use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 
 use super::coupled::Programs;
-use super::numbers::{Numbers, states};
+use super::numbers::{Numbers, States};
 use super::operations::{by_build, by_machine};
 use super::turns::{Turning, Turns};
 use crate::mechanism::{Mechanism, forever};
@@ -48,11 +48,19 @@ impl Assembly<'_> {
         for (&place, x) in function.arguments.iter().zip(arguments) {
             inputs[place] = *x;
         }
-        let states = states(self.mechanism, &self.starts, &inputs);
-        let numbers = self.numbers(&inputs, &states);
+        let states = self.states(&inputs);
+        let program = &function.called.program;
         match function.called.is_worth_a_call() {
-            true => by_machine(&function.called.program, |source| numbers.load(source)),
-            false => by_build(&function.called.program, |source| numbers.load(source)),
+            true => {
+                let states = states.by_machine();
+                let numbers = self.numbers(&inputs, &states);
+                by_machine(program, |source| numbers.load(source))
+            }
+            false => {
+                let states = states.by_build();
+                let numbers = self.numbers(&inputs, &states);
+                by_build(program, |source| numbers.load(source))
+            }
         }
     }
 
@@ -80,14 +88,14 @@ impl Assembly<'_> {
 
     /// The least margin of all groups, the slack of every group, the numbers of the unknowns.
     pub(super) fn survey(&self, inputs: &[f64]) -> Vec<f64> {
-        let states = states(self.mechanism, &self.starts, inputs);
+        let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
         by_build(&self.mechanism.unit.survey, |source| numbers.load(source))
     }
 
     /// Whether all groups close at these inputs.
     fn close(&self, inputs: &[f64]) -> Result<(), AssemblyError> {
-        let states = states(self.mechanism, &self.starts, inputs);
+        let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
         let gaps = by_build(&self.mechanism.unit.gaps, |source| numbers.load(source));
         let Mechanism {
@@ -97,6 +105,15 @@ impl Assembly<'_> {
             ..
         } = self.mechanism;
         close(name, structure.groups, gap_units, &gaps)
+    }
+
+    /// Where the states of coupled groups come from.
+    fn states<'a>(&'a self, inputs: &'a [f64]) -> States<'a> {
+        States {
+            mechanism: self.mechanism,
+            starts: &self.starts,
+            inputs,
+        }
     }
 
     fn numbers<'a>(&'a self, inputs: &'a [f64], states: &'a [Vec<f64>]) -> Numbers<'a> {

@@ -5,7 +5,7 @@ use linkage_runtime::generated::{
 };
 use linkage_runtime::{AssemblyError, AssemblyMode};
 
-use super::numbers::{Numbers, states};
+use super::numbers::{Numbers, States};
 use super::operations::by_build;
 use super::turns::{Turning, Turns};
 use crate::mechanism::Mechanism;
@@ -65,7 +65,12 @@ impl<'m> Programs<'m> {
         for (input, x) in group.inputs.iter().zip(own) {
             self.at[input.index] = *x;
         }
-        states(self.mechanism, &self.starts, &self.at)
+        let states = States {
+            mechanism: self.mechanism,
+            starts: &self.starts,
+            inputs: &self.at,
+        };
+        states.by_build()
     }
 
     fn place_with(&mut self, own: &[f64], state: &[f64]) -> Vec<Vec<f64>> {

@@ -1,6 +1,6 @@
 //! Where programs find what they load.
 
-use linkage_runtime::generated::Start;
+use linkage_runtime::generated::{Single, Start, inlined, single};
 use linkage_runtime::{AssemblyMode, Scalar};
 use linkage_symbolic::program::Source;
 
@@ -37,16 +37,41 @@ impl Numbers<'_> {
     }
 }
 
-/// The states of all coupled groups at these inputs, each with its floor.
-pub(super) fn states(mechanism: &Mechanism, starts: &[Start], inputs: &[f64]) -> Vec<Vec<f64>> {
-    let groups = mechanism.unit.coupled.iter().zip(starts);
-    groups
-        .map(|(group, start)| {
-            let own: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
+/// The tables of all coupled groups of a mechanism.
+#[derive(Clone, Copy)]
+pub(super) struct States<'a> {
+    pub(super) mechanism: &'a Mechanism,
+    pub(super) starts: &'a [Start],
+    pub(super) inputs: &'a [f64],
+}
+
+impl States<'_> {
+    /// The states at the inputs, each with its floor, by the instructions of the build.
+    pub(super) fn by_build(self) -> Vec<Vec<f64>> {
+        inlined(&self, [] as [f64; 0])
+    }
+
+    /// The same with fused multiply-add if the machine has it.
+    pub(super) fn by_machine(self) -> Vec<Vec<f64>> {
+        single(&self, [] as [f64; 0])
+    }
+}
+
+impl Single<f64, Vec<Vec<f64>>, 0> for States<'_> {
+    #[inline(always)]
+    fn at<const FUSED: bool>(&self, []: [f64; 0]) -> Vec<Vec<f64>> {
+        let mut states = Vec::with_capacity(self.starts.len());
+        for (group, start) in self.mechanism.unit.coupled.iter().zip(self.starts) {
+            let own: Vec<f64> = group
+                .inputs
+                .iter()
+                .map(|&input| self.inputs[input])
+                .collect();
             let mut state = vec![f64::NAN; group.size];
-            let floor = start.look_up(&own, &mut state);
+            let floor = start.look_up::<FUSED>(&own, &mut state);
             state.push(floor);
-            state
-        })
-        .collect()
+            states.push(state);
+        }
+        states
+    }
 }

@@ -3,7 +3,7 @@
 use linkage_runtime::AssemblyMode;
 use linkage_runtime::generated::{Start, pairs, wind_one};
 
-use super::numbers::{Numbers, states};
+use super::numbers::{Numbers, States};
 use super::operations::{by_build, by_machine};
 use crate::mechanism::Mechanism;
 
@@ -58,7 +58,12 @@ impl Turning<'_> {
             phases = rest;
             let prepared = self.prepare(&turns);
             let direction = |x: &Vec<f64>| {
-                let states = states(self.mechanism, self.starts, x);
+                let states = States {
+                    mechanism: self.mechanism,
+                    starts: self.starts,
+                    inputs: x,
+                };
+                let states = states.by_build();
                 let numbers = self.numbers(&turns, &prepared, x, &states);
                 let all = by_build(&unit.directions, |source| numbers.load(source));
                 [all[2 * index], all[2 * index + 1]]

@@ -103,10 +103,9 @@ impl<D: DualNum<Primitive = f64> + Copy> Scalar for Dual<D> {
     #[inline(always)]
     fn root(self, scale: Self) -> Self {
         let q = self.0.re();
-        let root = q.root(scale.0.re());
-        if root > 0.0 {
+        if q > 0.0 {
             Self(self.0.sqrt())
-        } else if root == 0.0 {
+        } else if q.root(scale.0.re()) == 0.0 {
             Self((self.0 - q).sqrt())
         } else {
             self.nowhere()

@@ -122,14 +122,14 @@ macro_rules! scalar {
             #[inline(always)]
             fn root_with<const FUSED: bool>(self, scale: Self) -> Self {
                 const SLACK: $float = ROUNDINGS as $float * <$float>::EPSILON;
+                // What is negative is none of rounding's beside a scale that is no number.
                 let size = <$float>::abs(scale);
+                let size = select_unpredictable(size <= <$float>::MAX, size, 0.0);
                 // Its sign is right however it is rounded, since the product is exact.
                 let reserve = elementary::$functions::mul_add::<FUSED>(size, SLACK, self);
-                // 0, or NaN beside a scale that is no number: then nothing is told of the root.
-                let least = size - size;
                 // The root does not wait for the tests. Choices beside 0 stay in the registers of floats; a sign bit that is spread out
-                // does not.
-                let nan = select_unpredictable(reserve >= least, 0.0, <$float>::NAN);
+                // does not. NaN has no reserve, and -0 is 0.
+                let nan = select_unpredictable(reserve >= 0.0, 0.0, <$float>::NAN);
                 let root = math::$functions::sqrt(self);
                 let root = select_unpredictable(self > 0.0, root, 0.0);
                 <$float>::from_bits(root.to_bits() | nan.to_bits())

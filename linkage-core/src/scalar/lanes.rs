@@ -96,13 +96,8 @@ where
         let slack =
             scale.0.simd_abs() * S::splat(S::Element::from_f64(ROUNDINGS) * S::Element::EPSILON);
         let positive = q.select(q.simd_gt(zero), zero);
-        // NaN beside a scale that is no number.
-        let close = (q + slack).simd_ge(slack - slack);
-        Self(
-            positive
-                .select(close, S::splat(S::Element::from_f64(f64::NAN)))
-                .simd_sqrt(),
-        )
+        let close = (q + slack).simd_ge(slack * zero);
+        Self(positive.select(close, q).simd_sqrt())
     }
 
     #[inline(always)]

@@ -10,12 +10,11 @@ function tangent(x) {
 }
 
 // The square root of a discriminant whose terms have the size of scale: 0 where it is negative by no more than 8 roundoffs of them, so
-// that a group closes up to its dead point, and NaN beyond, or beside a scale that is no number.
+// that a group closes up to its dead point, and NaN beyond.
 function root(q, scale) {
-  const slack = EIGHT_ROUNDOFFS * Math.abs(scale);
-  if (!(slack < Infinity)) return NaN;
   if (!(q < 0)) return Math.sqrt(q);
-  return q + slack >= 0 ? 0 : NaN;
+  const slack = EIGHT_ROUNDOFFS * Math.abs(scale);
+  return slack < Infinity && q + slack >= 0 ? 0 : NaN;
 }
 
 // a where s is not negative, b where it is, NaN where it is NaN.

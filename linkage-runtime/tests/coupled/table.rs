@@ -28,7 +28,10 @@ fn the_look_up_of_generated_code_is_the_same() {
         let x = random.between(-10.0, 10.0);
         let (state, floor) = lookup.at(x);
         let mut checked = [0.0; 4];
-        assert_eq!(floor, table.look_up(x, &mut checked));
+        assert_eq!(
+            floor,
+            table.look_up::<{ linkage_runtime::FUSED }>(x, &mut checked)
+        );
         assert_eq!(state, checked);
         assert_eq!(floor, table.state(x, &mut checked));
         for (a, b) in state.iter().zip(checked) {

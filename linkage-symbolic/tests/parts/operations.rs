@@ -66,8 +66,10 @@ fn the_smaller_and_the_larger_of_two() {
 #[test]
 fn roots_end_at_the_dead_point() {
     let root = |q: f64, scale: f64| Binary::Root.apply([q, scale]);
-    assert_eq!([root(2.25, 1.0), root(1e-40, 1e9)], [1.5, 1e-20]);
-    assert!(root(4.0, f64::NAN).is_nan() && root(4.0, f64::INFINITY).is_nan());
+    assert_eq!(
+        [root(2.25, 1.0), root(1e-40, 1e9), root(4.0, f64::NAN)],
+        [1.5, 1e-20, 2.0]
+    );
     for scale in [1.0, -1.0, 3.7e5, 1e-12] {
         let limit = 8.0 * f64::EPSILON * f64::abs(scale);
         for (q, expected) in [

@@ -8,7 +8,6 @@ use super::scale::{Scale, guard};
 use super::shared::Shared;
 use super::walk::{FULL, Piece, Walk};
 use super::{Correction, End, Range, Refusal};
-use crate::scalar::FUSED;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
@@ -130,12 +129,13 @@ impl Table {
         cell.floor + guard
     }
 
-    /// As [`state`](Self::state), to the last bit what [`Lookup::at`] gives.
+    /// As [`state`](Self::state), to the last bit what [`Lookup::at_with`] gives. With `FUSED` only on machines with fused multiply-add.
     ///
     /// # Panics
     ///
     /// As [`state`](Self::state).
-    pub fn look_up(&self, x: f64, state: &mut [f64]) -> f64 {
+    #[inline(always)]
+    pub fn look_up<const FUSED: bool>(&self, x: f64, state: &mut [f64]) -> f64 {
         let width = self.width;
         assert!(state.len() == width, "a state has {width} numbers");
         let (place, slot) = self.scale.find(x);

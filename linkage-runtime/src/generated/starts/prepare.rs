@@ -21,17 +21,19 @@ pub enum Start {
 
 impl Start {
     /// Writes the state at the group's inputs `x` as calls of generated code look it up, and returns the floor; NaN where there is none.
+    /// With `FUSED` only on machines with fused multiply-add.
     ///
     /// # Panics
     ///
     /// If `state` is not as long as the states that were prepared.
-    pub fn look_up(&self, x: &[f64], state: &mut [f64]) -> f64 {
+    #[inline(always)]
+    pub fn look_up<const FUSED: bool>(&self, x: &[f64], state: &mut [f64]) -> f64 {
         match self {
             Self::Nothing => {
                 state.fill(f64::NAN);
                 f64::NAN
             }
-            Self::Table(table) => table.look_up(x[0], state),
+            Self::Table(table) => table.look_up::<FUSED>(x[0], state),
             Self::Grid(grid) => grid.state(x, state),
         }
     }
