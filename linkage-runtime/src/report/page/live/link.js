@@ -98,10 +98,10 @@ function notUnderstood(wrong) {
 function asRust() {
   const { name, dimensions } = engine.programs[0];
   const fields = new Map();
-  const changed = new Set(changedFromDeclaration().map(fieldOf));
+  const changed = new Set(changedFromDeclaration().map(rustField));
   for (const own of dimensions) {
     const value = rustNumber(live.dimensions.get(own.name) ?? own.value);
-    fields.set(fieldOf(own.name), [...(fields.get(fieldOf(own.name)) ?? []), value]);
+    fields.set(rustField(own.name), [...(fields.get(rustField(own.name)) ?? []), value]);
   }
   const text = ([field, numbers]) => (numbers.length > 1 ? `${field}: linkage::Vector${numbers.length}::new(${numbers.join(", ")})` : `${field}: ${numbers[0]}`);
   const own = [...fields].filter(([field]) => changed.has(field)).map(text);
@@ -109,7 +109,7 @@ function asRust() {
 }
 
 // The field that a dimension is, or is a component of; those of parts have the part in front, `hook_crank`.
-function fieldOf(name) {
+function rustField(name) {
   const stem = name.slice(0, Math.max(0, name.lastIndexOf(".")));
   const members = engine.programs[0].dimensions.filter((own) => own.name.startsWith(`${stem}.`)).map((own) => own.name.slice(stem.length + 1));
   // Lengths of a part may be called `x` and `y`, too.
