@@ -43,6 +43,31 @@ struct Sensitive {
     parameters: Vec<usize>,
     /// For each of them, the columns of the components.
     columns: Vec<Vec<usize>>,
+    /// How many parameters more have been asked for, which change nothing.
+    idle: usize,
+}
+
+impl Sensitive {
+    /// Without the parameters that change nothing at any position, as those of the other parts of a machine. All of them
+    /// if none changes anything.
+    fn acting(mut self, rows: &[Vec<f64>]) -> Self {
+        let acts = |columns: &Vec<usize>| {
+            let mut numbers = rows
+                .iter()
+                .flat_map(|row| columns.iter().map(|&column| row[column]));
+            numbers.any(|x| x != 0.0)
+        };
+        let acting: Vec<bool> = self.columns.iter().map(acts).collect();
+        let count = acting.iter().filter(|own| **own).count();
+        if count > 0 {
+            self.idle = acting.len() - count;
+            let mut own = acting.iter();
+            self.parameters.retain(|_| own.next() == Some(&true));
+            let mut own = acting.iter();
+            self.columns.retain(|_| own.next() == Some(&true));
+        }
+        self
+    }
 }
 
 /// Prints the errors over the range, and at the worst position what each parameter contributes.
@@ -68,7 +93,19 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         running,
         positions,
     } = options.course.of(&mechanism, function, options.steps)?;
+    let row = |x: Option<f64>| {
+        let mut arguments = given.clone();
+        if let (Some((place, _)), Some(x)) = (running, x) {
+            arguments[place] = x;
+        }
+        assembly.call(function, &arguments)
+    };
+    let rows: Vec<Vec<f64>> = match running {
+        Some(_) => positions.iter().map(|&x| row(Some(x))).collect(),
+        None => vec![row(None)],
+    };
     for own in all {
+        let own = own.acting(&rows);
         let at = Position {
             mechanism: &mechanism,
             assembly: &assembly,
@@ -114,13 +151,18 @@ impl Position<'_> {
         let per = self.mechanism.parameters[self.own.parameters[0]].unit;
         let divided = column.unit.strip_suffix(per);
         let name = &self.own.name;
-        match divided.and_then(|unit| unit.strip_suffix('/')) {
+        let title = match divided.and_then(|unit| unit.strip_suffix('/')) {
             Some("1") => name.clone(),
             Some(unit) => format!("{name} [{unit}]"),
             None if per.is_empty() && !column.unit.is_empty() => {
                 format!("{name} [{}]", column.unit)
             }
             None => name.clone(),
+        };
+        match self.own.idle {
+            0 => title,
+            1 => format!("{title}; one more dimension changes nothing"),
+            idle => format!("{title}; {idle} more dimensions change nothing"),
         }
     }
 
@@ -240,6 +282,7 @@ fn quantities(field: &Field, parameters: &[usize], first: usize) -> Vec<Sensitiv
                 .map(|entry| parameters[entry * inner])
                 .collect(),
             columns: (0..entries).map(columns).collect(),
+            idle: 0,
         }
     };
     (0..inner).step_by(together).map(part).collect()

@@ -45,14 +45,25 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
         .filter(|(_, own)| whole(own.name))
         .map(|(place, _)| place)
         .collect();
-    match found.is_empty() {
-        true => Err(Failure::Told(format!(
-            "there is no dimension `{name}` in {}; there is {}",
-            mechanism.name,
-            listed(mechanism.parameters.iter().map(|own| own.name))
-        ))),
-        false => Ok(found),
+    if !found.is_empty() {
+        return Ok(found);
     }
+    // Of a machine, the dimensions of the part that is meant.
+    let part = name.rsplit_once('.').map_or(name, |(part, _)| part);
+    let names = mechanism.parameters.iter().map(|own| own.name);
+    let of_part = |own: &&str| {
+        own.strip_prefix(part)
+            .is_some_and(|rest| rest.starts_with('.'))
+    };
+    let of_part: Vec<&str> = names.clone().filter(of_part).collect();
+    Err(Failure::Told(format!(
+        "there is no dimension `{name}` in {}; there is {}",
+        mechanism.name,
+        match of_part.is_empty() {
+            true => listed(names),
+            false => listed(of_part),
+        }
+    )))
 }
 
 /// `NAME=VALUE`

@@ -5,6 +5,7 @@ mod c;
 mod drawings;
 mod files;
 mod js;
+mod machines;
 mod pages;
 mod start;
 mod tables;
