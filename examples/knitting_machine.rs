@@ -1,12 +1,12 @@
 //! A warp-knitting machine: hook needle, eye needle, sinkers and press on one shaft, with phases as parameters.
 //!
-//! The drives are those of the examples `favorit`, `eye_needle`, `two_crank_triad` and `spatial_crank_rocker`, parts of one mechanism. It
-//! answers what nobody asks of a drive by itself: what the organs do when, where one of them is in the frame of another, how
-//! close the needles come, what tolerances leave of that, which phase makes it largest.
+//! The drives are those of the examples `favorit`, `eye_needle`, `two_crank_triad` and `spatial_crank_rocker`, parts of
+//! one mechanism. It answers what nobody asks of a drive by itself: what the organs do when, where one of them is in the
+//! frame of another, how close the needles come, what tolerances leave of that, which phase makes it largest.
 //!
-//! Everything is compared: with the drives alone, with machines built a little differently, with many positions, with numbers of 60
-//! digits. The exit status is 1 if something differs. The page is written to `target/knitting_machine`, or to the folder that is given
-//! behind `--`.
+//! Everything is compared: with the drives alone, with machines built a little differently, with many positions, with
+//! numbers of 60 digits. The exit status is 1 if something differs. The page is written to `target/knitting_machine`, or
+//! to the folder that is given behind `--`.
 
 mod check;
 #[path = "knitting_machine/checks.rs"]
@@ -29,7 +29,6 @@ use linkage::clearance::Clearance;
 use linkage::tolerance::Tolerances;
 use organs::DIMENSIONS;
 use std::error::Error;
-use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 /// Where the page is written if no folder is given.
@@ -67,9 +66,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         ..KnittingMachine::default()
     };
     let even = even.assemble()?;
-    let phases = organs::phases(&even)?;
-    let range = (-TAU / 12.0, TAU / 12.0);
-    let slot = phases.best_step(range, TAU / SLOTS)?;
+    let slot = organs::best_lead(&even, SLOTS)?;
     let best = &slot.best;
     println!(
         "       {:.6} deg: {:.6} mm; with a gear of {SLOTS} slots {} of them, {:.6} mm",

@@ -44,7 +44,8 @@ mechanism! {
         pub fn motion(phi) -> HookMotion { p10, v: velocity(p10), a: acceleration(p10) }
     }
 
-    /// Drive of the eye needle, as in the example `eye_needle`, a six-bar of class III. It hangs over the hook needle, turned over.
+    /// Drive of the eye needle, as in the example `eye_needle`, a six-bar of class III. It hangs over the hook needle,
+    /// turned over.
     pub struct EyeNeedle {
         unit mm;
         param l12 = 50mm +- 12um;
@@ -84,7 +85,8 @@ mechanism! {
         pub fn motion(phi) -> EyeMotion { p8, v: velocity(p8), a: acceleration(p8) }
     }
 
-    /// Drive of the sinkers, as in the example `two_crank_triad`: two cranks turn against each other, a slide runs straight.
+    /// Drive of the sinkers, as in the example `two_crank_triad`: two cranks turn against each other, a slide runs
+    /// straight.
     pub struct Sinker {
         unit mm;
         param l12 = 13mm +- 10um;
@@ -164,15 +166,24 @@ mechanism! {
         pub fn press(shaft) -> PressWay { way: press.way, v: velocity(press.way), a: acceleration(press.way) }
 
         // What all dimensions do to places and velocities.
-        pub fn hook_accuracy(shaft) -> HookAccuracy { e: sensitivity(hook.p10), rate: sensitivity(velocity(hook.p10)) }
+        pub fn hook_accuracy(shaft) -> HookAccuracy {
+            e: sensitivity(hook.p10), rate: sensitivity(velocity(hook.p10)),
+        }
         pub fn eye_accuracy(shaft) -> EyeAccuracy { e: sensitivity(eye.p8) }
-        pub fn eye_way_accuracy(shaft) -> EyeWayAccuracy { e: sensitivity(eye.way), rate: sensitivity(velocity(eye.way)) }
-        pub fn sinker_accuracy(shaft) -> SinkerAccuracy { e: sensitivity(sinker.s), rate: sensitivity(velocity(sinker.s)) }
-        pub fn press_accuracy(shaft) -> PressAccuracy { e: sensitivity(press.way), rate: sensitivity(velocity(press.way)) }
+        pub fn eye_way_accuracy(shaft) -> EyeWayAccuracy {
+            e: sensitivity(eye.way), rate: sensitivity(velocity(eye.way)),
+        }
+        pub fn sinker_accuracy(shaft) -> SinkerAccuracy {
+            e: sensitivity(sinker.s), rate: sensitivity(velocity(sinker.s)),
+        }
+        pub fn press_accuracy(shaft) -> PressAccuracy {
+            e: sensitivity(press.way), rate: sensitivity(velocity(press.way)),
+        }
 
         /// The eye needle's point as one sees it who sits on the hook needle's: x along the needle, y across.
         pub fn seen(shaft) -> Seen {
-            seen: rotate(eye.p8 - hook.p10, -hook.phi910), v: velocity(rotate(eye.p8 - hook.p10, -hook.phi910)),
+            seen: rotate(eye.p8 - hook.p10, -hook.phi910),
+            v: velocity(rotate(eye.p8 - hook.p10, -hook.phi910)),
         }
         /// All links, for drawings.
         pub fn picture(shaft) -> Picture { shape: picture() }

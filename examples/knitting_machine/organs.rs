@@ -4,7 +4,7 @@ use crate::drives::{
     Eye, EyeWay, Hook, KnittingMachine, KnittingMachineAssembly, PressWay, SinkerWay,
 };
 use linkage::Vector2;
-use linkage::clearance::{Clearance, Nearest, PhaseError, Phases};
+use linkage::clearance::{BestStep, Clearance, Nearest, PhaseError, Phases};
 use linkage::cyclogram::{Band, Cyclogram, CyclogramError, Organ};
 use linkage::summary::{Course, SummaryError, positions};
 use linkage::tolerance::Tolerances;
@@ -41,19 +41,20 @@ pub(crate) fn press_way(m: PressWay) -> Jet {
     [m.way, m.v, m.a]
 }
 
-/// What the four organs do in a turn of the shaft, with what all dimensions do to that. The coarse look is taken from sweeps.
+/// What the four organs do in a turn of the shaft, with what all dimensions do to that. The coarse look is taken from
+/// sweeps.
 pub(crate) fn cyclogram(machine: &KnittingMachineAssembly) -> Result<Cyclogram, Box<dyn Error>> {
     let shaft: Vec<f64> = positions(CYCLE, POSITIONS).collect();
     let (hook, eye) = (machine.hook_sweep(&shaft), machine.eye_way_sweep(&shaft));
     let (sinker, press) = (machine.sinker_sweep(&shaft), machine.press_sweep(&shaft));
     let hook = organ(
-        "hook needle",
+        "hook",
         ENDS,
         |i| lift(hook.get(i)),
         |x| lift(machine.hook(x)),
     )?;
     let eye = organ(
-        "eye needle",
+        "eye",
         EYE_ENDS,
         |i| eye_way(eye.get(i)),
         |x| eye_way(machine.eye_way(x)),
@@ -143,17 +144,20 @@ pub(crate) fn sensitivity(
     nearest.sensitivity([hook], [eye])
 }
 
-/// Both needles of a machine whose eye needle does not lead, to be turned against each other.
-pub(crate) fn phases(
+/// From -30 to 30 degrees.
+const LEADS: (f64, f64) = (-TAU / 12.0, TAU / 12.0);
+
+/// The lead of the eye needle that makes the least distance largest, and the best slot of a gear. The machine's eye
+/// needle does not lead.
+pub(crate) fn best_lead(
     machine: &KnittingMachineAssembly,
-) -> Result<
-    Phases<Vector2<f64>, 2, 1, 1, impl Fn(f64) -> [Point; 1], impl Fn(f64) -> [Point; 1]>,
-    PhaseError,
-> {
-    Phases::of(
+    slots: f64,
+) -> Result<BestStep<2>, PhaseError> {
+    let phases = Phases::of(
         CYCLE,
         POSITIONS,
         |x| hook(machine.hook(x)),
         |x| eye(machine.eye(x)),
-    )
+    )?;
+    phases.best_step(LEADS, TAU / slots)
 }

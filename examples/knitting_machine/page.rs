@@ -1,4 +1,4 @@
-//! The page of the machine, with the diagram of bars beside it.
+//! The page of the machine.
 
 use crate::drives::{KnittingMachine, KnittingMachineAssembly};
 use crate::organs::CYCLE;
@@ -12,7 +12,7 @@ use std::path::Path;
 /// Every degree.
 const POSITIONS: usize = 361;
 
-/// Writes the report into a folder, a view of the front as `front.svg`, and the cyclogram as `cyclogram.svg`.
+/// Writes the report into a folder, and a view of the front as `front.svg`.
 pub(crate) fn write(
     machine: &KnittingMachineAssembly,
     cyclogram: &Cyclogram,
@@ -39,6 +39,7 @@ pub(crate) fn write(
         .table(&machine.seen_sweep(&shaft))
         .trace("hook.p10")
         .trace("eye.p8")
+        .cyclogram(cyclogram)
         .course("distance of the needles", "mm", &distance);
     report.write(folder)?;
     // Seen along the shafts: x to the right, y upwards.
@@ -48,8 +49,6 @@ pub(crate) fn write(
         .trace("eye.p8")
         .write(folder.join("front.svg"))?;
     println!("       {}", front.display());
-    let bars = cyclogram.write(folder.join("cyclogram.svg"))?;
-    println!("       {}", bars.display());
     println!("       {}", folder.join("index.html").display());
     Ok(())
 }

@@ -110,11 +110,11 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         self.push(Place::new(Filling::new(buffer, function)))
     }
 
-    /// Adds a function of the results of others, one handle or a tuple of two to four, switched on: what is asked of several parts at once,
-    /// from what each of them has computed already.
+    /// Adds a function of the results of others, one handle or a tuple of two to four, switched on: what is asked of
+    /// several parts at once, from what each of them has computed already.
     ///
-    /// It is evaluated after them, and only if one of them was evaluated anew. While one of them is off, or has no result, it has none
-    /// and costs nothing.
+    /// It is evaluated after them, and only if one of them was evaluated anew. While one of them is off, or has no
+    /// result, it has none and costs nothing.
     ///
     /// ```
     /// use linkage_runtime::Scene;

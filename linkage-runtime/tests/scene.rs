@@ -204,7 +204,7 @@ fn handles_are_small_names() {
     );
 }
 
-/// What several parts are asked for at once is made of what each has computed: the parts are not evaluated for it again.
+/// What several parts are asked for at once is made of what each has computed: none is evaluated for it again.
 #[test]
 fn results_are_made_of_results() {
     let calls = [const { Cell::new(0) }; 3];
