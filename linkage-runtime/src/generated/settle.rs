@@ -67,3 +67,36 @@ fn settle(programs: &mut dyn Correction, x: &[f64], state: &mut [f64], before: f
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::continuation::Step;
+
+    /// From 1 to where the square is this; two solutions meet at 0.
+    fn root(square: f64, sign: f64) -> Option<f64> {
+        let mut programs = |x: &[f64], state: &mut [f64]| {
+            let determinant = 2.0 * state[0];
+            let step = (state[0] * state[0] - x[0]) / determinant;
+            state[0] -= step;
+            Step {
+                size: step.abs(),
+                determinant,
+            }
+        };
+        let found = moved(&mut programs, &[Variable::Unit], &[square], &[1.0], sign)?;
+        Some(found.0[0])
+    }
+
+    #[test]
+    fn a_small_step_is_taken_and_a_larger_one_refused() {
+        assert!(root(1.08, 1.0).is_some_and(|found| (found - 1.08_f64.sqrt()).abs() < 1e-9));
+        assert_eq!(root(1.12, 1.0), None);
+    }
+
+    #[test]
+    fn the_assembly_on_the_other_side_of_a_dead_point_is_refused() {
+        assert_eq!(root(1.08, -1.0), None);
+        assert_eq!(root(1.08, 0.0), root(1.08, 1.0));
+    }
+}

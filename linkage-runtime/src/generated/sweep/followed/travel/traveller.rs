@@ -270,3 +270,48 @@ impl<const R: usize> Traveller<R> {
         self.set_out(shorter * self.length, groups, lane);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLACE: Place = Place {
+        number: 0,
+        first: 0,
+        size: 1,
+    };
+
+    /// At a place with a positive determinant, where a step has been predicted.
+    fn predicted() -> Traveller<2> {
+        let mut own = Traveller::new();
+        own.history.begin(&[0.3, 0.5]);
+        own.try_group(0);
+        own
+    }
+
+    #[test]
+    fn a_first_correction_that_may_lead_to_another_assembly_is_refused() {
+        assert_eq!(predicted().judge(PLACE, 0.04, 0.5), Verdict::Closer);
+        assert_eq!(predicted().judge(PLACE, 0.06, 0.5), Verdict::Unsound);
+    }
+
+    #[test]
+    fn corrections_that_do_not_shrink_fast_are_refused() {
+        for (second, verdict) in [(0.008, Verdict::Closer), (0.012, Verdict::Unsound)] {
+            let mut own = predicted();
+            assert_eq!(own.judge(PLACE, 0.04, 0.5), Verdict::Closer);
+            assert_eq!(own.judge(PLACE, second, 0.5), verdict);
+        }
+    }
+
+    #[test]
+    fn the_assembly_on_the_other_side_of_a_dead_point_is_refused() {
+        for determinant in [-0.5, -1e-9, 0.0] {
+            assert_eq!(
+                predicted().judge(PLACE, 1e-6, determinant),
+                Verdict::Unsound
+            );
+        }
+        assert_eq!(predicted().judge(PLACE, 1e-6, 1e-9), Verdict::Settled);
+    }
+}
