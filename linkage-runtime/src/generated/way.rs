@@ -9,8 +9,8 @@ use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::Level;
 
-/// The longest step, and one that is too short to go on with, as parts of the way. What certifies a step is how little the states change;
-/// places are near each other so that a stretch without the assembly between them is met.
+/// The longest step, and one that is too short to go on with, as parts of the way. What certifies a step is how little the states change,
+/// which sets the length of most steps; longer ones would only be tried in vain.
 const LONGEST: f64 = 1.0 / 4.0;
 const SHORTEST: f64 = 1e-7;
 
