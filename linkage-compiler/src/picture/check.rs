@@ -3,7 +3,6 @@
 use crate::close::numbers;
 use crate::diagnostic::text::list;
 use crate::diagnostic::{OriginId, Reporter};
-use crate::model::Mechanism;
 use crate::unit::{Picture, PointKind};
 
 use super::chains::{Asked, Sketch};
@@ -42,33 +41,6 @@ pub(super) fn warn_of_undrawn_loops(picture: &Picture, origin: OriginId, reporte
         }
     );
     let help = "write the loop with whole vectors, or list the points of its links: `picture([a, b], ...)`";
-    reporter.warning_with_help(origin, fact, help);
-}
-
-/// Warns of parts that stand elsewhere or turned: their loops are written, and so drawn, in their own coordinates.
-pub(super) fn warn_of_placed_parts(
-    mechanism: &Mechanism,
-    origin: OriginId,
-    reporter: &mut Reporter,
-) {
-    let names: Vec<&str> = mechanism
-        .placed
-        .iter()
-        .map(|own| own.path.as_str())
-        .collect();
-    if names.is_empty() {
-        return;
-    }
-    let (is, it, stands) = match names.len() {
-        1 => ("is", "its", "it stands"),
-        _ => ("are", "their", "they stand"),
-    };
-    let fact = format!(
-        "{} {is} drawn in {it} own coordinates and not where {stands}, which is a limit of linkage",
-        list(&names)
-    );
-    let help =
-        "for a picture, give parts their pivots as parameters instead of `at` and `turned by`";
     reporter.warning_with_help(origin, fact, help);
 }
 

@@ -118,7 +118,6 @@ pub(crate) fn find<'m>(
     }
     check::warn_of_undrawn_loops(&found.picture, asked.origin, reporter);
     check::warn_of_loose_points(&found.picture, asked.origin, reporter);
-    check::warn_of_placed_parts(algebra.mechanism, asked.origin, reporter);
     found
 }
 

@@ -532,26 +532,3 @@ fn parts_of_a_machine_have_what_they_bring_along() {
     ];
     assert_eq!(parts, expected, "\n{picture}");
 }
-
-#[test]
-fn a_part_that_stands_elsewhere_is_warned_of() {
-    let text = "
-        struct Crank { unit mm; param r = 50mm; input phi = 30deg; let pin = polar(r, phi); }
-        struct M {
-            unit mm;
-            input shaft = 30deg in 0deg..360deg;
-            part one: Crank { phi = shaft };
-            part two: Crank { phi = shaft } at (100mm, 0mm);
-        }
-        impl M { fn look(shaft) -> Look { shape: picture() } }";
-    let all = check_all(text.parse().expect("tokens"));
-    let machine = all.into_iter().next_back().expect("the machine");
-    let texts = machine.warnings.iter().map(|own| own.text.as_str());
-    assert_eq!(
-        texts.collect::<Vec<_>>(),
-        [
-            "`two` is drawn in its own coordinates and not where it stands, which is a limit of linkage\n\
-             help: for a picture, give parts their pivots as parameters instead of `at` and `turned by`"
-        ]
-    );
-}
