@@ -263,7 +263,7 @@ fn comments_of_the_user_stand_in_front() {
 #[test]
 fn files_are_the_same_each_time() {
     let given = golden();
-    let own = given.iter().find(|own| own.name == "crank_rocker");
+    let own = given.iter().find(|own| own.name == "CrankRocker");
     let own = own.expect("one of the golden mechanisms");
     let text = fs::read_to_string(
         Path::new(env!("CARGO_MANIFEST_DIR"))

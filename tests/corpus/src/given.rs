@@ -9,7 +9,7 @@ use proc_macro2::{TokenStream, TokenTree};
 
 /// A mechanism with its name.
 pub struct Given {
-    /// As its struct is called.
+    /// As its struct is called, the last one of several.
     pub name: String,
     /// Its programs.
     pub unit: Unit,
@@ -18,8 +18,8 @@ pub struct Given {
 impl Given {
     /// A mechanism from what stands between the braces of `mechanism!`.
     pub fn new(body: TokenStream) -> Self {
-        let name = name(&body);
         let checked = check(body);
+        let name = checked.name.expect("a mechanism has a name");
         let messages = checked.messages;
         let unit = checked
             .unit
@@ -31,13 +31,6 @@ impl Given {
     pub fn text(text: &str) -> Self {
         Self::new(text.parse().expect("brackets have partners"))
     }
-}
-
-/// The word behind `struct`.
-fn name(body: &TokenStream) -> String {
-    let mut words = body.clone().into_iter().map(|token| token.to_string());
-    words.find(|word| word == "struct");
-    words.next().expect("a mechanism has a name")
 }
 
 /// Golden mechanisms and examples.
