@@ -7,7 +7,7 @@ use linkage_symbolic::{SymbolId, Vn};
 
 use crate::algebra::Bound;
 use crate::model::{Loop, Name};
-use crate::unit::{Drive, DriveOn, Gear, Picture};
+use crate::unit::{Drive, DriveOn, Gear, Part, Picture};
 
 use super::chains::{Segment, Shape, Sketch};
 use super::free::relates_angles;
@@ -94,6 +94,8 @@ impl<'m> Sketch<'_, 'm> {
             let both: BTreeSet<SymbolId> = a.angle.union(&b.angle).copied().collect();
             // Links that turn alike are held together by something else than wheels.
             let differ = a.angle == b.angle && !seen.turn_alike(a.segment, b.segment);
+            // Parts on one shaft are each driven by it.
+            let differ = differ && !are_of_two_parts(picture, a.end, b.end);
             differ || relations.iter().any(|own| both.is_subset(own))
         };
         let mut gears = Vec::new();
@@ -161,4 +163,16 @@ fn ends(
     links
         .any(|link| has_both(&link.points))
         .then_some([from, to])
+}
+
+/// Whether each of two points belongs to a part, and none to both.
+fn are_of_two_parts(picture: &Picture, a: usize, b: usize) -> bool {
+    let has = |point: usize| move |part: &&Part| part.points.contains(&point);
+    let of = |point: usize| picture.parts.iter().filter(has(point)).count();
+    let both = picture
+        .parts
+        .iter()
+        .filter(has(a))
+        .any(|part| has(b)(&part));
+    of(a) > 0 && of(b) > 0 && !both
 }

@@ -101,9 +101,9 @@ pub(super) fn named<'m>(
     };
     picture.joints = turning.joints(&picture);
     picture.drives = sketch.drives(&picture, &place);
-    picture.gears = sketch.gears(&picture, &place, seen);
     let own: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
     picture.parts = owners.parts(&picture, links, &own);
+    picture.gears = sketch.gears(&picture, &place, seen);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     Found {
         vectors: vectors.chain(directions).collect(),

@@ -532,3 +532,38 @@ fn parts_of_a_machine_have_what_they_bring_along() {
     ];
     assert_eq!(parts, expected, "\n{picture}");
 }
+
+/// Cranks of two parts that turn unlike each other are driven by the shaft, not by each other; those of one part are wheels.
+#[test]
+fn wheels_are_of_one_part() {
+    let text = |second: &str| {
+        format!(
+            "
+        struct Crank {{
+            unit mm;
+            param pivot = (0mm, 0mm);
+            input phi = 30deg in 0deg..360deg;
+            let pin = pivot + polar(50mm, phi);
+        }}
+        struct M {{
+            unit mm;
+            param far = (300mm, 0mm);
+            input shaft = 30deg in 0deg..360deg;
+            part one: Crank {{ phi = shaft }};
+            {second}
+        }}
+        impl M {{ fn look(shaft) -> Look {{ shape: picture() }} }}"
+        )
+    };
+    let gears = |second: &str| {
+        let all = check_all(text(second).parse().expect("tokens"));
+        let machine = all.into_iter().next_back().expect("the machine");
+        let picture = machine.unit.and_then(|own| own.picture);
+        picture.expect("a picture").gears.len()
+    };
+    assert_eq!(gears("let pin = far + polar(40mm, -2 * shaft);"), 1);
+    assert_eq!(
+        gears("part two: Crank { phi = -2 * shaft, pivot = far };"),
+        0
+    );
+}
