@@ -167,12 +167,9 @@ fn ends(
 
 /// Whether each of two points belongs to a part, and none to both.
 fn are_of_two_parts(picture: &Picture, a: usize, b: usize) -> bool {
-    let has = |point: usize| move |part: &&Part| part.points.contains(&point);
-    let of = |point: usize| picture.parts.iter().filter(has(point)).count();
-    let both = picture
-        .parts
-        .iter()
-        .filter(has(a))
-        .any(|part| has(b)(&part));
-    of(a) > 0 && of(b) > 0 && !both
+    let has = |part: &Part, point: usize| part.points.contains(&point);
+    let parts = &picture.parts;
+    let each = [a, b].map(|point| parts.iter().any(|part| has(part, point)));
+    let both = parts.iter().any(|part| has(part, a) && has(part, b));
+    each == [true; 2] && !both
 }
