@@ -12,10 +12,10 @@ pub use linkage_runtime::Lanes;
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
-    Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning, Operations,
-    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
-    PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3, true_acceleration, true_jerk,
-    true_velocity,
+    Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning, NotFollowed,
+    Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart,
+    PicturePoint, PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3,
+    true_acceleration, true_jerk, true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};
@@ -176,6 +176,22 @@ pub mod tolerance {
     pub use linkage_runtime::tolerance::*;
 }
 
+/// Design: from requirements to dimensions, by least squares from many starts.
+#[cfg(feature = "design")]
+pub mod design {
+    #![doc = include_str!("links.md")]
+    #![doc = include_str!("../docs/design.md")]
+
+    pub use linkage_runtime::design::*;
+
+    /// Exact synthesis: all mechanisms that meet as many conditions as they have dimensions.
+    pub mod exact {
+        #![doc = include_str!("../docs/exact.md")]
+
+        pub use linkage_runtime::design::exact::*;
+    }
+}
+
 /// Reports: plots, drawings to scale, data and interactive pages of a mechanism over its range.
 #[cfg(feature = "report")]
 pub mod report {
@@ -191,6 +207,13 @@ pub mod pins {
     #![doc = include_str!("../docs/pins.md")]
 
     pub use linkage_runtime::pins::*;
+}
+
+/// Jacobians both ways: motions, forces, condition, singular positions.
+pub mod jacobian {
+    #![doc = include_str!("../docs/jacobian.md")]
+
+    pub use linkage_runtime::jacobian::*;
 }
 
 /// Plate cams: profile, pressure angle, curvature, undercut.
@@ -262,8 +285,9 @@ pub mod __private {
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
         Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms,
-        CoupledUnknown, Extended, Followed, Moving, Range, Start, States, Step, Term, Variable,
-        Wanted, fill_followed, nothing, pairs, placed, put_state, starts, stepped,
+        CoupledUnknown, Extended, Followed, Moving, Range, Standing, Start, States, Step, Stop,
+        Term, Variable, Wanted, fill_followed, follow, nothing, pairs, placed, put_corrected,
+        put_state, starts, stepped,
     };
     pub use linkage_runtime::generated::{
         Sealed, Single, as_in_sweeps, close, explained, finite, inlined, named, single,
@@ -273,9 +297,9 @@ pub mod __private {
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, FUSED, Frame,
         FunctionInfo, Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning,
-        Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart,
-        PicturePoint, PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3, if_alloc,
-        if_rayon, if_report,
+        NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
+        PicturePart, PicturePoint, PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3,
+        if_alloc, if_rayon, if_report,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle};

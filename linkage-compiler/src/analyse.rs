@@ -46,7 +46,7 @@ pub(crate) fn analyse(
     if reporter.errors() > before {
         return (Unit::default(), None);
     }
-    let formulation = formulate::formulate(&mut algebra, structure);
+    let formulation = formulate::formulate(&mut algebra, &nominal, structure);
     watch.formulated(&mut algebra, &formulation, &nominal);
     let closing = lower::closing(&mut algebra, &formulation, &nominal);
     let inner = close::inner_parts(&mut algebra, &nominal, parts);
@@ -89,6 +89,7 @@ pub(crate) fn analyse(
             &unit.angles,
             &mut reporter,
         );
+        close::check_redundant(&mut algebra, &reference, &nominal, &mut reporter);
     }
     let closed = reference
         .closed

@@ -76,6 +76,10 @@ pub trait Scalar:
     /// above what a table is wrong by, far below the distance of another assembly.
     const CORRECTION_LIMIT: f64 = 1e-7;
 
+    /// The largest last correction of a solution that is followed from position to position. Newton's method squares it and multiplies by
+    /// how curved the equations are: up to ten thousand, what is left in an `f64` is rounding.
+    const LAST_CORRECTION: f64 = 1e-10;
+
     /// Whether a prepared solution, a plain `f64`, needs several Newton steps: for derivatives and digits that it does not
     /// have.
     const REFINES: bool = true;

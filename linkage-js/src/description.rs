@@ -124,6 +124,7 @@ fn coupled(unit: &Unit, number: usize) -> String {
     let lengths = own.variables.iter().flat_map(|variable| match variable {
         Variable::Unit => &[false, false][..],
         Variable::Length => &[true],
+        Variable::Number => &[false],
         Variable::Point => &[true, true],
         Variable::Conjugate => &[],
     });

@@ -3,8 +3,10 @@
 //!
 //! A [`Clearance`] holds all places of a cycle where the distance is least, as roots of exact derivatives; each
 //! [`Nearest`] knows what dimensions do to the distance and to its place. [`Phases`] turns one organ against the
-//! other on their shaft.
+//! other on their shaft, a [`PhaseSet`] several of them.
 
+mod ascent;
+mod boxes;
 mod case;
 mod error;
 mod least;
@@ -12,6 +14,7 @@ mod nearest;
 mod phases;
 mod probe;
 mod search;
+mod several;
 mod shape;
 mod slots;
 
@@ -22,4 +25,5 @@ pub use least::Guaranteed;
 pub use nearest::Nearest;
 pub use phases::Phases;
 pub use search::{BestPhase, Contact, Optimum};
+pub use several::{BestPhases, BestSteps, PairContact, PhaseSet};
 pub use slots::BestStep;

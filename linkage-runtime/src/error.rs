@@ -1,5 +1,6 @@
 //! Why a mechanism could not be assembled.
 
+mod not_followed;
 #[cfg(feature = "alloc")]
 mod unprepared;
 
@@ -7,6 +8,7 @@ use crate::words::{join, numbers, rounded};
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 use core::fmt;
+pub use not_followed::NotFollowed;
 #[cfg(feature = "alloc")]
 pub use unprepared::{CoupledCause, CoupledError, Placed, Value};
 
@@ -131,7 +133,10 @@ impl AssemblyError {
     pub(crate) fn is_a_miss(&self) -> bool {
         match self {
             Self::CannotClose { .. } => true,
-            Self::Coupled(error) => matches!(error.cause, CoupledCause::NoneReal { .. }),
+            Self::Coupled(error) => matches!(
+                error.cause,
+                CoupledCause::NoneReal { .. } | CoupledCause::NotReached { .. }
+            ),
             _ => false,
         }
     }

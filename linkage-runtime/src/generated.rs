@@ -1,6 +1,8 @@
 //! What only generated code calls.
 
 mod close;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod follower;
 #[cfg(feature = "nalgebra")]
 mod named;
 mod sealed;
@@ -27,6 +29,8 @@ pub use alloc::vec::Vec;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
 pub use close::{close, explained, finite};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use follower::{Corrected, Standing, Stop, follow, put_corrected};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::Level;
 #[cfg(feature = "nalgebra")]
@@ -68,16 +72,18 @@ macro_rules! if_alloc {
     ($($item:tt)*) => {};
 }
 
-/// Its content if feature `report` is on, else nothing: what nobody reads need not be compiled.
-#[cfg(feature = "report")]
+/// Its content if feature `report` or `design` is on, which read columns by their names, else nothing: what nobody reads need not
+/// be compiled.
+#[cfg(any(feature = "report", feature = "design"))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! if_report {
     ($($item:tt)*) => { $($item)* };
 }
 
-/// Its content if feature `report` is on, else nothing: what nobody reads need not be compiled.
-#[cfg(not(feature = "report"))]
+/// Its content if feature `report` or `design` is on, which read columns by their names, else nothing: what nobody reads need not
+/// be compiled.
+#[cfg(not(any(feature = "report", feature = "design")))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! if_report {

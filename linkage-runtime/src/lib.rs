@@ -6,7 +6,7 @@
 //! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the modules
 //! `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and `clearance`), `nalgebra`
 //! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
-//! `tolerance` and `monte-carlo` (the module `tolerance`), `report` (the module `report`).
+//! `tolerance` and `monte-carlo` (the module `tolerance`), `design` (the module `design`), `report` (the module `report`).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -30,12 +30,15 @@ mod components;
 #[cfg(feature = "alloc")]
 pub mod cyclogram;
 mod data;
+#[cfg(feature = "design")]
+pub mod design;
 mod dimensions;
 mod error;
 #[cfg(feature = "nalgebra")]
 mod frame;
 #[doc(hidden)]
 pub mod generated;
+pub mod jacobian;
 #[doc(hidden)]
 pub mod javascript;
 mod motion;
@@ -59,7 +62,7 @@ pub use circuits::{Branch, BranchEnd, Circuits, Estimate};
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};
 pub use dimensions::Dimensions;
-pub use error::AssemblyError;
+pub use error::{AssemblyError, NotFollowed};
 #[cfg(feature = "alloc")]
 pub use error::{CoupledCause, CoupledError, Placed, Value};
 #[cfg(feature = "nalgebra")]

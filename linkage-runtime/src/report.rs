@@ -9,6 +9,7 @@ mod accuracy;
 mod builder;
 mod check;
 mod colour;
+mod compare;
 mod csv;
 mod cyclogram;
 mod drawing;
@@ -40,6 +41,7 @@ mod write;
 
 pub use accuracy::BandKind;
 pub use builder::Report;
+pub use compare::{Aim, Compared, Comparison};
 pub use csv::CsvStyle;
 pub use drawing::Drawing;
 pub use error::ReportError;

@@ -1,7 +1,8 @@
-//! Frames in space: values, derivatives, sweeps and scalars of what is computed with them, and what it costs.
+//! Frames: values, derivatives, sweeps and scalars of what is computed with them, and what it costs.
 
 mod cost;
 mod derivatives;
+mod plane;
 mod values;
 
 use linkage::mechanism;

@@ -16,7 +16,7 @@ const PARAMETERS: usize = TwoNeedles::PARAMETERS.len();
 
 type Point = [Vector2<f64>; 3];
 
-fn placed(case: &Value, lead: f64) -> TwoNeedles {
+pub(crate) fn placed(case: &Value, lead: f64) -> TwoNeedles {
     TwoNeedles {
         lead,
         dx: number(&case["placement"]["dx"]),
@@ -120,7 +120,7 @@ fn paths_in_a_moving_frame() -> Outcome {
 }
 
 /// The needles as organs of their own: without a lead, so that the phase is the lead.
-fn organs(
+pub(crate) fn organs(
     needles: &TwoNeedlesAssembly,
 ) -> (impl Fn(f64) -> [Point; 1], impl Fn(f64) -> [Point; 1]) {
     let hook = |x| {

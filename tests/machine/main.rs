@@ -3,6 +3,7 @@
 mod clearance;
 mod cyclogram;
 mod mechanisms;
+mod phases;
 mod references;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;

@@ -16,6 +16,7 @@ mod eye_needle;
 )]
 mod favorit;
 mod headings;
+mod placed;
 #[path = "../../examples/spatial_crank_rocker.rs"]
 #[allow(
     dead_code,

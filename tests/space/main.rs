@@ -1,9 +1,12 @@
 //! Mechanisms in space that several groups, or none of the closed forms, make up: their loops close, all assemblies are found, derivatives are
 //! those of differences, plane and space meet.
 
+mod bennett;
+mod bodies;
 mod cylindrical;
 mod mixed;
 mod newton;
+mod octahedral;
 mod platform;
 mod rocking_sleeve;
 mod stacked;

@@ -109,9 +109,9 @@ fn no_compiler_warns() {
                 true => ["-x", "c++", "-std=c++11"],
                 false => ["-x", "c", "-std=c99"],
             };
-            // Some warnings of GCC need what optimisation finds out.
-            let depth = match **command {
-                "gcc" => "-O1",
+            // Some warnings of GCC need what optimisation finds out, which is the same in both precisions.
+            let depth = match (**command, real) {
+                ("gcc", Real::Double) => "-O1",
                 _ => "-fsyntax-only",
             };
             let mut arguments = vec!["-c"];

@@ -2,13 +2,14 @@
 //!
 //! In a loop with a private unknown, whose column is `c`, a multiplier `m` across `c` gives one equation without it: `m . column`
 //! for every other unknown. What remains is a small square matrix, the same for every right-hand side. Cofactors need no choice
-//! of pivots, which would be a branch, and no division but the last.
+//! of pivots, which would be a branch, and no division but the last. They grow with the factorial of the size: larger matrices are
+//! eliminated in an order that is known before (`pivots`).
 
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, Graph};
 
-use super::Algebra;
+use super::{Algebra, Order};
 
 /// How a group's Jacobian is brought down to its core.
 #[derive(Clone, Debug)]
@@ -21,6 +22,8 @@ pub(crate) struct Elimination<'m> {
     pub(crate) units: Vec<Ex<'m>>,
     /// In the order of the columns after those of the core.
     pub(crate) privates: Vec<PrivateColumn<'m>>,
+    /// How the matrix is solved if it is too large for cofactors.
+    pub(crate) order: Option<Order>,
 }
 
 /// An equation of the core: a combination of the rows of one loop.
@@ -57,7 +60,13 @@ impl<'m> Algebra<'m> {
             .iter()
             .map(|row| self.product_sum(&row.factors, &right[row.first..]))
             .collect();
-        let quotients = self.solve_core(&elimination.matrix, &core, solution.determinant);
+        let quotients = match &elimination.order {
+            Some(order) => {
+                self.solve_in_order(order, &elimination.matrix, &core)
+                    .solution
+            }
+            None => self.solve_core(&elimination.matrix, &core, solution.determinant),
+        };
         let mut rates = Vec::new();
         for (position, quotient) in quotients.into_iter().enumerate() {
             let rate = elimination.units[position] * quotient;
@@ -101,9 +110,17 @@ impl<'m> Algebra<'m> {
         let transposed: Vec<Vec<Ex>> = (0..count)
             .map(|column| elimination.matrix.iter().map(|row| row[column]).collect())
             .collect();
-        let numerators = self.cofactor_products(&transposed, &core);
-        for (row, numerator) in elimination.rows.iter().zip(numerators) {
-            let factor = numerator / solution.determinant;
+        let factors: Vec<Ex> = match &elimination.order {
+            Some(order) => {
+                let order = order.transposed();
+                self.solve_in_order(&order, &transposed, &core).solution
+            }
+            None => {
+                let numerators = self.cofactor_products(&transposed, &core).into_iter();
+                numerators.map(|own| own / solution.determinant).collect()
+            }
+        };
+        for (row, factor) in elimination.rows.iter().zip(factors) {
             for (k, &own) in row.factors.iter().enumerate() {
                 multipliers[row.first + k] += factor * own;
             }

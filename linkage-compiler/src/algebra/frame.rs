@@ -1,6 +1,6 @@
 //! Frames in space: axes from two directions, points and coordinates in them.
 
-use linkage_symbolic::{Ex, V3, Vector, agree_within};
+use linkage_symbolic::{Ex, V2, V3, Vector, Vn, agree_within};
 
 use super::{Algebra, Value};
 
@@ -8,8 +8,13 @@ use super::{Algebra, Value};
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl<'m> Algebra<'m> {
-    /// Origin and axes: `X = x / |x|`, `Y = (z x X) / |z x X|`, `Z = X x Y`.
-    pub(super) fn frame(&self, arguments: &[Value<'m>]) -> Value<'m> {
+    /// Origin and axes: `X = x / |x|`, `Y = (z x X) / |z x X|`, `Z = X x Y`; of unknown frames what they are made of.
+    pub(super) fn frame(&mut self, arguments: &[Value<'m>]) -> Value<'m> {
+        match arguments {
+            [origin, direction] => return self.plane_frame(origin, direction),
+            [_, _, _, _] => return self.frame_of_axes(arguments),
+            _ => {}
+        }
         let [origin, x, z] = [0, 1, 2].map(|k| self.space_vector(&arguments[k]));
         let x = x.unit();
         let (y, z) = if vanishes(z.dot(x)) {
@@ -30,8 +35,44 @@ impl<'m> Algebra<'m> {
         Value::Array(parts.to_vec())
     }
 
+    /// Origin and axes of an unknown frame, of which its own loops say that they are perpendicular and of length 1.
+    fn frame_of_axes(&self, parts: &[Value<'m>]) -> Value<'m> {
+        for axis in &parts[1..] {
+            self.space_vector(axis).mark_unit();
+        }
+        Value::Array(parts.to_vec())
+    }
+
+    /// Origin, axes and angle of a frame of the plane, by the direction of its x axis or by its angle.
+    fn plane_frame(&mut self, origin: &Value<'m>, direction: &Value<'m>) -> Value<'m> {
+        let (x, angle) = match direction {
+            Value::Scalar(angle) => (self.direction(angle), direction.clone()),
+            other => {
+                let x = plane_vector(self.vector(other));
+                (x.length_and_unit().1, x[1].atan2(x[0]).into())
+            }
+        };
+        let axes = [x, x.perp()].map(|axis| Value::Vector(axis.into()));
+        let parts = std::iter::once(origin.clone()).chain(axes);
+        Value::Array(parts.chain([angle]).collect())
+    }
+
+    /// Origin and axes of a frame of the plane; `None` for one of space.
+    fn plane_parts(&self, frame: &Value<'m>) -> Option<[V2<'m>; 3]> {
+        let Value::Array(parts) = frame else {
+            return None;
+        };
+        let is_plane = self.vector(&parts[1]).len() == 2;
+        is_plane.then(|| [0, 1, 2].map(|part| plane_vector(self.vector(&parts[part]))))
+    }
+
     /// `origin + a X + b Y + c Z`
     pub(super) fn point_in(&self, arguments: &[Value<'m>]) -> Value<'m> {
+        if let Some([origin, x, y]) = self.plane_parts(&arguments[0]) {
+            let local = self.vector(&arguments[1]);
+            let offset = local.at(0) * x + local.at(1) * y;
+            return Value::Vector((origin + offset).into());
+        }
         let [origin, axes @ ..] = self.frame_parts(&arguments[0]);
         let local = self.space_vector(&arguments[1]);
         let point = [0, 1, 2].map(|k| {
@@ -43,10 +84,24 @@ impl<'m> Algebra<'m> {
 
     /// The projections of `point - origin` on the axes.
     pub(super) fn coordinates_in(&self, arguments: &[Value<'m>]) -> Value<'m> {
+        if let Some([origin, axes @ ..]) = self.plane_parts(&arguments[0]) {
+            let arm = plane_vector(self.vector(&arguments[1])) - origin;
+            return Value::Vector(Vector(axes.map(|axis| arm.dot(axis))).into());
+        }
         let [origin, axes @ ..] = self.frame_parts(&arguments[0]);
         let arm = self.space_vector(&arguments[1]) - origin;
         let coordinates = axes.map(|axis| arm.dot(axis));
         Value::Vector(Vector(coordinates).into())
+    }
+
+    /// The vector by which a frame turns, from the derivatives of its parts: `(Y' . Z) X + (Z' . X) Y + (X' . Y) Z`.
+    pub(crate) fn turning_of_frame(&self, frame: &Value<'m>, slope: &Value<'m>) -> Value<'m> {
+        let [_, x, y, z] = self.frame_parts(frame);
+        let [_, along_x, along_y, along_z] = self.frame_parts(slope);
+        let about_x = along_y.dot(z) * x;
+        let about_y = along_z.dot(x) * y;
+        let about_z = along_x.dot(y) * z;
+        Value::Vector((about_x + about_y + about_z).into())
     }
 
     fn frame_parts(&self, frame: &Value<'m>) -> [V3<'m>; 4] {
@@ -63,6 +118,11 @@ impl<'m> Algebra<'m> {
             Vector([number; 3])
         })
     }
+}
+
+/// The two components of a plane vector.
+fn plane_vector(v: Vn) -> V2 {
+    Vector([v.at(0), v.at(1)])
 }
 
 /// `a x b`; components that are zero by their formulas are constants.

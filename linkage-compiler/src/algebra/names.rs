@@ -20,6 +20,8 @@ pub(crate) struct Angle<'m> {
     pub(crate) unknown: Option<usize>,
     /// For an angle that the compiler introduced in place of another.
     pub(crate) stands_for: Option<StandsFor>,
+    /// Where it is estimated if it is no unknown and stands for none.
+    pub(crate) estimated: f64,
     /// Where its closed form says so.
     pub(crate) bearing: Option<Bearing<'m>>,
 }
@@ -83,9 +85,12 @@ impl<'m> Names<'m> {
                         .map(|axis| names.symbol(format!("{name}.{axis}")))
                         .collect(),
                 ),
-                Type::Scalar(_) | Type::Zero(_) | Type::Array(_) | Type::Frame | Type::Error => {
-                    Bound::Lengths(vec![names.symbol(name.clone())])
-                }
+                Type::Scalar(_)
+                | Type::Zero(_)
+                | Type::Array(_)
+                | Type::Frame
+                | Type::PlaneFrame
+                | Type::Error => Bound::Lengths(vec![names.symbol(name.clone())]),
             };
             names.bound.push(bound);
         }
@@ -127,6 +132,7 @@ impl<'m> Names<'m> {
             number,
             unknown,
             stands_for: None,
+            estimated: 0.0,
             bearing: None,
         });
         self.angles.len() - 1

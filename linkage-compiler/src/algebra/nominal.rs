@@ -1,11 +1,12 @@
 //! The numbers of the mechanism as written: defaults, tolerances, reference position, estimates.
 
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{Ex, evaluate};
+use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
 use crate::model::{Expr, ExprKind, Name, Type};
 
-use super::{Algebra, Angle, Translate, Value};
+use super::{Algebra, Angle, Bound, Names, Translate, Value};
 
 /// Values known at compile time.
 #[derive(Clone, Debug, Default)]
@@ -77,11 +78,15 @@ impl Nominal {
 
     /// Expressions at the defaults and the reference position; NaN for what depends on modes, prepared states or arguments.
     pub(crate) fn evaluate(&self, all: &[Ex]) -> Vec<f64> {
-        evaluate(all, |source| match source {
+        evaluate(all, |source| self.load(source))
+    }
+
+    fn load(&self, source: Source) -> f64 {
+        match source {
             Source::Parameter(index) => self.parameters[index],
             Source::Input(index) => self.inputs.get(index).copied().unwrap_or(f64::NAN),
             _ => f64::NAN,
-        })
+        }
     }
 }
 
@@ -97,7 +102,7 @@ impl Angle<'_> {
         let summands = self.summands().into_iter();
         summands
             .map(|(unknown, sign)| sign * nominal.estimates[unknown][0])
-            .fold(0.0, |sum, term| sum + term)
+            .fold(self.estimated, |sum, term| sum + term)
     }
 
     /// The unknowns of which it is the sum, with their signs; none for a link that the compiler introduced.
@@ -110,7 +115,40 @@ impl Angle<'_> {
     }
 }
 
+impl Names<'_> {
+    /// The start estimate of a length or a component; 0 for what the compiler introduced.
+    pub(crate) fn estimate(&self, symbol: SymbolId, nominal: &Nominal) -> f64 {
+        let mut all = self.bound.iter().zip(&nominal.estimates);
+        let found = all.find_map(|(bound, estimates)| match bound {
+            Bound::Angle(_) => None,
+            Bound::Lengths(symbols) => {
+                let own = symbols.iter().position(|(own, _)| *own == symbol)?;
+                estimates.get(own).copied()
+            }
+        });
+        found.unwrap_or(0.0)
+    }
+}
+
 impl Algebra<'_> {
+    /// Expressions at the defaults and the reference position, with all unknowns where they are estimated.
+    pub(crate) fn at_estimates(&self, nominal: &Nominal, all: &[Ex]) -> Vec<f64> {
+        let mut unknowns: Map<SymbolId, f64> = Map::new();
+        for angle in &self.names.angles {
+            let estimate = angle.estimate(nominal);
+            let values = [estimate.cos(), estimate.sin(), estimate];
+            unknowns.extend(angle.symbols().into_iter().zip(values));
+        }
+        for (bound, estimates) in self.names.bound.iter().zip(&nominal.estimates) {
+            if let Bound::Lengths(symbols) = bound {
+                let symbols = symbols.iter().map(|(symbol, _)| *symbol);
+                unknowns.extend(symbols.zip(estimates.iter().copied()));
+            }
+        }
+        let load = |source| nominal.load(source);
+        evaluate_given(all, load, |symbol| unknowns.get(&symbol).copied())
+    }
+
     /// An expression of constants and parameters as numbers.
     fn numbers(&mut self, expr: &Expr, wanted: Wanted, parameters: &[f64]) -> Vec<f64> {
         let scale = self.internal_per_unit(wanted.unit);

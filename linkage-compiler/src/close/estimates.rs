@@ -34,6 +34,31 @@ pub(super) struct Position {
     pub(super) distance: f64,
 }
 
+impl Position {
+    /// The unknowns in which this position differs from a neighbour, by more than a hundredth of the unknown that differs most; `yardstick` says
+    /// what counts like a radian.
+    pub(super) fn differing(&self, other: &Self, yardstick: impl Fn(usize) -> f64) -> Vec<usize> {
+        const LITTLE: f64 = 0.01;
+        let mut all: Vec<(usize, f64)> = Vec::new();
+        for ((unknown, own), (_, other)) in self.values.iter().zip(&other.values) {
+            let off = own.iter().zip(other).map(|(a, b)| (a - b).abs());
+            all.push((*unknown, off.fold(0.0, f64::max) / yardstick(*unknown)));
+        }
+        let most = all.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
+        let differing = all.into_iter().filter(|(_, off)| *off > LITTLE * most);
+        differing.map(|(unknown, _)| unknown).collect()
+    }
+}
+
+/// How the assembly of a group was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Choice {
+    /// Among all that it has.
+    Listed,
+    /// From its estimates.
+    Followed,
+}
+
 /// An unknown that is not where its estimate is.
 struct Unmet<'p> {
     unknown: usize,
@@ -102,20 +127,25 @@ impl Assembly<'_, '_> {
             self.words.unknowns(&open),
             if open.len() == 1 { "has" } else { "have" },
             self.words.at_reference(&self.nominal.inputs),
-            self.listed(solved, all),
+            self.listed(solved, all, Choice::Listed),
         );
         let origin = self.algebra.mechanism.unknowns[first].origin;
         self.reporter.error(origin, message);
         true
     }
 
-    fn is_estimated(&self, unknown: usize) -> bool {
+    pub(super) fn is_estimated(&self, unknown: usize) -> bool {
         let own = &self.algebra.mechanism.unknowns[unknown];
         own.of_part || own.estimate.is_some()
     }
 
     /// Reports an assembly whose unknowns are not where their estimates are, among all that the group has, the nearest first; false if it did.
-    pub(super) fn meets_estimates(&mut self, solved: &Solved, all: &[&Position]) -> bool {
+    pub(super) fn meets_estimates(
+        &mut self,
+        solved: &Solved,
+        all: &[&Position],
+        choice: Choice,
+    ) -> bool {
         let Some(unmet) = all.first().and_then(|chosen| self.worst(chosen)) else {
             return true;
         };
@@ -130,7 +160,7 @@ impl Assembly<'_, '_> {
             item.name,
             self.words.coordinate(&item.ty, estimate),
             self.words.at_reference(&self.nominal.inputs),
-            self.listed(solved, all),
+            self.listed(solved, all, choice),
         );
         let estimate = item.estimate.as_ref();
         let origin = estimate.map_or(item.origin, |estimate| estimate.origin);
@@ -139,7 +169,7 @@ impl Assembly<'_, '_> {
     }
 
     /// `loop 1 has two assemblies:`, and each on a line as estimates that can be copied.
-    fn listed(&self, solved: &Solved, all: &[&Position]) -> String {
+    fn listed(&self, solved: &Solved, all: &[&Position], choice: Choice) -> String {
         let loops = loop_list(&solved.group.loops);
         let has = match solved.group.loops.len() {
             1 => "has",
@@ -163,7 +193,15 @@ impl Assembly<'_, '_> {
             });
             format!("\n    {}", items.collect::<Vec<_>>().join(" "))
         });
-        format!("{loops} {has} {count}:{}", lines.collect::<String>())
+        let lines: String = lines.collect();
+        match choice {
+            Choice::Listed => format!("{loops} {has} {count}:{lines}"),
+            Choice::Followed => {
+                format!(
+                    "{loops} cannot be listed, and {has} this assembly where the estimates lead:{lines}"
+                )
+            }
+        }
     }
 
     /// The unknown that is farthest from its estimate, if that is too far.

@@ -1,4 +1,5 @@
-//! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken.
+//! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken. Where they
+//! cannot be listed, `close/followed.rs` goes on.
 
 use linkage_core::numeric::continuation::{Correction, Grid, Range, Refusal, Step, Table};
 use linkage_core::numeric::nearest::{Ambiguity, nearest};
@@ -8,14 +9,12 @@ use linkage_symbolic::program::Program;
 use crate::algebra::Algebra;
 use crate::formulate::{Prepared, Solved};
 use crate::structure::report::loop_list;
-use crate::structure::unsolved::OURS;
 use crate::unit::{Coupled, Start};
 
-use super::estimates::{LISTED, Position};
+use super::estimates::{Choice, LISTED, Position};
 use super::follow::followed_range;
 use super::machine::Machine;
 use super::reference::Assembly;
-use super::refusal::WITHIN_RANGE;
 
 /// A coupled group on numbers.
 pub(super) struct Numbers<'a> {
@@ -51,7 +50,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    fn run(&self, program: &Program, state: &[f64]) -> Vec<f64> {
+    pub(super) fn run(&self, program: &Program, state: &[f64]) -> Vec<f64> {
         self.machine
             .run_coupled(self.number, program, &self.inputs, state)
     }
@@ -71,9 +70,9 @@ impl Correction for Numbers<'_> {
 }
 
 /// An assembly of a coupled group.
-struct Candidate {
-    state: Vec<f64>,
-    position: Position,
+pub(super) struct Candidate {
+    pub(super) state: Vec<f64>,
+    pub(super) position: Position,
 }
 
 impl<'m> Assembly<'_, 'm> {
@@ -83,45 +82,20 @@ impl<'m> Assembly<'_, 'm> {
         let unknowns = self.words.unknowns(&solved.group.unknowns);
         let place = self.words.at_reference(&self.nominal.inputs);
         let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
+        if self.machine.closing.coupled[prepared.number].followed {
+            return self.close_followed(solved, prepared, None);
+        }
         let candidates = match self.candidates(prepared.number) {
             Ok(Some(candidates)) => candidates,
             Ok(None) => {
                 self.refused(solved, prepared, Refusal::NotASolution);
                 return false;
             }
-            Err(reason) => {
-                let part = match reason {
-                    Unlisted::NotFinite => self.without_value(&solved.group.loops),
-                    _ => None,
-                };
-                if let Some((part, fact)) = part {
-                    let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
-                    self.reporter.error_with_help(part, fact, WITHIN_RANGE);
-                    return false;
-                }
-                let why = match reason {
-                    Unlisted::NotFinite => {
-                        "what is known of it is not a finite number\n\
-                         help: look for a division by zero, or a root or an arc function out of its range"
-                            .to_owned()
-                    }
-                    Unlisted::Degenerate => {
-                        "some of its solutions can move, so that the assemblies cannot be listed: links that coincide, guides \
-                         that are parallel, or a loop that repeats another\n\
-                         help: look for lengths that are zero and joints that coincide"
-                            .to_owned()
-                    }
-                    other => format!(
-                        "the assemblies cannot be listed: {other}; {OURS}\n\
-                         help: check that the loops need to be coupled"
-                    ),
-                };
-                self.reporter.error(
-                    origin,
-                    format!("{loops} ({unknowns}) cannot be solved{place}: {why}"),
-                );
+            Err(Unlisted::NotFinite) => {
+                self.without_equations(solved);
                 return false;
             }
+            Err(reason) => return self.close_followed(solved, prepared, Some(reason)),
         };
         let listed = candidates
             .iter()
@@ -165,10 +139,19 @@ impl<'m> Assembly<'_, 'm> {
             );
             return false;
         }
-        if !self.meets_estimates(solved, &positions) {
+        if !self.meets_estimates(solved, &positions, Choice::Listed) {
             return false;
         }
-        let state = &candidates[chosen.index].state;
+        self.prepare(solved, prepared, &candidates[chosen.index].state)
+    }
+
+    /// Prepares a group whose state is known; false if that was not possible.
+    pub(super) fn prepare(
+        &mut self,
+        solved: &Solved<'m>,
+        prepared: &Prepared<'m>,
+        state: &[f64],
+    ) -> bool {
         if let Some(inputs) = self.dead_point(prepared, state) {
             self.apart(solved, prepared, &inputs);
             return false;
@@ -231,7 +214,12 @@ impl<'m> Assembly<'_, 'm> {
         Ok(Some(candidates))
     }
 
-    fn candidate_of(&self, group: &Coupled, state: Vec<f64>, placed: &[f64]) -> Candidate {
+    pub(super) fn candidate_of(
+        &self,
+        group: &Coupled,
+        state: Vec<f64>,
+        placed: &[f64],
+    ) -> Candidate {
         let mut next = placed.iter().copied();
         let mut values: Vec<(usize, Vec<f64>)> = Vec::new();
         for unknown in &group.unknowns {

@@ -9,7 +9,7 @@ use crate::structure::report::loop_list;
 use crate::unit::{Closing, Outputs};
 
 use super::check::report_unfollowed;
-use super::estimates::Position;
+use super::estimates::{Choice, Position};
 use super::follow::follow_angles;
 use super::machine::Machine;
 use super::parts::InnerPart;
@@ -188,7 +188,7 @@ impl<'m> Assembly<'_, 'm> {
         }
         self.keep_found(&chosen.position);
         // A coupled group has been compared where its assemblies were listed.
-        solved.prepared.is_some() || self.meets_estimates(solved, &positions)
+        solved.prepared.is_some() || self.meets_estimates(solved, &positions, Choice::Listed)
     }
 
     /// Finds the turns of angles on which a coupled group depends; false if that was not possible.

@@ -69,12 +69,8 @@ fn expressions(mechanism: &Mechanism) -> Vec<&Expr> {
             .filter_map(|own| own.estimate.as_ref()),
     );
     all.extend(mechanism.lets.iter().map(|own| &own.value));
-    all.extend(
-        mechanism
-            .loops
-            .iter()
-            .flat_map(|own| [&own.left, &own.right]),
-    );
+    let loops = mechanism.loops.iter().chain(&mechanism.redundant);
+    all.extend(loops.flat_map(|own| [&own.left, &own.right]));
     let quantities = mechanism.evaluators.iter().flat_map(|own| &own.quantities);
     all.extend(quantities.map(|own| &own.value));
     all

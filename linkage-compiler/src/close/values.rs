@@ -6,7 +6,7 @@ use linkage_symbolic::Graph;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
-use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name, Type};
+use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name};
 use crate::syntax::Word;
 
 use super::words::Words;
@@ -122,7 +122,7 @@ impl<'a, 'm> Check<'a, 'm> {
             Some(Name::Input(_)) => !self.inputs.is_empty(),
             Some(Name::Unknown(_) | Name::Argument(_)) => false,
             Some(Name::Const(_) | Name::Parameter(_) | Name::Pi) => true,
-            None => !part.is_quantity() && part.ty != Type::Frame,
+            None => !part.is_quantity() && !part.ty.is_frame(),
         })
     }
 

@@ -51,12 +51,19 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
     let assemblies = enumerate(quote!([#(#references),*]));
     let error = quote!(#runtime::AssemblyError);
     let list = quote!(::core::result::Result<#runtime::Vec<#assembly<T>>, #error>);
+    let from_estimates = outline.starts.iter().any(|start| start.followed);
+    let from_estimates = from_estimates.then(|| {
+        let doc = "\nIt is not complete: of groups whose solutions cannot be listed (`STRUCTURE` says which), only the assembly is in it to which \
+                   the start estimates lead.";
+        quote!(#[doc = #doc])
+    });
     let at = (!outline.inputs.is_empty()).then(|| {
         let names: Vec<_> = outline.inputs.iter().map(|input| input.name).collect();
         let body = enumerate(quote!([#(#names),*]));
         quote! {
             /// Every real assembly at the given inputs, each ready to evaluate; the one that the start estimates
             /// choose comes first if it is real there.
+            #from_estimates
             ///
             /// # Errors
             ///
@@ -84,6 +91,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
             impl<T: #runtime::Scalar> #name<T> {
                 /// Every real assembly at the reference inputs, each ready to evaluate; the one that the start
                 /// estimates choose comes first if it is real. The list is empty if no assembly is.
+                #from_estimates
                 ///
                 /// # Errors
                 ///

@@ -87,7 +87,12 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
     let result = home::result(outline, function);
-    let body = outline.body(value(outline, function));
+    let own = match function.states.is_empty() {
+        true => quote!([#(#arguments),*]),
+        false => starts::with_states(outline, function),
+    };
+    let core = sealed::core(outline, &quote!(self));
+    let body = outline.body(value(outline, function, &own, &core, Version::Called));
     let count = literal::index(arguments.len());
     let call = outline.body(match function.chooses {
         true => quote!(#runtime::single(self, [#(#arguments),*])),
@@ -117,29 +122,27 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     }
 }
 
-/// What the method returns: the program's results at its arguments.
-fn value(outline: &Outline, function: &Function) -> TokenStream {
+/// What the method returns: the results of a program of `core` at these arguments, inputs with states behind them. Scalars that refine
+/// what is prepared run another program than those whose digits it has.
+pub(super) fn value(
+    outline: &Outline,
+    function: &Function,
+    arguments: &TokenStream,
+    core: &TokenStream,
+    plain: Version,
+) -> TokenStream {
     let result = home::result(outline, function);
-    let arguments = &function.arguments;
-    let arguments = match function.states.is_empty() {
-        true => quote!([#(#arguments),*]),
-        false => starts::with_states(outline, function),
+    let refining = match function.beside {
+        true => Version::Beside,
+        false => Version::Called,
     };
-    let kernel = kernel_name(function, Version::Called);
-    let core = sealed::core(outline, &quote!(self));
-    let called = quote!(#core.#kernel::<__FUSED>(__x));
-    let row = match function.beside {
-        true => {
-            let kernel = kernel_name(function, Version::Beside);
-            quote! {
-                if T::REFINES {
-                    #core.#kernel::<__FUSED>(__x)
-                } else {
-                    #called
-                }
-            }
-        }
-        false => called,
+    let [refined, row] = [refining, plain].map(|version| {
+        let kernel = kernel_name(function, version);
+        quote!(#core.#kernel::<__FUSED>(__x))
+    });
+    let row = match refining == plain {
+        true => row,
+        false => quote!(if T::REFINES { #refined } else { #row }),
     };
     quote! {
         let __x = #arguments;
@@ -154,15 +157,26 @@ pub(super) enum Version {
     Called,
     /// The one for dimensions, derivatives or digits that tables do not know.
     Beside,
+    /// The one where a follower stands, whose states are solutions.
+    Settled,
+}
+
+impl Version {
+    /// What stands in names of items.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Called => "",
+            Self::Beside => "_beside",
+            Self::Settled => "_settled",
+        }
+    }
 }
 
 /// The method that runs a program.
 fn kernel_name(function: &Function, version: Version) -> Ident {
     let kernel = &function.kernel;
-    match version {
-        Version::Called => kernel.clone(),
-        Version::Beside => format_ident!("{kernel}_beside"),
-    }
+    let word = version.word();
+    format_ident!("{kernel}{word}")
 }
 
 /// The methods that run the program, stage by stage and as a whole.
@@ -231,10 +245,8 @@ pub(super) fn from_row(outline: &Outline, function: &Function) -> TokenStream {
 /// The method that runs a stage.
 pub(super) fn stage_name(function: &Function, index: usize, version: Version) -> Ident {
     let name = function.name;
-    match version {
-        Version::Called => format_ident!("__stage{index}_of_{name}"),
-        Version::Beside => format_ident!("__stage{index}_beside_of_{name}"),
-    }
+    let word = version.word();
+    format_ident!("__stage{index}{word}_of_{name}")
 }
 
 /// The variables that hold what a stage has finished.

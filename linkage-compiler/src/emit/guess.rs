@@ -149,6 +149,9 @@ impl<'a> Guess<'a> {
         match word {
             MotionWord::Velocity if inputs > 1 => array(inputs, first()),
             MotionWord::Acceleration if inputs > 1 => array(inputs, array(inputs, first())),
+            MotionWord::Omega if inputs > 1 => array(inputs, vector(3)),
+            MotionWord::Alpha if inputs > 1 => array(inputs, array(inputs, vector(3))),
+            MotionWord::Omega | MotionWord::Alpha => vector(3),
             MotionWord::Derivative
             | MotionWord::Velocity
             | MotionWord::Acceleration

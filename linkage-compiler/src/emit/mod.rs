@@ -19,6 +19,7 @@ mod dimensions;
 mod docs;
 mod entries;
 mod evaluator;
+mod follower;
 mod guess;
 mod home;
 mod kernels;
@@ -79,6 +80,7 @@ pub(crate) fn emit(
     assembled.extend(survey::items(&outline, unit));
     assembled.extend(circuits::items(&outline, unit));
     assembled.extend(way::items(&outline, unit));
+    assembled.extend(follower::items(&outline, unit));
     for (function, own) in outline.functions.iter().zip(&unit.functions) {
         assembled.extend(self::function(&outline, function, own));
     }

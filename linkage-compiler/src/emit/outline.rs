@@ -60,6 +60,8 @@ pub(super) struct Start {
     pub inputs: Vec<usize>,
     /// Numbers in a state.
     pub size: usize,
+    /// Whether its assembly is followed from the estimates.
+    pub followed: bool,
 }
 
 pub(super) struct Input<'a> {
@@ -119,6 +121,7 @@ impl<'a> Outline<'a> {
         let starts = unit.coupled.iter().map(|group| Start {
             inputs: group.inputs.clone(),
             size: group.size,
+            followed: group.followed,
         });
         Self {
             parameters: parameters

@@ -10,8 +10,8 @@ use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
-    assembly, circuits, columns, dimensions, evaluator, guess::Guess, home, mechanism, picture,
-    structure, sweeps, table, way,
+    assembly, circuits, columns, dimensions, evaluator, follower, guess::Guess, home, mechanism,
+    picture, structure, sweeps, table, way,
 };
 use crate::model::{
     ASSEMBLY, COLUMNS, COMPONENTS, Mechanism, MotionWord, Shape, Sweep, TYPE_PARAMETER,
@@ -41,6 +41,9 @@ pub(crate) fn skeleton(
     let has_loop = def.items.iter().any(|item| matches!(item, Item::Loop(_)));
     if has_loop && outline.inputs.len() == 1 {
         items.extend(circuits::skeleton(&outline));
+    }
+    if has_loop {
+        items.extend(follower::skeleton(&outline));
     }
     items.extend(way::skeleton(&outline));
     for function in &outline.functions {

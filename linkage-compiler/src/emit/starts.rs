@@ -201,7 +201,10 @@ fn programs(outline: &Outline, unit: &Unit) -> TokenStream {
         }
     };
     let methods = unit.coupled.iter().enumerate().map(|(number, group)| {
-        let system = program("system", number, &group.system);
+        let system = match group.followed {
+            true => program("estimate", number, &group.estimate),
+            false => program("system", number, &group.system),
+        };
         let correct = program("correct", number, &group.correct);
         let placed = program("placed", number, &group.placed);
         quote!(#system #correct #placed)

@@ -30,10 +30,7 @@ struct Sweeps<'a> {
 
 /// The private method that gives the kernel over inputs.
 pub(super) fn over_inputs(function: &Function, version: Version) -> Ident {
-    match version {
-        Version::Called => format_ident!("__over_inputs_of_{}", function.name),
-        Version::Beside => format_ident!("__over_inputs_beside_of_{}", function.name),
-    }
+    format_ident!("__over_inputs{}_of_{}", version.word(), function.name)
 }
 
 /// The private method that gives the kernel over mechanisms and inputs.

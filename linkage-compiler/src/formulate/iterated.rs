@@ -14,7 +14,8 @@ mod system;
 
 use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn};
 
-use crate::structure::Coupled;
+use crate::algebra::{Algebra, Nominal};
+use crate::structure::{Core, Coupled};
 
 use super::plane::linear_gap;
 use super::{Closed, GapIn, Solver};
@@ -38,6 +39,9 @@ pub(crate) struct Prepared<'m> {
     pub(crate) step: Vec<Ex<'m>>,
     /// The sum of the lengths of its links.
     pub(crate) reach: Ex<'m>,
+    /// What lengths are multiplied by in states.
+    scale: Ex<'m>,
+    core: Vec<Core>,
     raw: Vec<Meaning<'m>>,
     called: Vec<Meaning<'m>>,
     beside: Vec<Meaning<'m>>,
@@ -61,10 +65,67 @@ struct Meaning<'m> {
     value: Ex<'m>,
 }
 
-impl Prepared<'_> {
+/// Where a number of a state is estimated.
+#[derive(Clone, Copy, Debug)]
+struct Estimated {
+    value: f64,
+    length: bool,
+}
+
+impl<'m> Prepared<'m> {
+    /// The state where the unknowns are estimated. Estimates are of the default mechanism: lengths grow with the links.
+    pub(crate) fn estimate(&self, algebra: &Algebra<'m>, nominal: &Nominal) -> Vec<Ex<'m>> {
+        let growth = self.reach * self.scale;
+        let reach = nominal.evaluate(&[self.reach])[0];
+        let all = self.estimated(algebra, nominal).into_iter();
+        let numbers = all.map(|own| match own.length {
+            true => algebra.graph.number(own.value / reach) * growth,
+            false => algebra.graph.number(own.value),
+        });
+        numbers.collect()
+    }
+
+    /// The same in numbers, of the default mechanism.
+    pub(crate) fn estimate_of_default(&self, algebra: &Algebra<'m>, nominal: &Nominal) -> Vec<f64> {
+        let scale = nominal.evaluate(&[self.scale])[0];
+        let all = self.estimated(algebra, nominal).into_iter();
+        let numbers = all.map(|own| {
+            if own.length {
+                scale * own.value
+            } else {
+                own.value
+            }
+        });
+        numbers.collect()
+    }
+
+    fn estimated(&self, algebra: &Algebra<'m>, nominal: &Nominal) -> Vec<Estimated> {
+        let names = &algebra.names;
+        let number = |value| Estimated {
+            value,
+            length: false,
+        };
+        let all = self.core.iter().flat_map(|core| match *core {
+            Core::Angle(angle) => {
+                let (sin, cos) = names.angles[angle].estimate(nominal).sin_cos();
+                [cos, sin].map(number).to_vec()
+            }
+            Core::Length { symbol, number, .. } => vec![Estimated {
+                value: names.estimate(symbol, nominal),
+                length: !number,
+            }],
+        });
+        all.collect()
+    }
+
     /// True if calls and sweeps over dimensions take different numbers of steps.
     pub(crate) fn has_table(&self) -> bool {
         self.inputs.len() == 1
+    }
+
+    /// True if it depends on several inputs: a follower goes from solution to solution.
+    pub(crate) fn has_follower(&self) -> bool {
+        self.inputs.len() > 1
     }
 
     /// Gives the unknowns of the core one of their meanings.
@@ -104,7 +165,16 @@ impl<'m> Solver<'_, 'm> {
         let meanings = [&looked_up, &called, &beside].map(|state| self.meanings(state, unit));
         self.define_core(&called, unit);
 
-        let determinant = self.algebra.determinant(&equations.matrix);
+        let determinant = match &equations.order {
+            Some(order) => {
+                let nothing = vec![self.algebra.zero(); equations.matrix.len()];
+                let solved = self
+                    .algebra
+                    .solve_in_order(order, &equations.matrix, &nothing);
+                solved.determinant
+            }
+            None => self.algebra.determinant(&equations.matrix),
+        };
         let determinant = self.alias("det", determinant, determinant);
         self.push_coupled(&equations, determinant);
 
@@ -119,6 +189,8 @@ impl<'m> Solver<'_, 'm> {
             system,
             step,
             reach: equations.reach,
+            scale: equations.scale,
+            core: form.core.clone(),
             raw,
             called,
             beside,

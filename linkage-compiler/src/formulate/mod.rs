@@ -28,7 +28,7 @@ use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, SymbolId};
 
-use crate::algebra::{Algebra, Rule};
+use crate::algebra::{Algebra, Nominal, Rule};
 use crate::model::{Dimension, Mechanism};
 use crate::structure::{Group, Structure};
 
@@ -146,6 +146,7 @@ impl<'m> Formulation<'m> {
 /// Gives every unknown its definition.
 pub(crate) fn formulate<'m>(
     algebra: &mut Algebra<'m>,
+    nominal: &Nominal,
     structure: Structure<'m>,
 ) -> Formulation<'m> {
     let mut formulation = Formulation {
@@ -168,6 +169,7 @@ pub(crate) fn formulate<'m>(
         let dimension = group.loop_dimension(algebra.mechanism);
         let mut solver = Solver {
             algebra,
+            nominal,
             index,
             mode: modes,
             number: coupled,

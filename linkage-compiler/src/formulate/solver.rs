@@ -4,7 +4,7 @@ use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
-use crate::algebra::{Algebra, AngleRule, Bearing, Carrier, Rule, Solution, Turning};
+use crate::algebra::{Algebra, AngleRule, Bearing, Carrier, Nominal, Rule, Solution, Turning};
 use crate::model::Dimension;
 use crate::structure::{Form, Rotor};
 
@@ -14,6 +14,8 @@ use super::{Closed, Prepared};
 /// Where the closed forms of one group are built.
 pub(super) struct Solver<'a, 'm> {
     pub(super) algebra: &'a mut Algebra<'m>,
+    /// The mechanism as written.
+    pub(super) nominal: &'a Nominal,
     /// Index of the group's solution.
     pub(super) index: usize,
     /// Index of its mode, if it has one.

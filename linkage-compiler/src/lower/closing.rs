@@ -6,7 +6,7 @@ use linkage_symbolic::schedule::schedule_whole;
 use linkage_symbolic::{Ex, NodeId};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::formulate::Formulation;
+use crate::formulate::{Formulation, Prepared};
 use crate::unit::{Closing, Outputs};
 
 use super::{find_turning, group_nodes, groups, plain, valued_angles};
@@ -18,7 +18,8 @@ pub(crate) fn closing<'m>(
     nominal: &Nominal,
 ) -> Closing {
     let mut inliner = Inliner::default();
-    let own = group_nodes(algebra, formulation, &mut inliner);
+    let large = |prepared: &Prepared| prepared.system.terms.is_empty();
+    let own = group_nodes(algebra, formulation, nominal, &mut inliner, large);
     let mut lists: Vec<Vec<NodeId>> = Vec::new();
     let mut all = Vec::new();
     let mut next = 0;

@@ -5,7 +5,7 @@ use linkage_symbolic::program::Program;
 use linkage_symbolic::{Ex, Graph, NodeId};
 
 use crate::algebra::{Algebra, Bound, Nominal};
-use crate::formulate::{Formulation, Version};
+use crate::formulate::{Formulation, Prepared, Version};
 use crate::unit::{Coupled, Placed};
 
 use super::{plain, valued_angles};
@@ -13,29 +13,48 @@ use super::{plain, valued_angles};
 /// The programs of a coupled group before they are scheduled: nodes of a plain graph.
 #[derive(Clone, Debug)]
 pub(crate) struct GroupNodes {
+    followed: bool,
     system: Vec<NodeId>,
+    estimate: Vec<NodeId>,
     correct: Vec<NodeId>,
     placed: Vec<NodeId>,
 }
 
 impl GroupNodes {
     pub(crate) fn all(&self) -> Vec<NodeId> {
-        [&self.system[..], &self.correct, &self.placed].concat()
+        [
+            &self.system[..],
+            &self.estimate,
+            &self.correct,
+            &self.placed,
+        ]
+        .concat()
     }
 }
 
-/// The programs of all coupled groups as nodes.
+/// The programs of all coupled groups as nodes; `followed` says of each whether its assembly is followed from its estimates.
 pub(crate) fn group_nodes<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
+    nominal: &Nominal,
     inliner: &mut Inliner,
+    followed: impl Fn(&Prepared<'m>) -> bool,
 ) -> Vec<GroupNodes> {
     let mut all: Vec<GroupNodes> = Vec::new();
     for prepared in formulation.prepared() {
+        let followed = followed(prepared);
         let coefficients = prepared.system.coefficients.iter();
-        let system: Vec<Ex> = coefficients.flat_map(|x| x.components()).collect();
+        let [system, estimate] = match followed {
+            false => [
+                coefficients.flat_map(|x| x.components()).collect(),
+                Vec::new(),
+            ],
+            true => [Vec::new(), prepared.estimate(algebra, nominal)],
+        };
         all.push(GroupNodes {
+            followed,
             system: plain(inliner, &system),
+            estimate: plain(inliner, &estimate),
             correct: plain(inliner, &prepared.step),
             placed: Vec::new(),
         });
@@ -86,8 +105,13 @@ pub(crate) fn groups<'m>(
             inputs: prepared.inputs.clone(),
             size: prepared.size,
             variables: prepared.system.variables.clone(),
-            terms: prepared.system.terms.clone(),
+            followed: own.followed,
+            terms: match own.followed {
+                true => Vec::new(),
+                false => prepared.system.terms.clone(),
+            },
             system: program(&own.system),
+            estimate: program(&own.estimate),
             correct: program(&own.correct),
             placed: program(&own.placed),
             turning: 0,

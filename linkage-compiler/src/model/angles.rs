@@ -57,7 +57,7 @@ impl<'m> Angles<'m> {
                 self.angle(&own.value);
             }
         }
-        for own in &mechanism.loops {
+        for own in mechanism.loops.iter().chain(&mechanism.redundant) {
             self.look_at(&own.left);
             self.look_at(&own.right);
             self.together(&[&own.left, &own.right]);

@@ -96,10 +96,10 @@ impl Resolver<'_> {
     }
 }
 
-/// The dimension of a speed (1) or acceleration (2) of an input.
-fn rate(of_input: Dimension, order: i32) -> Dimension {
+/// The dimension of a speed (1) or acceleration (2).
+pub(super) fn rate(of: Dimension, order: i32) -> Dimension {
     Dimension {
-        half_times: -2 * order,
-        ..of_input
+        half_times: of.half_times - 2 * order,
+        ..of
     }
 }

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use super::functions::{CourseWord, QuantityWord};
-use super::names::{Resolver, kind};
+use super::names::Resolver;
 use super::types::{Expr, Function};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{count, nearest};
@@ -16,7 +16,7 @@ impl Resolver<'_> {
         let functions = || Function::all().map(Function::word).chain(courses());
         let known = functions().chain(QuantityWord::all().map(QuantityWord::word));
         let fact = match self.find(&name) {
-            Some(symbol) => format!("`{name}` is {}, not a function", kind(symbol.name)),
+            Some(symbol) => format!("`{name}` is {}, not a function", symbol.kind()),
             None => format!("unknown function `{name}`"),
         };
         let help = match (self.find(&name), nearest(&name, known)) {

@@ -32,7 +32,7 @@ impl Resolver<'_> {
             return self.failed(span);
         };
         let mut arguments = self.expressions(arguments, context);
-        if arguments.len() != function.parameters().len() {
+        if !function.takes_count(arguments.len()) {
             self.wrong_count_of(function, arguments.len(), span);
             return self.failed(span);
         }
@@ -143,7 +143,7 @@ impl Resolver<'_> {
                 let root = root.of_arithmetic().root();
                 self.in_range(root.map(Type::Scalar), span)
             }
-            Function::Frame => self.frame(arguments),
+            Function::Frame => self.frame(arguments, span),
             Function::PointIn => {
                 let second = SecondArgument {
                     rule: "coordinates in a frame are",

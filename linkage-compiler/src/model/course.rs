@@ -9,7 +9,7 @@ use super::names::Resolver;
 use super::operators::settle_alone;
 use super::place::Context;
 use super::types::{
-    BinaryOp, Course, CourseKind, Dimension, Ends, Expr, ExprKind, Knot, Repeats, Type,
+    BinaryOp, Course, CourseKind, Dimension, Ends, Expr, ExprKind, Knot, Repeating, Repeats, Type,
 };
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::count;
@@ -23,7 +23,9 @@ impl CourseWord {
     pub(super) fn form(self) -> &'static str {
         match self {
             CourseWord::Rise => "rise(x, law)",
-            CourseWord::Piecewise => "piecewise(x, [(place, value), (place, value, law)])",
+            CourseWord::Piecewise => {
+                "piecewise(x, [(place, value), (place, value, law)])` or `piecewise(x, [...], periodic)"
+            }
             CourseWord::Spline => "spline(x, [(place, value), (place, value)], ends)",
         }
     }
@@ -103,6 +105,10 @@ impl Resolver<'_> {
         span: SourceSpan,
     ) -> Option<(Course, Type)> {
         let word = CourseWord::Piecewise;
+        let (arguments, repeating) = match arguments {
+            [before @ .., last] if arguments.len() == 3 => (before, Some(self.repeating(last)?)),
+            all => (all, None),
+        };
         let [x, list] = self.so_many(word, arguments, span)?;
         let (argument, knots, ty) = self.along(word, x, list, context)?;
         if knots[0].law.is_some() {
@@ -112,9 +118,10 @@ impl Resolver<'_> {
             self.diagnostics.error_with_help(span, fact, help);
             return None;
         }
-        let repeats = match spans_a_turn(&knots) {
-            true => Repeats::EachTurn,
-            false => Repeats::Never,
+        let repeats = match (spans_a_turn(&knots), repeating) {
+            (true, _) => Repeats::EachTurn,
+            (false, Some(Repeating::Periodic)) => Repeats::FromLastToFirst,
+            (false, None) => Repeats::Never,
         };
         let argument = Box::new(argument);
         Some((

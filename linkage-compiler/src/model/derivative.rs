@@ -1,4 +1,4 @@
-//! `d`, `velocity`, `acceleration`, `jerk`, `sensitivity`, `margin`, `picture`: only in the functions of the `impl` block.
+//! `d`, `velocity`, `acceleration`, `jerk`, `omega`, `alpha`, `sensitivity`, `margin`, `picture`: only in the functions of the `impl` block.
 
 use proc_macro2::Ident;
 
@@ -40,9 +40,11 @@ impl Resolver<'_> {
             MotionWord::Picture => self.picture_in_expression(span),
             MotionWord::Derivative => self.derivative(arguments, context, span),
             MotionWord::Sensitivity => self.sensitivity(arguments, context, span),
-            MotionWord::Velocity | MotionWord::Acceleration | MotionWord::Jerk => {
-                self.input_derivative(word, inputs, arguments, context, span)
-            }
+            MotionWord::Velocity
+            | MotionWord::Acceleration
+            | MotionWord::Jerk
+            | MotionWord::Omega
+            | MotionWord::Alpha => self.input_derivative(word, inputs, arguments, context, span),
         }
     }
 
@@ -132,11 +134,15 @@ impl Resolver<'_> {
         span: SourceSpan,
     ) -> Expr {
         let (name, order) = (word.word(), word.order().unwrap_or_default());
+        let subject = if word.turns() { "frame" } else { "quantity" };
         let [quantity] = arguments else {
-            self.wrong_count(name, &["quantity"], arguments.len(), span);
+            self.wrong_count(name, &[subject], arguments.len(), span);
             return self.failed(span);
         };
-        let value = self.differentiable(quantity, context);
+        let value = match word.turns() {
+            true => self.turning(name, quantity, context),
+            false => self.differentiable(quantity, context),
+        };
         // A mistake in the list of inputs has been reported.
         let Some(inputs) = inputs else {
             return self.failed(span);
@@ -165,7 +171,12 @@ impl Resolver<'_> {
         if self.too_many_entries(&value.ty, entries, span) {
             return self.failed(span);
         }
-        let ty = self.by_inputs(&value.ty, &inputs, order);
+        let by_inputs = |ty| self.by_inputs(ty, &inputs, order);
+        let ty = match value.ty {
+            // Of the vector by which it turns.
+            Type::Frame => by_inputs(&Type::Vector(3, Dimension::ANGLE)),
+            _ => by_inputs(&value.ty),
+        };
         self.finish(ExprKind::InputDerivative(Box::new(value), order), ty, span)
     }
 
@@ -247,6 +258,11 @@ impl Resolver<'_> {
 fn leaves(ty: &Type) -> usize {
     match ty {
         Type::Array(entries) => entries.iter().map(leaves).sum(),
-        Type::Scalar(_) | Type::Vector(..) | Type::Frame | Type::Zero(_) | Type::Error => 1,
+        Type::Scalar(_)
+        | Type::Vector(..)
+        | Type::Frame
+        | Type::PlaneFrame
+        | Type::Zero(_)
+        | Type::Error => 1,
     }
 }

@@ -152,7 +152,7 @@ impl Type {
         match self {
             Type::Scalar(_) => Some(1),
             Type::Vector(count, _) | Type::Zero(count) => Some(*count),
-            Type::Array(_) | Type::Frame | Type::Error => None,
+            Type::Array(_) | Type::Frame | Type::PlaneFrame | Type::Error => None,
         }
     }
 
@@ -161,7 +161,7 @@ impl Type {
         match self {
             Type::Scalar(dimension) | Type::Vector(_, dimension) => Some(*dimension),
             Type::Zero(_) => Some(Dimension::NUMBER),
-            Type::Array(_) | Type::Frame | Type::Error => None,
+            Type::Array(_) | Type::Frame | Type::PlaneFrame | Type::Error => None,
         }
     }
 
@@ -178,8 +178,15 @@ impl Type {
         match self {
             Type::Error => true,
             Type::Array(entries) => entries.iter().any(Type::is_error),
-            Type::Scalar(_) | Type::Vector(..) | Type::Frame | Type::Zero(_) => false,
+            Type::Scalar(_) | Type::Vector(..) | Type::Frame | Type::PlaneFrame | Type::Zero(_) => {
+                false
+            }
         }
+    }
+
+    /// A frame of the plane or of space.
+    pub(crate) fn is_frame(&self) -> bool {
+        matches!(self, Type::Frame | Type::PlaneFrame)
     }
 }
 

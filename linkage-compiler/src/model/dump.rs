@@ -87,6 +87,10 @@ fn write_items(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
             item.left.ty
         )?;
     }
+    for item in &mechanism.redundant {
+        let (left, right) = (show(&item.left), show(&item.right));
+        writeln!(out, "redundant loop {left} = {right}: {}", item.left.ty)?;
+    }
     write_mechanics(out, mechanism)
 }
 
@@ -172,8 +176,12 @@ impl Display for Show<'_> {
                     super::parameter::COMPONENTS[*index]
                 )
             }
-            ExprKind::Index(value, index) if value.ty == Type::Frame => {
-                write!(f, "{}.{}", self.inner(value), super::frame::PARTS[*index])
+            ExprKind::Index(value, index) if value.ty.is_frame() => {
+                let parts = match value.ty {
+                    Type::PlaneFrame => super::frame::PLANE_PARTS,
+                    _ => super::frame::PARTS,
+                };
+                write!(f, "{}.{}", self.inner(value), parts[*index])
             }
             ExprKind::Index(value, index) => write!(f, "{}[{index}]", self.inner(value)),
             ExprKind::Negate(value) => write!(f, "(-{})", self.inner(value)),
@@ -201,7 +209,8 @@ impl Display for Show<'_> {
                 )
             }
             ExprKind::InputDerivative(value, order) => {
-                let word = MotionWord::of_order(*order).map_or("", MotionWord::word);
+                let word = MotionWord::of_order(*order, value.ty == Type::Frame);
+                let word = word.map_or("", MotionWord::word);
                 write!(f, "{word}({})", self.inner(value))
             }
             ExprKind::Sensitivity(value, parameters) => {

@@ -55,18 +55,22 @@ impl<'p> Embedding<'p> {
         own.in_part(self.body.first_origin)
     }
 
-    /// What a name of the part is; `None` for an argument that is not given, which has been reported.
-    fn meant(&self, name: Name) -> Option<Name> {
+    /// What a name of the part is; a mistake for an argument that is not given, which has been reported.
+    fn meant(&self, name: Name) -> ExprKind {
         let body = self.body;
-        match name {
+        let own = match name {
             Name::Const(index) => Some(Name::Const(body.first_constant + index)),
             Name::Parameter(index) => body.parameters[index],
             Name::Input(index) => Some(self.inputs[index]),
             Name::Unknown(index) => Some(Name::Unknown(body.first_unknown + index)),
             Name::Let(index) => Some(Name::Let(body.own_lets() + index)),
-            Name::Argument(index) => body.arguments[index],
+            Name::Argument(index) => match (body.arguments[index], &body.rates[index]) {
+                (None, Some(Ok(rate))) => return rate.kind.clone(),
+                (given, _) => given,
+            },
             Name::Pi => Some(Name::Pi),
-        }
+        };
+        own.map_or(ExprKind::Error, ExprKind::Name)
     }
 
     /// An expression of the part in its own frame.
@@ -74,7 +78,7 @@ impl<'p> Embedding<'p> {
         let boxed = |own: &Expr| Box::new(self.expr(own));
         let all = |own: &[Expr]| own.iter().map(|own| self.expr(own)).collect();
         let kind = match &own.kind {
-            ExprKind::Name(name) => self.meant(*name).map_or(ExprKind::Error, ExprKind::Name),
+            ExprKind::Name(name) => self.meant(*name),
             ExprKind::Vector(components) => ExprKind::Vector(all(components)),
             ExprKind::Component(own, index) => ExprKind::Component(boxed(own), *index),
             ExprKind::Index(own, index) => ExprKind::Index(boxed(own), *index),
@@ -171,13 +175,14 @@ impl<'p> Embedding<'p> {
         }
     }
 
-    /// The parts within it that have frames of their own.
-    pub(super) fn placed(&self) -> impl Iterator<Item = Placed> {
+    /// The parts within it that have frames of their own; its loops stand behind so many others.
+    pub(super) fn placed(&self, loops: usize) -> impl Iterator<Item = Placed> {
         let own = self.body.mechanism().placed.iter();
-        own.map(|own| Placed {
+        own.map(move |own| Placed {
             path: self.text(&own.path),
             at: own.at.as_ref().map(|own| self.expr(own)),
             turned: own.turned.as_ref().map(|own| self.expr(own)),
+            loops: loops + own.loops.start..loops + own.loops.end,
         })
     }
 }

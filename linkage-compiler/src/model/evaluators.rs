@@ -5,14 +5,16 @@ use std::collections::BTreeMap;
 use proc_macro2::Ident;
 
 use super::functions::MotionWord;
-use super::generated::{ASSEMBLY, COLUMNS, Sweep};
+use super::generated::{ASSEMBLY, COLUMNS, FOLLOWER, Sweep};
 use super::names::{Resolver, kind};
 use super::operators::settle_alone;
 use super::place::{Context, Place};
 use super::types::{EvaluatorDef, Name, Quantity};
 use crate::diagnostic::text::{list, nearest};
 use crate::diagnostic::{OriginId, SourceSpan};
-use crate::syntax::{Expr, ExprKind, FunctionDef, MechanismDef, QuantityDef, Word, documentation};
+use crate::syntax::{
+    Expr, ExprKind, FunctionDef, Item, MechanismDef, QuantityDef, Word, documentation,
+};
 
 /// Names taken so far: where, and by what if not by the user's own word.
 type Taken = BTreeMap<String, (SourceSpan, Option<String>)>;
@@ -57,6 +59,12 @@ impl Resolver<'_> {
         taken.insert(name.to_string(), (span, Some("the mechanism".to_owned())));
         let assembly = Some(format!("the assembly of `{name}`"));
         taken.insert(format!("{name}{ASSEMBLY}"), (span, assembly));
+        let inputs = definition.items.iter();
+        let inputs = inputs.filter(|item| matches!(item, Item::Input(_)));
+        if inputs.count() > 1 {
+            let follower = Some(format!("the follower of `{name}`"));
+            taken.insert(format!("{name}{FOLLOWER}"), (span, follower));
+        }
         for function in &definition.functions {
             self.check_reserved(&function.result);
             self.check_new_type(&function.result);
@@ -194,6 +202,7 @@ impl Resolver<'_> {
             None => self.expression(&quantity.value, context),
         };
         settle_alone(&mut value);
+        let value = self.refuse_plane_frame(value);
         Quantity {
             field,
             documentation: documentation(&quantity.attributes),

@@ -1,7 +1,7 @@
 //! Expressions: everything but calls.
 
 use super::conversion::{Literal, convert};
-use super::frame::PARTS_HELP;
+use super::frame::{PARTS_HELP, PLANE_PARTS_HELP};
 use super::names::Resolver;
 use super::parameter::COMPONENTS;
 use super::place::Context;
@@ -135,7 +135,7 @@ impl Resolver<'_> {
     }
 
     fn component(&mut self, value: Expr, field: &proc_macro2::Ident, span: SourceSpan) -> Expr {
-        if value.ty == Type::Frame {
+        if value.ty.is_frame() {
             return self.part(value, field, span);
         }
         if value.ty.is_error() || self.refuse_compound(&value) {
@@ -176,6 +176,7 @@ impl Resolver<'_> {
             let fact = format!("{} has no entries", value.ty);
             let help = match value.ty {
                 Type::Frame => PARTS_HELP,
+                Type::PlaneFrame => PLANE_PARTS_HELP,
                 _ => "components of a vector are `.x`, `.y` and `.z`",
             };
             self.diagnostics.error_with_help(span, fact, help);

@@ -1,7 +1,7 @@
 //! Units as factors: `2.5N/mm`, `9.80665m/s^2`, `press / (3 * mm^2)`.
 
 use super::conversion::convert_product;
-use super::names::{Resolver, kind};
+use super::names::Resolver;
 use super::place::Context;
 use super::types::{self, BinaryOp, Dimension, Expr, Type};
 use crate::diagnostic::SourceSpan;
@@ -75,7 +75,7 @@ impl Resolver<'_> {
             Some(symbol) => (
                 format!(
                     "there is no operator for powers, but of units: `{text}` is {}",
-                    kind(symbol.name)
+                    symbol.kind()
                 ),
                 match is_unit(&text) {
                     true => format!("the name hides the unit `{text}`: give it another one"),
@@ -109,7 +109,7 @@ impl Resolver<'_> {
             && matches!(left.ty, Type::Scalar(dimension) if dimension != Dimension::NUMBER);
         let name = right.as_name().filter(|_| of_literal)?;
         let symbol = self.symbols.iter().find(|symbol| symbol.name == name)?;
-        let (text, kind) = (&symbol.text, kind(name));
+        let (text, kind) = (&symbol.text, symbol.kind());
         let help = format!("`{text}` is {kind} here, not the unit: give it another name");
         is_unit(text).then_some(help)
     }

@@ -4,19 +4,43 @@ use proc_macro2::Ident;
 
 use super::names::Resolver;
 use super::operators::settle_alone;
+use super::place::Context;
 use super::types::{Dimension, Expr, ExprKind, Function, Type};
 use crate::diagnostic::SourceSpan;
-use crate::syntax::Word;
+use crate::syntax::{self, Word};
 
 /// What a frame consists of, in this order.
 pub(crate) const PARTS: [&str; 4] = ["origin", "x", "y", "z"];
 
 pub(super) const PARTS_HELP: &str = "parts of a frame are `.origin`, `.x`, `.y` and `.z`";
 
+/// What a frame of the plane consists of, in this order.
+pub(super) const PLANE_PARTS: [&str; 4] = ["origin", "x", "y", "angle"];
+
+pub(super) const PLANE_PARTS_HELP: &str =
+    "parts of a frame of the plane are `.origin`, `.x`, `.y` and `.angle`";
+
+/// The type of a part of a frame.
+pub(super) fn type_of_part(frame: &Type, part: usize) -> Type {
+    match (frame, part) {
+        (Type::PlaneFrame, 0) => Type::Vector(2, Dimension::LENGTH),
+        (Type::PlaneFrame, 3) => Type::Scalar(Dimension::ANGLE),
+        (Type::PlaneFrame, _) => Type::Vector(2, Dimension::NUMBER),
+        (_, 0) => Type::Vector(3, Dimension::LENGTH),
+        _ => Type::Vector(3, Dimension::NUMBER),
+    }
+}
+
 impl Function {
     /// Whether some argument may be of this type although it has no arithmetic. Other functions refuse it.
     pub(super) fn takes(self, ty: &Type) -> bool {
-        matches!(self, Function::PointIn | Function::CoordinatesIn) && *ty == Type::Frame
+        matches!(self, Function::PointIn | Function::CoordinatesIn) && ty.is_frame()
+    }
+
+    /// Whether it can be called with so many arguments.
+    pub(super) fn takes_count(self, count: usize) -> bool {
+        // Without the z axis it is a frame of the plane.
+        count == self.parameters().len() || (self == Function::Frame && count == 2)
     }
 }
 
@@ -30,36 +54,50 @@ pub(super) struct SecondArgument {
 }
 
 impl Resolver<'_> {
-    /// `.origin`, `.x`, `.y` or `.z` of a frame.
+    /// `.origin`, `.x`, `.y`, and `.z` or `.angle` of a frame.
     pub(super) fn part(&mut self, frame: Expr, field: &Ident, span: SourceSpan) -> Expr {
-        let dimension = match field == PARTS[0] {
-            true => Dimension::LENGTH,
-            false => Dimension::NUMBER,
+        let (parts, help) = match frame.ty {
+            Type::PlaneFrame => (PLANE_PARTS, PLANE_PARTS_HELP),
+            _ => (PARTS, PARTS_HELP),
         };
-        match PARTS.iter().position(|part| field == part) {
+        match parts.iter().position(|part| field == part) {
             Some(index) => {
+                let ty = type_of_part(&frame.ty, index);
                 let kind = ExprKind::Index(Box::new(frame), index);
-                self.make(kind, Type::Vector(3, dimension), span)
+                self.make(kind, ty, span)
             }
             None => {
-                let fact = format!("a frame has no part `{field}`");
-                self.diagnostics
-                    .error_with_help(field.into(), fact, PARTS_HELP);
+                let fact = format!("{} has no part `{field}`", frame.ty);
+                self.diagnostics.error_with_help(field.into(), fact, help);
                 self.failed(span)
             }
         }
     }
 
-    /// `frame(origin, x, z)`
-    pub(super) fn frame(&mut self, arguments: &mut [Expr]) -> Option<Type> {
-        let [origin, x, z] = arguments else {
-            return None;
-        };
+    /// `frame(origin, x, z)`, `frame(origin, x)` in the plane
+    pub(super) fn frame(&mut self, arguments: &mut [Expr], span: SourceSpan) -> Option<Type> {
         let function = Function::Frame;
-        self.point(origin, function, "the origin of a frame is")?;
-        self.vector_of(x, function, Some(3))?;
-        self.vector_of(z, function, Some(3))?;
-        Some(Type::Frame)
+        match arguments {
+            [origin, x, z] => {
+                self.point(origin, 3, function, "the origin of a frame is")?;
+                self.vector_of(x, function, Some(3))?;
+                self.vector_of(z, function, Some(3))?;
+                Some(Type::Frame)
+            }
+            [origin, x] => {
+                if [&*origin, x]
+                    .iter()
+                    .any(|own| own.ty.components() == Some(3))
+                {
+                    self.wrong_count_of(function, arguments.len(), span);
+                    return None;
+                }
+                self.point(origin, 2, function, "the origin of a frame is")?;
+                self.vector_of(x, function, Some(2))?;
+                Some(Type::PlaneFrame)
+            }
+            _ => None,
+        }
     }
 
     /// `point_in(frame, vector)`, `coordinates_in(frame, point)`
@@ -74,30 +112,37 @@ impl Resolver<'_> {
             return None;
         };
         let name = function.word();
-        if frame.ty != Type::Frame && point.ty == Type::Frame {
+        if !frame.ty.is_frame() && point.ty.is_frame() {
             let (first, frame) = (&frame.ty, &point.ty);
             let fact = format!("the arguments of `{name}` are swapped: found {first} and {frame}");
             let help = format!("write `{name}(frame, {})`", second.word);
             self.diagnostics.error_with_help(span, fact, help);
             return None;
         }
-        if frame.ty != Type::Frame {
+        if !frame.ty.is_frame() {
             settle_alone(frame);
             let help = "`frame(origin, x, z)` makes a frame";
             return self.wrong_argument(function, "a frame here", frame, help);
         }
-        self.point(point, function, second.rule)?;
-        Some(Type::Vector(3, Dimension::LENGTH))
+        let ty = type_of_part(&frame.ty, 0);
+        self.point(point, ty.components().unwrap_or(3), function, second.rule)?;
+        Some(ty)
     }
 
-    /// A space vector of lengths; zeros are lengths here.
-    fn point(&mut self, argument: &mut Expr, function: Function, role: &str) -> Option<()> {
-        let wanted = Type::Vector(3, Dimension::LENGTH);
+    /// A vector of lengths; zeros are lengths here.
+    fn point(
+        &mut self,
+        argument: &mut Expr,
+        components: usize,
+        function: Function,
+        role: &str,
+    ) -> Option<()> {
+        let wanted = Type::Vector(components, Dimension::LENGTH);
         argument.settle(&wanted);
         if self.refuse_compound(argument) {
             return None;
         }
-        let (_, dimension) = self.vector_of(argument, function, Some(3))?;
+        let (_, dimension) = self.vector_of(argument, function, Some(components))?;
         if dimension.fits(Dimension::LENGTH) {
             return Some(());
         }
@@ -125,7 +170,7 @@ impl Resolver<'_> {
 
     /// A frame as the value of an item that is no `let`: reported, and then an error.
     pub(super) fn refuse_frame_item(&mut self, value: &mut Expr, rule: &str) {
-        if value.ty == Type::Frame {
+        if value.ty.is_frame() {
             let span = self.origins.span(value.origin);
             let help = "declare what it consists of, and the frame with `let`";
             self.diagnostics
@@ -141,7 +186,7 @@ impl Resolver<'_> {
         right: &mut Expr,
         span: SourceSpan,
     ) {
-        if [&left.ty, &right.ty].contains(&&Type::Frame) {
+        if left.ty.is_frame() || right.ty.is_frame() {
             let fact = "the sides of a loop are scalars or vectors, found a frame";
             let help = "write a loop for `.origin`, and loops for what the axes do, such as `dot(a.x, b.x) = 0`";
             self.diagnostics.error_with_help(span, fact, help);
@@ -149,13 +194,58 @@ impl Resolver<'_> {
         }
     }
 
+    /// A frame of the plane as a quantity.
+    pub(super) fn refuse_plane_frame(&mut self, value: Expr) -> Expr {
+        if value.ty != Type::PlaneFrame {
+            return value;
+        }
+        let span = self.origins.span(value.origin);
+        let fact = "a frame of the plane is no quantity; this is a limit of linkage, not a mistake of yours";
+        let help = "ask for its parts: `.origin`, `.x`, `.y`, `.angle`";
+        self.diagnostics.error_with_help(span, fact, help);
+        self.failed(span)
+    }
+
+    /// The frame of which the turning is asked for.
+    pub(super) fn turning(
+        &mut self,
+        word: &str,
+        quantity: &syntax::Expr,
+        context: Context,
+    ) -> Expr {
+        let mut value = self.expression(quantity, context);
+        settle_alone(&mut value);
+        if value.ty == Type::Frame || value.ty.is_error() {
+            return value;
+        }
+        let fact = format!(
+            "`{word}` is about the turning of a frame in space, found {}",
+            value.ty
+        );
+        let help = match value.ty {
+            Type::PlaneFrame => {
+                "in the plane ask for `velocity` and `acceleration` of its `.angle`"
+            }
+            _ => {
+                "`frame(origin, x, z)` makes a frame; of anything else ask for `velocity` and `acceleration`"
+            }
+        };
+        let span = self.origins.span(value.origin);
+        self.diagnostics.error_with_help(span, fact, help);
+        self.failed(span)
+    }
+
     /// Derivatives of a frame are asked for its parts.
     pub(super) fn refuse_frame_derivative(&mut self, value: Expr) -> Expr {
-        if value.ty != Type::Frame {
+        if !value.ty.is_frame() {
             return value;
         }
         let span = self.origins.span(value.origin);
         let help = self.parts_help("differentiate", &value);
+        let help = match value.ty {
+            Type::PlaneFrame => format!("{help}, or `.angle`"),
+            _ => format!("{help}; `omega` and `alpha` say how it turns"),
+        };
         self.diagnostics
             .error_with_help(span, "a frame has no derivative", help);
         self.failed(span)

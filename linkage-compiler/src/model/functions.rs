@@ -58,6 +58,8 @@ vocabulary! {
         Velocity = "velocity",
         Acceleration = "acceleration",
         Jerk = "jerk",
+        Omega = "omega",
+        Alpha = "alpha",
         Sensitivity = "sensitivity",
         Margin = "margin",
         Picture = "picture",
@@ -169,8 +171,8 @@ impl MotionWord {
     /// How often it differentiates by the inputs of the function that asks.
     pub(super) fn order(self) -> Option<u8> {
         match self {
-            MotionWord::Velocity => Some(1),
-            MotionWord::Acceleration => Some(2),
+            MotionWord::Velocity | MotionWord::Omega => Some(1),
+            MotionWord::Acceleration | MotionWord::Alpha => Some(2),
             MotionWord::Jerk => Some(3),
             MotionWord::Derivative
             | MotionWord::Sensitivity
@@ -186,14 +188,21 @@ impl MotionWord {
             | MotionWord::Velocity
             | MotionWord::Acceleration
             | MotionWord::Jerk
+            | MotionWord::Omega
+            | MotionWord::Alpha
             | MotionWord::Sensitivity => true,
             MotionWord::Margin | MotionWord::Picture => false,
         }
     }
 
-    /// The word for so many derivatives by the inputs.
-    pub(super) fn of_order(order: u8) -> Option<Self> {
-        Self::all().find(|word| word.order() == Some(order))
+    /// Whether it is about the turning of a frame.
+    pub(super) fn turns(self) -> bool {
+        matches!(self, MotionWord::Omega | MotionWord::Alpha)
+    }
+
+    /// The word for so many derivatives by the inputs, of a frame or of something else.
+    pub(super) fn of_order(order: u8, frame: bool) -> Option<Self> {
+        Self::all().find(|word| word.order() == Some(order) && word.turns() == frame)
     }
 }
 

@@ -18,6 +18,9 @@ vocabulary! {
 /// The type of a mechanism's assemblies, by what follows the mechanism's name.
 pub(crate) const ASSEMBLY: &str = "Assembly";
 
+/// The type of what follows an assembly of a mechanism with several inputs, by what follows the mechanism's name.
+pub(crate) const FOLLOWER: &str = "Follower";
+
 /// The type of the columns of sweeps, by what follows the name of the result type.
 pub(crate) const COLUMNS: &str = "Columns";
 

@@ -45,7 +45,7 @@ impl Resolver<'_> {
                 // It has been told that it is missing.
                 None => self.failed((&item.name).into()),
             };
-            self.pass_rates_on(own, index, &value);
+            self.pass_rates_on(own, index, &value, &mechanism.lets);
             self.add_let(mechanism, item, &input.name, value);
         }
         for argument in &body.mechanism().arguments {
@@ -82,8 +82,8 @@ impl Resolver<'_> {
             return;
         };
         let lets: Vec<Let> = embedding.lets().collect();
+        let inner: Vec<Placed> = embedding.placed(mechanism.loops.len()).collect();
         mechanism.loops.extend(embedding.loops());
-        let inner: Vec<Placed> = embedding.placed().collect();
         mechanism.parts.push(embedding.part());
         self.placed.extend(inner);
         for own in lets {
@@ -178,26 +178,23 @@ impl Resolver<'_> {
         mechanism.lets.push(Let { name, value });
     }
 
-    /// Where an input of a part is an input itself, their speeds and accelerations are one.
-    fn pass_rates_on(&mut self, part: usize, input: usize, value: &Expr) {
-        let Some(Name::Input(outer)) = value.as_name() else {
-            return;
-        };
-        let outer = self.rates[outer];
+    /// What moves an input of a part gives it speed and acceleration, by the chain rule.
+    fn pass_rates_on(&mut self, part: usize, input: usize, value: &Expr, lets: &[Let]) {
+        let rates = self.rates_of(value, lets);
         let Some(body) = &mut self.parts[part].body else {
             return;
         };
         let own = &body.model.mechanism.inputs[input];
-        for (own, outer) in [own.speed, own.acceleration].into_iter().zip(outer) {
-            if let (Some(own), Some(outer)) = (own, outer) {
-                body.arguments[own].get_or_insert(Name::Argument(outer));
+        for (own, rate) in [own.speed, own.acceleration].into_iter().zip(rates) {
+            if let Some(own) = own {
+                body.rates[own] = Some(rate);
             }
         }
     }
 
     /// Reports arguments that something of a part is made of and that are not given.
     fn refuse_open_arguments(&mut self, item: &PartItem, part: usize) {
-        let Some(body) = &self.parts[part].body else {
+        let Some(body) = self.parts[part].body.as_ref().filter(|_| item.whole) else {
             return;
         };
         let mechanism = body.mechanism();
@@ -210,18 +207,26 @@ impl Resolver<'_> {
                 _ => None,
             })
             .collect();
+        let of = mechanism.name.clone();
         let all = mechanism.arguments.iter().enumerate();
         let open =
             all.filter(|(index, _)| body.arguments[*index].is_none() && used.contains(index));
-        let open: Vec<String> = open.map(|(_, own)| own.name.clone()).collect();
-        let of = mechanism.name.clone();
-        for name in open.iter().filter(|_| item.whole) {
+        let open = open.filter_map(|(index, own)| match &body.rates[index] {
+            Some(Ok(_)) => None,
+            Some(Err(why)) => Some((own.name.clone(), Some(why.clone()))),
+            None => Some((own.name.clone(), None)),
+        });
+        let open: Vec<_> = open.collect();
+        for (name, why) in open {
             let fact = format!(
                 "the argument `{name}` of `{of}` is left open in the part `{}`",
                 item.name
             );
-            let help =
+            let mut help =
                 format!("write `{name} = ...` between the braces: an `argument` or a number");
+            if let Some(why) = why {
+                help += &self.why_unfollowed(why);
+            }
             self.diagnostics
                 .error_with_help((&item.name).into(), fact, help);
         }

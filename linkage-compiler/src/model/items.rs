@@ -32,6 +32,7 @@ impl Resolver<'_> {
             unknowns: Vec::new(),
             lets: Vec::new(),
             loops: Vec::new(),
+            redundant: Vec::new(),
             arguments: Vec::new(),
             parts: Vec::new(),
             placed: Vec::new(),
@@ -74,6 +75,7 @@ impl Resolver<'_> {
                 }
             }
         }
+        let frames = self.unknown_frames(&passes.frames, &mut mechanism);
         mechanism.arguments = self.arguments(&passes.arguments, &mechanism.inputs);
         self.coordinates_of_parts(&mut mechanism);
         for (position, item) in passes.definitions {
@@ -90,10 +92,17 @@ impl Resolver<'_> {
                     let name = item.name.to_string();
                     mechanism.lets.push(Let { name, value });
                 }
-                Definition::Loop(item) => mechanism.loops.push(self.loop_item(item, context)),
+                Definition::Loop(item) => {
+                    let own = self.loop_item(item, context);
+                    match item.redundant {
+                        true => mechanism.redundant.push(own),
+                        false => mechanism.loops.push(own),
+                    }
+                }
                 Definition::Part(item) => self.part_item(item, position, &mut mechanism),
             }
         }
+        mechanism.close_frames(frames);
         mechanism.placed.clone_from(&self.placed);
         self.mechanics(
             &passes.bodies,

@@ -10,6 +10,7 @@ use super::part::PartScope;
 use super::place::{Context, refusal};
 use super::types::{Dimension, LengthUnit, Name, Placed, ScalarParameter, Type};
 use super::unitless::Unitless;
+use super::unknown_frame::Kind;
 use super::zeros::Zeros;
 use crate::diagnostic::{Diagnostics, Origins, SourceSpan};
 use crate::syntax::{InputItem, Item};
@@ -24,7 +25,19 @@ pub(super) struct Symbol {
     pub(super) item: usize,
     /// Declared with a `0` that has no unit.
     pub(super) bare_zero: bool,
+    /// A derived quantity that the user declares as an unknown.
+    pub(super) is_unknown_frame: bool,
     pub(super) span: SourceSpan,
+}
+
+impl Symbol {
+    /// The sort of its name in words.
+    pub(super) fn kind(&self) -> &'static str {
+        match self.is_unknown_frame {
+            true => "an unknown",
+            false => kind(self.name),
+        }
+    }
 }
 
 pub(super) struct Resolver<'a> {
@@ -82,11 +95,14 @@ impl<'a> Resolver<'a> {
         };
         let definition = source.definition;
         resolver.check_reserved(&definition.name);
-        let mut counts = Counts::default();
+        let mut counts = Counts::of(&definition.items);
         let mut parts = source.parts.iter();
         for (position, item) in definition.items.iter().enumerate() {
             if let Some((ident, name)) = counts.next(item) {
                 resolver.declare(ident, position, name);
+            }
+            if let (Item::Unknown(item), Some(symbol)) = (item, resolver.symbols.last_mut()) {
+                symbol.is_unknown_frame = item.is_frame();
             }
             if let Item::Input(input) = item {
                 resolver.declare_rates(input, position, &mut counts);
@@ -98,6 +114,7 @@ impl<'a> Resolver<'a> {
             }
         }
         resolver.input_count = counts.inputs;
+        counts.unknowns += counts.unknowns_of_frames;
         resolver.declare_members_of_parts(&mut counts);
         resolver
     }
@@ -122,6 +139,7 @@ impl<'a> Resolver<'a> {
             ty: Type::Error,
             item,
             bare_zero: false,
+            is_unknown_frame: false,
             span: ident.into(),
         });
     }
@@ -205,15 +223,35 @@ pub(super) struct Counts {
     pub(super) unknowns: usize,
     pub(super) lets: usize,
     pub(super) arguments: usize,
+    /// Unknowns that are frames: derived quantities in front of all others.
+    frames: usize,
+    /// What these consist of.
+    unknowns_of_frames: usize,
 }
 
 impl Counts {
+    /// Nothing counted yet; what is derived from unknown frames comes first.
+    fn of(items: &[Item]) -> Self {
+        let frames = items.iter().filter_map(|item| match item {
+            Item::Unknown(item) if item.is_frame() => Some(item),
+            _ => None,
+        });
+        Self {
+            unknowns_of_frames: frames.clone().map(|item| Kind::of(item).unknowns()).sum(),
+            lets: frames.count(),
+            ..Self::default()
+        }
+    }
+
     /// The name of the value that an item declares, if it does. Names of bodies and joints are of their own.
     fn next<'i>(&mut self, item: &'i Item) -> Option<(&'i Ident, Name)> {
         Some(match item {
             Item::Const(item) => (&item.name, Name::Const(next(&mut self.constants))),
             Item::Param(item) => (&item.name, Name::Parameter(next(&mut self.parameters))),
             Item::Input(item) => (&item.name, Name::Input(next(&mut self.inputs))),
+            Item::Unknown(item) if item.is_frame() => {
+                (&item.name, Name::Let(next(&mut self.frames)))
+            }
             Item::Unknown(item) => (&item.name, Name::Unknown(next(&mut self.unknowns))),
             Item::Let(item) => (&item.name, Name::Let(next(&mut self.lets))),
             Item::Argument(item) => (&item.name, Name::Argument(next(&mut self.arguments))),

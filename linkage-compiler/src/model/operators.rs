@@ -9,8 +9,8 @@ impl Type {
     /// The type of a sum of the two; `None` if they cannot be added.
     pub(super) fn common(left: &Type, right: &Type) -> Option<Type> {
         match (left, right) {
-            (Type::Array(_) | Type::Frame | Type::Error, _)
-            | (_, Type::Array(_) | Type::Frame | Type::Error) => None,
+            (Type::Array(_) | Type::Frame | Type::PlaneFrame | Type::Error, _)
+            | (_, Type::Array(_) | Type::Frame | Type::PlaneFrame | Type::Error) => None,
             (Type::Zero(1), other) | (other, Type::Zero(1)) => Some(other.clone()),
             _ if left.components() != right.components() => None,
             (Type::Zero(_), other) | (other, Type::Zero(_)) => Some(other.clone()),
@@ -228,7 +228,7 @@ impl Resolver<'_> {
     pub(super) fn refuse_compound(&mut self, value: &Expr) -> bool {
         let help = match &value.ty {
             Type::Array(_) => "take one entry: `[0]`".to_owned(),
-            Type::Frame => self.parts_help("take", value),
+            Type::Frame | Type::PlaneFrame => self.parts_help("take", value),
             Type::Scalar(_) | Type::Vector(..) | Type::Zero(_) | Type::Error => return false,
         };
         if !value.ty.is_error() {

@@ -6,7 +6,8 @@ use proc_macro2::Ident;
 
 use super::library::{Found, Model};
 use super::names::{Counts, Resolver, Symbol, next};
-use super::types::{Mechanism, Name, Type};
+use super::rate::Unfollowed;
+use super::types::{Expr, Mechanism, Name, Type};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{list, nearest};
 use crate::syntax::{self, PartItem};
@@ -35,6 +36,8 @@ pub(super) struct PartBody {
     pub(super) parameters: Vec<Option<Name>>,
     /// The arguments that are given, as derived quantities.
     pub(super) arguments: Vec<Option<Name>>,
+    /// Speeds and accelerations that follow from those around, by argument; why not, where one does not follow.
+    pub(super) rates: Vec<Option<Result<Expr, Unfollowed>>>,
     pub(super) is_placed: bool,
     pub(super) is_turned: bool,
 }
@@ -51,7 +54,6 @@ impl PartBody {
 
     /// The first of its own derived quantities, behind those that are made for it.
     pub(super) fn own_lets(&self) -> usize {
-        // What is not given is a parameter, or the speed of the input around.
         let given = self.parameters.iter().chain(&self.arguments);
         let given = given
             .filter(|name| matches!(name, Some(Name::Let(_))))
@@ -114,6 +116,7 @@ impl Resolver<'_> {
             first_unknown: 0,
             first_let,
             parameters,
+            rates: vec![None; mechanism.arguments.len()],
             arguments,
             is_placed: item.at.is_some(),
             is_turned: item.turned.is_some(),
@@ -165,6 +168,7 @@ impl Resolver<'_> {
                     ty,
                     item: *item,
                     bare_zero: false,
+                    is_unknown_frame: false,
                     span: *span,
                 };
                 self.add_symbol(symbol);

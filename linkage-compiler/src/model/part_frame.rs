@@ -10,6 +10,27 @@ pub(super) struct PartFrame {
 }
 
 impl Placed {
+    /// The point of the part that is seen here; the inverse of [`PartFrame::seen_point`].
+    pub(crate) fn point_behind<'e>(&self, seen: &'e Expr) -> Option<&'e Expr> {
+        let turned_back = |turned: &'e Expr| match (&self.turned, &turned.kind) {
+            (None, _) => Some(turned),
+            (Some(angle), ExprKind::Call(Function::Rotate, arguments)) => {
+                (arguments[1] == *angle).then(|| &arguments[0])
+            }
+            (Some(_), _) => None,
+        };
+        match (&self.at, &seen.kind) {
+            (None, _) => self.turned.as_ref().and_then(|_| turned_back(seen)),
+            (Some(at), ExprKind::Call(Function::PointIn, arguments)) => {
+                (arguments[0] == *at).then(|| &arguments[1])
+            }
+            (Some(at), ExprKind::Binary(BinaryOp::Add, origin, turned)) if **origin == *at => {
+                turned_back(turned)
+            }
+            (Some(_), _) => None,
+        }
+    }
+
     pub(super) fn frame(&self) -> PartFrame {
         PartFrame {
             at: self.at.clone(),
@@ -23,7 +44,7 @@ impl PartFrame {
     pub(super) fn seen(&self, own: Expr) -> Expr {
         match &own.ty {
             Type::Vector(_, dimension) if dimension.fits(Dimension::LENGTH) => self.seen_point(own),
-            Type::Vector(..) | Type::Frame => self.seen_direction(own),
+            Type::Vector(..) | Type::Frame | Type::PlaneFrame => self.seen_direction(own),
             Type::Scalar(_) | Type::Array(_) | Type::Zero(_) | Type::Error => own,
         }
     }
@@ -66,6 +87,15 @@ impl PartFrame {
     fn seen_direction(&self, own: Expr) -> Expr {
         match (&own.ty, &self.at) {
             (Type::Vector(..), _) => self.rotated(own),
+            (Type::PlaneFrame, _) => {
+                let [origin, x] = [0, 1].map(|part| part_of(&own, part));
+                let arguments = [self.seen_point(origin), self.rotated(x)];
+                Expr {
+                    ty: Type::PlaneFrame,
+                    origin: own.origin,
+                    kind: ExprKind::Call(Function::Frame, arguments.into()),
+                }
+            }
             (Type::Frame, Some(_)) => {
                 let [origin, x, _, z] = [0, 1, 2, 3].map(|part| part_of(&own, part));
                 let arguments = [self.seen_point(origin), self.rotated(x), self.rotated(z)];

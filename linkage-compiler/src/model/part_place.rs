@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use super::names::{Resolver, Symbol, kind};
+use super::names::{Resolver, Symbol};
 use super::part::PartBody;
 use super::place::{Context, Place, refusal};
 use super::types::{Dimension, Expr, ExprKind, Mechanism, Name, Placed, Type};
@@ -46,7 +46,14 @@ impl Resolver<'_> {
         }
         if at.is_some() || turned.is_some() {
             let path = item.name.to_string();
-            self.placed.push(Placed { path, at, turned });
+            let first = mechanism.loops.len();
+            let loops = first..first + body.mechanism().loops.len();
+            self.placed.push(Placed {
+                path,
+                at,
+                turned,
+                loops,
+            });
         }
     }
 
@@ -163,11 +170,7 @@ impl Resolver<'_> {
         });
         let fact = format!("`{path}` is a part, which has no value of its own");
         let help = match example {
-            Some(symbol) => format!(
-                "name what of it, like `{}`, {}",
-                symbol.text,
-                kind(symbol.name)
-            ),
+            Some(symbol) => format!("name what of it, like `{}`, {}", symbol.text, symbol.kind()),
             None => "name what of it".to_owned(),
         };
         self.diagnostics.error_with_help(span, fact, help);
@@ -185,6 +188,7 @@ fn components_of_points(mechanism: &Mechanism) -> Vec<usize> {
         .filter_map(|ty| match ty {
             Type::Vector(count, _) => Some(*count),
             Type::Frame => Some(3),
+            Type::PlaneFrame => Some(2),
             Type::Scalar(_) | Type::Array(_) | Type::Zero(_) | Type::Error => None,
         })
         .collect();

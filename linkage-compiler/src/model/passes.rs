@@ -15,6 +15,8 @@ pub(super) struct Passes<'a> {
     pub(super) constants: Vec<(usize, &'a NamedItem)>,
     pub(super) parameters: Vec<(usize, &'a ParamItem)>,
     pub(super) coordinates: Vec<(usize, Coordinate<'a>)>,
+    /// Unknowns that are frames.
+    pub(super) frames: Vec<(usize, &'a UnknownItem)>,
     pub(super) arguments: Vec<(usize, Taken<'a>)>,
     pub(super) definitions: Vec<(usize, Definition<'a>)>,
     pub(super) parts: Vec<&'a PartItem>,
@@ -64,6 +66,7 @@ impl<'a> Passes<'a> {
                     passes.coordinates.push((position, Coordinate::Input(item)));
                     passes.arguments.push((position, Taken::Rates(item)));
                 }
+                Item::Unknown(item) if item.is_frame() => passes.frames.push((position, item)),
                 Item::Unknown(item) => {
                     passes
                         .coordinates

@@ -18,7 +18,6 @@ impl Resolver<'_> {
         if name != MotionWord::Picture.word() {
             return None;
         }
-        self.refuse_placed_picture(expr.span);
         let links = links.iter().map(|link| self.drawn_link(link, context));
         let links: Vec<Option<Vec<Expr>>> = links.collect();
         // How many points there are is found out later.
@@ -27,19 +26,6 @@ impl Resolver<'_> {
             Some(links) => self.make(ExprKind::Picture(links), ty, expr.span),
             None => self.failed(expr.span),
         })
-    }
-
-    /// Links are found in loops, which a part has in its own frame.
-    fn refuse_placed_picture(&mut self, span: SourceSpan) {
-        let Some(placed) = self.placed.first() else {
-            return;
-        };
-        let path = &placed.path;
-        let fact = format!(
-            "the part `{path}` stands in a frame of its own, in which its loops cannot be drawn yet"
-        );
-        let help = "this is a limit of linkage: draw a mechanism whose parts stand where they are written, or write their pivots with the place of the part";
-        self.diagnostics.error_with_help(span, fact, help);
     }
 
     /// A list of at least two points.

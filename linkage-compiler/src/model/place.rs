@@ -1,6 +1,6 @@
 //! Where expressions stand, and which names they may use there.
 
-use super::names::{Symbol, kind};
+use super::names::Symbol;
 use super::types::Name;
 use crate::syntax::is_unit;
 
@@ -62,10 +62,7 @@ pub(super) fn refusal(symbol: &Symbol, context: Context) -> Option<(String, Stri
     };
     if !allowed {
         return Some((
-            format!(
-                "`{text}` is {}, which cannot be used here",
-                kind(symbol.name)
-            ),
+            format!("`{text}` is {}, which cannot be used here", symbol.kind()),
             match is_unit(text) {
                 true => format!("{rule}; the name hides the unit `{text}`"),
                 false => rule.to_owned(),
@@ -74,6 +71,8 @@ pub(super) fn refusal(symbol: &Symbol, context: Context) -> Option<(String, Stri
     }
     let ordered = match context.place {
         Place::Constant => constant,
+        // It is no definition but a coordinate.
+        Place::LetOrLoop if symbol.is_unknown_frame => false,
         Place::LetOrLoop => matches!(symbol.name, Name::Let(_)),
         // What they may use is resolved before them.
         Place::Parameter

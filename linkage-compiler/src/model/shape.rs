@@ -20,7 +20,8 @@ impl Shape {
     /// The shape of a checked type; a type spoilt by a mistake counts as a scalar.
     pub(crate) fn of(ty: &Type) -> Self {
         match ty {
-            Type::Scalar(_) | Type::Zero(1) | Type::Error => Self::Scalar,
+            // One of the plane has been refused.
+            Type::Scalar(_) | Type::Zero(1) | Type::PlaneFrame | Type::Error => Self::Scalar,
             Type::Vector(count, _) | Type::Zero(count) => Self::Vector(*count),
             Type::Frame => Self::Frame,
             Type::Array(entries) => {

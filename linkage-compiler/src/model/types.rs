@@ -9,7 +9,7 @@ use std::ops::Range;
 
 pub(crate) use super::functions::Function;
 pub(crate) use super::units::LengthUnit;
-pub(crate) use course::{Course, CourseKind, Ends, Knot, Law, Repeats};
+pub(crate) use course::{Course, CourseKind, Ends, Knot, Law, Repeating, Repeats};
 pub(crate) use mechanics::*;
 
 use crate::diagnostic::OriginId;
@@ -37,6 +37,8 @@ pub(crate) enum Type {
     Array(Vec<Type>),
     /// A point and three perpendicular directions in space; what it consists of is read as entries 0 (the origin) to 3.
     Frame,
+    /// A point and a direction in the plane; its parts are the origin, the axes and the angle of the first.
+    PlaneFrame,
     /// The literal `0` (or a vector of such): fits every dimension. The count is 1 for a scalar.
     Zero(usize),
     /// Follows from a mistake already reported.
@@ -223,6 +225,8 @@ pub(crate) struct Placed {
     pub(crate) at: Option<Expr>,
     /// The derived quantity that is the angle of its x axis in the plane.
     pub(crate) turned: Option<Expr>,
+    /// Its loops, those of parts within it among them.
+    pub(crate) loops: Range<usize>,
 }
 
 #[derive(Clone, Debug)]
@@ -266,6 +270,8 @@ pub(crate) struct Mechanism {
     pub(crate) unknowns: Vec<Unknown>,
     pub(crate) lets: Vec<Let>,
     pub(crate) loops: Vec<Loop>,
+    /// Loops that follow from these.
+    pub(crate) redundant: Vec<Loop>,
     pub(crate) arguments: Vec<Argument>,
     pub(crate) parts: Vec<Part>,
     /// Parts, and parts of parts, with coordinates of their own.

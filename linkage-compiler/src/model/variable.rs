@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use super::names::{Resolver, kind};
+use super::names::Resolver;
 use super::parameter::COMPONENTS;
 use super::place::{Context, Place};
 use super::types::{Name, ScalarParameterId, Type, Variable};
@@ -36,9 +36,9 @@ impl Resolver<'_> {
                 None => return self.not_a_variable("an expression", expr.span),
             },
         };
-        let Some((name, ty)) = self
+        let Some((name, ty, kind)) = self
             .find(&text)
-            .map(|symbol| (symbol.name, symbol.ty.clone()))
+            .map(|symbol| (symbol.name, symbol.ty.clone(), symbol.kind()))
         else {
             if text == "PI" {
                 return self.not_a_variable("a constant", expr.span);
@@ -67,7 +67,7 @@ impl Resolver<'_> {
                     }
                 }
             }
-            _ => self.not_a_variable(&format!("`{text}`, {}", kind(name)), expr.span),
+            _ => self.not_a_variable(&format!("`{text}`, {kind}"), expr.span),
         }
     }
 
@@ -189,7 +189,7 @@ impl Resolver<'_> {
         {
             let fact = format!(
                 "a sensitivity is with respect to parameters, found {}",
-                kind(symbol.name)
+                symbol.kind()
             );
             let parameters = self.names_of(|name| matches!(name, Name::Parameter(_)));
             let help = match parameters.is_empty() {

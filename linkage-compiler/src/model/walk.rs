@@ -123,6 +123,14 @@ impl Mechanics {
 }
 
 impl Mechanism {
+    /// Where a point of a part that stands elsewhere is seen: which of the [`Mechanism::placed`], and the point there.
+    pub(crate) fn standing<'e>(&self, expr: &'e Expr) -> Option<(usize, &'e Expr)> {
+        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
+        let all = self.placed.iter().enumerate().filter(|_| is_length);
+        let mut found = all.filter_map(|(index, own)| Some((index, own.point_behind(expr)?)));
+        found.next()
+    }
+
     /// The expression that a name stands for, if it has one.
     pub(crate) fn value_of(&self, name: Name) -> Option<&Expr> {
         match name {

@@ -100,6 +100,7 @@ impl Display for Type {
             Type::Array(entries) if entries.len() == 1 => f.write_str("an array of 1 entry"),
             Type::Array(entries) => write!(f, "an array of {} entries", entries.len()),
             Type::Frame => f.write_str("a frame"),
+            Type::PlaneFrame => f.write_str("a frame of the plane"),
             Type::Zero(1) => f.write_str("zero"),
             Type::Zero(3) => f.write_str("a space vector of zeros"),
             Type::Zero(_) => f.write_str("a plane vector of zeros"),

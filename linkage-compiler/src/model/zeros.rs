@@ -93,12 +93,14 @@ pub(super) fn best_attempt(source: &Source, lengths: &[Name]) -> Attempt {
 
 /// Unknowns without an estimate, one after the other, as what they make the fewest mistakes as.
 fn with_points(source: &Source, mut best: Attempt) -> Attempt {
-    let unknowns = source.definition.items.iter().filter_map(|item| {
-        let Item::Unknown(item) = item else {
-            return None;
-        };
-        Some(item.estimate.is_none())
-    });
+    let unknowns = source
+        .definition
+        .items
+        .iter()
+        .filter_map(|item| match item {
+            Item::Unknown(item) if !item.is_frame() => Some(item.estimate.is_none()),
+            _ => None,
+        });
     let open = unknowns.enumerate().filter(|(_, open)| *open);
     for (index, _) in open {
         for (components, length) in [(1, true), (2, true), (3, true), (2, false), (3, false)] {

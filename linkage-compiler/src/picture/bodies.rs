@@ -2,7 +2,8 @@
 
 use crate::model::Joint;
 
-use super::chains::{Line, Shape, Sketch, Title};
+use super::chains::Sketch;
+use super::marks::{Line, Shape, Title};
 
 impl<'m> Sketch<'_, 'm> {
     /// The joints of each body are points of it.

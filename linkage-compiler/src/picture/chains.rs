@@ -5,16 +5,21 @@ use linkage_symbolic::unordered::Set;
 use linkage_symbolic::Vn;
 
 use crate::algebra::{Algebra, Translate};
-use crate::diagnostic::OriginId;
 use crate::model::{Expr, ExprKind, JointKind, Name, Type};
 
-use super::parts::{Part, Slide, Turn};
+use super::frames::{Frames, Pose};
+use super::marks::{Asked, Line, Mean, Segment, Shape, Spot, Term, Title};
+use super::parts::Turn;
 use super::roles::{Moves, Roles};
 
 /// Points and what lies between them, as they are found; several may be one and the same.
 pub(super) struct Sketch<'a, 'm> {
     pub(super) algebra: &'a mut Algebra<'m>,
-    pub(super) roles: Roles,
+    pub(super) roles: Roles<'m>,
+    /// Where placed parts stand.
+    pub(super) poses: Vec<Pose<'m>>,
+    /// The coordinates of what is looked at.
+    pub(super) frames: Frames,
     pub(super) dimension: usize,
     pub(super) points: Vec<Spot<'m>>,
     pub(super) segments: Vec<Segment<'m>>,
@@ -37,88 +42,16 @@ pub(super) struct Sketch<'a, 'm> {
     pub(super) searched: Set<usize>,
 }
 
-/// A point of a chain.
-#[derive(Clone, Debug)]
-pub(super) struct Spot<'m> {
-    pub(super) at: Vn<'m>,
-    pub(super) name: Option<Title>,
-    /// Whether it is more than a corner on the way along a link: it has a name, a loop closes there, or the user lists it.
-    pub(super) wanted: bool,
-}
-
-/// A name, and how good it is: the lowest rank wins, the first of equal ones.
-#[derive(Clone, Debug)]
-pub(super) struct Title {
-    pub(super) rank: u8,
-    pub(super) text: String,
-}
-
-/// From one point to another.
-#[derive(Clone, Debug)]
-pub(super) struct Segment<'m> {
-    pub(super) from: usize,
-    pub(super) to: usize,
-    pub(super) title: Option<Title>,
-    pub(super) shape: Shape<'m>,
-    /// The vector from one to the other, as it is written.
-    pub(super) step: Vn<'m>,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Shape<'m> {
-    /// A term of a sum with its sign: if it is no link, it may be a slide.
-    Term(f64, &'m Expr),
-    /// A part of a term.
-    Part(f64, Option<Slide<'m>>),
-    /// A distance: if it is no link, its ends slide along each other.
-    Distance,
-    /// Two points of a body, of which declarations have numbers.
-    Body(Option<usize>),
-}
-
-/// A point that is computed from others, by a mean or in a frame: it may belong to their link.
-#[derive(Clone, Debug)]
-pub(super) struct Mean {
-    pub(super) point: usize,
-    pub(super) of: Vec<usize>,
-}
-
-/// A point that stays on a line.
-#[derive(Clone, Debug)]
-pub(super) struct Line<'m> {
-    pub(super) slider: usize,
-    /// A point of what carries the line; `None` is the frame.
-    pub(super) carrier: Option<usize>,
-    /// Whether the line goes through that point.
-    pub(super) through: bool,
-    pub(super) along: Vn<'m>,
-    pub(super) name: String,
-}
-
-/// A list in `picture([p, q])`.
-#[derive(Clone, Debug)]
-pub(super) struct Asked {
-    pub(super) points: Vec<usize>,
-    pub(super) origin: OriginId,
-}
-
-/// A term of a sum.
-pub(super) struct Term<'m> {
-    pub(super) sign: f64,
-    pub(super) expr: &'m Expr,
-    /// The name that it goes by.
-    pub(super) name: Option<String>,
-    /// If it is only a part of the expression.
-    pub(super) part: Option<Part<'m>>,
-}
-
 /// Longer sums are not looked at.
 pub(super) const MANY_TERMS: usize = 200;
 
 impl<'a, 'm> Sketch<'a, 'm> {
     pub(super) fn new(algebra: &'a mut Algebra<'m>, dimension: usize) -> Self {
         let roles = Roles::of(algebra.mechanism);
+        let placed = algebra.mechanism.placed.iter();
         Self {
+            poses: placed.map(|own| Pose::of(own, algebra, &roles)).collect(),
+            frames: Frames::new(),
             algebra,
             roles,
             dimension,
@@ -185,6 +118,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
         {
             self.name(point, 2, term.expr);
         }
+        self.carried(point);
         point
     }
 
@@ -200,8 +134,14 @@ impl<'a, 'm> Sketch<'a, 'm> {
 
     fn step(&mut self, from: usize, term: Term<'m>) -> usize {
         let step = self.step_of(&term);
-        let to = self.point(moved(self.points[from].at, step, term.sign));
+        let (way, own) = (self.seen_way(step), &self.points[from]);
+        let to = self.spot(
+            moved(own.at, way, term.sign),
+            moved(own.own, step, term.sign),
+        );
         for turn in self.turns_of(&term) {
+            let along = self.seen_way(turn.along);
+            let turn = Turn { along, ..turn };
             // What turns with the step before does not turn against it.
             if !self.turns.contains(&(from, turn)) {
                 self.axis(from, turn.along);
@@ -228,6 +168,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
                 title,
                 shape,
                 step,
+                frames: self.frames.clone(),
             });
         }
         to
@@ -247,7 +188,9 @@ impl<'a, 'm> Sketch<'a, 'm> {
                 is_drawn && dimension.half_lengths == 2
             }
             Type::Zero(_) => true,
-            Type::Scalar(_) | Type::Array(_) | Type::Frame | Type::Error => false,
+            Type::Scalar(_) | Type::Array(_) | Type::Frame | Type::PlaneFrame | Type::Error => {
+                false
+            }
         }
     }
 
@@ -257,11 +200,19 @@ impl<'a, 'm> Sketch<'a, 'm> {
     }
 
     /// The point with these coordinates.
-    pub(super) fn point(&mut self, at: Vn<'m>) -> usize {
+    pub(super) fn point(&mut self, own: Vn<'m>) -> usize {
+        let at = self.seen_point(own);
+        self.spot(at, own)
+    }
+
+    /// The point that is here in the drawing, and there as it is written.
+    fn spot(&mut self, at: Vn<'m>, own: Vn<'m>) -> usize {
         let known = self.points.iter().position(|point| point.at == at);
         known.unwrap_or_else(|| {
             self.points.push(Spot {
                 at,
+                own,
+                frames: self.frames.clone(),
                 name: None,
                 wanted: false,
             });
@@ -277,13 +228,13 @@ impl<'a, 'm> Sketch<'a, 'm> {
         shape: Shape<'m>,
     ) {
         if from != to {
-            let step = self.points[to].at - self.points[from].at;
             self.segments.push(Segment {
                 from,
                 to,
                 title,
                 shape,
-                step,
+                step: self.points[from].step_to(&self.points[to]),
+                frames: self.frames.clone(),
             });
         }
     }

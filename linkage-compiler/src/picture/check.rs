@@ -5,7 +5,8 @@ use crate::diagnostic::text::list;
 use crate::diagnostic::{OriginId, Reporter};
 use crate::unit::{Picture, PointKind};
 
-use super::chains::{Asked, Sketch};
+use super::chains::Sketch;
+use super::marks::Asked;
 use super::seen::Seen;
 
 pub(super) fn check_lists(sketch: &Sketch, seen: &Seen, reporter: &mut Reporter) {

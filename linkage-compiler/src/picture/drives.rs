@@ -9,8 +9,9 @@ use crate::algebra::Bound;
 use crate::model::{Loop, Name};
 use crate::unit::{Drive, DriveOn, Gear, Part, Picture};
 
-use super::chains::{Segment, Shape, Sketch};
+use super::chains::Sketch;
 use super::free::relates_angles;
+use super::marks::{Segment, Shape};
 use super::seen::Seen;
 
 /// A link that turns about a point of the frame by one angle alone.

@@ -5,9 +5,10 @@ use linkage_symbolic::{Ex, NodeId, Vn};
 use crate::algebra::Translate;
 use crate::model::{BinaryOp, Dimension, Expr, ExprKind, Function, Name, Type};
 
-use super::chains::{Line, Segment, Shape, Sketch};
+use super::chains::Sketch;
 use super::free::Track;
 use super::links::{Links, is_rigid};
+use super::marks::{Line, Segment, Shape};
 use super::parts::Slide;
 use super::seen::Seen;
 use crate::unit::GuideOn;
@@ -87,8 +88,7 @@ impl<'m> Guides<'m> {
         if known {
             return;
         }
-        let mut each = links.all.iter();
-        let carrier = each.position(|link| {
+        let carrier = links.all.iter().position(|link| {
             let mut points = link.points.iter();
             points.all(|&point| {
                 seen.keep_distance(point, origin) && seen.carries(point, origin, along)
@@ -126,8 +126,11 @@ impl<'m> Sketch<'_, 'm> {
         let (mut origin, mut slider) = (segment.from, segment.to);
         let from = self.points[segment.from].at;
         let (sign, slide) = match segment.shape {
-            Shape::Term(sign, term) => (sign, self.direction_of(term)?),
-            Shape::Part(sign, slide) => (sign, slide?),
+            Shape::Term(sign, term) => {
+                let slide = self.direction_of(term)?;
+                (sign, self.seen_slide(slide, segment))
+            }
+            Shape::Part(sign, slide) => (sign, self.seen_slide(slide?, segment)),
             Shape::Distance => {
                 // A cylinder hangs on its fixed end.
                 if seen.is_fixed(slider) {
@@ -140,7 +143,7 @@ impl<'m> Sketch<'_, 'm> {
                 };
                 (1.0, slide)
             }
-            Shape::Body(_) => return None,
+            Shape::Body(_) | Shape::Base(_) => return None,
         };
         let Slide {
             offset,
@@ -167,6 +170,15 @@ impl<'m> Sketch<'_, 'm> {
             on_frame: false,
             is_distance: matches!(segment.shape, Shape::Distance),
             is_driven: input.is_some(),
+        })
+    }
+
+    /// In the drawing.
+    fn seen_slide(&mut self, own: Slide<'m>, segment: &Segment<'m>) -> Slide<'m> {
+        self.within(segment.frames.clone(), |sketch| Slide {
+            offset: own.offset.map(|offset| sketch.seen_way(offset)),
+            along: sketch.seen_way(own.along),
+            input: own.input,
         })
     }
 

@@ -1,6 +1,7 @@
 //! Segments that are written as one link are one.
 
-use super::chains::{Segment, Shape, Sketch, Title};
+use super::chains::Sketch;
+use super::marks::{Segment, Shape, Title};
 use super::owners::Owners;
 use super::seen::Seen;
 use super::welded::{Frame, Welds};
@@ -33,7 +34,7 @@ impl<'m> Links<'m> {
             let frames = asked.points.windows(2).map(|ends| Frame {
                 from: ends[0],
                 to: ends[1],
-                step: sketch.points[ends[1]].at - sketch.points[ends[0]].at,
+                step: sketch.points[ends[0]].step_to(&sketch.points[ends[1]]),
             });
             links.all.push(RawLink {
                 part: owners.of(None, &points),
@@ -51,7 +52,11 @@ impl<'m> Links<'m> {
                 let name = segment.title.as_ref().map(|title| title.text.as_str());
                 links.all.push(RawLink {
                     points: vec![from, to],
-                    part: owners.of(name, &[from, to]),
+                    part: match segment.shape {
+                        Shape::Base(carrier) => carrier,
+                        Shape::Body(Some(_)) => name.and_then(|name| owners.named(name)),
+                        _ => owners.of(name, &[from, to]),
+                    },
                     title: segment.title.clone(),
                     frames: vec![Frame {
                         from: segment.from,
@@ -61,7 +66,7 @@ impl<'m> Links<'m> {
                     asked: false,
                     body: match segment.shape {
                         Shape::Body(body) => body,
-                        Shape::Term(..) | Shape::Part(..) | Shape::Distance => None,
+                        _ => None,
                     },
                 });
             }
@@ -166,7 +171,7 @@ pub(super) fn is_rigid(segment: &Segment, seen: &Seen) -> bool {
     let (from, to) = (segment.from, segment.to);
     let written = match segment.shape {
         Shape::Term(..) | Shape::Part(..) => seen.free().follows(&seen.stretching(from, to), &[]),
-        Shape::Distance | Shape::Body(_) => true,
+        Shape::Distance | Shape::Body(_) | Shape::Base(_) => true,
     };
     written && seen.keep_distance(from, to)
 }

@@ -8,7 +8,8 @@ use linkage_symbolic::{Ex, NodeId, Vn};
 use crate::algebra::Translate;
 use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
 
-use super::chains::{Sketch, Title};
+use super::chains::Sketch;
+use super::marks::Title;
 use super::parts::{Part, Slide, Turn};
 use super::roles::Moves;
 

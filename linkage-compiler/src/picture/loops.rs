@@ -3,9 +3,10 @@
 use linkage_symbolic::{Ex, NodeId, Vector};
 
 use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Loop, Mechanism, Name, Type};
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type};
 
-use super::chains::{Asked, Line, Shape, Sketch, Term, Title};
+use super::chains::Sketch;
+use super::marks::{Asked, Line, Shape, Term, Title};
 
 /// Names in derived quantities stand behind those in loops, and where no loop uses the quantity behind all others.
 const LET: [u8; 2] = [3, 6];
@@ -19,7 +20,8 @@ impl<'m> Sketch<'_, 'm> {
             if self.is_anywhere(own) {
                 self.undrawn.push(index + 1);
             } else {
-                self.look_at_loop(own);
+                let frames = self.frames_of_loop(index);
+                self.within(frames, |sketch| sketch.look_at_loop(own));
             }
         }
         self.look_at_bodies();
@@ -36,17 +38,22 @@ impl<'m> Sketch<'_, 'm> {
                 continue;
             }
             self.remoteness = LET[usize::from(!usage.lets[index])];
-            if let Some(point) = self.point_of(&own.value) {
-                let at = self.vector(&own.value);
-                let named = self.point(at);
-                for point in [point, named] {
-                    let text = own.name.clone();
-                    self.call(point, Title { rank: 0, text });
-                }
-                self.points[named].wanted = true;
-            }
+            let frames = self.frames_of(Name::Let(index));
+            self.within(frames, |sketch| sketch.look_at_let(own));
         }
         self.remoteness = 0;
+    }
+
+    fn look_at_let(&mut self, own: &'m Let) {
+        if let Some(point) = self.point_of(&own.value) {
+            let at = self.vector(&own.value);
+            let named = self.point(at);
+            for point in [point, named] {
+                let text = own.name.clone();
+                self.call(point, Title { rank: 0, text });
+            }
+            self.points[named].wanted = true;
+        }
     }
 
     /// Unknown points.
@@ -60,7 +67,9 @@ impl<'m> Sketch<'_, 'm> {
             if is_point && !self.roles.is_step(Name::Unknown(index)) {
                 let numbers = self.algebra.names.numbers_of(index).into_iter();
                 let numbers: Vec<NodeId> = numbers.map(Ex::id).collect();
-                let point = self.point(self.algebra.graph.components(&numbers));
+                let at = self.algebra.graph.components(&numbers);
+                let frames = self.frames_of(Name::Unknown(index));
+                let point = self.within(frames, |sketch| sketch.point(at));
                 let text = own.name.clone();
                 self.call(point, Title { rank: 1, text });
                 self.points[point].wanted = true;
@@ -177,8 +186,9 @@ impl<'m> Sketch<'_, 'm> {
             }
             ExprKind::Name(Name::Let(index)) => {
                 if self.searched.insert(*index) {
-                    let mechanism = self.algebra.mechanism;
-                    self.look_for_rods(&mechanism.lets[*index].value, title);
+                    let own = &self.algebra.mechanism.lets[*index].value;
+                    let frames = self.frames_of(Name::Let(*index));
+                    self.within(frames, |sketch| sketch.look_for_rods(own, title));
                 }
             }
             _ => {
@@ -240,6 +250,7 @@ impl<'m> Sketch<'_, 'm> {
             let unit = Vector([unit.at(0), unit.at(1)]);
             // Across what the product is taken with, or along it.
             let along = if is_dot { unit.perp() } else { unit }.into();
+            let along = self.seen_way(along);
             let name = self.points[slider].name.as_ref();
             let name = name.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
             let carrier = Some(carrier);

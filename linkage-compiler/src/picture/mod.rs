@@ -8,7 +8,9 @@
 //! |---|---|
 //! | `roles` | is a named vector a point, or a step from one to another? |
 //! | `chains` | sums of vectors as chains of points |
+//! | `marks` | points and steps of a sketch |
 //! | `starts` | points that chains begin with |
+//! | `frames` | parts that stand elsewhere |
 //! | `terms` | sums of vectors, term by term |
 //! | `literals`, `parts` | literals and turned sums, taken apart |
 //! | `titles` | what points and links are called in the program |
@@ -28,12 +30,14 @@ mod bodies;
 mod chains;
 mod check;
 mod drives;
+mod frames;
 mod free;
 mod guides;
 mod joints;
 mod links;
 mod literals;
 mod loops;
+mod marks;
 mod names;
 mod owners;
 mod parts;
@@ -44,6 +48,7 @@ mod terms;
 #[cfg(test)]
 mod tests;
 mod titles;
+mod views;
 mod welded;
 
 use linkage_symbolic::Vn;
@@ -133,7 +138,9 @@ fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
     let joints = mechanism.joints.iter().map(|own| &own.at);
     let lets = || mechanism.lets.iter().map(|own| &own.value);
     let fixed = |count: usize| sides().any(|side| has_vector(side, count));
+    let mut places = mechanism.placed.iter().filter_map(|own| own.at.as_ref());
     let in_space = fixed(3)
+        || places.any(|at| has_vector(at, 3))
         || joints
             .chain(lists.iter().flatten())
             .any(|own| has_vector(own, 3));
@@ -148,6 +155,7 @@ fn has_vector(expr: &Expr, count: usize) -> bool {
     expr.parts().any(|part| match part.ty {
         Type::Vector(components, _) => components == count,
         Type::Frame => count == 3,
+        Type::PlaneFrame => count == 2,
         Type::Scalar(_) | Type::Array(_) | Type::Zero(_) | Type::Error => false,
     })
 }

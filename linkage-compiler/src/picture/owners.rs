@@ -38,7 +38,7 @@ impl Owners {
         if self.parts.is_empty() {
             return None;
         }
-        let by_name = name.and_then(|name| owner(&self.parts, name));
+        let by_name = name.and_then(|name| self.named(name));
         by_name.or_else(|| {
             let moving = points.iter().filter(|&&point| !self.fixed[point]);
             let named = moving.map(|&point| &self.of_points[point]);
@@ -48,6 +48,11 @@ impl Owners {
                 .find(has_all)
                 .filter(|_| !named.is_empty())
         })
+    }
+
+    /// The part that a name begins with.
+    pub(super) fn named(&self, name: &str) -> Option<usize> {
+        owner(&self.parts, name)
     }
 
     /// Whether a point has names of other parts only.

@@ -5,8 +5,9 @@ use linkage_symbolic::Vn;
 use crate::algebra::{Translate, Value};
 use crate::model::{Expr, ExprKind, Function};
 
-use super::chains::{Sketch, Term, Title};
+use super::chains::Sketch;
 use super::literals::Piece;
+use super::marks::{Term, Title};
 use super::roles::Moves;
 
 /// Lengths that are only turned stand behind all names in derived quantities that loops use.

@@ -6,7 +6,8 @@ use crate::model::{BinaryOp, Expr, ExprKind, Function, Loop, Mechanism, Name, Ty
 
 /// What was seen of each name.
 #[derive(Debug)]
-pub(super) struct Roles {
+pub(super) struct Roles<'m> {
+    mechanism: &'m Mechanism,
     seen: BTreeMap<Name, Evidence>,
     /// What each `let` moves with.
     moves: Vec<Moves>,
@@ -28,9 +29,10 @@ struct Evidence {
     as_step: bool,
 }
 
-impl Roles {
-    pub(super) fn of(mechanism: &Mechanism) -> Self {
+impl<'m> Roles<'m> {
+    pub(super) fn of(mechanism: &'m Mechanism) -> Self {
         let mut roles = Self {
+            mechanism,
             seen: BTreeMap::new(),
             moves: Vec::with_capacity(mechanism.lets.len()),
             differences: Vec::with_capacity(mechanism.lets.len()),
@@ -68,7 +70,7 @@ impl Roles {
         let mut terms = Vec::new();
         for (is_left, side) in [(true, &own.left), (false, &own.right)] {
             let mut summands = Vec::new();
-            signed_terms(side, true, &mut summands);
+            self.signed_terms(side, true, &mut summands);
             let summands = summands.into_iter();
             terms.extend(summands.map(|(plus, term)| (plus == is_left, plus, term)));
         }
@@ -77,8 +79,9 @@ impl Roles {
             let mut own: Vec<(bool, &Expr)> = own.map(|(_, own, term)| (*own, *term)).collect();
             // What is fixed begins; what the other side subtracts leads to where the difference begins.
             own.sort_by_key(|(own, term)| (self.moves(term) != Moves::Not, *own));
-            let names = own.iter().filter(|(_, term)| derived(term).is_some());
-            for (index, (_, name)) in names.enumerate() {
+            let names = own.iter().filter(|(_, term)| self.derived(term).is_some());
+            let names: Vec<_> = names.collect();
+            for (index, (_, name)) in names.into_iter().enumerate() {
                 match index == 0 && !self.is_difference(name) {
                     true => self.point(name),
                     false => self.step(name),
@@ -105,21 +108,26 @@ impl Roles {
             return self.differences[index];
         }
         let mut terms = Vec::new();
-        signed_terms(expr, true, &mut terms);
+        self.signed_terms(expr, true, &mut terms);
         let names = |sign: bool| {
             let own = terms
                 .iter()
-                .filter(|(plus, term)| *plus == sign && derived(term).is_some());
+                .filter(|(plus, term)| *plus == sign && self.derived(term).is_some());
             own.count()
         };
         names(true) > 0 && names(true) == names(false)
     }
 
     fn look_at(&mut self, expr: &Expr) {
+        let mechanism = self.mechanism;
+        if let Some((_, own)) = mechanism.standing(expr) {
+            self.point(own);
+            return self.look_at(own);
+        }
         match &expr.kind {
             ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => {
                 let mut terms = Vec::new();
-                signed_terms(expr, true, &mut terms);
+                self.signed_terms(expr, true, &mut terms);
                 for (index, (plus, term)) in terms.iter().enumerate() {
                     match (index, plus) {
                         (0, true) => self.point(term),
@@ -137,7 +145,7 @@ impl Roles {
                 if matches!(divisor.kind, ExprKind::Number(_)) =>
             {
                 let mut terms = Vec::new();
-                signed_terms(sum, true, &mut terms);
+                self.signed_terms(sum, true, &mut terms);
                 return terms
                     .into_iter()
                     .for_each(|(_, term)| self.look_inside(term));
@@ -178,35 +186,46 @@ impl Roles {
     }
 
     fn point(&mut self, expr: &Expr) {
-        if let Some(name) = derived(expr) {
+        if let Some(name) = self.derived(expr) {
             self.seen.entry(name).or_default().as_point = true;
         }
     }
 
     fn step(&mut self, expr: &Expr) {
-        if let Some(name) = derived(expr) {
+        if let Some(name) = self.derived(expr) {
             self.seen.entry(name).or_default().as_step = true;
         }
     }
-}
 
-/// A name that may stand for a point or for a step.
-fn derived(expr: &Expr) -> Option<Name> {
-    let name = expr.as_name()?;
-    match name {
-        Name::Let(_) | Name::Unknown(_) => Some(name),
-        // Where points are given, they are numbers.
-        Name::Const(_) | Name::Parameter(_) | Name::Input(_) | Name::Argument(_) | Name::Pi => None,
+    /// A name that may stand for a point or for a step.
+    fn derived(&self, expr: &Expr) -> Option<Name> {
+        let name = self.of_part(expr).as_name()?;
+        match name {
+            Name::Let(_) | Name::Unknown(_) => Some(name),
+            // Where points are given, they are numbers.
+            Name::Const(_) | Name::Parameter(_) | Name::Input(_) | Name::Argument(_) | Name::Pi => {
+                None
+            }
+        }
     }
-}
 
-/// The terms of a sum; true for those that are added.
-fn signed_terms<'e>(expr: &'e Expr, plus: bool, terms: &mut Vec<(bool, &'e Expr)>) {
-    let summands = expr.summands();
-    if summands.is_empty() {
-        return terms.push((plus, expr));
+    /// The terms of a sum; true for those that are added.
+    fn signed_terms<'e>(&self, expr: &'e Expr, plus: bool, terms: &mut Vec<(bool, &'e Expr)>) {
+        let expr = self.of_part(expr);
+        let summands = expr.summands();
+        if summands.is_empty() {
+            return terms.push((plus, expr));
+        }
+        for (adds, summand) in summands {
+            self.signed_terms(summand, plus == adds, terms);
+        }
     }
-    for (adds, summand) in summands {
-        signed_terms(summand, plus == adds, terms);
+
+    /// What is seen of a part that stands elsewhere, as the part has it.
+    fn of_part<'e>(&self, expr: &'e Expr) -> &'e Expr {
+        match self.mechanism.standing(expr) {
+            Some((_, own)) => self.of_part(own),
+            None => expr,
+        }
     }
 }

@@ -1,15 +1,13 @@
 //! The points at several positions and with other dimensions: what coincides, what stays, what keeps its distance.
 
-use std::ops::Range;
-
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::close::{ALTERATIONS, Machine, Reference, altered, places};
-use crate::model::Part;
+use crate::close::{Machine, Reference};
 
-use super::chains::Spot;
 use super::free::{Free, Rate, Track};
+use super::marks::Spot;
+use super::views::{View, views};
 
 /// Lengths that differ by a smaller share of the picture's size are equal.
 const EQUAL: f64 = 1e-9;
@@ -23,6 +21,10 @@ pub(super) struct Seen<'a> {
     views: Vec<View>,
     /// By point: its coordinates, view by view.
     tracks: Vec<Track>,
+    /// Other dimensions, where the mechanism closes with none of them: what no loop leads to stands somewhere nevertheless.
+    open: Vec<Machine>,
+    /// By point: its coordinates with these dimensions, no numbers where loops lead to it.
+    without_loops: Vec<Track>,
     /// By point: where it is and how it moves where nothing closes the loops.
     courses: Vec<Track>,
     /// By point: the first that is always at the same place.
@@ -33,14 +35,6 @@ pub(super) struct Seen<'a> {
     pub(super) size: f64,
 }
 
-/// The mechanism with some dimensions at inputs where it closes.
-struct View {
-    machine: Machine,
-    places: Vec<Vec<f64>>,
-    /// Where its coordinates are in a track.
-    own: Range<usize>,
-}
-
 impl<'a> Seen<'a> {
     pub(super) fn new<'m>(
         algebra: &mut Algebra<'m>,
@@ -48,8 +42,11 @@ impl<'a> Seen<'a> {
         reference: &'a Reference,
         nominal: &Nominal,
     ) -> Self {
+        let (views, open) = views(algebra, reference, nominal);
         let mut seen = Self {
-            views: views(algebra, reference, nominal),
+            views,
+            open,
+            without_loops: Vec::new(),
             free: Free::new(algebra, reference, nominal),
             tracks: Vec::new(),
             courses: Vec::new(),
@@ -72,6 +69,7 @@ impl<'a> Seen<'a> {
         let vectors: Vec<Vn> = points.iter().map(|point| point.at).collect();
         let tracks = self.tracks_of(&vectors);
         let courses = self.free.courses(&vectors);
+        self.without_loops.extend(self.without_loops_of(&vectors));
         for (track, course) in tracks.into_iter().zip(courses) {
             self.size = track
                 .iter()
@@ -100,6 +98,16 @@ impl<'a> Seen<'a> {
                 .collect()
         };
         divided(&self.views.iter().flat_map(look).collect(), vectors)
+    }
+
+    /// Vectors at one place with each of the dimensions that the mechanism does not close with.
+    fn without_loops_of(&self, vectors: &[Vn]) -> Vec<Track> {
+        let components: Vec<Ex> = vectors.iter().flat_map(|own| own.iter()).collect();
+        let look = |machine: &Machine| {
+            let place = self.views[0].places.first();
+            place.map(|inputs| machine.evaluate(&components, inputs))
+        };
+        divided(&self.open.iter().filter_map(look).collect(), vectors)
     }
 
     /// Where a point is at the places that are looked at with the dimensions as they are written.
@@ -194,7 +202,10 @@ impl<'a> Seen<'a> {
 
     fn coincide(&self, a: usize, b: usize) -> bool {
         let apart = self.all_distances(a, b);
+        let open = self.without_loops[a].iter().zip(&self.without_loops[b]);
+        let mut open = open.map(|(a, b)| distance(a, b));
         apart.into_iter().all(|apart| self.near(apart))
+            && open.all(|apart| apart.is_nan() || self.near(apart))
     }
 
     fn steady(&self, lengths: &[f64]) -> bool {
@@ -207,60 +218,6 @@ impl<'a> Seen<'a> {
     fn near(&self, difference: f64) -> bool {
         difference.abs() <= EQUAL * self.size
     }
-}
-
-/// The mechanism as it is written, then with other dimensions, as far as it closes.
-fn views(algebra: &Algebra, reference: &Reference, nominal: &Nominal) -> Vec<View> {
-    let mechanism = algebra.mechanism;
-    let all = places(nominal, mechanism, reference.longest);
-    let unknowns = 0..algebra.names.bound.len();
-    let numbers: Vec<Ex> = unknowns
-        .flat_map(|own| algebra.names.numbers_of(own))
-        .collect();
-    let look = |machine: &Machine| -> Vec<Vec<f64>> {
-        let closes = |inputs: &&Vec<f64>| {
-            let values = machine.evaluate(&numbers, inputs);
-            values.iter().all(|x| x.is_finite())
-        };
-        all.iter().filter(closes).cloned().collect()
-    };
-    let altered = |number: usize| altered(mechanism, nominal, reference.longest, number);
-    let of_part = |part: &Part| -> Vec<f64> {
-        let own = mechanism.scalar_parameters.iter().zip(&nominal.parameters);
-        let own = own.zip(altered(0)).map(|((scalar, &value), other)| {
-            match scalar.name.split('.').next() == Some(part.name.as_str()) {
-                true => other,
-                false => value,
-            }
-        });
-        own.collect()
-    };
-    let mut views: Vec<View> = Vec::new();
-    let mut look_at = |machine: Machine| {
-        let places = look(&machine);
-        let start = views.last().map_or(0, |view| view.own.end);
-        // Nothing is learned from one position with dimensions that nobody asked for.
-        if views.is_empty() || places.len() > 1 {
-            let own = start..start + places.len();
-            views.push(View {
-                machine,
-                places,
-                own,
-            });
-        }
-        views.len()
-    };
-    let mut count = look_at(reference.machine.clone());
-    for number in 0..ALTERATIONS {
-        count = look_at(reference.machine.with_dimensions(altered(number)));
-    }
-    // A group that is closed by steps from a table closes with no other dimensions: then parts without any are altered alone.
-    if count == 1 {
-        for part in &mechanism.parts {
-            look_at(reference.machine.with_dimensions(of_part(part)));
-        }
-    }
-    views
 }
 
 /// The parts that belong to vectors of lists of all their components.

@@ -2,11 +2,17 @@
 
 use crate::model::{Expr, ExprKind, Function};
 
-use super::chains::{Mean, Shape, Sketch};
+use super::chains::Sketch;
+use super::marks::{Mean, Shape};
 
 impl<'m> Sketch<'_, 'm> {
     /// A term that is a point.
     pub(super) fn start(&mut self, expr: &'m Expr) -> usize {
+        if let Some((frames, own)) = self.elsewhere(expr)
+            && let Some(point) = self.within(frames, |sketch| sketch.point_of(own))
+        {
+            return point;
+        }
         let at = self.vector(expr);
         let point = self.point(at);
         if let ExprKind::Call(Function::PointIn, arguments) = &expr.kind

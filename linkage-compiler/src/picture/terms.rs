@@ -2,7 +2,8 @@
 
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Name, Type};
 
-use super::chains::{MANY_TERMS, Sketch, Term};
+use super::chains::{MANY_TERMS, Sketch};
+use super::marks::Term;
 
 impl<'m> Sketch<'_, 'm> {
     /// Terms, named steps taken apart. A step of one term keeps its name.
@@ -17,6 +18,15 @@ impl<'m> Sketch<'_, 'm> {
             return;
         }
         let sign_of = |adds: bool| if adds { sign } else { -sign };
+        if self.elsewhere(expr).is_some() {
+            let (name, part) = (name.map(str::to_owned), None);
+            return terms.push(Term {
+                sign,
+                expr,
+                name,
+                part,
+            });
+        }
         match (&expr.kind, &expr.summands()[..]) {
             (ExprKind::Number(0.0), _) => {}
             (ExprKind::Name(own @ Name::Let(index)), _) if self.roles.is_step(*own) => {
@@ -48,6 +58,7 @@ impl<'m> Sketch<'_, 'm> {
         match &expr.kind {
             // A direction.
             _ if !is_length => None,
+            _ if self.algebra.mechanism.standing(expr).is_some() => Some(1.0),
             ExprKind::Name(name @ (Name::Let(_) | Name::Unknown(_))) => {
                 Some(if self.roles.is_step(*name) { 0.0 } else { 1.0 })
             }

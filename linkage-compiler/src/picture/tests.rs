@@ -567,3 +567,48 @@ fn wheels_are_of_one_part() {
         0
     );
 }
+
+/// Pivots of two parts that happen to stand at one place, where no other dimensions close: they are two points, unless they are shared.
+#[test]
+fn pivots_of_coupled_parts_that_coincide_by_chance_are_two_points() {
+    let pivots = |given: &str| {
+        let text = format!(
+            "
+        struct Platform {{
+            unit mm;
+            param pivot = (0mm, 0mm);
+            param right = (120mm, 0mm);
+            param top = (60mm, 110mm);
+            param crank = 40mm;
+            param leg = 50mm;
+            input phi = 60deg in 40deg..80deg;
+            unknown tilt = 20deg;
+            unknown leg_a = 20deg;
+            unknown leg_b = 100deg;
+            unknown leg_c = 290deg;
+            let a = pivot + polar(crank, phi) + polar(leg, leg_a);
+            loop a + polar(60mm, tilt) = right + polar(leg, leg_b);
+            loop a + polar(60mm, tilt + 60deg) = top + polar(leg, leg_c);
+        }}
+        struct M {{
+            unit mm;
+            input shaft = 60deg in 50deg..70deg;
+            part one: Platform {{ phi = shaft }};
+            part two: Platform {{ phi = shaft + 5deg{given} }};
+        }}
+        impl M {{ fn look(shaft) -> Look {{ shape: picture() }} }}"
+        );
+        let all = check_all(text.parse().expect("tokens"));
+        let machine = all.into_iter().next_back().expect("the machine");
+        assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
+        let picture = machine.unit.and_then(|own| own.picture);
+        let picture = picture.expect("a picture").to_string();
+        let ground = picture
+            .lines()
+            .filter(|line| line.starts_with("point ") && line.ends_with("Ground"));
+        ground.map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(pivots("").len(), 6, "{:?}", pivots(""));
+    let shared = ", pivot = one.pivot, right = one.right, top = one.top";
+    assert_eq!(pivots(shared).len(), 3, "{:?}", pivots(shared));
+}

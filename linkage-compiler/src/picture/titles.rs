@@ -2,7 +2,8 @@
 
 use crate::model::{BinaryOp, Expr, ExprKind, Function};
 
-use super::chains::{Sketch, Title};
+use super::chains::Sketch;
+use super::marks::Title;
 
 impl Sketch<'_, '_> {
     pub(super) fn name(&mut self, point: usize, rank: u8, expr: &Expr) {

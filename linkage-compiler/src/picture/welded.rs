@@ -3,8 +3,9 @@
 
 use linkage_symbolic::{Ex, Vn};
 
-use super::chains::{Sketch, Spot};
+use super::chains::Sketch;
 use super::free::Track;
+use super::marks::Spot;
 use super::seen::{Seen, difference};
 
 /// Two points that a link is written by, the way they are written.
@@ -78,13 +79,13 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
 
     /// Whether a step is computed from the difference of two points.
     fn is_written_with(&self, step: Vn, ends: [usize; 2]) -> bool {
-        let [from, to] = ends.map(|end| self.points[end].at);
+        let [from, to] = ends.map(|end| &self.points[end]);
         let within = |part: Ex| {
             let graph = part.graph();
             let is_number = graph.constant_value(part.id()).is_some();
             is_number || step.iter().any(|own| graph.contains(own.id(), part.id()))
         };
-        let both = [to - from, from - to];
+        let both = [from.step_to(to), to.step_to(from)];
         both.into_iter().any(|vector| vector.iter().all(within))
     }
 

@@ -25,6 +25,8 @@ pub(super) struct Alone {
     formulas: Formulas,
     /// The results for dimensions, derivatives or digits that a table does not know, if they differ.
     beside: Option<Vec<NodeId>>,
+    /// The results where a follower stands, if they differ.
+    settled: Option<Vec<NodeId>>,
     direction: Option<Direction>,
     /// What it shows, if it asks for a picture.
     pub(super) picture: Option<Picture>,
@@ -63,9 +65,21 @@ impl Alone {
             let mut inliner = inliner.clone();
             let mut choice = Choice::forward(&mut inliner, requested);
             choice.improve(own, &mut inliner, definition);
-            let beside = beside(own.algebra, formulation, &mut inliner, &choice);
+            let mut other = |asks: fn(&Prepared) -> bool, version| {
+                other(
+                    own.algebra,
+                    formulation,
+                    &mut inliner,
+                    &choice,
+                    asks,
+                    version,
+                )
+            };
+            let beside = other(|own| own.has_table(), Version::Beside);
+            let settled = other(|own| own.has_follower(), Version::Raw);
             Self {
                 beside,
+                settled,
                 picture,
                 direction: choice.direction(),
                 formulas: choice.formulas,
@@ -76,8 +90,8 @@ impl Alone {
 
     /// The angles whose values it is computed from.
     pub(super) fn valued_angles(&self) -> Vec<usize> {
-        let beside = self.beside.iter().flatten();
-        let all: Vec<NodeId> = self.formulas.last.iter().chain(beside).copied().collect();
+        let others = self.beside.iter().chain(&self.settled).flatten();
+        let all: Vec<NodeId> = self.formulas.last.iter().chain(others).copied().collect();
         valued_angles(&self.graph, &all)
     }
 
@@ -92,8 +106,11 @@ impl Alone {
         let definition = &algebra.mechanism.evaluators[index];
         self.formulas.show(&self.graph, index, watch);
         let program = schedule(&self.graph, &self.formulas.last, slots);
-        let beside = self.beside.as_ref();
-        let beside = beside.map(|outputs| schedule(&self.graph, outputs, slots));
+        let others = [&self.beside, &self.settled];
+        let [beside, settled] = others.map(|outputs| {
+            let outputs = outputs.as_ref()?;
+            Some(body(schedule(&self.graph, outputs, slots)))
+        });
         let picture = self.picture.as_ref();
         let columns = columns::columns(algebra.mechanism, definition, picture);
         Function {
@@ -102,7 +119,8 @@ impl Alone {
             arguments: definition.inputs.clone(),
             states: states(&program),
             called: body(program),
-            beside: beside.map(body),
+            beside,
+            settled,
             fields: fields::fields(algebra.mechanism, definition, picture, &columns),
             columns,
             sensitivities: self.direction.map(Direction::words),
@@ -117,18 +135,20 @@ fn body(program: Program) -> Body {
     }
 }
 
-/// The results for dimensions, derivatives or digits that the tables do not know.
-fn beside<'m>(
+/// The results with another version of the prepared states, if a coupled group asks for it and they differ.
+fn other<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
     inliner: &mut Inliner,
     choice: &Choice<'m>,
+    asks: fn(&Prepared) -> bool,
+    version: Version,
 ) -> Option<Vec<NodeId>> {
-    if !formulation.prepared().any(Prepared::has_table) {
+    if !formulation.prepared().any(|own| asks(own)) {
         return None;
     }
     for prepared in formulation.prepared() {
-        prepared.define(algebra.graph, Version::Beside);
+        prepared.define(algebra.graph, version);
     }
     let own = choice.renewed(inliner);
     Some(own).filter(|own| *own != choice.formulas.last)

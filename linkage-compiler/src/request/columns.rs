@@ -256,7 +256,7 @@ fn names(ty: &Type, labels: &[Vec<String>], name: String) -> Vec<String> {
             .collect(),
         Type::Vector(count, _) => components(*count).collect(),
         Type::Zero(count) if *count > 1 => components(*count).collect(),
-        Type::Scalar(_) | Type::Zero(_) | Type::Error => vec![name],
+        Type::Scalar(_) | Type::Zero(_) | Type::PlaneFrame | Type::Error => vec![name],
     }
 }
 
@@ -274,6 +274,6 @@ fn units(ty: &Type, length: LengthUnit) -> Vec<String> {
             origin.into_iter().chain(vec![String::new(); 9]).collect()
         }
         Type::Zero(count) => vec![String::new(); *count],
-        Type::Error => vec![String::new()],
+        Type::PlaneFrame | Type::Error => vec![String::new()],
     }
 }

@@ -86,7 +86,7 @@ fn has_rate_of_angles(mechanism: &Mechanism, definition: &EvaluatorDef, value: &
                 (inner, by_angle)
             }
         };
-        by_angle || matches!(inner.ty, Type::Scalar(own) if own.angle)
+        by_angle || matches!(inner.ty, Type::Scalar(own) if own.angle) || inner.ty == Type::Frame
     })
 }
 
@@ -134,6 +134,6 @@ fn unit_words(ty: &Type, length: LengthUnit) -> String {
             }
         }
         Type::Frame => format!("{}, its axes of length 1", length.name()),
-        Type::Zero(_) | Type::Error => String::new(),
+        Type::Zero(_) | Type::PlaneFrame | Type::Error => String::new(),
     }
 }

@@ -80,7 +80,10 @@ pub(crate) fn unit<'m>(
     let gaps = formulation.groups.iter().map(|group| group.closed.gap);
     let gaps = plain(&mut inliner, &gaps.collect::<Vec<_>>());
     let survey = plain(&mut inliner, &survey(algebra, formulation));
-    let nodes = group_nodes(algebra, formulation, &mut inliner);
+    let closing = &at.reference.machine.closing;
+    let nodes = group_nodes(algebra, formulation, at.nominal, &mut inliner, |prepared| {
+        closing.coupled[prepared.number].followed
+    });
 
     let of_groups = nodes.iter().flat_map(GroupNodes::all);
     let own: Vec<NodeId> = gaps

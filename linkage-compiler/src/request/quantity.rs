@@ -218,13 +218,29 @@ impl<'m> Request<'_, 'm> {
         if order == 0 {
             return value.clone();
         }
+        self.by_each_input(|request, input| {
+            let slope = request.derivative(value, Variable::Input(input));
+            request.by_inputs(&slope, order - 1)
+        })
+    }
+
+    /// The turning of a frame by all inputs of the function, and the derivatives of that.
+    fn turning(&mut self, frame: &Value<'m>, order: u8) -> Value<'m> {
+        self.by_each_input(|request, input| {
+            let slope = request.derivative(frame, Variable::Input(input));
+            let turning = request.algebra.turning_of_frame(frame, &slope);
+            request.by_inputs(&turning, order - 1)
+        })
+    }
+
+    fn by_each_input(
+        &mut self,
+        mut derivative: impl FnMut(&mut Self, usize) -> Value<'m>,
+    ) -> Value<'m> {
         let drives = 0..self.algebra.mechanism.inputs.len();
         let inputs = self.definition.inputs.iter().copied();
         let inputs: Vec<usize> = inputs.filter(|input| drives.contains(input)).collect();
-        let mut entries = inputs.iter().map(|&input| {
-            let slope = self.derivative(value, Variable::Input(input));
-            self.by_inputs(&slope, order - 1)
-        });
+        let mut entries = inputs.iter().map(|&input| derivative(self, input));
         match inputs.len() {
             1 => entries.next().expect("one entry"),
             _ => Value::Array(entries.collect()),
@@ -247,7 +263,10 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
             }
             ExprKind::InputDerivative(quantity, order) => {
                 let value = self.underlying(quantity);
-                self.by_inputs(&value, *order)
+                match quantity.ty {
+                    Type::Frame => self.turning(&value, *order),
+                    _ => self.by_inputs(&value, *order),
+                }
             }
             ExprKind::Sensitivity(quantity, parameters) => {
                 let value = self.underlying(quantity);

@@ -7,7 +7,7 @@ use linkage_symbolic::program::Source;
 
 use crate::algebra::Algebra;
 use crate::close::{Reference, followed_range};
-use crate::formulate::{Formulation, Solved};
+use crate::formulate::{Formulation, Prepared, Solved};
 use crate::model::{Mechanism, Shape};
 use crate::unit::{Argument, Group, Input, Parameter, Role, Scalar, Unit, Unknown};
 
@@ -119,6 +119,21 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
     groups.collect()
 }
 
+/// How a group is solved: where its assemblies cannot be listed, another way than its form says.
+fn method(solved: &Solved, reference: &Reference) -> &'static str {
+    let coupled = &reference.machine.closing.coupled;
+    let followed = |own: &&Prepared| coupled[own.number].followed;
+    match solved.prepared.as_ref().filter(followed) {
+        None => solved.closed.method,
+        Some(own) if own.has_table() => {
+            "followed from the estimates, complex solutions not listed; prepared table over the input, one Newton step, certificate"
+        }
+        Some(_) => {
+            "followed from the estimates, complex solutions not listed; prepared states, fixed number of Newton steps, certificate"
+        }
+    }
+}
+
 fn group(
     mechanism: &Mechanism,
     solved: &Solved,
@@ -136,7 +151,7 @@ fn group(
         mode: solved.mode,
         coupled: solved.prepared.is_some(),
         plus: solved.mode.is_none_or(|mode| modes[mode] > 0.0),
-        method: solved.closed.method,
+        method: method(solved, reference),
         gap_unit: solved.gap_dimension(mechanism).unit(mechanism.unit),
         parameters,
     }

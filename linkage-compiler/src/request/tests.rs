@@ -47,7 +47,7 @@ fn expect_agreement(items: &str, function: &str) {
         diagnostics: &mut diagnostics,
     };
     let structure = structure::decompose(&mut algebra, &nominal, reporter.reborrow());
-    let formulation = formulate::formulate(&mut algebra, structure);
+    let formulation = formulate::formulate(&mut algebra, &nominal, structure);
     let mut forces = Forces::new(&mut algebra);
     let others = [(false, false), (true, false), (false, true)];
     let ways = others.map(|(other_sides, products)| {

@@ -7,12 +7,16 @@
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
 
 use super::classify::Polynomials;
+use super::core_unknowns::paired;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::squared::Link;
 use super::{Analysis, Form, Rotor};
 
-/// More core unknowns than this are refused: the work of listing their assemblies grows without bound.
-pub(super) const MOST_CORE: usize = 6;
+/// Of more core unknowns than this the assemblies are not listed, a work that grows without bound: one is followed from its estimates.
+const MOST_LISTED: usize = 6;
+
+/// More core unknowns than this are refused: a step takes some hundred operations already.
+pub(super) const MOST_CORE: usize = 16;
 
 /// A coupled group.
 #[derive(Clone, Debug)]
@@ -23,6 +27,13 @@ pub(crate) struct Coupled<'m> {
     pub(crate) order: u8,
     pub(crate) blocks: Vec<Block<'m>>,
     pub(crate) core: Vec<Core>,
+}
+
+impl Coupled<'_> {
+    /// Whether its assemblies can be too many to be listed, and its matrix too large for cofactors.
+    pub(crate) fn is_large(&self) -> bool {
+        self.core.len() > MOST_LISTED
+    }
 }
 
 /// One loop of a coupled group.
@@ -37,12 +48,14 @@ pub(crate) struct Block<'m> {
     pub(crate) terms: Vec<Product<'m>>,
     /// A link in space, if the row is about the square of its vector.
     pub(crate) distance: Option<Link<'m>>,
+    /// Whether it is about numbers, as those of directions are.
+    pub(crate) number: bool,
 }
 
 impl Block<'_> {
     /// True if its rows are lengths: what a scalar loop is, nobody knows.
     pub(crate) fn is_length(&self) -> bool {
-        self.rows.len() > 1 || self.distance.is_some()
+        !self.number && (self.rows.len() > 1 || self.distance.is_some())
     }
 }
 
@@ -70,6 +83,8 @@ pub(crate) enum Core {
     /// A slide or a component of a point.
     Length {
         symbol: SymbolId,
+        /// Whether it is a number and no length: a component of a direction.
+        number: bool,
         /// 0 or 1 if both components of a point are in the core.
         component: Option<usize>,
     },
@@ -124,7 +139,10 @@ impl<'m> Analysis<'_, 'm> {
             self.block(equation, polynomials, private.map(|(private, _)| private))
         });
         let blocks = blocks.collect();
-        let core = core.into_iter().map(|k| core_of(coordinates, k)).collect();
+        let core = core
+            .into_iter()
+            .map(|k| self.of_core(&coordinates[k]))
+            .collect();
         Some(Form::Coupled(Box::new(Coupled {
             kind,
             class,
@@ -252,40 +270,7 @@ impl<'m> Analysis<'_, 'm> {
             rows: equation.rows.clone(),
             private,
             distance: equation.distance.clone(),
+            number: self.is_number_loop(equation.written),
         }
     }
-}
-
-fn core_of(coordinates: &[Coordinate], index: usize) -> (Core, Option<usize>) {
-    let coordinate = &coordinates[index];
-    match coordinate.kind {
-        CoordinateKind::Angle(angle) => (Core::Angle(angle), None),
-        CoordinateKind::Length(symbol) => (
-            Core::Length {
-                symbol,
-                component: None,
-            },
-            coordinate.unknown,
-        ),
-    }
-}
-
-/// Marks neighbours that are the components of one point of the plane.
-fn paired(core: Vec<(Core, Option<usize>)>) -> Vec<Core> {
-    let mut marked: Vec<Core> = core.iter().map(|(core, _)| *core).collect();
-    for k in 1..core.len() {
-        let together = core.iter().filter(|(_, unknown)| *unknown == core[k].1);
-        if core[k].1.is_none() || core[k].1 != core[k - 1].1 || together.count() != 2 {
-            continue;
-        }
-        for (component, place) in [k - 1, k].into_iter().enumerate() {
-            if let Core::Length { symbol, .. } = marked[place] {
-                marked[place] = Core::Length {
-                    symbol,
-                    component: Some(component),
-                };
-            }
-        }
-    }
-    marked
 }

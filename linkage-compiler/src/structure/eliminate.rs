@@ -126,13 +126,13 @@ impl<'m> Analysis<'_, 'm> {
         }
     }
 
-    fn make_explicit(&mut self, symbol: SymbolId, value: Ex<'m>) {
+    pub(super) fn make_explicit(&mut self, symbol: SymbolId, value: Ex<'m>) {
         self.substitutions.insert(symbol, value);
         self.structure.explicit.push(Explicit { symbol, value });
     }
 
     /// Substitutes in an equation; if that changes it, it also answers for the eliminated loop and unknowns.
-    fn substitute_in(
+    pub(super) fn substitute_in(
         &mut self,
         equation: &mut Equation<'m>,
         eliminated: &Equation<'m>,
@@ -160,6 +160,7 @@ impl<'m> Analysis<'_, 'm> {
             .or_else(|| self.split_across_guides(equations, coordinates))
             .or_else(|| self.double_angle(equations, coordinates))
             .or_else(|| self.relative_angle(equations, coordinates))
+            .or_else(|| self.point_to_circle(equations, coordinates))
     }
 
     /// `p + ... = 0` in one of several vector loops gives the unknown point `p`.
@@ -269,7 +270,7 @@ impl<'m> Analysis<'_, 'm> {
 }
 
 /// The symbols of coordinates that are components of one unknown.
-fn point_symbols(coordinates: &[Coordinate]) -> Option<Vec<SymbolId>> {
+pub(super) fn point_symbols(coordinates: &[Coordinate]) -> Option<Vec<SymbolId>> {
     let first = coordinates.first()?.unknown;
     coordinates
         .iter()

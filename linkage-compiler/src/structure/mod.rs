@@ -4,12 +4,15 @@
 //! directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups, in order. Each group is then brought
 //! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
 
+mod circle;
 mod class;
 mod classify;
+mod core_unknowns;
 mod coupled_core;
 mod eliminate;
 mod equations;
 mod form;
+mod frames;
 pub(crate) mod matching;
 mod point;
 mod reach;
@@ -200,6 +203,12 @@ impl<'m> Analysis<'_, 'm> {
         let own = coordinates.iter().filter_map(|c| c.unknown);
         let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
         let loops = equations.iter().flat_map(|e| e.loops.iter().copied());
+        let mut loops: Vec<usize> = loops.collect();
+        let mechanism = self.algebra.mechanism;
+        if loops.iter().any(|&k| !mechanism.is_loop_of_frame(k)) {
+            // What the user did not write has no number.
+            loops.retain(|&k| !mechanism.is_loop_of_frame(k));
+        }
         let sorted = |numbers: Vec<usize>| {
             let mut numbers = numbers;
             numbers.sort_unstable();
@@ -207,7 +216,7 @@ impl<'m> Analysis<'_, 'm> {
             numbers
         };
         self.structure.groups.push(Group {
-            loops: sorted(loops.collect()),
+            loops: sorted(loops),
             written: equations[0].written,
             unknowns: sorted(own.chain(eliminated).collect()),
             form,

@@ -72,7 +72,7 @@ impl<'m> Analysis<'_, 'm> {
     }
 
     /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
-    fn moved_point(
+    pub(super) fn moved_point(
         &mut self,
         vector: V3<'m>,
         symbols: &[SymbolId],

@@ -14,8 +14,8 @@ impl<'m> Analysis<'_, 'm> {
         incidence: &[Vec<usize>],
         matching: &Matching,
     ) -> bool {
-        let mut complete = true;
-        let mut told: Vec<usize> = Vec::new();
+        let mut told = self.report_frames(equations, coordinates, incidence, matching);
+        let mut complete = told.is_empty();
         for (k, coordinate) in coordinates.iter().enumerate() {
             if matching.equation_of[k].is_some() || told.contains(&k) {
                 continue;
@@ -228,6 +228,6 @@ pub(crate) fn loop_list<'a>(loops: impl IntoIterator<Item = &'a usize>) -> Strin
 }
 
 /// `1 unknown`, `3 unknowns`
-fn counted(count: usize, noun: &str) -> String {
+pub(super) fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }

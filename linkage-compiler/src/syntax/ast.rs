@@ -127,9 +127,11 @@ pub(crate) struct InputItem {
     pub(crate) acceleration: Option<Ident>,
 }
 
-/// `loop expr = expr;`
+/// `loop expr = expr [redundant];`
 #[derive(Debug)]
 pub(crate) struct LoopItem {
+    /// It follows from the others, and determines nothing.
+    pub(crate) redundant: bool,
     pub(crate) left: Expr,
     pub(crate) right: Expr,
     pub(crate) span: SourceSpan,
@@ -318,6 +320,21 @@ pub(crate) struct QuantityDef {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) field: Ident,
     pub(crate) value: Expr,
+}
+
+impl UnknownItem {
+    /// The number of arguments in `unknown NAME = frame(...);`, a body of the plane (2) or of space (3).
+    pub(crate) fn frame_arguments(&self) -> Option<usize> {
+        match &self.estimate.as_ref()?.kind {
+            ExprKind::Call(function, arguments) if function == "frame" => Some(arguments.len()),
+            // Anything else is a number or a vector.
+            _ => None,
+        }
+    }
+
+    pub(crate) fn is_frame(&self) -> bool {
+        self.frame_arguments().is_some()
+    }
 }
 
 impl From<&Ident> for Member {

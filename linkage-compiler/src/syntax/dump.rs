@@ -46,7 +46,10 @@ impl Display for Line<'_> {
                 Some(estimate) => write!(f, "{} = {estimate}", item.name),
                 None => write!(f, "{}", item.name),
             },
-            Item::Loop(item) => write!(f, "{} = {}", item.left, item.right),
+            Item::Loop(item) => {
+                let redundant = if item.redundant { " redundant" } else { "" };
+                write!(f, "{} = {}{redundant}", item.left, item.right)
+            }
             Item::Param(item) => write!(f, "{} = {}", item.name, item.value),
             Item::Input(item) => write!(f, "{item}"),
             Item::Part(item) => write!(f, "{item}"),

@@ -14,6 +14,9 @@ use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 
+/// Behind a loop that follows from the others.
+const REDUNDANT: &str = "redundant";
+
 impl Parser<'_> {
     /// All items up to the end of the block; those that cannot be read are reported and left out.
     pub(super) fn items(&mut self) -> Vec<Item> {
@@ -209,7 +212,7 @@ impl Parser<'_> {
         Ok(UnitItem { unit, span })
     }
 
-    /// `expr = expr` after `loop`.
+    /// `expr = expr [redundant]` after `loop`.
     fn loop_item(&mut self, start: SourceSpan) -> Parsed<LoopItem> {
         if self.stream.group(0, Delimiter::Brace).is_some() {
             let help = "write `loop expression = expression;`";
@@ -226,6 +229,18 @@ impl Parser<'_> {
         self.equals("")?;
         let right = self.expression()?;
         let span = start.to(right.span);
-        Ok(LoopItem { left, right, span })
+        let word = self.stream.ident(0).map(ToString::to_string);
+        let redundant = self.stream.eat_word(REDUNDANT);
+        if let Some(word) = word.filter(|_| !redundant)
+            && nearest(&word, [REDUNDANT]).is_some()
+        {
+            return self.expected("`;`", &format!("did you mean `{REDUNDANT}`?"));
+        }
+        Ok(LoopItem {
+            redundant,
+            left,
+            right,
+            span,
+        })
     }
 }

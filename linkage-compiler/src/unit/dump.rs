@@ -20,12 +20,18 @@ pub fn dump(unit: &Unit) -> String {
         }
     }
     for (number, group) in unit.coupled.iter().enumerate() {
-        let _ = write!(text, "\nterms of coupled group {number}\n");
+        if !group.followed {
+            let _ = write!(text, "\nterms of coupled group {number}\n");
+        }
         for (equation, exponents) in &group.terms {
             let _ = writeln!(text, "equation {equation}: {exponents:?}");
         }
+        let start = match group.followed {
+            true => ("estimate", &group.estimate),
+            false => ("coefficients", &group.system),
+        };
         for (what, program) in [
-            ("coefficients", &group.system),
+            start,
             ("correction", &group.correct),
             ("unknowns", &group.placed),
         ] {
@@ -46,6 +52,10 @@ pub fn dump(unit: &Unit) -> String {
                 text,
                 "\n{name}, for what the table does not know\n{program}"
             );
+        }
+        if let Some(settled) = &function.settled {
+            let program = &settled.program;
+            let _ = write!(text, "\n{name}, where a follower stands\n{program}");
         }
     }
     if let Some(picture) = &unit.picture {

@@ -25,6 +25,9 @@ pub struct Function {
     /// The same from a table that was prepared for other dimensions, or for derivatives and digits that the table does not
     /// have; `None` if that is no different.
     pub beside: Option<Body>,
+    /// The same where the states of all coupled groups are solutions, as those of a follower are; `None` if there is no follower, or that is
+    /// no different.
+    pub settled: Option<Body>,
     /// The fields of the result.
     pub fields: Vec<Field>,
     /// What each output is.
@@ -36,9 +39,8 @@ pub struct Function {
 impl Function {
     /// What its calls run, to be changed.
     pub(super) fn bodies_mut(&mut self) -> impl Iterator<Item = &mut Body> {
-        [Some(&mut self.called), self.beside.as_mut()]
-            .into_iter()
-            .flatten()
+        let others = [self.beside.as_mut(), self.settled.as_mut()];
+        std::iter::once(&mut self.called).chain(others.into_iter().flatten())
     }
 
     /// A sentence for the docs, a space in front, if there are derivatives by parameters.

@@ -45,10 +45,14 @@ pub struct Coupled {
     pub size: usize,
     /// What the variables of its polynomials are.
     pub variables: Vec<Variable>,
+    /// Whether the assembly is followed from the estimates: its solutions cannot be listed, and `terms` are none.
+    pub followed: bool,
     /// Equation and exponents of each term of the polynomials.
     pub terms: Vec<(usize, Vec<i8>)>,
     /// Real and imaginary part of each term's coefficient.
     pub system: Program,
+    /// The state where the unknowns are estimated, if it is followed from there: lengths grow with the links.
+    pub estimate: Program,
     /// From a state: the state after one Newton step, the square of the correction, the determinant before it.
     pub correct: Program,
     /// From a state: cosine and sine, or length, of each of `unknowns`, then the reach of the links.
@@ -75,7 +79,8 @@ pub enum Start {
 impl Coupled {
     /// Its programs, to be changed.
     pub(super) fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
-        [&mut self.system, &mut self.correct, &mut self.placed].into_iter()
+        let [system, estimate] = [&mut self.system, &mut self.estimate];
+        [system, estimate, &mut self.correct, &mut self.placed].into_iter()
     }
 }
 

@@ -17,7 +17,7 @@ fn golden(name: &str) -> String {
     fs::read_to_string(path).expect("the mechanism can be read")
 }
 
-fn checked(text: &str) -> Vec<Checked> {
+pub(super) fn checked(text: &str) -> Vec<Checked> {
     let all = check_all(text.parse().expect("tokens"));
     for own in &all {
         assert!(own.messages.is_empty(), "{:#?}", own.messages);
@@ -25,19 +25,19 @@ fn checked(text: &str) -> Vec<Checked> {
     all
 }
 
-fn unit<'c>(all: &'c [Checked], name: &str) -> &'c Unit {
+pub(super) fn unit<'c>(all: &'c [Checked], name: &str) -> &'c Unit {
     let mut named = all.iter().filter(|own| own.name.as_deref() == Some(name));
     let unit = named.next().and_then(|own| own.unit.as_ref());
     unit.expect("a mechanism of that name without a mistake")
 }
 
 /// The results of a function, by its name; angles are those nearest to their estimates.
-fn results(unit: &Unit, function: &str, dimensions: &[f64], inputs: &[f64]) -> Vec<f64> {
+pub(super) fn results(unit: &Unit, function: &str, dimensions: &[f64], inputs: &[f64]) -> Vec<f64> {
     results_of(unit, function, dimensions, inputs, &[])
 }
 
 /// With arguments behind the inputs.
-fn results_of(
+pub(super) fn results_of(
     unit: &Unit,
     function: &str,
     dimensions: &[f64],
@@ -88,7 +88,7 @@ fn own<'u>(unit: &'u Unit, function: &str) -> &'u linkage_compiler::unit::Functi
     found.expect("a function of that name")
 }
 
-fn defaults(unit: &Unit) -> Vec<f64> {
+pub(super) fn defaults(unit: &Unit) -> Vec<f64> {
     unit.scalars().map(|own| own.nominal).collect()
 }
 

@@ -9,6 +9,7 @@
 //! With several inputs, or none, the states are prepared on a [`Grid`], and four steps are made from there.
 
 mod cell;
+mod estimate;
 mod follow;
 mod grid;
 mod layout;
@@ -22,6 +23,7 @@ mod table;
 mod turning;
 mod walk;
 
+pub use estimate::{Astray, from_estimate};
 pub use grid::{Grid, GridLookup, LeftOut};
 pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};
 pub use lookup::Lookup;

@@ -38,6 +38,9 @@ pub enum Variable {
     Unit,
     /// A length, best scaled to about 1; real where it is a real number.
     Length,
+    /// A number, as a component of a direction; real where it is a real number. Unlike a length it
+    /// has no scale.
+    Number,
     /// A point `x + i y`; the next variable is its `Conjugate`. Real where the two are conjugates.
     Point,
     /// `x - i y` of the `Point` before it.
@@ -104,6 +107,8 @@ pub enum Unlisted {
         /// Number of paths followed.
         paths: usize,
     },
+    /// They were not asked for: one solution is followed from an estimate.
+    Followed,
     /// A coefficient is NaN or infinite.
     NotFinite,
     /// The solutions are not isolated points (or singular in several directions), or an equation
@@ -125,6 +130,7 @@ impl fmt::Display for Unlisted {
             Self::Lost { lost, paths } => {
                 write!(f, "{lost} of {paths} paths have no certain end")
             }
+            Self::Followed => f.write_str("a solution is followed from its estimates alone"),
             Self::NotFinite => f.write_str("a coefficient is not finite"),
             Self::Degenerate => f.write_str("the solutions are not isolated"),
         }

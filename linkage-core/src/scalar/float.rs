@@ -45,6 +45,7 @@ macro_rules! scalar {
             const VECTORISES: bool = true;
             // Single precision rounds more coarsely than tables are wrong.
             const CORRECTION_LIMIT: f64 = if $bits::BITS == 64 { 1e-7 } else { 1e-4 };
+            const LAST_CORRECTION: f64 = if $bits::BITS == 64 { 1e-10 } else { 1e-4 };
             const REFINES: bool = false;
 
             #[inline(always)]

@@ -49,6 +49,7 @@ where
 {
     const LANES: usize = S::LANES;
     const CORRECTION_LIMIT: f64 = <S::Element as Scalar>::CORRECTION_LIMIT;
+    const LAST_CORRECTION: f64 = <S::Element as Scalar>::LAST_CORRECTION;
     const REFINES: bool = false;
 
     #[inline(always)]

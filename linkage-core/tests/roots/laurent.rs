@@ -125,7 +125,7 @@ impl Laurent {
         for (exponents, value) in &self.terms {
             let exponents = (0..variables.len()).map(|j| match variables[j] {
                 Variable::Unit => -exponents[j],
-                Variable::Length => exponents[j],
+                Variable::Length | Variable::Number => exponents[j],
                 Variable::Point => exponents[j + 1],
                 Variable::Conjugate => exponents[j - 1],
             });

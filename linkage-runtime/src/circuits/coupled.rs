@@ -26,13 +26,16 @@ pub(super) struct Found {
 ///
 /// # Errors
 ///
-/// The first error of the listing if it fails everywhere.
+/// The first error of the listing if it fails everywhere; at once for a group that is followed from its estimates.
 pub(super) fn follow(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,
     slab: Slab,
     samples: &[f64],
 ) -> Result<Found, AssemblyError> {
+    if group.is_followed() {
+        return Err(group.not_listed());
+    }
     let mut found = Found {
         strands: Vec::new(),
         turning: 0,

@@ -190,7 +190,7 @@ impl Curve<'_> {
                     differences.push(from[place] * to[place + 1] - from[place + 1] * to[place]);
                     place += 2;
                 }
-                Variable::Length | Variable::Point | Variable::Conjugate => {
+                Variable::Length | Variable::Number | Variable::Point | Variable::Conjugate => {
                     differences.push(to[place] - from[place]);
                     place += 1;
                 }
@@ -212,7 +212,7 @@ impl Curve<'_> {
                     (state[place], state[place + 1]) = (c / length, s / length);
                     place += 2;
                 }
-                Variable::Length | Variable::Point | Variable::Conjugate => {
+                Variable::Length | Variable::Number | Variable::Point | Variable::Conjugate => {
                     state[place] += step;
                     place += 1;
                 }

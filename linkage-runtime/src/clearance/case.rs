@@ -38,6 +38,17 @@ pub(super) struct Variation<const K: usize> {
 /// small that it is none: both neighbouring cases are then taken for nearest, and one is dropped.
 const BESIDE: f64 = 1e-12;
 
+/// An edge of which no greater share is across another one is parallel to it but for rounding.
+const PARALLEL: f64 = 16.0 * f64::EPSILON;
+
+/// A vector as so many times an edge, and what is across the edge: what two edges have across each other is exact to
+/// rounding over their angle, where the difference `u.u w.w - (u.w)^2` would be to rounding over its square.
+fn split<const K: usize>(edge: &[f64; K], vector: &[f64; K]) -> (f64, [f64; K]) {
+    let ratio = dot(edge, vector) / dot(edge, edge);
+    let across: [f64; K] = core::array::from_fn(|k| vector[k] - ratio * edge[k]);
+    (ratio, across)
+}
+
 impl<const K: usize> Case<K> {
     pub(super) fn of<const A: usize, const B: usize>(
         parts: [Part; 2],
@@ -55,13 +66,17 @@ impl<const K: usize> Case<K> {
             [Part::Edge, Part::Vertex(_)] => [-dot(&base[0], &u[0]) / dot(&u[0], &u[0]), 0.0],
             [Part::Vertex(_), Part::Edge] => [0.0, dot(&base[0], &w[0]) / dot(&w[0], &w[0])],
             [Part::Edge, Part::Edge] => {
-                let (uu, uw, ww) = (dot(&u[0], &u[0]), dot(&u[0], &w[0]), dot(&w[0], &w[0]));
-                let (du, dw) = (dot(&base[0], &u[0]), dot(&base[0], &w[0]));
-                let determinant = uu * ww - uw * uw;
-                [
-                    (uw * dw - ww * du) / determinant,
-                    (uu * dw - uw * du) / determinant,
-                ]
+                let uu = dot(&u[0], &u[0]);
+                let [(_, across), (_, beside)] = [&w[0], &base[0]].map(|v| split(&u[0], v));
+                // Of parallel edges an end is as near as anything between: there is no such case.
+                let parallel = norm(&across) <= PARALLEL * norm(&w[0]);
+                let t = match parallel {
+                    true => f64::NAN,
+                    false => dot(&beside, &across) / dot(&across, &across),
+                };
+                // From `t`: the gap stays across the first edge, wherever rounding put the place on the second one.
+                let left = core::array::from_fn(|k| base[0][k] - t * w[0][k]);
+                [-dot(&left, &u[0]) / uu, t]
             }
         };
         let gap = core::array::from_fn(|k| {
@@ -138,14 +153,15 @@ impl<const K: usize> Case<K> {
     /// What the free places take up of the second derivative by two variables.
     fn taken_up(&self, x: &[f64; 3], y: &[f64; 3]) -> f64 {
         let [u, w] = [&self.edges[0][0], &self.edges[1][0]];
-        let (uu, uw, ww) = (dot(u, u), -dot(u, w), dot(w, w));
         match self.parts {
             [Part::Vertex(_), Part::Vertex(_)] => 0.0,
-            [Part::Edge, Part::Vertex(_)] => x[1] * y[1] / uu,
-            [Part::Vertex(_), Part::Edge] => x[2] * y[2] / ww,
+            [Part::Edge, Part::Vertex(_)] => x[1] * y[1] / dot(u, u),
+            [Part::Vertex(_), Part::Edge] => x[2] * y[2] / dot(w, w),
+            // The matrix of both places, the first one eliminated.
             [Part::Edge, Part::Edge] => {
-                let sum = x[1] * (ww * y[1] - uw * y[2]) + x[2] * (uu * y[2] - uw * y[1]);
-                sum / (uu * ww - uw * uw)
+                let (ratio, across) = split(u, w);
+                let rest = |x: &[f64; 3]| x[2] + ratio * x[1];
+                x[1] * y[1] / dot(u, u) + rest(x) * rest(y) / dot(&across, &across)
             }
         }
     }
@@ -169,5 +185,71 @@ impl<const K: usize> Case<K> {
         let held = dot(&by.gap, &by.gap) + dot(gap, &by.rate) - self.taken_up(&own, &own);
         let mixed = self.mixed(&by);
         [dot(gap, &by.gap), held - mixed * mixed / self.bend()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Case, Pair, Part};
+    use crate::clearance::shape::Jet;
+    use linkage_random::Random;
+
+    /// A vector with whole components, turned by a matrix of whole numbers that is three times a rotation: exact.
+    fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
+        [
+            2.0 * x - y + 2.0 * z,
+            2.0 * x + 2.0 * y - z,
+            2.0 * y + 2.0 * z - x,
+        ]
+    }
+
+    fn fixed(point: [f64; 3]) -> Jet<3> {
+        [point, [0.0; 3], [0.0; 3]]
+    }
+
+    /// Edges whose feet and distance are known without rounding, down to angles of 1e-7.
+    #[test]
+    fn nearly_parallel_edges_keep_their_distance() {
+        let mut random = Random::new(22);
+        let mut whole = |low: f64, high: f64| 8.0 * random.between(low, high).round();
+        for angle in [1.0, 1e-2, 1e-4, 1e-5, 1e-6, 1e-7] {
+            for _ in 0..200 {
+                let (long, height) = (whole(1e6, 4e6), whole(1e2, 1e5));
+                let other = whole(1e6, 4e6);
+                let sideways = 8.0 * (angle * other / 8.0).round().max(1.0);
+                let (u, w) = ([long, 0.0, 0.0], [other, sideways, 0.0]);
+                let feet = [0.125 * whole(1.0, 7.0) / 8.0, 0.125 * whole(1.0, 7.0) / 8.0];
+                // The first point of the second edge, if both places are one above the other.
+                let start: [f64; 3] = core::array::from_fn(|k| feet[0] * u[k] - feet[1] * w[k]);
+                let start = [start[0], start[1], -height];
+                let end = core::array::from_fn(|k| start[k] + w[k]);
+                let pair = Pair {
+                    first: [fixed([0.0; 3]), fixed(turned(u))],
+                    second: [fixed(turned(start)), fixed(turned(end))],
+                };
+                let case = Case::of([Part::Edge; 2], &pair);
+                let distance = 3.0 * height;
+                let error = (case.distance() - distance).abs() / distance;
+                assert!(error < 1e-14, "{angle}: {error} of the distance");
+                let angle = sideways / other;
+                let bound = 1e-14 * (1.0 + height / (angle * other)) / angle;
+                for (foot, known) in case.feet.iter().zip(feet) {
+                    let error = (foot - known).abs();
+                    assert!(error < bound, "{angle}: {error} of an edge, not {bound}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn parallel_edges_are_nearest_at_an_end() {
+        let [a, b, c] = [[0.1, 0.2, 0.3], [0.7, 1.4, 2.1], [0.4, 1.0, 1.8]];
+        let d = core::array::from_fn(|k| c[k] + 0.7 * (b[k] - a[k]));
+        let pair = Pair {
+            first: [fixed(a), fixed(b)],
+            second: [fixed(c), fixed(d)],
+        };
+        assert!(!Case::of([Part::Edge; 2], &pair).is_nearest());
+        assert!(Case::of([Part::Edge, Part::Vertex(0)], &pair).is_nearest());
     }
 }

@@ -35,6 +35,8 @@ pub enum PhaseError {
         /// Its end.
         to: f64,
     },
+    /// No pair of organs is given.
+    NoPairs,
     /// A step is not positive and finite, or there is none in the range.
     Step {
         /// The step.
@@ -73,6 +75,9 @@ impl fmt::Display for PhaseError {
                  other organ past them",
                 which(second),
                 degrees(at)
+            ),
+            Self::NoPairs => f.write_str(
+                "there are no organs to keep apart\nhelp: add pairs of organs with `pair`",
             ),
             Self::Phases { from, to } => write!(
                 f,

@@ -72,6 +72,15 @@ impl<const K: usize> Probe<K> {
         self.lines.iter().map(above).fold(f64::INFINITY, f64::min)
     }
 
+    /// What the least distance exceeds nowhere so far to both sides.
+    pub(super) fn within(&self, reach: f64, limits: Limits) -> f64 {
+        let above = |line: &Line| {
+            let bend = limits.bend(line.q, reach);
+            line.q + reach * (line.slope.abs() + 0.5 * bend * reach)
+        };
+        self.lines.iter().map(above).fold(f64::INFINITY, f64::min)
+    }
+
     /// Where between two phases the least distance is probably largest, by the parabolas of the minima at both ends:
     /// the top of one of them, or where two cross. Each end has all its minima: beside a place where two are equal,
     /// both are known there.

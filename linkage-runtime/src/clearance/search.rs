@@ -62,17 +62,17 @@ pub(super) struct Search<const K: usize> {
 const INTERVALS: usize = 16;
 
 /// By how much more, as a share, a least distance might be than the one that is told.
-const CERTAIN: f64 = 1e-3;
+pub(super) const CERTAIN: f64 = 1e-3;
 
 /// Beside a touch the distance grows by as much as the organ moves, so that phases would have to be as close as what
 /// is looked for: less than this share of its way over a radian at its fastest is not.
-const TOUCH: f64 = 5e-3;
+pub(super) const TOUCH: f64 = 5e-3;
 
 /// More phases are not looked at: the bound then tells what is left open.
 const PROBES: usize = 1000;
 
 /// Equal up to rounding: distances of contacts, as a share of them.
-const EQUAL: f64 = 1e-9;
+pub(super) const EQUAL: f64 = 1e-9;
 
 /// By how much the square of a distance, as a share of it, may be lower by rounding.
 const NOISE: f64 = 1e-13;

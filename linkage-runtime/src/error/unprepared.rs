@@ -60,6 +60,11 @@ pub enum CoupledCause {
         /// Why.
         Unlisted,
     ),
+    /// The solutions cannot be listed, and the estimates, from which one is followed, do not lead to any: a dead point is on the way.
+    NotReached {
+        /// The part of what the estimates miss by that is left there.
+        left: f64,
+    },
     /// The assembly is at a dead point at the reference input.
     Singular,
     /// The range of the input runs into a dead point, where the assembly ends.
@@ -154,6 +159,12 @@ impl fmt::Display for CoupledCause {
                 f,
                 "cannot be solved: the solutions at the reference input cannot all be listed: {why}; this is a limit of \
                  linkage, not of the mechanism"
+            ),
+            Self::NotReached { left } => write!(
+                f,
+                "cannot be reached from its estimates at the reference input: a dead point is met where {:.1} % of what they miss by is \
+                 taken back; the links do not reach each other, or the estimates are too far off",
+                100.0 * (1.0 - left)
             ),
             Self::Singular => {
                 f.write_str("cannot run from the reference input: it is a dead point")

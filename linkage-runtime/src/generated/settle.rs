@@ -34,7 +34,8 @@ pub(super) fn moved(
 
 /// The scales of lengths to try: one, if there are none.
 pub(super) fn scales(variables: &[Variable]) -> &'static [f64] {
-    let lengths = variables.iter().any(|variable| *variable != Variable::Unit);
+    let has_scale = |variable: &Variable| !matches!(variable, Variable::Unit | Variable::Number);
+    let lengths = variables.iter().any(has_scale);
     if lengths { &SCALES } else { &SCALES[..1] }
 }
 
@@ -42,6 +43,7 @@ pub(super) fn scales(variables: &[Variable]) -> &'static [f64] {
 pub(super) fn scaled(variables: &[Variable], state: &[f64], scale: f64) -> Vec<f64> {
     let numbers = variables.iter().flat_map(|variable| match variable {
         Variable::Unit => [1.0; 2].iter(),
+        Variable::Number => [1.0; 1].iter(),
         Variable::Length | Variable::Point | Variable::Conjugate => [0.0; 1].iter(),
     });
     let pairs = state.iter().zip(numbers);

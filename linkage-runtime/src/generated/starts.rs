@@ -1,5 +1,6 @@
 //! Groups without a closed form, as generated code sees them.
 
+mod estimate;
 mod grid;
 mod lanes;
 mod prepare;

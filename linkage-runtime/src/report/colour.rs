@@ -1,10 +1,14 @@
 //! Colours on light and on dark ground.
 
+mod more;
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::format;
 use std::string::String;
 
 /// What a colour is for. Its value follows from the scheme of the reader.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Colour {
     /// The ground.
     Paper,
@@ -20,8 +24,10 @@ pub(super) enum Colour {
     Gap,
     /// Curves, told apart by readers of any colour vision.
     Curve(usize),
-    /// Bodies of links.
+    /// Bodies of links; those behind the listed ones are made.
     Link(usize),
+    /// Lines of what has a made colour.
+    Rim(usize),
 }
 
 /// Colours of curves; they begin again after the last one.
@@ -38,7 +44,10 @@ const CURVE_COLOURS: [(&str, &str); CURVES] = [
     ("#3a3f47", "#d5d9df"),
 ];
 
-const LINKS: [(&str, &str); 6] = [
+/// Colours of links that are listed; behind them, one is made for each.
+pub(super) const LINKS: usize = 6;
+
+const LINK_COLOURS: [(&str, &str); LINKS] = [
     ("#c5dcee", "#2d4f6b"),
     ("#f4d3bd", "#6b4630"),
     ("#c4e3d8", "#2b5a4b"),
@@ -57,13 +66,30 @@ impl Colour {
         Self::Gap,
     ];
 
+    /// Lines about a thing with this of the colours of links.
+    pub(super) const fn line_of(link: usize) -> Self {
+        match link {
+            0..LINKS => Self::Curve(link),
+            _ => Self::Rim(link),
+        }
+    }
+
     /// On light ground.
-    pub(super) fn light(self) -> &'static str {
+    pub(super) fn light(self) -> Cow<'static, str> {
         self.pair().0
     }
 
-    fn pair(self) -> (&'static str, &'static str) {
+    /// Whether it stands in no list: then only drawings that have it say what it is on dark ground.
+    pub(super) const fn is_made(self) -> bool {
         match self {
+            Self::Link(index) => index >= LINKS,
+            Self::Rim(_) => true,
+            _ => false,
+        }
+    }
+
+    fn pair(self) -> (Cow<'static, str>, Cow<'static, str>) {
+        let (light, dark) = match self {
             Self::Paper => ("#ffffff", "#15181d"),
             Self::Ink => ("#1c2128", "#e8eaed"),
             Self::Muted => ("#59616d", "#a7afbb"),
@@ -71,8 +97,11 @@ impl Colour {
             Self::Grid => ("#e4e7eb", "#2c323b"),
             Self::Gap => ("#eef0f2", "#22272f"),
             Self::Curve(index) => CURVE_COLOURS[index % CURVES],
-            Self::Link(index) => LINKS[index % LINKS.len()],
-        }
+            Self::Link(index @ 0..LINKS) => LINK_COLOURS[index],
+            Self::Link(index) => return more::body(index - LINKS).on_paper(),
+            Self::Rim(index) => return more::body(index - LINKS).lines(),
+        };
+        (light.into(), dark.into())
     }
 
     /// The word for it in classes.
@@ -85,26 +114,33 @@ impl Colour {
             Self::Grid => String::from("grid"),
             Self::Gap => String::from("gap"),
             Self::Curve(index) => format!("curve{}", index % CURVES),
-            Self::Link(index) => format!("link{}", index % LINKS.len()),
+            Self::Link(index) => format!("link{index}"),
+            Self::Rim(index) => format!("rim{index}"),
         }
     }
 }
 
-/// The colours of curves as variables of the page, which is light or dark as its reader has chosen.
-pub(super) fn page_rules() -> String {
+/// The colours of curves as variables of the page, which is light or dark as its reader has chosen, and those of so many links behind the
+/// listed ones.
+pub(super) fn page_rules(links: usize) -> String {
     let rules = CURVE_COLOURS
         .iter()
         .enumerate()
         .map(|(index, (light, dark))| format!("  --curve-{index}: light-dark({light}, {dark});\n"));
-    format!("\n:root {{\n{}}}\n", rules.collect::<String>())
+    let links = (LINKS..links).map(|index| {
+        let (light, dark) = more::body(index - LINKS).on_page();
+        format!("  --link-{index}: light-dark({light}, {dark});\n")
+    });
+    format!("\n:root {{\n{}}}\n", rules.chain(links).collect::<String>())
 }
 
 /// Rules that change the colours for readers who prefer a dark ground. Attributes have the light ones, so that programs
-/// that know no rules show these.
-pub(super) fn dark_rules() -> String {
+/// that know no rules show these. Made colours have rules where they are used.
+pub(super) fn dark_rules(made: BTreeSet<Colour>) -> String {
     let curves = (0..CURVES).map(Colour::Curve);
-    let links = (0..LINKS.len()).map(Colour::Link);
+    let links = (0..LINKS).map(Colour::Link);
     let colours = Colour::NAMED.into_iter().chain(curves).chain(links);
+    let colours = colours.chain(made);
     let rules: String = colours
         .map(|colour| {
             let (word, (_, dark)) = (colour.word(), colour.pair());

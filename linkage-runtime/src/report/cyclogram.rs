@@ -10,7 +10,7 @@ use std::vec::Vec;
 use super::letters::control;
 use super::units::titled;
 use super::{CsvStyle, ReportError};
-use crate::cyclogram::{Cyclogram, Motion, Organ};
+use crate::cyclogram::{Band, Cyclogram, Motion, Organ};
 
 impl Cyclogram {
     /// The intervals of all organs as CSV, organ by organ: what it does, in which band, from which angle to which,
@@ -129,9 +129,19 @@ fn organ_value(organ: &Organ) -> Value {
         "lowest": lowest,
         "highest": highest,
         "bands": organ.bands().iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "bounds": organ.bands().iter().map(bounds).collect::<Vec<_>>(),
         "intervals": intervals.collect::<Vec<_>>(),
         "events": events.collect::<Vec<_>>(),
     })
+}
+
+/// A band for programs: where it is measured from, and its numbers.
+fn bounds(band: &Band) -> Value {
+    match *band {
+        Band::Top(width) => json!(["top", width]),
+        Band::Bottom(width) => json!(["bottom", width]),
+        Band::Between(low, high) => json!(["between", low, high]),
+    }
 }
 
 const fn word(motion: Motion) -> &'static str {

@@ -27,7 +27,8 @@ use super::svg::{Element, Svg};
 use super::whole::Whole;
 use super::{Mistake, Report, ReportError};
 use arrows::Vector;
-use sheet::{Sheet, View};
+use sheet::Sheet;
+pub(super) use sheet::View;
 pub(super) use wheels::Wheels;
 
 /// A drawing of a mechanism at one position, to scale, as a picture: links as bars, links of three and more points as

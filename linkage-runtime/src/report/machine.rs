@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use std::string::ToString;
 use std::vec::Vec;
 
+use super::colour::LINKS;
 use super::shown::Shown;
 use super::{Mistake, Report, ReportError};
 use crate::cyclogram::{Cyclogram, Organ};
@@ -15,12 +16,12 @@ const FILE: &str = "cyclogram";
 
 impl Shown<'_> {
     /// Which of the colours of links a link has: that of its part, links of the machine itself that behind all parts. Without parts each
-    /// has its own.
+    /// has one of the listed ones, which begin again.
     pub(super) fn link_hue(&self, link: usize) -> usize {
         let parts = self.picture.parts;
         let of = parts.iter().position(|part| part.links.contains(&link));
         match parts {
-            [] => link,
+            [] => link % LINKS,
             _ => of.unwrap_or(parts.len()),
         }
     }
@@ -30,7 +31,7 @@ impl Shown<'_> {
         let parts = self.picture.parts;
         let of = parts.iter().position(|part| part.guides.contains(&guide));
         match parts {
-            [] => self.picture.links.len() + guide,
+            [] => (self.picture.links.len() + guide) % LINKS,
             _ => of.unwrap_or(parts.len()),
         }
     }
@@ -76,6 +77,13 @@ impl Report {
         let organs = cyclogram.organs().iter();
         let hues = organs.map(|organ| part(organ).or_else(|| others.next()));
         hues.map(Option::unwrap_or_default).collect()
+    }
+
+    /// How many colours of links the page has: of parts, of what the machine itself adds, of organs.
+    pub(super) fn link_hues(&self) -> usize {
+        let parts = self.shown().map_or(0, |shown| shown.picture.parts.len());
+        let organs = self.cyclogram.iter().flat_map(|own| self.organ_hues(own));
+        organs.fold(parts, usize::max) + 1
     }
 
     pub(super) fn cyclogram_value(&self, cyclogram: &Cyclogram) -> Value {

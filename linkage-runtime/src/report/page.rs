@@ -80,6 +80,9 @@ const LIVE: [&str; 14] = [
     include_str!("page/live/controls.js"),
 ];
 
+/// Of a page that computes a cyclogram, behind those.
+const LIVE_CYCLE: &str = include_str!("page/live/cycle.js");
+
 /// Of a page that is written anew while it is open.
 const FOLLOW: &str = include_str!("page/follow.js");
 
@@ -105,7 +108,11 @@ impl Report {
             .replace("<!-- policy -->", &self.policy())
             .replace(
                 "<!-- style -->",
-                &enclosed("style", "", &(self.styles() + &page_rules())),
+                &enclosed(
+                    "style",
+                    "",
+                    &(self.styles() + &page_rules(self.link_hues())),
+                ),
             )
             .replace("<!-- script -->", &enclosed("script", "", &script))
             .replacen(
@@ -144,7 +151,10 @@ impl Report {
     fn live(&self) -> String {
         match self.programs.is_empty() {
             true => String::from("\n"),
-            false => std::format!("\n{}\n", LIVE.join("\n")),
+            false => {
+                let cycle = self.cyclogram.as_ref().map_or("", |_| LIVE_CYCLE);
+                std::format!("\n{}\n{cycle}\n", LIVE.join("\n"))
+            }
         }
     }
 
@@ -159,18 +169,18 @@ impl Report {
 }
 
 /// Without comments and indentation, which are for readers of the sources: a fourth of a script. No text in scripts goes over lines.
-fn bare(script: &str) -> String {
+pub(super) fn bare(script: &str) -> String {
     let lines = script.lines().map(str::trim_start);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
     lines.flat_map(|line| [line, "\n"]).collect()
 }
 
-fn enclosed(tag: &str, attributes: &str, content: &str) -> String {
+pub(super) fn enclosed(tag: &str, attributes: &str, content: &str) -> String {
     std::format!("<{tag}{attributes}>\n{content}\n</{tag}>")
 }
 
 /// JSON that cannot end the element that it stands in.
-fn embedded(json: &str) -> String {
+pub(super) fn embedded(json: &str) -> String {
     json.replace('<', "\\u003c")
 }
 
@@ -188,17 +198,24 @@ mod tests {
     use std::collections::BTreeSet;
 
     /// What a page takes to compute, beside the programs, which are 78,000 bytes for the largest of the gallery: the two may have 150 KiB, 153,600 bytes.
+    /// Only a page with a cyclogram has what computes that.
     #[test]
     fn what_computes_is_small() {
         let all = [&ENGINE.join("\n"), OTHERS, &LIVE.join("\n"), LIVE_STYLE];
         let size: usize = all.iter().map(|own| bare(own).len()).sum();
         assert!(size < 75_000, "{size} bytes");
+        let cycle = bare(LIVE_CYCLE).len();
+        assert!(cycle < 6_500, "{cycle} bytes");
     }
 
     /// Comments are left out line by line: a text over lines would lose some.
     #[test]
     fn texts_end_on_their_line() {
-        let all = SCRIPTS.iter().chain(&LIVE).chain(&ENGINE).chain([&OTHERS]);
+        let all = SCRIPTS
+            .iter()
+            .chain(&LIVE)
+            .chain(&ENGINE)
+            .chain([&OTHERS, &LIVE_CYCLE]);
         for line in all.flat_map(|own| own.lines()) {
             let is_comment = line.trim_start().starts_with("//");
             assert!(is_comment || line.matches('`').count() % 2 == 0, "{line}");
@@ -209,7 +226,8 @@ mod tests {
     #[test]
     fn scripts_share_no_names() {
         let mut names = BTreeSet::new();
-        for line in SCRIPTS.iter().chain(&LIVE).flat_map(|own| own.lines()) {
+        let all = SCRIPTS.iter().chain(&LIVE).chain([&LIVE_CYCLE]);
+        for line in all.flat_map(|own| own.lines()) {
             let mut words = line.split(|c: char| !(c.is_alphanumeric() || c == '_'));
             if let Some("function" | "const" | "let") = words.next() {
                 let name = words.next().unwrap_or_default();

@@ -202,7 +202,18 @@ impl Report {
         })
     }
 
-    fn known(&self) -> Vec<String> {
+    /// Name, unit and values of a column, as [`plot`](Self::plot) finds it.
+    pub(super) fn series(&self, name: &str) -> Option<(&'static str, String, Vec<f64>)> {
+        let rates = self.true_rates();
+        let found = self.find(&rates, name)?;
+        Some((
+            found.name,
+            found.unit.into_owned(),
+            found.values.into_owned(),
+        ))
+    }
+
+    pub(super) fn known(&self) -> Vec<String> {
         let columns = self.tables.iter().flat_map(|table| table.heading.columns);
         let columns = columns.filter(|column| column.meaning != Meaning::Picture);
         let columns = columns.map(|column| column.name.to_string());

@@ -15,6 +15,7 @@ const FONTS: &str = "system-ui, 'Segoe UI', Roboto, Helvetica, Arial, 'DejaVu Sa
 
 /// A drawing that is being written.
 pub(super) struct Svg {
+    /// As far as its colours.
     head: String,
     marks: Vec<Mark>,
 }
@@ -33,6 +34,8 @@ pub(super) struct Element {
     tag: &'static str,
     attributes: Vec<(String, String)>,
     classes: Vec<String>,
+    /// Colours that stand in no list.
+    made: Vec<Colour>,
 }
 
 impl Svg {
@@ -42,9 +45,8 @@ impl Svg {
         let (w, h) = (short(width), short(height));
         let head = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}{unit}\" height=\"{h}{unit}\" viewBox=\"0 0 {w} {h}\" role=\"img\" font-family=\"{FONTS}\">\n\
-             <title>{}</title>\n<style>{}</style>\n",
+             <title>{}</title>\n",
             escaped(title),
-            dark_rules(),
         );
         let mut svg = Self {
             head,
@@ -76,6 +78,20 @@ impl Svg {
         self.marks.push(Mark::Words(element, words.to_string()));
     }
 
+    /// What stands before all marks.
+    fn head(&self) -> String {
+        let elements = self.marks.iter().filter_map(|mark| match mark {
+            Mark::Alone(element) | Mark::Begin(element) | Mark::Words(element, _) => Some(element),
+            Mark::End(_) => None,
+        });
+        let made = elements.flat_map(|element| element.made.iter().copied());
+        format!(
+            "{}<style>{}</style>\n",
+            self.head,
+            dark_rules(made.collect())
+        )
+    }
+
     pub(super) fn finish(self) -> String {
         let marks = self.marks.iter().map(|mark| match mark {
             Mark::Alone(element) => format!("{}/>\n", element.start()),
@@ -86,7 +102,7 @@ impl Svg {
             }
         });
         let marks: String = marks.collect();
-        format!("{}{marks}</svg>\n", self.head)
+        format!("{}{marks}</svg>\n", self.head())
     }
 }
 
@@ -96,6 +112,7 @@ impl Element {
             tag,
             attributes: Vec::new(),
             classes: Vec::new(),
+            made: Vec::new(),
         }
     }
 
@@ -141,14 +158,21 @@ impl Element {
     }
 
     pub(super) fn fill(self, colour: Colour) -> Self {
-        self.class(&format!("f-{}", colour.word()))
+        self.paint(colour)
+            .class(&format!("f-{}", colour.word()))
             .set("fill", colour.light())
     }
 
     pub(super) fn stroke(self, colour: Colour, width: f64) -> Self {
-        self.class(&format!("s-{}", colour.word()))
+        self.paint(colour)
+            .class(&format!("s-{}", colour.word()))
             .set("stroke", colour.light())
             .number("stroke-width", width)
+    }
+
+    fn paint(mut self, colour: Colour) -> Self {
+        self.made.extend(colour.is_made().then_some(colour));
+        self
     }
 
     pub(super) fn class(mut self, class: &str) -> Self {

@@ -19,11 +19,18 @@ pub(crate) enum Layer {
     Names,
     Profile,
     Pitch,
+    /// A part of a machine, by its name and number.
+    Part(&'static str, usize),
 }
+
+/// The numbers of its strong colours begin with 10, and are ten apart.
+const HUES: usize = 24;
+/// From one part to the next: neighbours differ much, and all hues have their turn.
+const NEXT_HUE: usize = 7;
 
 impl Layer {
     /// Those of a mechanism.
-    pub(crate) const OF_MECHANISMS: &[Self] = &[
+    pub(crate) const OF_MECHANISMS: &'static [Self] = &[
         Self::Links,
         Self::Joints,
         Self::Paths,
@@ -34,8 +41,8 @@ impl Layer {
     ];
 
     /// Its name, and its colour among the 255 of DXF: 7 is black or white, whichever is seen.
-    const fn named(self) -> (&'static str, u8) {
-        match self {
+    fn named(self) -> (String, usize) {
+        let (name, colour) = match self {
             Self::Links => ("links", 7),
             Self::Joints => ("joints", 1),
             Self::Paths => ("paths", 5),
@@ -45,7 +52,13 @@ impl Layer {
             Self::Names => ("names", 7),
             Self::Profile => ("profile", 7),
             Self::Pitch => ("pitch", 8),
-        }
+            // No part is called as another layer.
+            Self::Part(name, index) => {
+                let hue = index * NEXT_HUE % HUES;
+                return (format!("part_{name}"), 10 * (hue + 1));
+            }
+        };
+        (String::from(name), colour)
     }
 }
 

@@ -1,5 +1,6 @@
 //! What tolerances do to a quantity at one position.
 
+use alloc::vec::Vec;
 use core::array;
 use core::fmt;
 
@@ -11,11 +12,17 @@ use crate::words::rounded;
 /// The error of a quantity of `K` components that each of `N` tolerances allows, to first order:
 /// sensitivity times tolerance.
 ///
+/// Errors are those from the value that nominal dimensions give. Where [limits](Tolerances::limits) do not lie
+/// symmetrically about a nominal dimension, the middle of its zone gives a part that is always there, the
+/// [shift](Self::shift).
+///
 /// All figures are in the unit of the quantity. They are NaN where a sensitivity is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effects<const N: usize, const K: usize> {
     tolerances: Tolerances<N>,
     effects: [[f64; K]; N],
+    /// What the middle of each zone does.
+    shifts: [[f64; K]; N],
 }
 
 /// The part of one parameter in the error.
@@ -27,12 +34,12 @@ pub struct Contribution<const K: usize> {
     pub unit: &'static str,
     /// Its tolerance.
     pub tolerance: f64,
-    /// The error when the dimension is too large by its tolerance.
+    /// The error when the dimension is too large by its tolerance, counted from the middle of its zone.
     pub effect: [f64; K],
     /// The length of `effect`.
     pub modulus: f64,
-    /// Its part of the worst case by modulus: `effect` along the direction of the worst error, divided
-    /// by that error. The parts sum up to 1.
+    /// Its part of the worst case by modulus: `effect` with its sign, and what the middle of the zone does, along the
+    /// direction of the worst error, divided by that error. The parts sum up to 1.
     pub share_of_worst_case: f64,
     /// Its part of the variance: the square of `modulus` over the sum of squares. The parts sum up to
     /// 1.
@@ -41,11 +48,13 @@ pub struct Contribution<const K: usize> {
 
 impl<const N: usize, const K: usize> Effects<N, K> {
     pub(super) fn new(tolerances: Tolerances<N>, sensitivities: &[[f64; K]; N]) -> Self {
-        let values = tolerances.values();
-        let effects = array::from_fn(|i| sensitivities[i].map(|component| component * values[i]));
+        let times = |values: &[f64; N]| {
+            array::from_fn(|i| sensitivities[i].map(|component| component * values[i]))
+        };
         Self {
             tolerances,
-            effects,
+            effects: times(&tolerances.values()),
+            shifts: times(tolerances.middles()),
         }
     }
 
@@ -54,11 +63,18 @@ impl<const N: usize, const K: usize> Effects<N, K> {
     /// no effect.
     #[must_use]
     pub fn relative_to(&self, start: &Self) -> Self {
-        let difference = |i: usize| array::from_fn(|k| self.effects[i][k] - start.effects[i][k]);
         Self {
             tolerances: self.tolerances,
-            effects: array::from_fn(difference),
+            effects: differences(&self.effects, &start.effects),
+            shifts: differences(&self.shifts, &start.shifts),
         }
+    }
+
+    /// The error when every dimension is in the middle of its zone: the mean error to first order, 0 if all zones lie
+    /// symmetrically about their nominal dimensions.
+    #[must_use]
+    pub fn shift(&self) -> [f64; K] {
+        array::from_fn(|k| self.shifts.iter().map(|shift| shift[k]).sum())
     }
 
     /// Sensitivity times tolerance of each parameter.
@@ -73,13 +89,15 @@ impl<const N: usize, const K: usize> Effects<N, K> {
         &self.tolerances
     }
 
-    /// The largest error of each component: the sum of the sizes of its effects.
+    /// The largest error of each component: the sum of the sizes of its effects, and of its shift.
     ///
     /// Different dimensions make different components large, so these errors need not occur together:
     /// see [`worst_modulus`](Self::worst_modulus).
     #[must_use]
     pub fn worst_case(&self) -> [f64; K] {
-        self.by_component(|effects| effects.map(f64::abs).sum())
+        let shift = self.shift();
+        let sum = self.by_component(|effects| effects.map(f64::abs).sum());
+        array::from_fn(|k| sum[k] + shift[k].abs())
     }
 
     /// The largest length of the error vector: the longest sum of effects over all choices of signs,
@@ -90,20 +108,28 @@ impl<const N: usize, const K: usize> Effects<N, K> {
     }
 
     /// The error vector that is longest, and the signs of the errors that give it; 0 for a parameter
-    /// without effect. The opposite signs give the opposite vector.
+    /// without effect. Without a shift the opposite signs give the opposite vector.
     #[must_use]
     pub fn worst_vector(&self) -> ([f64; K], [f64; N]) {
         match modulus::farthest(&self.vectors()) {
-            Some(corner) => (
-                array::from_fn(|k| corner.sum[k]),
-                array::from_fn(|i| corner.signs[i]),
-            ),
+            Some(corner) => {
+                // All sums lie symmetrically about 0, the shift among them: it may be the opposite sum that is meant.
+                let way = if corner.signs.get(N).is_some_and(|&sign| sign < 0.0) {
+                    -1.0
+                } else {
+                    1.0
+                };
+                (
+                    array::from_fn(|k| way * corner.sum[k]),
+                    array::from_fn(|i| way * corner.signs[i]),
+                )
+            }
             None => ([f64::NAN; K], [f64::NAN; N]),
         }
     }
 
-    /// The root of the sum of squares of each component: the error at three standard deviations, if
-    /// the tolerances are three standard deviations of independent errors.
+    /// The root of the sum of squares of each component: the error about the [shift](Self::shift) at three standard
+    /// deviations, if the tolerances are three standard deviations of independent errors.
     #[must_use]
     pub fn root_sum_square(&self) -> [f64; K] {
         let mut column = [0.0; N];
@@ -122,11 +148,13 @@ impl<const N: usize, const K: usize> Effects<N, K> {
         norm(&self.root_sum_square())
     }
 
-    /// The error when every dimension is too large by its tolerance: errors of equal sign. It is no
-    /// bound, since effects cancel each other.
+    /// The error when every dimension is at its upper limit: errors of equal sign. It is no bound, since effects
+    /// cancel each other.
     #[must_use]
     pub fn algebraic_sum(&self) -> [f64; K] {
-        self.by_component(|effects| effects.sum())
+        let shift = self.shift();
+        let sum = self.by_component(|effects| effects.sum());
+        array::from_fn(|k| sum[k] + shift[k])
     }
 
     /// What each parameter contributes.
@@ -141,7 +169,8 @@ impl<const N: usize, const K: usize> Effects<N, K> {
             let along: f64 = effect
                 .iter()
                 .zip(&worst)
-                .map(|(e, w)| e * w * signs[i])
+                .zip(&self.shifts[i])
+                .map(|((e, w), shift)| (e * signs[i] + shift) * w)
                 .sum();
             let parameter = &self.tolerances.parameters()[i];
             Contribution {
@@ -156,8 +185,15 @@ impl<const N: usize, const K: usize> Effects<N, K> {
         })
     }
 
-    fn vectors(&self) -> [[f64; 3]; N] {
-        array::from_fn(|i| in_space(&self.effects[i]))
+    /// All effects, and the shift if there is one.
+    fn vectors(&self) -> Vec<[f64; 3]> {
+        let shift = self.shift();
+        let effects = self.effects.iter();
+        let mut vectors: Vec<_> = effects.map(in_space).collect();
+        if shift != [0.0; K] {
+            vectors.push(in_space(&shift));
+        }
+        vectors
     }
 
     fn by_component(&self, sum: fn(&mut dyn Iterator<Item = f64>) -> f64) -> [f64; K] {
@@ -202,6 +238,13 @@ impl<const N: usize, const K: usize> fmt::Display for Effects<N, K> {
         }
         Ok(())
     }
+}
+
+fn differences<const N: usize, const K: usize>(
+    here: &[[f64; K]; N],
+    start: &[[f64; K]; N],
+) -> [[f64; K]; N] {
+    array::from_fn(|i| array::from_fn(|k| here[i][k] - start[i][k]))
 }
 
 fn head(f: &mut fmt::Formatter<'_>, title: &str, names: &[&str], more: &[&str]) -> fmt::Result {

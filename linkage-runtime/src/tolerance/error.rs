@@ -25,6 +25,56 @@ pub enum ToleranceError {
         /// Its tolerance.
         tolerance: f64,
     },
+    /// Limits of a dimension that are not in order, infinite or NaN.
+    Limits {
+        /// The parameter.
+        name: &'static str,
+        /// The lower limit.
+        lower: f64,
+        /// The upper limit.
+        upper: f64,
+    },
+    /// A standard uncertainty that is negative, infinite or NaN.
+    Uncertainty {
+        /// The parameter.
+        name: &'static str,
+        /// Its standard uncertainty.
+        standard: f64,
+    },
+    /// Degrees of freedom that are not at least 1.
+    DegreesOfFreedom {
+        /// The parameter.
+        name: &'static str,
+        /// Its degrees of freedom.
+        degrees: f64,
+    },
+    /// A correlation of a parameter with itself, or one that is not between -1 and 1.
+    Correlation {
+        /// The parameters.
+        names: [&'static str; 2],
+        /// The coefficient.
+        coefficient: f64,
+    },
+    /// A matrix of covariances that is not symmetric.
+    NotSymmetric {
+        /// The parameters.
+        names: [&'static str; 2],
+        /// The covariance on one side and on the other.
+        found: [f64; 2],
+    },
+    /// Correlations that no quantities have together.
+    Contradiction {
+        /// The first parameter whose correlations contradict those of the parameters before it.
+        name: &'static str,
+        /// The part of its variance that these leave to it, which is negative; or by how much a correlation is off
+        /// that follows from them, if they leave nothing.
+        left: f64,
+    },
+    /// A dimension that is correlated and whose distribution is not normal.
+    NotNormal {
+        /// The parameter.
+        name: &'static str,
+    },
     /// Parameters without a tolerance where all must have one.
     Missing {
         /// Their names.
@@ -104,6 +154,47 @@ impl fmt::Display for ToleranceError {
             Self::Invalid { name, tolerance } => write!(
                 f,
                 "the tolerance of {name} is {tolerance}: it must be finite and not negative"
+            ),
+            Self::Limits { name, lower, upper } => write!(
+                f,
+                "the limits of {name} are {lower} and {upper}: they must be finite, the lower one first"
+            ),
+            Self::Uncertainty { name, standard } => write!(
+                f,
+                "the standard uncertainty of {name} is {standard}: it must be finite and not negative"
+            ),
+            Self::DegreesOfFreedom { name, degrees } => write!(
+                f,
+                "{name} has {degrees} degrees of freedom: one at least, or infinity"
+            ),
+            Self::Correlation {
+                names: [a, b],
+                coefficient,
+            } if a == b => write!(f, "a correlation of {a} with itself, {coefficient}"),
+            Self::Correlation {
+                names: [a, b],
+                coefficient,
+            } => write!(
+                f,
+                "the correlation of {a} and {b} is {coefficient}: it must be between -1 and 1"
+            ),
+            Self::NotSymmetric {
+                names: [a, b],
+                found: [ab, ba],
+            } => write!(
+                f,
+                "the covariance of {a} and {b} is {ab}, that of {b} and {a} is {ba}"
+            ),
+            Self::Contradiction { name, left } => write!(
+                f,
+                "the correlations of {name} contradict those of the parameters before it: they leave {} of its \
+                 variance, and no variance is negative",
+                rounded(*left)
+            ),
+            Self::NotNormal { name } => write!(
+                f,
+                "{name} is correlated and not normally distributed: its joint distribution is not known. Random \
+                 sampling of correlated dimensions is for normal ones, which is our limit"
             ),
             Self::Missing { names } => write!(f, "no tolerance is given for {}", join(names, ", ")),
             Self::NoSuchParameter { index, count } => {

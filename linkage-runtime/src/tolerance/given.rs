@@ -6,12 +6,15 @@ use core::fmt;
 use super::{Effects, ToleranceError};
 use crate::Parameter;
 use crate::components::Components;
+use crate::words::rounded;
 
 /// The tolerances of `N` parameters: each dimension lies within its nominal value, plus or minus its
-/// tolerance. In the units of the parameters.
+/// tolerance, or between [other limits](Self::limits). In the units of the parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances<const N: usize> {
     parameters: [Parameter; N],
+    /// The middle of each zone, from the nominal value.
+    middles: [f64; N],
 }
 
 impl<const N: usize> Tolerances<N> {
@@ -57,6 +60,40 @@ impl<const N: usize> Tolerances<N> {
         Self::checked(parameters)
     }
 
+    /// Other limits for the parameter with this index, as deviations from its nominal value: `-0.01` and `0.02` for
+    /// 50 +0.02 -0.01 mm, `-0.03` and `-0.01` for a fit. Half the width of the zone is its tolerance then, and its
+    /// middle is where the dimension is on average.
+    ///
+    /// # Errors
+    ///
+    /// `NoSuchParameter` for an index that is not below `N`, `Limits` if the lower one is above the upper one, or one is
+    /// infinite or NaN.
+    ///
+    /// ```
+    /// use linkage_runtime::Parameter;
+    /// use linkage_runtime::tolerance::Tolerances;
+    ///
+    /// let shaft = [Parameter { name: "shaft", unit: "mm", nominal: 20.0, tolerance: 0.0 }];
+    /// let tolerances = Tolerances::<1>::declared(&shaft)?.limits(0, -0.041, -0.020)?;
+    /// assert_eq!(tolerances.to_string(), "shaft = 20 -0.02 -0.041 mm\n");
+    /// # Ok::<(), linkage_runtime::tolerance::ToleranceError>(())
+    /// ```
+    pub fn limits(mut self, index: usize, lower: f64, upper: f64) -> Result<Self, ToleranceError> {
+        let parameter = self.parameters.get_mut(index);
+        let parameter = parameter.ok_or(ToleranceError::NoSuchParameter { index, count: N })?;
+        let half = 0.5 * (upper - lower);
+        if !(half >= 0.0 && half.is_finite() && lower.is_finite()) {
+            return Err(ToleranceError::Limits {
+                name: parameter.name,
+                lower,
+                upper,
+            });
+        }
+        parameter.tolerance = half;
+        self.middles[index] = 0.5 * (lower + upper);
+        Ok(self)
+    }
+
     /// The tolerances of the parameters with these indices, for `sensitivity(q, [..])` with a list.
     ///
     /// # Errors
@@ -72,6 +109,7 @@ impl<const N: usize> Tolerances<N> {
         }
         Ok(Tolerances {
             parameters: indices.map(|index| self.parameters[index]),
+            middles: indices.map(|index| self.middles[index]),
         })
     }
 
@@ -85,6 +123,12 @@ impl<const N: usize> Tolerances<N> {
     #[must_use]
     pub fn values(&self) -> [f64; N] {
         self.parameters.map(|parameter| parameter.tolerance)
+    }
+
+    /// The middle of each zone, from the nominal value: 0 where the limits are as far from it.
+    #[must_use]
+    pub const fn middles(&self) -> &[f64; N] {
+        &self.middles
     }
 
     /// What each tolerance does to a quantity with these sensitivities.
@@ -105,16 +149,29 @@ impl<const N: usize> Tolerances<N> {
             Some(&Parameter {
                 name, tolerance, ..
             }) => Err(ToleranceError::Invalid { name, tolerance }),
-            None => Ok(Self { parameters }),
+            None => Ok(Self {
+                parameters,
+                middles: [0.0; N],
+            }),
         }
     }
 }
 
-/// One line for each parameter, as in `crank = 50 +- 0.012 mm`.
+/// One line for each parameter, as in `crank = 50 +- 0.012 mm` or `crank = 50 +0.02 -0.01 mm`.
 impl<const N: usize> fmt::Display for Tolerances<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for parameter in &self.parameters {
-            writeln!(f, "{parameter}")?;
+        for (parameter, &middle) in self.parameters.iter().zip(&self.middles) {
+            if middle == 0.0 {
+                writeln!(f, "{parameter}")?;
+                continue;
+            }
+            // Sums of a middle and half a width have roundoffs that nobody wrote.
+            let [upper, lower] = [1.0, -1.0].map(|sign| middle + sign * parameter.tolerance);
+            let limit = |x: f64| alloc::format!("{}{}", if x > 0.0 { "+" } else { "" }, rounded(x));
+            let (name, nominal) = (parameter.name, parameter.nominal);
+            write!(f, "{name} = {nominal} {} {}", limit(upper), limit(lower))?;
+            let space = if parameter.unit.is_empty() { "" } else { " " };
+            writeln!(f, "{space}{}", parameter.unit)?;
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! Random mechanisms within their tolerances.
 
 mod agreement;
-mod distribution;
+mod draw;
 mod rank;
 mod samples;
 
@@ -11,15 +11,14 @@ use alloc::vec::Vec;
 use core::array;
 use std::time::{Duration, Instant};
 
-use rand::SeedableRng;
-use rand::rngs::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 
 pub use agreement::Agreement;
-pub use distribution::Distribution;
 pub use samples::{Estimate, Samples, Statistics};
 
-use super::{ToleranceError, Tolerances};
+use draw::Draw;
+
+use super::{Distribution, ToleranceError, Tolerances, Uncertainties};
 use crate::Dimensions;
 
 /// Mechanisms that are drawn and evaluated together.
@@ -27,8 +26,8 @@ const BLOCK: usize = 1024;
 /// How long a round of blocks should take; after each the progress is reported.
 const ROUND: Duration = Duration::from_millis(100);
 
-/// A study by random sampling: mechanisms whose dimensions are drawn independently within their
-/// tolerances, each evaluated in full.
+/// A study by random sampling: mechanisms whose dimensions are drawn within their tolerances,
+/// independently or [correlated](Self::run_correlated), each evaluated in full.
 ///
 /// Equal seeds give equal samples on any number of threads: each block of 1024 mechanisms has a stream
 /// of random numbers of its own, and each mechanism uses one number for each parameter, also for those
@@ -130,9 +129,57 @@ impl<'a> MonteCarlo<'a> {
     /// `Nothing` without mechanisms, `NoSuchParameter` for a distribution of a parameter that is not
     /// there.
     pub fn run<M, const N: usize, const K: usize>(
-        mut self,
+        self,
         nominal: &M,
         tolerances: &Tolerances<N>,
+        evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync,
+    ) -> Result<Samples<N, K>, ToleranceError>
+    where
+        M: Dimensions<N> + Send,
+    {
+        let draw = Draw {
+            seed: self.seed,
+            nominal: nominal.values(),
+            middles: *tolerances.middles(),
+            tolerances: tolerances.values(),
+            distributions: self.distributions()?,
+            root: None,
+        };
+        self.sample(&draw, evaluate)
+    }
+
+    /// As [`run`](Self::run), with the distributions and correlations of `uncertainties`, which take the place of
+    /// those of the study.
+    ///
+    /// # Errors
+    ///
+    /// `Nothing` without mechanisms, `NotNormal` if a dimension of another distribution than the normal one is
+    /// correlated: its joint distribution is not known then.
+    pub fn run_correlated<M, const N: usize, const K: usize>(
+        self,
+        nominal: &M,
+        uncertainties: &Uncertainties<N>,
+        evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync,
+    ) -> Result<Samples<N, K>, ToleranceError>
+    where
+        M: Dimensions<N> + Send,
+    {
+        uncertainties.all_correlated_are_normal()?;
+        let tolerances = uncertainties.tolerances();
+        let draw = Draw {
+            seed: self.seed,
+            nominal: nominal.values(),
+            middles: *tolerances.middles(),
+            tolerances: tolerances.values(),
+            distributions: *uncertainties.distributions(),
+            root: Some(*uncertainties.root()),
+        };
+        self.sample(&draw, evaluate)
+    }
+
+    fn sample<M, const N: usize, const K: usize>(
+        mut self,
+        draw: &Draw<N>,
         evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync,
     ) -> Result<Samples<N, K>, ToleranceError>
     where
@@ -143,12 +190,6 @@ impl<'a> MonteCarlo<'a> {
                 what: "no mechanisms",
             });
         }
-        let draw = Draw {
-            seed: self.seed,
-            nominal: nominal.values(),
-            tolerances: tolerances.values(),
-            distributions: self.distributions()?,
-        };
         let count = self.count;
         let block = |index: usize| -> [Vec<f64>; K] {
             let length = BLOCK.min(count - index * BLOCK);
@@ -193,46 +234,4 @@ impl<'a> MonteCarlo<'a> {
         }
         Ok(distributions)
     }
-}
-
-/// Everything that a sample depends on.
-struct Draw<const N: usize> {
-    seed: u64,
-    nominal: [f64; N],
-    tolerances: [f64; N],
-    distributions: [Distribution; N],
-}
-
-impl<const N: usize> Draw<N> {
-    /// The mechanisms of a block.
-    fn block<M: Dimensions<N>>(&self, index: usize, length: usize) -> Vec<M> {
-        let mut random = stream(self.seed, index as u64);
-        let mut mechanism = || {
-            let mut values = self.nominal;
-            for (i, value) in values.iter_mut().enumerate() {
-                *value += self.tolerances[i] * self.distributions[i].draw(&mut random);
-            }
-            M::from_values(&values)
-        };
-        (0..length).map(|_| mechanism()).collect()
-    }
-}
-
-/// The random numbers of one block.
-fn stream(seed: u64, block: u64) -> Xoshiro256PlusPlus {
-    let mut state = mixed(mixed(seed) ^ block);
-    let mut bytes = [0; 32];
-    for word in bytes.chunks_exact_mut(8) {
-        state = mixed(state);
-        word.copy_from_slice(&state.to_le_bytes());
-    }
-    Xoshiro256PlusPlus::from_seed(bytes)
-}
-
-/// A step of SplitMix64, which spreads neighbouring numbers over all bits.
-fn mixed(state: u64) -> u64 {
-    let mut z = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }

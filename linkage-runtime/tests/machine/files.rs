@@ -31,6 +31,8 @@ fn files() {
     let json: serde_json::Value = serde_json::from_str(&machine.json()).expect("JSON");
     let at = json["organs"][1]["events"][2]["at"].as_f64();
     assert_eq!(at, Some(machine.organs()[1].events()[2].at));
+    let bounds = &json["organs"][0]["bounds"];
+    assert_eq!(*bounds, serde_json::json!([["top", 0.5]]));
     assert_eq!(json["order"].as_array().map(Vec::len), Some(6));
     assert_eq!(
         json["organs"][0]["events"][0]["sensitivity"]

@@ -2,6 +2,7 @@
 
 use crate::fixture::{FourBar, PHI, Sweep, pictured, polar};
 use crate::picture::{classed, words};
+use dxf::entities::EntityType;
 use linkage_runtime::cyclogram::{Band, Cyclogram, Organ};
 use linkage_runtime::report::Report;
 use linkage_runtime::summary::Course;
@@ -11,7 +12,7 @@ use linkage_runtime::{
 };
 use roxmltree::Document;
 use serde_json::{Value, json};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, TAU};
 
 const COLUMNS: [Column; 8] = [pictured("picture.x", "mm"); 8];
 
@@ -105,6 +106,53 @@ fn colours(svg: &Document<'_>) -> Vec<(String, String)> {
     let mut all: Vec<_> = links.collect();
     all.sort();
     all
+}
+
+/// What a part has alone is switched off with its layer; what parts share, and what the machine adds, stays.
+#[test]
+fn each_part_has_a_layer_of_its_own() {
+    let text = machine().drawing().unwrap().dxf().unwrap();
+    let drawing = dxf::Drawing::load(&mut text.as_bytes()).expect("a program reads it");
+    let hues: Vec<_> = drawing
+        .layers()
+        .map(|layer| (layer.name.clone(), layer.color.index()))
+        .collect();
+    let [hook, eye] = ["part_hook", "part_eye"].map(|name| {
+        let mut own = hues.iter().filter(|(other, _)| other == name);
+        own.next().unwrap_or_else(|| panic!("{hues:?}")).1
+    });
+    assert_ne!(hook, eye);
+    let on = |layer: &str| {
+        let own = drawing.entities().filter(|own| own.common.layer == layer);
+        let told = own.map(|own| match &own.specific {
+            EntityType::Line(line) => {
+                format!("line to {} {}", line.p2.x.round(), line.p2.y.round())
+            }
+            EntityType::ModelPoint(at) => {
+                format!("{} {}", at.location.x.round(), at.location.y.round())
+            }
+            EntityType::Circle(_) => "circle".to_owned(),
+            other => panic!("{other:?}"),
+        });
+        told.collect::<Vec<_>>()
+    };
+    // At the position next to the input's reference, 30 degrees: 50 mm there, 80 mm a quarter of a turn ahead.
+    let (sin, cos) = FRAC_PI_6.sin_cos();
+    let pin = [50.0 * cos, 50.0 * sin].map(f64::round);
+    let other = [-80.0 * sin, 80.0 * cos].map(f64::round);
+    let [x, y] = pin;
+    assert_eq!(
+        on("part_hook"),
+        [format!("line to {x} {y}"), format!("{x} {y}")]
+    );
+    let [x, y] = other;
+    let at = format!("{x} {y}");
+    assert_eq!(
+        on("part_eye"),
+        [format!("line to {at}"), at, "circle".to_owned()]
+    );
+    assert_eq!(on("links").len(), 1);
+    assert_eq!(on("joints"), ["0 0", "circle", &on("joints")[2]]);
 }
 
 #[test]

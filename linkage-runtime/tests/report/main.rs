@@ -10,6 +10,7 @@ mod dxf_files;
 mod fixture;
 mod folder;
 mod machines;
+mod many_parts;
 mod mistakes;
 mod moving;
 mod once;

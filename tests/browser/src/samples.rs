@@ -7,6 +7,7 @@ mod roundoff;
 mod sheet;
 mod sliders;
 mod spatial;
+mod yokes;
 
 pub use four_bar::{FourBar, four_bar};
 pub use machine::{lift, machine};
@@ -15,6 +16,7 @@ pub use roundoff::roundoff;
 pub use sheet::Sheet;
 pub use sliders::sliders;
 pub use spatial::{spatial, spatial_machine};
+pub use yokes::{yokes, yokes_cyclogram};
 
 use linkage_runtime::report::Report;
 use std::fs;
@@ -26,10 +28,19 @@ use std::path::{Path, PathBuf};
 /// If the report has mistakes or the file cannot be written.
 #[must_use]
 pub fn written(report: &Report, name: &str) -> PathBuf {
+    let page = report.html().unwrap_or_else(|error| panic!("{error}"));
+    page_written(&page, name)
+}
+
+/// Writes a page into `target/browser` of the workspace; its file.
+///
+/// # Panics
+/// If the file cannot be written.
+#[must_use]
+pub fn page_written(page: &str, name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/browser");
     fs::create_dir_all(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let file = folder.join(format!("{name}.html"));
-    let page = report.html().unwrap_or_else(|error| panic!("{error}"));
     fs::write(&file, page).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
     file
 }

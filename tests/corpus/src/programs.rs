@@ -62,7 +62,9 @@ pub fn programs(unit: &Unit) -> Vec<Named<'_>> {
     }
     for own in functions {
         let beside = own.beside.iter().map(|body| ("beside", body));
-        for (word, body) in [("called", &own.called)].into_iter().chain(beside) {
+        let settled = own.settled.iter().map(|body| ("settled", body));
+        let others = beside.chain(settled);
+        for (word, body) in [("called", &own.called)].into_iter().chain(others) {
             let name = format!("{word} {}", own.name);
             let given = body.stages.iter().flat_map(|own| &own.results);
             let given: BTreeSet<usize> = given.copied().collect();
@@ -153,6 +155,7 @@ fn as_function((index, own): (usize, &Named)) -> Function {
             ..Body::default()
         },
         beside: None,
+        settled: None,
         sensitivities: None,
     }
 }

@@ -135,6 +135,78 @@ pub fn camera_turn(pan: f64) -> Result<f64, AssemblyError> {
     Ok(pose.body.isometry().rotation.angle())
 }
 
+mechanism! {
+    /// The ankle of a humanoid, from the foot to its two motors.
+    pub struct Ankle {
+        unit mm;
+        param crank = 60mm;
+        input pitch = 0deg in -45deg..25deg;
+        input roll = 0deg in -20deg..20deg;
+        unknown left = 0deg;
+        unknown right = 0deg;
+        const x = (1, 0, 0);
+        const y = (0, 1, 0);
+        let heel_left = turn(turn((-50mm, 45mm, 10mm), x, roll), y, pitch);
+        let heel_right = turn(turn((-50mm, -45mm, 10mm), x, roll), y, pitch);
+        loop distance((0, 45mm, 230mm) + turn((-crank, 0, 0), y, left), heel_left) = 230mm;
+        loop distance((0, -45mm, 230mm) + turn((-crank, 0, 0), y, right), heel_right) = 230mm;
+    }
+
+    impl Ankle {
+        /// The motors, their Jacobian and Hessian.
+        pub fn motors(pitch, roll) -> Motors {
+            left, right,
+            left_by: velocity(left), right_by: velocity(right),
+            left_bends: acceleration(left), right_bends: acceleration(right),
+        }
+    }
+
+    /// The same from the motors to the foot.
+    pub struct Foot {
+        unit mm;
+        param crank = 60mm;
+        input left = 5deg in -25deg..35deg;
+        input right = 5deg in -25deg..35deg;
+        unknown pitch = 0deg;
+        unknown roll = 0deg;
+        const x = (1, 0, 0);
+        const y = (0, 1, 0);
+        let heel_left = turn(turn((-50mm, 45mm, 10mm), x, roll), y, pitch);
+        let heel_right = turn(turn((-50mm, -45mm, 10mm), x, roll), y, pitch);
+        loop distance((0, 45mm, 230mm) + turn((-crank, 0, 0), y, left), heel_left) = 230mm;
+        loop distance((0, -45mm, 230mm) + turn((-crank, 0, 0), y, right), heel_right) = 230mm;
+    }
+
+    impl Foot {
+        /// Pitch and roll.
+        pub fn tilt(left, right) -> Tilt { pitch, roll }
+    }
+}
+
+/// The torques of the ankle's motors under these moments on the foot, in single precision.
+///
+/// # Errors
+///
+/// If the links do not reach each other.
+pub fn ankle_torques(foot: [f32; 2], moments: [f32; 2]) -> Result<[f32; 2], AssemblyError> {
+    let ankle = Ankle::default().cast::<f32>().assemble()?;
+    let motors = ankle.motors(foot[0], foot[1]);
+    let by_foot = linkage::jacobian::Jacobian::of_results([motors.left_by, motors.right_by]);
+    Ok(by_foot.inverse().efforts(moments))
+}
+
+/// Pitch and roll of the foot: what both motors determine together is prepared on a grid.
+///
+/// # Errors
+///
+/// If the links do not reach each other.
+#[cfg(feature = "alloc")]
+pub fn ankle_tilt(motors: [f32; 2]) -> Result<[f32; 2], AssemblyError> {
+    let foot = Foot::default().cast::<f32>().assemble()?;
+    let tilt = foot.tilt(motors[0], motors[1]);
+    Ok([tilt.pitch, tilt.roll])
+}
+
 /// The diameter of a clevis pin, loose in rod and fork, 10 mm and twice 5 mm wide.
 ///
 /// # Errors

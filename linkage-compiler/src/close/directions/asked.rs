@@ -43,7 +43,7 @@ pub(super) fn asked_for(mechanism: &Mechanism) -> Vec<Asked<'_>> {
     for (item, in_loop) in mechanism.lets.iter().zip(in_loops) {
         collect(&item.value, in_loop);
     }
-    for item in &mechanism.loops {
+    for item in mechanism.loops.iter().chain(&mechanism.redundant) {
         collect(&item.left, true);
         collect(&item.right, true);
     }
@@ -84,10 +84,15 @@ fn collect<'m>(expr: &'m Expr, in_loop: bool, asked: &mut Vec<Asked<'m>>) {
         let all = match function {
             Function::Turn => vec![own("the axis of `turn`", 1, None)],
             Function::Unit => vec![own("the vector of `unit`", 0, None)],
-            Function::Frame => vec![
-                own("the x axis of `frame`", 1, None),
-                own("the z axis of `frame`", 2, Some(1)),
-            ],
+            Function::Frame => match arguments.len() {
+                // An unknown one of the plane has an angle.
+                2 if arguments[1].ty.components() == Some(1) => Vec::new(),
+                2 => vec![own("the x axis of `frame`", 1, None)],
+                _ => vec![
+                    own("the x axis of `frame`", 1, None),
+                    own("the z axis of `frame`", 2, Some(1)),
+                ],
+            },
             _ => Vec::new(),
         };
         asked.extend(all.into_iter().filter(|own| {

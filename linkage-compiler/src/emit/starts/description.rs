@@ -29,6 +29,7 @@ pub(super) fn description(outline: &Outline, unit: &Unit, group: &Coupled) -> To
     let variables = group.variables.iter().map(|variable| match variable {
         Variable::Unit => quote!(#runtime::Variable::Unit),
         Variable::Length => quote!(#runtime::Variable::Length),
+        Variable::Number => quote!(#runtime::Variable::Number),
         Variable::Point => quote!(#runtime::Variable::Point),
         Variable::Conjugate => quote!(#runtime::Variable::Conjugate),
     });

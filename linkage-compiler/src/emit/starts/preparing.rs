@@ -71,9 +71,22 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         let (with_state, call) = (with_state(number), call("correct", number));
         quote!(#with_state #runtime::stepped(__state, &#call))
     });
-    let system = arms(&|number, _| {
+    let system = arms(&|number, group| {
+        if group.followed {
+            return quote!(#runtime::Vec::new());
+        }
         let call = call("system", number);
         quote!(let __x = self.__place(__own); #runtime::pairs(&#call))
+    });
+    let estimate = unit.coupled.iter().any(|group| group.followed).then(|| {
+        let estimate = arms(&|number, group| {
+            if !group.followed {
+                return quote!(#runtime::Vec::new());
+            }
+            let call = call("estimate", number);
+            quote!(let __x = self.__place(__own); <#runtime::Vec<_> as ::core::convert::From<[_; _]>>::from(#call))
+        });
+        quote!(fn estimate(&mut self, __own: &[#float]) -> #runtime::Vec<#float> { #estimate })
     });
     let placed = arms(&|number, group| {
         let (with_state, call) = (with_state(number), call("placed", number));
@@ -113,6 +126,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         impl #runtime::CoupledPrograms for #coupled {
             fn system(&mut self, __own: &[#float]) -> #runtime::Vec<[#float; 2]> { #system }
             fn placed(&mut self, __own: &[#float], __state: &[#float]) -> #runtime::Vec<[#float; 2]> { #placed }
+            #estimate
         }
         #allow
         impl #assembly<#float> {

@@ -11,6 +11,8 @@ use quote::quote;
 use self::sample::{Sample, derive, slider_crank};
 use super::body::Runs;
 use super::{attribute, body, emit, literal, skeleton};
+use crate::diagnostic::Diagnostics;
+use crate::syntax;
 
 fn pretty(tokens: TokenStream) -> String {
     let file: syn::File = syn::parse2(tokens).expect("generated items are Rust");
@@ -165,6 +167,36 @@ fn the_skeleton_has_the_same_items() {
     );
     let known = pretty(skeleton(&quote!(::linkage), &def, Some(&mechanism)));
     assert_contains(&known, &["pub pivot: ::linkage::__private::Vector2<T>,"]);
+}
+
+#[test]
+fn the_skeleton_has_a_follower_if_there_are_several_inputs() {
+    // Within a macro nothing is laid out.
+    let packed = |text: &str| text.replace(|c: char| c.is_whitespace(), "");
+    let skeleton = |inputs: TokenStream| {
+        let tokens = quote! {
+            pub struct Rocker { unit mm; #inputs unknown s = 1mm; loop s = wrong; }
+            impl Rocker { pub fn path(phi) -> Path { s } }
+        };
+        let def = syntax::parse(tokens, &mut Diagnostics::default()).pop();
+        packed(&pretty(skeleton(
+            &quote!(::linkage),
+            &def.expect("a mechanism"),
+            None,
+        )))
+    };
+    let one = skeleton(quote!(input phi = 0deg;));
+    assert!(!one.contains("RockerFollower"), "{one}");
+    let several = skeleton(quote!(input phi = 0deg; input theta = 0deg;));
+    let pieces = [
+        "pub struct RockerFollower<'a, T = ::core::primitive::f64>",
+        "pub fn follower(&self, phi: T, theta: T)",
+        "pub fn follow(&mut self, phi: T, theta: T)",
+        "pub fn inputs(&self) -> [T; 2] { ::core::unimplemented!",
+        "pub fn path(&self,) -> __Rocker_path::Path<T> { ::core::unimplemented!",
+    ];
+    let pieces = pieces.map(packed);
+    assert_contains(&several, &pieces.each_ref().map(String::as_str));
 }
 
 #[test]

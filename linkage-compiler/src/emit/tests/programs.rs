@@ -140,6 +140,7 @@ fn function(name: &str, arguments: Vec<usize>, program: Program, fields: Vec<Fie
             program,
         },
         beside: None,
+        settled: None,
         fields,
         columns: Vec::new(),
         sensitivities: None,

@@ -220,6 +220,7 @@ pub(crate) fn mechanism() -> Mechanism {
         documentation: String::new(),
         unit: LengthUnit::Millimetre,
         constants: vec![],
+        redundant: vec![],
         parameters: vec![
             parameter("pivot", Type::Vector(2, LENGTH), 2, 0),
             parameter("crank", Type::Scalar(LENGTH), 1, 2),

@@ -1,8 +1,8 @@
 //! The equations of a core: one across each private unknown, and the rows of loops without one.
 
-use linkage_symbolic::{Ex, SymbolId, V2, Vector};
+use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
 
-use crate::algebra::CoreRow;
+use crate::algebra::{CoreRow, Order};
 use crate::formulate::Solver;
 use crate::structure::{Block, Core, Coupled, Private};
 
@@ -23,6 +23,8 @@ pub(super) struct Equations<'f, 'm> {
     pub(super) rows: Vec<CoreRow<'m>>,
     /// The derivatives of the residuals by the scaled unknowns.
     pub(super) matrix: Vec<Vec<Ex<'m>>>,
+    /// How the matrix is solved if it is too large for cofactors.
+    pub(super) order: Option<Order>,
 }
 
 /// A loop and where it stands.
@@ -62,7 +64,7 @@ impl<'f, 'm> Equations<'f, 'm> {
     /// An unknown of the core over its scaled value.
     pub(super) fn unit_of(&self, core: Core) -> Ex<'m> {
         match core {
-            Core::Angle(_) => self.one(),
+            Core::Angle(_) | Core::Length { number: true, .. } => self.one(),
             Core::Length { .. } => self.unit,
         }
     }
@@ -78,7 +80,7 @@ impl<'f, 'm> Equations<'f, 'm> {
     /// What the derivatives of a loop by an unknown of the core are multiplied by.
     pub(super) fn column_scale(&self, block: &Block<'m>, core: Core) -> Ex<'m> {
         match (core, block.is_length()) {
-            (Core::Angle(_), _) => self.row_scale(block),
+            (Core::Angle(_) | Core::Length { number: true, .. }, _) => self.row_scale(block),
             (Core::Length { .. }, true) => self.one(),
             (Core::Length { .. }, false) => self.unit,
         }
@@ -115,6 +117,7 @@ impl<'m> Solver<'_, 'm> {
             residuals: Vec::new(),
             rows: Vec::new(),
             matrix: Vec::new(),
+            order: None,
         };
         for place in equations.places() {
             match &place.block.private {
@@ -122,7 +125,19 @@ impl<'m> Solver<'_, 'm> {
                 None => self.row_by_row(&mut equations, place),
             }
         }
+        equations.order = form.is_large().then(|| self.order(&equations.matrix));
         equations
+    }
+
+    /// The order in which a matrix is eliminated, from what it is where the unknowns are estimated.
+    fn order(&self, matrix: &[Vec<Ex<'m>>]) -> Order {
+        let values = self.algebra.at_estimates(self.nominal, &matrix.concat());
+        let values: Vec<Vec<f64>> = values.chunks(matrix.len()).map(<[_]>::to_vec).collect();
+        let zero: Vec<Vec<bool>> = matrix
+            .iter()
+            .map(|row| row.iter().map(|x| x.is_zero()).collect())
+            .collect();
+        Order::new(&values, &zero)
     }
 
     /// The sum of the lengths of the links that do not depend on inputs.
@@ -139,7 +154,31 @@ impl<'m> Solver<'_, 'm> {
             .chain(distances.map(|link| vec![link.length]))
             .filter(|link| link.iter().all(|x| x.is_fixed()));
         let zero = self.algebra.zero();
-        fixed.fold(zero, |sum, link| sum + vector(&link).length())
+        let sum = fixed.fold(zero, |sum, link| sum + vector(&link).length());
+        match form.is_large() {
+            true => sum + self.between_ends(form),
+            false => sum,
+        }
+    }
+
+    /// Links that inputs change say nothing: instead of them, how far their fixed ends are from the origins of what moves. A platform whose
+    /// legs are all driven has no other size.
+    fn between_ends(&self, form: &Coupled<'m>) -> Ex<'m> {
+        let zero = self.algebra.zero();
+        let driven = form.blocks.iter().filter_map(|b| b.distance.as_ref());
+        let driven = driven.filter(|link| !link.length.is_fixed());
+        let unknowns = form.core.iter().flat_map(|core| match *core {
+            Core::Angle(angle) => self.algebra.names.angles[angle].symbols().to_vec(),
+            Core::Length { symbol, .. } => vec![symbol],
+        });
+        let nothing = unknowns.map(|symbol| (symbol, zero)).collect();
+        driven.fold(zero, |sum, link| {
+            let end = substitute(&link.vector.0, &nothing);
+            match end.iter().all(|x| x.is_fixed()) {
+                true => sum + vector(&end).length(),
+                false => sum,
+            }
+        })
     }
 
     /// The equations of a loop without a private unknown.

@@ -18,6 +18,9 @@ impl<'m> Solver<'_, 'm> {
     /// Nothing that the determinant of the core can be is larger.
     pub(super) fn largest_core_determinant(&mut self, equations: &Equations<'_, 'm>) -> Ex<'m> {
         let blocks = &equations.form.blocks;
+        if equations.order.is_some() {
+            return self.product_of_rows(equations);
+        }
         if blocks.iter().all(|block| block.rows.len() == 2) {
             return self.largest_in_plane(equations);
         }
@@ -30,6 +33,15 @@ impl<'m> Solver<'_, 'm> {
             // What a scalar loop measures, nobody knows: the determinant without its signs changes with its scale as the determinant does.
             None => self.permanent(&equations.matrix, (1 << equations.matrix.len()) - 1),
         }
+    }
+
+    /// Where what the links could do at most is too much to compute: the volume of the rows is at most the product of their lengths.
+    fn product_of_rows(&self, equations: &Equations<'_, 'm>) -> Ex<'m> {
+        let rows = equations.matrix.iter();
+        let squares = rows.map(|row| self.algebra.product_sum(row, row));
+        squares.fold(self.algebra.one(), |product, square| {
+            product * square.sqrt()
+        })
     }
 
     /// Loops of three rows: the volume of their columns is at most the product of their lengths.

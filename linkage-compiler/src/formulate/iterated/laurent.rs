@@ -49,7 +49,7 @@ impl<'m> Laurent<'m> {
             for (place, variable) in variables.iter().enumerate() {
                 match variable {
                     Variable::Unit => reflected[place] = -exponents[place],
-                    Variable::Length => {}
+                    Variable::Length | Variable::Number => {}
                     Variable::Point => reflected[place + 1] = exponents[place],
                     Variable::Conjugate => reflected[place - 1] = exponents[place],
                 }

@@ -3,6 +3,7 @@
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, substitute};
 
+use crate::algebra::InOrder;
 use crate::formulate::Solver;
 
 use super::equations::Equations;
@@ -108,10 +109,22 @@ impl<'m> Solver<'_, 'm> {
         let (residuals, entries) = all.split_at(start.len());
         let matrix: Vec<Vec<Ex>> = entries.chunks(start.len()).map(<[_]>::to_vec).collect();
 
-        let determinant = self.algebra.determinant(&matrix);
-        let numerators = self.algebra.cofactor_products(&matrix, residuals);
-        let corrections = numerators.into_iter().map(|own| -(own / determinant));
-        let corrections: Vec<Ex> = corrections.collect();
+        let (corrections, determinant): (Vec<Ex>, Ex) = match &equations.order {
+            Some(order) => {
+                let solved = self.algebra.solve_in_order(order, &matrix, residuals);
+                let InOrder {
+                    solution,
+                    determinant,
+                } = solved;
+                (solution.into_iter().map(|own| -own).collect(), determinant)
+            }
+            None => {
+                let determinant = self.algebra.determinant(&matrix);
+                let numerators = self.algebra.cofactor_products(&matrix, residuals);
+                let corrections = numerators.into_iter().map(|own| -(own / determinant));
+                (corrections.collect(), determinant)
+            }
+        };
         Step {
             start,
             size2: self.algebra.product_sum(&corrections, &corrections),

@@ -16,6 +16,8 @@ pub(super) enum Part<'m> {
     Angle(usize, V2<'m>),
     /// A scaled slide or component of a point.
     Length(SymbolId, Ex<'m>),
+    /// A number, as it is.
+    Number(SymbolId, Ex<'m>),
 }
 
 impl<'m> Part<'m> {
@@ -23,7 +25,7 @@ impl<'m> Part<'m> {
     pub(super) fn numbers(self) -> Vec<Ex<'m>> {
         match self {
             Self::Angle(_, unit) => unit.components().collect(),
-            Self::Length(_, number) => vec![number],
+            Self::Length(_, number) | Self::Number(_, number) => vec![number],
         }
     }
 
@@ -35,7 +37,7 @@ impl<'m> Part<'m> {
                 let factor = 1.5 - 0.5 * unit.square();
                 Self::Angle(angle, factor * unit)
             }
-            Self::Length(..) => self,
+            Self::Length(..) | Self::Number(..) => self,
         }
     }
 
@@ -49,6 +51,7 @@ impl<'m> Part<'m> {
                 Self::Angle(angle, Vector([cos - fall, sin + rise]))
             }
             Self::Length(symbol, number) => Self::Length(symbol, number + correction),
+            Self::Number(symbol, number) => Self::Number(symbol, number + correction),
         }
     }
 }
@@ -79,6 +82,11 @@ impl<'m> Solver<'_, 'm> {
         let mut number = || numbers.next().expect("there is always another one");
         let parts = core.iter().map(|core| match *core {
             Core::Angle(angle) => Part::Angle(angle, Vector([number(), number()])),
+            Core::Length {
+                symbol,
+                number: true,
+                ..
+            } => Part::Number(symbol, number()),
             Core::Length { symbol, .. } => Part::Length(symbol, number()),
         });
         parts.collect()
@@ -93,6 +101,7 @@ impl<'m> Solver<'_, 'm> {
                 vec![(angle.cos, cos), (angle.sin, sin)]
             }
             Part::Length(symbol, number) => vec![(symbol, unit * number)],
+            Part::Number(symbol, number) => vec![(symbol, number)],
         });
         meanings
             .map(|(symbol, value)| Meaning { symbol, value })
@@ -105,6 +114,7 @@ impl<'m> Solver<'_, 'm> {
             match *part {
                 Part::Angle(angle, direction) => self.define_angle(angle, 1.0, direction, position),
                 Part::Length(symbol, number) => self.define_length(symbol, unit * number, position),
+                Part::Number(symbol, number) => self.define_length(symbol, number, position),
             }
         }
     }

@@ -23,10 +23,17 @@ pub(crate) struct System<'m> {
 }
 
 impl<'m> System<'m> {
-    /// The scaled equations of a coupled group.
+    /// The scaled equations of a coupled group; none of one that is too large for a listing.
     pub(super) fn new(algebra: &Algebra<'m>, equations: &Equations<'_, 'm>) -> Self {
         let form = equations.form;
         let variables: Vec<Variable> = form.core.iter().map(variable).collect();
+        if form.is_large() {
+            return Self {
+                variables,
+                terms: Vec::new(),
+                coefficients: Vec::new(),
+            };
+        }
         let builder = Builder {
             algebra,
             equations,
@@ -53,8 +60,13 @@ fn variable(core: &Core) -> Variable {
     match core {
         Core::Angle(_) => Variable::Unit,
         Core::Length {
-            component: None, ..
-        } => Variable::Length,
+            component: None,
+            number,
+            ..
+        } => match number {
+            true => Variable::Number,
+            false => Variable::Length,
+        },
         Core::Length {
             component: Some(0), ..
         } => Variable::Point,
@@ -151,7 +163,6 @@ impl<'m> Builder<'_, 'm> {
 
     /// A symbol of the core in complex variables.
     fn symbol(&self, symbol: SymbolId) -> Laurent<'m> {
-        let unit = self.equations.unit;
         for (place, core) in self.equations.form.core.iter().enumerate() {
             match *core {
                 Core::Angle(angle) => {
@@ -167,7 +178,9 @@ impl<'m> Builder<'_, 'm> {
                 Core::Length {
                     symbol: own,
                     component,
+                    ..
                 } if own == symbol => {
+                    let unit = self.equations.unit_of(*core);
                     let variable = |place| self.variable(place, 1);
                     let scaled = match component {
                         None => variable(place),

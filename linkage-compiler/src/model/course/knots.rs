@@ -3,7 +3,7 @@
 use super::super::functions::CourseWord;
 use super::super::names::Resolver;
 use super::super::place::Context;
-use super::super::types::{Ends, Knot, Law};
+use super::super::types::{Ends, Knot, Law, Repeating};
 use crate::diagnostic::text::{count, nearest};
 use crate::syntax::{self, Word};
 
@@ -90,6 +90,10 @@ impl Resolver<'_> {
 
     pub(super) fn ends(&mut self, expr: &syntax::Expr) -> Option<Ends> {
         self.word_of(expr, "how the spline ends", "it may be")
+    }
+
+    pub(super) fn repeating(&mut self, expr: &syntax::Expr) -> Option<Repeating> {
+        self.word_of(expr, "how the course goes on", "it may be")
     }
 
     /// A word of one kind, which is no name of the mechanism.

@@ -38,6 +38,14 @@ vocabulary! {
     }
 }
 
+vocabulary! {
+    /// How a course of laws goes on behind its last knot where the knots span no turn.
+    pub(crate) enum Repeating {
+        /// As from the first one.
+        Periodic = "periodic",
+    }
+}
+
 /// A number along `argument`.
 #[derive(Clone, Debug)]
 pub(crate) struct Course {

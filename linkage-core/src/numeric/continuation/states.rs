@@ -43,7 +43,7 @@ fn state(variables: &[Variable], values: &[[f64; 2]]) -> Vec<f64> {
     for (variable, value) in variables.iter().zip(values) {
         match variable {
             Variable::Unit | Variable::Point => state.extend(value),
-            Variable::Length => state.push(value[0]),
+            Variable::Length | Variable::Number => state.push(value[0]),
             Variable::Conjugate => {}
         }
     }

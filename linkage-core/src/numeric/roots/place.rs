@@ -38,7 +38,7 @@ impl<const N: usize> Place<N> {
         for (j, variable) in variables.iter().enumerate() {
             let (from, flip) = match variable {
                 Variable::Unit => (j, true),
-                Variable::Length => (j, false),
+                Variable::Length | Variable::Number => (j, false),
                 Variable::Point => (j + 1, false),
                 Variable::Conjugate => (j - 1, false),
             };

@@ -78,7 +78,7 @@ fn made_real<const N: usize>(variables: &[Variable], x: &Vector<N>) -> Vector<N>
                     real[j] = real[j].scaled(1.5 - 0.5 * real[j].square());
                 }
             }
-            Variable::Length => real[j].im = 0.0,
+            Variable::Length | Variable::Number => real[j].im = 0.0,
             Variable::Point => real[j] = (x[j] + x[j + 1].conjugate()).scaled(0.5),
             Variable::Conjugate => real[j] = real[j - 1].conjugate(),
         }

@@ -6,6 +6,7 @@ use crate::numeric::nearest::{Ambiguity, nearest};
 use crate::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
 use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value};
 use alloc::boxed::Box;
+use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 use linkage_core::math;
@@ -27,7 +28,7 @@ pub struct CoupledGroup {
     pub unknowns: &'static [CoupledUnknown],
     /// The variables of its polynomial system.
     pub variables: &'static [Variable],
-    /// The terms of its polynomial system.
+    /// The terms of its polynomial system; none of a group that is followed from its estimates.
     pub terms: &'static [Term<'static>],
     /// The inputs that it depends on.
     pub inputs: &'static [CoupledInput],
@@ -71,6 +72,11 @@ pub trait CoupledPrograms: Correction {
     /// The unknowns with start estimates: cosine and sine of an angle; a length, and the factor that brings it to the size of the
     /// default mechanism, for which the estimates are.
     fn placed(&mut self, x: &[f64], state: &[f64]) -> Vec<[f64; 2]>;
+
+    /// The state where the unknowns are estimated, of a group that is followed from there.
+    fn estimate(&mut self, _x: &[f64]) -> Vec<f64> {
+        Vec::new()
+    }
 }
 
 /// A real solution of a group.
@@ -96,7 +102,7 @@ impl CoupledInput {
 }
 
 impl CoupledGroup {
-    fn error(&self, cause: CoupledCause) -> AssemblyError {
+    pub(super) fn error(&self, cause: CoupledCause) -> AssemblyError {
         AssemblyError::Coupled(Box::new(CoupledError {
             mechanism: self.mechanism,
             group: self.group,
@@ -107,7 +113,7 @@ impl CoupledGroup {
         }))
     }
 
-    fn undefined(&self) -> AssemblyError {
+    pub(super) fn undefined(&self) -> AssemblyError {
         AssemblyError::Undefined {
             mechanism: self.mechanism,
             group: self.group,
@@ -182,7 +188,7 @@ impl CoupledGroup {
         Ok(solutions)
     }
 
-    fn solution(
+    pub(super) fn solution(
         &self,
         programs: &mut dyn CoupledPrograms,
         x: &[f64],
@@ -238,7 +244,7 @@ impl CoupledGroup {
     }
 }
 
-/// All real solutions at the inputs `x`, the nearest to the estimates first.
+/// All real solutions at the inputs `x`, the nearest to the estimates first; of a group that is followed the one to which these lead.
 ///
 /// # Errors
 ///
@@ -248,20 +254,26 @@ pub fn list(
     programs: &mut dyn CoupledPrograms,
     x: &[f64],
 ) -> Result<Vec<CoupledSolution>, AssemblyError> {
+    if group.is_followed() {
+        return group.followed(programs, x).map(|found| vec![found]);
+    }
     let listing = group.listed(&programs.system(x))?;
     group.solutions(&listing, programs, x)
 }
 
-/// The solution at the inputs `x` that is nearest to the estimates.
+/// The solution at the inputs `x` that is nearest to the estimates, or to which they lead.
 ///
 /// # Errors
 ///
-/// If the solutions cannot be listed, none is real, two are equally near, or two meet at a turning point.
+/// If the solutions cannot be listed, none is real, two are equally near, or two meet at a turning point; if the estimates lead nowhere.
 pub fn couple(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,
     x: &[f64],
 ) -> Result<CoupledSolution, AssemblyError> {
+    if group.is_followed() {
+        return group.followed(programs, x);
+    }
     let listing = group.listed(&programs.system(x))?;
     if listing.multiple > 0 {
         // The one that is meant may be among those that meet.

@@ -119,7 +119,7 @@ fn row(svg: &mut Svg, places: &Places, organ: &Organ, hue: usize, top: f64) {
             line.stroke(Colour::Frame, 0.8)
                 .set("stroke-dasharray", "2.5 3"),
         );
-        svg.add(Element::circle([x, y], 2.2).fill(Colour::Curve(hue)));
+        svg.add(Element::circle([x, y], 2.2).fill(Colour::line_of(hue)));
         // Angles that have no room stand in the tables.
         if x - free >= ANGLE {
             let words = Element::text([x, top + STROKE + 19.0], 11.0).anchor("middle");
@@ -168,7 +168,7 @@ fn stretch(
         svg.add(bar.number("height", STROKE).fill(Colour::Link(hue)));
     }
     let line = Element::polyline([[left, levels[0]], [right, levels[1]]]);
-    svg.add(line.stroke(Colour::Curve(hue), if dwell { 2.6 } else { 1.8 }));
+    svg.add(line.stroke(Colour::line_of(hue), if dwell { 2.6 } else { 1.8 }));
     let word = word(motion);
     if dwell && right - left > CHARACTER * word.len() as f64 + 8.0 {
         // On the side of the line where there is room.

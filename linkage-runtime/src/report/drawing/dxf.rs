@@ -10,7 +10,7 @@ use super::wheels::Wheels;
 use crate::report::ReportError;
 use crate::report::tags::{Layer, Tags};
 use crate::words::rounded;
-use crate::{GuideShape, PointKind};
+use crate::{GuideShape, PicturePart, PointKind};
 
 /// Shares of the mechanism's size, the diagonal of the box about all places of its points: the radius of joints, half the length of
 /// axes, the height of letters.
@@ -22,7 +22,8 @@ const BLOCK: [f64; 2] = [4.0, 2.2];
 
 impl Drawing<'_> {
     /// The drawing as DXF (release 12, which every such program reads), in the mechanism's unit of length: links, joints, paths, guides,
-    /// gears, axes and names on a layer each, at the drawing's position, every number with all of its digits. In the plane links of three
+    /// gears, axes and names on a layer each, links, guides and joints of a part of a machine on the layer `part_` with
+    /// its name, at the drawing's position, every number with all of its digits. In the plane links of three
     /// points and more are their outline; a mechanism in space is not projected, and its links are lines between their points.
     ///
     /// # Errors
@@ -33,7 +34,10 @@ impl Drawing<'_> {
         let [low, high] = self.bounds(row);
         let size = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>();
         let size = if size > 0.0 { size.sqrt() } else { 1.0 };
-        let mut tags = Tags::new(Layer::OF_MECHANISMS, [low, high], size * JOINT);
+        let mut layers = Layer::OF_MECHANISMS.to_vec();
+        let parts = self.shown.picture.parts.iter().enumerate();
+        layers.extend(parts.map(|(index, part)| Layer::Part(part.name, index)));
+        let mut tags = Tags::new(&layers, [low, high], size * JOINT);
         self.solid_links(&mut tags, row);
         self.straight_guides(&mut tags, row, size * JOINT);
         for (centre, radius) in self.circles(row) {
@@ -67,27 +71,38 @@ impl Drawing<'_> {
         })
     }
 
+    /// The layer of what one part has alone; of anything else that of its kind.
+    fn layer(&self, kind: Layer, has: impl Fn(&PicturePart) -> bool) -> Layer {
+        let parts = self.shown.picture.parts.iter().enumerate();
+        let mut own = parts.filter(|(_, part)| has(part));
+        match (own.next(), own.next()) {
+            (Some((index, part)), None) => Layer::Part(part.name, index),
+            _ => kind,
+        }
+    }
+
     fn solid_links(&self, tags: &mut Tags, row: usize) {
         let spatial = self.shown.picture.dimension == 3;
-        for link in self.shown.picture.links {
+        for (index, link) in self.shown.picture.links.iter().enumerate() {
+            let layer = self.layer(Layer::Links, |part| part.links.contains(&index));
             let places = link
                 .points
                 .iter()
                 .map(|point| self.shown.place(*point, row));
             let places: Vec<_> = places.collect();
             match places.as_slice() {
-                [a, b] => tags.line(Layer::Links, *a, *b),
+                [a, b] => tags.line(layer, *a, *b),
                 _ if spatial => {
                     for (index, a) in places.iter().enumerate() {
                         for b in &places[index + 1..] {
-                            tags.line(Layer::Links, *a, *b);
+                            tags.line(layer, *a, *b);
                         }
                     }
                 }
                 _ => {
                     let flat: Vec<_> = places.iter().map(|[x, y, _]| [*x, *y]).collect();
                     let corners = hull(&flat).into_iter().map(|[x, y]| [x, y, 0.0]);
-                    tags.polyline(Layer::Links, true, false, corners);
+                    tags.polyline(layer, true, false, corners);
                 }
             }
         }
@@ -95,12 +110,13 @@ impl Drawing<'_> {
 
     /// The way of each slider, or a cylinder between its ends.
     fn straight_guides(&self, tags: &mut Tags, row: usize, radius: f64) {
-        for guide in self.shown.picture.guides {
+        for (index, guide) in self.shown.picture.guides.iter().enumerate() {
+            let layer = self.layer(Layer::Guides, |part| part.guides.contains(&index));
             let origin = self.shown.place(guide.origin, row);
             let direction = self.shown.way(guide.direction, row);
             let slider = self.shown.place(guide.slider, row);
             if guide.shape == GuideShape::Cylinder {
-                tags.line(Layer::Guides, origin, slider);
+                tags.line(layer, origin, slider);
                 continue;
             }
             if !is_known(direction) {
@@ -108,7 +124,7 @@ impl Drawing<'_> {
             }
             let at = |way: f64| along(origin, direction, way);
             let [low, high] = self.shown.rail(guide);
-            tags.line(Layer::Guides, at(low), at(high));
+            tags.line(layer, at(low), at(high));
             if self.shown.picture.dimension == 2 {
                 let [half, high] = BLOCK.map(|times| times * radius);
                 let [c, s, _] = direction;
@@ -116,7 +132,7 @@ impl Drawing<'_> {
                     [slider[0] + a * c - b * s, slider[1] + a * s + b * c, 0.0]
                 };
                 let corners = [(half, high), (-half, high), (-half, -high), (half, -high)];
-                tags.polyline(Layer::Guides, true, false, corners.into_iter().map(corner));
+                tags.polyline(layer, true, false, corners.into_iter().map(corner));
             }
         }
     }
@@ -168,9 +184,10 @@ impl Drawing<'_> {
                 PointKind::Ground | PointKind::Joint => picture.dimension == 2,
                 PointKind::Tip | PointKind::Loose => false,
             };
-            tags.point(Layer::Joints, place);
+            let layer = self.layer(Layer::Joints, |part| part.points.contains(&index));
+            tags.point(layer, place);
             if turns {
-                tags.circle(Layer::Joints, place, size * JOINT);
+                tags.circle(layer, place, size * JOINT);
             }
             if self.names {
                 let [x, y, z] = place;

@@ -27,14 +27,14 @@ const VISIBLE: f64 = 1e-6;
 
 /// Two directions of space that are the paper's right and up.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(in crate::report) struct View {
     right: [f64; 3],
     up: [f64; 3],
     in_space: bool,
 }
 
 impl View {
-    pub(super) fn new(dimension: usize) -> Self {
+    pub(in crate::report) fn new(dimension: usize) -> Self {
         let plane = Self {
             right: [1.0, 0.0, 0.0],
             up: [0.0, 1.0, 0.0],
@@ -55,7 +55,7 @@ impl View {
         }
     }
 
-    fn project(&self, v: [f64; 3]) -> [f64; 2] {
+    pub(in crate::report) fn project(&self, v: [f64; 3]) -> [f64; 2] {
         let product = |a: [f64; 3]| a[0] * v[0] + a[1] * v[1] + a[2] * v[2];
         [product(self.right), product(self.up)]
     }

@@ -138,7 +138,7 @@ function cycleTable() {
     const organ = organs[index];
     const { ends, begins, shift } = organ.events[event];
     const before = (event + organ.events.length - 1) % organ.events.length;
-    return [organ.name, motion(organ, ends, before), motion(organ, begins, event), placeButton(at), toDegrees(after),
+    return [organ.stands ? `${organ.name} (as in the report)` : organ.name, motion(organ, ends, before), motion(organ, begins, event), placeButton(at), toDegrees(after),
       ...(hasShifts() ? [toDegrees(shift)] : [])];
   });
   return grid("cyclogram", ["organ", "ends", "begins", `at ${input.name}`, "after, deg", ...(hasShifts() ? ["\u00b1 deg"] : [])], rows);

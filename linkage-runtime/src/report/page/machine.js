@@ -13,9 +13,12 @@ function isHidden([kind, index]) {
   return parts.length > 0 && parts.every((own) => machine.hidden.has(own));
 }
 
+// Colours that are listed; links without parts begin again behind the last one.
+const LINK_COLOURS = 6;
+
 // The number of the colour of a link or guide: that of its part, behind all parts what the machine itself adds; without parts each has its own.
 function hueOf(kind, index, own) {
-  return machine.parts.length === 0 ? own : partsWith(kind, index)[0] ?? machine.parts.length;
+  return machine.parts.length === 0 ? own % LINK_COLOURS : partsWith(kind, index)[0] ?? machine.parts.length;
 }
 
 // What is drawn, with what it belongs to.
@@ -41,6 +44,29 @@ function togglePart(index) {
   fadeOrgans();
   findAway();
   redraw();
+  hideCurves();
+}
+
+// Which part a column is of: that whose name its quantity bears, as `hook.tip.y` and `shape[hook.tip].y` do, otherwise that whose name its function
+// bears, `hook` or `hook_way`. Of several the longest name counts; -1 where there is none.
+function partOfColumn({ name, of, meaning, table }) {
+  const [, shown] = (meaning === "picture" && /\[(?:along )?(.*)\]/.exec(name)) || [];
+  const quantity = shown ?? of ?? name;
+  const bears = (text, end) => (part) => text === part.name || text.startsWith(part.name + end);
+  const longest = (fits) => machine.parts.reduce((best, part, k) => (fits(part) && part.name.length > (machine.parts[best]?.name.length ?? 0) ? k : best), -1);
+  const own = longest(bears(quantity, "."));
+  return own >= 0 ? own : longest(bears(table, "_"));
+}
+
+function isOfHiddenPart(column) {
+  return machine.hidden.size > 0 && machine.hidden.has(partOfColumn(column));
+}
+
+// Their curves are gone with a part, and its quantities are pale among those that can be chosen.
+function hideCurves() {
+  const hidden = new Set(columns.filter(isOfHiddenPart).map(({ key }) => key));
+  for (const box of byId("chooser").querySelectorAll("input[data-column]")) box.parentNode.classList.toggle("off", hidden.has(box.dataset.column));
+  if (plots.width > 0) makePanels();
 }
 
 function startMachine() {

@@ -3,13 +3,12 @@
 
 // What a part covers on the screen, it leaves in `covers`: names of points keep clear of that.
 
-const LINK_COLOURS = 6;
 // Half the widths of the outlines that the style has.
 const BAR_HALF = 5.5;
 const SLOT_HALF = 3;
 
 function linkColour(index) {
-  return `var(--link-${index % LINK_COLOURS})`;
+  return `var(--link-${index})`;
 }
 
 // Two strokes, one in the other: a bar or plate with an outline.

@@ -51,7 +51,7 @@ function makePanels() {
   plots.panels = chosenPanels(plots.apart);
   measureLabels(plots.panels);
   byId("panels").replaceChildren(...plots.panels.map(makePanel));
-  if (plots.panels.length === 0) byId("panels").append(element("p", { class: "empty" }, "Choose quantities above."));
+  if (plots.panels.length === 0) byId("panels").append(element("p", { class: "empty" }, machine.hidden.size > 0 ? "Choose quantities above, or show their parts." : "Choose quantities above."));
   showCursors(position.row);
 }
 

@@ -21,7 +21,7 @@ impl Svg {
         {
             return None;
         }
-        let mut text = first.head.clone();
+        let mut text = first.head();
         for (place, mark) in first.marks.iter().enumerate() {
             let run = frames.iter().map(|own| own.marks[place].element(mark));
             let run: Vec<Option<&Element>> = run.collect::<Option<_>>()?;

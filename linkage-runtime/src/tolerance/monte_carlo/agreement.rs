@@ -14,7 +14,7 @@ pub struct Agreement {
     /// The value of the mechanism with nominal dimensions.
     pub nominal: f64,
     /// The mean of the samples minus the nominal value, with its 95 % interval: an effect of second
-    /// order, 0 in the linear analysis.
+    /// order, 0 in the linear analysis, where every zone lies symmetrically about its nominal value.
     pub shift: Estimate,
     /// The standard deviation of the samples, with its 95 % interval.
     pub sampled: Estimate,

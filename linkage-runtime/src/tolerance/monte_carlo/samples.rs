@@ -5,8 +5,9 @@ use core::{array, fmt};
 
 use rayon::slice::ParallelSliceMut;
 
-use super::distribution::{Distribution, normal};
 use super::rank::ranks;
+use crate::tolerance::Distribution;
+use crate::tolerance::distribution::normal;
 use crate::words::rounded;
 
 /// The results of a study: `K` numbers for each mechanism.

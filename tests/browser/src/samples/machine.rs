@@ -136,6 +136,14 @@ static VIEW: Heading = Heading {
     }),
 };
 
+/// Of the part whose name it begins with.
+static LOAD: Heading = Heading {
+    function: "eye_load",
+    arguments: &["shaft"],
+    columns: &[column("load", "N", Meaning::Value)],
+    picture: None,
+};
+
 const CRANK: f64 = 40.0;
 const ROD: f64 = 130.0;
 /// By how much the crank of the press is behind that of the hook.
@@ -175,6 +183,7 @@ pub fn machine() -> Report {
     Report::new("Machine", &INPUT, &positions)
         .about("Hook needle, eye needle and press on one shaft.")
         .table(&Sheet::new(&VIEW, &positions, row))
+        .table(&Sheet::new(&LOAD, &positions, |x: f64| [10.0 * x.sin()]))
         .cyclogram(&cyclogram)
         .trace("hook.needle")
         .trace("eye.tip")

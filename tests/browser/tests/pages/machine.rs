@@ -111,6 +111,61 @@ fn parts_have_colours_and_are_switched_on_and_off() {
     page.assert_quiet();
 }
 
+/// What belongs to no part stays, whatever is switched off.
+#[test]
+fn curves_are_hidden_with_their_part() {
+    let Some(mut page) = page("machine-curves") else {
+        return;
+    };
+    page.screen(DESKTOP);
+    let choose = |name: &str| {
+        format!(
+            "[...document.querySelectorAll('#quantities input[data-column]')].find((b) => b.dataset.column.includes('|{name}|')).click()"
+        )
+    };
+    for name in ["picture[hook.needle].y", "picture[eye.tip].x"] {
+        page.value(&choose(name));
+    }
+    let curves = "[...document.querySelectorAll('.legend tr[data-column]')].map((r) => r.dataset.column.split('|')[2]).join(' ')";
+    let pale = "[...document.querySelectorAll('.choice.off')].map((l) => l.textContent.trim().split(' ')[0]).join(' ')";
+    let all = "lift plate load picture[hook.needle].y picture[eye.tip].x";
+    let sorted = |text: String| {
+        let mut words: Vec<String> = text.split_whitespace().map(String::from).collect();
+        words.sort();
+        words.join(" ")
+    };
+    assert_eq!(sorted(page.words(curves)), sorted(all.to_owned()));
+    assert_eq!(page.words(pale), "");
+    page.click("[data-part='0']");
+    assert_eq!(
+        sorted(page.words(curves)),
+        sorted("lift plate load picture[eye.tip].x".to_owned())
+    );
+    // The guide of the hook has a direction, which is the hook's, too.
+    let gone = page.words(pale);
+    assert!(
+        gone.contains("picture[hook.pin].x") && !gone.contains("press") && !gone.contains("lift "),
+        "{gone}"
+    );
+    page.click("[data-part='1']");
+    assert_eq!(sorted(page.words(curves)), "lift plate");
+    for name in ["lift", "plate", "load"] {
+        page.value(&choose(name));
+    }
+    assert_eq!(
+        page.words("document.querySelector('#panels').textContent"),
+        "Choose quantities above, or show their parts."
+    );
+    page.click("[data-part='0']");
+    page.click("[data-part='1']");
+    assert_eq!(
+        sorted(page.words(curves)),
+        sorted("picture[hook.needle].y picture[eye.tip].x".to_owned())
+    );
+    assert_eq!(page.words(pale), "");
+    page.assert_quiet();
+}
+
 #[test]
 fn a_line_in_the_cyclogram_stands_where_the_shaft_does() {
     let Some(mut page) = page("machine-cyclogram") else {

@@ -2,6 +2,8 @@
 
 mod checks;
 mod colours;
+mod compare;
+mod cyclogram;
 mod drawing;
 mod exports;
 mod follow;

@@ -18,9 +18,14 @@ function courseNow(quantity) {
 
 function courseOf(quantity) {
   const [value, rate] = [0, 1].map((order) => quantityNow(quantity, order));
+  return value === null || rate === null ? null : courseThrough(value, rate);
+}
+
+// Of a number and its derivative; null over a range without width.
+function courseThrough(value, rate) {
   const [low, high] = [input.values[0], input.values.at(-1)];
   const width = high - low;
-  if (value === null || rate === null || !(width > 0)) return null;
+  if (!(width > 0)) return null;
   const isCycle = isCycleOf(width, rate.numbers);
   const cyclesTo = (u) => (isCycle ? Math.floor((u - low) / width) : 0);
   // Over a cycle a quantity may advance, as the angle of a crank does.

@@ -22,6 +22,8 @@ const live = {
   reason: null,
   numbers: new Map(allNumbers().map((numbers) => [numbers, [...numbers]])),
   listeners: [],
+  // What begins with the numbers of the report, of what not every page has.
+  starts: [],
 };
 
 function allNumbers() {
@@ -203,6 +205,7 @@ function startModel() {
   live.tables = report.tables.map(bind);
   report.reason = live.reason = reasonOfGap();
   startDwells();
+  for (const start of live.starts) start();
   startSaving();
   sayGaps();
 }

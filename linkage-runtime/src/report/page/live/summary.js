@@ -14,13 +14,17 @@ function quantityNow(quantity, order) {
   for (const own of live.tables.filter(({ why }) => why === null)) {
     const index = own.table.columns.findIndex(fits);
     if (index < 0) continue;
-    const out = new Float64Array(own.fn.columns.length);
-    const at = own.names.map((name) => live.given.get(name));
-    const place = own.names.indexOf(input.name);
-    const numbers = own.table.columns[index].values;
-    return { numbers, at(x) { at[place] = x; engine.evaluate(live.assemblies[own.number], own.fn, at, out); return out[index]; } };
+    return numberNow(own, index);
   }
   return null;
+}
+
+// A column of a table that is computed here, as its numbers at the rows and as a function of the input.
+function numberNow({ table, number, fn, names }, index) {
+  const out = new Float64Array(fn.columns.length);
+  const at = names.map((name) => live.given.get(name));
+  const place = names.indexOf(input.name);
+  return { numbers: table.columns[index].values, at(x) { at[place] = x; engine.evaluate(live.assemblies[number], fn, at, out); return out[index]; } };
 }
 
 // The place and value where `sign * fold(quantity)` is largest; null where there is no number.

@@ -17,26 +17,4 @@ mechanism! {
     }
 }
 
-mechanism! {
-    pub struct Hexapod {
-        unit mm;
-        param leg = 100mm;
-        unknown p = (0mm, 0mm, 30mm);
-        unknown x = (1, 0, 0);
-        unknown y = (0, 1, 0);
-        loop norm(x) = 1;
-        loop norm(y) = 1;
-        loop dot(x, y) = 0;
-        loop distance(p, (50mm, 0mm, -40mm)) = leg;
-        loop distance(p + 20mm * x, (0mm, 50mm, -40mm)) = leg;
-        loop distance(p + 20mm * y, (-50mm, 0mm, -40mm)) = leg;
-        loop distance(p + 20mm * x + 10mm * y, (50mm, 0mm, -40mm)) = leg;
-        loop distance(p - 20mm * x, (0mm, 50mm, -40mm)) = leg;
-        loop distance(p - 20mm * y, (-50mm, 0mm, -40mm)) = leg;
-    }
-    impl Hexapod {
-        pub fn place() -> Place { p }
-    }
-}
-
 fn main() {}

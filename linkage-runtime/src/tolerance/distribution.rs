@@ -1,8 +1,8 @@
 //! Distributions of dimensions.
 
-use rand::Rng;
+use core::fmt;
 
-/// How a dimension is distributed within its tolerance `t`, symmetrically about the nominal value.
+/// How a dimension is distributed within its tolerance `t`, symmetrically about the middle of its zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Distribution {
     /// Normal with a standard deviation of `t / 3`: 0.27 % lie outside of the tolerance.
@@ -11,16 +11,31 @@ pub enum Distribution {
     Uniform,
     /// Triangular between the limits, most frequent in the middle.
     Triangular,
+    /// The sine of an angle that may be any: most frequent at the limits. That is what an eccentricity or a runout
+    /// does which is mounted as it comes.
+    Arcsine,
 }
 
 impl Distribution {
-    /// The standard deviation for a tolerance of 1: 1/3, 1/sqrt(3), 1/sqrt(6).
+    /// The standard deviation for a tolerance of 1: 1/3, 1/sqrt(3), 1/sqrt(6), 1/sqrt(2).
     #[must_use]
     pub fn deviation(self) -> f64 {
         match self {
             Self::Normal => 1.0 / 3.0,
             Self::Uniform => 1.0 / 3.0_f64.sqrt(),
             Self::Triangular => 1.0 / 6.0_f64.sqrt(),
+            Self::Arcsine => core::f64::consts::FRAC_1_SQRT_2,
+        }
+    }
+
+    /// The mean fourth power of the deviation over the squared variance: 3, 9/5, 12/5, 3/2.
+    #[must_use]
+    pub fn kurtosis(self) -> f64 {
+        match self {
+            Self::Normal => 3.0,
+            Self::Uniform => 1.8,
+            Self::Triangular => 2.4,
+            Self::Arcsine => 1.5,
         }
     }
 
@@ -34,14 +49,20 @@ impl Distribution {
             Self::Uniform => 2.0 * p - 1.0,
             Self::Triangular if p <= 0.5 => (2.0 * p).sqrt() - 1.0,
             Self::Triangular => 1.0 - (2.0 * (1.0 - p)).sqrt(),
+            Self::Arcsine => (core::f64::consts::PI * (p - 0.5)).sin(),
         }
     }
+}
 
-    pub(super) fn draw(self, random: &mut impl Rng) -> f64 {
-        // 52 bits, in the middle of their intervals: exact, and never 0 or 1.
-        const STEP: f64 = 1.0 / (1_u64 << 52) as f64;
-        let p = ((random.next_u64() >> 12) as f64 + 0.5) * STEP;
-        self.quantile(p)
+/// As in `uniform`.
+impl fmt::Display for Distribution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Normal => "normal",
+            Self::Uniform => "uniform",
+            Self::Triangular => "triangular",
+            Self::Arcsine => "arcsine",
+        })
     }
 }
 
@@ -182,9 +203,10 @@ mod tests {
             Distribution::Normal,
             Distribution::Uniform,
             Distribution::Triangular,
+            Distribution::Arcsine,
         ] {
             let quantile = |i: i32| distribution.quantile(f64::from(i) / 4096.0);
-            let mut square = 0.0;
+            let (mut square, mut fourth) = (0.0, 0.0);
             for i in 1..4096 {
                 assert!((quantile(i) + quantile(4096 - i)).abs() < 1e-14);
                 assert!(
@@ -192,10 +214,17 @@ mod tests {
                     "{distribution:?} {i}"
                 );
                 square += quantile(i).powi(2) / 4096.0;
+                fourth += quantile(i).powi(4) / 4096.0;
             }
             assert!(
                 (square.sqrt() / distribution.deviation() - 1.0).abs() < 2e-3,
                 "{distribution:?}"
+            );
+            // Rare values of a normal distribution are a good part of its fourth power.
+            let kurtosis = fourth / (square * square);
+            assert!(
+                (kurtosis / distribution.kurtosis() - 1.0).abs() < 5e-2,
+                "{distribution:?} {kurtosis}"
             );
         }
     }

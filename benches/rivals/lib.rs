@@ -1,0 +1,1 @@
+//! Nothing: the benchmark `rivals` is all there is.

@@ -1,0 +1,140 @@
+//! A double wishbone by the travel of the wheel and the shift of the rack: two arms, a tie rod, and a wheel carrier as an unknown body.
+//!
+//! The wheel, its toe and camber with first and second derivatives by both inputs, and the sensitivities to rods and points, against solutions in
+//! 80 digits.
+
+mod check;
+
+use check::Check;
+use linkage::mechanism;
+use serde_json::Value;
+use std::error::Error;
+
+mechanism! {
+    /// A left wheel: x points forwards, y outwards, z up. An arm is two rods from its ball joint.
+    pub struct DoubleWishbone {
+        unit mm;
+        param upper_front_rod = 249.59767627123454452mm;
+        param upper_rear_rod  = 231.66570743206686351mm;
+        param lower_front_rod = 372.08869910278113686mm;
+        param lower_rear_rod  = 373.43004699675681025mm;
+        param tie_rod         = 273.33130080545111253mm;
+        param upper_front = (95mm, 455mm, 505mm);
+        param upper_rear  = (-125mm, 480mm, 490mm);
+        param tie         = (-125mm, 422mm, 267mm);
+        const lower_front = (170mm, 380mm, 225mm);
+        const lower_rear  = (-190mm, 400mm, 215mm);
+
+        input travel = 0mm in -80mm..80mm;
+        input rack   = 0mm in -40mm..40mm;
+        unknown carrier = frame((0mm, 770mm, 320mm), (1, 0, 0), (0, 0, 1));
+        let upper = point_in(carrier, (-12mm, -90mm, 200mm));
+        let lower = point_in(carrier, (10mm, -55mm, -120mm));
+        let outer = point_in(carrier, (-135mm, -75mm, -62mm));
+        loop distance(upper, upper_front) = upper_front_rod;
+        loop distance(upper, upper_rear) = upper_rear_rod;
+        loop distance(lower, lower_front) = lower_front_rod;
+        loop distance(lower, lower_rear) = lower_rear_rod;
+        loop distance(outer, tie + (0mm, rack, 0mm)) = tie_rod;
+        loop carrier.origin.z = 320mm + travel;
+
+        let x = carrier.origin.x;
+        let y = carrier.origin.y;
+        let spindle = unit(0.0017 * carrier.x + carrier.y + 0.0087 * carrier.z);
+        let toe = atan2(spindle.x, spindle.y);
+        let camber = atan2(-spindle.z, norm((spindle.x, spindle.y)));
+    }
+
+    impl DoubleWishbone {
+        pub fn wheel(travel, rack) -> Wheel { x, y, toe, camber }
+        pub fn motion(travel, rack) -> Motion {
+            x: velocity(x), y: velocity(y), toe: velocity(toe), camber: velocity(camber),
+            x_bends: acceleration(x), y_bends: acceleration(y),
+            toe_bends: acceleration(toe), camber_bends: acceleration(camber),
+        }
+        pub fn adjustment(travel, rack) -> Adjustment {
+            x: sensitivity(x), y: sensitivity(y), toe: sensitivity(toe), camber: sensitivity(camber),
+        }
+    }
+}
+
+/// The reference's names of the dimensions, in the order of the sensitivities.
+const DIMENSIONS: [&str; 14] = [
+    "Luf",
+    "Lur",
+    "Llf",
+    "Llr",
+    "Ltie",
+    "upper_front.x",
+    "upper_front.y",
+    "upper_front.z",
+    "upper_rear.x",
+    "upper_rear.y",
+    "upper_rear.z",
+    "tie_inner.x",
+    "tie_inner.y",
+    "tie_inner.z",
+];
+
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+    let mut check = Check::default();
+    let wishbone = DoubleWishbone::default().assemble()?;
+    println!("{}", DoubleWishbone::<f64>::STRUCTURE);
+    check.near("share of the ranges served", wishbone.served(), 1.0, 1e-3);
+    let references = serde_json::from_str(include_str!("double_wishbone/reference.json"))?;
+    let references: Vec<Value> = references;
+    check.holds("all positions", references.len() == 25);
+    for known in &references {
+        compare(&mut check, &wishbone, known)?;
+    }
+    check.finish()
+}
+
+fn compare(
+    check: &mut Check,
+    wishbone: &DoubleWishboneAssembly,
+    known: &Value,
+) -> Result<(), Box<dyn Error>> {
+    let [travel, rack] = [number(&known["z"])?, number(&known["u"])?];
+    println!("Travel {travel} mm, rack {rack} mm:");
+    let (w, m) = (wishbone.wheel(travel, rack), wishbone.motion(travel, rack));
+    let s = wishbone.adjustment(travel, rack);
+    // Angles are small numbers of a radian, lengths some hundred millimetres.
+    let quantities = [
+        ("x", w.x, m.x, m.x_bends, s.x, 1e-12),
+        ("y", w.y, m.y, m.y_bends, s.y, 1e-12),
+        ("toe", w.toe, m.toe, m.toe_bends, s.toe, 2e-15),
+        (
+            "camber",
+            w.camber,
+            m.camber,
+            m.camber_bends,
+            s.camber,
+            2e-15,
+        ),
+    ];
+    for (name, value, by, bends, by_dimensions, tolerance) in quantities {
+        check.near(name, value, number(&known["value"][name])?, tolerance);
+        let pairs = [
+            (by[0], number(&known["d_dz"][name])?),
+            (by[1], number(&known["d_du"][name])?),
+            (bends[0][0], number(&known["d2_dz2"][name])?),
+            (bends[0][1], number(&known["d2_dzdu"][name])?),
+            (bends[1][1], number(&known["d2_du2"][name])?),
+        ];
+        check.all_near("  by travel and rack, once and twice", pairs, tolerance);
+        let known = DIMENSIONS.map(|dimension| number(&known["sensitivity"][dimension][name]));
+        let known: Vec<f64> = known.into_iter().collect::<Result<_, _>>()?;
+        check.all_near(
+            "  by all dimensions",
+            by_dimensions.into_iter().zip(known),
+            tolerance,
+        );
+    }
+    Ok(())
+}
+
+/// A number that is written as a string of digits.
+fn number(value: &Value) -> Result<f64, Box<dyn Error>> {
+    Ok(value.as_str().ok_or("digits")?.parse()?)
+}

@@ -1,0 +1,166 @@
+//! A wheel on five rods: a wheel carrier as an unknown body, by the travel of the wheel and the shift of a rack on the fifth rod.
+//!
+//! Toe, camber, track, wheel base and roll centre with derivatives by travel and rack, and the sensitivities of the first four to all rods and to
+//! all points of the chassis and of the carrier, against solutions in 60 digits.
+//!
+//! `cargo run --release --example five_link_axle` writes a page with the usual curves over the travel to `target/five_link_axle`, or to the
+//! folder that is given behind `--`.
+
+mod check;
+#[path = "five_link_axle/page.rs"]
+mod page;
+
+use check::Check;
+use linkage::mechanism;
+use nalgebra::Vector3;
+use serde_json::Value;
+use std::error::Error;
+use std::path::PathBuf;
+
+mechanism! {
+    /// A left wheel: x points forwards, y outwards, z up.
+    pub struct FiveLinkAxle {
+        unit mm;
+        param rod1 = 287.31515797117283314mm;
+        param rod2 = 256.75864152935534645mm;
+        param rod3 = 318.62987932709637832mm;
+        param rod4 = 451.60823730308551581mm;
+        param rod5 = 376.15422369023054744mm;
+        // On the chassis; the rack shifts the fifth.
+        param inner1 = (110mm, 420mm, 430mm);
+        param inner2 = (-85mm, 435mm, 440mm);
+        param inner3 = (265mm, 480mm, 265mm);
+        param inner4 = (-60mm, 255mm, 215mm);
+        param inner5 = (-190mm, 316mm, 258mm);
+        // On the carrier, from the centre of the wheel.
+        param outer1 = (15mm, -70mm, 135mm);
+        param outer2 = (-30mm, -75mm, 140mm);
+        param outer3 = (40mm, -60mm, -105mm);
+        param outer4 = (-25mm, -55mm, -120mm);
+        param outer5 = (-150mm, -70mm, -58mm);
+
+        input travel = 0mm in -80mm..80mm;
+        input rack   = 0mm in -15mm..15mm;
+        unknown carrier = frame((0mm, 760mm, 320mm), (1, 0, 0), (0, 0, 1));
+        let ball1 = point_in(carrier, outer1);
+        let ball2 = point_in(carrier, outer2);
+        let ball3 = point_in(carrier, outer3);
+        let ball4 = point_in(carrier, outer4);
+        let ball5 = point_in(carrier, outer5);
+        let steered = inner5 + (0mm, rack, 0mm);
+        loop distance(ball1, inner1) = rod1;
+        loop distance(ball2, inner2) = rod2;
+        loop distance(ball3, inner3) = rod3;
+        loop distance(ball4, inner4) = rod4;
+        loop distance(ball5, steered) = rod5;
+        loop carrier.origin.z = 320mm + travel;
+
+        let spindle = unit(0.0035 * carrier.x + carrier.y + 0.0175 * carrier.z);
+        let toe = atan2(spindle.x, spindle.y);
+        let camber = atan2(-spindle.z, norm((spindle.x, spindle.y)));
+        // Where the wheel of 310 mm stands on the road: its lowest point.
+        let up = unit((0, 0, 1) - spindle.z * spindle);
+        let contact = carrier.origin - 310mm * up;
+        let base = contact.x;
+        let track = 2 * contact.y;
+    }
+
+    impl FiveLinkAxle {
+        pub fn wheel(travel, rack) -> Wheel { toe, camber, track, base }
+        pub fn motion(travel, rack) -> Motion {
+            toe: velocity(toe), camber: velocity(camber), track: velocity(track), base: velocity(base),
+            toe_bends: acceleration(toe), camber_bends: acceleration(camber),
+            track_bends: acceleration(track), base_bends: acceleration(base),
+        }
+        /// The carrier as it moves, for the roll centre.
+        pub fn body(travel, rack) -> Body {
+            centre: carrier.origin, contact, v: velocity(carrier.origin), w: omega(carrier),
+        }
+        pub fn adjustment(travel, rack) -> Adjustment {
+            toe: sensitivity(toe), camber: sensitivity(camber), track: sensitivity(track), base: sensitivity(base),
+        }
+        pub fn shape(travel, rack) -> Shape { shape: picture() }
+    }
+}
+
+/// Where the page is written if no folder is given.
+const FOLDER: &str = "target/five_link_axle";
+
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+    let mut check = Check::default();
+    let axle = FiveLinkAxle::default().assemble()?;
+    println!("{}", FiveLinkAxle::<f64>::STRUCTURE);
+    check.near("share of the ranges served", axle.served(), 1.0, 1e-3);
+    let references = serde_json::from_str(include_str!("five_link_axle/reference.json"))?;
+    let references: Vec<Value> = references;
+    for known in &references {
+        compare(&mut check, &axle, known)?;
+    }
+    let folder = std::env::args_os().nth(1).filter(|_| !cfg!(test));
+    let folder = folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from);
+    page::write(&axle, &folder)?;
+    check.finish()
+}
+
+/// Height of the roll centre over the road. Seen from the front the wheel turns about a point on the normal to the way of its point of contact;
+/// the body rolls about where that normal meets the middle of the vehicle.
+fn roll_centre(axle: &FiveLinkAxleAssembly, travel: f64, rack: f64) -> f64 {
+    let body = axle.body(travel, rack);
+    let v: Vector3<f64> = body.v[0] + body.w[0].cross(&(body.contact - body.centre));
+    body.contact.y * v.y / v.z
+}
+
+fn compare(
+    check: &mut Check,
+    axle: &FiveLinkAxleAssembly,
+    known: &Value,
+) -> Result<(), Box<dyn Error>> {
+    let [travel, rack] = [number(&known["z"])?, number(&known["u"])?];
+    println!("Travel {travel} mm, rack {rack} mm:");
+    let (w, m) = (axle.wheel(travel, rack), axle.motion(travel, rack));
+    let s = axle.adjustment(travel, rack);
+    // Angles are small numbers of a radian, lengths are a hundred thousand times larger.
+    let quantities = [
+        ("toe", w.toe, m.toe, m.toe_bends, s.toe, 1e-15),
+        (
+            "camber",
+            w.camber,
+            m.camber,
+            m.camber_bends,
+            s.camber,
+            1e-15,
+        ),
+        ("track", w.track, m.track, m.track_bends, s.track, 1e-12),
+        ("base", w.base, m.base, m.base_bends, s.base, 1e-12),
+    ];
+    for (name, value, by, bends, by_dimensions, tolerance) in quantities {
+        check.near(name, value, number(&known["value"][name])?, tolerance);
+        let pairs = [
+            (by[0], number(&known["d_dz"][name])?),
+            (by[1], number(&known["d_du"][name])?),
+            (bends[0][0], number(&known["d2_dz2"][name])?),
+        ];
+        check.all_near("  by travel and rack, twice by travel", pairs, tolerance);
+        let known = known["sensitivity"][name].as_array().ok_or("a list")?;
+        check.holds("  every dimension", known.len() == by_dimensions.len());
+        let known: Vec<f64> = known.iter().map(number).collect::<Result<_, _>>()?;
+        check.all_near(
+            "  by all dimensions",
+            by_dimensions.into_iter().zip(known),
+            tolerance,
+        );
+    }
+    let height = number(&known["roll_centre"])?;
+    check.near(
+        "roll centre",
+        roll_centre(axle, travel, rack),
+        height,
+        1e-10,
+    );
+    Ok(())
+}
+
+/// A number that is written as a string of digits.
+fn number(value: &Value) -> Result<f64, Box<dyn Error>> {
+    Ok(value.as_str().ok_or("digits")?.parse()?)
+}

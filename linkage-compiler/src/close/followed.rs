@@ -1,0 +1,164 @@
+//! Closing a coupled group whose assemblies cannot be listed: the one that is meant is followed from its estimates.
+
+use linkage_core::numeric::continuation::{Astray, from_estimate};
+use linkage_core::numeric::roots::Unlisted;
+
+use crate::formulate::{Prepared, Solved};
+use crate::structure::report::loop_list;
+use crate::structure::unsolved::OURS;
+
+use super::estimates::Choice;
+use super::listing::Candidate;
+use super::reference::Assembly;
+use super::refusal::WITHIN_RANGE;
+
+/// Of what the estimates miss by: where more is left, the dead point is at the estimates; where less is left, it is the assembly.
+const ALL: f64 = 0.9999;
+const NOTHING: f64 = 1e-6;
+
+impl<'m> Assembly<'_, 'm> {
+    /// Closes a coupled group from its estimates; false if that was not possible. `unlisted` says why its assemblies were not listed, if that
+    /// was tried.
+    pub(super) fn close_followed(
+        &mut self,
+        solved: &Solved<'m>,
+        prepared: &Prepared<'m>,
+        unlisted: Option<Unlisted>,
+    ) -> bool {
+        if self.has_no_estimates(solved, unlisted) {
+            return false;
+        }
+        let found = match self.followed(prepared) {
+            Ok(found) => found,
+            Err(astray) => {
+                self.leads_nowhere(solved, prepared, astray, unlisted);
+                return false;
+            }
+        };
+        if !self.meets_estimates(solved, &[&found.position], Choice::Followed) {
+            return false;
+        }
+        let group = &mut self.machine.closing.coupled[prepared.number];
+        group.followed = true;
+        group.terms.clear();
+        self.prepare(solved, prepared, &found.state)
+    }
+
+    fn followed(&self, prepared: &Prepared<'m>) -> Result<Candidate, Astray> {
+        let (mut numbers, own) = self.numbers(prepared.number);
+        let group = &self.machine.closing.coupled[prepared.number];
+        let estimate = prepared.estimate_of_default(self.algebra, self.nominal);
+        let state = from_estimate(&mut numbers, &group.variables, &own, &estimate)?;
+        let placed = numbers.run(&group.placed, &state);
+        Ok(self.candidate_of(group, state, &placed))
+    }
+
+    /// Reports unknowns without an estimate; false if there is none.
+    fn has_no_estimates(&mut self, solved: &Solved<'m>, unlisted: Option<Unlisted>) -> bool {
+        let unknowns = solved.group.unknowns.iter().copied();
+        let open: Vec<usize> = unknowns.filter(|&k| !self.is_estimated(k)).collect();
+        let [first, ..] = open[..] else {
+            return false;
+        };
+        let message = format!(
+            "{} {} no estimate{}, and {} followed from estimates, since the assemblies cannot be listed: {}; {OURS}\n\
+             help: write estimates, as they are read off a drawing",
+            self.words.unknowns(&open),
+            if open.len() == 1 { "has" } else { "have" },
+            self.words.at_reference(&self.nominal.inputs),
+            match solved.group.loops.len() {
+                1 => format!("{} is", loop_list(&solved.group.loops)),
+                _ => format!("{} are", loop_list(&solved.group.loops)),
+            },
+            not_listed(unlisted),
+        );
+        let origin = self.algebra.mechanism.unknowns[first].origin;
+        self.reporter.error(origin, message);
+        true
+    }
+
+    /// Says that the estimates of a group do not lead to an assembly.
+    fn leads_nowhere(
+        &mut self,
+        solved: &Solved<'m>,
+        prepared: &Prepared<'m>,
+        astray: Astray,
+        unlisted: Option<Unlisted>,
+    ) {
+        let place = self.words.at_reference(&self.nominal.inputs);
+        let are = match solved.group.loops.len() {
+            1 => "is",
+            _ => "are",
+        };
+        let loops = loop_list(&solved.group.loops);
+        let unknowns = self.words.unknowns(&solved.group.unknowns);
+        let why = not_listed(unlisted);
+        let message = match astray {
+            Astray::NoValue if self.without_value(&solved.group.loops).is_some() => {
+                return self.without_equations(solved);
+            }
+            Astray::Movable(ref states) => format!(
+                "{loops} ({unknowns}) cannot be solved{place}: where the estimates lead, {} can change although no length does\n\
+                 help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another",
+                self.words.unknowns(&self.moved(prepared, states)),
+            ),
+            Astray::DeadPoint { left } if left > NOTHING && left < ALL => format!(
+                "{loops} ({unknowns}) {are} followed{place} from the estimates, and a dead point is met on the way, where {:.1} % of what \
+                 the estimates miss by is taken back. The assemblies cannot be listed: {why}; {OURS}\n\
+                 help: write estimates that are nearer to the assembly that is meant; or change a length, if the links do not reach each \
+                 other",
+                100.0 * (1.0 - left)
+            ),
+            Astray::NoValue | Astray::DeadPoint { .. } => format!(
+                "{loops} ({unknowns}) {are} singular{place} where the estimates {}; the assemblies cannot be listed, since {why}\n\
+                 help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another; or write \
+                 estimates, or a reference input, away from a dead point",
+                match astray {
+                    Astray::DeadPoint { left } if left < ALL => "lead",
+                    _ => "are",
+                }
+            ),
+        };
+        let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
+        self.reporter.error(origin, message);
+    }
+
+    /// The unknowns that differ between two states.
+    fn moved(&self, prepared: &Prepared<'m>, states: &[Vec<f64>; 2]) -> Vec<usize> {
+        let (numbers, _) = self.numbers(prepared.number);
+        let group = &self.machine.closing.coupled[prepared.number];
+        let [a, b] = states.each_ref().map(|state| {
+            let placed = numbers.run(&group.placed, state);
+            self.candidate_of(group, state.clone(), &placed).position
+        });
+        a.differing(&b, |unknown| self.yardstick(unknown))
+    }
+
+    /// Says that the equations of a group have no value.
+    pub(super) fn without_equations(&mut self, solved: &Solved<'m>) {
+        let loops = loop_list(&solved.group.loops);
+        let unknowns = self.words.unknowns(&solved.group.unknowns);
+        let place = self.words.at_reference(&self.nominal.inputs);
+        if let Some((part, fact)) = self.without_value(&solved.group.loops) {
+            let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
+            return self.reporter.error_with_help(part, fact, WITHIN_RANGE);
+        }
+        let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
+        self.reporter.error(
+            origin,
+            format!(
+                "{loops} ({unknowns}) cannot be solved{place}: what is known of it is not a finite number\n\
+                 help: look for a division by zero, or a root or an arc function out of its range"
+            ),
+        );
+    }
+}
+
+/// Why the assemblies of a group are not listed.
+fn not_listed(unlisted: Option<Unlisted>) -> String {
+    match unlisted {
+        None => "they have too many unknowns".to_owned(),
+        Some(Unlisted::Degenerate) => "some solutions may not be isolated".to_owned(),
+        Some(other) => other.to_string(),
+    }
+}

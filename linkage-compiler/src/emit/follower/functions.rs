@@ -1,0 +1,90 @@
+//! The functions of the assembly, where a follower stands.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::name as follower_name;
+use crate::emit::docs::doc;
+use crate::emit::evaluator::{self, Version};
+use crate::emit::load::Places;
+use crate::emit::outline::{Function, Outline, plain};
+use crate::emit::{attribute, home, literal, sealed};
+
+/// A function where the follower stands.
+pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
+    let runtime = &outline.runtime;
+    let Function {
+        visibility, name, ..
+    } = function;
+    let follower = follower_name(outline);
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let others = others(outline, function);
+    let result = home::result(outline, function);
+    let doc = doc(&format!(
+        "As `{}` of the assembly, where the follower stands.",
+        plain(name)
+    ));
+    let body = outline.body(quote!(#runtime::single(self, [#(#others),*])));
+    let allow = attribute::allow();
+    quote! {
+        #(#everywhere)*
+        #allow
+        impl<'a, T: #runtime::Scalar> #follower<'a, T> {
+            #doc
+            #[must_use]
+            #[inline]
+            #visibility fn #name(&self, #(#others: T),*) -> #result<T> { #body }
+        }
+    }
+}
+
+/// What such a function is given: what it takes and the follower does not know.
+fn others<'a>(outline: &Outline, function: &Function<'a>) -> Vec<&'a Ident> {
+    let is_input = |name: &Ident| outline.inputs.iter().any(|input| input.name == name);
+    let own = function.arguments.iter().copied();
+    own.filter(|name| !is_input(name)).collect()
+}
+
+/// What such a function calls, by a program for plain scalars.
+pub(super) fn single_of(outline: &Outline, function: &Function, version: Version) -> TokenStream {
+    let runtime = &outline.runtime;
+    let follower = follower_name(outline);
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let places = Places::all(outline);
+    let own = function.arguments.iter().zip(&function.positions);
+    let arguments = own.map(|(name, &position)| match position < outline.inputs.len() {
+        true => {
+            let position = literal::index(position);
+            quote!(__place[#position])
+        }
+        false => quote!(#name),
+    });
+    let states = function.states.iter().flat_map(|&group| {
+        let numbers = 0..=outline.starts[group].size;
+        numbers.map(move |number| (group, number))
+    });
+    let states = states.map(|(group, number)| {
+        let position = literal::index(places.state(group, number));
+        quote!(__place[#position])
+    });
+    let arguments = quote!([#(#arguments,)* #(#states),*]);
+    let core = sealed::core(outline, &quote!(__assembly));
+    let value = evaluator::value(outline, function, &arguments, &core, version);
+    let result = home::result(outline, function);
+    let others = others(outline, function);
+    let count = literal::index(others.len());
+    let allow = attribute::allow();
+    quote! {
+        #(#everywhere)*
+        #allow
+        #[doc(hidden)]
+        impl<'a, T: #runtime::Scalar> #runtime::Single<T, #result<T>, #count> for #follower<'a, T> {
+            #[inline(always)]
+            fn at<const __FUSED: ::core::primitive::bool>(&self, [#(#others),*]: [T; #count]) -> #result<T> {
+                let __assembly = self.assembly();
+                let __place = #runtime::Sealed::starts(&self.__sealed);
+                #value
+            }
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! What a sketch consists of: points, what lies between them, and what they are called.
+
+use linkage_symbolic::Vn;
+
+use crate::diagnostic::OriginId;
+use crate::model::Expr;
+
+use super::frames::Frames;
+use super::parts::{Part, Slide};
+
+/// A point of a chain.
+#[derive(Clone, Debug)]
+pub(super) struct Spot<'m> {
+    /// In the drawing.
+    pub(super) at: Vn<'m>,
+    /// As it is written, and the coordinates in which it is.
+    pub(super) own: Vn<'m>,
+    pub(super) frames: Frames,
+    pub(super) name: Option<Title>,
+    /// Whether it is more than a corner on the way along a link: it has a name, a loop closes there, or the user lists it.
+    pub(super) wanted: bool,
+}
+
+/// A name, and how good it is: the lowest rank wins, the first of equal ones.
+#[derive(Clone, Debug)]
+pub(super) struct Title {
+    pub(super) rank: u8,
+    pub(super) text: String,
+}
+
+/// From one point to another.
+#[derive(Clone, Debug)]
+pub(super) struct Segment<'m> {
+    pub(super) from: usize,
+    pub(super) to: usize,
+    pub(super) title: Option<Title>,
+    pub(super) shape: Shape<'m>,
+    /// The vector from one to the other, as it is written.
+    pub(super) step: Vn<'m>,
+    /// The coordinates in which it is written.
+    pub(super) frames: Frames,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Shape<'m> {
+    /// A term of a sum with its sign: if it is no link, it may be a slide.
+    Term(f64, &'m Expr),
+    /// A part of a term.
+    Part(f64, Option<Slide<'m>>),
+    /// A distance: if it is no link, its ends slide along each other.
+    Distance,
+    /// Two points of a body, of which declarations have numbers.
+    Body(Option<usize>),
+    /// From the origin of coordinates that move to a point that rests in them: what carries a part, which belongs to a part itself.
+    Base(Option<usize>),
+}
+
+/// A point that is computed from others, by a mean or in a frame: it may belong to their link.
+#[derive(Clone, Debug)]
+pub(super) struct Mean {
+    pub(super) point: usize,
+    pub(super) of: Vec<usize>,
+}
+
+/// A point that stays on a line.
+#[derive(Clone, Debug)]
+pub(super) struct Line<'m> {
+    pub(super) slider: usize,
+    /// A point of what carries the line; `None` is the frame.
+    pub(super) carrier: Option<usize>,
+    /// Whether the line goes through that point.
+    pub(super) through: bool,
+    pub(super) along: Vn<'m>,
+    pub(super) name: String,
+}
+
+/// A list in `picture([p, q])`.
+#[derive(Clone, Debug)]
+pub(super) struct Asked {
+    pub(super) points: Vec<usize>,
+    pub(super) origin: OriginId,
+}
+
+/// A term of a sum.
+pub(super) struct Term<'m> {
+    pub(super) sign: f64,
+    pub(super) expr: &'m Expr,
+    /// The name that it goes by.
+    pub(super) name: Option<String>,
+    /// If it is only a part of the expression.
+    pub(super) part: Option<Part<'m>>,
+}
+
+impl<'m> Spot<'m> {
+    /// The vector to another point: as it is written, where both are written in the same coordinates.
+    pub(super) fn step_to(&self, other: &Self) -> Vn<'m> {
+        match self.frames == other.frames {
+            true => other.own - self.own,
+            false => other.at - self.at,
+        }
+    }
+}

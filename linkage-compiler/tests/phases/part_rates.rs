@@ -1,0 +1,165 @@
+//! Speeds and accelerations of a part's inputs follow from those around it.
+
+use linkage_compiler::check_all;
+
+use super::parts::{checked, defaults, results_of, unit};
+
+const ROTOR: &str = "
+    struct Rotor {
+        unit mm;
+        param long = 40mm;
+        param drag = 3N*s;
+        input phi = 10deg at omega, epsilon;
+        let tip = polar(long, phi);
+        let speed = omega;
+        let gain = epsilon;
+        body arm = pin hub on frame at (0, 0), turns phi, mass 2kg at tip;
+        force (drag * omega, 0) on arm at tip;
+    }
+    impl Rotor {
+        fn torque(phi, omega, epsilon) -> RotorTorque { t: torque(phi) }
+    }
+    struct Pair {
+        unit mm;
+        input turn = 0deg at rate, growth;
+        part inner: Rotor { phi = turn / 2 };
+    }
+    struct Whole {
+        unit mm;
+        param lead = 30deg;
+        param ratio = 1.5;
+        input shaft = 30deg at w, e;
+        input other = 10deg at v, g;
+        let sum = shaft + lead;
+        let square = sqrt(ratio) * (-(shaft - other / 3)) * shaft;
+        part straight: Rotor { phi = shaft };
+        part ahead: Rotor { phi = sum };
+        part still: Rotor { phi = lead * sqrt(ratio) };
+        part geared: Rotor { phi = -ratio * sum };
+        part product: Rotor { phi = square };
+        part quotient: Rotor { phi = lead / (5 + shaft) };
+        part given: Rotor { phi = shaft, omega = 7rad/s, epsilon = 8rad/s^2 };
+        part pair: Pair { turn = 3 * shaft - 2 * other };
+        part held: Pair { turn = shaft, rate = 4rad/s, growth = 6rad/s^2 };
+    }
+    impl Whole {
+        fn rates(shaft, other, w, e, v, g) -> WholeRates {
+            a: straight.speed, b: straight.gain, c: ahead.speed, d: ahead.gain, f: still.speed, h: still.gain,
+            i: geared.speed, j: geared.gain, k: product.speed, l: product.gain, m: quotient.speed, n: quotient.gain,
+            o: given.speed, p: given.gain, q: pair.inner.speed, r: pair.inner.gain, s: held.inner.speed, t: held.inner.gain,
+        }
+    }
+    struct Geared {
+        unit mm;
+        input shaft = 30deg at w, e;
+        part rotor: Rotor { phi = 2 * shaft + 15deg };
+    }
+    impl Geared {
+        fn torque(shaft, w, e) -> GearedTorque { t: torque(shaft) }
+    }";
+
+/// Sums, products, quotients and parts of parts, differentiated by hand.
+#[test]
+fn speeds_follow_by_the_chain_rule() {
+    let all = checked(ROTOR);
+    let whole = unit(&all, "Whole");
+    let ([s, o], rates) = ([0.7, -0.4], [1.3, -0.6, 0.9, 2.1]);
+    let [w, e, v, g] = rates;
+    let (lead, ratio, root) = (30f64.to_radians(), 1.5, 1.5f64.sqrt());
+    // -root (s - o / 3) s = root (o s / 3 - s^2)
+    let product = root * ((v * s + o * w) / 3.0 - 2.0 * s * w);
+    let product_gain = root * ((g * s + 2.0 * v * w + o * e) / 3.0 - 2.0 * w * w - 2.0 * s * e);
+    let below: f64 = 5.0 + s;
+    let expected = [
+        [w, e],
+        [w, e],
+        [0.0, 0.0],
+        [-ratio * w, -ratio * e],
+        [product, product_gain],
+        [
+            -lead * w / below.powi(2),
+            lead * (2.0 * w * w / below.powi(3) - e / below.powi(2)),
+        ],
+        [7.0, 8.0],
+        [1.5 * w - v, 1.5 * e - g],
+        [2.0, 3.0],
+    ];
+    let found = results_of(whole, "rates", &defaults(whole), &[s, o], &rates);
+    for (place, (found, expected)) in found.iter().zip(expected.as_flattened()).enumerate() {
+        let error = (found - expected).abs();
+        assert!(
+            error <= 1e-14 * expected.abs(),
+            "{place}: {found} and {expected}"
+        );
+    }
+}
+
+/// A drag within the part is the power that the shaft gives it.
+#[test]
+fn a_geared_part_takes_the_power_that_it_takes_alone() {
+    let all = checked(ROTOR);
+    let (rotor, geared) = (unit(&all, "Rotor"), unit(&all, "Geared"));
+    let (s, w, e) = (0.7, 1.3, -0.6);
+    let phi = 2.0 * s + 15f64.to_radians();
+    let alone = results_of(
+        rotor,
+        "torque",
+        &defaults(rotor),
+        &[phi],
+        &[2.0 * w, 2.0 * e],
+    );
+    let here = results_of(geared, "torque", &defaults(geared), &[s], &[w, e]);
+    assert!(
+        (here[0] - 2.0 * alone[0]).abs() < 1e-12 * here[0].abs(),
+        "{here:?} {alone:?}"
+    );
+}
+
+/// Where a speed does not follow, and something is written with it, the message names it and says why.
+#[test]
+fn a_speed_that_does_not_follow_is_named() {
+    let text = ROTOR.replace(
+        "let sum =",
+        "input deaf = 0deg; input slow = 0deg at u;
+        part sine: Rotor { phi = asin(shaft / 4) };
+        part silent: Rotor { phi = shaft + deaf };
+        part half: Rotor { phi = 2 * slow };
+        part told: Rotor { phi = deaf, omega = w, epsilon = e };
+        let sum =",
+    );
+    let all = check_all(text.parse().expect("tokens"));
+    let messages = all.iter().flat_map(|own| &own.messages);
+    let texts: Vec<&str> = messages.map(|own| own.text.as_str()).collect();
+    let expected = [
+        (
+            "omega",
+            "sine",
+            "a sum, product or quotient of inputs and parameters, which is a limit of linkage",
+        ),
+        (
+            "epsilon",
+            "sine",
+            "a sum, product or quotient of inputs and parameters, which is a limit of linkage",
+        ),
+        (
+            "omega",
+            "silent",
+            "or give `deaf` one: `input deaf = ... at speed, acceleration`",
+        ),
+        (
+            "epsilon",
+            "silent",
+            "or give `deaf` one: `input deaf = ... at speed, acceleration`",
+        ),
+        (
+            "epsilon",
+            "half",
+            "or give `slow` one: `input slow = ... at speed, acceleration`",
+        ),
+    ];
+    assert_eq!(texts.len(), expected.len(), "{texts:#?}");
+    for (text, (name, part, why)) in texts.iter().zip(expected) {
+        let fact = format!("the argument `{name}` of `Rotor` is left open in the part `{part}`");
+        assert!(text.starts_with(&fact) && text.contains(why), "{text}");
+    }
+}

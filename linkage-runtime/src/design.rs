@@ -1,0 +1,63 @@
+//! From requirements to dimensions: which dimensions fulfil wishes best, by least squares on exact derivatives from many starts.
+//!
+//! A [`Design`] says which parameters may vary within which bounds, what is wanted ([`Targets`]), and what must hold
+//! ([`Relation`]s, and always: assembled over the whole range on one circuit). Its [`run`](Design::run) descends from
+//! quasi-random starts in all assembly modes, in lanes over mechanisms and with feature `rayon` on all threads, and lists all
+//! distinct local optima.
+//!
+//! A [`CycleDesign`] makes the largest or smallest value over a whole cycle best, from a mechanism that is there: a longest
+//! [`Dwell`], a least [`Peak`] of a torque, with limits for other [`Figure`]s.
+
+mod builder;
+mod catalogue;
+mod certificate;
+mod check;
+mod columns;
+mod condition;
+mod cycle;
+mod error;
+pub mod exact;
+mod found;
+mod identify;
+mod least_squares;
+mod limits;
+mod minimax;
+mod normal;
+mod problem;
+mod quadratic;
+mod relation;
+mod run;
+mod sampled;
+mod search;
+mod starts;
+mod targets;
+mod varied;
+mod wish;
+
+pub use builder::{Design, Progress};
+pub use certificate::{Interrupted, Interruption};
+pub use cycle::{
+    BestCycle, Candidate, Conditions, Curve, CycleDesign, CycleWish, Demand, Dwell, ErrorOf,
+    Figure, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place, RootMeanSquare, Stroke,
+    TimeRatio,
+};
+pub use error::DesignError;
+pub use found::{Found, Search};
+pub use identify::{
+    Identification, Identified, Measured, Readings, Remedy, Residual, Undetermined, Unknown,
+};
+pub use relation::Relation;
+pub use sampled::Sampled;
+pub use targets::{Targets, Timing};
+pub use wish::{Candidates, Evaluate, Free, Rows, Wish};
+
+use linkage_core::Cycle;
+
+/// A range of an angle that differs from a full turn by less, in radians, is one: users write 360 degrees.
+const TURN: f64 = 1e-9;
+
+/// The length of the range if it is a full turn.
+fn turn(cycle: &Cycle) -> Option<f64> {
+    let length = cycle.high - cycle.low;
+    (cycle.angle && (length - core::f64::consts::TAU).abs() < TURN).then_some(length)
+}

@@ -1,0 +1,61 @@
+//! What is wrong with a design problem, all at once.
+
+use alloc::string::ToString;
+
+use super::DesignError;
+use super::builder::Design;
+use super::problem::{Given, Problem};
+use super::varied::{Varied, consistent, varied};
+use crate::Dimensions;
+
+impl<M, A, const N: usize> Design<'_, M, A, N>
+where
+    M: Dimensions<N> + Copy + Send + Sync,
+    A: Clone + Send + Sync,
+{
+    /// The problem with names looked up, or all mistakes in it.
+    pub(super) fn problem(&self) -> Result<Problem<'_, M, A, N>, DesignError> {
+        let values = self.nominal.values();
+        let Varied {
+            indices: varied,
+            limits,
+            mut errors,
+        } = varied(&self.varied, &self.relations, M::PARAMETERS, &values);
+        let cycle = (self.circuits)(&self.nominal)
+            .map_err(DesignError::Start)?
+            .cycle;
+        let nothing = |what| DesignError::Nothing {
+            what,
+            wish: "a design problem".to_string(),
+        };
+        if self.wishes.is_empty() {
+            errors.push(nothing("nothing is wanted; call `want`"));
+        }
+        if self.starts == 0 {
+            errors.push(nothing("no starts"));
+        }
+        for wish in &self.wishes {
+            errors.extend(wish.check(&cycle, M::PARAMETERS, &varied));
+        }
+        let catalogues = self.catalogues.iter().filter_map(|(name, values)| {
+            let index = M::PARAMETERS.iter().position(|own| own.name == *name)?;
+            let place = varied.iter().position(|own| *own == index)?;
+            Some((place, values.clone()))
+        });
+        let catalogues = catalogues.collect();
+        DesignError::all(errors)?;
+        consistent(&limits, &self.relations)?;
+        let free = self.wishes.iter().map(|wish| wish.free(&cycle)).collect();
+        Ok(Problem::new(
+            Given {
+                nominal: values,
+                varied,
+                limits,
+                catalogues,
+                cycle,
+            },
+            &self.wishes,
+            free,
+        ))
+    }
+}

@@ -1,0 +1,64 @@
+//! Nonlinear relations between parameters.
+
+use alloc::boxed::Box;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use linkage_core::Cycle;
+
+use super::DesignError;
+use super::wish::{Candidates, Evaluate, Rows, Wish};
+use crate::Parameter;
+
+/// A number of the dimensions that must not be negative.
+pub(crate) struct Condition<F> {
+    title: String,
+    function: F,
+}
+
+impl<F> Condition<F> {
+    pub(crate) fn new(title: &str, function: F) -> Self {
+        Self {
+            title: title.to_string(),
+            function,
+        }
+    }
+}
+
+impl<M, A, F, const N: usize> Wish<M, A> for Condition<F>
+where
+    F: Fn(&M) -> (f64, [f64; N]) + Send + Sync,
+{
+    fn title(&self) -> String {
+        self.title.clone()
+    }
+
+    fn rows(&self) -> usize {
+        1
+    }
+
+    fn is_condition(&self) -> bool {
+        true
+    }
+
+    fn check(&self, _: &Cycle, _: &[Parameter], _: &[usize]) -> Vec<DesignError> {
+        Vec::new()
+    }
+
+    fn evaluator(&self) -> Box<dyn Evaluate<M, A> + '_> {
+        Box::new(self)
+    }
+}
+
+impl<M, A, F, const N: usize> Evaluate<M, A> for &Condition<F>
+where
+    F: Fn(&M) -> (f64, [f64; N]),
+{
+    fn evaluate(&mut self, candidates: &Candidates<'_, M, A>, rows: &mut Rows) {
+        for (index, mechanism) in candidates.mechanisms.iter().enumerate() {
+            let (value, slopes) = (self.function)(mechanism);
+            let (own, by, _) = rows.row_mut(index, 0);
+            *own = value;
+            by.copy_from_slice(&slopes);
+        }
+    }
+}

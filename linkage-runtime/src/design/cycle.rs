@@ -1,0 +1,28 @@
+//! Whole cycles: extremes, strokes, dwells, torques and errors of a quantity over the range of the input.
+
+mod builder;
+mod candidate;
+mod corners;
+mod curve;
+mod demand;
+mod descents;
+mod dwell;
+mod error_of;
+mod figures;
+mod found;
+mod interval;
+mod mean;
+mod problem;
+mod proof;
+mod ratio;
+
+pub use builder::CycleDesign;
+pub use candidate::{Candidate, Conditions, CycleWish, Motion, Own, Piece, Place};
+pub use curve::Curve;
+pub use demand::{Demand, Figure, Pieces};
+pub use dwell::Dwell;
+pub use error_of::ErrorOf;
+pub use figures::{Highest, Lowest, Peak, Stroke};
+pub use found::BestCycle;
+pub use mean::RootMeanSquare;
+pub use ratio::TimeRatio;

@@ -1,0 +1,260 @@
+//! A design problem of a whole cycle as it is written, and its solution.
+
+use alloc::boxed::Box;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use super::super::DesignError;
+use super::super::Relation;
+use super::super::limits::Limits;
+use super::super::turn;
+use super::super::varied::{Varied, consistent, varied};
+use super::CycleWish;
+use super::descents::Descents;
+use super::found::BestCycle;
+use super::problem::Problem;
+use crate::{AssemblyError, Circuits, Dimensions};
+
+/// Positions from which limits are searched, unless the design says otherwise: three degrees of a turn.
+const POSITIONS: usize = 121;
+/// Steps of a search, unless the design says otherwise: ten times what most searches take.
+const STEPS: usize = 300;
+type Report<'a> = Box<dyn FnMut(usize, usize) + 'a>;
+type CircuitsOf<'a, M, A> = Box<dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + 'a>;
+type AssembleFrom<'a, M, A> = Box<dyn Fn(&M, &A) -> Result<A, AssemblyError> + 'a>;
+
+/// The best mechanism for a goal that is a least or greatest value over a cycle, from a mechanism that is there: parameters within bounds, one goal,
+/// conditions.
+///
+/// The search is by sequential quadratic programming with exact derivatives; it ends at a local optimum. A mechanism is assembled in the
+/// modes of the first one, and any that does not run through the whole range is refused at once. What it returns is certified by
+/// `circuits()`: assembled over the whole range on one circuit.
+pub struct CycleDesign<'a, M, A, const N: usize> {
+    nominal: M,
+    assembly: A,
+    assemble: AssembleFrom<'a, M, A>,
+    circuits: CircuitsOf<'a, M, A>,
+    varied: Vec<(String, f64, f64)>,
+    relations: Vec<Relation>,
+    wishes: Vec<Box<dyn CycleWish<M, A, N> + 'a>>,
+    positions: usize,
+    steps: usize,
+    starts: usize,
+    seed: u64,
+    progress: Option<Report<'a>>,
+    time: Option<Duration>,
+    cancel: Option<&'a AtomicBool>,
+}
+
+impl<'a, M, A, const N: usize> CycleDesign<'a, M, A, N>
+where
+    M: Dimensions<N> + Copy,
+{
+    /// From a mechanism and three of its generated methods: `CycleDesign::new(Press::default(), Press::assemble, Press::assemble_from, Press::circuits)`.
+    ///
+    /// # Errors
+    ///
+    /// `Start` if the mechanism does not assemble.
+    pub fn new(
+        nominal: M,
+        assemble: impl FnOnce(&M) -> Result<A, AssemblyError>,
+        assemble_from: impl Fn(&M, &A) -> Result<A, AssemblyError> + 'a,
+        circuits: impl Fn(&M) -> Result<Circuits<A>, AssemblyError> + 'a,
+    ) -> Result<Self, DesignError> {
+        Ok(Self {
+            assembly: assemble(&nominal).map_err(DesignError::Start)?,
+            nominal,
+            assemble: Box::new(assemble_from),
+            circuits: Box::new(circuits),
+            varied: Vec::new(),
+            relations: Vec::new(),
+            wishes: Vec::new(),
+            positions: POSITIONS,
+            steps: STEPS,
+            starts: 1,
+            seed: 0,
+            progress: None,
+            time: None,
+            cancel: None,
+        })
+    }
+
+    /// A parameter may vary between these bounds, both included: named as in `PARAMETERS`, `pivot.x` for a component.
+    #[must_use]
+    pub fn vary(mut self, name: &str, low: f64, high: f64) -> Self {
+        self.varied.push((name.to_string(), low, high));
+        self
+    }
+
+    /// A parameter may vary by this part of its present size, 0.02 for two percent.
+    #[must_use]
+    pub fn vary_by(self, name: &str, part: f64) -> Self {
+        let place = M::PARAMETERS
+            .iter()
+            .position(|parameter| parameter.name == name);
+        let value = place.map_or(f64::NAN, |index| self.nominal.values()[index]);
+        let room = part * value.abs();
+        self.vary(name, value - room, value + room)
+    }
+
+    /// A relation, or several, between parameters must hold.
+    #[must_use]
+    pub fn hold(mut self, relations: impl Into<Vec<Relation>>) -> Self {
+        self.relations.extend(relations.into());
+        self
+    }
+
+    /// The goal, or a condition.
+    #[must_use]
+    pub fn want(mut self, wish: impl CycleWish<M, A, N> + 'a) -> Self {
+        self.wishes.push(Box::new(wish));
+        self
+    }
+
+    /// From how many evenly spaced positions of the range limits are searched, both ends among them; 121 without it.
+    #[must_use]
+    pub fn positions(mut self, positions: usize) -> Self {
+        self.positions = positions;
+        self
+    }
+
+    /// The most steps of the search, 300 without it.
+    #[must_use]
+    pub fn steps(mut self, steps: usize) -> Self {
+        self.steps = steps;
+        self
+    }
+
+    /// No step is begun after this time; what is found then depends on the machine.
+    #[must_use]
+    pub fn time_limit(mut self, time: Duration) -> Self {
+        self.time = Some(time);
+        self
+    }
+
+    /// No step is begun once this is true.
+    #[must_use]
+    pub fn cancel(mut self, flag: &'a AtomicBool) -> Self {
+        self.cancel = Some(flag);
+        self
+    }
+
+    /// From how many dimensions within the bounds the search begins; without it from those of the first mechanism alone, which always come
+    /// first.
+    #[must_use]
+    pub fn starts(mut self, starts: usize) -> Self {
+        self.starts = starts;
+        self
+    }
+
+    /// Another seed gives other starts.
+    #[must_use]
+    pub fn seed(mut self, seed: u64) -> Self {
+        self.seed = seed;
+        self
+    }
+
+    /// Calls `report` after each start with the number of starts that are done, and of all.
+    #[must_use]
+    pub fn progress(mut self, report: impl FnMut(usize, usize) + 'a) -> Self {
+        self.progress = Some(Box::new(report));
+        self
+    }
+
+    /// Searches for the best mechanism.
+    ///
+    /// # Errors
+    ///
+    /// All mistakes of the problem at once; `OutOfReach` with the condition that cannot be held, by how much it is missed, and the bounds
+    /// that are in the way; `NotWhole` if the optimum does not run through the whole range on one circuit.
+    pub fn run(self) -> Result<BestCycle<M, A>, DesignError> {
+        Ok(self.run_all()?.swap_remove(0))
+    }
+
+    /// Searches from all starts, and lists the distinct optima that hold what must hold, the best first.
+    ///
+    /// # Errors
+    ///
+    /// As [`run`](Self::run): the first start's, if no start leads to an optimum.
+    pub fn run_all(mut self) -> Result<Vec<BestCycle<M, A>>, DesignError> {
+        let began = Instant::now();
+        let (varied, limits) = self.checked()?;
+        let cycle = (self.circuits)(&self.nominal)
+            .map_err(DesignError::Start)?
+            .cycle;
+        let assemble = |mechanism: &M| (self.assemble)(mechanism, &self.assembly).ok();
+        let stopped = || {
+            self.time.is_some_and(|time| began.elapsed() >= time)
+                || self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
+        };
+        let mut descents = Descents {
+            problem: Problem {
+                nominal: self.nominal.values(),
+                varied,
+                range: (cycle.low, cycle.high),
+                closed: turn(&cycle).is_some(),
+                positions: self.positions,
+                assemble: &assemble,
+                own: Vec::new(),
+            },
+            wishes: core::mem::take(&mut self.wishes),
+            limits,
+            steps: self.steps,
+            circuits: &*self.circuits,
+            stopped: &stopped,
+        };
+        let mut optima = Vec::new();
+        let mut refused = None;
+        for index in 0..self.starts.max(1) {
+            if index > 0 && stopped() {
+                break;
+            }
+            match descents.from(self.seed, index) {
+                Ok(optimum) => optima.push(optimum),
+                Err(error) => refused = refused.or(Some(error)),
+            }
+            if let Some(report) = &mut self.progress {
+                report(index + 1, self.starts.max(1));
+            }
+        }
+        match (optima.is_empty(), refused) {
+            (true, Some(error)) => Err(error),
+            _ => Ok(descents.distinct(optima)),
+        }
+    }
+
+    /// What varies and within which limits; or all mistakes.
+    fn checked(&self) -> Result<(Vec<usize>, Limits), DesignError> {
+        let Varied {
+            indices,
+            limits,
+            mut errors,
+        } = varied(
+            &self.varied,
+            &self.relations,
+            M::PARAMETERS,
+            &self.nominal.values(),
+        );
+        let goals: Vec<_> = self
+            .wishes
+            .iter()
+            .filter(|wish| wish.is_goal())
+            .map(|wish| wish.title())
+            .collect();
+        if goals.len() != 1 {
+            errors.push(DesignError::Goals { goals });
+        }
+        if self.positions < 2 {
+            let what = "less than two positions";
+            errors.push(DesignError::Nothing {
+                what,
+                wish: "a design problem".to_string(),
+            });
+        }
+        DesignError::all(errors)?;
+        consistent(&limits, &self.relations)?;
+        Ok((indices, limits))
+    }
+}

@@ -1,0 +1,164 @@
+//! A mechanism that is tried, and what wishes say of it.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+
+/// How a mechanism is assembled in the modes of the first one.
+pub(super) type Assemble<'c, M, A> = dyn Fn(&M) -> Option<A> + 'c;
+
+/// A mechanism over the range of its input.
+#[derive(Debug)]
+pub struct Motion<'c, A> {
+    /// The mechanism assembled.
+    pub assembly: &'c A,
+    /// The range of its input.
+    pub range: (f64, f64),
+    /// Whether the range is a full turn of an angle, so that its ends are one position.
+    pub closed: bool,
+    /// From how many evenly spaced positions limits are searched.
+    pub positions: usize,
+}
+
+impl<A> Clone for Motion<'_, A> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<A> Copy for Motion<'_, A> {}
+
+impl<A> Motion<'_, A> {
+    /// The input in the range, and after how many turns, if the range is a full turn.
+    #[must_use]
+    pub fn in_range(&self, input: f64) -> (f64, f64) {
+        let (low, high) = self.range;
+        let width = high - low;
+        if !self.closed || (low..=high).contains(&input) {
+            return (input, 0.0);
+        }
+        let turns = ((input - low) / width).floor();
+        (input - turns * width, turns)
+    }
+}
+
+/// A mechanism that is tried.
+pub struct Candidate<'c, M, A> {
+    /// Its dimensions.
+    pub mechanism: &'c M,
+    /// It over the range of its input.
+    pub motion: Motion<'c, A>,
+    pub(super) assemble: &'c Assemble<'c, M, A>,
+}
+
+impl<'c, M, A> Candidate<'c, M, A> {
+    /// A mechanism, it over its range, and how others are assembled in its modes.
+    #[must_use]
+    pub fn new(
+        mechanism: &'c M,
+        motion: Motion<'c, A>,
+        assemble: &'c dyn Fn(&M) -> Option<A>,
+    ) -> Self {
+        Self {
+            mechanism,
+            motion,
+            assemble,
+        }
+    }
+
+    /// Another mechanism in the same modes; `None` if it does not assemble.
+    #[must_use]
+    pub fn assemble(&self, mechanism: &M) -> Option<A> {
+        (self.assemble)(mechanism)
+    }
+}
+
+/// Which of several pieces it is, so that it is known again in another mechanism.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// The one with this number.
+    Nth(usize),
+    /// The one at this input.
+    At(f64),
+}
+
+/// One of the smooth functions of which the largest, or the smallest, is a figure of a cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece<const N: usize> {
+    /// Which one it is.
+    pub place: Place,
+    /// Its value.
+    pub value: f64,
+    /// Its derivatives by the parameters.
+    pub parameters: [f64; N],
+    /// Its derivatives by the variables that the wish has for itself.
+    pub own: Vec<f64>,
+}
+
+impl<const N: usize> Piece<N> {
+    /// This piece times a factor, plus a number.
+    pub(super) fn times(&self, factor: f64, more: f64) -> Self {
+        Self {
+            place: self.place,
+            value: factor * self.value + more,
+            parameters: self.parameters.map(|slope| factor * slope),
+            own: self.own.iter().map(|slope| factor * slope).collect(),
+        }
+    }
+}
+
+/// A variable that a wish has for itself, such as where a dwell begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Own {
+    /// Where the search begins.
+    pub start: f64,
+    /// The bounds.
+    pub bounds: (f64, f64),
+    /// How far it may go in the first step.
+    pub reach: f64,
+}
+
+/// What a wish asks of a candidate.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Conditions<const N: usize> {
+    /// The largest of these is to be least; empty if the wish is only a condition.
+    pub goal: Vec<Piece<N>>,
+    /// None of these may be above zero.
+    pub conditions: Vec<Vec<Piece<N>>>,
+}
+
+/// Something that is wanted of a whole cycle.
+pub trait CycleWish<M, A, const N: usize> {
+    /// How messages call it.
+    fn title(&self) -> String;
+
+    /// Whether it is the goal, of which a design has one.
+    fn is_goal(&self) -> bool;
+
+    /// The goal as it is told, from what the search makes least: a greatest value is the least of its opposite.
+    fn told(&self, least: f64) -> f64 {
+        least
+    }
+
+    /// The variables that it has for itself, with starts that suit a mechanism; `None` if there is none.
+    fn own(&self, candidate: &Candidate<'_, M, A>) -> Option<Vec<Own>> {
+        let _ = candidate;
+        Some(Vec::new())
+    }
+
+    /// Goal and conditions; `None` where the mechanism does not assemble over the range.
+    fn evaluate(&self, candidate: &Candidate<'_, M, A>, own: &[f64]) -> Option<Conditions<N>>;
+
+    /// Numbers by which the assembly is known again among the others of the same mechanism; they are compared as parts of the
+    /// largest. Here all slopes: values are near their limits, and may count whole turns.
+    fn known_by(&self, candidate: &Candidate<'_, M, A>, own: &[f64]) -> Option<Vec<f64>> {
+        let asked = self.evaluate(candidate, own)?;
+        let all = asked.conditions.iter().chain([&asked.goal]).flatten();
+        Some(all.flat_map(|piece| piece.parameters).collect())
+    }
+
+    /// Looks for conditions that the optimum breaks and that have not been asked for; whether there are any. The search then goes on.
+    fn refine(&mut self, candidate: &Candidate<'_, M, A>, own: &[f64]) -> bool {
+        let _ = (candidate, own);
+        false
+    }
+}

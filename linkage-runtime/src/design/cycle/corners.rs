@@ -1,0 +1,134 @@
+//! The mechanisms at the limits of tolerances that are worst.
+
+use alloc::vec::Vec;
+use core::array;
+
+use super::interval::ranges;
+use super::{Candidate, Piece};
+use crate::Dimensions;
+
+/// The mechanisms of some tolerances that count so far.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Corners<const N: usize> {
+    tolerances: [f64; N],
+    asked: Vec<Corner<N>>,
+}
+
+/// A mechanism with all dimensions at limits of their tolerances.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Corner<const N: usize> {
+    /// What its dimensions differ by.
+    changes: [f64; N],
+}
+
+/// New corners in a round: the worst ones; others often hold once these do.
+const NEW: usize = 4;
+/// Pairs of places that are followed to their worst corner.
+const PAIRS: usize = 12;
+/// How often the signs of a corner are set by its own slopes: they settle in two or three.
+const TURNS: usize = 6;
+/// A corner that leaves the band by less than this part of it holds: less than what a dwell spares.
+const HOLDS: f64 = 5e-7;
+
+impl<const N: usize> Corner<N> {
+    pub(super) fn assemble<M: Dimensions<N>, A>(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+    ) -> Option<A> {
+        let values = candidate.mechanism.values();
+        candidate.assemble(&M::from_values(&array::from_fn(|k| {
+            values[k] + self.changes[k]
+        })))
+    }
+}
+
+impl<const N: usize> Corners<N> {
+    pub(super) fn new(tolerances: [f64; N]) -> Self {
+        Self {
+            tolerances,
+            asked: Vec::new(),
+        }
+    }
+
+    /// The corners that count.
+    pub(super) fn asked(&self) -> impl Iterator<Item = &Corner<N>> {
+        self.asked.iter()
+    }
+
+    /// The corner in which a difference of two values grows most, to first order.
+    fn towards(&self, slopes: &[f64; N]) -> Corner<N> {
+        // A dimension without effect stays where it is.
+        let change = |k: usize| {
+            if slopes[k] == 0.0 {
+                0.0
+            } else {
+                self.tolerances[k].copysign(slopes[k])
+            }
+        };
+        Corner {
+            changes: array::from_fn(change),
+        }
+    }
+
+    /// Looks for corners in which the quantity leaves the band, from those that the slopes at some places point to; whether there are any.
+    pub(super) fn extend<M: Dimensions<N>, A>(
+        &mut self,
+        candidate: &Candidate<'_, M, A>,
+        places: &[Piece<N>],
+        band: f64,
+        limits: impl Fn(&A) -> Option<[Vec<Piece<N>>; 2]>,
+    ) -> bool {
+        let mut found: Vec<(f64, Corner<N>)> = Vec::new();
+        for start in self.likely(places) {
+            let mut corner = start;
+            for _ in 0..TURNS {
+                let excess = corner.assemble(candidate).and_then(|assembly| {
+                    let all = ranges(&limits(&assembly)?, band);
+                    all.into_iter().max_by(|a, b| a.value.total_cmp(&b.value))
+                });
+                // One that does not assemble is worse than all that do.
+                let value = excess.as_ref().map_or(f64::INFINITY, |piece| piece.value);
+                if value > HOLDS * band
+                    && !self.asked.contains(&corner)
+                    && !found.iter().any(|(_, other)| *other == corner)
+                {
+                    found.push((value, corner));
+                }
+                let next = excess.map_or(corner, |piece| self.towards(&piece.parameters));
+                if next == corner {
+                    break;
+                }
+                corner = next;
+            }
+        }
+        found.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let more = !found.is_empty();
+        self.asked
+            .extend(found.into_iter().take(NEW).map(|(_, corner)| corner));
+        more
+    }
+
+    /// The corners in which two of some places differ most, each once.
+    fn likely(&self, places: &[Piece<N>]) -> Vec<Corner<N>> {
+        let mut pairs: Vec<(f64, Corner<N>)> = Vec::new();
+        for high in places {
+            for low in places {
+                let slopes: [f64; N] = array::from_fn(|k| high.parameters[k] - low.parameters[k]);
+                let more: f64 = slopes
+                    .iter()
+                    .zip(&self.tolerances)
+                    .map(|(slope, tolerance)| slope.abs() * tolerance)
+                    .sum();
+                pairs.push((high.value - low.value + more, self.towards(&slopes)));
+            }
+        }
+        pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut likely: Vec<Corner<N>> = Vec::new();
+        for (_, corner) in pairs {
+            if likely.len() < PAIRS && !likely.contains(&corner) {
+                likely.push(corner);
+            }
+        }
+        likely
+    }
+}

@@ -1,0 +1,154 @@
+//! Figures of a cycle that are to be least or greatest, or within limits.
+
+use alloc::format;
+use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::{Candidate, Conditions, CycleWish, Motion, Piece};
+use crate::words::rounded;
+
+/// The pieces that a figure is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Pieces<const N: usize> {
+    /// The figure is the largest of them.
+    Largest(Vec<Piece<N>>),
+    /// The figure is the smallest of them.
+    Smallest(Vec<Piece<N>>),
+}
+
+/// A number that a cycle comes to.
+pub trait Figure<A, const N: usize>: Sized {
+    /// How messages call it.
+    fn title(&self) -> String;
+
+    /// What it is made of; `None` where the mechanism does not assemble over the range.
+    fn pieces(&self, motion: &Motion<'_, A>) -> Option<Pieces<N>>;
+
+    /// It is to be as small as possible: the goal.
+    fn least(self) -> Demand<Self> {
+        Demand {
+            figure: self,
+            sense: Sense::Least,
+        }
+    }
+
+    /// It is to be as large as possible: the goal.
+    fn greatest(self) -> Demand<Self> {
+        Demand {
+            figure: self,
+            sense: Sense::Greatest,
+        }
+    }
+
+    /// It must not be above a limit, in its own unit.
+    fn at_most(self, limit: f64) -> Demand<Self> {
+        Demand {
+            figure: self,
+            sense: Sense::AtMost(limit),
+        }
+    }
+
+    /// It must not be below a limit, in its own unit.
+    fn at_least(self, limit: f64) -> Demand<Self> {
+        Demand {
+            figure: self,
+            sense: Sense::AtLeast(limit),
+        }
+    }
+
+    /// It must have this value, in its own unit.
+    fn equal(self, value: f64) -> Demand<Self> {
+        Demand {
+            figure: self,
+            sense: Sense::Equal(value),
+        }
+    }
+}
+
+/// What is asked of a figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Sense {
+    Least,
+    Greatest,
+    AtMost(f64),
+    AtLeast(f64),
+    Equal(f64),
+}
+
+/// What is asked of a [`Figure`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Demand<F> {
+    figure: F,
+    sense: Sense,
+}
+
+impl<M, A, F: Figure<A, N>, const N: usize> CycleWish<M, A, N> for Demand<F> {
+    fn title(&self) -> String {
+        let title = self.figure.title();
+        match self.sense {
+            Sense::Least => format!("least {title}"),
+            Sense::Greatest => format!("greatest {title}"),
+            Sense::AtMost(limit) => format!("{title} of at most {}", rounded(limit)),
+            Sense::AtLeast(limit) => format!("{title} of at least {}", rounded(limit)),
+            Sense::Equal(value) => format!("{title} of {}", rounded(value)),
+        }
+    }
+
+    fn is_goal(&self) -> bool {
+        matches!(self.sense, Sense::Least | Sense::Greatest)
+    }
+
+    fn told(&self, least: f64) -> f64 {
+        if self.sense == Sense::Greatest {
+            -least
+        } else {
+            least
+        }
+    }
+
+    fn evaluate(&self, candidate: &Candidate<'_, M, A>, _: &[f64]) -> Option<Conditions<N>> {
+        let pieces = self.figure.pieces(&candidate.motion)?;
+        let (goal, conditions) = match self.sense {
+            Sense::Least => (upper(&pieces, 0.0), Vec::new()),
+            Sense::Greatest => (lower(&pieces, 0.0), Vec::new()),
+            Sense::AtMost(limit) => (Vec::new(), vec![upper(&pieces, limit)]),
+            Sense::AtLeast(limit) => (Vec::new(), vec![lower(&pieces, limit)]),
+            Sense::Equal(value) => (
+                Vec::new(),
+                vec![upper(&pieces, value), lower(&pieces, value)],
+            ),
+        };
+        Some(Conditions { goal, conditions })
+    }
+}
+
+/// What the figure is above a limit. The smallest of several has no other slopes than those of its piece.
+fn upper<const N: usize>(pieces: &Pieces<N>, limit: f64) -> Vec<Piece<N>> {
+    match pieces {
+        Pieces::Largest(all) => all.iter().map(|piece| piece.times(1.0, -limit)).collect(),
+        Pieces::Smallest(all) => smallest(all)
+            .map(|piece| piece.times(1.0, -limit))
+            .into_iter()
+            .collect(),
+    }
+}
+
+/// What the figure is below a limit.
+fn lower<const N: usize>(pieces: &Pieces<N>, limit: f64) -> Vec<Piece<N>> {
+    match pieces {
+        Pieces::Smallest(all) => all.iter().map(|piece| piece.times(-1.0, limit)).collect(),
+        Pieces::Largest(all) => largest(all)
+            .map(|piece| piece.times(-1.0, limit))
+            .into_iter()
+            .collect(),
+    }
+}
+
+fn smallest<const N: usize>(pieces: &[Piece<N>]) -> Option<&Piece<N>> {
+    pieces.iter().min_by(|a, b| a.value.total_cmp(&b.value))
+}
+
+fn largest<const N: usize>(pieces: &[Piece<N>]) -> Option<&Piece<N>> {
+    pieces.iter().max_by(|a, b| a.value.total_cmp(&b.value))
+}

@@ -1,0 +1,138 @@
+//! Searches from several starts, and the distinct optima they end at.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+
+use super::super::DesignError;
+use super::super::limits::Limits;
+use super::super::minimax::{Search, minimise};
+use super::super::starts::unit;
+use super::CycleWish;
+use super::found::BestCycle;
+use super::problem::{Problem, Start};
+use crate::{AssemblyError, Circuits, Dimensions};
+
+/// A step that promises less than this part of what the goal can change by in a first step ends the search.
+const PRECISION: f64 = 1e-6;
+/// A condition that is broken by less than this part of what it can change by in a first step holds.
+const TOLERANCE: f64 = 1e-9;
+/// One that is broken by more than this part of it at the end is out of reach; what is between is what a search leaves that is ended early.
+const HOLDS: f64 = 1e-7;
+/// How often wishes may add conditions.
+const REFINEMENTS: usize = 40;
+
+/// Optima whose dimensions differ by less than this part of the width of their bounds are one: in a flat valley searches end some way from each
+/// other.
+const DISTINCT: f64 = 0.02;
+
+/// Searches of one problem.
+pub(super) struct Descents<'d, 'w, M, A, const N: usize> {
+    pub(super) problem: Problem<'d, M, A, N>,
+    pub(super) wishes: Vec<Box<dyn CycleWish<M, A, N> + 'w>>,
+    /// The limits of the parameters.
+    pub(super) limits: Limits,
+    pub(super) steps: usize,
+    pub(super) circuits: &'d dyn Fn(&M) -> Result<Circuits<A>, AssemblyError>,
+    pub(super) stopped: &'d dyn Fn() -> bool,
+}
+
+/// A certified optimum.
+pub(super) struct Optimum<M, A> {
+    best: BestCycle<M, A>,
+    /// What the search makes least.
+    least: f64,
+    /// The parameters that vary.
+    place: Vec<f64>,
+}
+
+impl<M: Dimensions<N>, A, const N: usize> Descents<'_, '_, M, A, N> {
+    /// From the dimensions of a start, of which the first are those of the first mechanism.
+    pub(super) fn from(&mut self, seed: u64, index: usize) -> Result<Optimum<M, A>, DesignError> {
+        let (problem, limits) = (&self.problem, &self.limits);
+        let place: Vec<f64> = if index == 0 {
+            let own = problem.varied.iter().map(|&index| problem.nominal[index]);
+            own.collect()
+        } else {
+            let unit = unit(seed, index, limits.lower.len());
+            let bounds = limits.lower.iter().zip(&limits.upper);
+            let parts = bounds
+                .zip(unit)
+                .map(|((low, high), part)| low + part * (high - low));
+            parts.collect()
+        };
+        let start = self.problem.start(&self.wishes, &self.limits, place)?;
+        self.descend(start)
+    }
+
+    fn descend(&mut self, mut start: Start) -> Result<Optimum<M, A>, DesignError> {
+        let search = Search {
+            reach: start.reach.clone(),
+            precision: PRECISION,
+            tolerance: TOLERANCE,
+            rounds: self.steps,
+        };
+        let (problem, wishes) = (&self.problem, &mut self.wishes);
+        let (mut steps, mut evaluations, mut converged) = (0, 0, false);
+        for _ in 0..REFINEMENTS {
+            let sizes = problem.sizes(wishes, &start).ok_or(DesignError::NotWhole)?;
+            let groups = |x: &[f64]| problem.groups(wishes, x, &sizes);
+            let found = minimise(&start.x, &start.limits, &search, groups, self.stopped)
+                .ok_or(DesignError::NotWhole)?;
+            steps += found.rounds;
+            evaluations += found.evaluations;
+            start.x = found.x;
+            let refined = !(self.stopped)() && problem.refine(wishes, &start.x);
+            converged = found.converged && !refined;
+            if !refined {
+                break;
+            }
+        }
+        let (x, limits) = (&start.x, &start.limits);
+        let sizes = problem.sizes(wishes, &start).ok_or(DesignError::NotWhole)?;
+        problem.held(wishes, x, (limits, &sizes, HOLDS))?;
+        let branch = problem.certify(wishes, x, self.circuits)?;
+        let least = problem
+            .groups(wishes, x, &sizes)
+            .map_or(f64::NAN, |groups| sizes.goal * groups.value());
+        let goal = wishes.iter().find(|wish| wish.is_goal());
+        let best = BestCycle {
+            mechanism: problem.mechanism(x),
+            goal: goal.map_or(least, |wish| wish.told(least)),
+            own: problem
+                .own
+                .iter()
+                .map(|own| x[own.clone()].to_vec())
+                .collect(),
+            margin: branch.margin,
+            margin_at: branch.at,
+            assembly: branch.assembly,
+            at_bound: problem.at_bound(x, limits),
+            steps,
+            evaluations,
+            converged,
+            hits: 1,
+        };
+        let place = x[..problem.varied.len()].to_vec();
+        Ok(Optimum { best, least, place })
+    }
+
+    /// The distinct ones, the best first.
+    pub(super) fn distinct(&self, mut optima: Vec<Optimum<M, A>>) -> Vec<BestCycle<M, A>> {
+        optima.sort_by(|a, b| a.least.total_cmp(&b.least));
+        let mut kept: Vec<Optimum<M, A>> = Vec::new();
+        let Limits { lower, upper, .. } = &self.limits;
+        let near = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
+            let places = a.place.iter().zip(&b.place).zip(lower.iter().zip(upper));
+            places
+                .into_iter()
+                .all(|((a, b), (low, high))| (a - b).abs() <= DISTINCT * (high - low))
+        };
+        for optimum in optima {
+            match kept.iter_mut().find(|other| near(other, &optimum)) {
+                Some(other) => other.best.hits += 1,
+                None => kept.push(optimum),
+            }
+        }
+        kept.into_iter().map(|optimum| optimum.best).collect()
+    }
+}

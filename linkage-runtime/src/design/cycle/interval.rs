@@ -1,0 +1,173 @@
+//! What a quantity does over the interval of a dwell.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::dwell::{Dwell, SPARE};
+use super::{Motion, Piece, Place};
+use crate::summary::{Course, Extreme, Kind, positions};
+
+/// Evenly spaced positions of an interval from which its limits are searched: an interval is a part of a turn.
+const POSITIONS: usize = 24;
+
+impl<A, const N: usize> Dwell<'_, A, N> {
+    /// The quantity over the range, and beyond it across the seam.
+    fn jet(&self, motion: &Motion<'_, A>, assembly: &A, input: f64, advance: f64) -> [f64; 3] {
+        let (place, turns) = motion.in_range(input);
+        let [value, v, a] = self.curve.jet(assembly, place);
+        [value + turns * advance, v, a]
+    }
+
+    /// What the quantity advances by over a turn.
+    fn advance(&self, motion: &Motion<'_, A>, assembly: &A) -> f64 {
+        let (low, high) = motion.range;
+        let at = |input: f64| self.curve.jet(assembly, input)[0];
+        if motion.in_range(high + 1.0).1 > 0.0 {
+            at(high) - at(low)
+        } else {
+            0.0
+        }
+    }
+
+    /// The value at a place, with slopes; `part` says which part of the interval it is at, if it is fixed there.
+    fn piece(
+        &self,
+        motion: &Motion<'_, A>,
+        assembly: &A,
+        value: f64,
+        input: f64,
+        part: Option<(usize, f64)>,
+    ) -> Piece<N> {
+        let (place, _) = motion.in_range(input);
+        let speed = self.curve.jet(assembly, place)[1];
+        let (place_of, own) = match part {
+            Some((nth, part)) => (Place::Nth(nth), vec![speed, part * speed, 0.0, 0.0]),
+            None => (Place::At(input), vec![0.0; 4]),
+        };
+        Piece {
+            place: place_of,
+            value,
+            parameters: self.curve.slopes(assembly, place),
+            own,
+        }
+    }
+
+    /// Limits and ends of the quantity in the interval: the high ones and the low ones.
+    pub(super) fn limits(
+        &self,
+        motion: &Motion<'_, A>,
+        assembly: &A,
+        [from, length]: [f64; 2],
+    ) -> Option<[Vec<Piece<N>>; 2]> {
+        let advance = self.advance(motion, assembly);
+        let jet = |input: f64| self.jet(motion, assembly, input, advance);
+        let course = Course::of((from, from + length), POSITIONS, jet).ok()?;
+        if course.has_gaps() {
+            return None;
+        }
+        let of = |kind: Kind| {
+            let points = course
+                .position()
+                .points
+                .iter()
+                .filter(|point| point.kind == kind);
+            let piece = |point: &Extreme| {
+                let last = usize::from(point.at > from);
+                let part = point
+                    .end
+                    .then_some((last * (Self::SAMPLES - 1), last as f64));
+                self.piece(motion, assembly, point.value, point.at, part)
+            };
+            points.map(piece).collect()
+        };
+        Some([of(Kind::High), of(Kind::Low)])
+    }
+
+    pub(super) fn samples(
+        &self,
+        motion: &Motion<'_, A>,
+        [from, length]: [f64; 2],
+    ) -> Vec<Piece<N>> {
+        let advance = self.advance(motion, motion.assembly);
+        let sample = |nth: usize| {
+            let part = nth as f64 / (Self::SAMPLES - 1) as f64;
+            let input = from + part * length;
+            let [value, ..] = self.jet(motion, motion.assembly, input, advance);
+            self.piece(motion, motion.assembly, value, input, Some((nth, part)))
+        };
+        (0..Self::SAMPLES).map(sample).collect()
+    }
+
+    /// In the nominal mechanism the bounds of the band are variables; what it leaves them by.
+    pub(super) fn nominal(
+        &self,
+        motion: &Motion<'_, A>,
+        own: [f64; 4],
+    ) -> Option<[Vec<Piece<N>>; 2]> {
+        let [from, length, low, band] = own;
+        let [mut highs, mut lows] = self.limits(motion, motion.assembly, [from, length])?;
+        let inside = |piece: &Piece<N>| matches!(piece.place, Place::At(_));
+        highs.retain(inside);
+        lows.retain(inside);
+        let samples = self.samples(motion, [from, length]);
+        let above = |piece: &Piece<N>| {
+            let mut above = piece.times(1.0, -low - (1.0 - SPARE) * band);
+            above.own[2] = -1.0;
+            above.own[3] = SPARE - 1.0;
+            above
+        };
+        let below = |piece: &Piece<N>| {
+            let mut below = piece.times(-1.0, low);
+            below.own[2] = 1.0;
+            below
+        };
+        Some([
+            highs.iter().chain(&samples).map(above).collect(),
+            lows.iter().chain(&samples).map(below).collect(),
+        ])
+    }
+
+    /// The interval of a length in which the quantity changes least, of those that begin at the positions of the search.
+    pub(super) fn steadiest(&self, motion: &Motion<'_, A>, length: f64) -> Option<[f64; 4]> {
+        let inputs = positions(motion.range, motion.positions);
+        let change = |from: f64| {
+            let [highs, lows] = self.limits(motion, motion.assembly, [from, length])?;
+            let high = highs
+                .iter()
+                .map(|piece| piece.value)
+                .fold(f64::NEG_INFINITY, f64::max);
+            let low = lows
+                .iter()
+                .map(|piece| piece.value)
+                .fold(f64::INFINITY, f64::min);
+            Some([from, length, low, (high - low) / (1.0 - 2.0 * SPARE)])
+        };
+        let inside =
+            |from: &f64| motion.in_range(from + length).1 > 0.0 || from + length <= motion.range.1;
+        inputs
+            .filter(inside)
+            .filter_map(change)
+            .min_by(|a, b| a[3].total_cmp(&b[3]))
+    }
+}
+
+/// What a mechanism of the tolerances changes by beyond the band: each high place less each low one.
+pub(super) fn ranges<const N: usize>(
+    [highs, lows]: &[Vec<Piece<N>>; 2],
+    band: f64,
+) -> Vec<Piece<N>> {
+    let mut ranges = Vec::new();
+    for (i, high) in highs.iter().enumerate() {
+        for (j, low) in lows.iter().enumerate() {
+            let mut own: Vec<f64> = high.own.iter().zip(&low.own).map(|(a, b)| a - b).collect();
+            own[3] = SPARE - 1.0;
+            ranges.push(Piece {
+                place: Place::Nth(i * lows.len() + j),
+                value: high.value - low.value - (1.0 - SPARE) * band,
+                parameters: core::array::from_fn(|k| high.parameters[k] - low.parameters[k]),
+                own,
+            });
+        }
+    }
+    ranges
+}

@@ -1,0 +1,250 @@
+//! A checked design problem of a cycle: variables as a list of numbers, and what they do.
+
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use super::super::DesignError;
+use super::super::limits::Limits;
+use super::super::minimax::{Groups, Key, Row};
+use super::candidate::Assemble;
+use super::{Candidate, CycleWish, Motion, Own, Piece, Place};
+use crate::Dimensions;
+
+/// All wishes of a problem.
+pub(super) type Wishes<'w, M, A, const N: usize> = [Box<dyn CycleWish<M, A, N> + 'w>];
+
+/// The variables are the parameters that vary, then those that each wish has for itself.
+pub(super) struct Problem<'p, M, A, const N: usize> {
+    pub(super) nominal: [f64; N],
+    /// Indices of the parameters that vary, in ascending order.
+    pub(super) varied: Vec<usize>,
+    pub(super) range: (f64, f64),
+    /// Whether the range is a full turn.
+    pub(super) closed: bool,
+    pub(super) positions: usize,
+    pub(super) assemble: &'p Assemble<'p, M, A>,
+    /// Where the variables of each wish are.
+    pub(super) own: Vec<Range<usize>>,
+}
+
+/// Where a search begins, and within what.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Start {
+    pub(super) x: Vec<f64>,
+    pub(super) limits: Limits,
+    /// How far each variable may go in the first step.
+    pub(super) reach: Vec<f64>,
+}
+
+/// What the goal and each condition change by at most in a first step: they are measured by it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Sizes {
+    pub(super) goal: f64,
+    pub(super) conditions: Vec<f64>,
+}
+
+/// Of the width of its bounds, how far a parameter may go in the first step. The search doubles it while it does well.
+const REACH: f64 = 0.15;
+
+impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
+    /// Where a search begins: the mechanism nearest to some dimensions within the limits, and what suits it.
+    pub(super) fn start(
+        &mut self,
+        wishes: &Wishes<'_, M, A, N>,
+        limits: &Limits,
+        place: Vec<f64>,
+    ) -> Result<Start, DesignError> {
+        let x = limits.nearest(&place).unwrap_or(place);
+        self.own.clear();
+        let reach = |j: usize| {
+            let width = limits.upper[j] - limits.lower[j];
+            // A parameter that its bounds hold has no width; it is measured by something.
+            if width > 0.0 { REACH * width } else { 1.0 }
+        };
+        let mut start = Start {
+            reach: (0..x.len()).map(reach).collect(),
+            x,
+            limits: limits.clone(),
+        };
+        for wish in wishes {
+            let own = |candidate: &Candidate<'_, M, A>| wish.own(candidate);
+            let own: Vec<Own> = self
+                .tried(&start.x, own)
+                .ok_or_else(|| DesignError::NoStart { wish: wish.title() })?;
+            let first = start.reach.len();
+            for Own {
+                start: value,
+                bounds: (low, high),
+                reach,
+            } in own
+            {
+                start.x.push(value);
+                start.limits.lower.push(low);
+                start.limits.upper.push(high);
+                start.reach.push(reach);
+            }
+            self.own.push(first..start.reach.len());
+        }
+        Ok(start)
+    }
+
+    /// The mechanism with these variables.
+    pub(super) fn mechanism(&self, x: &[f64]) -> M {
+        let mut values = self.nominal;
+        for (&index, x) in self.varied.iter().zip(x) {
+            values[index] = *x;
+        }
+        M::from_values(&values)
+    }
+
+    /// Something of the mechanism with these variables; `None` if it does not assemble.
+    pub(super) fn tried<R>(
+        &self,
+        x: &[f64],
+        of: impl FnOnce(&Candidate<'_, M, A>) -> Option<R>,
+    ) -> Option<R> {
+        let assembly = (self.assemble)(&self.mechanism(x))?;
+        self.assembled(x, &assembly, of)
+    }
+
+    pub(super) fn assembled<R>(
+        &self,
+        x: &[f64],
+        assembly: &A,
+        of: impl FnOnce(&Candidate<'_, M, A>) -> Option<R>,
+    ) -> Option<R> {
+        let mechanism = self.mechanism(x);
+        let motion = Motion {
+            assembly,
+            range: self.range,
+            closed: self.closed,
+            positions: self.positions,
+        };
+        of(&Candidate::new(&mechanism, motion, self.assemble))
+    }
+
+    /// Goal and conditions of a candidate in their own units; those of a wish come together, in the order of the wishes.
+    pub(super) fn asked(
+        &self,
+        wishes: &Wishes<'_, M, A, N>,
+        x: &[f64],
+        candidate: &Candidate<'_, M, A>,
+    ) -> Option<Groups> {
+        let mut groups = Groups::default();
+        for (wish, own) in wishes.iter().zip(&self.own) {
+            let asked = wish.evaluate(candidate, &x[own.clone()])?;
+            let rows = |pieces: Vec<Piece<N>>| {
+                pieces
+                    .iter()
+                    .map(|piece| self.row(piece, own, x.len()))
+                    .collect()
+            };
+            groups.objective.extend::<Vec<Row>>(rows(asked.goal));
+            groups
+                .conditions
+                .extend(asked.conditions.into_iter().map(rows));
+        }
+        let finite =
+            |row: &Row| row.value.is_finite() && row.slopes.iter().all(|slope| slope.is_finite());
+        let all = groups
+            .conditions
+            .iter()
+            .chain([&groups.objective])
+            .flatten()
+            .all(finite);
+        all.then_some(groups)
+    }
+
+    fn row(&self, piece: &Piece<N>, own: &Range<usize>, variables: usize) -> Row {
+        let mut slopes = vec![0.0; variables];
+        for (slope, &index) in slopes.iter_mut().zip(&self.varied) {
+            *slope = piece.parameters[index];
+        }
+        // Figures have no variables of their own and leave the list empty.
+        for (slope, own) in slopes[own.clone()].iter_mut().zip(&piece.own) {
+            *slope = *own;
+        }
+        let key = match piece.place {
+            Place::Nth(nth) => Key::Nth(nth),
+            Place::At(input) => Key::At(input),
+        };
+        Row {
+            key,
+            value: piece.value,
+            slopes,
+        }
+    }
+
+    /// What goal and conditions are measured by, from their slopes at a place.
+    pub(super) fn sizes(&self, wishes: &Wishes<'_, M, A, N>, start: &Start) -> Option<Sizes> {
+        let groups = self.tried(&start.x, |candidate| {
+            self.asked(wishes, &start.x, candidate)
+        })?;
+        let change = |row: &Row| {
+            row.slopes
+                .iter()
+                .zip(&start.reach)
+                .map(|(s, r)| (s * r).abs())
+                .sum::<f64>()
+        };
+        let size = |rows: &Vec<Row>| {
+            let most = rows.iter().map(change).fold(0.0, f64::max);
+            // What no variable changes is measured by itself.
+            if most > 0.0 {
+                most
+            } else {
+                rows.iter()
+                    .map(|row| row.value.abs())
+                    .fold(f64::MIN_POSITIVE, f64::max)
+            }
+        };
+        Some(Sizes {
+            goal: size(&groups.objective),
+            conditions: groups.conditions.iter().map(size).collect(),
+        })
+    }
+
+    /// Goal and conditions, measured by their sizes.
+    pub(super) fn groups(
+        &self,
+        wishes: &Wishes<'_, M, A, N>,
+        x: &[f64],
+        sizes: &Sizes,
+    ) -> Option<Groups> {
+        let mut groups = self.tried(x, |candidate| self.asked(wishes, x, candidate))?;
+        scale(&mut groups.objective, sizes.goal);
+        groups
+            .conditions
+            .iter_mut()
+            .zip(&sizes.conditions)
+            .for_each(|(rows, size)| scale(rows, *size));
+        Some(groups)
+    }
+
+    /// Lets all wishes look for further conditions; whether there are any.
+    pub(super) fn refine(&self, wishes: &mut Wishes<'_, M, A, N>, x: &[f64]) -> bool {
+        let refined = |candidate: &Candidate<'_, M, A>| {
+            let refine = |(wish, own): (&mut Box<dyn CycleWish<M, A, N> + '_>, &Range<usize>)| {
+                wish.refine(candidate, &x[own.clone()])
+            };
+            // All of them: `any` would end at the first.
+            Some(
+                wishes
+                    .iter_mut()
+                    .zip(&self.own)
+                    .map(refine)
+                    .fold(false, |a, b| a | b),
+            )
+        };
+        self.tried(x, refined).unwrap_or(false)
+    }
+}
+
+fn scale(rows: &mut [Row], size: f64) {
+    for row in rows {
+        row.value /= size;
+        row.slopes.iter_mut().for_each(|slope| *slope /= size);
+    }
+}

@@ -1,0 +1,177 @@
+//! What is wrong with a design problem, and why nothing is found.
+
+mod words;
+
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::certificate::Interrupted;
+use crate::AssemblyError;
+
+/// Why a design problem cannot be solved.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum DesignError {
+    /// Several mistakes: all that could be found at once.
+    Several(Vec<DesignError>),
+    /// A parameter that the mechanism does not have.
+    NoParameter {
+        /// Its name.
+        name: String,
+        /// Those that it has.
+        known: Vec<&'static str>,
+    },
+    /// Bounds that contradict each other, or are no numbers.
+    Bounds {
+        /// The parameter.
+        name: String,
+        /// The lower bound.
+        low: f64,
+        /// The upper bound.
+        high: f64,
+    },
+    /// A parameter that is listed twice.
+    Twice {
+        /// Its name.
+        name: String,
+    },
+    /// A standard deviation that is not positive and finite.
+    Deviation {
+        /// What was measured.
+        quantity: String,
+        /// Its standard deviation.
+        deviation: f64,
+    },
+    /// Readings without standard deviations beside others that have them.
+    SomeDeviations {
+        /// What was measured without.
+        quantities: Vec<String>,
+    },
+    /// The mechanism that an identification begins with does not assemble where something was measured.
+    StartOpen {
+        /// The first of these inputs.
+        input: f64,
+        /// How many readings cannot be compared.
+        open: usize,
+        /// All readings.
+        count: usize,
+    },
+    /// No least sum of squares is found.
+    Unsettled {
+        /// Evaluations that were made.
+        steps: usize,
+    },
+    /// Nothing is to be varied, or nothing is wanted.
+    Nothing {
+        /// What is missing.
+        what: &'static str,
+        /// Where.
+        wish: String,
+    },
+    /// A number that is infinite or NaN.
+    NotFinite {
+        /// Where.
+        wish: String,
+        /// The number.
+        number: f64,
+    },
+    /// A list that has not as many entries as it should.
+    Count {
+        /// What is listed.
+        what: &'static str,
+        /// Where.
+        wish: String,
+        /// How many there should be.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// An input outside of the range of the mechanism.
+    OutOfRange {
+        /// Where.
+        wish: String,
+        /// The input.
+        input: f64,
+        /// The lower end of the range.
+        low: f64,
+        /// The upper end of the range.
+        high: f64,
+    },
+    /// The function has no such quantity.
+    NoQuantity {
+        /// The function.
+        function: &'static str,
+        /// The quantity.
+        quantity: String,
+    },
+    /// The function lacks the derivative by the input, where inputs are free.
+    NoVelocity {
+        /// The function.
+        function: &'static str,
+        /// The quantity.
+        quantity: String,
+    },
+    /// The function lacks derivatives by parameters that may vary.
+    NoSensitivity {
+        /// The function.
+        function: &'static str,
+        /// The quantity.
+        quantity: String,
+        /// The parameters.
+        missing: Vec<String>,
+    },
+    /// Bounds and relations that cannot hold together.
+    Contradiction {
+        /// The relations, in words.
+        relations: Vec<String>,
+    },
+    /// Not exactly one goal.
+    Goals {
+        /// The goals there are.
+        goals: Vec<String>,
+    },
+    /// A wish finds no place to begin with in the mechanism that the search begins with.
+    NoStart {
+        /// The wish.
+        wish: String,
+    },
+    /// A condition that cannot be held within the bounds, as far as the search sees.
+    OutOfReach {
+        /// The wish.
+        wish: String,
+        /// By how much it is missed, in its unit.
+        by: f64,
+        /// The parameters that are at a bound.
+        at_bound: Vec<String>,
+    },
+    /// The mechanism that was found does not run through its whole range on one circuit.
+    NotWhole,
+    /// The mechanism of the declaration does not assemble.
+    Start(AssemblyError),
+    /// No mechanism that holds what must hold was found.
+    NotFound {
+        /// Starts that were tried.
+        starts: usize,
+        /// Those that the relations refuse.
+        refused: usize,
+        /// Those that do not assemble where something is wanted.
+        open: usize,
+        /// Local optima that do not assemble over the whole range on one circuit.
+        not_whole: usize,
+        /// That of them with the least sum of squares, and why it does not.
+        nearest: Option<Interrupted>,
+    },
+}
+
+impl DesignError {
+    /// One error of some; `Ok` if there are none.
+    pub(crate) fn all(mut errors: Vec<Self>) -> Result<(), Self> {
+        match errors.len() {
+            0 => Ok(()),
+            1 => Err(errors.remove(0)),
+            _ => Err(Self::Several(errors)),
+        }
+    }
+}
+
+impl core::error::Error for DesignError {}

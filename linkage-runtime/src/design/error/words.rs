@@ -1,0 +1,150 @@
+//! Errors in words.
+
+use core::fmt;
+
+use super::DesignError;
+use crate::words::rounded;
+
+impl fmt::Display for DesignError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Several(errors) => {
+                write!(f, "{} mistakes", errors.len())?;
+                errors.iter().try_for_each(|error| write!(f, "\n- {error}"))
+            }
+            Self::NoParameter { name, known } => {
+                write!(
+                    f,
+                    "there is no parameter `{name}`; the mechanism has {}",
+                    known.join(", ")
+                )
+            }
+            Self::Bounds { name, low, high } => write!(
+                f,
+                "the bounds of `{name}` contradict each other: from {} to {}; the lower one comes first, and both are finite",
+                rounded(*low),
+                rounded(*high)
+            ),
+            Self::Twice { name } => write!(f, "`{name}` is listed twice; leave one of both"),
+            Self::Deviation {
+                quantity,
+                deviation,
+            } => write!(
+                f,
+                "the standard deviation of `{quantity}` is {deviation}: it must be positive and finite"
+            ),
+            Self::SomeDeviations { quantities } => write!(
+                f,
+                "no standard deviations are given for {}, but for others; give them for all, or for none",
+                quantities.join(", ")
+            ),
+            Self::StartOpen { input, open, count } => write!(
+                f,
+                "the mechanism that the fit begins with does not assemble, or stands at a dead point, for {open} of {count} \
+                 readings, the first at input {}; begin with dimensions that are nearer",
+                rounded(*input)
+            ),
+            Self::Unsettled { steps } => write!(
+                f,
+                "no least sum of squares in {steps} evaluations, which is our limit; give bounds with `vary`, or begin nearer"
+            ),
+            Self::Nothing { what, wish } => write!(f, "{wish}: {what}"),
+            Self::NotFinite { wish, number } => write!(f, "{wish}: {number} is no finite number"),
+            Self::Count {
+                what,
+                wish,
+                expected,
+                found,
+            } => {
+                write!(f, "{wish}: {found} {what}, where {expected} are needed")
+            }
+            Self::OutOfRange {
+                wish,
+                input,
+                low,
+                high,
+            } => write!(
+                f,
+                "{wish}: the input {} is outside of the mechanism's range from {} to {}; change it, or the range of the input",
+                rounded(*input),
+                rounded(*low),
+                rounded(*high)
+            ),
+            Self::NoQuantity { function, quantity } => {
+                write!(
+                    f,
+                    "`{function}` has no quantity `{quantity}`; add it to the function's list"
+                )
+            }
+            Self::NoVelocity { function, quantity } => write!(
+                f,
+                "`{function}` has no derivative of `{quantity}` by the input, which is free; add `v: velocity({quantity})` to the function"
+            ),
+            Self::NoSensitivity {
+                function,
+                quantity,
+                missing,
+            } => write!(
+                f,
+                "`{function}` has no derivatives of `{quantity}` by {}, which may vary; add `s: sensitivity({quantity})` to the function",
+                missing.join(", ")
+            ),
+            Self::Contradiction { relations } => write!(
+                f,
+                "no dimensions within the bounds hold all relations: {}; widen a bound, or leave one of them",
+                relations.join("; ")
+            ),
+            Self::Goals { goals } if goals.is_empty() => {
+                f.write_str("no wish is a goal; one is to be least, greatest, longest or narrowest")
+            }
+            Self::Goals { goals } => write!(
+                f,
+                "{} goals: {}; keep one, and make conditions of the others with `at_most` or `at_least`",
+                goals.len(),
+                goals.join(", ")
+            ),
+            Self::NoStart { wish } => write!(
+                f,
+                "{wish}: the mechanism that the search begins with has none, or does not run through its whole range; begin with another one"
+            ),
+            Self::OutOfReach { wish, by, at_bound } => {
+                write!(f, "{wish}: missed by {} in the best mechanism that was found", rounded(*by))?;
+                match at_bound.is_empty() {
+                    true => f.write_str(", with no parameter at a bound; ask for less, or begin with another mechanism"),
+                    false => write!(f, ", with {} at a bound; widen these, or ask for less", at_bound.join(", ")),
+                }
+            }
+            Self::NotWhole => f.write_str(
+                "the mechanism that was found does not run through its whole range on one circuit; ask for a margin, `Lowest(margin).at_least(..)`",
+            ),
+            Self::Start(error) => write!(
+                f,
+                "the mechanism that the search begins with does not assemble: {error}; begin with dimensions that do"
+            ),
+            Self::NotFound {
+                starts,
+                refused,
+                open,
+                not_whole,
+                nearest,
+            } => {
+                write!(
+                    f,
+                    "none of {starts} starts led to a mechanism that assembles over its whole range on one circuit"
+                )?;
+                write!(
+                    f,
+                    ": {refused} contradict the relations, {open} do not assemble where something is wanted, "
+                )?;
+                write!(
+                    f,
+                    "{not_whole} ended at mechanisms that do not run through the range; "
+                )?;
+                if let Some(nearest) = nearest {
+                    write!(f, "{nearest}; ")?;
+                }
+                f.write_str("take more starts, wider bounds, or relations that keep the range, such as Grashof's")
+            }
+        }
+    }
+}

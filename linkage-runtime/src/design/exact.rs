@@ -1,0 +1,59 @@
+//! Mechanisms that meet as many conditions as they have dimensions: all of them are listed.
+
+mod ball;
+mod burmester;
+mod certificate;
+mod complex;
+mod dense;
+mod double;
+mod dyad;
+mod error;
+mod five_points;
+mod four_bar;
+mod function;
+mod nine_points;
+mod polynomial;
+mod task;
+#[cfg(test)]
+mod tests;
+
+pub use burmester::{CentreCurve, CentrePoint, Dyad, Dyads, Pivots};
+pub use error::Unsolved;
+pub use five_points::{FivePoints, five_points};
+pub use four_bar::{FourBar, Passage, Turning, Visit};
+pub use function::{FunctionFourBar, Functions, Pair, Start};
+pub use nine_points::{
+    NinePoints, PathFourBar, Progress, TRIPLES, Triple, nine_points, nine_points_reporting,
+};
+
+use complex::Complex;
+
+/// Where a body is in the plane: the place of the origin of its frame, and its angle (rad).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// Place of the origin of the body's frame.
+    pub point: [f64; 2],
+    /// Angle of the body's frame, rad.
+    pub angle: f64,
+}
+
+impl Pose {
+    /// A pose.
+    #[must_use]
+    pub const fn new(point: [f64; 2], angle: f64) -> Self {
+        Self { point, angle }
+    }
+
+    /// Where a point of the body is.
+    #[must_use]
+    pub fn place(&self, point: [f64; 2]) -> [f64; 2] {
+        (Complex::from(self.point) + Complex::polar(self.angle) * point.into()).into()
+    }
+
+    /// Which point of the body is there.
+    #[must_use]
+    pub fn point_at(&self, place: [f64; 2]) -> [f64; 2] {
+        let way = Complex::from(place) - self.point.into();
+        (Complex::polar(-self.angle) * way).into()
+    }
+}

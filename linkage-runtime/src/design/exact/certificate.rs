@@ -1,0 +1,128 @@
+//! Proof that a system of equations has one solution near a point, and that it is real or is not.
+//!
+//! Krawczyk's operator on discs: with `A` about the inverse of the Jacobian at the point, `x - A f(x)` takes the product of
+//! the discs into itself and contracts it, rounding included. Then (Banach) it has one fixed point there, a solution of
+//! `f`. Data that are not exact are discs, too: what is shown then holds for all of them.
+//!
+//! Variables come in pairs: in a real solution, the second of a pair is the conjugate of the first.
+
+use super::ball::Ball;
+use super::complex::Complex;
+use super::dense::{self, Matrix};
+use super::double::Double;
+
+/// As many equations as unknowns.
+pub(super) trait System<const N: usize> {
+    /// The values at a point, with all that rounding and the data leave open.
+    fn values(&self, point: &Point<N>) -> [Ball; N];
+
+    /// The Jacobian at all points of the discs.
+    fn matrix(&self, discs: &[Ball; N]) -> [[Ball; N]; N];
+}
+
+/// With more digits than the solutions are told: next to singular points the values need them.
+pub(super) type Point<const N: usize> = [Complex<Double>; N];
+
+/// Discs with one solution.
+#[derive(Clone, Debug)]
+pub(super) struct Certificate<const N: usize> {
+    pub(super) discs: [Ball; N],
+    /// Whether the solution is real; nothing if it cannot be told.
+    pub(super) real: Option<bool>,
+}
+
+impl<const N: usize> Certificate<N> {
+    /// Whether the solutions of both are two.
+    pub(super) fn is_apart_from(&self, other: &Self) -> bool {
+        let mut pairs = self.discs.iter().zip(&other.discs);
+        pairs.any(|(a, b)| a.is_apart_from(*b))
+    }
+}
+
+/// Discs are widened so often; what is not shown then is too close to a singular point.
+const ATTEMPTS: usize = 4;
+
+/// Looks for discs around `point` in which `system` has one solution.
+pub(super) fn certify<const N: usize>(
+    point: &Point<N>,
+    system: &impl System<N>,
+) -> Option<Certificate<N>> {
+    let discs = one_solution(point, system)?;
+    let mirrored: [Ball; N] = core::array::from_fn(|i| discs[i ^ 1].conjugate());
+    let mut images = discs.iter().zip(mirrored);
+    if images.any(|(disc, image)| disc.is_apart_from(image)) {
+        let real = Some(false);
+        return Some(Certificate { discs, real });
+    }
+    // Discs that are their own mirror image hold the mirror image of their only solution.
+    let half = Complex::new(0.5, 0.0).wide();
+    let middle = core::array::from_fn(|i| (point[i] + point[i ^ 1].conjugate()) * half);
+    Some(match one_solution(&middle, system) {
+        Some(discs) => Certificate {
+            discs,
+            real: Some(true),
+        },
+        None => Certificate { discs, real: None },
+    })
+}
+
+fn one_solution<const N: usize>(point: &Point<N>, system: &impl System<N>) -> Option<[Ball; N]> {
+    let there = point.map(Ball::of);
+    let matrix = system.matrix(&there);
+    let inverse = dense::inverse(&matrix.map(|row| row.map(|element| element.middle)))?;
+    let shift = times(&inverse, &system.values(point)).map(Ball::size);
+    // Twice the Newton step, so that there is room for the other terms.
+    let mut radii = pairs(|i| 2.0 * shift[i] + f64::MIN_POSITIVE);
+    for _ in 0..ATTEMPTS {
+        let discs = core::array::from_fn(|i| there[i].widened(radii[i]));
+        let spread = spread(&inverse, &system.matrix(&discs), &radii);
+        let image: [f64; N] =
+            core::array::from_fn(|i| (shift[i] + spread[i]) * (1.0 + 4.0 * f64::EPSILON));
+        let inside = image
+            .iter()
+            .zip(&radii)
+            .all(|(image, radius)| image < radius);
+        if inside {
+            return Some(discs);
+        }
+        radii = pairs(|i| 2.0 * image[i]);
+    }
+    None
+}
+
+/// The larger one for both of a pair.
+fn pairs<const N: usize>(radius: impl Fn(usize) -> f64) -> [f64; N] {
+    core::array::from_fn(|i| radius(i).max(radius(i ^ 1)))
+}
+
+fn times<const N: usize>(matrix: &Matrix<N>, vector: &[Ball; N]) -> [Ball; N] {
+    core::array::from_fn(|i| {
+        let terms = matrix[i].iter().zip(vector);
+        terms.fold(Ball::ZERO, |sum, (&a, &b)| sum + Ball::exact(a) * b)
+    })
+}
+
+/// `|1 - A J|` times the radii.
+fn spread<const N: usize>(
+    inverse: &Matrix<N>,
+    matrix: &[[Ball; N]; N],
+    radii: &[f64; N],
+) -> [f64; N] {
+    core::array::from_fn(|i| {
+        let mut row = [Ball::ZERO; N];
+        row[i] = Ball::exact(Complex::new(-1.0, 0.0));
+        for (&a, elements) in inverse[i].iter().zip(matrix) {
+            for (sum, &element) in row.iter_mut().zip(elements) {
+                if !element.is_zero() {
+                    *sum = *sum + Ball::exact(a) * element;
+                }
+            }
+        }
+        let terms = row
+            .iter()
+            .zip(radii)
+            .map(|(element, radius)| element.size() * radius);
+        // Rounding of a sum of N products, amply.
+        terms.sum::<f64>() * (1.0 + 4.0 * N as f64 * f64::EPSILON)
+    })
+}

@@ -1,0 +1,83 @@
+//! Why a synthesis cannot be done.
+
+use core::error::Error;
+use core::fmt;
+
+/// Why a synthesis has no listing of its solutions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Unsolved {
+    /// A coordinate or an angle is NaN or infinite.
+    NotFinite {
+        /// Index of the condition.
+        index: usize,
+    },
+    /// Two conditions are one: there is one condition less than dimensions, and infinitely many mechanisms meet them.
+    Equal {
+        /// Indices of the conditions.
+        indices: [usize; 2],
+    },
+    /// The conditions depend on each other, so that infinitely many mechanisms meet them, or rounding decides how many.
+    Dependent {
+        /// The smallest singular value of their equations as a part of the largest one.
+        rank: f64,
+        /// Below which we take them for dependent.
+        least: f64,
+    },
+    /// What is asked for is at infinity, as the pole of poses that are only shifted against each other.
+    AtInfinity,
+    /// Whoever was told of the progress asked to stop.
+    Stopped {
+        /// Paths that had been followed.
+        done: usize,
+        /// All paths.
+        count: usize,
+    },
+    /// Equations whose solutions cannot be listed.
+    Unlisted(crate::numeric::roots::Unlisted),
+}
+
+impl fmt::Display for Unsolved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NotFinite { index } => {
+                write!(f, "condition {index} has a number that is not finite")
+            }
+            Self::Equal { indices: [a, b] } => write!(
+                f,
+                "conditions {a} and {b} are equal, which leaves infinitely many mechanisms; ask for another \
+                 one, or use fewer conditions and choose"
+            ),
+            Self::Dependent { rank, least } => write!(
+                f,
+                "the conditions depend on each other (smallest singular value {rank:.1e} of the largest, \
+                 below our limit of {least:.0e}), which leaves infinitely many mechanisms; move one of them"
+            ),
+            Self::AtInfinity => f.write_str(
+                "what is asked for is at infinity, as for poses that are only shifted against each other; turn \
+                 a pose, or move the joint",
+            ),
+            Self::Stopped { done, count } => {
+                write!(f, "stopped as asked, after {done} of {count} paths")
+            }
+            Self::Unlisted(unlisted) => write!(f, "{unlisted}"),
+        }
+    }
+}
+
+impl Error for Unsolved {}
+
+/// All numbers are finite, no two conditions are equal.
+pub(super) fn check<const K: usize>(conditions: &[[f64; K]]) -> Result<(), Unsolved> {
+    for (index, condition) in conditions.iter().enumerate() {
+        if condition.iter().any(|number| !number.is_finite()) {
+            return Err(Unsolved::NotFinite { index });
+        }
+        let before = &conditions[..index];
+        if let Some(equal) = before.iter().position(|other| other == condition) {
+            let indices = [equal, index];
+            return Err(Unsolved::Equal { indices });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,201 @@
+//! Following all stored solutions, and sorting out what is found.
+
+use super::super::ball::{Ball, Bound};
+use super::super::certificate::{self, Point, System};
+use super::super::complex::{Complex, ONE, ZERO};
+use super::super::dense;
+use super::super::double::Double;
+use super::super::error::Unsolved;
+use super::super::task::Shift;
+use super::cognates::{Mark, cognate, exchanged};
+use super::equations::{self, ALL, Shifts, Unknowns};
+use super::path::{Pace, Way, follow};
+use super::{Progress, TRIPLES, Task, starts};
+use alloc::collections::BTreeSet;
+use alloc::vec::Vec;
+
+pub(super) type Certificate = certificate::Certificate<ALL>;
+
+/// A solution that is shown to be one.
+pub(super) type Found = (Certificate, Mark);
+
+/// Solutions, each shown to differ from the others, also as a cognate.
+#[derive(Default)]
+pub(super) struct Search {
+    pub(super) found: Vec<Found>,
+    /// For each of them, the start whose path came there first on this way.
+    origins: Vec<Option<usize>>,
+}
+
+/// Ways from the stored points to the given ones: angles without pattern. All solutions are found by the first one but for
+/// accidents; what several find together is as sure.
+const ARCS: [f64; 3] = [2.1937, -1.3291, 0.8713];
+const ATTEMPTS: usize = 3;
+/// Paths of a block: some dozen reports in all, and enough for many threads.
+const BLOCK: usize = 64;
+const STEPS: usize = 5;
+
+impl Search {
+    pub(super) fn run(
+        task: &Task,
+        report: &mut impl FnMut(Progress) -> bool,
+    ) -> Result<Self, Unsolved> {
+        let (from, data) = (starts::shifts(), Data::new(&task.shifts));
+        let starts = starts::solutions();
+        let mut search = Self::default();
+        let mut count = starts.len();
+        let mut done = 0;
+        told(report, done, count)?;
+        for angle in ARCS {
+            let way = Way {
+                from: &from,
+                to: &data.plain,
+                arc: Complex::polar(angle),
+            };
+            search.origins.fill(None);
+            let mut left: Vec<usize> = (0..starts.len()).collect();
+            for attempt in 0..ATTEMPTS {
+                let pace = Pace::of_attempt(attempt);
+                let mut again = BTreeSet::new();
+                for block in left.chunks(BLOCK) {
+                    let ends = in_parallel(block, |&i| data.end(&starts[i], &way, pace));
+                    for (&i, end) in block.iter().zip(ends) {
+                        again.extend(search.doubtful(i, end));
+                    }
+                    done += block.len();
+                    told(report, done, count)?;
+                }
+                if search.found.len() >= TRIPLES {
+                    return Ok(search);
+                }
+                count += again.len();
+                left = again.into_iter().collect();
+            }
+            count += starts.len();
+        }
+        Ok(search)
+    }
+
+    /// The starts whose paths must be followed again: this one if it has no end, and both of two with one end, of which one
+    /// has come off its path.
+    fn doubtful(&mut self, start: usize, end: Option<Found>) -> Vec<usize> {
+        let Some(end) = end else {
+            return [start].into();
+        };
+        let place = self.place(end);
+        let origin = *self.origins[place].get_or_insert(start);
+        if origin == start {
+            Vec::new()
+        } else {
+            [origin, start].into()
+        }
+    }
+
+    /// Where a solution is among those found, the last place if it is new.
+    pub(super) fn place(&mut self, end: Found) -> usize {
+        let known = self
+            .found
+            .iter()
+            .position(|(_, other)| !end.1.is_apart_from(other));
+        known.unwrap_or_else(|| {
+            self.found.push(end);
+            self.origins.push(None);
+            self.found.len() - 1
+        })
+    }
+}
+
+fn told(
+    report: &mut impl FnMut(Progress) -> bool,
+    done: usize,
+    count: usize,
+) -> Result<(), Unsolved> {
+    let stopped = Unsolved::Stopped { done, count };
+    report(Progress { done, count })
+        .then_some(())
+        .ok_or(stopped)
+}
+
+/// The points against the first one in the numbers that are needed.
+pub(super) struct Data {
+    pub(super) plain: Shifts<Complex>,
+    pub(super) wide: Shifts<Complex<Double>>,
+    pub(super) discs: Shifts<Ball>,
+}
+
+impl Data {
+    pub(super) fn new(shifts: &[Shift; 8]) -> Self {
+        let wide = shifts.map(Shift::wide);
+        Self {
+            plain: wide.map(|pair| pair.map(Complex::narrow)),
+            wide,
+            discs: shifts.map(Shift::discs),
+        }
+    }
+
+    /// Where a path ends, as a certificate of the cognate for which it can be had.
+    pub(super) fn end(
+        &self,
+        start: &Unknowns<Complex>,
+        way: &Way<'_>,
+        pace: Pace,
+    ) -> Option<Found> {
+        let end = follow(start, way, pace)?;
+        let second = cognate(&end, &self.plain);
+        let third = cognate(&exchanged(&end), &self.plain);
+        [end, second, third]
+            .iter()
+            .find_map(|unknowns| self.shown(unknowns))
+    }
+
+    /// A certificate near these unknowns.
+    pub(super) fn shown(&self, unknowns: &Unknowns<Complex>) -> Option<Found> {
+        let refined = self.refined(unknowns)?;
+        let certificate = certificate::certify(&refined, self)?;
+        let mark = Mark::new(&certificate.discs)?;
+        Some((certificate, mark))
+    }
+
+    /// Newton's steps with residuals of twice the digits.
+    fn refined(&self, start: &Unknowns<Complex>) -> Option<Point<ALL>> {
+        let mut unknowns = start.map(Complex::wide);
+        for _ in 0..STEPS {
+            let (values, _) = equations::all(&unknowns, &self.wide, [ZERO, ONE].map(Complex::wide));
+            let plain = unknowns.map(Complex::narrow);
+            let (_, mut matrix) = equations::all(&plain, &self.plain, [ZERO, ONE]);
+            let mut right = [values.map(|value| -value.narrow())];
+            if dense::solve(&mut matrix, &mut right) == 0.0 {
+                return None;
+            }
+            unknowns = core::array::from_fn(|i| unknowns[i] + right[0][i].wide());
+        }
+        Some(unknowns)
+    }
+}
+
+impl System<ALL> for Data {
+    fn values(&self, point: &Point<ALL>) -> [Ball; ALL] {
+        let (values, _) = equations::all(point, &self.wide, [ZERO, ONE].map(Complex::wide));
+        let shifts = self.wide.map(|pair| pair.map(Bound::of));
+        let (sizes, _) = equations::all(&point.map(Bound::of), &shifts, [Bound(0.0), Bound(1.0)]);
+        core::array::from_fn(|i| sizes[i].around(values[i]))
+    }
+
+    fn matrix(&self, discs: &[Ball; ALL]) -> [[Ball; ALL]; ALL] {
+        equations::all(discs, &self.discs, [Ball::ZERO, Ball::exact(ONE)]).1
+    }
+}
+
+#[cfg(feature = "rayon")]
+pub(super) fn in_parallel<T: Sync, R: Send>(
+    items: &[T],
+    work: impl Fn(&T) -> R + Sync + Send,
+) -> Vec<R> {
+    use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+    items.par_iter().map(work).collect()
+}
+
+#[cfg(not(feature = "rayon"))]
+pub(super) fn in_parallel<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
+    items.iter().map(work).collect()
+}

@@ -1,0 +1,243 @@
+//! Paths and certificates in parts; whole searches, which are for optimised code, with `LINKAGE_LONG`.
+
+mod generator;
+
+use super::super::complex::{Complex, ONE};
+use super::equations::Unknowns;
+use super::path::{Pace, Way};
+use super::search::{Data, Search};
+use super::*;
+use core::f64::consts::TAU;
+use linkage_random::Random;
+use std::println;
+
+/// Nine points of Wampler, Morgan and Sommese (1992), their problem 3, which has 64 real triples; Hauenstein and Sottile
+/// certified that number (ACM Transactions on Mathematical Software, Algorithm 921).
+const PROBLEM_3: [[f64; 2]; 9] = [
+    [0.25, 0.00],
+    [0.52, 0.10],
+    [0.80, 0.70],
+    [1.20, 1.00],
+    [1.40, 1.30],
+    [1.10, 1.48],
+    [0.70, 1.40],
+    [0.20, 1.00],
+    [0.02, 0.40],
+];
+
+/// Joints of the frame, points of the path, and the poses of the coupler in them, of a crank-rocker.
+struct Planted {
+    fixed: [[f64; 2]; 2],
+    coupler: f64,
+    tracer: [f64; 2],
+    poses: [Pose; 9],
+}
+
+impl Planted {
+    fn new(random: &mut Random) -> Self {
+        let fixed = [[10.0, 20.0], [70.0, random.between(15.0, 25.0)]];
+        let [crank, coupler, rocker] =
+            [(17.0, 23.0), (50.0, 60.0), (40.0, 50.0)].map(|(low, high)| random.between(low, high));
+        let tracer = [random.between(21.0, 39.0), random.between(16.0, 34.0)];
+        let poses = core::array::from_fn(|i| {
+            let angle = TAU / 9.0 * (i as f64 + random.between(0.1, 0.9));
+            let pin = [
+                fixed[0][0] + crank * angle.cos(),
+                fixed[0][1] + crank * angle.sin(),
+            ];
+            let (x, y) = (fixed[1][0] - pin[0], fixed[1][1] - pin[1]);
+            let distance = x.hypot(y);
+            let cosine = (distance * distance + coupler * coupler - rocker * rocker)
+                / (2.0 * distance * coupler);
+            Pose::new(pin, y.atan2(x) + cosine.acos())
+        });
+        Self {
+            fixed,
+            coupler,
+            tracer,
+            poses,
+        }
+    }
+
+    fn points(&self) -> [[f64; 2]; 9] {
+        self.poses.map(|pose| pose.place(self.tracer))
+    }
+
+    /// Its unknowns.
+    fn unknowns(&self, task: &Task) -> Unknowns<Complex> {
+        let unit = 1.0 / task.unit;
+        let from_first = |place: [f64; 2]| (Complex::from(place) - task.first.into()).scaled(unit);
+        let joints =
+            [[0.0, 0.0], [self.coupler, 0.0]].map(|joint| from_first(self.poses[0].place(joint)));
+        let fixed = self.fixed.map(from_first);
+        core::array::from_fn(|i| {
+            let number = match i / 2 {
+                0 => joints[0],
+                1 => fixed[0],
+                2 => joints[1],
+                3 => fixed[1],
+                turn => Complex::polar(self.poses[turn - 3].angle - self.poses[0].angle),
+            };
+            if i % 2 == 0 {
+                number
+            } else {
+                number.conjugate()
+            }
+        })
+    }
+}
+
+/// Every four-bar keeps its lengths in all poses, and its coupler has the points.
+fn assert_passes(triple: &Triple, points: &[[f64; 2]; 9]) {
+    for PathFourBar {
+        four_bar,
+        poses,
+        passage,
+    } in &triple.four_bars
+    {
+        let known = four_bar.lengths(&poses[0]);
+        let size = known.into_iter().fold(0.0, f64::max);
+        for (pose, point) in poses.iter().zip(points) {
+            for (own, known) in four_bar.lengths(pose).into_iter().zip(known) {
+                assert!((own - known).abs() < 1e-11 * size, "{own} {known}");
+            }
+            let way = (pose.point[0] - point[0]).hypot(pose.point[1] - point[1]);
+            assert!(way < 1e-14 * size.max(1.0), "{way}");
+        }
+        assert_eq!(passage.visits.len(), 9);
+    }
+    // Cognates have one curve: what is in order for one is so for all.
+    let [first, second, third] = triple.four_bars.each_ref().map(|own| own.passage.in_order);
+    assert!(first == second && second == third);
+}
+
+#[test]
+fn a_planted_four_bar_and_its_cognates() {
+    let mut random = Random::new(11);
+    for _ in 0..5 {
+        let planted = Planted::new(&mut random);
+        let points = planted.points();
+        let task = Task::new(&points).unwrap();
+        let shown = Data::new(&task.shifts).shown(&planted.unknowns(&task));
+        let (certificate, _) = shown.expect("it is a solution");
+        assert_eq!(certificate.real, Some(true));
+        let triple = task.triple(&certificate);
+        assert!(triple.error < 1e-9, "{}", triple.error);
+        assert_passes(&triple, &points);
+        assert!(triple.four_bars[0].passage.in_order && triple.four_bars[0].passage.one_branch(0));
+        let [first, second, third] = triple.four_bars.each_ref().map(|own| own.four_bar.fixed);
+        for (own, known) in first.iter().zip(planted.fixed) {
+            assert!((own[0] - known[0]).hypot(own[1] - known[1]) < 1e-9);
+        }
+        // Each two have a joint of the frame in common.
+        let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        assert!(apart(first[0], second[0]) < 1e-9 && apart(first[1], third[0]) < 1e-9);
+        assert!(apart(second[1], third[1]) < 1e-9, "{second:?} {third:?}");
+    }
+}
+
+#[test]
+fn what_is_stored_are_distinct_solutions() {
+    let stored = starts::solutions();
+    assert_eq!(stored.len(), TRIPLES);
+    let shifts = starts::shifts();
+    let data = Data {
+        plain: shifts,
+        wide: shifts.map(|pair| pair.map(Complex::wide)),
+        discs: shifts.map(|pair| pair.map(super::super::ball::Ball::exact)),
+    };
+    let mut search = Search::default();
+    for unknowns in stored.iter().step_by(97) {
+        let here = Way {
+            from: &shifts,
+            to: &shifts,
+            arc: ONE,
+        };
+        let found = data
+            .end(unknowns, &here, Pace::of_attempt(0))
+            .expect("a solution is stored");
+        search.place(found);
+    }
+    assert_eq!(search.found.len(), TRIPLES.div_ceil(97));
+}
+
+#[test]
+fn paths_end_in_distinct_solutions() {
+    let task = Task::new(&PROBLEM_3).unwrap();
+    let data = Data::new(&task.shifts);
+    let shifts = starts::shifts();
+    let way = Way {
+        from: &shifts,
+        to: &data.plain,
+        arc: Complex::polar(1.0),
+    };
+    let mut search = Search::default();
+    let starts = starts::solutions();
+    for start in starts.iter().step_by(361) {
+        search.place(data.end(start, &way, Pace::of_attempt(0)).expect("an end"));
+    }
+    assert_eq!(search.found.len(), 4);
+}
+
+#[test]
+fn bad_points_and_searches_that_are_stopped() {
+    let mut points = PROBLEM_3;
+    points[7] = points[2];
+    assert_eq!(
+        nine_points(&points),
+        Err(Unsolved::Equal { indices: [2, 7] })
+    );
+    points[7] = [f64::NAN, 0.0];
+    assert_eq!(nine_points(&points), Err(Unsolved::NotFinite { index: 7 }));
+    let stopped = Unsolved::Stopped {
+        done: 0,
+        count: TRIPLES,
+    };
+    assert_eq!(nine_points_reporting(&PROBLEM_3, |_| false), Err(stopped));
+}
+
+/// All triples of a published problem and of planted ones.
+#[test]
+fn whole_searches() {
+    if std::env::var_os("LINKAGE_LONG").is_none() {
+        return;
+    }
+    let check = |name: &str, points: &[[f64; 2]; 9]| {
+        let clock = std::time::Instant::now();
+        let found = nine_points(points).unwrap();
+        let (seconds, real) = (clock.elapsed().as_secs_f64(), found.triples.len());
+        println!(
+            "{name}: {real} real, {} complex, {} undecided, {seconds:.2} s",
+            found.complex, found.undecided
+        );
+        // One in some ten thousand is too close to a singular one for the digits that we have.
+        assert_eq!(real + found.complex + found.undecided, TRIPLES);
+        assert!(found.undecided <= 1);
+        for triple in &found.triples {
+            assert_passes(triple, points);
+        }
+        found
+    };
+    assert_eq!(check("problem 3", &PROBLEM_3).triples.len(), 64);
+    let mut random = Random::new(12);
+    for i in 0..6 {
+        let planted = Planted::new(&mut random);
+        let found = check(&std::format!("planted {i}"), &planted.points());
+        let four_bars = found.triples.iter().flat_map(|triple| &triple.four_bars);
+        let near =
+            |own: [f64; 2], known: [f64; 2]| (own[0] - known[0]).hypot(own[1] - known[1]) < 1e-8;
+        let [a, b] = planted.fixed;
+        let is_planted = |own: &PathFourBar| {
+            let [c, d] = own.four_bar.fixed;
+            (near(c, a) && near(d, b)) || (near(c, b) && near(d, a))
+        };
+        assert_eq!(four_bars.filter(|own| is_planted(own)).count(), 1);
+        let triples = found
+            .triples
+            .iter()
+            .filter(|triple| triple.four_bars[0].passage.in_order);
+        println!("  {} pass the points in their order", triples.count());
+        let points = [(); 9].map(|()| [random.between(-9.0, 9.0), random.between(-9.0, 9.0)]);
+        check("random", &points);
+    }
+}

@@ -1,0 +1,134 @@
+//! Which combinations of parameters the readings determine, and how well.
+
+use alloc::vec::Vec;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::reading::Row;
+
+/// What readings say of the parameters, each in terms of its range: near the estimate, to first order.
+#[derive(Clone, Debug)]
+pub(super) struct Determined {
+    /// Derivatives of the readings over their standard deviations, by the parameters over their ranges.
+    pub(super) jacobian: DMatrix<f64>,
+    /// Differences over standard deviations.
+    differences: DVector<f64>,
+    left: DMatrix<f64>,
+    /// Directions of the parameters, one in each row, best determined first.
+    pub(super) directions: DMatrix<f64>,
+    /// What a step along each does to the readings.
+    pub(super) singular: Vec<f64>,
+    /// How many of them are determined.
+    pub(super) rank: usize,
+    /// The sum of squares.
+    pub(super) sum: f64,
+    readings: usize,
+    /// Whether standard deviations are found from the scatter.
+    estimated: bool,
+}
+
+impl Determined {
+    pub(super) fn new(rows: &[Row], ranges: &[f64], estimated: bool) -> Self {
+        let n = ranges.len();
+        // At least as many rows as parameters: what no reading determines has a direction, too.
+        let m = rows.len().max(n);
+        let entry = |i: usize, j: usize| {
+            rows.get(i)
+                .map_or(0.0, |row| ranges[j] * row.slopes[j] / row.deviation)
+        };
+        let jacobian = DMatrix::from_fn(m, n, entry);
+        let difference = |i: usize| {
+            rows.get(i)
+                .map_or(0.0, |row| row.difference / row.deviation)
+        };
+        let differences = DVector::from_fn(m, |i, _| difference(i));
+        let svd = jacobian.clone().svd(true, true);
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_by(|&a, &b| svd.singular_values[b].total_cmp(&svd.singular_values[a]));
+        // Both were asked for.
+        let empty = || DMatrix::zeros(0, 0);
+        let (u, v) = (svd.u.unwrap_or_else(empty), svd.v_t.unwrap_or_else(empty));
+        let mut own = Self {
+            left: DMatrix::from_fn(m, n, |i, k| u[(i, order[k])]),
+            directions: DMatrix::from_fn(n, n, |k, j| v[(order[k], j)]),
+            singular: order.iter().map(|&k| svd.singular_values[k]).collect(),
+            rank: n,
+            sum: differences.norm_squared(),
+            readings: rows.len(),
+            estimated,
+            jacobian,
+            differences,
+        };
+        own.rank = own.singular.iter().filter(|&&s| s >= own.needed()).count();
+        own
+    }
+
+    /// What is not determined changes the readings by less than this over its range: one standard deviation, as the
+    /// root of the sum of squares of all changes; never less than what rounding leaves of the largest one.
+    pub(super) fn needed(&self) -> f64 {
+        /// What rounding leaves of a derivative of 0, as part of the largest one.
+        const ROUNDING: f64 = 1e-11;
+        let largest = self.singular.first().copied().unwrap_or(0.0);
+        (ROUNDING * largest).max(self.deviation())
+    }
+
+    /// Whether a change that makes so much of a difference makes none but rounding.
+    pub(super) fn is_nothing(&self, change: f64) -> bool {
+        /// As above, with what a few hundred readings add up.
+        const NOTHING: f64 = 1e-9;
+        change <= NOTHING * self.singular.first().copied().unwrap_or(0.0)
+    }
+
+    /// By how many the readings are more than the combinations that they determine.
+    pub(super) fn degrees_of_freedom(&self) -> usize {
+        self.readings.saturating_sub(self.rank)
+    }
+
+    /// Whether standard deviations are found from the scatter.
+    pub(super) fn is_estimated(&self) -> bool {
+        self.estimated
+    }
+
+    /// The standard deviation of a reading over that which was given: 1 unless it is found from the scatter; NaN if
+    /// there is none.
+    pub(super) fn deviation(&self) -> f64 {
+        match (self.estimated, self.degrees_of_freedom()) {
+            (false, _) => 1.0,
+            (true, 0) => f64::NAN,
+            (true, freedom) => (self.sum / freedom as f64).sqrt(),
+        }
+    }
+
+    /// What is left of the differences is least when this is taken off the parameters.
+    pub(super) fn step(&self) -> Vec<f64> {
+        let n = self.singular.len();
+        let mut step = alloc::vec![0.0; n];
+        for k in 0..self.rank {
+            let along = self.left.column(k).dot(&self.differences) / self.singular[k];
+            for (j, step) in step.iter_mut().enumerate() {
+                *step += along * self.directions[(k, j)];
+            }
+        }
+        step
+    }
+
+    /// The covariance of parameters `i` and `j`, by what is determined.
+    pub(super) fn covariance(&self, i: usize, j: usize) -> f64 {
+        let part =
+            |k: usize| self.directions[(k, i)] * self.directions[(k, j)] / self.singular[k].powi(2);
+        self.deviation().powi(2) * (0..self.rank).map(part).sum::<f64>()
+    }
+
+    /// Whether the parameter is part of no combination that is not determined.
+    pub(super) fn is_determined(&self, j: usize) -> bool {
+        /// A part of such a combination that is as small does nothing: a thousandth of the parameter's range.
+        const PART: f64 = 1e-3;
+        let parts = (self.rank..self.singular.len()).map(|k| self.directions[(k, j)].powi(2));
+        parts.sum::<f64>().sqrt() < PART
+    }
+
+    /// The part of each reading in what it determines itself.
+    pub(super) fn leverage(&self, i: usize) -> f64 {
+        (0..self.rank).map(|k| self.left[(i, k)].powi(2)).sum()
+    }
+}

@@ -1,0 +1,83 @@
+//! An identification as tables.
+
+use alloc::format;
+use alloc::string::{String, ToString};
+use core::fmt;
+
+use super::Identified;
+use super::identified::pairs;
+use crate::words::rounded;
+
+/// Correlations above this size are printed: the one parameter alone would be known more than twice as well.
+const STRONG: f64 = 0.9;
+
+/// Estimates with standard errors, what is not determined, strong correlations, outliers.
+impl<M, const N: usize> fmt::Display for Identified<M, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self
+            .parameters
+            .iter()
+            .map(|own| own.name.len())
+            .max()
+            .unwrap_or(0)
+            .max(9);
+        writeln!(
+            f,
+            "{:<width$} {:>12} {:>12} {:>14}",
+            "parameter", "start", "estimate", "standard error"
+        )?;
+        for own in &self.parameters {
+            let [start, value] = [own.start, own.value].map(|x| format!("{}", rounded(x)));
+            let error = match own.standard_error.is_infinite() {
+                true => String::from("not determined"),
+                false => format!(
+                    "{:>14} {}",
+                    rounded(own.standard_error).to_string(),
+                    own.unit
+                ),
+            };
+            let bound = if own.is_at_bound {
+                ", at its bound"
+            } else {
+                ""
+            };
+            let name = own.name;
+            writeln!(
+                f,
+                "{name:<width$} {start:>12} {value:>12} {}{bound}",
+                error.trim_end()
+            )?;
+        }
+        writeln!(
+            f,
+            "{} readings, {} degrees of freedom, sum of squares {}",
+            self.residuals.len(),
+            self.degrees_of_freedom,
+            rounded(self.sum_of_squares)
+        )?;
+        for own in &self.undetermined {
+            writeln!(f, "not determined: {own}")?;
+        }
+        for (a, b, correlation) in
+            pairs(self).filter(|(.., correlation)| correlation.abs() > STRONG)
+        {
+            writeln!(
+                f,
+                "correlation of {} and {}: {correlation:.3}",
+                a.name, b.name
+            )?;
+        }
+        for own in self.outliers() {
+            writeln!(
+                f,
+                "outlier: {} at {} is {} {} off, {:.1} standard deviations",
+                own.number,
+                rounded(own.input),
+                rounded(own.difference),
+                own.unit,
+                own.standardised
+            )?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,244 @@
+//! What was measured, or could be: quantities of a generated function at inputs.
+
+use alloc::boxed::Box;
+use alloc::string::{String, ToString};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+use core::marker::PhantomData;
+
+use crate::design::DesignError;
+use crate::design::columns::Numbers;
+use crate::{Dimensions, Parameter, Table};
+
+/// A quantity at positions of the input, with readings or without: `Measured::of("tracer", values)` was measured,
+/// `Measured::offer("psi")` could be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    quantity: String,
+    /// By position; `None` if nothing was read.
+    values: Option<Vec<Vec<f64>>>,
+    inputs: Vec<f64>,
+    /// By position, or one row for all.
+    deviations: Vec<Vec<f64>>,
+}
+
+impl Measured {
+    /// Readings of all numbers of a quantity at each position; NaN where one is missing.
+    #[must_use]
+    pub fn of<const K: usize>(quantity: &str, values: impl IntoIterator<Item = [f64; K]>) -> Self {
+        Self {
+            values: Some(values.into_iter().map(|row| row.to_vec()).collect()),
+            ..Self::offer(quantity)
+        }
+    }
+
+    /// A quantity that could be measured, should the readings not determine everything.
+    #[must_use]
+    pub fn offer(quantity: &str) -> Self {
+        Self {
+            quantity: quantity.to_string(),
+            values: None,
+            inputs: Vec::new(),
+            deviations: Vec::new(),
+        }
+    }
+
+    /// The inputs, one for each position, which are taken to be exact.
+    #[must_use]
+    pub fn at(mut self, inputs: impl IntoIterator<Item = f64>) -> Self {
+        self.inputs = inputs.into_iter().collect();
+        self
+    }
+
+    /// The standard deviation of each number of the quantity, the same at all positions, in its unit.
+    ///
+    /// Without deviations all readings are taken to be as good as each other, and how good is found from their scatter.
+    #[must_use]
+    pub fn deviations<const K: usize>(mut self, deviations: [f64; K]) -> Self {
+        self.deviations = vec![deviations.to_vec()];
+        self
+    }
+
+    /// As [`deviations`](Self::deviations), for each position.
+    #[must_use]
+    pub fn deviations_each<const K: usize>(
+        mut self,
+        deviations: impl IntoIterator<Item = [f64; K]>,
+    ) -> Self {
+        self.deviations = deviations.into_iter().map(|row| row.to_vec()).collect();
+        self
+    }
+
+    /// The quantity and its sensitivities are in the columns of this function, a `_sweep_sets_into` method such as
+    /// `FourBarAssembly::path_sweep_sets_into`.
+    #[must_use]
+    pub fn computed_by<M, A, C, F, const N: usize>(self, function: F) -> Readings<M, A, C, F, N>
+    where
+        M: Dimensions<N> + Copy,
+        F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
+        C: Table + Default,
+    {
+        Readings {
+            measured: self,
+            function,
+            of: PhantomData,
+        }
+    }
+}
+
+/// [`Measured`] of a generated function.
+pub struct Readings<M, A, C, F, const N: usize> {
+    measured: Measured,
+    function: F,
+    of: PhantomData<fn(&M, &A) -> C>,
+}
+
+/// One number at one position.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    pub(super) number: &'static str,
+    pub(super) unit: &'static str,
+    pub(super) input: f64,
+    /// What was read; NaN if nothing was.
+    pub(super) reading: f64,
+    /// The value minus the reading, without whole turns of an angle.
+    pub(super) difference: f64,
+    pub(super) deviation: f64,
+    /// Derivatives of the value by the unknown parameters.
+    pub(super) slopes: Vec<f64>,
+}
+
+/// What rows come from.
+pub(super) trait Source<M, A> {
+    fn check(&self, parameters: &[Parameter], unknown: &[usize]) -> Vec<DesignError>;
+    /// Whether standard deviations are given.
+    fn has_deviations(&self) -> bool;
+    fn quantity(&self) -> &str;
+    /// All rows of a mechanism, missing readings left out.
+    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row>;
+}
+
+impl<M, A, C, F, const N: usize> Source<M, A> for Readings<M, A, C, F, N>
+where
+    M: Dimensions<N> + Copy,
+    F: Fn(&A, &[M], &[f64], &mut C),
+    C: Table + Default,
+{
+    fn check(&self, parameters: &[Parameter], unknown: &[usize]) -> Vec<DesignError> {
+        let own = &self.measured;
+        let names = [own.quantity.clone()];
+        let mut errors = Vec::new();
+        let count = |what, expected, found| DesignError::Count {
+            what,
+            wish: own.quantity.clone(),
+            expected,
+            found,
+        };
+        if own.inputs.is_empty() {
+            errors.push(DesignError::Nothing {
+                what: "no inputs; name them with `at`",
+                wish: own.quantity.clone(),
+            });
+        }
+        if let Some(&number) = own.inputs.iter().find(|input| !input.is_finite()) {
+            let wish = own.quantity.clone();
+            errors.push(DesignError::NotFinite { wish, number });
+        }
+        if let Some(values) = &own.values
+            && values.len() != own.inputs.len()
+        {
+            errors.push(count("inputs", values.len(), own.inputs.len()));
+        }
+        if own.deviations.len() > 1 && own.deviations.len() != own.inputs.len() {
+            errors.push(count(
+                "rows of deviations",
+                own.inputs.len(),
+                own.deviations.len(),
+            ));
+        }
+        let is_wrong = |deviation: &&f64| !(**deviation > 0.0 && deviation.is_finite());
+        if let Some(&deviation) = own.deviations.iter().flatten().find(is_wrong) {
+            let quantity = own.quantity.clone();
+            errors.push(DesignError::Deviation {
+                quantity,
+                deviation,
+            });
+        }
+        let columns = C::default();
+        match Numbers::find(columns.heading(), &names, false, parameters, unknown) {
+            Err(more) => errors.extend(more),
+            Ok(numbers) => {
+                let rows = own.values.iter().flatten().chain(&own.deviations);
+                if let Some(row) = rows.into_iter().find(|row| row.len() != numbers.len()) {
+                    errors.push(count("numbers at a position", numbers.len(), row.len()));
+                }
+            }
+        }
+        errors
+    }
+
+    fn has_deviations(&self) -> bool {
+        !self.measured.deviations.is_empty()
+    }
+
+    fn quantity(&self) -> &str {
+        &self.measured.quantity
+    }
+
+    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row> {
+        let own = &self.measured;
+        let mut columns = C::default();
+        let mechanisms = vec![*mechanism; own.inputs.len()];
+        (self.function)(assembly, &mechanisms, &own.inputs, &mut columns);
+        let numbers = Numbers::all(columns.heading(), core::slice::from_ref(&own.quantity));
+        let mut rows = Vec::new();
+        for (k, number) in numbers.iter().enumerate() {
+            let heading = &columns.heading().columns[number.value];
+            // Parameters that the list of sensitivities leaves out are no unknowns: the check has seen to it.
+            let places = unknown.iter().filter_map(|index| {
+                let own = number.sensitivities.iter().find(|(own, _)| own == index);
+                own.map(|&(_, column)| column)
+            });
+            let places: Vec<usize> = places.collect();
+            for (position, &input) in own.inputs.iter().enumerate() {
+                let reading = own.values.as_ref().map(|values| values[position][k]);
+                if reading.is_some_and(f64::is_nan) {
+                    continue;
+                }
+                let value = columns.column(number.value)[position];
+                let reading = reading.unwrap_or(f64::NAN);
+                let difference = value - reading;
+                let turns = if number.angle {
+                    TAU * (difference / TAU).round()
+                } else {
+                    0.0
+                };
+                let deviations = own.deviations.get(position).or(own.deviations.first());
+                rows.push(Row {
+                    number: heading.name,
+                    unit: heading.unit,
+                    input,
+                    reading,
+                    difference: difference - turns,
+                    deviation: deviations.map_or(1.0, |row| row[k]),
+                    slopes: places
+                        .iter()
+                        .map(|&place| columns.column(place)[position])
+                        .collect(),
+                });
+            }
+        }
+        rows
+    }
+}
+
+/// A parameter that was measured itself.
+#[derive(Clone, Debug)]
+pub(super) struct Direct {
+    pub(super) name: String,
+    pub(super) value: f64,
+    pub(super) deviation: f64,
+}
+
+pub(super) type Sources<'a, M, A> = Vec<Box<dyn Source<M, A> + 'a>>;

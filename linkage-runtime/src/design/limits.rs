@@ -1,0 +1,130 @@
+//! Bounds and linear relations of the variables.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::quadratic::{Face, Quadratic};
+
+/// A linear relation: a sum of variables, each times a factor, is at most `most`, or exactly that.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Linear {
+    pub(crate) terms: Vec<(usize, f64)>,
+    pub(crate) most: f64,
+    pub(crate) equality: bool,
+}
+
+impl Linear {
+    /// How much is left up to the limit.
+    pub(crate) fn slack(&self, x: &[f64]) -> f64 {
+        self.most - self.terms.iter().map(|&(j, a)| a * x[j]).sum::<f64>()
+    }
+
+    /// The size of what is added, for rounding.
+    fn scale(&self, x: &[f64]) -> f64 {
+        let parts: f64 = self.terms.iter().map(|&(j, a)| (a * x[j]).abs()).sum();
+        parts.max(self.most.abs())
+    }
+}
+
+/// A relation that is violated by less than this part of its terms holds: they are sums of rounded numbers.
+const HOLDS: f64 = 1e-11;
+
+/// Where the variables may be.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Limits {
+    pub(crate) lower: Vec<f64>,
+    pub(crate) upper: Vec<f64>,
+    pub(crate) relations: Vec<Linear>,
+}
+
+impl Limits {
+    pub(crate) fn len(&self) -> usize {
+        self.lower.len()
+    }
+
+    /// Into the bounds.
+    pub(crate) fn clamp(&self, x: &mut [f64]) {
+        for ((x, low), high) in x.iter_mut().zip(&self.lower).zip(&self.upper) {
+            *x = x.clamp(*low, *high);
+        }
+    }
+
+    /// Whether bounds and relations hold.
+    pub(crate) fn hold(&self, x: &[f64]) -> bool {
+        let within = |(x, (low, high)): (&f64, (&f64, &f64))| (low..=high).contains(&x);
+        let bounds = x.iter().zip(self.lower.iter().zip(&self.upper)).all(within);
+        let holds = |relation: &Linear| {
+            let slack = relation.slack(x);
+            let least = -HOLDS * relation.scale(x);
+            slack >= least && (!relation.equality || slack <= -least)
+        };
+        bounds && self.relations.iter().all(holds)
+    }
+
+    /// The limits as faces for a step from `x`: bounds first, of which it gives the number, then relations.
+    pub(crate) fn faces(&self, x: &[f64], faces: &mut Vec<Face>) -> usize {
+        faces.clear();
+        for (j, x) in x.iter().enumerate() {
+            let sides = [(1.0, x - self.lower[j]), (-1.0, self.upper[j] - x)];
+            for (a, slack) in sides.into_iter().filter(|(_, slack)| slack.is_finite()) {
+                faces.push(Face {
+                    normal: vec![(j, a)],
+                    slack,
+                    equality: false,
+                });
+            }
+        }
+        let bounds = faces.len();
+        for relation in &self.relations {
+            faces.push(Face {
+                normal: relation.terms.iter().map(|&(j, a)| (j, -a)).collect(),
+                slack: relation.slack(x),
+                equality: relation.equality,
+            });
+        }
+        bounds
+    }
+
+    /// The place itself, or with equalities the nearest one at which these hold; `None` if there is none.
+    pub(crate) fn on_equalities(&self, x: Vec<f64>) -> Option<Vec<f64>> {
+        let equalities = self.relations.iter().filter(|relation| relation.equality);
+        let relations: Vec<Linear> = equalities.cloned().collect();
+        match relations.is_empty() {
+            true => Some(x),
+            false => Self {
+                relations,
+                ..self.clone()
+            }
+            .nearest(&x),
+        }
+    }
+
+    /// The nearest place at which all hold, in the measure of the bounds' widths; `None` if there is none.
+    pub(crate) fn nearest(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let mut near = x.to_vec();
+        self.clamp(&mut near);
+        if self.hold(&near) {
+            return Some(near);
+        }
+        let n = self.len();
+        let mut gram = vec![0.0; n * n];
+        for j in 0..n {
+            let width = self.upper[j] - self.lower[j];
+            let width = if width > 0.0 && width.is_finite() {
+                width
+            } else {
+                1.0
+            };
+            gram[j * n + j] = 1.0 / (width * width);
+        }
+        let mut faces = Vec::new();
+        self.faces(&near, &mut faces);
+        let mut program = Quadratic::default();
+        if !program.solve(&gram, &vec![0.0; n], &faces) {
+            return None;
+        }
+        near.iter_mut().zip(&program.d).for_each(|(x, d)| *x += d);
+        self.clamp(&mut near);
+        self.hold(&near).then_some(near)
+    }
+}

@@ -1,0 +1,194 @@
+//! The search of a design problem.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use core::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+#[cfg(feature = "rayon")]
+use rayon::prelude::*;
+
+use super::builder::{Design, Progress};
+use super::catalogue::rounded;
+use super::certificate::{Interrupted, Interruption, certify};
+use super::problem::{Evaluator, Problem};
+use super::search::{BLOCK, Block, Optimum, block, distinct};
+use super::{DesignError, Found, Search};
+use crate::Dimensions;
+
+/// How long a round of blocks should take; after each the progress is reported.
+const ROUND: Duration = Duration::from_millis(100);
+
+impl<'a, M, A, const N: usize> Design<'a, M, A, N>
+where
+    M: Dimensions<N> + Copy + Send + Sync,
+    A: Clone + Send + Sync,
+{
+    /// Searches from all starts, and lists all distinct local optima that hold what must hold.
+    ///
+    /// Equal seeds give equal designs on any number of threads, unless time limit or cancellation end the search.
+    ///
+    /// # Errors
+    ///
+    /// All mistakes of the problem at once; `NotFound` if no start led to a mechanism that runs through its whole range.
+    pub fn run(mut self) -> Result<Search<M, A>, DesignError> {
+        let mut progress = self.progress.take();
+        let problem = self.problem()?;
+        let (blocks, ended_early) = self.search(&problem, &mut progress);
+        let starts = self.starts.min(blocks.len() * BLOCK);
+        let mut total = Block::default();
+        for block in blocks {
+            total.refused += block.refused;
+            total.open += block.open;
+            total.evaluations += block.evaluations;
+            total.optima.extend(block.optima);
+        }
+        let mut optima = distinct(total.optima, &problem.widths(), &problem.periods());
+        let mut evaluator = Evaluator::new(&problem);
+        if !problem.catalogues.is_empty() {
+            optima.truncate(self.listed);
+            let round = |optimum: Optimum| {
+                let assembly = &self.assemblies[optimum.assembly];
+                rounded(&problem, &mut evaluator, assembly, optimum, self.steps)
+            };
+            let all = optima.into_iter().filter_map(round).collect();
+            optima = distinct(all, &problem.widths(), &problem.periods());
+        }
+        let (mut designs, mut not_whole, mut nearest) = (Vec::new(), 0, None);
+        for optimum in &optima {
+            if designs.len() == self.listed {
+                break;
+            }
+            match self.found(&problem, &mut evaluator, optimum) {
+                Ok(found) => designs.push(found),
+                Err(why) => {
+                    not_whole += 1;
+                    let sum = optimum.sum;
+                    // The least one comes first.
+                    nearest.get_or_insert(Interrupted { sum, why });
+                }
+            }
+        }
+        if designs.is_empty() {
+            return Err(DesignError::NotFound {
+                starts,
+                refused: total.refused,
+                open: total.open,
+                not_whole,
+                nearest,
+            });
+        }
+        Ok(Search {
+            designs,
+            starts,
+            refused: total.refused,
+            open: total.open,
+            not_whole,
+            evaluations: total.evaluations,
+            ended_early,
+            residuals: problem.residuals(),
+            variables: problem.limits.len(),
+        })
+    }
+
+    /// All blocks that were run, and whether some were not.
+    fn search(
+        &self,
+        problem: &Problem<'_, M, A, N>,
+        progress: &mut Option<Box<dyn FnMut(Progress) + 'a>>,
+    ) -> (Vec<Block>, bool) {
+        let began = Instant::now();
+        let (assemblies, starts, seed, steps) =
+            (&self.assemblies, self.starts, self.seed, self.steps);
+        let run = |number: usize| {
+            let end = starts.min((number + 1) * BLOCK);
+            block(problem, assemblies, seed, number * BLOCK..end, steps)
+        };
+        let count = self.starts.div_ceil(BLOCK);
+        let (mut blocks, mut least) = (Vec::new(), f64::INFINITY);
+        let mut round = 1;
+        while blocks.len() < count {
+            if self.time.is_some_and(|time| began.elapsed() >= time)
+                || self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
+            {
+                return (blocks, true);
+            }
+            let started = Instant::now();
+            let numbers = blocks.len()..count.min(blocks.len() + round);
+            #[cfg(feature = "rayon")]
+            let new: Vec<Block> = numbers.into_par_iter().map(run).collect();
+            #[cfg(not(feature = "rayon"))]
+            let new: Vec<Block> = numbers.map(run).collect();
+            let sums = new
+                .iter()
+                .flat_map(|block| &block.optima)
+                .map(|optimum| optimum.sum);
+            least = sums.fold(least, f64::min);
+            blocks.extend(new);
+            // Only the length of a round depends on time, and no start on the length of a round.
+            let taken = started.elapsed();
+            round = if taken < ROUND / 2 { 2 * round } else { round };
+            round = if taken > ROUND * 2 {
+                (round / 2).max(1)
+            } else {
+                round
+            };
+            if let Some(report) = progress {
+                report(Progress {
+                    done: self.starts.min(blocks.len() * BLOCK),
+                    count: self.starts,
+                    least,
+                });
+            }
+        }
+        (blocks, false)
+    }
+
+    fn found(
+        &self,
+        problem: &Problem<'_, M, A, N>,
+        evaluator: &mut Evaluator<'_, M, A, N>,
+        optimum: &Optimum,
+    ) -> Result<Found<M, A>, Interruption> {
+        let assembly = &self.assemblies[optimum.assembly];
+        let optimum = &problem.wrapped(optimum);
+        let branch = certify(problem, evaluator, assembly, optimum, &*self.circuits)?;
+        evaluator.evaluate(&branch.assembly, core::iter::once(&optimum.x[..]));
+        let mut normal = super::normal::Normal::new(problem.limits.len());
+        evaluator.normal(0, &mut normal);
+        let wishes = 0..problem.wishes.len();
+        let rows = |wish: usize| {
+            let rows = evaluator.rows(wish);
+            (0..rows.count()).map(|row| rows.row(0, row).0).collect()
+        };
+        let inputs = |wish: usize| {
+            problem.wishes[wish].inputs(&optimum.x[problem.inputs(wish)], &problem.cycle)
+        };
+        let bound = |j: usize| {
+            [problem.limits.lower[j], problem.limits.upper[j]]
+                .into_iter()
+                .find(|bound| *bound == optimum.x[j])
+        };
+        let active: Vec<(usize, f64)> = (0..problem.varied.len())
+            .filter_map(|j| Some((j, bound(j)?)))
+            .collect();
+        Ok(Found {
+            mechanism: problem.mechanism(&optimum.x),
+            sum: normal.sum,
+            wishes: problem.wishes.iter().map(|wish| wish.title()).collect(),
+            residuals: wishes.clone().map(rows).collect(),
+            inputs: wishes.map(inputs).collect(),
+            margin: branch.margin,
+            margin_at: branch.at,
+            at_bound: active
+                .iter()
+                .map(|&(j, bound)| (M::PARAMETERS[problem.varied[j]].name, bound))
+                .collect(),
+            bound_slopes: active.iter().map(|&(j, _)| normal.gradient[j]).collect(),
+            assembly: branch.assembly,
+            converged: optimum.converged,
+            start: optimum.start,
+            hits: optimum.hits,
+        })
+    }
+}

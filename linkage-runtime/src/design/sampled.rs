@@ -1,0 +1,260 @@
+//! Targets of a generated function, in lanes over mechanisms.
+
+use alloc::boxed::Box;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+use core::marker::PhantomData;
+use linkage_core::Cycle;
+
+use super::DesignError;
+use super::columns::Numbers;
+use super::problem::ROOM;
+use super::targets::{Targets, Timing};
+use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
+use crate::{Dimensions, Parameter, Table};
+
+/// [`Targets`] of a generated function.
+pub struct Sampled<M, A, C, F, const N: usize> {
+    targets: Targets,
+    function: F,
+    of: PhantomData<fn(&M, &A) -> C>,
+}
+
+impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
+    pub(super) fn new(targets: Targets, function: F) -> Self {
+        Self {
+            targets,
+            function,
+            of: PhantomData,
+        }
+    }
+
+    fn called(&self) -> String {
+        format!("targets of {}", self.targets.quantities.join(", "))
+    }
+
+    fn count(&self, what: &'static str, expected: usize, found: usize) -> Option<DesignError> {
+        let wish = self.called();
+        (expected != found).then_some(DesignError::Count {
+            what,
+            wish,
+            expected,
+            found,
+        })
+    }
+
+    /// What is wrong with the given inputs.
+    fn given(&self, cycle: &Cycle) -> Vec<DesignError> {
+        let Timing::Given(inputs) = &self.targets.timing else {
+            return Vec::new();
+        };
+        let outside =
+            |x: &&f64| super::turn(cycle).is_none() && !(cycle.low..=cycle.high).contains(*x);
+        let count = self.count("inputs", self.targets.targets.len(), inputs.len());
+        let beyond = inputs
+            .iter()
+            .find(outside)
+            .map(|&input| DesignError::OutOfRange {
+                wish: self.called(),
+                input,
+                low: cycle.low,
+                high: cycle.high,
+            });
+        count.into_iter().chain(beyond).collect()
+    }
+
+    /// The first number that is none.
+    fn not_finite(&self) -> Option<DesignError> {
+        let Targets {
+            targets,
+            weights,
+            timing,
+            ..
+        } = &self.targets;
+        let inputs: &[f64] = match timing {
+            Timing::Given(inputs) => inputs,
+            Timing::Evenly(step) => core::slice::from_ref(step),
+            _ => &[],
+        };
+        let mut numbers = targets.iter().flatten().chain(weights).chain(inputs);
+        let number = *numbers.find(|x| !x.is_finite())?;
+        let wish = self.called();
+        Some(DesignError::NotFinite { wish, number })
+    }
+}
+
+impl<M, A, C, F, const N: usize> Wish<M, A> for Sampled<M, A, C, F, N>
+where
+    M: Dimensions<N> + Copy + Send + Sync,
+    A: Sync,
+    F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
+    C: Table + Default,
+{
+    fn title(&self) -> String {
+        self.called()
+    }
+
+    fn rows(&self) -> usize {
+        self.targets.targets.len() * self.targets.weights.len()
+    }
+
+    fn free(&self, cycle: &Cycle) -> Option<Free> {
+        let Targets {
+            targets, timing, ..
+        } = &self.targets;
+        let count = match timing {
+            Timing::Given(_) => return None,
+            Timing::Evenly(_) => 1,
+            _ => targets.len(),
+        };
+        let (low, high) = (cycle.low, cycle.high);
+        let turn = super::turn(cycle);
+        let mut bounds = match turn {
+            // Inputs that differ by turns are the same: room to turn past the seam.
+            Some(turn) => (low - ROOM * turn, high + ROOM * turn),
+            None => (low, high),
+        };
+        if let (Timing::Evenly(step), None) = (timing, turn) {
+            let rest = step * targets.len().saturating_sub(1) as f64;
+            bounds = (low - rest.min(0.0), high - rest.max(0.0));
+        }
+        let backwards = matches!(timing, Timing::Backwards);
+        let from = if turn.is_some() { (low, high) } else { bounds };
+        let flip = |(a, b): (f64, f64)| if backwards { (-b, -a) } else { (a, b) };
+        Some(Free {
+            count,
+            bounds: flip(bounds),
+            ordered: matches!(timing, Timing::InOrder | Timing::Backwards),
+            turn,
+            from: flip(from),
+        })
+    }
+
+    /// The first one within the range, where the input turns.
+    fn inputs(&self, free: &[f64], cycle: &Cycle) -> Vec<f64> {
+        let timing = &self.targets.timing;
+        let positions = 0..self.targets.targets.len();
+        let inputs: Vec<f64> = positions
+            .map(|position| timing.input(free, position).0)
+            .collect();
+        match (timing, super::turn(cycle), inputs.first()) {
+            (Timing::Given(_), _, _) | (_, None, _) | (_, _, None) => inputs,
+            (_, Some(turn), Some(first)) => {
+                let past = turn * ((first - cycle.low) / turn).floor();
+                inputs.iter().map(|input| input - past).collect()
+            }
+        }
+    }
+
+    fn check(&self, cycle: &Cycle, parameters: &[Parameter], varied: &[usize]) -> Vec<DesignError> {
+        let Targets {
+            quantities,
+            targets,
+            weights,
+            timing,
+        } = &self.targets;
+        let mut errors = self.given(cycle);
+        if targets.is_empty() {
+            let wish = self.called();
+            errors.push(DesignError::Nothing {
+                what: "no positions",
+                wish,
+            });
+        }
+        errors.extend(self.not_finite());
+        let each = targets.first().map_or(0, Vec::len);
+        errors.extend(self.count("weights", each, weights.len()));
+        let free = !matches!(timing, Timing::Given(_));
+        match Numbers::find(C::default().heading(), quantities, free, parameters, varied) {
+            Err(more) => errors.extend(more),
+            Ok(numbers) => errors.extend(self.count("numbers of a target", numbers.len(), each)),
+        }
+        errors
+    }
+
+    fn evaluator(&self) -> Box<dyn Evaluate<M, A> + '_> {
+        let columns = C::default();
+        let numbers = Numbers::all(columns.heading(), &self.targets.quantities);
+        Box::new(Evaluator {
+            wish: self,
+            columns,
+            numbers,
+            sets: Vec::new(),
+            inputs: Vec::new(),
+        })
+    }
+}
+
+struct Evaluator<'a, M, A, C, F, const N: usize> {
+    wish: &'a Sampled<M, A, C, F, N>,
+    columns: C,
+    numbers: Numbers,
+    sets: Vec<M>,
+    inputs: Vec<f64>,
+}
+
+impl<M, A, C, F, const N: usize> Evaluate<M, A> for Evaluator<'_, M, A, C, F, N>
+where
+    M: Dimensions<N> + Copy,
+    F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
+    C: Table + Default,
+{
+    fn evaluate(&mut self, candidates: &Candidates<'_, M, A>, rows: &mut Rows) {
+        let count = candidates.mechanisms.len();
+        if count == 0 {
+            return;
+        }
+        let Targets {
+            targets,
+            weights,
+            timing,
+            ..
+        } = &self.wish.targets;
+        let each = candidates.free.len() / count;
+        self.sets.clear();
+        self.inputs.clear();
+        for (index, mechanism) in candidates.mechanisms.iter().enumerate() {
+            let free = &candidates.free[index * each..(index + 1) * each];
+            for position in 0..targets.len() {
+                let (input, _) = timing.input(free, position);
+                self.sets.push(*mechanism);
+                self.inputs.push(input);
+            }
+        }
+        (self.wish.function)(
+            candidates.assembly,
+            &self.sets,
+            &self.inputs,
+            &mut self.columns,
+        );
+        // Row `at * width + k` of all is number `k` at position `at` of all.
+        let (positions, width) = (targets.len(), weights.len());
+        for (k, (number, weight)) in self.numbers.iter().zip(weights).enumerate() {
+            for (at, value) in self.columns.column(number.value).iter().enumerate() {
+                let difference = value - targets[at % positions][k];
+                let turns = match number.angle {
+                    true => TAU * (difference / TAU).round(),
+                    false => 0.0,
+                };
+                *rows.nth_mut(at * width + k).0 = weight * (difference - turns);
+            }
+            for &(parameter, column) in &number.sensitivities {
+                for (at, slope) in self.columns.column(column).iter().enumerate() {
+                    rows.nth_mut(at * width + k).1[parameter] = weight * slope;
+                }
+            }
+            for (at, slope) in number
+                .rate
+                .iter()
+                .flat_map(|&rate| self.columns.column(rate).iter().enumerate())
+            {
+                let free = &candidates.free[at / positions * each..];
+                if let Some((place, by)) = timing.input(free, at % positions).1 {
+                    rows.nth_mut(at * width + k).2[place] = by * weight * slope;
+                }
+            }
+        }
+    }
+}

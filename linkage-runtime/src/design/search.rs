@@ -1,0 +1,134 @@
+//! Descents from many starts, side by side.
+
+use alloc::vec::Vec;
+
+use super::least_squares::{Descent, State};
+use super::normal::Normal;
+use super::problem::{Evaluator, Problem};
+use super::starts;
+use crate::Dimensions;
+
+/// Starts of a block, which are evaluated side by side: enough for lanes, and few enough that their numbers stay in the cache.
+pub(crate) const BLOCK: usize = 32;
+
+/// A local optimum, not yet certified.
+#[derive(Clone, Debug)]
+pub(crate) struct Optimum {
+    /// The variables.
+    pub(crate) x: Vec<f64>,
+    pub(crate) sum: f64,
+    /// Which of the assemblies.
+    pub(crate) assembly: usize,
+    /// The start that led here.
+    pub(crate) start: usize,
+    /// How many starts did.
+    pub(crate) hits: usize,
+    /// Whether no step makes the sum smaller.
+    pub(crate) converged: bool,
+    /// Whether the sum is zero but for rounding.
+    pub(crate) zero: bool,
+}
+
+/// What a block of starts gave.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Block {
+    pub(crate) optima: Vec<Optimum>,
+    pub(crate) refused: usize,
+    pub(crate) open: usize,
+    pub(crate) evaluations: usize,
+}
+
+/// Runs the starts of a block, in the modes of each assembly.
+pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
+    problem: &Problem<'_, M, A, N>,
+    assemblies: &[A],
+    seed: u64,
+    indices: core::ops::Range<usize>,
+    most: usize,
+) -> Block {
+    let mut block = Block::default();
+    let count = problem.limits.len();
+    let mut begun: Vec<(usize, Vec<f64>)> = Vec::new();
+    for index in indices {
+        match problem.start(&starts::unit(seed, index, count)) {
+            Some(x) => begun.push((index, x)),
+            None => block.refused += 1,
+        }
+    }
+    let mut evaluator = Evaluator::new(problem);
+    for (number, assembly) in assemblies.iter().enumerate() {
+        let descents = begun
+            .iter()
+            .map(|(index, x)| (*index, Descent::new(x.clone(), most)));
+        let mut running: Vec<(usize, Descent)> = descents.collect();
+        let mut there = Normal::new(count);
+        while !running.is_empty() {
+            evaluator.evaluate(
+                assembly,
+                running.iter().map(|(_, descent)| &descent.trial[..]),
+            );
+            block.evaluations += running.len();
+            let mut place = 0;
+            running.retain_mut(|(index, descent)| {
+                evaluator.normal(place, &mut there);
+                place += 1;
+                let state = descent.advance(&problem.limits, &mut there);
+                if state == State::Running {
+                    return true;
+                }
+                if descent.here.sum.is_finite() && problem.meets(&descent.here) {
+                    block.optima.push(Optimum {
+                        x: descent.x.clone(),
+                        sum: descent.here.sum,
+                        assembly: number,
+                        start: *index,
+                        hits: 1,
+                        converged: state == State::Converged,
+                        zero: descent.is_zero(),
+                    });
+                } else {
+                    block.open += 1;
+                }
+                false
+            });
+        }
+    }
+    block
+}
+
+/// Optima whose variables differ by less than this part of the bounds' widths are one: descents stop that near.
+const SAME: f64 = 1e-4;
+/// Neither are two optima with sums that differ by more than this part.
+const SAME_SUM: f64 = 1e-6;
+
+/// The distinct ones, the least first; of equal ones that of the first start. A variable with a period counts without whole ones.
+pub(crate) fn distinct(
+    mut optima: Vec<Optimum>,
+    widths: &[f64],
+    periods: &[Option<f64>],
+) -> Vec<Optimum> {
+    optima.sort_by(|a, b| {
+        let sums = a.sum.total_cmp(&b.sum);
+        sums.then(a.start.cmp(&b.start))
+            .then(a.assembly.cmp(&b.assembly))
+    });
+    let mut kept: Vec<Optimum> = Vec::new();
+    for optimum in optima {
+        let near = |other: &&mut Optimum| {
+            let close = |j: usize| {
+                let difference = other.x[j] - optimum.x[j];
+                let whole = periods[j].map_or(0.0, |period| period * (difference / period).round());
+                (difference - whole).abs() <= SAME * widths[j]
+            };
+            other.assembly == optimum.assembly && (0..widths.len()).all(close)
+        };
+        let alike = |other: &&mut Optimum| {
+            (other.zero && optimum.zero) || optimum.sum - other.sum <= SAME_SUM * optimum.sum
+        };
+        match kept.iter_mut().rev().take_while(alike).find(near) {
+            Some(other) => other.hits += 1,
+            None => kept.push(optimum),
+        }
+    }
+    kept
+}

@@ -1,0 +1,110 @@
+//! Which parameters may vary, within bounds and relations: names looked up, mistakes told together.
+
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use super::limits::{Limits, Linear};
+use super::{DesignError, Relation};
+use crate::Parameter;
+
+/// What may vary.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Varied {
+    /// Indices of the parameters that vary, in ascending order.
+    pub(crate) indices: Vec<usize>,
+    /// The limits of the variables in this order.
+    pub(crate) limits: Limits,
+    /// All mistakes; what they are about is left out above.
+    pub(crate) errors: Vec<DesignError>,
+}
+
+/// Looks up parameters with their bounds, and relations between them.
+pub(crate) fn varied(
+    bounds: &[(String, f64, f64)],
+    relations: &[Relation],
+    parameters: &[Parameter],
+    values: &[f64],
+) -> Varied {
+    let mut errors = Vec::new();
+    let known: Vec<&'static str> = parameters.iter().map(|parameter| parameter.name).collect();
+    let mut places: Vec<(usize, f64, f64)> = Vec::new();
+    for (name, low, high) in bounds {
+        match known.iter().position(|own| own == name) {
+            None => errors.push(DesignError::NoParameter {
+                name: name.clone(),
+                known: known.clone(),
+            }),
+            Some(_) if !(low <= high && (high - low).is_finite()) => {
+                errors.push(DesignError::Bounds {
+                    name: name.clone(),
+                    low: *low,
+                    high: *high,
+                });
+            }
+            Some(index) if places.iter().any(|place| place.0 == index) => {
+                errors.push(DesignError::Twice { name: name.clone() });
+            }
+            Some(index) => places.push((index, *low, *high)),
+        }
+    }
+    places.sort_by_key(|place| place.0);
+    let indices: Vec<usize> = places.iter().map(|place| place.0).collect();
+    let of = |relation: &Relation| linear(relation, &known, &indices, values, &mut errors);
+    let limits = Limits {
+        relations: relations.iter().map(of).collect(),
+        lower: places.iter().map(|place| place.1).collect(),
+        upper: places.iter().map(|place| place.2).collect(),
+    };
+    if bounds.is_empty() {
+        errors.push(DesignError::Nothing {
+            what: "no parameter may vary; call `vary`",
+            wish: "a design problem".to_string(),
+        });
+    }
+    Varied {
+        indices,
+        limits,
+        errors,
+    }
+}
+
+/// Whether the relations leave anything within the bounds.
+pub(crate) fn consistent(limits: &Limits, relations: &[Relation]) -> Result<(), DesignError> {
+    let middle = limits.lower.iter().zip(&limits.upper);
+    let middle: Vec<f64> = middle.map(|(low, high)| 0.5 * (low + high)).collect();
+    match limits.nearest(&middle) {
+        Some(_) => Ok(()),
+        None => Err(DesignError::Contradiction {
+            relations: relations.iter().map(Relation::described).collect(),
+        }),
+    }
+}
+
+/// A relation of the variables; parameters that do not vary count as numbers.
+fn linear(
+    relation: &Relation,
+    known: &[&'static str],
+    varied: &[usize],
+    values: &[f64],
+    errors: &mut Vec<DesignError>,
+) -> Linear {
+    let mut linear = Linear {
+        terms: Vec::new(),
+        most: relation.most,
+        equality: relation.equality,
+    };
+    for (name, factor) in &relation.terms {
+        let Some(index) = known.iter().position(|own| own == name) else {
+            errors.push(DesignError::NoParameter {
+                name: name.clone(),
+                known: known.to_vec(),
+            });
+            continue;
+        };
+        match varied.iter().position(|own| *own == index) {
+            Some(place) => linear.terms.push((place, *factor)),
+            None => linear.most -= factor * values[index],
+        }
+    }
+    linear
+}

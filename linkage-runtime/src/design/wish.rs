@@ -1,0 +1,172 @@
+//! What is wanted, as rows of residuals or conditions with exact derivatives.
+
+use alloc::boxed::Box;
+use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
+use linkage_core::Cycle;
+
+use super::DesignError;
+use crate::Parameter;
+
+/// Something that is wanted of a mechanism: rows of residuals, whose sum of squares is made least, or of conditions, which must
+/// not be negative.
+///
+/// [`Targets`](super::Targets) are the usual ones. One of your own needs rows with derivatives by all parameters, and by the
+/// inputs that it leaves free, if there are any.
+pub trait Wish<M, A>: Send + Sync {
+    /// How messages call it.
+    fn title(&self) -> String;
+
+    /// How many rows.
+    fn rows(&self) -> usize;
+
+    /// Whether the rows are conditions.
+    fn is_condition(&self) -> bool {
+        false
+    }
+
+    /// The inputs that the search may choose, beside the parameters; `None` if there are none.
+    fn free(&self, cycle: &Cycle) -> Option<Free> {
+        let _ = cycle;
+        None
+    }
+
+    /// The inputs of its positions, for inputs that the search chose.
+    fn inputs(&self, free: &[f64], cycle: &Cycle) -> Vec<f64> {
+        let _ = cycle;
+        free.to_vec()
+    }
+
+    /// What is wrong with it, for a mechanism of which these parameters may vary.
+    fn check(&self, cycle: &Cycle, parameters: &[Parameter], varied: &[usize]) -> Vec<DesignError>;
+
+    /// What evaluates it, with memory of its own: one for each thread.
+    fn evaluator(&self) -> Box<dyn Evaluate<M, A> + '_>;
+}
+
+/// Evaluates a wish for many mechanisms side by side.
+pub trait Evaluate<M, A> {
+    /// Fills the rows of all candidates; what cannot be assembled is NaN.
+    fn evaluate(&mut self, candidates: &Candidates<'_, M, A>, rows: &mut Rows);
+}
+
+/// Mechanisms that are evaluated together.
+#[derive(Clone, Copy, Debug)]
+pub struct Candidates<'a, M, A> {
+    /// An assembly in whose modes they are.
+    pub assembly: &'a A,
+    /// Their dimensions.
+    pub mechanisms: &'a [M],
+    /// The free inputs of the wish, those of the first mechanism first.
+    pub free: &'a [f64],
+}
+
+/// Inputs that a wish leaves free.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Free {
+    /// How many.
+    pub count: usize,
+    /// The bounds of each.
+    pub bounds: (f64, f64),
+    /// Whether each is at least the one before it; with the first one, all within a turn of an input that turns.
+    pub ordered: bool,
+    /// The length of a turn, if the input turns.
+    pub turn: Option<f64>,
+    /// Where the first one may begin, for starts.
+    pub from: (f64, f64),
+}
+
+/// Rows of residuals or conditions with their derivatives.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rows {
+    rows: usize,
+    parameters: usize,
+    width: usize,
+    numbers: Vec<f64>,
+}
+
+impl Rows {
+    /// Room for a number of rows with derivatives by so many parameters and free inputs.
+    #[must_use]
+    pub fn new(rows: usize, parameters: usize, free: usize) -> Self {
+        Self {
+            rows,
+            parameters,
+            width: 1 + parameters + free,
+            numbers: Vec::new(),
+        }
+    }
+
+    /// Makes room for so many candidates; all derivatives are 0 then.
+    pub fn reset(&mut self, candidates: usize) {
+        self.numbers.clear();
+        self.numbers
+            .resize(candidates * self.rows * self.width, 0.0);
+    }
+
+    /// A row of a candidate: the residual, its derivatives by all parameters in their order, those by the free inputs.
+    ///
+    /// # Panics
+    ///
+    /// Panics if there is no such candidate.
+    #[inline]
+    pub fn row_mut(&mut self, candidate: usize, row: usize) -> (&mut f64, &mut [f64], &mut [f64]) {
+        self.nth_mut(candidate * self.rows + row)
+    }
+
+    /// The `n`th of all rows, those of the first candidate first.
+    #[inline]
+    pub(crate) fn nth_mut(&mut self, n: usize) -> (&mut f64, &mut [f64], &mut [f64]) {
+        let start = n * self.width;
+        let (value, slopes) = self.numbers[start..start + self.width].split_at_mut(1);
+        let (parameters, free) = slopes.split_at_mut(self.parameters);
+        (&mut value[0], parameters, free)
+    }
+
+    /// As [`row_mut`](Self::row_mut), to be read.
+    ///
+    /// # Panics
+    ///
+    /// Panics if there is no such candidate.
+    #[must_use]
+    #[inline]
+    pub fn row(&self, candidate: usize, row: usize) -> (f64, &[f64], &[f64]) {
+        let start = (candidate * self.rows + row) * self.width;
+        let numbers = &self.numbers[start..start + self.width];
+        let (parameters, free) = numbers[1..].split_at(self.parameters);
+        (numbers[0], parameters, free)
+    }
+
+    /// How many rows each candidate has.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.rows
+    }
+}
+
+impl Free {
+    /// A start from numbers between 0 and 1, of which there is one for each input.
+    pub(crate) fn start(&self, unit: &[f64]) -> Vec<f64> {
+        let (low, high) = self.from;
+        if !self.ordered {
+            return unit.iter().map(|u| low + (high - low) * u).collect();
+        }
+        match self.turn {
+            // Somewhere, and the others within the turn after it.
+            Some(turn) => {
+                let first = low + (high - low) * unit[0];
+                let mut others: Vec<f64> = unit[1..].iter().map(|u| first + turn * u).collect();
+                others.sort_by(f64::total_cmp);
+                let mut all = vec![first];
+                all.append(&mut others);
+                all
+            }
+            None => {
+                let mut all: Vec<f64> = unit.iter().map(|u| low + (high - low) * u).collect();
+                all.sort_by(f64::total_cmp);
+                all
+            }
+        }
+    }
+}

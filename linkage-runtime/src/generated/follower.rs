@@ -1,0 +1,174 @@
+//! From position to position: coupled groups followed from where they stand, whatever the ranges of the inputs.
+
+use super::settle::{CONTRACTION, CORRECTIONS, FIRST};
+use crate::Scalar;
+
+/// Shorter steps, as parts of the way, are not tried: beside a dead point.
+const SHORTEST: f64 = 1e-6;
+
+/// Where the state of a coupled group stands among the inputs and states of a mechanism.
+#[derive(Clone, Copy, Debug)]
+pub struct Standing {
+    /// Index of the group in `STRUCTURE`.
+    pub group: usize,
+    /// The first number of its state.
+    pub first: usize,
+    /// Numbers in its state. Behind them is half of its determinant.
+    pub size: usize,
+}
+
+/// A correction of a group's state.
+#[derive(Clone, Copy, Debug)]
+pub struct Corrected<T> {
+    /// The square of its size.
+    pub size2: T,
+    /// The determinant where it began.
+    pub determinant: T,
+}
+
+/// Where a way ends before its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// The number of the coupled group that cannot be followed any further.
+    pub number: usize,
+    /// How far the way goes, from 0 to 1.
+    pub share: f64,
+}
+
+/// Puts the state of a corrected group in its place.
+#[inline(always)]
+pub fn put_corrected<T: Copy, const W: usize, const O: usize>(
+    x: &mut [T; W],
+    first: usize,
+    outputs: &[T; O],
+) -> Corrected<T> {
+    let (state, rest) = outputs.split_at(O - 2);
+    x[first..first + state.len()].copy_from_slice(state);
+    Corrected {
+        size2: rest[0],
+        determinant: rest[1],
+    }
+}
+
+/// Follows the groups straight from where the mechanism stands, `from`, inputs with the states of all groups behind them, to the inputs `to`.
+///
+/// A step is taken if in every group, in their order, the first correction is small, each of the next ones at most a quarter of the one
+/// before, the last one negligible, and the determinant keeps its sign. Other steps are halved.
+///
+/// # Errors
+///
+/// Where no step leads any further.
+#[inline(always)]
+pub fn follow<T: Scalar, const I: usize, const W: usize>(
+    from: &[T; W],
+    to: [T; I],
+    groups: &[Standing],
+    correct: impl Fn(usize, &mut [T; W]) -> Corrected<T>,
+) -> Result<[T; W], Stop> {
+    let mut here = *from;
+    let (mut share, mut length) = (0.0, 1.0);
+    while share < 1.0 {
+        let next = share + length;
+        let mut there = here;
+        for (k, end) in to.iter().enumerate() {
+            there[k] = match next < 1.0 {
+                // The whole way, so that nothing is lost on the last step.
+                false => *end,
+                true => from[k] + (*end - from[k]) * T::from_f64(next),
+            };
+        }
+        let mut all = groups.iter().enumerate();
+        let failed =
+            all.find(|(number, group)| !settles(&mut there, group, |x| correct(*number, x)));
+        match failed {
+            None => {
+                here = there;
+                share = next;
+                length = (2.0 * length).min(1.0 - share);
+            }
+            Some((number, _)) if length < SHORTEST => return Err(Stop { number, share }),
+            Some(_) => length *= 0.5,
+        }
+    }
+    Ok(here)
+}
+
+/// Corrects a group until it is settled; false if it may be somewhere else then.
+#[inline(always)]
+fn settles<T: Scalar, const W: usize>(
+    x: &mut [T; W],
+    group: &Standing,
+    correct: impl Fn(&mut [T; W]) -> Corrected<T>,
+) -> bool {
+    let floor = group.first + group.size;
+    let settled = T::LAST_CORRECTION * T::LAST_CORRECTION;
+    let mut allowed = FIRST * FIRST;
+    for _ in 0..CORRECTIONS {
+        let step = correct(x);
+        let (mut largest, mut sound) = (0.0, true);
+        for lane in 0..T::LANES {
+            let size2 = T::lane(step.size2, lane);
+            sound &=
+                size2 <= allowed && T::lane(step.determinant, lane) * T::lane(x[floor], lane) > 0.0;
+            largest = f64::max(largest, size2);
+        }
+        if !sound {
+            return false;
+        }
+        if largest <= settled {
+            x[floor] = step.determinant * T::from_f64(0.5);
+            let numbers = x[group.first..=floor].iter_mut();
+            // Derivatives belong to a position: what is evaluated there makes them anew.
+            numbers.for_each(|number| *number = T::from_lanes(|lane| T::lane(*number, lane)));
+            return true;
+        }
+        allowed = CONTRACTION * CONTRACTION * largest;
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GROUPS: [Standing; 1] = [Standing {
+        group: 0,
+        first: 1,
+        size: 1,
+    }];
+
+    /// `x^2 = input`: two solutions that meet at 0.
+    fn correct(_: usize, x: &mut [f64; 3]) -> Corrected<f64> {
+        let determinant = 2.0 * x[1];
+        let step = (x[1] * x[1] - x[0]) / determinant;
+        put_corrected(x, 1, &[x[1] - step, step * step, determinant])
+    }
+
+    fn from(root: f64) -> [f64; 3] {
+        [root * root, root, root]
+    }
+
+    #[test]
+    fn a_long_way_is_gone_in_steps_on_the_same_side() {
+        for root in [1.0, -1.0] {
+            let there = follow(&from(root), [25.0], &GROUPS, correct).expect("it is followed");
+            assert!((there[1] - 5.0 * root).abs() < 1e-12, "{there:?}");
+            assert_eq!(there[0], 25.0);
+            let near = follow(&there, [1e-4], &GROUPS, correct).expect("it is followed");
+            assert!((near[1] - 0.01 * root).abs() < 1e-12, "{near:?}");
+        }
+    }
+
+    #[test]
+    fn a_way_beyond_the_dead_point_stops_there() {
+        let stop = follow(&from(1.0), [-1.0], &GROUPS, correct).expect_err("nothing is there");
+        assert_eq!(stop.number, 0);
+        assert!((stop.share - 0.5).abs() < 1e-4, "{stop:?}");
+    }
+
+    #[test]
+    fn nothing_is_followed_to_no_number_or_from_none() {
+        assert!(follow(&from(1.0), [f64::NAN], &GROUPS, correct).is_err());
+        assert!(follow(&[1.0, f64::NAN, 1.0], [1.1], &GROUPS, correct).is_err());
+    }
+}

@@ -1,0 +1,42 @@
+// Figures and dimensions, a column for each design that is shown; the first of them is what others are compared with.
+
+function part(value, first) {
+  if (value === null || first === null || value === first) return [];
+  const change = (100 * (value - first)) / Math.abs(first);
+  // Of nothing there is no part.
+  if (!Number.isFinite(change)) return [];
+  const words = Math.abs(change) < 0.005 ? "0" : rounded(change, 3).toString();
+  return [element("small", {}, `${change > 0 ? "+" : ""}${words} %`)];
+}
+
+function table(caption, rows) {
+  const columns = shown();
+  const head = columns.map((index) => {
+    const { name, page } = data.designs[index];
+    return element("th", { scope: "col" }, swatch(index), " ", page === null ? name : element("a", { href: page }, name));
+  });
+  const body = rows.map(({ name, unit, values }) => {
+    const own = values.map((value) => plotValue(value, unit));
+    const cells = columns.map((index) => element("td", {}, short(own[index]), ...part(own[index], own[columns[0]])));
+    return element("tr", {}, element("th", { scope: "row" }, labelled(name, plotUnit(unit))), ...cells);
+  });
+  const title = element("caption", {}, caption);
+  return element("div", { class: "scroll" }, element("table", {}, title, element("thead", {}, element("tr", {}, element("th", {}, ""), ...head)), element("tbody", {}, ...body)));
+}
+
+// What the curves are at this position.
+function here() {
+  return data.curves.map(({ name, unit }, number) => ({ name, unit, values: data.designs.map((design) => design.curves[number][state.row]) }));
+}
+
+function startTables() {
+  watchers.push(() => {
+    const at = withUnit(data.input.values[state.row], data.input.unit);
+    const all = [
+      ["Of the cycle", data.figures],
+      ["Dimensions that differ", data.dimensions],
+      [`At ${data.input.name} = ${at}`, here()],
+    ];
+    byId("tables").replaceChildren(...all.filter(([, rows]) => rows.length > 0).map(([caption, rows]) => table(caption, rows)));
+  });
+}

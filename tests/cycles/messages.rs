@@ -1,0 +1,45 @@
+//! What is wrong is told with numbers.
+
+use super::{N, Rocker, RockerAssembly, design, margin, speed, tip};
+use linkage::design::{CycleDesign, Dwell, Figure, Lowest, Peak, Stroke};
+
+#[test]
+fn what_is_wrong_is_told_with_numbers() {
+    let message = |design: CycleDesign<'_, Rocker, RockerAssembly, N>| match design.run() {
+        Ok(found) => panic!("found {found}"),
+        Err(error) => error.to_string(),
+    };
+    let two = design()
+        .want(Dwell::longest(tip(), 1.0))
+        .want(Peak(speed()).least());
+    let text = "2 goals: longest dwell within 1, least peak; keep one, and make conditions of the others with `at_most` or `at_least`";
+    assert_eq!(message(two), text);
+    let none = design()
+        .vary("cranck", 1.0, 2.0)
+        .want(Lowest(margin()).at_least(0.2));
+    let text = message(none);
+    assert!(
+        text.starts_with(
+            "2 mistakes\n- there is no parameter `cranck`; the mechanism has frame, crank,"
+        ),
+        "{text}"
+    );
+    assert!(
+        text.ends_with("\n- no wish is a goal; one is to be least, greatest, longest or narrowest"),
+        "{text}"
+    );
+
+    // The stroke grows with the crank, and shrinks with the coupler and the rocker's radius is the arm.
+    let far = design()
+        .want(Peak(speed()).least())
+        .want(Stroke(tip()).at_least(200.0));
+    let text = message(far);
+    assert!(
+        text.starts_with("stroke of at least 200: missed by "),
+        "{text}"
+    );
+    assert!(
+        text.contains("crank") && text.ends_with(" at a bound; widen these, or ask for less"),
+        "{text}"
+    );
+}

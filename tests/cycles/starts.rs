@@ -1,0 +1,99 @@
+//! Several starts, and the certificate of what is found.
+
+use super::{Rocker, RockerAssembly, design, speed, tip};
+use linkage::Dimensions;
+use linkage::design::{BestCycle, CycleDesign, DesignError, Dwell, Figure, Peak};
+
+#[test]
+fn starts_are_reproducible_and_their_optima_listed() -> Result<(), DesignError> {
+    let run = |starts: usize, seed: u64| {
+        let mut reports = Vec::new();
+        let design = design()
+            .want(Dwell::longest(tip(), 1.0))
+            .starts(starts)
+            .seed(seed);
+        let found = design
+            .progress(|done, all| reports.push((done, all)))
+            .run_all();
+        assert_eq!(
+            reports,
+            (1..=starts).map(|done| (done, starts)).collect::<Vec<_>>()
+        );
+        found
+    };
+    let (one, other) = (run(8, 3)?, run(8, 3)?);
+    let values = |all: &[BestCycle<Rocker, RockerAssembly>]| -> Vec<_> {
+        all.iter()
+            .map(|best| (best.mechanism.values(), best.goal, best.hits))
+            .collect()
+    };
+    assert_eq!(values(&one), values(&other));
+    assert!(one.iter().map(|best| best.hits).sum::<usize>() <= 8 && one[0].hits > 1);
+    assert!(one.windows(2).all(|pair| pair[0].goal >= pair[1].goal));
+    let alone = run(1, 0)?;
+    assert!(alone.len() == 1 && one[0].goal >= alone[0].goal - 1e-6);
+
+    let flag = std::sync::atomic::AtomicBool::new(true);
+    let ended = design()
+        .want(Dwell::longest(tip(), 1.0))
+        .cancel(&flag)
+        .run()?;
+    assert!(!ended.converged && ended.steps == 0 && ended.goal < alone[0].goal);
+    let none = std::time::Duration::ZERO;
+    assert!(
+        !design()
+            .want(Dwell::longest(tip(), 1.0))
+            .time_limit(none)
+            .run()?
+            .converged
+    );
+    Ok(())
+}
+
+#[test]
+fn what_is_found_is_certified() {
+    // Circuits of another mechanism: none of them is what was found.
+    let other = |rocker: &Rocker| {
+        Rocker {
+            coupler: rocker.coupler + 0.1,
+            ..*rocker
+        }
+        .circuits()
+    };
+    let design = CycleDesign::new(
+        Rocker::default(),
+        Rocker::assemble,
+        Rocker::assemble_from,
+        other,
+    );
+    let design = design
+        .expect("assembles")
+        .vary_by("crank", 0.1)
+        .want(Peak(speed()).least());
+    assert_eq!(design.run().err(), Some(DesignError::NotWhole));
+    // One that does not turn is no start.
+    let short = Rocker {
+        crank: 90.0,
+        ..Rocker::default()
+    };
+    let design = CycleDesign::new(
+        short,
+        Rocker::assemble,
+        Rocker::assemble_from,
+        Rocker::circuits,
+    );
+    let run = design.map(|design| {
+        design
+            .vary_by("crank", 0.1)
+            .want(Dwell::longest(tip(), 1.0))
+            .run()
+            .err()
+    });
+    assert!(
+        matches!(
+            run,
+            Ok(Some(DesignError::NoStart { .. })) | Err(DesignError::Start(_))
+        ),
+        "{run:?}"
+    );
+}

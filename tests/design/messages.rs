@@ -1,0 +1,182 @@
+//! What is told of wrong problems, with numbers.
+
+use super::{FourBar, FourBarAssembly, evenly, points, problem};
+use linkage::design::{Design, Relation, Targets, Timing};
+use std::f64::consts::TAU;
+
+fn wish(inputs: &[f64]) -> Targets {
+    Targets::of("tracer", points(inputs)).at(inputs.iter().copied())
+}
+
+#[test]
+fn all_mistakes_at_once() {
+    let targets = wish(&[0.5, 1.0]).at([0.5]);
+    let design = problem()
+        .vary("crnk", 1.0, 2.0)
+        .vary("crank", 4.0, 5.0)
+        .vary("tilt", 2.0, 1.0);
+    let error = design
+        .want(targets.computed_by(FourBarAssembly::path_sweep_sets_into))
+        .run()
+        .expect_err("it is wrong");
+    let text = error.to_string();
+    for part in [
+        "4 mistakes",
+        "no parameter `crnk`; the mechanism has frame, crank, coupler, rocker, arm.x, arm.y, base.x, base.y, tilt",
+        "`crank` is listed twice",
+        "bounds of `tilt` contradict each other: from 2 to 1",
+        "targets of tracer: 1 inputs, where 2 are needed",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+}
+
+#[test]
+fn functions_that_lack_something() {
+    let free = wish(&[0.5, 1.0]).timing(Timing::InOrder);
+    let error = problem()
+        .want(free.computed_by(FourBarAssembly::poor_sweep_sets_into))
+        .run()
+        .expect_err("it is poor");
+    let text = error.to_string();
+    assert!(
+        text.contains("`poor` has no derivative of `tracer` by the input"),
+        "{text}"
+    );
+    assert!(
+        text.contains("no derivatives of `tracer` by frame, rocker, which may vary"),
+        "{text}"
+    );
+    let other = Targets::of("trace", [[1.0, 2.0]]).at([0.1]);
+    let error = problem()
+        .want(other.computed_by(FourBarAssembly::path_sweep_sets_into))
+        .run()
+        .expect_err("no such");
+    assert!(
+        error.to_string().contains("`path` has no quantity `trace`"),
+        "{error}"
+    );
+    let short = Targets::of("tracer", [[1.0]]).at([0.1]);
+    let error = problem()
+        .want(short.computed_by(FourBarAssembly::path_sweep_sets_into))
+        .run()
+        .expect_err("no such");
+    assert!(
+        error
+            .to_string()
+            .contains("1 numbers of a target, where 2 are needed"),
+        "{error}"
+    );
+}
+
+#[test]
+fn nothing_to_do() {
+    let error = problem().run().expect_err("nothing is wanted");
+    assert!(error.to_string().contains("nothing is wanted"), "{error}");
+}
+
+#[test]
+fn relations_that_contradict() {
+    let inputs = evenly(0.2, 0.4, 3);
+    let design = problem().hold(Relation::at_least([("crank", 1.0), ("frame", -2.0)], 60.0));
+    let design = design.want(wish(&inputs).computed_by(FourBarAssembly::path_sweep_sets_into));
+    let text = design.run().expect_err("there is no room").to_string();
+    assert!(text.contains("-crank + 2 frame <= -60"), "{text}");
+}
+
+#[test]
+fn a_start_that_does_not_assemble() {
+    let broken = FourBar {
+        crank: 500.0,
+        ..FourBar::default()
+    };
+    let design = Design::<_, FourBarAssembly, 9>::new(
+        broken,
+        FourBar::assemble,
+        FourBar::assemblies,
+        FourBar::circuits,
+    );
+    let inputs = evenly(0.2, 0.4, 3);
+    let run = design.and_then(|design| {
+        design
+            .vary("crank", 5.0, 6.0)
+            .want(wish(&inputs).computed_by(FourBarAssembly::path_sweep_sets_into))
+            .run()
+    });
+    let text = run.expect_err("its crank is too long").to_string();
+    // From the end of the crank to the other pivot, less coupler and rocker in a line.
+    let (sin, cos) = 30_f64.to_radians().sin_cos();
+    let miss = (500.0 * cos - 40.0).hypot(500.0 * sin) - 65.0;
+    assert!(
+        text.contains(&format!("it misses by {miss:.3} mm")),
+        "{text}"
+    );
+}
+
+/// Its links are too long to turn: told is where the best design would have to stop.
+#[test]
+fn what_does_not_turn_says_how_far_it_goes() {
+    let swinging = FourBar {
+        crank: 47.0,
+        ..FourBar::default()
+    };
+    let design = Design::<_, FourBarAssembly, 9>::new(
+        swinging,
+        FourBar::assemble,
+        FourBar::assemblies,
+        FourBar::circuits,
+    );
+    let inputs = evenly(0.4, 0.2, 3);
+    let run = design.and_then(|design| {
+        design
+            .vary("arm.x", 5.0, 60.0)
+            .want(wish(&inputs).computed_by(FourBarAssembly::path_sweep_sets_into))
+            .starts(4)
+            .run()
+    });
+    let text = run.expect_err("it does not turn").to_string();
+    // Where coupler and rocker are in a line, 65 mm long.
+    let end =
+        ((47.0_f64.powi(2) + 40.0_f64.powi(2) - 65.0_f64.powi(2)) / (2.0 * 47.0 * 40.0)).acos();
+    let told = format!(
+        "assembles only between the inputs 0 and {end:.5}, and between {:.5} and 6.28319",
+        TAU - end
+    );
+    assert!(text.contains(&told), "{told}\n{text}");
+}
+
+/// Points far away: the best design says by how much it misses, and which bounds are in the way.
+#[test]
+fn a_target_out_of_reach() {
+    let far: Vec<[f64; 2]> = points(&evenly(0.2, 0.5, 4))
+        .iter()
+        .map(|[x, y]| [x + 300.0, *y])
+        .collect();
+    let wish = Targets::of("tracer", far).computed_by(FourBarAssembly::path_sweep_sets_into);
+    let design = Design::new(
+        FourBar::default(),
+        FourBar::assemble,
+        FourBar::assemblies,
+        FourBar::circuits,
+    );
+    let design = design
+        .expect("it assembles")
+        .vary("crank", 5.0, 20.0)
+        .vary("arm.x", -40.0, 40.0);
+    let found = design
+        .want(wish)
+        .starts(32)
+        .run()
+        .expect("something is nearest");
+    let best = found.best();
+    assert!(best.sum > 1e4 && !best.at_bound.is_empty());
+    let text = best.to_string();
+    assert!(
+        text.contains("targets of tracer: farthest by") && text.contains("is at its bound"),
+        "{text}"
+    );
+    assert!(
+        found.to_string().contains("8 residuals, 6 variables"),
+        "{found}"
+    );
+}

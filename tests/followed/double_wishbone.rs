@@ -1,0 +1,133 @@
+//! A double wishbone by the travel of the wheel and of the rack, its ball joints and its wheel as points: eleven unknowns remain. With the arms
+//! as angles seven do.
+
+use linkage::mechanism;
+
+use super::{close, number, numbers, read};
+
+mechanism! {
+    /// Ball joints `lower`, `upper` and `rod`, the wheel at `wheel`.
+    pub struct DoubleWishbone {
+        unit mm;
+        input travel = 0mm in -80mm..80mm;
+        input rack = 0mm in -40mm..40mm;
+        const D_LOWER = (10mm, 715mm, 200mm);
+        const D_UPPER = (-12mm, 680mm, 520mm);
+        const D_ROD = (-135mm, 695mm, 258mm);
+        const D_WHEEL = (0mm, 770mm, 320mm);
+        const LF = (170mm, 380mm, 225mm);
+        const LR = (-190mm, 400mm, 215mm);
+        const UF = (95mm, 455mm, 505mm);
+        const UR = (-125mm, 480mm, 490mm);
+        const INNER = (-125mm, 422mm, 267mm);
+        unknown lower = (10mm, 715mm, 200mm);
+        unknown upper = (-12mm, 680mm, 520mm);
+        unknown rod = (-135mm, 695mm, 258mm);
+        unknown wheel = (0mm, 770mm, 320mm);
+        loop distance(lower, LF) = distance(D_LOWER, LF);
+        loop distance(lower, LR) = distance(D_LOWER, LR);
+        loop distance(upper, UF) = distance(D_UPPER, UF);
+        loop distance(upper, UR) = distance(D_UPPER, UR);
+        loop distance(lower, upper) = distance(D_LOWER, D_UPPER);
+        loop distance(rod, lower) = distance(D_ROD, D_LOWER);
+        loop distance(rod, upper) = distance(D_ROD, D_UPPER);
+        loop distance(rod, INNER + (0mm, rack, 0mm)) = distance(D_ROD, INNER);
+        loop distance(wheel, lower) = distance(D_WHEEL, D_LOWER);
+        loop distance(wheel, upper) = distance(D_WHEEL, D_UPPER);
+        loop distance(wheel, rod) = distance(D_WHEEL, D_ROD);
+        loop wheel.z = 320mm + travel;
+    }
+
+    impl DoubleWishbone {
+        pub fn place(travel, rack) -> Place { wheel }
+        pub fn rates(travel, rack) -> Rates { v: velocity(wheel), a: acceleration(wheel) }
+    }
+}
+
+#[test]
+fn the_wheel_is_where_it_was_computed_with_80_digits() {
+    let suspension = DoubleWishbone::default().assemble().expect("it assembles");
+    let references = read(include_str!("double_wishbone.json"));
+    assert_eq!(references.len(), 85);
+    let mut nothing = 0;
+    for known in references {
+        let [z, u] = [number(&known["z"]), number(&known["u"])];
+        let found: [f64; 3] = suspension.place(z, u).wheel.into();
+        if found[0].is_nan() {
+            nothing += 1;
+            continue;
+        }
+        for (found, known) in found.into_iter().zip(numbers::<3>(&known["p"])) {
+            close(found, known, 770.0, 1e-13);
+        }
+        let rates = suspension.rates(z, u);
+        for (k, name) in ["x", "y"].into_iter().enumerate() {
+            close(rates.v[0][k], number(&known["d_dz"][name]), 1.0, 1e-11);
+            close(rates.v[1][k], number(&known["d_du"][name]), 1.0, 1e-11);
+            let second = ["d2_dz2", "d2_dzdu", "d2_du2"].map(|own| number(&known[own][name]));
+            let found = [rates.a[0][0][k], rates.a[0][1][k], rates.a[1][1][k]];
+            for (found, known) in found.into_iter().zip(second) {
+                close(found, known, 1.0, 1e-11);
+            }
+        }
+    }
+    assert_eq!(nothing, 0);
+}
+
+mechanism! {
+    /// The arms turn about their axes; the wheel hangs on the three ball joints. Four unknowns remain, few enough for a listing, but the listing
+    /// meets solutions that may not be isolated.
+    pub struct TurningArms {
+        unit mm;
+        input travel = 0mm in -80mm..80mm;
+        const D_LOWER = (10mm, 715mm, 200mm);
+        const D_UPPER = (-12mm, 680mm, 520mm);
+        const D_ROD = (-135mm, 695mm, 258mm);
+        const INNER = (-125mm, 422mm, 267mm);
+        unknown low = 0deg;
+        unknown high = 0deg;
+        unknown rod = (-135mm, 695mm, 258mm);
+        let lower = (170mm, 380mm, 225mm) + turn((-160mm, 335mm, -25mm), (-360, 20, -10), low);
+        let upper = (95mm, 455mm, 505mm) + turn((-107mm, 225mm, 15mm), (-220, 25, -15), high);
+        let pin = upper - lower;
+        let arm = rod - lower;
+        let across = cross(pin, arm);
+        loop distance(lower, upper) = distance(D_LOWER, D_UPPER);
+        loop distance(rod, lower) = distance(D_ROD, D_LOWER);
+        loop distance(rod, upper) = distance(D_ROD, D_UPPER);
+        loop distance(rod, INNER) = distance(D_ROD, INNER);
+        // The wheel's place among the ball joints of the design position.
+        let d_pin = D_UPPER - D_LOWER;
+        let d_arm = D_ROD - D_LOWER;
+        let d_across = cross(d_pin, d_arm);
+        let d_wheel = (0mm, 770mm, 320mm) - D_LOWER;
+        let size = dot(d_across, d_across);
+        let wheel = lower + dot(cross(d_wheel, d_arm), d_across) / size * pin
+            + dot(cross(d_pin, d_wheel), d_across) / size * arm
+            + dot(d_wheel, d_across) / size * across;
+        loop wheel.z = 320mm + travel;
+    }
+
+    impl TurningArms {
+        pub fn wheel_of_arms(travel) -> WheelOfArms { wheel, v: velocity(wheel) }
+    }
+}
+
+#[test]
+fn arms_that_turn_lead_the_wheel_along_the_same_way() {
+    let arms = TurningArms::default().assemble().expect("it assembles");
+    let mut compared = 0;
+    for known in read(include_str!("double_wishbone.json")) {
+        if number(&known["u"]) != 0.0 {
+            continue;
+        }
+        compared += 1;
+        let found = arms.wheel_of_arms(number(&known["z"]));
+        for (found, known) in found.wheel.iter().zip(numbers::<3>(&known["p"])) {
+            close(*found, known, 770.0, 1e-13);
+        }
+        close(found.v.x, number(&known["d_dz"]["x"]), 1.0, 1e-11);
+        close(found.v.y, number(&known["d_dz"]["y"]), 1.0, 1e-11);
+    }
+    assert!(compared > 10);
+}

@@ -1,0 +1,155 @@
+//! A wheel carrier on five rods with ball joints, by the travel of the wheel: eight unknowns remain.
+
+use linkage::{AssemblyError, CoupledCause, Unlisted, mechanism};
+
+use super::{close, number, numbers, read};
+
+mechanism! {
+    /// The wheel is at `p`; its carrier has the directions `x`, `y` and `z`.
+    pub struct FiveLinkAxle {
+        unit mm;
+        param l1 = 287.31515797117283314mm;
+        param l2 = 256.75864152935534645mm;
+        param l3 = 318.62987932709637832mm;
+        param l4 = 451.60823730308551581mm;
+        param l5 = 376.15422369023054744mm;
+        input travel = 0mm in -80mm..80mm;
+        unknown p = (0mm, 760mm, 320mm);
+        unknown x = (1, 0, 0);
+        unknown y = (0, 1, 0);
+        let z = cross(x, y);
+        loop norm(x) = 1;
+        loop norm(y) = 1;
+        loop dot(x, y) = 0;
+        loop p.z = 320mm + travel;
+        loop distance(p + 15mm * x - 70mm * y + 135mm * z, (110mm, 420mm, 430mm)) = l1;
+        loop distance(p - 30mm * x - 75mm * y + 140mm * z, (-85mm, 435mm, 440mm)) = l2;
+        loop distance(p + 40mm * x - 60mm * y - 105mm * z, (265mm, 480mm, 265mm)) = l3;
+        loop distance(p - 25mm * x - 55mm * y - 120mm * z, (-60mm, 255mm, 215mm)) = l4;
+        loop distance(p - 150mm * x - 70mm * y - 58mm * z, (-190mm, 316mm, 258mm)) = l5;
+        let spindle = unit(0.0035 * x + y + 0.0175 * z);
+    }
+
+    impl FiveLinkAxle {
+        pub fn wheel(travel) -> Wheel { p, spindle }
+        pub fn motion(travel) -> Motion { v: velocity(p), a: acceleration(p), turn: velocity(spindle) }
+        pub fn adjustment(travel) -> Adjustment { p: sensitivity(p), m: margin() }
+    }
+}
+
+fn references() -> Vec<serde_json::Value> {
+    read(include_str!("five_link_axle.json"))
+}
+
+#[test]
+fn the_wheel_is_where_it_was_computed_with_80_digits() {
+    let axle = FiveLinkAxle::default().assemble().expect("it assembles");
+    let method = FiveLinkAxle::<f64>::STRUCTURE.groups[1].method;
+    assert!(
+        method.starts_with("followed from the estimates"),
+        "{method}"
+    );
+    let references = references();
+    assert_eq!(references.len(), 17);
+    for known in references {
+        let z = number(&known["z"]);
+        let wheel = axle.wheel(z);
+        let found: [f64; 3] = wheel.p.into();
+        for (found, known) in found.into_iter().zip(numbers::<3>(&known["p"])) {
+            close(found, known, 760.0, 1e-14);
+        }
+        let found: [f64; 3] = wheel.spindle.into();
+        for (found, known) in found.into_iter().zip(numbers::<3>(&known["spindle"])) {
+            close(found, known, 1.0, 1e-14);
+        }
+    }
+}
+
+#[test]
+fn derivatives_are_those_computed_with_80_digits() {
+    let axle = FiveLinkAxle::default().assemble().expect("it assembles");
+    for known in references() {
+        let z = number(&known["z"]);
+        let (wheel, motion) = (axle.wheel(z), axle.motion(z));
+        for (k, name) in ["x", "y"].into_iter().enumerate() {
+            close(motion.v[k], number(&known["d_dz"][name]), 1.0, 1e-13);
+            close(
+                motion.a[k],
+                number(&known["d2_dz2"][name]),
+                1.0 / 80.0,
+                1e-12,
+            );
+        }
+        let (s, turn) = (wheel.spindle, motion.turn);
+        let toe = (turn.x * s.y - s.x * turn.y) / (s.x * s.x + s.y * s.y);
+        close(toe, number(&known["d_dz"]["toe"]), 1e-3, 1e-12);
+    }
+}
+
+#[test]
+fn sensitivities_are_those_computed_with_80_digits() {
+    let axle = FiveLinkAxle::default().assemble().expect("it assembles");
+    for known in references() {
+        let found = axle.adjustment(number(&known["z"]));
+        for rod in 0..5 {
+            let known = &known["sensitivity"][format!("L{}", rod + 1)];
+            close(found.p[rod].x, number(&known["x"]), 1.0, 1e-12);
+            close(found.p[rod].y, number(&known["y"]), 1.0, 1e-12);
+            close(found.p[rod].z, 0.0, 1.0, 1e-15);
+        }
+    }
+}
+
+#[test]
+fn rough_estimates_lead_to_the_assembly_of_a_larger_axle_too() {
+    let own = FiveLinkAxle::<f64>::default();
+    let larger = FiveLinkAxle {
+        l1: own.l1 + 1.5,
+        l2: own.l2 - 1.0,
+        l3: own.l3 + 0.7,
+        l4: own.l4 - 1.2,
+        l5: own.l5 + 2.0,
+    };
+    let direct = larger.assemble().expect("it assembles");
+    let from = own.assemble().expect("it assembles");
+    let followed = larger.assemble_from(&from).expect("it is followed");
+    for travel in [-80.0, -31.0, 0.0, 55.5, 80.0] {
+        let [a, b] = [&direct, &followed].map(|axle| axle.wheel(travel).p);
+        assert!((a - b).norm() < 1e-11, "{a} {b}");
+        assert!((a - from.wheel(travel).p).norm() > 0.5);
+    }
+    assert_eq!(larger.assemblies().expect("one is found").len(), 1);
+}
+
+#[test]
+fn what_needs_all_solutions_says_that_they_are_not_listed() {
+    let error = FiveLinkAxle::default().circuits().expect_err("not listed");
+    let AssemblyError::Coupled(error) = error else {
+        panic!("{error}")
+    };
+    assert_eq!(error.cause, CoupledCause::NotListed(Unlisted::Followed));
+    let short = FiveLinkAxle {
+        l1: 87.0,
+        ..FiveLinkAxle::default()
+    };
+    let error = short.assemble().expect_err("out of reach");
+    assert!(
+        error
+            .to_string()
+            .contains("cannot be reached from its estimates"),
+        "{error}"
+    );
+}
+
+#[test]
+fn beyond_the_range_there_is_nothing_and_within_it_no_jump() {
+    let axle = FiveLinkAxle::default().assemble().expect("it assembles");
+    assert!(axle.wheel(120.0).p.x.is_nan());
+    let mut before = axle.wheel(-80.0);
+    for k in 1..=16_000 {
+        let wheel = axle.wheel(-80.0 + 0.01 * f64::from(k));
+        assert!((wheel.p - before.p).norm() < 0.02);
+        assert!((wheel.spindle - before.spindle).norm() < 1e-4);
+        before = wheel;
+    }
+}

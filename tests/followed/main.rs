@@ -1,0 +1,36 @@
+//! Groups whose solutions cannot be listed, followed from the estimates of their unknowns: wheel suspensions by the travel of the wheel, the
+//! platform on six legs. Every position against 25 digits of published geometries' solutions, computed with 80.
+
+mod body;
+mod double_wishbone;
+mod five_link_axle;
+mod hexapod;
+
+use serde_json::Value;
+
+fn read(text: &str) -> Vec<Value> {
+    serde_json::from_str(text).expect("JSON")
+}
+
+/// A number that is written as a string of digits.
+#[track_caller]
+fn number(value: &Value) -> f64 {
+    let digits = value.as_str();
+    let number = digits.and_then(|digits| digits.parse().ok());
+    number.unwrap_or_else(|| panic!("a number: {value}"))
+}
+
+#[track_caller]
+fn numbers<const N: usize>(value: &Value) -> [f64; N] {
+    std::array::from_fn(|k| number(&value[k]))
+}
+
+/// `tolerance` is that of a number of the size of `scale`.
+#[track_caller]
+fn close(found: f64, expected: f64, scale: f64, tolerance: f64) {
+    assert!(
+        (found - expected).abs() <= tolerance * scale,
+        "{found} instead of {expected}, off by {:e} of {scale}",
+        (found - expected).abs() / scale
+    );
+}

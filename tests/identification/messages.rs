@@ -1,0 +1,77 @@
+//! All that is wrong is told.
+
+use super::{FourBar, FourBarAssembly, LENGTHS, Outcome, drawn, inputs, points};
+use linkage::design::{Identification, Measured};
+
+#[test]
+fn all_that_is_wrong_is_told() -> Outcome {
+    let at = inputs(3);
+    let read = || Measured::of("b", [[1.0, 2.0]; 3]).at(inputs(3));
+    let path = FourBarAssembly::path_sweep_sets_into;
+    let error = drawn()?
+        .unknown(["crank", "rod", "crank"])
+        .vary("rocker", 3.0, 2.0)
+        .measured(
+            Measured::of("c", [[1.0]])
+                .at([0.0, 1.0])
+                .deviations([-1.0])
+                .computed_by(path),
+        )
+        .measured(read().computed_by(FourBarAssembly::some_sweep_sets_into))
+        .run();
+    let text = error.unwrap_err().to_string();
+    for part in [
+        "there is no parameter `rod`; the mechanism has pivot_a.x, ",
+        "`crank` is listed twice",
+        "the bounds of `rocker` contradict each other",
+        "c: 2 inputs, where 1 are needed",
+        "the standard deviation of `c` is -1: it must be positive and finite",
+        "has no quantity `c`",
+        "no derivatives of `b` by rocker",
+        "no standard deviations are given for b, but for others",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let missing = Measured::of("b", [[f64::NAN; 2]; 3]).at(at);
+    let error = drawn()?
+        .unknown(LENGTHS)
+        .measured(missing.computed_by(path))
+        .run();
+    assert!(
+        error
+            .unwrap_err()
+            .to_string()
+            .contains("all readings are missing")
+    );
+    let short = FourBar {
+        crank: 5.0,
+        coupler: 90.0,
+        ..FourBar::default()
+    };
+    let assembly = FourBar::default().assemble()?;
+    let error = Identification::new(
+        FourBar {
+            coupler: 30.0,
+            ..short
+        },
+        assembly,
+    )
+    .unknown(LENGTHS)
+    .measured(read().computed_by(path))
+    .run();
+    let text = error.unwrap_err().to_string();
+    assert!(
+        text.starts_with("the mechanism that the fit begins with does not assemble"),
+        "{text}"
+    );
+    // Fewer readings than unknowns are no mistake: what they leave open is told.
+    let one = Measured::of("b", points(&[0.3])?)
+        .at([0.3])
+        .deviations([0.01; 2]);
+    let found = drawn()?
+        .unknown(LENGTHS)
+        .measured(one.computed_by(path))
+        .run()?;
+    assert_eq!((found.degrees_of_freedom, found.undetermined.len()), (0, 1));
+    Ok(())
+}
