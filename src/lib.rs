@@ -180,6 +180,8 @@ pub mod tolerance {
 #[cfg(feature = "design")]
 pub mod design {
     #![doc = include_str!("links.md")]
+    // Only here: without this feature there is nothing to link to.
+    #![doc = "[exact]: crate::design::exact"]
     #![doc = include_str!("../docs/design.md")]
 
     pub use linkage_runtime::design::*;

@@ -56,6 +56,15 @@ impl DevTools {
     /// # Panics
     /// If the browser refuses it or does not answer.
     pub(crate) fn call(&mut self, method: &str, parameters: Value) -> Value {
+        self.try_call(method, parameters)
+            .unwrap_or_else(|refusal| panic!("{method}: {refusal}"))
+    }
+
+    /// Sends a command and waits for its answer, or for the browser's refusal.
+    ///
+    /// # Panics
+    /// If the browser does not answer.
+    pub(crate) fn try_call(&mut self, method: &str, parameters: Value) -> Result<Value, Value> {
         self.last += 1;
         let mut command = json!({ "id": self.last, "method": method, "params": parameters });
         if let Some(session) = &self.session {
@@ -69,8 +78,10 @@ impl DevTools {
                 self.events.push(answer);
                 continue;
             }
-            assert!(answer["error"].is_null(), "{method}: {}", answer["error"]);
-            return answer["result"].clone();
+            return match &answer["error"] {
+                Value::Null => Ok(answer["result"].clone()),
+                refusal => Err(refusal.clone()),
+            };
         }
     }
 

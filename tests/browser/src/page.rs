@@ -81,10 +81,7 @@ impl Page {
     /// # Panics
     /// If it throws.
     pub fn value(&mut self, expression: &str) -> Value {
-        let answer = self.tools.call(
-            "Runtime.evaluate",
-            json!({ "expression": expression, "returnByValue": true, "awaitPromise": true }),
-        );
+        let answer = self.tools.call("Runtime.evaluate", evaluation(expression));
         let thrown = &answer["exceptionDetails"];
         assert!(thrown.is_null(), "{expression}\n{thrown}");
         answer["result"]["value"].clone()
@@ -121,7 +118,7 @@ impl Page {
         let tried = format!(
             "(() => {{ try {{ return Boolean({expression}); }} catch {{ return false; }} }})()"
         );
-        while !self.holds(&tried) {
+        while !self.holds_yet(&tried) {
             let complaints = self.complaints().join("\n");
             assert!(
                 begin.elapsed() < Duration::from_secs(30),
@@ -129,6 +126,12 @@ impl Page {
             );
             thread::sleep(Duration::from_millis(30));
         }
+    }
+
+    /// Whether an expression holds on a page that may be loaded anew meanwhile: the browser then refuses to tell.
+    fn holds_yet(&mut self, expression: &str) -> bool {
+        let answer = (self.tools).try_call("Runtime.evaluate", evaluation(expression));
+        answer.is_ok_and(|answer| answer["result"]["value"] == Value::Bool(true))
     }
 
     /// The row at which the mechanism stands.
@@ -166,6 +169,10 @@ impl Page {
         assert_eq!(self.complaints(), Vec::<String>::new());
         assert_eq!(self.requests(), Vec::<String>::new());
     }
+}
+
+fn evaluation(expression: &str) -> Value {
+    json!({ "expression": expression, "returnByValue": true, "awaitPromise": true })
 }
 
 fn complaint(event: &Value) -> Option<String> {
