@@ -1,9 +1,11 @@
-//! Time to a given error, against solvers of the registry: `cargo bench -p linkage-rivals`.
+//! Time to a given error, against solvers of the registry: `cargo bench --manifest-path benches/rivals/Cargo.toml`.
 //!
 //! The path problem of five points with their angles, six variables, on one thread. Each method runs until its limit of time from
 //! each seed, begins anew where it stops, and every improvement is noted with its time. The error is how far the sum of squares
 //! is above the least one known, as part of it. All others than `linkage::design` get Grashof's condition and the bounds as a
 //! penalty, which does not touch the least sum: all of them hold there.
+//!
+//! What `run_pylinkage.py` has measured of the same problem stands below it, as it was then.
 
 #[path = "../../../../examples/four_bar_paths/mechanism.rs"]
 #[allow(unreachable_pub, reason = "a part of an example")]
@@ -14,6 +16,7 @@ mod plot;
 #[path = "../../../../examples/four_bar_paths/problems.rs"]
 #[allow(dead_code, reason = "the example asks for fewer starts")]
 mod problems;
+mod pylinkage;
 
 use mechanism::{FourBar, FourBarAssembly};
 use methods::METHODS;
@@ -46,21 +49,21 @@ fn main() -> std::io::Result<()> {
         let traces: Vec<_> = (0..seeds)
             .map(|seed| one.install(|| run(seed, limit)))
             .collect();
-        print!("{name:<48}");
-        for error in ERRORS {
-            let (median, reached) = time_to(&traces, error);
-            let text = if median.is_finite() {
-                format!("{:.2}", 1e3 * median)
-            } else {
-                "-".into()
-            };
-            print!("{:>18}", format!("{text} ({reached})"));
-        }
-        println!();
+        print_row(name, |error| time_to(&traces, error));
         let points = plot::errors().map(|error| (time_to(&traces, error).0, error));
         let points = points.collect();
         lines.push(Line { name, points });
     }
+    let measured = pylinkage::measured();
+    for method in &measured.methods {
+        print_row(method.name, |error| method.time_to(error));
+        let points = method.points().collect();
+        lines.push(Line {
+            name: method.name,
+            points,
+        });
+    }
+    println!("{}", measured.about);
     if tested {
         return Ok(());
     }
@@ -69,7 +72,22 @@ fn main() -> std::io::Result<()> {
         limit.as_secs()
     );
     let docs = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/design.svg");
-    std::fs::write(docs, plot::svg(&lines, &about))
+    std::fs::write(docs, plot::svg(&lines, &[&about, measured.about]))
+}
+
+/// A row of the table: a method's median time to each error, and how many seeds came there.
+fn print_row(name: &str, time_to: impl Fn(f64) -> (f64, usize)) {
+    print!("{name:<48}");
+    for error in ERRORS {
+        let (median, reached) = time_to(error);
+        let text = if median.is_finite() {
+            format!("{:.2}", 1e3 * median)
+        } else {
+            "-".into()
+        };
+        print!("{:>18}", format!("{text} ({reached})"));
+    }
+    println!();
 }
 
 /// The median time to an error, infinite if half of the traces do not come there, and how many do.

@@ -3,16 +3,18 @@
 use std::fmt::Write;
 
 const WIDTH: f64 = 960.0;
-const HEIGHT: f64 = 560.0;
+const HEIGHT: f64 = 600.0;
 /// Left, top, right and bottom of the frame.
-const FRAME: [f64; 4] = [92.0, 112.0, 936.0, 470.0];
+const FRAME: [f64; 4] = [92.0, 132.0, 936.0, 490.0];
 /// Exponents of the times, in seconds, and of the errors: from a tenth of a millisecond, and from where all methods begin.
-const TIMES: [i32; 2] = [-4, 1];
+const TIMES: [i32; 2] = [-4, 0];
 const ERRORS: [i32; 2] = [-8, 6];
 /// Errors per power of ten: as many points of a line.
 const FINE: i32 = 8;
-/// The colours of the picture of run times.
-const COLOURS: [&str; 5] = ["#0067a8", "#c85000", "#806000", "#00805f", "#a8488a"];
+/// The colours of the picture of run times, and three more.
+const COLOURS: [&str; 8] = [
+    "#0067a8", "#c85000", "#806000", "#00805f", "#a8488a", "#555555", "#7a4fc4", "#b0203a",
+];
 
 /// A method with its time to each error; infinite where it does not come.
 pub(crate) struct Line<'a> {
@@ -28,8 +30,8 @@ pub(crate) fn errors() -> impl Iterator<Item = f64> {
         .map(|part| 10_f64.powf(f64::from(part) / f64::from(FINE)))
 }
 
-/// The picture.
-pub(crate) fn svg(lines: &[Line<'_>], about: &str) -> String {
+/// The picture; `about` stands below it.
+pub(crate) fn svg(lines: &[Line<'_>], about: &[&str]) -> String {
     let [left, top, right, bottom] = FRAME;
     let mut svg = format!(
         r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" font-family="system-ui, Helvetica, Arial, sans-serif" font-size="13" fill="#222">
@@ -65,13 +67,15 @@ pub(crate) fn svg(lines: &[Line<'_>], about: &str) -> String {
         text(&mut svg, [place[0] + 32.0, place[1]], "start", line.name);
         draw(&mut svg, line, colour);
     }
-    let _ = write!(
-        svg,
-        r##"<text x="24" y="512" font-size="12" fill="#555">To the right: time. Upwards: how far the sum of squares is above the least one, as a part of it. A line ends where half of the seeds stop.</text>
-<text x="24" y="532" font-size="12" fill="#555">{about}</text>
-</svg>
-"##
-    );
+    let errors = "To the right: time. Upwards: how far the sum of squares is above the least one, as a part of it. A line ends where half of the seeds stop.";
+    for (k, words) in [errors].iter().chain(about).enumerate() {
+        let _ = writeln!(
+            svg,
+            r##"<text x="24" y="{}" font-size="12" fill="#555">{words}</text>"##,
+            532 + 20 * k
+        );
+    }
+    svg.push_str("</svg>\n");
     svg
 }
 
@@ -110,7 +114,7 @@ fn y(error: f64) -> f64 {
 }
 
 fn time_name(exponent: i32) -> &'static str {
-    ["0.1 ms", "1 ms", "10 ms", "0.1 s", "1 s", "10 s"][(exponent - TIMES[0]) as usize]
+    ["0.1 ms", "1 ms", "10 ms", "0.1 s", "1 s"][(exponent - TIMES[0]) as usize]
 }
 
 fn grid(svg: &mut String, [x1, y1, x2, y2]: [f64; 4]) {
