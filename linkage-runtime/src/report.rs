@@ -15,6 +15,7 @@ mod cyclogram;
 mod drawing;
 mod error;
 mod figures;
+mod frame;
 mod gaps;
 mod hues;
 mod index;

@@ -11,11 +11,13 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::colour::page_rules;
-use super::page::{bare, embedded, enclosed, escaped};
+use super::frame::Framed;
 use super::whole::{Whole, failed};
 use super::{Report, ReportError, SummaryRow};
 
-const FRAME: &str = include_str!("page/compare/page.html");
+const BODY: &str = include_str!("page/compare/page.html");
+/// Nothing comes from elsewhere.
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
 const STYLES: [&str; 2] = [
     include_str!("page/style.css"),
     include_str!("page/compare/compare.css"),
@@ -188,24 +190,15 @@ impl<'a> Comparison<'a> {
     /// [`ReportError::Mistakes`] with all that does not fit together, in the designs' reports and between them.
     pub fn html(&self) -> Result<String, ReportError> {
         self.check()?;
-        let data = embedded(&self.value().to_string());
-        let script = bare(&SCRIPTS.join("\n"));
-        let script = std::format!("(() => {{\n\"use strict\";\n{script}}})();");
-        let style = STYLES.join("\n") + &page_rules(0);
-        // The data come last: they may contain anything, even the words that are replaced.
-        Ok(FRAME
-            .replace("<!-- title -->", &escaped(&self.title))
-            .replace("<!-- style -->", &enclosed("style", "", &style))
-            .replace("<!-- script -->", &enclosed("script", "", &script))
-            .replacen(
-                "<!-- comparison -->",
-                &enclosed(
-                    "script",
-                    " type=\"application/json\" id=\"comparison\"",
-                    &data,
-                ),
-                1,
-            ))
+        let framed = Framed {
+            title: &self.title,
+            policy: POLICY,
+            style: &(STYLES.join("\n") + &page_rules(0)),
+            body: BODY,
+            data: ("comparison", &self.value().to_string()),
+            script: &SCRIPTS.join("\n"),
+        };
+        Ok(framed.html())
     }
 
     /// Writes `index.html` into a folder, which is made if it is not there, and returns its path.

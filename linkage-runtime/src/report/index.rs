@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::string::String;
 use std::vec::Vec;
 
+use super::frame::escaped;
 use super::letters::control;
-use super::page::escaped;
 use super::whole::{Whole, failed};
 use super::{Report, ReportError};
 

@@ -3,10 +3,11 @@
 use std::string::String;
 
 use super::colour::page_rules;
+use super::frame::Framed;
 use super::{Report, ReportError};
 use crate::javascript::{ENGINE, OTHERS};
 
-const FRAME: &str = include_str!("page/page.html");
+const BODY: &str = include_str!("page/page.html");
 const STYLES: [&str; 7] = [
     include_str!("page/style.css"),
     include_str!("page/drawing.css"),
@@ -93,33 +94,21 @@ impl Report {
     ///
     /// As [`check`](Self::check).
     pub fn html(&self) -> Result<String, ReportError> {
-        let data = embedded(&self.page_json()?);
         let follow = match self.version {
             Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
             None => String::new(),
         };
-        // In a function, so that the names in it do not meet those of the browser.
         let script =
             self.engine() + &SCRIPTS[..START].join("\n") + &self.live() + SCRIPTS[START] + &follow;
-        let script = std::format!("(() => {{\n\"use strict\";\n{}}})();", bare(&script));
-        // The data come last: they may contain anything, even the words that are replaced.
-        Ok(FRAME
-            .replace("<!-- title -->", &escaped(&self.title))
-            .replace("<!-- policy -->", &self.policy())
-            .replace(
-                "<!-- style -->",
-                &enclosed(
-                    "style",
-                    "",
-                    &(self.styles() + &page_rules(self.link_hues())),
-                ),
-            )
-            .replace("<!-- script -->", &enclosed("script", "", &script))
-            .replacen(
-                "<!-- report -->",
-                &enclosed("script", " type=\"application/json\" id=\"report\"", &data),
-                1,
-            ))
+        let framed = Framed {
+            title: &self.title,
+            policy: &self.policy(),
+            style: &(self.styles() + &page_rules(self.link_hues())),
+            body: BODY,
+            data: ("report", &self.page_json()?),
+            script: &script,
+        };
+        Ok(framed.html())
     }
 }
 
@@ -168,32 +157,9 @@ impl Report {
     }
 }
 
-/// Without comments and indentation, which are for readers of the sources: a fourth of a script. No text in scripts goes over lines.
-pub(super) fn bare(script: &str) -> String {
-    let lines = script.lines().map(str::trim_start);
-    let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
-    lines.flat_map(|line| [line, "\n"]).collect()
-}
-
-pub(super) fn enclosed(tag: &str, attributes: &str, content: &str) -> String {
-    std::format!("<{tag}{attributes}>\n{content}\n</{tag}>")
-}
-
-/// JSON that cannot end the element that it stands in.
-pub(super) fn embedded(json: &str) -> String {
-    json.replace('<', "\\u003c")
-}
-
-/// Text that is no markup.
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::frame::bare;
     use super::*;
     use std::collections::BTreeSet;
 

@@ -8,7 +8,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::colour::{Colour, dark_rules};
-use super::page::escaped;
+use super::frame::escaped;
 
 /// What text is set in: what the reader's system has.
 const FONTS: &str = "system-ui, 'Segoe UI', Roboto, Helvetica, Arial, 'DejaVu Sans', sans-serif";
