@@ -3,6 +3,7 @@
 mod generator;
 
 use super::super::complex::{Complex, ONE};
+use super::super::tests::coupler_at;
 use super::equations::Unknowns;
 use super::path::{Pace, Way};
 use super::search::{Data, Search};
@@ -36,24 +37,16 @@ struct Planted {
 impl Planted {
     fn new(random: &mut Random) -> Self {
         let fixed = [[10.0, 20.0], [70.0, random.between(15.0, 25.0)]];
-        let [crank, coupler, rocker] =
+        let lengths =
             [(17.0, 23.0), (50.0, 60.0), (40.0, 50.0)].map(|(low, high)| random.between(low, high));
         let tracer = [random.between(21.0, 39.0), random.between(16.0, 34.0)];
         let poses = core::array::from_fn(|i| {
             let angle = TAU / 9.0 * (i as f64 + random.between(0.1, 0.9));
-            let pin = [
-                fixed[0][0] + crank * angle.cos(),
-                fixed[0][1] + crank * angle.sin(),
-            ];
-            let (x, y) = (fixed[1][0] - pin[0], fixed[1][1] - pin[1]);
-            let distance = x.hypot(y);
-            let cosine = (distance * distance + coupler * coupler - rocker * rocker)
-                / (2.0 * distance * coupler);
-            Pose::new(pin, y.atan2(x) + cosine.acos())
+            coupler_at(fixed, lengths, angle, 1.0)
         });
         Self {
             fixed,
-            coupler,
+            coupler: lengths[1],
             tracer,
             poses,
         }

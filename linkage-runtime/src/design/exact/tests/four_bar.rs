@@ -1,20 +1,16 @@
 //! Circuits, branches and order of four-bars that are moved.
 
 use super::super::*;
+use super::coupler_at;
 use alloc::vec::Vec;
 
 /// Poses of the coupler for angles of link 0, on one side of the line from its pin to the other joint of the frame.
 fn poses(lengths: [f64; 4], angles: &[f64], side: f64) -> Vec<Pose> {
-    let [frame, crank, coupler, rocker] = lengths;
-    let places = angles.iter().map(|angle| {
-        let pin = [crank * angle.cos(), crank * angle.sin()];
-        let (x, y) = (frame - pin[0], -pin[1]);
-        let distance = x.hypot(y);
-        let cosine = (distance * distance + coupler * coupler - rocker * rocker)
-            / (2.0 * distance * coupler);
-        assert!(cosine.abs() < 1.0, "angle {angle} is out of reach");
-        Pose::new(pin, y.atan2(x) + side * cosine.acos())
-    });
+    let [frame, lengths @ ..] = lengths;
+    let fixed = [[0.0, 0.0], [frame, 0.0]];
+    let places = angles
+        .iter()
+        .map(|&angle| coupler_at(fixed, lengths, angle, side));
     places.collect()
 }
 
