@@ -4,8 +4,11 @@
 //! 80 digits.
 
 mod check;
+#[path = "check/digits.rs"]
+mod digits;
 
 use check::Check;
+use digits::number;
 use linkage::mechanism;
 use serde_json::Value;
 use std::error::Error;
@@ -123,8 +126,8 @@ fn compare(
             (bends[1][1], number(&known["d2_du2"][name])?),
         ];
         check.all_near("  by travel and rack, once and twice", pairs, tolerance);
-        let known = DIMENSIONS.map(|dimension| number(&known["sensitivity"][dimension][name]));
-        let known: Vec<f64> = known.into_iter().collect::<Result<_, _>>()?;
+        let known = DIMENSIONS.map(|dimension| &known["sensitivity"][dimension][name]);
+        let known = digits::all(known)?;
         check.all_near(
             "  by all dimensions",
             by_dimensions.into_iter().zip(known),
@@ -132,9 +135,4 @@ fn compare(
         );
     }
     Ok(())
-}
-
-/// A number that is written as a string of digits.
-fn number(value: &Value) -> Result<f64, Box<dyn Error>> {
-    Ok(value.as_str().ok_or("digits")?.parse()?)
 }

@@ -7,10 +7,13 @@
 //! folder that is given behind `--`.
 
 mod check;
+#[path = "check/digits.rs"]
+mod digits;
 #[path = "five_link_axle/page.rs"]
 mod page;
 
 use check::Check;
+use digits::number;
 use linkage::mechanism;
 use nalgebra::Vector3;
 use serde_json::Value;
@@ -143,7 +146,7 @@ fn compare(
         check.all_near("  by travel and rack, twice by travel", pairs, tolerance);
         let known = known["sensitivity"][name].as_array().ok_or("a list")?;
         check.holds("  every dimension", known.len() == by_dimensions.len());
-        let known: Vec<f64> = known.iter().map(number).collect::<Result<_, _>>()?;
+        let known = digits::all(known)?;
         check.all_near(
             "  by all dimensions",
             by_dimensions.into_iter().zip(known),
@@ -158,9 +161,4 @@ fn compare(
         1e-10,
     );
     Ok(())
-}
-
-/// A number that is written as a string of digits.
-fn number(value: &Value) -> Result<f64, Box<dyn Error>> {
-    Ok(value.as_str().ok_or("digits")?.parse()?)
 }

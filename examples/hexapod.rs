@@ -5,10 +5,13 @@
 //! the workspace as a picture, `target/hexapod/workspace.svg`, or in the folder that is given behind `--`.
 
 mod check;
+#[path = "check/digits.rs"]
+mod digits;
 #[path = "hexapod/workspace.rs"]
 mod workspace;
 
 use check::Check;
+use digits::{number, numbers};
 use linkage::jacobian::Jacobian;
 use linkage::mechanism;
 use nalgebra::{Rotation3, Vector3};
@@ -230,17 +233,4 @@ fn rotation([roll, pitch, yaw]: [f64; 3]) -> Rotation3<f64> {
     Rotation3::from_axis_angle(&Vector3::x_axis(), roll)
         * Rotation3::from_axis_angle(&Vector3::y_axis(), pitch)
         * Rotation3::from_axis_angle(&Vector3::z_axis(), yaw)
-}
-
-/// A number that is written as a string of digits.
-fn number(value: &Value) -> Result<f64, Box<dyn Error>> {
-    Ok(value.as_str().ok_or("digits")?.parse()?)
-}
-
-fn numbers<const N: usize>(values: &Value) -> Result<[f64; N], Box<dyn Error>> {
-    let mut found = [0.0; N];
-    for (k, found) in found.iter_mut().enumerate() {
-        *found = number(&values[k])?;
-    }
-    Ok(found)
 }

@@ -5,8 +5,11 @@
 //! solutions in 80 digits.
 
 mod check;
+#[path = "check/digits.rs"]
+mod digits;
 
 use check::Check;
+use digits::number;
 use linkage::mechanism;
 use serde_json::Value;
 use std::error::Error;
@@ -132,15 +135,10 @@ fn compare(
         ("camber", s.camber, 1e-15),
     ];
     for (name, found, tolerance) in by_dimensions {
-        let known = DIMENSIONS.map(|dimension| number(&known["sensitivity"][dimension][name]));
-        let known: Vec<f64> = known.into_iter().collect::<Result<_, _>>()?;
+        let known = DIMENSIONS.map(|dimension| &known["sensitivity"][dimension][name]);
+        let known = digits::all(known)?;
         let what = format!("{name} by all dimensions");
         check.all_near(&what, found.into_iter().zip(known), tolerance);
     }
     Ok(())
-}
-
-/// A number that is written as a string of digits.
-fn number(value: &Value) -> Result<f64, Box<dyn Error>> {
-    Ok(value.as_str().ok_or("digits")?.parse()?)
 }

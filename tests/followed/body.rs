@@ -4,7 +4,7 @@ use linkage::jacobian::Jacobian;
 use linkage::mechanism;
 use nalgebra::Vector3;
 
-use super::{close, number, numbers, read};
+use super::{FEET, JOINTS, close, number, numbers, read};
 
 mechanism! {
     pub struct Axle {
@@ -68,23 +68,6 @@ fn it_is_where_and_moves_as_it_was_computed_with_80_digits() {
         }
     }
 }
-
-const FEET: [[f64; 3]; 6] = [
-    [310.0, 40.0, -12.0],
-    [180.0, 275.0, 18.0],
-    [-120.0, 300.0, -25.0],
-    [-325.0, 60.0, 10.0],
-    [-150.0, -290.0, 22.0],
-    [205.0, -250.0, -8.0],
-];
-const JOINTS: [[f64; 3]; 6] = [
-    [150.0, -60.0, -14.0],
-    [130.0, 85.0, 9.0],
-    [10.0, 160.0, -11.0],
-    [-145.0, 75.0, 16.0],
-    [-120.0, -105.0, -7.0],
-    [35.0, -155.0, 12.0],
-];
 
 mechanism! {
     pub struct Platform {

@@ -4,7 +4,7 @@
 use linkage::mechanism;
 use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3, Vector6};
 
-use super::{close, number, numbers, read};
+use super::{FEET, JOINTS, close, number, numbers, read};
 
 mechanism! {
     /// The platform's origin is `p`, its directions are `x`, `y` and `z`.
@@ -36,23 +36,6 @@ mechanism! {
         pub fn jacobian(l1, l2, l3, l4, l5, l6) -> Jacobian { p: velocity(p), x: velocity(x), y: velocity(y) }
     }
 }
-
-const FEET: [[f64; 3]; 6] = [
-    [310.0, 40.0, -12.0],
-    [180.0, 275.0, 18.0],
-    [-120.0, 300.0, -25.0],
-    [-325.0, 60.0, 10.0],
-    [-150.0, -290.0, 22.0],
-    [205.0, -250.0, -8.0],
-];
-const JOINTS: [[f64; 3]; 6] = [
-    [150.0, -60.0, -14.0],
-    [130.0, 85.0, 9.0],
-    [10.0, 160.0, -11.0],
-    [-145.0, 75.0, 16.0],
-    [-120.0, -105.0, -7.0],
-    [35.0, -155.0, 12.0],
-];
 
 const REFERENCE: [f64; 6] = [
     454.35742, 468.552604, 488.341676, 461.66999, 410.067397, 458.630351,

@@ -8,6 +8,24 @@ mod hexapod;
 
 use serde_json::Value;
 
+/// The joints of the six legs on the ground, and on the platform.
+const FEET: [[f64; 3]; 6] = [
+    [310.0, 40.0, -12.0],
+    [180.0, 275.0, 18.0],
+    [-120.0, 300.0, -25.0],
+    [-325.0, 60.0, 10.0],
+    [-150.0, -290.0, 22.0],
+    [205.0, -250.0, -8.0],
+];
+const JOINTS: [[f64; 3]; 6] = [
+    [150.0, -60.0, -14.0],
+    [130.0, 85.0, 9.0],
+    [10.0, 160.0, -11.0],
+    [-145.0, 75.0, 16.0],
+    [-120.0, -105.0, -7.0],
+    [35.0, -155.0, 12.0],
+];
+
 fn read(text: &str) -> Vec<Value> {
     serde_json::from_str(text).expect("JSON")
 }
