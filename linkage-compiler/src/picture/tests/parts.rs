@@ -1,0 +1,123 @@
+//! Points, links and wheels of a machine's parts.
+
+use crate::check_all;
+
+/// Points in which parts meet belong to both; cranks on one shaft are two links, and one that is called after the shaft is known by its points.
+#[test]
+fn parts_of_a_machine_have_what_they_bring_along() {
+    let text = "
+        struct Crank {
+            unit mm;
+            const pivot = (0mm, 0mm);
+            param rod = 120mm;
+            input phi = 30deg in 0deg..360deg;
+            unknown s = 160mm;
+            unknown theta = -10deg;
+            let pin = pivot + polar(50mm, phi);
+            loop pin + polar(rod, theta) = (s, 0mm);
+            let slide = pin + polar(rod, theta);
+        }
+        struct M {
+            unit mm;
+            param arm = 30mm;
+            input shaft = 30deg in 0deg..360deg;
+            part one: Crank { phi = shaft };
+            part two: Crank { phi = shaft + 90deg };
+            let end = one.pin + polar(arm, one.theta);
+        }
+        impl M { fn look(shaft) -> Look { shape: picture() } }";
+    let all = check_all(text.parse().expect("tokens"));
+    let machine = all.into_iter().next_back().expect("the machine");
+    assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
+    let picture = machine.unit.and_then(|own| own.picture);
+    let picture = picture.expect("a picture").to_string();
+    let parts: Vec<&str> = picture
+        .lines()
+        .filter(|line| line.starts_with("part "))
+        .collect();
+    let expected = [
+        "part one: one.pivot, one.pin, one.slide, end; shaft, one.rod; one.s",
+        "part two: one.pivot, two.pin, two.slide; two.phi, two.rod; two.s",
+    ];
+    assert_eq!(parts, expected, "\n{picture}");
+}
+
+/// Cranks of two parts that turn unlike each other are driven by the shaft, not by each other; those of one part are wheels.
+#[test]
+fn wheels_are_of_one_part() {
+    let text = |second: &str| {
+        format!(
+            "
+        struct Crank {{
+            unit mm;
+            param pivot = (0mm, 0mm);
+            input phi = 30deg in 0deg..360deg;
+            let pin = pivot + polar(50mm, phi);
+        }}
+        struct M {{
+            unit mm;
+            param far = (300mm, 0mm);
+            input shaft = 30deg in 0deg..360deg;
+            part one: Crank {{ phi = shaft }};
+            {second}
+        }}
+        impl M {{ fn look(shaft) -> Look {{ shape: picture() }} }}"
+        )
+    };
+    let gears = |second: &str| {
+        let all = check_all(text(second).parse().expect("tokens"));
+        let machine = all.into_iter().next_back().expect("the machine");
+        let picture = machine.unit.and_then(|own| own.picture);
+        picture.expect("a picture").gears.len()
+    };
+    assert_eq!(gears("let pin = far + polar(40mm, -2 * shaft);"), 1);
+    assert_eq!(
+        gears("part two: Crank { phi = -2 * shaft, pivot = far };"),
+        0
+    );
+}
+
+/// Pivots of two parts that happen to stand at one place, where no other dimensions close: they are two points, unless they are shared.
+#[test]
+fn pivots_of_coupled_parts_that_coincide_by_chance_are_two_points() {
+    let pivots = |given: &str| {
+        let text = format!(
+            "
+        struct Platform {{
+            unit mm;
+            param pivot = (0mm, 0mm);
+            param right = (120mm, 0mm);
+            param top = (60mm, 110mm);
+            param crank = 40mm;
+            param leg = 50mm;
+            input phi = 60deg in 40deg..80deg;
+            unknown tilt = 20deg;
+            unknown leg_a = 20deg;
+            unknown leg_b = 100deg;
+            unknown leg_c = 290deg;
+            let a = pivot + polar(crank, phi) + polar(leg, leg_a);
+            loop a + polar(60mm, tilt) = right + polar(leg, leg_b);
+            loop a + polar(60mm, tilt + 60deg) = top + polar(leg, leg_c);
+        }}
+        struct M {{
+            unit mm;
+            input shaft = 60deg in 50deg..70deg;
+            part one: Platform {{ phi = shaft }};
+            part two: Platform {{ phi = shaft + 5deg{given} }};
+        }}
+        impl M {{ fn look(shaft) -> Look {{ shape: picture() }} }}"
+        );
+        let all = check_all(text.parse().expect("tokens"));
+        let machine = all.into_iter().next_back().expect("the machine");
+        assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
+        let picture = machine.unit.and_then(|own| own.picture);
+        let picture = picture.expect("a picture").to_string();
+        let ground = picture
+            .lines()
+            .filter(|line| line.starts_with("point ") && line.ends_with("Ground"));
+        ground.map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(pivots("").len(), 6, "{:?}", pivots(""));
+    let shared = ", pivot = one.pivot, right = one.right, top = one.top";
+    assert_eq!(pivots(shared).len(), 3, "{:?}", pivots(shared));
+}
