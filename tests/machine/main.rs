@@ -5,5 +5,6 @@ mod cyclogram;
 mod mechanisms;
 mod phases;
 mod references;
+mod waves;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;

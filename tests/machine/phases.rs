@@ -2,29 +2,9 @@
 
 use crate::Outcome;
 use crate::references::{mutual, number};
+use crate::waves::{A, B, C, CYCLE, D, POSITIONS, RANGE, organ};
 use linkage::clearance::{BestPhases, PhaseSet, Phases};
-use std::f64::consts::{PI, TAU};
-
-const CYCLE: (f64, f64) = (0.0, TAU);
-const RANGE: (f64, f64) = (-PI, PI);
-const POSITIONS: usize = 91;
-
-/// A point that moves by two harmonics in each direction: `a cos(x + b) + c cos(2 x + d)`.
-type Wave = [f64; 5];
-fn organ(along: Wave, up: Wave) -> impl Fn(f64) -> [[[f64; 2]; 3]; 1] + Copy {
-    let wave = |[mean, a, b, c, d]: Wave, x: f64| {
-        let ((s1, c1), (s2, c2)) = ((x + b).sin_cos(), (2.0 * x + d).sin_cos());
-        [
-            mean + a * c1 + c * c2,
-            -a * s1 - 2.0 * c * s2,
-            -a * c1 - 4.0 * c * c2,
-        ]
-    };
-    move |x| {
-        let (x, y) = (wave(along, x), wave(up, x));
-        [[0, 1, 2].map(|k| [x[k], y[k]])]
-    }
-}
+use std::f64::consts::TAU;
 
 /// The least distance of two organs over the cycle: many positions, and a search around each that is lower than those
 /// beside it.
@@ -75,14 +55,9 @@ fn expect_best<const N: usize>(
     }
 }
 
-const A: [Wave; 2] = [[0.0, 20.0, 0.0, 3.0, 0.4], [0.0, 12.0, 1.5, 2.0, 0.0]];
-const B: [Wave; 2] = [[36.0, 14.0, 2.4, 2.0, 1.0], [6.0, 10.0, 0.7, 3.0, 2.0]];
-const C: [Wave; 2] = [[16.0, 9.0, 1.0, 1.5, 0.2], [28.0, 13.0, 3.0, 2.0, 1.0]];
-const D: [Wave; 2] = [[55.0, 12.0, 0.3, 2.5, 2.2], [20.0, 15.0, 0.0, 1.0, 0.1]];
-
 #[test]
 fn two_phases_of_three_organs() -> Outcome {
-    let [a, b, c] = [A, B, C].map(|[x, y]| organ(x, y));
+    let [a, b, c] = [A, B, C].map(organ);
     let ab = Phases::of(CYCLE, POSITIONS, a, b)?;
     let ac = Phases::of(CYCLE, POSITIONS, a, c)?;
     let bc = Phases::of(CYCLE, POSITIONS, b, c)?;
@@ -133,7 +108,7 @@ fn two_phases_of_three_organs() -> Outcome {
 
 #[test]
 fn three_phases_of_four_organs() -> Outcome {
-    let [a, b, c, d] = [A, B, C, D].map(|[x, y]| organ(x, y));
+    let [a, b, c, d] = [A, B, C, D].map(organ);
     let ab = Phases::of(CYCLE, POSITIONS, a, b)?;
     let ac = Phases::of(CYCLE, POSITIONS, a, c)?;
     let bc = Phases::of(CYCLE, POSITIONS, b, c)?;
