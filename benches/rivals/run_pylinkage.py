@@ -163,7 +163,7 @@ def evolution(objective, random):
     # A population at a time: a call for each member takes twice as long.
     differential_evolution_optimization(
         objective, LINKAGE, bounds=BOUNDS, order_relation=min, verbose=False, seed=int(random.integers(2**31)),
-        popsize=10, maxiter=2000, tol=1e-8, recombination=0.9, vectorized=True, updating="deferred",
+        popsize=7, maxiter=2000, tol=1e-8, mutation=0.8, recombination=0.9, vectorized=True, updating="deferred",
     )
 
 

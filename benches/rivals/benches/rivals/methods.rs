@@ -179,14 +179,15 @@ fn evolution(seed: u64, limit: Duration) -> Trace {
     while !over() {
         let bounds = objective.lock().expect("one thread").bounds;
         let _ = Solver::build(
-            De::new(),
+            // Of its strategies, factors and populations that were tried those that come nearest soonest.
+            De::new().f(0.8),
             Population {
                 objective: &objective,
                 bounds,
             },
         )
         .seed(random.bits())
-        .pop_num(60)
+        .pop_num(40)
         .task(|context| context.r#gen >= 2000 || over())
         .solve();
     }
