@@ -179,9 +179,9 @@ pub mod tolerance {
 /// Design: from requirements to dimensions, by least squares from many starts.
 #[cfg(feature = "design")]
 pub mod design {
+    // Only here: without this feature there is nothing to link to. A blank line ends the paragraph before it.
+    #![doc = "\n[exact]: crate::design::exact"]
     #![doc = include_str!("links.md")]
-    // Only here: without this feature there is nothing to link to.
-    #![doc = "[exact]: crate::design::exact"]
     #![doc = include_str!("../docs/design.md")]
 
     pub use linkage_runtime::design::*;

@@ -88,7 +88,7 @@ fn dimensions(given: &Given, part: f64) -> Vec<f32> {
         .collect()
 }
 
-fn by_rust(_: &[Given], asked: &[Asked]) -> Results {
+fn by_rust(asked: &[Asked]) -> Results {
     let one = |own: &Asked| {
         let assembled = Assembled::new(&own.given.unit, &own.dimensions);
         let assembled = assembled.expect("it is assembled");
@@ -100,11 +100,7 @@ fn by_rust(_: &[Given], asked: &[Asked]) -> Results {
     asked.iter().map(one).collect()
 }
 
-fn by_c(all: &[Given], asked: &[Asked]) -> Results {
-    let compiler =
-        Compiler::find().expect("who compiles for controllers can compile for this machine");
-    let flags = ["-O1", "-ffp-contract=off"];
-    let batch = Batch::new::<f32>(&compiler, "controller_here", all, &flags);
+fn by_c(batch: &Batch, all: &[Given], asked: &[Asked]) -> Results {
     let one = |own: &Asked| {
         let request = |at: &Vec<f32>| Request {
             mechanism: own.mechanism,
@@ -181,19 +177,16 @@ struct Figure {
     sources: Sources,
 }
 
-/// Figures of all functions, whose results must be those expected.
+/// Figures of all functions of the program in a folder, whose results must be those expected.
 fn measure(
-    compiler: &Compiler,
-    name: &str,
+    folder: &Path,
     all: &[Given],
     part: f64,
-    expected: fn(&[Given], &[Asked]) -> Results,
+    expected: impl Fn(&[Asked]) -> Results,
 ) -> Vec<Figure> {
-    let folder = machine::folder(name);
-    build(compiler, &folder, all);
     let asked = asked(all, part);
-    let words = emulate(&folder, &requests(&asked));
-    let counts = counts(&asked, &expected(all, &asked), &words);
+    let words = emulate(folder, &requests(&asked));
+    let counts = counts(&asked, &expected(&asked), &words);
     let figure = |(own, instructions): (&Asked, u32)| {
         let sources = sources(&own.given.name, &own.given.unit, Real::Single);
         let sources = sources.expect("it can be exported");
@@ -228,11 +221,22 @@ fn a_controller_executes_the_same_instructions_at_all_inputs() {
     let mut closed = vec![page::press()];
     closed.extend(exported());
     closed.retain(|own| own.unit.coupled.is_empty());
-    let mut figures = measure(&compiler, "controller", &closed, 0.0, by_rust);
+    let built = |name, all: &[Given]| {
+        let folder = machine::folder(name);
+        build(&compiler, &folder, all);
+        folder
+    };
+    let mut figures = measure(&built("controller", &closed), &closed, 0.0, by_rust);
     let coupled = coupled::all();
+    let folder = built("controller_coupled", &coupled);
+    let here = Compiler::find().expect("who compiles for controllers can compile for this machine");
+    let flags = ["-O1", "-ffp-contract=off"];
+    let batch = Batch::new::<f32>(&here, "controller_here", &coupled, &flags);
     // The second time with the steps that lead from tables to other dimensions.
-    for (name, part) in [("controller_coupled", 0.0), ("controller_moved", 1e-3)] {
-        figures.extend(measure(&compiler, name, &coupled, part, by_c));
+    for part in [0.0, 1e-3] {
+        figures.extend(measure(&folder, &coupled, part, |asked| {
+            by_c(&batch, &coupled, asked)
+        }));
     }
     for own in &figures {
         println!("{}: {}", own.call, own.instructions);
