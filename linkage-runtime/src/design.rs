@@ -26,15 +26,17 @@ mod normal;
 mod problem;
 mod quadratic;
 mod relation;
+mod rounds;
 mod run;
 mod sampled;
 mod search;
+mod settings;
 mod starts;
 mod targets;
 mod varied;
 mod wish;
 
-pub use builder::{Design, Progress};
+pub use builder::Design;
 pub use certificate::{Interrupted, Interruption};
 pub use cycle::{
     BestCycle, Candidate, Conditions, Curve, CycleDesign, CycleWish, Demand, Dwell, ErrorOf,
@@ -48,6 +50,7 @@ pub use identify::{
 };
 pub use relation::Relation;
 pub use sampled::Sampled;
+pub use settings::Progress;
 pub use targets::{Targets, Timing};
 pub use wish::{Candidates, Evaluate, Free, Rows, Wish};
 

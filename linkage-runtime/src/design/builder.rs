@@ -7,6 +7,8 @@ use core::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use super::condition::Condition;
+use super::settings::{Progress, Settings, settings_methods};
+use super::varied::{Freedom, freedom_methods};
 use super::{DesignError, Relation, Wish};
 use crate::{AssemblyError, Circuits, Dimensions};
 
@@ -20,33 +22,16 @@ const LISTED: usize = 100;
 pub(super) type CircuitsOf<'a, M, A> =
     Box<dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + Send + Sync + 'a>;
 
-/// How far a search has come.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Progress {
-    /// Starts that are done.
-    pub done: usize,
-    /// All starts.
-    pub count: usize,
-    /// The least sum so far, not yet certified; infinite before there is one.
-    pub least: f64,
-}
-
 /// A design problem: what may vary, what is wanted, what must hold.
 pub struct Design<'a, M, A, const N: usize> {
     pub(super) nominal: M,
     pub(super) assemblies: Vec<A>,
     pub(super) circuits: CircuitsOf<'a, M, A>,
-    pub(super) varied: Vec<(String, f64, f64)>,
+    pub(super) freedom: Freedom,
     pub(super) catalogues: Vec<(String, Vec<f64>)>,
-    pub(super) relations: Vec<Relation>,
     pub(super) wishes: Vec<Box<dyn Wish<M, A> + 'a>>,
-    pub(super) starts: usize,
-    pub(super) seed: u64,
-    pub(super) steps: usize,
+    pub(super) settings: Settings<'a>,
     pub(super) listed: usize,
-    pub(super) time: Option<Duration>,
-    pub(super) cancel: Option<&'a AtomicBool>,
-    pub(super) progress: Option<Box<dyn FnMut(Progress) + 'a>>,
 }
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
@@ -82,37 +67,20 @@ where
             assemblies: found,
             nominal,
             circuits: Box::new(circuits),
-            varied: Vec::new(),
+            freedom: Freedom::default(),
             catalogues: Vec::new(),
-            relations: Vec::new(),
             wishes: Vec::new(),
-            starts: STARTS,
-            seed: 0,
-            steps: STEPS,
+            settings: Settings::new(STARTS, STEPS),
             listed: LISTED,
-            time: None,
-            cancel: None,
-            progress: None,
         })
     }
 
-    /// A parameter may vary between these bounds, both included: named as in `PARAMETERS`, `pivot.x` for a component.
-    #[must_use]
-    pub fn vary(mut self, name: &str, low: f64, high: f64) -> Self {
-        self.varied.push((name.to_string(), low, high));
-        self
-    }
-
-    /// A parameter may vary by this part of its present size, 0.02 for two percent.
-    #[must_use]
-    pub fn vary_by(self, name: &str, part: f64) -> Self {
-        let present = M::PARAMETERS
-            .iter()
-            .position(|parameter| parameter.name == name);
-        let value = present.map_or(f64::NAN, |index| self.nominal.values()[index]);
-        let room = part * value.abs();
-        self.vary(name, value - room, value + room)
-    }
+    freedom_methods!();
+    settings_methods!(
+        "How many starts are tried, 1024 without it.",
+        "The most evaluations of a descent, 300 without it.",
+        "starts are"
+    );
 
     /// A parameter takes one of these values only, as lengths of a catalogue: instead of [`vary`](Self::vary).
     ///
@@ -126,13 +94,6 @@ where
         let [low, high] = [values.first(), values.last()].map(|x| x.copied().unwrap_or(f64::NAN));
         self.catalogues.push((name.to_string(), values));
         self.vary(name, low, high)
-    }
-
-    /// A relation, or several, between parameters must hold.
-    #[must_use]
-    pub fn hold(mut self, relations: impl Into<Vec<Relation>>) -> Self {
-        self.relations.extend(relations.into());
-        self
     }
 
     /// A number that follows from the dimensions must not be negative: `function` gives it with its derivatives by all parameters,
@@ -154,27 +115,6 @@ where
         self
     }
 
-    /// How many starts are tried, 1024 without it.
-    #[must_use]
-    pub fn starts(mut self, starts: usize) -> Self {
-        self.starts = starts;
-        self
-    }
-
-    /// Another seed gives other starts.
-    #[must_use]
-    pub fn seed(mut self, seed: u64) -> Self {
-        self.seed = seed;
-        self
-    }
-
-    /// The most evaluations of a descent, 300 without it.
-    #[must_use]
-    pub fn steps(mut self, steps: usize) -> Self {
-        self.steps = steps;
-        self
-    }
-
     /// The most designs that are listed, 100 without it.
     #[must_use]
     pub fn listed(mut self, designs: usize) -> Self {
@@ -182,24 +122,10 @@ where
         self
     }
 
-    /// No starts are begun after this time; what is found then depends on the machine.
-    #[must_use]
-    pub fn time_limit(mut self, time: Duration) -> Self {
-        self.time = Some(time);
-        self
-    }
-
-    /// No starts are begun once this is true.
-    #[must_use]
-    pub fn cancel(mut self, flag: &'a AtomicBool) -> Self {
-        self.cancel = Some(flag);
-        self
-    }
-
     /// Calls `report` about ten times a second and at the end, on the thread that called `run`.
     #[must_use]
     pub fn progress(mut self, report: impl FnMut(Progress) + 'a) -> Self {
-        self.progress = Some(Box::new(report));
+        self.settings.progress = Some(Box::new(report));
         self
     }
 }

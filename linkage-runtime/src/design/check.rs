@@ -5,7 +5,7 @@ use alloc::string::ToString;
 use super::DesignError;
 use super::builder::Design;
 use super::problem::{Given, Problem};
-use super::varied::{Varied, consistent, varied};
+use super::varied::Varied;
 use crate::Dimensions;
 
 impl<M, A, const N: usize> Design<'_, M, A, N>
@@ -20,7 +20,7 @@ where
             indices: varied,
             limits,
             mut errors,
-        } = varied(&self.varied, &self.relations, M::PARAMETERS, &values);
+        } = self.freedom.varied(M::PARAMETERS, &values);
         let cycle = (self.circuits)(&self.nominal)
             .map_err(DesignError::Start)?
             .cycle;
@@ -31,7 +31,7 @@ where
         if self.wishes.is_empty() {
             errors.push(nothing("nothing is wanted; call `want`"));
         }
-        if self.starts == 0 {
+        if self.settings.starts == 0 {
             errors.push(nothing("no starts"));
         }
         for wish in &self.wishes {
@@ -44,7 +44,7 @@ where
         });
         let catalogues = catalogues.collect();
         DesignError::all(errors)?;
-        consistent(&limits, &self.relations)?;
+        self.freedom.consistent(&limits)?;
         let free = self.wishes.iter().map(|wish| wish.free(&cycle)).collect();
         Ok(Problem::new(
             Given {

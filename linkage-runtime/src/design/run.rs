@@ -1,23 +1,17 @@
 //! The search of a design problem.
 
-use alloc::boxed::Box;
 use alloc::vec::Vec;
-use core::sync::atomic::Ordering;
-use std::time::{Duration, Instant};
+use core::ops::Range;
 
-#[cfg(feature = "rayon")]
-use rayon::prelude::*;
-
-use super::builder::{Design, Progress};
+use super::builder::Design;
 use super::catalogue::rounded;
 use super::certificate::{Interrupted, Interruption, certify};
 use super::problem::{Evaluator, Problem};
+use super::rounds::in_rounds;
 use super::search::{BLOCK, Block, Optimum, block, distinct};
+use super::settings::Report;
 use super::{DesignError, Found, Search};
 use crate::Dimensions;
-
-/// How long a round of blocks should take; after each the progress is reported.
-const ROUND: Duration = Duration::from_millis(100);
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
 where
@@ -32,10 +26,10 @@ where
     ///
     /// All mistakes of the problem at once; `NotFound` if no start led to a mechanism that runs through its whole range.
     pub fn run(mut self) -> Result<Search<M, A>, DesignError> {
-        let mut progress = self.progress.take();
+        let mut progress = self.settings.progress.take();
         let problem = self.problem()?;
         let (blocks, ended_early) = self.search(&problem, &mut progress);
-        let starts = self.starts.min(blocks.len() * BLOCK);
+        let starts = self.settings.starts.min(blocks.len() * BLOCK);
         let mut total = Block::default();
         for block in blocks {
             total.refused += block.refused;
@@ -49,7 +43,13 @@ where
             optima.truncate(self.listed);
             let round = |optimum: Optimum| {
                 let assembly = &self.assemblies[optimum.assembly];
-                rounded(&problem, &mut evaluator, assembly, optimum, self.steps)
+                rounded(
+                    &problem,
+                    &mut evaluator,
+                    assembly,
+                    optimum,
+                    self.settings.steps,
+                )
             };
             let all = optima.into_iter().filter_map(round).collect();
             optima = distinct(all, &problem.widths(), &problem.periods());
@@ -95,53 +95,23 @@ where
     fn search(
         &self,
         problem: &Problem<'_, M, A, N>,
-        progress: &mut Option<Box<dyn FnMut(Progress) + 'a>>,
+        progress: &mut Option<Report<'a>>,
     ) -> (Vec<Block>, bool) {
-        let began = Instant::now();
-        let (assemblies, starts, seed, steps) =
-            (&self.assemblies, self.starts, self.seed, self.steps);
-        let run = |number: usize| {
-            let end = starts.min((number + 1) * BLOCK);
-            block(problem, assemblies, seed, number * BLOCK..end, steps)
+        let (seed, steps) = (self.settings.seed, self.settings.steps);
+        let assemblies = &self.assemblies;
+        let run = |starts: Range<usize>| block(problem, assemblies, seed, starts, steps);
+        let least = |block: &Block| {
+            let sums = block.optima.iter().map(|optimum| optimum.sum);
+            sums.fold(f64::INFINITY, f64::min)
         };
-        let count = self.starts.div_ceil(BLOCK);
-        let (mut blocks, mut least) = (Vec::new(), f64::INFINITY);
-        let mut round = 1;
-        while blocks.len() < count {
-            if self.time.is_some_and(|time| began.elapsed() >= time)
-                || self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
-            {
-                return (blocks, true);
-            }
-            let started = Instant::now();
-            let numbers = blocks.len()..count.min(blocks.len() + round);
-            #[cfg(feature = "rayon")]
-            let new: Vec<Block> = numbers.into_par_iter().map(run).collect();
-            #[cfg(not(feature = "rayon"))]
-            let new: Vec<Block> = numbers.map(run).collect();
-            let sums = new
-                .iter()
-                .flat_map(|block| &block.optima)
-                .map(|optimum| optimum.sum);
-            least = sums.fold(least, f64::min);
-            blocks.extend(new);
-            // Only the length of a round depends on time, and no start on the length of a round.
-            let taken = started.elapsed();
-            round = if taken < ROUND / 2 { 2 * round } else { round };
-            round = if taken > ROUND * 2 {
-                (round / 2).max(1)
-            } else {
-                round
-            };
-            if let Some(report) = progress {
-                report(Progress {
-                    done: self.starts.min(blocks.len() * BLOCK),
-                    count: self.starts,
-                    least,
-                });
-            }
-        }
-        (blocks, false)
+        let end = self.settings.end();
+        in_rounds(
+            (self.settings.starts, BLOCK),
+            &|| end.reached(),
+            progress,
+            run,
+            least,
+        )
     }
 
     fn found(

@@ -1,13 +1,48 @@
-//! Which parameters may vary, within bounds and relations: names looked up, mistakes told together.
+//! Which parameters may vary, within bounds and relations: as it is written, then names looked up, mistakes told together.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::limits::{Limits, Linear};
 use super::{DesignError, Relation};
-use crate::Parameter;
+use crate::{Dimensions, Parameter};
 
-/// What may vary.
+/// What may vary, as it is written.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Freedom {
+    /// Parameters with their bounds.
+    bounds: Vec<(String, f64, f64)>,
+    relations: Vec<Relation>,
+}
+
+/// The methods by which a design problem says what may vary, for its fields `nominal` and `freedom`.
+macro_rules! freedom_methods {
+    () => {
+        /// A parameter may vary between these bounds, both included: named as in `PARAMETERS`, `pivot.x` for a component.
+        #[must_use]
+        pub fn vary(mut self, name: &str, low: f64, high: f64) -> Self {
+            self.freedom.vary(name, low, high);
+            self
+        }
+
+        /// A parameter may vary by this part of its present size, 0.02 for two percent.
+        #[must_use]
+        pub fn vary_by(mut self, name: &str, part: f64) -> Self {
+            self.freedom.vary_by(name, part, &self.nominal);
+            self
+        }
+
+        /// A relation, or several, between parameters must hold.
+        #[must_use]
+        pub fn hold(mut self, relations: impl Into<Vec<Relation>>) -> Self {
+            self.freedom.hold(relations.into());
+            self
+        }
+    };
+}
+pub(crate) use freedom_methods;
+
+/// What may vary, looked up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Varied {
     /// Indices of the parameters that vary, in ascending order.
@@ -18,65 +53,85 @@ pub(crate) struct Varied {
     pub(crate) errors: Vec<DesignError>,
 }
 
-/// Looks up parameters with their bounds, and relations between them.
-pub(crate) fn varied(
-    bounds: &[(String, f64, f64)],
-    relations: &[Relation],
-    parameters: &[Parameter],
-    values: &[f64],
-) -> Varied {
-    let mut errors = Vec::new();
-    let known: Vec<&'static str> = parameters.iter().map(|parameter| parameter.name).collect();
-    let mut places: Vec<(usize, f64, f64)> = Vec::new();
-    for (name, low, high) in bounds {
-        match known.iter().position(|own| own == name) {
-            None => errors.push(DesignError::NoParameter {
-                name: name.clone(),
-                known: known.clone(),
-            }),
-            Some(_) if !(low <= high && (high - low).is_finite()) => {
-                errors.push(DesignError::Bounds {
+impl Freedom {
+    pub(crate) fn vary(&mut self, name: &str, low: f64, high: f64) {
+        self.bounds.push((name.to_string(), low, high));
+    }
+
+    /// By a part of the size that it has in a mechanism.
+    pub(crate) fn vary_by<M: Dimensions<N>, const N: usize>(
+        &mut self,
+        name: &str,
+        part: f64,
+        mechanism: &M,
+    ) {
+        let own = M::PARAMETERS
+            .iter()
+            .position(|parameter| parameter.name == name);
+        let value = own.map_or(f64::NAN, |index| mechanism.values()[index]);
+        let room = part * value.abs();
+        self.vary(name, value - room, value + room);
+    }
+
+    pub(crate) fn hold(&mut self, relations: Vec<Relation>) {
+        self.relations.extend(relations);
+    }
+
+    /// Looks up parameters with their bounds, and relations between them.
+    pub(crate) fn varied(&self, parameters: &[Parameter], values: &[f64]) -> Varied {
+        let mut errors = Vec::new();
+        let known: Vec<&'static str> = parameters.iter().map(|parameter| parameter.name).collect();
+        let mut places: Vec<(usize, f64, f64)> = Vec::new();
+        for (name, low, high) in &self.bounds {
+            match known.iter().position(|own| own == name) {
+                None => errors.push(DesignError::NoParameter {
                     name: name.clone(),
-                    low: *low,
-                    high: *high,
-                });
+                    known: known.clone(),
+                }),
+                Some(_) if !(low <= high && (high - low).is_finite()) => {
+                    errors.push(DesignError::Bounds {
+                        name: name.clone(),
+                        low: *low,
+                        high: *high,
+                    });
+                }
+                Some(index) if places.iter().any(|place| place.0 == index) => {
+                    errors.push(DesignError::Twice { name: name.clone() });
+                }
+                Some(index) => places.push((index, *low, *high)),
             }
-            Some(index) if places.iter().any(|place| place.0 == index) => {
-                errors.push(DesignError::Twice { name: name.clone() });
-            }
-            Some(index) => places.push((index, *low, *high)),
+        }
+        places.sort_by_key(|place| place.0);
+        let indices: Vec<usize> = places.iter().map(|place| place.0).collect();
+        let of = |relation: &Relation| linear(relation, &known, &indices, values, &mut errors);
+        let limits = Limits {
+            relations: self.relations.iter().map(of).collect(),
+            lower: places.iter().map(|place| place.1).collect(),
+            upper: places.iter().map(|place| place.2).collect(),
+        };
+        if self.bounds.is_empty() {
+            errors.push(DesignError::Nothing {
+                what: "no parameter may vary; call `vary`",
+                wish: "a design problem".to_string(),
+            });
+        }
+        Varied {
+            indices,
+            limits,
+            errors,
         }
     }
-    places.sort_by_key(|place| place.0);
-    let indices: Vec<usize> = places.iter().map(|place| place.0).collect();
-    let of = |relation: &Relation| linear(relation, &known, &indices, values, &mut errors);
-    let limits = Limits {
-        relations: relations.iter().map(of).collect(),
-        lower: places.iter().map(|place| place.1).collect(),
-        upper: places.iter().map(|place| place.2).collect(),
-    };
-    if bounds.is_empty() {
-        errors.push(DesignError::Nothing {
-            what: "no parameter may vary; call `vary`",
-            wish: "a design problem".to_string(),
-        });
-    }
-    Varied {
-        indices,
-        limits,
-        errors,
-    }
-}
 
-/// Whether the relations leave anything within the bounds.
-pub(crate) fn consistent(limits: &Limits, relations: &[Relation]) -> Result<(), DesignError> {
-    let middle = limits.lower.iter().zip(&limits.upper);
-    let middle: Vec<f64> = middle.map(|(low, high)| 0.5 * (low + high)).collect();
-    match limits.nearest(&middle) {
-        Some(_) => Ok(()),
-        None => Err(DesignError::Contradiction {
-            relations: relations.iter().map(Relation::described).collect(),
-        }),
+    /// Whether the relations leave anything within the bounds.
+    pub(crate) fn consistent(&self, limits: &Limits) -> Result<(), DesignError> {
+        let middle = limits.lower.iter().zip(&limits.upper);
+        let middle: Vec<f64> = middle.map(|(low, high)| 0.5 * (low + high)).collect();
+        match limits.nearest(&middle) {
+            Some(_) => Ok(()),
+            None => Err(DesignError::Contradiction {
+                relations: self.relations.iter().map(Relation::described).collect(),
+            }),
+        }
     }
 }
 

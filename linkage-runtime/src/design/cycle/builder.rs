@@ -1,16 +1,16 @@
 //! A design problem of a whole cycle as it is written, and its solution.
 
 use alloc::boxed::Box;
-use alloc::string::{String, ToString};
+use alloc::string::ToString;
 use alloc::vec::Vec;
-use core::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use core::sync::atomic::AtomicBool;
+use std::time::Duration;
 
-use super::super::DesignError;
-use super::super::Relation;
 use super::super::limits::Limits;
+use super::super::settings::{Progress, Settings, settings_methods};
 use super::super::turn;
-use super::super::varied::{Varied, consistent, varied};
+use super::super::varied::{Freedom, Varied, freedom_methods};
+use super::super::{DesignError, Relation};
 use super::CycleWish;
 use super::descents::Descents;
 use super::found::BestCycle;
@@ -21,7 +21,6 @@ use crate::{AssemblyError, Circuits, Dimensions};
 const POSITIONS: usize = 121;
 /// Steps of a search, unless the design says otherwise: ten times what most searches take.
 const STEPS: usize = 300;
-type Report<'a> = Box<dyn FnMut(usize, usize) + 'a>;
 type CircuitsOf<'a, M, A> = Box<dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + 'a>;
 type AssembleFrom<'a, M, A> = Box<dyn Fn(&M, &A) -> Result<A, AssemblyError> + 'a>;
 
@@ -36,16 +35,10 @@ pub struct CycleDesign<'a, M, A, const N: usize> {
     assembly: A,
     assemble: AssembleFrom<'a, M, A>,
     circuits: CircuitsOf<'a, M, A>,
-    varied: Vec<(String, f64, f64)>,
-    relations: Vec<Relation>,
+    freedom: Freedom,
     wishes: Vec<Box<dyn CycleWish<M, A, N> + 'a>>,
     positions: usize,
-    steps: usize,
-    starts: usize,
-    seed: u64,
-    progress: Option<Report<'a>>,
-    time: Option<Duration>,
-    cancel: Option<&'a AtomicBool>,
+    settings: Settings<'a>,
 }
 
 impl<'a, M, A, const N: usize> CycleDesign<'a, M, A, N>
@@ -68,43 +61,19 @@ where
             nominal,
             assemble: Box::new(assemble_from),
             circuits: Box::new(circuits),
-            varied: Vec::new(),
-            relations: Vec::new(),
+            freedom: Freedom::default(),
             wishes: Vec::new(),
             positions: POSITIONS,
-            steps: STEPS,
-            starts: 1,
-            seed: 0,
-            progress: None,
-            time: None,
-            cancel: None,
+            settings: Settings::new(1, STEPS),
         })
     }
 
-    /// A parameter may vary between these bounds, both included: named as in `PARAMETERS`, `pivot.x` for a component.
-    #[must_use]
-    pub fn vary(mut self, name: &str, low: f64, high: f64) -> Self {
-        self.varied.push((name.to_string(), low, high));
-        self
-    }
-
-    /// A parameter may vary by this part of its present size, 0.02 for two percent.
-    #[must_use]
-    pub fn vary_by(self, name: &str, part: f64) -> Self {
-        let place = M::PARAMETERS
-            .iter()
-            .position(|parameter| parameter.name == name);
-        let value = place.map_or(f64::NAN, |index| self.nominal.values()[index]);
-        let room = part * value.abs();
-        self.vary(name, value - room, value + room)
-    }
-
-    /// A relation, or several, between parameters must hold.
-    #[must_use]
-    pub fn hold(mut self, relations: impl Into<Vec<Relation>>) -> Self {
-        self.relations.extend(relations.into());
-        self
-    }
+    freedom_methods!();
+    settings_methods!(
+        "From how many dimensions within the bounds the search begins; without it from those of the first mechanism alone, which always come first.",
+        "The most steps of the search, 300 without it.",
+        "step is"
+    );
 
     /// The goal, or a condition.
     #[must_use]
@@ -120,46 +89,11 @@ where
         self
     }
 
-    /// The most steps of the search, 300 without it.
-    #[must_use]
-    pub fn steps(mut self, steps: usize) -> Self {
-        self.steps = steps;
-        self
-    }
-
-    /// No step is begun after this time; what is found then depends on the machine.
-    #[must_use]
-    pub fn time_limit(mut self, time: Duration) -> Self {
-        self.time = Some(time);
-        self
-    }
-
-    /// No step is begun once this is true.
-    #[must_use]
-    pub fn cancel(mut self, flag: &'a AtomicBool) -> Self {
-        self.cancel = Some(flag);
-        self
-    }
-
-    /// From how many dimensions within the bounds the search begins; without it from those of the first mechanism alone, which always come
-    /// first.
-    #[must_use]
-    pub fn starts(mut self, starts: usize) -> Self {
-        self.starts = starts;
-        self
-    }
-
-    /// Another seed gives other starts.
-    #[must_use]
-    pub fn seed(mut self, seed: u64) -> Self {
-        self.seed = seed;
-        self
-    }
-
     /// Calls `report` after each start with the number of starts that are done, and of all.
     #[must_use]
-    pub fn progress(mut self, report: impl FnMut(usize, usize) + 'a) -> Self {
-        self.progress = Some(Box::new(report));
+    pub fn progress(mut self, mut report: impl FnMut(usize, usize) + 'a) -> Self {
+        let told = move |progress: Progress| report(progress.done, progress.count);
+        self.settings.progress = Some(Box::new(told));
         self
     }
 
@@ -179,16 +113,14 @@ where
     ///
     /// As [`run`](Self::run): the first start's, if no start leads to an optimum.
     pub fn run_all(mut self) -> Result<Vec<BestCycle<M, A>>, DesignError> {
-        let began = Instant::now();
+        let end = self.settings.end();
         let (varied, limits) = self.checked()?;
         let cycle = (self.circuits)(&self.nominal)
             .map_err(DesignError::Start)?
             .cycle;
         let assemble = |mechanism: &M| (self.assemble)(mechanism, &self.assembly).ok();
-        let stopped = || {
-            self.time.is_some_and(|time| began.elapsed() >= time)
-                || self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
-        };
+        let stopped = || end.reached();
+        let (starts, seed) = (self.settings.starts.max(1), self.settings.seed);
         let mut descents = Descents {
             problem: Problem {
                 nominal: self.nominal.values(),
@@ -201,22 +133,26 @@ where
             },
             wishes: core::mem::take(&mut self.wishes),
             limits,
-            steps: self.steps,
+            steps: self.settings.steps,
             circuits: &*self.circuits,
             stopped: &stopped,
         };
         let mut optima = Vec::new();
         let mut refused = None;
-        for index in 0..self.starts.max(1) {
+        for index in 0..starts {
             if index > 0 && stopped() {
                 break;
             }
-            match descents.from(self.seed, index) {
+            match descents.from(seed, index) {
                 Ok(optimum) => optima.push(optimum),
                 Err(error) => refused = refused.or(Some(error)),
             }
-            if let Some(report) = &mut self.progress {
-                report(index + 1, self.starts.max(1));
+            if let Some(report) = &mut self.settings.progress {
+                report(Progress {
+                    done: index + 1,
+                    count: starts,
+                    least: f64::INFINITY,
+                });
             }
         }
         match (optima.is_empty(), refused) {
@@ -231,12 +167,7 @@ where
             indices,
             limits,
             mut errors,
-        } = varied(
-            &self.varied,
-            &self.relations,
-            M::PARAMETERS,
-            &self.nominal.values(),
-        );
+        } = self.freedom.varied(M::PARAMETERS, &self.nominal.values());
         let goals: Vec<_> = self
             .wishes
             .iter()
@@ -254,7 +185,7 @@ where
             });
         }
         DesignError::all(errors)?;
-        consistent(&limits, &self.relations)?;
+        self.freedom.consistent(&limits)?;
         Ok((indices, limits))
     }
 }

@@ -1,0 +1,60 @@
+//! Blocks of starts on all threads, in rounds after each of which progress is told and the search may end.
+
+use alloc::vec::Vec;
+use core::ops::Range;
+use std::time::{Duration, Instant};
+
+#[cfg(feature = "rayon")]
+use rayon::prelude::*;
+
+use super::settings::{Progress, Report};
+
+/// How long a round of blocks should take; after each the progress is reported.
+const ROUND: Duration = Duration::from_millis(100);
+
+/// Runs so many starts in blocks of a length, with feature `rayon` on all threads: what the blocks gave, in their order, and whether some were
+/// not begun because the search was to end.
+///
+/// What a block gives depends on its starts alone, so that the number of threads and the length of rounds do not matter. `least` is what the
+/// best of a block comes to.
+pub(crate) fn in_rounds<B: Send>(
+    (starts, block): (usize, usize),
+    ended: &dyn Fn() -> bool,
+    progress: &mut Option<Report<'_>>,
+    run: impl Fn(Range<usize>) -> B + Send + Sync,
+    least: impl Fn(&B) -> f64,
+) -> (Vec<B>, bool) {
+    let numbered = |number: usize| run(number * block..starts.min((number + 1) * block));
+    let count = starts.div_ceil(block);
+    let (mut blocks, mut lowest) = (Vec::new(), f64::INFINITY);
+    let mut round = 1;
+    while blocks.len() < count {
+        if ended() {
+            return (blocks, true);
+        }
+        let started = Instant::now();
+        let numbers = blocks.len()..count.min(blocks.len() + round);
+        #[cfg(feature = "rayon")]
+        let new: Vec<B> = numbers.into_par_iter().map(numbered).collect();
+        #[cfg(not(feature = "rayon"))]
+        let new: Vec<B> = numbers.map(numbered).collect();
+        lowest = new.iter().map(&least).fold(lowest, f64::min);
+        blocks.extend(new);
+        // Only the length of a round depends on time, and no start on the length of a round.
+        let taken = started.elapsed();
+        round = if taken < ROUND / 2 { 2 * round } else { round };
+        round = if taken > ROUND * 2 {
+            (round / 2).max(1)
+        } else {
+            round
+        };
+        if let Some(report) = progress {
+            report(Progress {
+                done: starts.min(blocks.len() * block),
+                count: starts,
+                least: lowest,
+            });
+        }
+    }
+    (blocks, false)
+}
