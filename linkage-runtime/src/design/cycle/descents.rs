@@ -12,8 +12,10 @@ use super::found::BestCycle;
 use super::problem::{Problem, Start};
 use crate::{AssemblyError, Circuits, Dimensions};
 
-/// A step that promises less than this part of what the goal can change by in a first step ends the search.
+/// Where steps promise less than this part of what the goal can change by in a first step, the search looks whether it is at an optimum.
 const PRECISION: f64 = 1e-6;
+/// It is at one where, to first order, no step as long as the first one gains more than this part of it.
+const SLOPE: f64 = 1e-5;
 /// A condition that is broken by less than this part of what it can change by in a first step holds.
 const TOLERANCE: f64 = 1e-9;
 /// One that is broken by more than this part of it at the end is out of reach; what is between is what a search leaves that is ended early.
@@ -68,6 +70,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, '_, M, A, N> {
         let search = Search {
             reach: start.reach.clone(),
             precision: PRECISION,
+            slope: SLOPE,
             tolerance: TOLERANCE,
             rounds: self.steps,
         };

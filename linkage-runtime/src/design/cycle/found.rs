@@ -26,7 +26,8 @@ pub struct BestCycle<M, A> {
     pub steps: usize,
     /// Mechanisms that were tried.
     pub evaluations: usize,
-    /// Whether the search ended because no step promised more; not if steps, time limit or cancellation ended it.
+    /// Whether the first-order conditions hold: no step as long as the first one gains, to first order, more than 1e-5 of what such a step changes
+    /// the goal by. Not if steps, time limit or cancellation ended the search, or if it found no step although slopes promise one.
     pub converged: bool,
     /// How many starts led here.
     pub hits: usize,

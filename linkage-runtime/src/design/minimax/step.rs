@@ -5,7 +5,8 @@ use alloc::vec::Vec;
 
 use super::super::limits::Limits;
 use super::super::quadratic::{Face, Quadratic};
-use super::{Curvature, Groups, Row, cost};
+use super::curvature::Curvature;
+use super::{Groups, Row, cost};
 
 /// Within what a step is, and what violations cost.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +26,8 @@ pub(super) struct Plan {
     pub(super) merit: f64,
     /// The worst violation that remains.
     pub(super) excess: f64,
+    /// What all that remain cost at a price of 1.
+    pub(super) missed: f64,
     /// The most that a variable goes, in reaches.
     pub(super) length: f64,
     /// The weights of all rows, the objective's first.
@@ -61,15 +64,31 @@ pub(super) fn step(
         values.fold(f64::NEG_INFINITY, f64::max)
     };
     let left = here.conditions.iter().map(|rows| linearised(rows).max(0.0));
-    let violations: f64 = left.clone().map(|excess| cost(aim.price, excess)).sum();
+    let missed: f64 = left.clone().map(cost).sum();
     let bend = curvature.map_or(0.0, |curvature| curvature.along(d));
     Some(Plan {
-        merit: linearised(&here.objective) + violations + bend,
+        merit: linearised(&here.objective) + aim.price * missed + bend,
+        missed,
         excess: left.fold(0.0, f64::max),
         length: d.iter().fold(0.0, |most: f64, d| most.max(d.abs())),
         multipliers: multipliers(here, &program, faces.len(), first),
         d: d.iter().zip(aim.reach).map(|(d, r)| d * r).collect(),
     })
+}
+
+/// By how much objective and violations together fall at most within the first box, to first order: zero where the first-order conditions hold,
+/// those of Karush, Kuhn and Tucker. `None` if rounding leaves no answer.
+///
+/// Source of the measure: Y. Yuan, "Conditions for convergence of trust region algorithms for nonsmooth optimization", Mathematical Programming 31
+/// (1985).
+pub(super) fn fall(x: &[f64], here: &Groups, aim: &Aim<'_>) -> Option<f64> {
+    let flat = Curvature::new(aim.reach);
+    let first = Aim {
+        radius: 1.0,
+        ..*aim
+    };
+    let plan = step(x, here, Some(&flat), &first)?;
+    Some(here.merit(aim.price) - plan.merit)
 }
 
 impl Aim<'_> {

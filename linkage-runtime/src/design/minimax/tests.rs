@@ -18,6 +18,7 @@ fn search(n: usize) -> Search {
     Search {
         reach: vec![0.5; n],
         precision: 1e-14,
+        slope: 1e-6,
         tolerance: 1e-10,
         rounds: 300,
     }
@@ -168,6 +169,36 @@ fn a_best_approximation_by_its_moving_extremes() {
     assert!((found.x[1] - slope).abs() < 1e-9 && (found.x[0] - level).abs() < 1e-9);
     assert!((found.groups.value() - (1.0 - level)).abs() < 1e-12);
     assert!(found.rounds < 15);
+}
+
+/// The condition is many boxes away: what the box keeps from holding needs no higher price, by which the objective would not be seen any more.
+#[test]
+fn a_condition_far_away_hides_no_objective() {
+    let groups = |x: &[f64]| {
+        let [a, b] = [x[0] - 7.0, x[1] - 1.0];
+        let along = x[0] * x[0] + 0.1 * x[1];
+        Groups {
+            objective: vec![row(0, a * a + b * b, &[2.0 * a, 2.0 * b])],
+            conditions: vec![vec![row(0, 30.0 - along, &[-2.0 * x[0], -0.1])]],
+        }
+    };
+    let found = solved(&[0.1, -3.0], &within(2, 50.0), groups);
+    assert!(found.converged && found.rounds < 60, "{found:?}");
+    assert!(
+        (found.x[0] - 7.0).abs() < 1e-5 && (found.x[1] - 1.0).abs() < 1e-5,
+        "{found:?}"
+    );
+}
+
+/// A kink that its row does not tell: no step leads on, but the first-order conditions do not hold as they are told.
+#[test]
+fn where_slopes_promise_more_nothing_has_converged() {
+    let groups = |x: &[f64]| Groups {
+        objective: vec![row(0, x[0].abs(), &[1.0])],
+        conditions: Vec::new(),
+    };
+    let found = solved(&[1.0], &within(1, 10.0), groups);
+    assert!(found.groups.value() < 1e-3 && !found.converged, "{found:?}");
 }
 
 #[test]
