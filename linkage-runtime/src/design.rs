@@ -39,9 +39,9 @@ mod wish;
 pub use builder::Design;
 pub use certificate::{Interrupted, Interruption};
 pub use cycle::{
-    BestCycle, Candidate, Conditions, Curve, CycleDesign, CycleWish, Demand, Dwell, ErrorOf,
-    Figure, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place, RootMeanSquare, Stroke,
-    TimeRatio,
+    BestCycle, Candidate, Chosen, Conditions, Curve, CycleDesign, CycleWish, Demand, Dwell,
+    ErrorOf, Figure, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place, RootMeanSquare,
+    Stroke, TimeRatio,
 };
 pub use error::DesignError;
 pub use found::{Found, Search};

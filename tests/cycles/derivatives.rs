@@ -6,8 +6,8 @@ use super::{
 };
 use linkage::Dimensions;
 use linkage::design::{
-    Candidate, CycleWish, Dwell, Figure, Highest, Lowest, Motion, Peak, RootMeanSquare, Stroke,
-    TimeRatio,
+    Candidate, Chosen, CycleWish, Dwell, Figure, Highest, Lowest, Motion, Peak, RootMeanSquare,
+    Stroke, TimeRatio,
 };
 use std::f64::consts::TAU;
 
@@ -80,7 +80,13 @@ fn slopes_of_a_dwell_are_those_of_differences() {
         let assemble = |other: &Rocker| other.assemble().ok();
         let candidate = Candidate::new(&mechanism, motion, &assemble);
         let asked = dwell
-            .evaluate(&candidate, &values[N..])
+            .evaluate(
+                &candidate,
+                Chosen {
+                    own: &values[N..],
+                    added: &[],
+                },
+            )
             .expect("runs through the interval");
         asked
             .conditions

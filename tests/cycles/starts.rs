@@ -1,8 +1,9 @@
 //! Several starts, and the certificate of what is found.
 
-use super::{Rocker, RockerAssembly, design, speed, tip};
+use super::{N, Rocker, RockerAssembly, design, speed, tip};
 use linkage::Dimensions;
 use linkage::design::{BestCycle, CycleDesign, DesignError, Dwell, Figure, Peak};
+use linkage::tolerance::Tolerances;
 
 #[test]
 fn starts_are_reproducible_and_their_optima_listed() -> Result<(), DesignError> {
@@ -15,18 +16,11 @@ fn starts_are_reproducible_and_their_optima_listed() -> Result<(), DesignError> 
         let found = design
             .progress(|done, all| reports.push((done, all)))
             .run_all();
-        assert_eq!(
-            reports,
-            (1..=starts).map(|done| (done, starts)).collect::<Vec<_>>()
-        );
+        assert_eq!(reports.last(), Some(&(starts, starts)));
+        assert!(reports.windows(2).all(|pair| pair[0].0 < pair[1].0));
         found
     };
     let (one, other) = (run(8, 3)?, run(8, 3)?);
-    let values = |all: &[BestCycle<Rocker, RockerAssembly>]| -> Vec<_> {
-        all.iter()
-            .map(|best| (best.mechanism.values(), best.goal, best.hits))
-            .collect()
-    };
     assert_eq!(values(&one), values(&other));
     assert!(one.iter().map(|best| best.hits).sum::<usize>() <= 8 && one[0].hits > 1);
     assert!(one.windows(2).all(|pair| pair[0].goal >= pair[1].goal));
@@ -48,6 +42,30 @@ fn starts_are_reproducible_and_their_optima_listed() -> Result<(), DesignError> 
             .converged
     );
     Ok(())
+}
+
+fn values(all: &[BestCycle<Rocker, RockerAssembly>]) -> Vec<([f64; N], f64, usize, usize)> {
+    all.iter()
+        .map(|best| (best.mechanism.values(), best.goal, best.hits, best.steps))
+        .collect()
+}
+
+/// In the worst case, too, where each search gathers corners of the tolerances of its own.
+#[test]
+fn threads_do_not_matter() {
+    let wide = Tolerances::new(Rocker::PARAMETERS, &[0.05; N]).expect("as many");
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .expect("a pool");
+        let run = || {
+            let dwell = Dwell::longest(tip(), 1.0).in_worst_case(&wide);
+            design().want(dwell).starts(5).run_all()
+        };
+        pool.install(run).expect("some are found")
+    };
+    assert_eq!(values(&with(1)), values(&with(3)));
 }
 
 #[test]

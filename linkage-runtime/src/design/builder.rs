@@ -19,7 +19,7 @@ const STEPS: usize = 300;
 /// Designs that are listed, unless the design says otherwise.
 const LISTED: usize = 100;
 /// How `circuits()` of a mechanism is called.
-pub(super) type CircuitsOf<'a, M, A> =
+pub(crate) type CircuitsOf<'a, M, A> =
     Box<dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + Send + Sync + 'a>;
 
 /// A design problem: what may vary, what is wanted, what must hold.

@@ -17,7 +17,7 @@ mod proof;
 mod ratio;
 
 pub use builder::CycleDesign;
-pub use candidate::{Candidate, Conditions, CycleWish, Motion, Own, Piece, Place};
+pub use candidate::{Candidate, Chosen, Conditions, CycleWish, Motion, Own, Piece, Place};
 pub use curve::Curve;
 pub use demand::{Demand, Figure, Pieces};
 pub use dwell::Dwell;

@@ -13,13 +13,13 @@ use super::settings::{Progress, Report};
 const ROUND: Duration = Duration::from_millis(100);
 
 /// Runs so many starts in blocks of a length, with feature `rayon` on all threads: what the blocks gave, in their order, and whether some were
-/// not begun because the search was to end.
+/// not begun because the search was to end: `ended` is asked before each round, with the number of blocks that are done.
 ///
 /// What a block gives depends on its starts alone, so that the number of threads and the length of rounds do not matter. `least` is what the
 /// best of a block comes to.
 pub(crate) fn in_rounds<B: Send>(
     (starts, block): (usize, usize),
-    ended: &dyn Fn() -> bool,
+    ended: &dyn Fn(usize) -> bool,
     progress: &mut Option<Report<'_>>,
     run: impl Fn(Range<usize>) -> B + Send + Sync,
     least: impl Fn(&B) -> f64,
@@ -29,7 +29,7 @@ pub(crate) fn in_rounds<B: Send>(
     let (mut blocks, mut lowest) = (Vec::new(), f64::INFINITY);
     let mut round = 1;
     while blocks.len() < count {
-        if ended() {
+        if ended(blocks.len()) {
             return (blocks, true);
         }
         let started = Instant::now();

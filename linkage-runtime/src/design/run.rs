@@ -107,7 +107,7 @@ where
         let end = self.settings.end();
         in_rounds(
             (self.settings.starts, BLOCK),
-            &|| end.reached(),
+            &|_| end.reached(),
             progress,
             run,
             least,

@@ -3,16 +3,19 @@
 use alloc::boxed::Box;
 use alloc::string::ToString;
 use alloc::vec::Vec;
+use core::ops::Range;
 use core::sync::atomic::AtomicBool;
 use std::time::Duration;
 
+use super::super::builder::CircuitsOf;
 use super::super::limits::Limits;
+use super::super::rounds::in_rounds;
 use super::super::settings::{Progress, Settings, settings_methods};
 use super::super::turn;
 use super::super::varied::{Freedom, Varied, freedom_methods};
 use super::super::{DesignError, Relation};
 use super::CycleWish;
-use super::descents::Descents;
+use super::descents::{Descents, Optimum};
 use super::found::BestCycle;
 use super::problem::Problem;
 use crate::{AssemblyError, Circuits, Dimensions};
@@ -21,8 +24,7 @@ use crate::{AssemblyError, Circuits, Dimensions};
 const POSITIONS: usize = 121;
 /// Steps of a search, unless the design says otherwise: ten times what most searches take.
 const STEPS: usize = 300;
-type CircuitsOf<'a, M, A> = Box<dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + 'a>;
-type AssembleFrom<'a, M, A> = Box<dyn Fn(&M, &A) -> Result<A, AssemblyError> + 'a>;
+type AssembleFrom<'a, M, A> = Box<dyn Fn(&M, &A) -> Result<A, AssemblyError> + Send + Sync + 'a>;
 
 /// The best mechanism for a goal that is a least or greatest value over a cycle, from a mechanism that is there: parameters within bounds, one goal,
 /// conditions.
@@ -43,7 +45,8 @@ pub struct CycleDesign<'a, M, A, const N: usize> {
 
 impl<'a, M, A, const N: usize> CycleDesign<'a, M, A, N>
 where
-    M: Dimensions<N> + Copy,
+    M: Dimensions<N> + Copy + Send + Sync,
+    A: Send + Sync,
 {
     /// From a mechanism and three of its generated methods: `CycleDesign::new(Press::default(), Press::assemble, Press::assemble_from, Press::circuits)`.
     ///
@@ -53,8 +56,8 @@ where
     pub fn new(
         nominal: M,
         assemble: impl FnOnce(&M) -> Result<A, AssemblyError>,
-        assemble_from: impl Fn(&M, &A) -> Result<A, AssemblyError> + 'a,
-        circuits: impl Fn(&M) -> Result<Circuits<A>, AssemblyError> + 'a,
+        assemble_from: impl Fn(&M, &A) -> Result<A, AssemblyError> + Send + Sync + 'a,
+        circuits: impl Fn(&M) -> Result<Circuits<A>, AssemblyError> + Send + Sync + 'a,
     ) -> Result<Self, DesignError> {
         Ok(Self {
             assembly: assemble(&nominal).map_err(DesignError::Start)?,
@@ -89,7 +92,8 @@ where
         self
     }
 
-    /// Calls `report` after each start with the number of starts that are done, and of all.
+    /// Calls `report` about ten times a second and at the end, on the thread that called `run`, with the number of starts that are done, and of
+    /// all.
     #[must_use]
     pub fn progress(mut self, mut report: impl FnMut(usize, usize) + 'a) -> Self {
         let told = move |progress: Progress| report(progress.done, progress.count);
@@ -107,7 +111,9 @@ where
         Ok(self.run_all()?.swap_remove(0))
     }
 
-    /// Searches from all starts, and lists the distinct optima that hold what must hold, the best first.
+    /// Searches from all starts, with feature `rayon` on all threads, and lists the distinct optima that hold what must hold, the best first.
+    ///
+    /// Equal seeds give equal optima on any number of threads, unless time limit or cancellation end the search.
     ///
     /// # Errors
     ///
@@ -120,39 +126,38 @@ where
             .cycle;
         let assemble = |mechanism: &M| (self.assemble)(mechanism, &self.assembly).ok();
         let stopped = || end.reached();
-        let (starts, seed) = (self.settings.starts.max(1), self.settings.seed);
-        let mut descents = Descents {
+        let descents = Descents {
             problem: Problem {
                 nominal: self.nominal.values(),
                 varied,
+                limits,
                 range: (cycle.low, cycle.high),
                 closed: turn(&cycle).is_some(),
                 positions: self.positions,
+                wishes: &self.wishes,
                 assemble: &assemble,
-                own: Vec::new(),
+                circuits: &*self.circuits,
             },
-            wishes: core::mem::take(&mut self.wishes),
-            limits,
+            seed: self.settings.seed,
             steps: self.settings.steps,
-            circuits: &*self.circuits,
             stopped: &stopped,
         };
-        let mut optima = Vec::new();
-        let mut refused = None;
-        for index in 0..starts {
-            if index > 0 && stopped() {
-                break;
-            }
-            match descents.from(seed, index) {
+        // The first start is always begun: the mechanism that is there may be all that is found in time.
+        let from = |starts: Range<usize>| {
+            (starts.start == 0 || !stopped()).then(|| descents.from(starts.start))
+        };
+        let least = |found: &Option<Result<Optimum<M, A>, _>>| match found {
+            Some(Ok(optimum)) => optimum.least(),
+            _ => f64::INFINITY,
+        };
+        let starts = (self.settings.starts.max(1), 1);
+        let ended = |done: usize| done > 0 && stopped();
+        let (found, _) = in_rounds(starts, &ended, &mut self.settings.progress, from, least);
+        let (mut optima, mut refused) = (Vec::new(), None);
+        for found in found.into_iter().flatten() {
+            match found {
                 Ok(optimum) => optima.push(optimum),
                 Err(error) => refused = refused.or(Some(error)),
-            }
-            if let Some(report) = &mut self.settings.progress {
-                report(Progress {
-                    done: index + 1,
-                    count: starts,
-                    least: f64::INFINITY,
-                });
             }
         }
         match (optima.is_empty(), refused) {

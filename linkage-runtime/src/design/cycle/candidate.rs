@@ -126,8 +126,17 @@ pub struct Conditions<const N: usize> {
     pub conditions: Vec<Vec<Piece<N>>>,
 }
 
-/// Something that is wanted of a whole cycle.
-pub trait CycleWish<M, A, const N: usize> {
+/// What a search has come to for a wish.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chosen<'c> {
+    /// The variables that the wish has for itself.
+    pub own: &'c [f64],
+    /// The conditions that [`refine`](CycleWish::refine) found in this search, each in numbers of the wish.
+    pub added: &'c [Vec<f64>],
+}
+
+/// Something that is wanted of a whole cycle. Searches on several threads share it: what one of them finds is in [`Chosen`].
+pub trait CycleWish<M, A, const N: usize>: Send + Sync {
     /// How messages call it.
     fn title(&self) -> String;
 
@@ -146,19 +155,24 @@ pub trait CycleWish<M, A, const N: usize> {
     }
 
     /// Goal and conditions; `None` where the mechanism does not assemble over the range.
-    fn evaluate(&self, candidate: &Candidate<'_, M, A>, own: &[f64]) -> Option<Conditions<N>>;
+    fn evaluate(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+        chosen: Chosen<'_>,
+    ) -> Option<Conditions<N>>;
 
     /// Numbers by which the assembly is known again among the others of the same mechanism; they are compared as parts of the
     /// largest. Here all slopes: values are near their limits, and may count whole turns.
-    fn known_by(&self, candidate: &Candidate<'_, M, A>, own: &[f64]) -> Option<Vec<f64>> {
-        let asked = self.evaluate(candidate, own)?;
+    fn known_by(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Vec<f64>> {
+        let asked = self.evaluate(candidate, chosen)?;
         let all = asked.conditions.iter().chain([&asked.goal]).flatten();
         Some(all.flat_map(|piece| piece.parameters).collect())
     }
 
-    /// Looks for conditions that the optimum breaks and that have not been asked for; whether there are any. The search then goes on.
-    fn refine(&mut self, candidate: &Candidate<'_, M, A>, own: &[f64]) -> bool {
-        let _ = (candidate, own);
-        false
+    /// Looks for conditions that the optimum breaks and that have not been added yet, each in numbers of the wish; if there are any, the
+    /// search goes on with them.
+    fn refine(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Vec<Vec<f64>> {
+        let _ = (candidate, chosen);
+        Vec::new()
     }
 }

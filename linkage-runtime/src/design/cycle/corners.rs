@@ -7,11 +7,10 @@ use super::interval::ranges;
 use super::{Candidate, Piece};
 use crate::Dimensions;
 
-/// The mechanisms of some tolerances that count so far.
-#[derive(Clone, Debug, PartialEq)]
+/// The mechanisms of some tolerances.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corners<const N: usize> {
     tolerances: [f64; N],
-    asked: Vec<Corner<N>>,
 }
 
 /// A mechanism with all dimensions at limits of their tolerances.
@@ -31,6 +30,12 @@ const TURNS: usize = 6;
 const HOLDS: f64 = 5e-7;
 
 impl<const N: usize> Corner<N> {
+    /// From what its dimensions differ by.
+    pub(super) fn of(changes: &[f64]) -> Option<Self> {
+        let changes = changes.try_into().ok()?;
+        Some(Self { changes })
+    }
+
     pub(super) fn assemble<M: Dimensions<N>, A>(
         &self,
         candidate: &Candidate<'_, M, A>,
@@ -44,15 +49,7 @@ impl<const N: usize> Corner<N> {
 
 impl<const N: usize> Corners<N> {
     pub(super) fn new(tolerances: [f64; N]) -> Self {
-        Self {
-            tolerances,
-            asked: Vec::new(),
-        }
-    }
-
-    /// The corners that count.
-    pub(super) fn asked(&self) -> impl Iterator<Item = &Corner<N>> {
-        self.asked.iter()
+        Self { tolerances }
     }
 
     /// The corner in which a difference of two values grows most, to first order.
@@ -70,14 +67,16 @@ impl<const N: usize> Corners<N> {
         }
     }
 
-    /// Looks for corners in which the quantity leaves the band, from those that the slopes at some places point to; whether there are any.
-    pub(super) fn extend<M: Dimensions<N>, A>(
-        &mut self,
+    /// The worst corners in which the quantity leaves the band, from those that the slopes at some places point to, by what their dimensions
+    /// differ by; without those that count already.
+    pub(super) fn beyond<M: Dimensions<N>, A>(
+        &self,
         candidate: &Candidate<'_, M, A>,
         places: &[Piece<N>],
         band: f64,
+        known: &[Vec<f64>],
         limits: impl Fn(&A) -> Option<[Vec<Piece<N>>; 2]>,
-    ) -> bool {
+    ) -> Vec<Vec<f64>> {
         let mut found: Vec<(f64, Corner<N>)> = Vec::new();
         for start in self.likely(places) {
             let mut corner = start;
@@ -89,7 +88,7 @@ impl<const N: usize> Corners<N> {
                 // One that does not assemble is worse than all that do.
                 let value = excess.as_ref().map_or(f64::INFINITY, |piece| piece.value);
                 if value > HOLDS * band
-                    && !self.asked.contains(&corner)
+                    && !known.iter().any(|other| *other == corner.changes)
                     && !found.iter().any(|(_, other)| *other == corner)
                 {
                     found.push((value, corner));
@@ -102,10 +101,8 @@ impl<const N: usize> Corners<N> {
             }
         }
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let more = !found.is_empty();
-        self.asked
-            .extend(found.into_iter().take(NEW).map(|(_, corner)| corner));
-        more
+        let worst = found.into_iter().take(NEW);
+        worst.map(|(_, corner)| corner.changes.to_vec()).collect()
     }
 
     /// The corners in which two of some places differ most, each once.

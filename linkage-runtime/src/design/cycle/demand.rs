@@ -5,7 +5,7 @@ use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Candidate, Conditions, CycleWish, Motion, Piece};
+use super::{Candidate, Chosen, Conditions, CycleWish, Motion, Piece};
 use crate::words::rounded;
 
 /// The pieces that a figure is made of.
@@ -83,7 +83,7 @@ pub struct Demand<F> {
     sense: Sense,
 }
 
-impl<M, A, F: Figure<A, N>, const N: usize> CycleWish<M, A, N> for Demand<F> {
+impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleWish<M, A, N> for Demand<F> {
     fn title(&self) -> String {
         let title = self.figure.title();
         match self.sense {
@@ -107,7 +107,7 @@ impl<M, A, F: Figure<A, N>, const N: usize> CycleWish<M, A, N> for Demand<F> {
         }
     }
 
-    fn evaluate(&self, candidate: &Candidate<'_, M, A>, _: &[f64]) -> Option<Conditions<N>> {
+    fn evaluate(&self, candidate: &Candidate<'_, M, A>, _: Chosen<'_>) -> Option<Conditions<N>> {
         let pieces = self.figure.pieces(&candidate.motion)?;
         let (goal, conditions) = match self.sense {
             Sense::Least => (upper(&pieces, 0.0), Vec::new()),

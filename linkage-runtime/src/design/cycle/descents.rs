@@ -1,16 +1,14 @@
 //! Searches from several starts, and the distinct optima they end at.
 
-use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use super::super::DesignError;
 use super::super::limits::Limits;
 use super::super::minimax::{Search, minimise};
 use super::super::starts::unit;
-use super::CycleWish;
 use super::found::BestCycle;
 use super::problem::{Problem, Start};
-use crate::{AssemblyError, Circuits, Dimensions};
+use crate::Dimensions;
 
 /// Where steps promise less than this part of what the goal can change by in a first step, the search looks whether it is at an optimum.
 const PRECISION: f64 = 1e-6;
@@ -27,15 +25,12 @@ const REFINEMENTS: usize = 40;
 /// other.
 const DISTINCT: f64 = 0.02;
 
-/// Searches of one problem.
-pub(super) struct Descents<'d, 'w, M, A, const N: usize> {
+/// Searches of one problem, which depend on the number of their start alone.
+pub(super) struct Descents<'d, M, A, const N: usize> {
     pub(super) problem: Problem<'d, M, A, N>,
-    pub(super) wishes: Vec<Box<dyn CycleWish<M, A, N> + 'w>>,
-    /// The limits of the parameters.
-    pub(super) limits: Limits,
+    pub(super) seed: u64,
     pub(super) steps: usize,
-    pub(super) circuits: &'d dyn Fn(&M) -> Result<Circuits<A>, AssemblyError>,
-    pub(super) stopped: &'d dyn Fn() -> bool,
+    pub(super) stopped: &'d (dyn Fn() -> bool + Sync),
 }
 
 /// A certified optimum.
@@ -47,26 +42,33 @@ pub(super) struct Optimum<M, A> {
     place: Vec<f64>,
 }
 
-impl<M: Dimensions<N>, A, const N: usize> Descents<'_, '_, M, A, N> {
+impl<M, A> Optimum<M, A> {
+    /// What the search makes least.
+    pub(super) fn least(&self) -> f64 {
+        self.least
+    }
+}
+
+impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     /// From the dimensions of a start, of which the first are those of the first mechanism.
-    pub(super) fn from(&mut self, seed: u64, index: usize) -> Result<Optimum<M, A>, DesignError> {
-        let (problem, limits) = (&self.problem, &self.limits);
+    pub(super) fn from(&self, index: usize) -> Result<Optimum<M, A>, DesignError> {
+        let problem = &self.problem;
+        let limits = &problem.limits;
         let place: Vec<f64> = if index == 0 {
             let own = problem.varied.iter().map(|&index| problem.nominal[index]);
             own.collect()
         } else {
-            let unit = unit(seed, index, limits.lower.len());
+            let unit = unit(self.seed, index, limits.lower.len());
             let bounds = limits.lower.iter().zip(&limits.upper);
             let parts = bounds
                 .zip(unit)
                 .map(|((low, high), part)| low + part * (high - low));
             parts.collect()
         };
-        let start = self.problem.start(&self.wishes, &self.limits, place)?;
-        self.descend(start)
+        self.descend(problem.start(limits, place)?)
     }
 
-    fn descend(&mut self, mut start: Start) -> Result<Optimum<M, A>, DesignError> {
+    fn descend(&self, mut start: Start) -> Result<Optimum<M, A>, DesignError> {
         let search = Search {
             reach: start.reach.clone(),
             precision: PRECISION,
@@ -74,34 +76,34 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, '_, M, A, N> {
             tolerance: TOLERANCE,
             rounds: self.steps,
         };
-        let (problem, wishes) = (&self.problem, &mut self.wishes);
+        let problem = &self.problem;
         let (mut steps, mut evaluations, mut converged) = (0, 0, false);
         for _ in 0..REFINEMENTS {
-            let sizes = problem.sizes(wishes, &start).ok_or(DesignError::NotWhole)?;
-            let groups = |x: &[f64]| problem.groups(wishes, x, &sizes);
+            let sizes = problem.sizes(&start).ok_or(DesignError::NotWhole)?;
+            let groups = |x: &[f64]| problem.groups(&start, x, &sizes);
             let found = minimise(&start.x, &start.limits, &search, groups, self.stopped)
                 .ok_or(DesignError::NotWhole)?;
             steps += found.rounds;
             evaluations += found.evaluations;
             start.x = found.x;
-            let refined = !(self.stopped)() && problem.refine(wishes, &start.x);
+            let refined = !(self.stopped)() && problem.refine(&mut start);
             converged = found.converged && !refined;
             if !refined {
                 break;
             }
         }
-        let (x, limits) = (&start.x, &start.limits);
-        let sizes = problem.sizes(wishes, &start).ok_or(DesignError::NotWhole)?;
-        problem.held(wishes, x, (limits, &sizes, HOLDS))?;
-        let branch = problem.certify(wishes, x, self.circuits)?;
+        let sizes = problem.sizes(&start).ok_or(DesignError::NotWhole)?;
+        problem.held(&start, &sizes, HOLDS)?;
+        let branch = problem.certify(&start)?;
+        let x = &start.x;
         let least = problem
-            .groups(wishes, x, &sizes)
+            .groups(&start, x, &sizes)
             .map_or(f64::NAN, |groups| sizes.goal * groups.value());
-        let goal = wishes.iter().find(|wish| wish.is_goal());
+        let goal = problem.wishes.iter().find(|wish| wish.is_goal());
         let best = BestCycle {
             mechanism: problem.mechanism(x),
             goal: goal.map_or(least, |wish| wish.told(least)),
-            own: problem
+            own: start
                 .own
                 .iter()
                 .map(|own| x[own.clone()].to_vec())
@@ -109,7 +111,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, '_, M, A, N> {
             margin: branch.margin,
             margin_at: branch.at,
             assembly: branch.assembly,
-            at_bound: problem.at_bound(x, limits),
+            at_bound: problem.at_bound(x),
             steps,
             evaluations,
             converged,
@@ -123,7 +125,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, '_, M, A, N> {
     pub(super) fn distinct(&self, mut optima: Vec<Optimum<M, A>>) -> Vec<BestCycle<M, A>> {
         optima.sort_by(|a, b| a.least.total_cmp(&b.least));
         let mut kept: Vec<Optimum<M, A>> = Vec::new();
-        let Limits { lower, upper, .. } = &self.limits;
+        let Limits { lower, upper, .. } = &self.problem.limits;
         let near = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
             let places = a.place.iter().zip(&b.place).zip(lower.iter().zip(upper));
             places

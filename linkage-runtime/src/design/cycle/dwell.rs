@@ -5,9 +5,9 @@ use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::corners::Corners;
+use super::corners::{Corner, Corners};
 use super::interval::ranges;
-use super::{Candidate, Conditions, Curve, CycleWish, Own, Piece, Place};
+use super::{Candidate, Chosen, Conditions, Curve, CycleWish, Own, Piece, Place};
 use crate::Dimensions;
 use crate::tolerance::Tolerances;
 use crate::words::rounded;
@@ -141,8 +141,12 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
         ])
     }
 
-    fn evaluate(&self, candidate: &Candidate<'_, M, A>, own: &[f64]) -> Option<Conditions<N>> {
-        let own: [f64; 4] = own.try_into().ok()?;
+    fn evaluate(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+        chosen: Chosen<'_>,
+    ) -> Option<Conditions<N>> {
+        let own: [f64; 4] = chosen.own.try_into().ok()?;
         let [from, length, _, band] = own;
         let (value, slope) = if self.length.is_some() {
             (band, [0.0, 0.0, 0.0, 1.0])
@@ -156,8 +160,8 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
             own: slope.to_vec(),
         }];
         let mut conditions = self.nominal(&candidate.motion, own)?.to_vec();
-        for corner in self.corners.iter().flat_map(Corners::asked) {
-            let assembly = corner.assemble(candidate)?;
+        for corner in chosen.added {
+            let assembly = Corner::of(corner)?.assemble(candidate)?;
             let limits = self.limits(&candidate.motion, &assembly, [from, length])?;
             conditions.push(ranges(&limits, band));
         }
@@ -165,10 +169,10 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
     }
 
     /// Its speeds: the quantity itself may count whole turns.
-    fn known_by(&self, candidate: &Candidate<'_, M, A>, own: &[f64]) -> Option<Vec<f64>> {
+    fn known_by(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Vec<f64>> {
         let (low, high) = candidate.motion.range;
         let speed = |nth: usize| {
-            let input = own[0] + (high - low) * nth as f64 / Self::SAMPLES as f64;
+            let input = chosen.own[0] + (high - low) * nth as f64 / Self::SAMPLES as f64;
             self.curve.jet(
                 candidate.motion.assembly,
                 candidate.motion.in_range(input).0,
@@ -177,14 +181,13 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
         Some((0..Self::SAMPLES).map(speed).collect())
     }
 
-    fn refine(&mut self, candidate: &Candidate<'_, M, A>, own: &[f64]) -> bool {
-        let Some(mut corners) = self.corners.take() else {
-            return false;
+    /// Corners of the tolerances in which the quantity leaves the band.
+    fn refine(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Vec<Vec<f64>> {
+        let (Some(corners), &[from, length, _, band]) = (&self.corners, chosen.own) else {
+            return Vec::new();
         };
-        let places = self.samples(&candidate.motion, [own[0], own[1]]);
-        let range = |assembly: &A| self.limits(&candidate.motion, assembly, [own[0], own[1]]);
-        let more = corners.extend(candidate, &places, own[3], range);
-        self.corners = Some(corners);
-        more
+        let places = self.samples(&candidate.motion, [from, length]);
+        let range = |assembly: &A| self.limits(&candidate.motion, assembly, [from, length]);
+        corners.beyond(candidate, &places, band, chosen.added, range)
     }
 }

@@ -8,34 +8,46 @@ use core::ops::Range;
 use super::super::DesignError;
 use super::super::limits::Limits;
 use super::super::minimax::{Groups, Key, Row};
-use super::candidate::Assemble;
-use super::{Candidate, CycleWish, Motion, Own, Piece, Place};
-use crate::Dimensions;
+use super::{Candidate, Chosen, CycleWish, Motion, Own, Piece, Place};
+use crate::{AssemblyError, Circuits, Dimensions};
 
-/// All wishes of a problem.
-pub(super) type Wishes<'w, M, A, const N: usize> = [Box<dyn CycleWish<M, A, N> + 'w>];
-
-/// The variables are the parameters that vary, then those that each wish has for itself.
+/// A problem, which searches on several threads share. The variables are the parameters that vary, then those that each wish has for itself.
 pub(super) struct Problem<'p, M, A, const N: usize> {
     pub(super) nominal: [f64; N],
     /// Indices of the parameters that vary, in ascending order.
     pub(super) varied: Vec<usize>,
+    /// Their limits.
+    pub(super) limits: Limits,
     pub(super) range: (f64, f64),
     /// Whether the range is a full turn.
     pub(super) closed: bool,
     pub(super) positions: usize,
-    pub(super) assemble: &'p Assemble<'p, M, A>,
-    /// Where the variables of each wish are.
-    pub(super) own: Vec<Range<usize>>,
+    pub(super) wishes: &'p [Box<dyn CycleWish<M, A, N> + 'p>],
+    pub(super) assemble: &'p (dyn Fn(&M) -> Option<A> + Sync + 'p),
+    pub(super) circuits: &'p (dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + Sync + 'p),
 }
 
-/// Where a search begins, and within what.
+/// Where a search is, and within what.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Start {
     pub(super) x: Vec<f64>,
     pub(super) limits: Limits,
     /// How far each variable may go in the first step.
     pub(super) reach: Vec<f64>,
+    /// Where the variables of each wish are.
+    pub(super) own: Vec<Range<usize>>,
+    /// The conditions that were added to each wish.
+    pub(super) added: Vec<Vec<Vec<f64>>>,
+}
+
+impl Start {
+    /// What is chosen for the wish with this number, at some variables.
+    pub(super) fn chosen<'c>(&'c self, wish: usize, x: &'c [f64]) -> Chosen<'c> {
+        Chosen {
+            own: &x[self.own[wish].clone()],
+            added: &self.added[wish],
+        }
+    }
 }
 
 /// What the goal and each condition change by at most in a first step: they are measured by it.
@@ -49,15 +61,9 @@ pub(super) struct Sizes {
 const REACH: f64 = 0.15;
 
 impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
-    /// Where a search begins: the mechanism nearest to some dimensions within the limits, and what suits it.
-    pub(super) fn start(
-        &mut self,
-        wishes: &Wishes<'_, M, A, N>,
-        limits: &Limits,
-        place: Vec<f64>,
-    ) -> Result<Start, DesignError> {
+    /// Where a search begins: the mechanism nearest to some dimensions within limits, and what suits it.
+    pub(super) fn start(&self, limits: &Limits, place: Vec<f64>) -> Result<Start, DesignError> {
         let x = limits.nearest(&place).unwrap_or(place);
-        self.own.clear();
         let reach = |j: usize| {
             let width = limits.upper[j] - limits.lower[j];
             // A parameter that its bounds hold has no width; it is measured by something.
@@ -67,8 +73,10 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             reach: (0..x.len()).map(reach).collect(),
             x,
             limits: limits.clone(),
+            own: Vec::new(),
+            added: vec![Vec::new(); self.wishes.len()],
         };
-        for wish in wishes {
+        for wish in self.wishes {
             let own = |candidate: &Candidate<'_, M, A>| wish.own(candidate);
             let own: Vec<Own> = self
                 .tried(&start.x, own)
@@ -85,7 +93,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
                 start.limits.upper.push(high);
                 start.reach.push(reach);
             }
-            self.own.push(first..start.reach.len());
+            start.own.push(first..start.reach.len());
         }
         Ok(start)
     }
@@ -128,19 +136,15 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// Goal and conditions of a candidate in their own units; those of a wish come together, in the order of the wishes.
     pub(super) fn asked(
         &self,
-        wishes: &Wishes<'_, M, A, N>,
+        start: &Start,
         x: &[f64],
         candidate: &Candidate<'_, M, A>,
     ) -> Option<Groups> {
         let mut groups = Groups::default();
-        for (wish, own) in wishes.iter().zip(&self.own) {
-            let asked = wish.evaluate(candidate, &x[own.clone()])?;
-            let rows = |pieces: Vec<Piece<N>>| {
-                pieces
-                    .iter()
-                    .map(|piece| self.row(piece, own, x.len()))
-                    .collect()
-            };
+        for (k, wish) in self.wishes.iter().enumerate() {
+            let asked = wish.evaluate(candidate, start.chosen(k, x))?;
+            let row = |piece: &Piece<N>| self.row(piece, &start.own[k], x.len());
+            let rows = |pieces: Vec<Piece<N>>| pieces.iter().map(row).collect();
             groups.objective.extend::<Vec<Row>>(rows(asked.goal));
             groups
                 .conditions
@@ -178,10 +182,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// What goal and conditions are measured by, from their slopes at a place.
-    pub(super) fn sizes(&self, wishes: &Wishes<'_, M, A, N>, start: &Start) -> Option<Sizes> {
-        let groups = self.tried(&start.x, |candidate| {
-            self.asked(wishes, &start.x, candidate)
-        })?;
+    pub(super) fn sizes(&self, start: &Start) -> Option<Sizes> {
+        let groups = self.tried(&start.x, |candidate| self.asked(start, &start.x, candidate))?;
         let change = |row: &Row| {
             row.slopes
                 .iter()
@@ -207,13 +209,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// Goal and conditions, measured by their sizes.
-    pub(super) fn groups(
-        &self,
-        wishes: &Wishes<'_, M, A, N>,
-        x: &[f64],
-        sizes: &Sizes,
-    ) -> Option<Groups> {
-        let mut groups = self.tried(x, |candidate| self.asked(wishes, x, candidate))?;
+    pub(super) fn groups(&self, start: &Start, x: &[f64], sizes: &Sizes) -> Option<Groups> {
+        let mut groups = self.tried(x, |candidate| self.asked(start, x, candidate))?;
         scale(&mut groups.objective, sizes.goal);
         groups
             .conditions
@@ -223,22 +220,19 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         Some(groups)
     }
 
-    /// Lets all wishes look for further conditions; whether there are any.
-    pub(super) fn refine(&self, wishes: &mut Wishes<'_, M, A, N>, x: &[f64]) -> bool {
+    /// Lets all wishes look for further conditions, and adds them; whether there are any.
+    pub(super) fn refine(&self, start: &mut Start) -> bool {
         let refined = |candidate: &Candidate<'_, M, A>| {
-            let refine = |(wish, own): (&mut Box<dyn CycleWish<M, A, N> + '_>, &Range<usize>)| {
-                wish.refine(candidate, &x[own.clone()])
-            };
-            // All of them: `any` would end at the first.
-            Some(
-                wishes
-                    .iter_mut()
-                    .zip(&self.own)
-                    .map(refine)
-                    .fold(false, |a, b| a | b),
-            )
+            let wishes = self.wishes.iter().enumerate();
+            let more = wishes.map(|(k, wish)| wish.refine(candidate, start.chosen(k, &start.x)));
+            Some(more.collect::<Vec<_>>())
         };
-        self.tried(x, refined).unwrap_or(false)
+        let more = self.tried(&start.x, refined).unwrap_or_default();
+        let any = more.iter().any(|more| !more.is_empty());
+        for (added, more) in start.added.iter_mut().zip(more) {
+            added.extend(more);
+        }
+        any
     }
 }
 

@@ -2,14 +2,12 @@
 
 use alloc::string::ToString;
 use alloc::vec::Vec;
-use core::ops::Range;
 
 use super::super::DesignError;
-use super::super::limits::Limits;
 use super::super::minimax::Row;
-use super::problem::{Problem, Sizes, Wishes};
-use super::{Candidate, CycleWish};
-use crate::{AssemblyError, Branch, Circuits, Dimensions};
+use super::Candidate;
+use super::problem::{Problem, Sizes, Start};
+use crate::{Branch, Dimensions};
 
 /// Numbers of the same assembly differ by less than this part of the largest one; those of other assemblies by far more.
 const SAME: f64 = 1e-6;
@@ -18,19 +16,24 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// Whether all conditions hold to within a part of their sizes.
     pub(super) fn held(
         &self,
-        wishes: &Wishes<'_, M, A, N>,
-        x: &[f64],
-        (limits, sizes, tolerance): (&Limits, &Sizes, f64),
+        start: &Start,
+        sizes: &Sizes,
+        tolerance: f64,
     ) -> Result<(), DesignError> {
+        let x = &start.x;
         let groups = self
-            .tried(x, |candidate| self.asked(wishes, x, candidate))
+            .tried(x, |candidate| self.asked(start, x, candidate))
             .ok_or(DesignError::NotWhole)?;
         let missed: Vec<f64> = groups.conditions.iter().map(|rows| largest(rows)).collect();
         let mut first = 0;
-        for (wish, own) in wishes.iter().zip(&self.own) {
+        for (k, wish) in self.wishes.iter().enumerate() {
             let count = self
                 .tried(x, |candidate| {
-                    Some(wish.evaluate(candidate, &x[own.clone()])?.conditions.len())
+                    Some(
+                        wish.evaluate(candidate, start.chosen(k, x))?
+                            .conditions
+                            .len(),
+                    )
                 })
                 .ok_or(DesignError::NotWhole)?;
             let own = first..first + count;
@@ -39,15 +42,11 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
                 .filter(|&k| missed[k] > tolerance * sizes.conditions[k])
                 .map(|k| missed[k]);
             if let Some(by) = worst.max_by(f64::total_cmp) {
-                let at_bound = self
-                    .at_bound(x, limits)
-                    .iter()
-                    .map(|(name, _)| name.to_string())
-                    .collect();
+                let at_bound = self.at_bound(x);
                 return Err(DesignError::OutOfReach {
                     wish: wish.title(),
                     by,
-                    at_bound,
+                    at_bound: at_bound.iter().map(|(name, _)| name.to_string()).collect(),
                 });
             }
         }
@@ -55,9 +54,9 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// The parameters that are at a bound, with it.
-    pub(super) fn at_bound(&self, x: &[f64], limits: &Limits) -> Vec<(&'static str, f64)> {
+    pub(super) fn at_bound(&self, x: &[f64]) -> Vec<(&'static str, f64)> {
         let bound = |(j, &index): (usize, &usize)| {
-            let bounds = [limits.lower[j], limits.upper[j]];
+            let bounds = [self.limits.lower[j], self.limits.upper[j]];
             let own = bounds.into_iter().find(|bound| *bound == x[j])?;
             Some((M::PARAMETERS[index].name, own))
         };
@@ -66,23 +65,14 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
 
     /// The assembly over the whole range: one that runs through it without a dead point, closes after a turn, and by which all wishes are
     /// what they are for the optimum, so that it is the one that was optimised.
-    pub(super) fn certify(
-        &self,
-        wishes: &Wishes<'_, M, A, N>,
-        x: &[f64],
-        circuits: &dyn Fn(&M) -> Result<Circuits<A>, AssemblyError>,
-    ) -> Result<Branch<A>, DesignError> {
-        let circuits = circuits(&self.mechanism(x)).map_err(|_| DesignError::NotWhole)?;
+    pub(super) fn certify(&self, start: &Start) -> Result<Branch<A>, DesignError> {
+        let x = &start.x;
+        let circuits = (self.circuits)(&self.mechanism(x)).map_err(|_| DesignError::NotWhole)?;
         let turns = super::super::turn(&circuits.cycle).is_some();
         let known_by = |candidate: &Candidate<'_, M, A>| {
-            let of = |(wish, own): (&dyn CycleWish<M, A, N>, &Range<usize>)| {
-                wish.known_by(candidate, &x[own.clone()])
-            };
+            let wishes = self.wishes.iter().enumerate();
             wishes
-                .iter()
-                .map(|wish| &**wish)
-                .zip(&self.own)
-                .map(of)
+                .map(|(k, wish)| wish.known_by(candidate, start.chosen(k, x)))
                 .collect::<Option<Vec<_>>>()
         };
         let own = self.tried(x, known_by).ok_or(DesignError::NotWhole)?;
