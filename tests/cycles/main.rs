@@ -4,6 +4,7 @@ mod derivatives;
 mod length;
 mod messages;
 mod optima;
+mod relations;
 mod starts;
 
 use linkage::Dimensions;

@@ -1,7 +1,6 @@
 //! A design problem as it is written.
 
 use alloc::boxed::Box;
-use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::sync::atomic::AtomicBool;
 use std::time::Duration;
@@ -28,7 +27,6 @@ pub struct Design<'a, M, A, const N: usize> {
     pub(super) assemblies: Vec<A>,
     pub(super) circuits: CircuitsOf<'a, M, A>,
     pub(super) freedom: Freedom,
-    pub(super) catalogues: Vec<(String, Vec<f64>)>,
     pub(super) wishes: Vec<Box<dyn Wish<M, A> + 'a>>,
     pub(super) settings: Settings<'a>,
     pub(super) listed: usize,
@@ -68,7 +66,6 @@ where
             nominal,
             circuits: Box::new(circuits),
             freedom: Freedom::default(),
-            catalogues: Vec::new(),
             wishes: Vec::new(),
             settings: Settings::new(STARTS, STEPS),
             listed: LISTED,
@@ -81,20 +78,6 @@ where
         "The most evaluations of a descent, 300 without it.",
         "starts are"
     );
-
-    /// A parameter takes one of these values only, as lengths of a catalogue: instead of [`vary`](Self::vary).
-    ///
-    /// Each local optimum with the parameter anywhere between them is rounded by branch and bound: one such parameter after the
-    /// other is set to the values below and above, and everything else is optimised anew.
-    #[must_use]
-    pub fn catalogue(mut self, name: &str, values: impl IntoIterator<Item = f64>) -> Self {
-        let mut values: Vec<f64> = values.into_iter().collect();
-        values.sort_by(f64::total_cmp);
-        values.dedup();
-        let [low, high] = [values.first(), values.last()].map(|x| x.copied().unwrap_or(f64::NAN));
-        self.catalogues.push((name.to_string(), values));
-        self.vary(name, low, high)
-    }
 
     /// A number that follows from the dimensions must not be negative: `function` gives it with its derivatives by all parameters,
     /// in their order and units.

@@ -19,6 +19,7 @@ where
         let Varied {
             indices: varied,
             limits,
+            catalogues,
             mut errors,
         } = self.freedom.varied(M::PARAMETERS, &values);
         let cycle = (self.circuits)(&self.nominal)
@@ -37,12 +38,6 @@ where
         for wish in &self.wishes {
             errors.extend(wish.check(&cycle, M::PARAMETERS, &varied));
         }
-        let catalogues = self.catalogues.iter().filter_map(|(name, values)| {
-            let index = M::PARAMETERS.iter().position(|own| own.name == *name)?;
-            let place = varied.iter().position(|own| *own == index)?;
-            Some((place, values.clone()))
-        });
-        let catalogues = catalogues.collect();
         DesignError::all(errors)?;
         self.freedom.consistent(&limits)?;
         let free = self.wishes.iter().map(|wish| wish.free(&cycle)).collect();

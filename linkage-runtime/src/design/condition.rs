@@ -2,10 +2,12 @@
 
 use alloc::boxed::Box;
 use alloc::string::{String, ToString};
+use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::Cycle;
 
 use super::DesignError;
+use super::cycle::{self, Chosen, Conditions, CycleWish, Piece, Place};
 use super::wish::{Candidates, Evaluate, Rows, Wish};
 use crate::Parameter;
 
@@ -60,5 +62,41 @@ where
             *own = value;
             by.copy_from_slice(&slopes);
         }
+    }
+}
+
+impl<M, A, F, const N: usize> CycleWish<M, A, N> for Condition<F>
+where
+    F: Fn(&M) -> (f64, [f64; N]) + Send + Sync,
+{
+    fn title(&self) -> String {
+        self.title.clone()
+    }
+
+    fn is_goal(&self) -> bool {
+        false
+    }
+
+    fn evaluate(
+        &self,
+        candidate: &cycle::Candidate<'_, M, A>,
+        _: Chosen<'_>,
+    ) -> Option<Conditions<N>> {
+        let (value, slopes) = (self.function)(candidate.mechanism);
+        let piece = Piece {
+            place: Place::Nth(0),
+            value,
+            parameters: slopes,
+            own: Vec::new(),
+        };
+        Some(Conditions {
+            goal: Vec::new(),
+            conditions: vec![vec![piece.times(-1.0, 0.0)]],
+        })
+    }
+
+    /// All assemblies have the same dimensions.
+    fn known_by(&self, _: &cycle::Candidate<'_, M, A>, _: Chosen<'_>) -> Option<Vec<f64>> {
+        Some(Vec::new())
     }
 }

@@ -144,6 +144,11 @@ pub enum DesignError {
         /// The parameters that are at a bound.
         at_bound: Vec<String>,
     },
+    /// Near the optimum there are no values of the catalogues with which all conditions hold.
+    NoValues {
+        /// The parameters that take values of catalogues.
+        parameters: Vec<String>,
+    },
     /// The mechanism that was found does not run through its whole range on one circuit.
     NotWhole,
     /// The mechanism of the declaration does not assemble.

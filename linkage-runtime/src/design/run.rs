@@ -6,6 +6,7 @@ use core::ops::Range;
 use super::builder::Design;
 use super::catalogue::rounded;
 use super::certificate::{Interrupted, Interruption, certify};
+use super::limits::Limits;
 use super::problem::{Evaluator, Problem};
 use super::rounds::in_rounds;
 use super::search::{BLOCK, Block, Optimum, block, distinct};
@@ -42,14 +43,11 @@ where
         if !problem.catalogues.is_empty() {
             optima.truncate(self.listed);
             let round = |optimum: Optimum| {
-                let assembly = &self.assemblies[optimum.assembly];
-                rounded(
-                    &problem,
-                    &mut evaluator,
-                    assembly,
-                    optimum,
-                    self.settings.steps,
-                )
+                let mode = (&self.assemblies[optimum.assembly], self.settings.steps);
+                let descend = |limits: &Limits, near: &Optimum| {
+                    near.within(limits, &problem, &mut evaluator, mode)
+                };
+                rounded(&problem.catalogues, &problem.limits, optimum, descend)
             };
             let all = optima.into_iter().filter_map(round).collect();
             optima = distinct(all, &problem.widths(), &problem.periods());

@@ -2,7 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::least_squares::{Descent, State};
+use super::catalogue::Local;
+use super::least_squares::{Descent, State, minimise};
+use super::limits::Limits;
 use super::normal::Normal;
 use super::problem::{Evaluator, Problem};
 use super::starts;
@@ -27,6 +29,41 @@ pub(crate) struct Optimum {
     pub(crate) converged: bool,
     /// Whether the sum is zero but for rounding.
     pub(crate) zero: bool,
+}
+
+impl Local for Optimum {
+    fn place(&self) -> &[f64] {
+        &self.x
+    }
+
+    fn least(&self) -> f64 {
+        self.sum
+    }
+}
+
+impl Optimum {
+    /// The optimum within narrower limits, from this one.
+    pub(crate) fn within<M: Dimensions<N> + Copy, A, const N: usize>(
+        &self,
+        limits: &Limits,
+        problem: &Problem<'_, M, A, N>,
+        evaluator: &mut Evaluator<'_, M, A, N>,
+        (assembly, most): (&A, usize),
+    ) -> Option<Self> {
+        let start = limits.nearest(&self.x)?;
+        let (descent, state) = minimise(start, limits, most, |x, normal| {
+            evaluator.evaluate(assembly, core::iter::once(x));
+            evaluator.normal(0, normal);
+        });
+        let valid = descent.here.sum.is_finite() && problem.meets(&descent.here);
+        valid.then(|| Self {
+            zero: self.zero && descent.is_zero(),
+            x: descent.x,
+            sum: descent.here.sum,
+            converged: state == State::Converged,
+            ..*self
+        })
+    }
 }
 
 /// What a block of starts gave.

@@ -12,6 +12,8 @@ use crate::{Dimensions, Parameter};
 pub(crate) struct Freedom {
     /// Parameters with their bounds.
     bounds: Vec<(String, f64, f64)>,
+    /// Parameters that take some values only, which ascend.
+    catalogues: Vec<(String, Vec<f64>)>,
     relations: Vec<Relation>,
 }
 
@@ -32,6 +34,16 @@ macro_rules! freedom_methods {
             self
         }
 
+        /// A parameter takes one of these values only, as lengths of a catalogue: instead of [`vary`](Self::vary).
+        ///
+        /// Each local optimum with the parameter anywhere between them is rounded by branch and bound: one such parameter after the
+        /// other is set to the values below and above, and everything else is optimised anew.
+        #[must_use]
+        pub fn catalogue(mut self, name: &str, values: impl IntoIterator<Item = f64>) -> Self {
+            self.freedom.catalogue(name, values.into_iter().collect());
+            self
+        }
+
         /// A relation, or several, between parameters must hold.
         #[must_use]
         pub fn hold(mut self, relations: impl Into<Vec<Relation>>) -> Self {
@@ -49,6 +61,8 @@ pub(crate) struct Varied {
     pub(crate) indices: Vec<usize>,
     /// The limits of the variables in this order.
     pub(crate) limits: Limits,
+    /// Which of them, by their place in this order, take some values only, which ascend.
+    pub(crate) catalogues: Vec<(usize, Vec<f64>)>,
     /// All mistakes; what they are about is left out above.
     pub(crate) errors: Vec<DesignError>,
 }
@@ -71,6 +85,14 @@ impl Freedom {
         let value = own.map_or(f64::NAN, |index| mechanism.values()[index]);
         let room = part * value.abs();
         self.vary(name, value - room, value + room);
+    }
+
+    pub(crate) fn catalogue(&mut self, name: &str, mut values: Vec<f64>) {
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        let [low, high] = [values.first(), values.last()].map(|x| x.copied().unwrap_or(f64::NAN));
+        self.catalogues.push((name.to_string(), values));
+        self.vary(name, low, high);
     }
 
     pub(crate) fn hold(&mut self, relations: Vec<Relation>) {
@@ -115,9 +137,15 @@ impl Freedom {
                 wish: "a design problem".to_string(),
             });
         }
+        let catalogues = self.catalogues.iter().filter_map(|(name, values)| {
+            let index = known.iter().position(|own| own == name)?;
+            let place = indices.iter().position(|own| *own == index)?;
+            Some((place, values.clone()))
+        });
         Varied {
-            indices,
             limits,
+            catalogues: catalogues.collect(),
+            indices,
             errors,
         }
     }

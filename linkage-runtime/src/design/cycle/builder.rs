@@ -8,7 +8,7 @@ use core::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use super::super::builder::CircuitsOf;
-use super::super::limits::Limits;
+use super::super::condition::Condition;
 use super::super::rounds::in_rounds;
 use super::super::settings::{Progress, Settings, settings_methods};
 use super::super::turn;
@@ -78,6 +78,18 @@ where
         "step is"
     );
 
+    /// A number that follows from the dimensions must not be negative: `function` gives it with its derivatives by all parameters,
+    /// in their order and units.
+    #[must_use]
+    pub fn hold_that(
+        mut self,
+        title: &str,
+        function: impl Fn(&M) -> (f64, [f64; N]) + Send + Sync + 'a,
+    ) -> Self {
+        self.wishes.push(Box::new(Condition::new(title, function)));
+        self
+    }
+
     /// The goal, or a condition.
     #[must_use]
     pub fn want(mut self, wish: impl CycleWish<M, A, N> + 'a) -> Self {
@@ -120,7 +132,12 @@ where
     /// As [`run`](Self::run): the first start's, if no start leads to an optimum.
     pub fn run_all(mut self) -> Result<Vec<BestCycle<M, A>>, DesignError> {
         let end = self.settings.end();
-        let (varied, limits) = self.checked()?;
+        let Varied {
+            indices,
+            limits,
+            catalogues,
+            ..
+        } = self.checked()?;
         let cycle = (self.circuits)(&self.nominal)
             .map_err(DesignError::Start)?
             .cycle;
@@ -129,8 +146,9 @@ where
         let descents = Descents {
             problem: Problem {
                 nominal: self.nominal.values(),
-                varied,
+                varied: indices,
                 limits,
+                catalogues,
                 range: (cycle.low, cycle.high),
                 closed: turn(&cycle).is_some(),
                 positions: self.positions,
@@ -167,12 +185,9 @@ where
     }
 
     /// What varies and within which limits; or all mistakes.
-    fn checked(&self) -> Result<(Vec<usize>, Limits), DesignError> {
-        let Varied {
-            indices,
-            limits,
-            mut errors,
-        } = self.freedom.varied(M::PARAMETERS, &self.nominal.values());
+    fn checked(&self) -> Result<Varied, DesignError> {
+        let mut varied = self.freedom.varied(M::PARAMETERS, &self.nominal.values());
+        let mut errors = core::mem::take(&mut varied.errors);
         let goals: Vec<_> = self
             .wishes
             .iter()
@@ -190,7 +205,7 @@ where
             });
         }
         DesignError::all(errors)?;
-        self.freedom.consistent(&limits)?;
-        Ok((indices, limits))
+        self.freedom.consistent(&varied.limits)?;
+        Ok(varied)
     }
 }

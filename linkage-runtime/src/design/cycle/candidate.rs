@@ -96,7 +96,7 @@ pub struct Piece<const N: usize> {
 
 impl<const N: usize> Piece<N> {
     /// This piece times a factor, plus a number.
-    pub(super) fn times(&self, factor: f64, more: f64) -> Self {
+    pub(crate) fn times(&self, factor: f64, more: f64) -> Self {
         Self {
             place: self.place,
             value: factor * self.value + more,

@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::super::DesignError;
+use super::super::catalogue::{self, Local};
 use super::super::limits::Limits;
 use super::super::minimax::{Search, minimise};
 use super::super::starts::unit;
@@ -31,6 +32,26 @@ pub(super) struct Descents<'d, M, A, const N: usize> {
     pub(super) seed: u64,
     pub(super) steps: usize,
     pub(super) stopped: &'d (dyn Fn() -> bool + Sync),
+}
+
+/// A local optimum that holds all conditions, not yet certified.
+struct Ended {
+    at: Start,
+    /// What the search makes least.
+    least: f64,
+    steps: usize,
+    evaluations: usize,
+    converged: bool,
+}
+
+impl Local for Ended {
+    fn place(&self) -> &[f64] {
+        &self.at.x
+    }
+
+    fn least(&self) -> f64 {
+        self.least
+    }
 }
 
 /// A certified optimum.
@@ -65,10 +86,38 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
                 .map(|((low, high), part)| low + part * (high - low));
             parts.collect()
         };
-        self.descend(problem.start(limits, place)?)
+        let ended = self.descend(problem.start(limits, place)?)?;
+        self.certified(self.rounded(ended)?)
     }
 
-    fn descend(&self, mut start: Start) -> Result<Optimum<M, A>, DesignError> {
+    /// With all parameters of catalogues at values of these.
+    fn rounded(&self, ended: Ended) -> Result<Ended, DesignError> {
+        let problem = &self.problem;
+        if problem.catalogues.is_empty() {
+            return Ok(ended);
+        }
+        let (mut steps, mut evaluations) = (ended.steps, ended.evaluations);
+        let descend = |limits: &Limits, near: &Ended| {
+            let place = near.at.x[..problem.varied.len()].to_vec();
+            let mut start = problem.start(limits, place).ok()?;
+            start.added.clone_from(&near.at.added);
+            let ended = self.descend(start).ok()?;
+            steps += ended.steps;
+            evaluations += ended.evaluations;
+            Some(ended)
+        };
+        let best = catalogue::rounded(&problem.catalogues, &problem.limits, ended, descend);
+        let best = best.ok_or_else(|| DesignError::NoValues {
+            parameters: problem.of_catalogues(),
+        })?;
+        Ok(Ended {
+            steps,
+            evaluations,
+            ..best
+        })
+    }
+
+    fn descend(&self, mut start: Start) -> Result<Ended, DesignError> {
         let search = Search {
             reach: start.reach.clone(),
             precision: PRECISION,
@@ -94,11 +143,22 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         }
         let sizes = problem.sizes(&start).ok_or(DesignError::NotWhole)?;
         problem.held(&start, &sizes, HOLDS)?;
-        let branch = problem.certify(&start)?;
-        let x = &start.x;
         let least = problem
-            .groups(&start, x, &sizes)
+            .groups(&start, &start.x, &sizes)
             .map_or(f64::NAN, |groups| sizes.goal * groups.value());
+        Ok(Ended {
+            at: start,
+            least,
+            steps,
+            evaluations,
+            converged,
+        })
+    }
+
+    fn certified(&self, ended: Ended) -> Result<Optimum<M, A>, DesignError> {
+        let (problem, start, least) = (&self.problem, &ended.at, ended.least);
+        let branch = problem.certify(start)?;
+        let x = &start.x;
         let goal = problem.wishes.iter().find(|wish| wish.is_goal());
         let best = BestCycle {
             mechanism: problem.mechanism(x),
@@ -112,9 +172,9 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             margin_at: branch.at,
             assembly: branch.assembly,
             at_bound: problem.at_bound(x),
-            steps,
-            evaluations,
-            converged,
+            steps: ended.steps,
+            evaluations: ended.evaluations,
+            converged: ended.converged,
             hits: 1,
         };
         let place = x[..problem.varied.len()].to_vec();
@@ -126,11 +186,16 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         optima.sort_by(|a, b| a.least.total_cmp(&b.least));
         let mut kept: Vec<Optimum<M, A>> = Vec::new();
         let Limits { lower, upper, .. } = &self.problem.limits;
+        // Neighbours in a catalogue are not the same, however near they are.
+        let same = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
+            let mut values = self.problem.catalogues.iter().map(|(place, _)| *place);
+            values.all(|place| a.place[place] == b.place[place])
+        };
         let near = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
             let places = a.place.iter().zip(&b.place).zip(lower.iter().zip(upper));
-            places
-                .into_iter()
-                .all(|((a, b), (low, high))| (a - b).abs() <= DISTINCT * (high - low))
+            let mut places = places.into_iter();
+            same(a, b)
+                && places.all(|((a, b), (low, high))| (a - b).abs() <= DISTINCT * (high - low))
         };
         for optimum in optima {
             match kept.iter_mut().find(|other| near(other, &optimum)) {

@@ -18,6 +18,8 @@ pub(super) struct Problem<'p, M, A, const N: usize> {
     pub(super) varied: Vec<usize>,
     /// Their limits.
     pub(super) limits: Limits,
+    /// Which of them take some values only.
+    pub(super) catalogues: Vec<(usize, Vec<f64>)>,
     pub(super) range: (f64, f64),
     /// Whether the range is a full turn.
     pub(super) closed: bool,

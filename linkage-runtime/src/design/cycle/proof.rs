@@ -1,6 +1,6 @@
 //! What must hold of an optimum: its conditions, and that it runs through its whole range on one circuit.
 
-use alloc::string::ToString;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::super::DesignError;
@@ -57,10 +57,21 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     pub(super) fn at_bound(&self, x: &[f64]) -> Vec<(&'static str, f64)> {
         let bound = |(j, &index): (usize, &usize)| {
             let bounds = [self.limits.lower[j], self.limits.upper[j]];
-            let own = bounds.into_iter().find(|bound| *bound == x[j])?;
+            // The end of a catalogue is a value like all others.
+            let of_catalogue = self.catalogues.iter().any(|(place, _)| *place == j);
+            let mut bounds = bounds.into_iter().filter(|_| !of_catalogue);
+            let own = bounds.find(|bound| *bound == x[j])?;
             Some((M::PARAMETERS[index].name, own))
         };
         self.varied.iter().enumerate().filter_map(bound).collect()
+    }
+
+    /// The names of the parameters that take values of catalogues.
+    pub(super) fn of_catalogues(&self) -> Vec<String> {
+        let names = self.catalogues.iter();
+        names
+            .map(|(place, _)| M::PARAMETERS[self.varied[*place]].name.to_string())
+            .collect()
     }
 
     /// The assembly over the whole range: one that runs through it without a dead point, closes after a turn, and by which all wishes are

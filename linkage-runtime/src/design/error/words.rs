@@ -114,6 +114,11 @@ impl fmt::Display for DesignError {
                     false => write!(f, ", with {} at a bound; widen these, or ask for less", at_bound.join(", ")),
                 }
             }
+            Self::NoValues { parameters } => write!(
+                f,
+                "no values of the catalogues of {} near the best mechanism between them hold all conditions; offer more values, or ask for less",
+                parameters.join(", ")
+            ),
             Self::NotWhole => f.write_str(
                 "the mechanism that was found does not run through its whole range on one circuit; ask for a margin, `Lowest(margin).at_least(..)`",
             ),
