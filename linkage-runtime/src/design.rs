@@ -25,6 +25,7 @@ mod minimax;
 mod normal;
 mod problem;
 mod quadratic;
+mod refusals;
 mod relation;
 mod rounds;
 mod run;
@@ -48,6 +49,7 @@ pub use found::{Found, Search};
 pub use identify::{
     Identification, Identified, Measured, Readings, Remedy, Residual, Undetermined, Unknown,
 };
+pub use refusals::Refusals;
 pub use relation::Relation;
 pub use sampled::Sampled;
 pub use settings::Progress;

@@ -1,7 +1,7 @@
 //! What is wrong is told with numbers.
 
 use super::{N, Rocker, RockerAssembly, design, margin, speed, tip};
-use linkage::design::{CycleDesign, Dwell, Figure, Lowest, Peak, Stroke};
+use linkage::design::{CycleDesign, DesignError, Dwell, Figure, Lowest, Peak, Stroke};
 
 #[test]
 fn what_is_wrong_is_told_with_numbers() {
@@ -40,6 +40,29 @@ fn what_is_wrong_is_told_with_numbers() {
     );
     assert!(
         text.contains("crank") && text.ends_with(" at a bound; widen these, or ask for less"),
+        "{text}"
+    );
+}
+
+/// Of several starts each counts once; the first one tells its numbers.
+#[test]
+fn what_refuses_the_starts_is_counted() {
+    let run = design()
+        .want(Peak(speed()).least())
+        .want(Stroke(tip()).at_least(200.0))
+        .starts(3)
+        .run();
+    let Err(DesignError::NotFound(why)) = run else {
+        panic!("{run:?}");
+    };
+    assert_eq!((why.starts, why.open + why.broken + why.not_whole), (3, 3));
+    assert_eq!(
+        why.conditions,
+        [("stroke of at least 200".to_string(), why.broken)]
+    );
+    let text = why.to_string();
+    assert!(
+        text.contains("; the first start: stroke of at least 200: missed by "),
         "{text}"
     );
 }

@@ -28,6 +28,30 @@ fn a_relation_is_the_same_in_both_ways() -> Result<(), DesignError> {
     Ok(())
 }
 
+/// A relation and its opposite are an equation.
+#[test]
+fn two_relations_are_an_equation() -> Result<(), DesignError> {
+    let problem = || design().want(Peak(speed()).least());
+    let line = |sign: f64| {
+        move |rocker: &Rocker| {
+            let value = rocker.crank - 0.5 * rocker.rocker + 1.0;
+            (sign * value, [0.0, sign, 0.0, -0.5 * sign, 0.0])
+        }
+    };
+    let both = problem()
+        .hold_that("no less", line(1.0))
+        .hold_that("no more", line(-1.0))
+        .run()?;
+    let straight = Relation::exactly([("crank", 1.0), ("rocker", -0.5)], -1.0);
+    let straight = problem().hold(straight).run()?;
+    assert!(both.converged && straight.converged);
+    assert!((both.goal - straight.goal).abs() < 1e-6 * straight.goal);
+    assert!(line(1.0)(&both.mechanism).0.abs() < 1e-6);
+    // Without it another mechanism is better.
+    assert!(problem().run()?.goal < straight.goal);
+    Ok(())
+}
+
 /// Two lengths within an ellipse: the optimum is where a line of equal goal touches it.
 #[test]
 fn a_curved_relation_is_touched() -> Result<(), DesignError> {

@@ -1,7 +1,7 @@
 //! What is told of wrong problems, with numbers.
 
-use super::{FourBar, FourBarAssembly, evenly, points, problem};
-use linkage::design::{Design, Relation, Targets, Timing};
+use super::{FourBar, FourBarAssembly, FourBarDesign, evenly, points, problem};
+use linkage::design::{Design, DesignError, Relation, Targets, Timing};
 use std::f64::consts::TAU;
 
 fn wish(inputs: &[f64]) -> Targets {
@@ -143,6 +143,64 @@ fn what_does_not_turn_says_how_far_it_goes() {
         TAU - end
     );
     assert!(text.contains(&told), "{told}\n{text}");
+}
+
+/// Each start counts once, and what refused it is named.
+#[test]
+fn what_refuses_the_starts_is_counted() {
+    let refusals = |design: FourBarDesign| {
+        let design =
+            design.want(wish(&[0.2, 1.0]).computed_by(FourBarAssembly::path_sweep_sets_into));
+        match design.starts(64).run() {
+            Err(DesignError::NotFound(refusals)) => *refusals,
+            other => panic!("{:?}", other.map(|found| found.designs.len())),
+        }
+    };
+    // Only its bound holds the first relation; the second one refuses about half of the starts.
+    let why = refusals(
+        problem()
+            .hold(Relation::at_most([("crank", 1.0)], 5.0))
+            .hold(Relation::at_least([("rocker", 1.0)], 32.5)),
+    );
+    assert_eq!((why.starts, why.refused, why.ended), (64, 64, 0));
+    let by = |name: &str| {
+        let mut all = why.relations.iter();
+        all.find(|(own, _)| own == name)
+            .map_or(0, |(_, count)| *count)
+    };
+    assert_eq!(by("crank <= 5"), 64);
+    // A sequence of low discrepancy has as many points in each half, but for one or two.
+    assert!(
+        (30..=34).contains(&by("-rocker <= -32.5")),
+        "{:?}",
+        why.relations
+    );
+    let text = why.to_string();
+    assert!(
+        text.contains("none of 64 starts") && text.contains(": 64 contradict relations ("),
+        "{text}"
+    );
+    assert!(
+        text.contains("64 `crank <= 5`") && !text.contains("0 end"),
+        "{text}"
+    );
+
+    // The bound of the crank is 5.
+    let none = |bar: &FourBar| {
+        let mut slopes = [0.0; 9];
+        slopes[1] = -1.0;
+        (4.0 - bar.crank, slopes)
+    };
+    let why = refusals(problem().hold_that("a short crank", none));
+    assert!(why.refused > 0 && why.broken > 0 && why.ended == 0);
+    assert_eq!(why.refused + why.open + why.broken, 64);
+    assert_eq!(why.conditions, [("a short crank".to_string(), why.broken)]);
+    let text = why.to_string();
+    let told = format!(
+        "{} end where a condition does not hold ({} `a short crank`)",
+        why.broken, why.broken
+    );
+    assert!(text.contains(&told), "{text}");
 }
 
 /// Points far away: the best design says by how much it misses, and which bounds are in the way.

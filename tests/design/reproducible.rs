@@ -51,13 +51,7 @@ fn progress_time_and_cancellation() {
     assert!(done.windows(2).all(|pair| pair[0].0 < pair[1].0));
 
     let stop = AtomicBool::new(true);
-    let told = Err(DesignError::NotFound {
-        starts: 0,
-        refused: 0,
-        open: 0,
-        not_whole: 0,
-        nearest: None,
-    });
+    let told = Err(DesignError::NotFound(Box::default()));
     assert_eq!(small().cancel(&stop).run().map(|_| ()), told);
     assert_eq!(small().time_limit(Duration::ZERO).run().map(|_| ()), told);
 }

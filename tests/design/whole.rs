@@ -42,8 +42,8 @@ fn all_results_run_through_the_turn() -> Result<(), DesignError> {
         }
         problems += 1;
         let found = match design.run() {
-            Err(DesignError::NotFound { not_whole, .. }) => {
-                refused += not_whole;
+            Err(DesignError::NotFound(why)) => {
+                refused += why.not_whole;
                 continue;
             }
             other => other?,

@@ -2,10 +2,11 @@
 
 mod words;
 
+use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::certificate::Interrupted;
+use super::Refusals;
 use crate::AssemblyError;
 
 /// Why a design problem cannot be solved.
@@ -154,18 +155,7 @@ pub enum DesignError {
     /// The mechanism of the declaration does not assemble.
     Start(AssemblyError),
     /// No mechanism that holds what must hold was found.
-    NotFound {
-        /// Starts that were tried.
-        starts: usize,
-        /// Those that the relations refuse.
-        refused: usize,
-        /// Those that do not assemble where something is wanted.
-        open: usize,
-        /// Local optima that do not assemble over the whole range on one circuit.
-        not_whole: usize,
-        /// That of them with the least sum of squares, and why it does not.
-        nearest: Option<Interrupted>,
-    },
+    NotFound(Box<Refusals>),
 }
 
 impl DesignError {

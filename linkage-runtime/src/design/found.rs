@@ -47,8 +47,10 @@ pub struct Search<M, A> {
     pub starts: usize,
     /// Starts that relations refuse.
     pub refused: usize,
-    /// Starts that do not assemble where something is wanted.
+    /// Starts that do not assemble where something is wanted, in the modes of no assembly.
     pub open: usize,
+    /// Starts that end where a condition does not hold.
+    pub broken: usize,
     /// Distinct optima that were refused since they do not run through the whole range on one circuit.
     pub not_whole: usize,
     /// Evaluations of mechanisms with derivatives.
@@ -126,8 +128,8 @@ impl<M, A> fmt::Display for Search<M, A> {
         )?;
         writeln!(
             f,
-            "{} starts: {} against relations, {} do not assemble",
-            self.starts, self.refused, self.open
+            "{} starts: {} against relations, {} do not assemble, {} end where a condition does not hold",
+            self.starts, self.refused, self.open, self.broken
         )?;
         writeln!(f, "{} evaluations", self.evaluations)?;
         writeln!(

@@ -19,6 +19,13 @@ impl Linear {
         self.most - self.terms.iter().map(|&(j, a)| a * x[j]).sum::<f64>()
     }
 
+    /// Whether it holds but for rounding.
+    fn holds(&self, x: &[f64]) -> bool {
+        let slack = self.slack(x);
+        let least = -HOLDS * self.scale(x);
+        slack >= least && (!self.equality || slack <= -least)
+    }
+
     /// The size of what is added, for rounding.
     fn scale(&self, x: &[f64]) -> f64 {
         let parts: f64 = self.terms.iter().map(|&(j, a)| (a * x[j]).abs()).sum();
@@ -53,12 +60,14 @@ impl Limits {
     pub(crate) fn hold(&self, x: &[f64]) -> bool {
         let within = |(x, (low, high)): (&f64, (&f64, &f64))| (low..=high).contains(&x);
         let bounds = x.iter().zip(self.lower.iter().zip(&self.upper)).all(within);
-        let holds = |relation: &Linear| {
-            let slack = relation.slack(x);
-            let least = -HOLDS * relation.scale(x);
-            slack >= least && (!relation.equality || slack <= -least)
-        };
-        bounds && self.relations.iter().all(holds)
+        bounds && self.relations.iter().all(|relation| relation.holds(x))
+    }
+
+    /// The numbers of the relations that do not hold.
+    pub(crate) fn broken(&self, x: &[f64]) -> Vec<usize> {
+        let relations = self.relations.iter().enumerate();
+        let broken = relations.filter(|(_, relation)| !relation.holds(x));
+        broken.map(|(k, _)| k).collect()
     }
 
     /// The limits as faces for a step from `x`: bounds first, of which it gives the number, then relations.

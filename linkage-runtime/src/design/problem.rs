@@ -113,8 +113,8 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
         first..first + count(&self.free[wish])
     }
 
-    /// A start from numbers between 0 and 1, on all equalities; `None` if it is against another relation.
-    pub(crate) fn start(&self, unit: &[f64]) -> Option<Vec<f64>> {
+    /// A start from numbers between 0 and 1, on all equalities; or the relations that it contradicts.
+    pub(crate) fn start(&self, unit: &[f64]) -> Result<Vec<f64>, Vec<usize>> {
         let place = |(u, &(low, high)): (&f64, &(f64, f64))| match low > 0.0 && high > WIDE * low {
             true => low * (high / low).powf(*u),
             false => low + (high - low) * u,
@@ -125,8 +125,13 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
                 x.extend(free.start(&unit[self.inputs(wish)]));
             }
         }
-        let x = self.limits.on_equalities(x)?;
-        self.limits.hold(&x).then_some(x)
+        let Some(x) = self.limits.on_equalities(x.clone()) else {
+            return Err(self.limits.broken(&x));
+        };
+        match self.limits.hold(&x) {
+            true => Ok(x),
+            false => Err(self.limits.broken(&x)),
+        }
     }
 
     /// The period of each variable that has one: angles and the inputs of a turn are the same after a turn.
@@ -152,11 +157,26 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
 
     /// Whether all conditions hold.
     pub(crate) fn meets(&self, at: &Normal) -> bool {
+        self.broken(at).is_empty()
+    }
+
+    /// The numbers of the wishes whose conditions do not hold.
+    pub(crate) fn broken(&self, at: &Normal) -> Vec<usize> {
         let widths = self.widths();
-        at.conditions.iter().all(|(value, slopes)| {
+        let wishes = self.wishes.iter().enumerate();
+        let conditions = wishes.filter(|(_, wish)| wish.is_condition());
+        let owners = conditions.flat_map(|(k, wish)| (0..wish.rows()).map(move |_| k));
+        let holds = |(value, slopes): &(f64, Vec<f64>)| {
             let size: f64 = slopes.iter().zip(&widths).map(|(s, w)| (s * w).abs()).sum();
             *value >= -HOLDS * size
-        })
+        };
+        let rows = owners.zip(&at.conditions);
+        let mut broken: Vec<usize> = rows
+            .filter(|(_, row)| !holds(row))
+            .map(|(owner, _)| owner)
+            .collect();
+        broken.dedup();
+        broken
     }
 
     /// How many residuals there are.

@@ -1,5 +1,6 @@
 //! The search of a design problem.
 
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -11,7 +12,7 @@ use super::problem::{Evaluator, Problem};
 use super::rounds::in_rounds;
 use super::search::{BLOCK, Block, Optimum, block, distinct};
 use super::settings::Report;
-use super::{DesignError, Found, Search};
+use super::{DesignError, Found, Refusals, Search};
 use crate::Dimensions;
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
@@ -33,13 +34,13 @@ where
         let starts = self.settings.starts.min(blocks.len() * BLOCK);
         let mut total = Block::default();
         for block in blocks {
-            total.refused += block.refused;
-            total.open += block.open;
+            total.tally.add(&block.tally);
             total.evaluations += block.evaluations;
             total.optima.extend(block.optima);
         }
         let mut optima = distinct(total.optima, &problem.widths(), &problem.periods());
         let mut evaluator = Evaluator::new(&problem);
+        let mut no_values = 0;
         if !problem.catalogues.is_empty() {
             optima.truncate(self.listed);
             let round = |optimum: Optimum| {
@@ -49,7 +50,9 @@ where
                 };
                 rounded(&problem.catalogues, &problem.limits, optimum, descend)
             };
-            let all = optima.into_iter().filter_map(round).collect();
+            let count = optima.len();
+            let all: Vec<Optimum> = optima.into_iter().filter_map(round).collect();
+            no_values = count - all.len();
             optima = distinct(all, &problem.widths(), &problem.periods());
         }
         let (mut designs, mut not_whole, mut nearest) = (Vec::new(), 0, None);
@@ -67,22 +70,27 @@ where
                 }
             }
         }
+        let Block {
+            tally, evaluations, ..
+        } = total;
         if designs.is_empty() {
-            return Err(DesignError::NotFound {
-                starts,
-                refused: total.refused,
-                open: total.open,
+            let titles = self.wishes.iter().map(|wish| wish.title()).collect();
+            let refusals = tally.refusals(starts, self.freedom.relations(), titles);
+            return Err(DesignError::NotFound(Box::new(Refusals {
+                no_values,
                 not_whole,
                 nearest,
-            });
+                ..refusals
+            })));
         }
         Ok(Search {
             designs,
             starts,
-            refused: total.refused,
-            open: total.open,
+            refused: tally.refused,
+            open: tally.open,
+            broken: tally.broken,
             not_whole,
-            evaluations: total.evaluations,
+            evaluations,
             ended_early,
             residuals: problem.residuals(),
             variables: problem.limits.len(),

@@ -7,6 +7,7 @@ use super::least_squares::{Descent, State, minimise};
 use super::limits::Limits;
 use super::normal::Normal;
 use super::problem::{Evaluator, Problem};
+use super::refusals::{Fate, Tally};
 use super::starts;
 use crate::Dimensions;
 
@@ -70,8 +71,7 @@ impl Optimum {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block {
     pub(crate) optima: Vec<Optimum>,
-    pub(crate) refused: usize,
-    pub(crate) open: usize,
+    pub(crate) tally: Tally,
     pub(crate) evaluations: usize,
 }
 
@@ -88,15 +88,17 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
     let mut begun: Vec<(usize, Vec<f64>)> = Vec::new();
     for index in indices {
         match problem.start(&starts::unit(seed, index, count)) {
-            Some(x) => begun.push((index, x)),
-            None => block.refused += 1,
+            Ok(x) => begun.push((index, x)),
+            Err(relations) => block.tally.refuse(&relations),
         }
     }
+    let mut fates = alloc::vec![Fate::Open; begun.len()];
     let mut evaluator = Evaluator::new(problem);
     for (number, assembly) in assemblies.iter().enumerate() {
         let descents = begun
             .iter()
-            .map(|(index, x)| (*index, Descent::new(x.clone(), most)));
+            .enumerate()
+            .map(|(place, (_, x))| (place, Descent::new(x.clone(), most)));
         let mut running: Vec<(usize, Descent)> = descents.collect();
         let mut there = Normal::new(count);
         while !running.is_empty() {
@@ -106,30 +108,36 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
             );
             block.evaluations += running.len();
             let mut place = 0;
-            running.retain_mut(|(index, descent)| {
+            running.retain_mut(|(start, descent)| {
                 evaluator.normal(place, &mut there);
                 place += 1;
                 let state = descent.advance(&problem.limits, &mut there);
                 if state == State::Running {
                     return true;
                 }
-                if descent.here.sum.is_finite() && problem.meets(&descent.here) {
+                if !descent.here.sum.is_finite() {
+                    return false;
+                }
+                let broken = problem.broken(&descent.here);
+                if broken.is_empty() {
+                    fates[*start] = Fate::Ended;
                     block.optima.push(Optimum {
                         x: descent.x.clone(),
                         sum: descent.here.sum,
                         assembly: number,
-                        start: *index,
+                        start: begun[*start].0,
                         hits: 1,
                         converged: state == State::Converged,
                         zero: descent.is_zero(),
                     });
-                } else {
-                    block.open += 1;
+                } else if !matches!(fates[*start], Fate::Ended) {
+                    fates[*start] = Fate::Broken(broken);
                 }
                 false
             });
         }
     }
+    fates.iter().for_each(|fate| block.tally.begun(fate));
     block
 }
 

@@ -150,6 +150,11 @@ impl Freedom {
         }
     }
 
+    /// All relations in words.
+    pub(crate) fn relations(&self) -> Vec<String> {
+        self.relations.iter().map(Relation::described).collect()
+    }
+
     /// Whether the relations leave anything within the bounds.
     pub(crate) fn consistent(&self, limits: &Limits) -> Result<(), DesignError> {
         let middle = limits.lower.iter().zip(&limits.upper);
@@ -157,7 +162,7 @@ impl Freedom {
         match limits.nearest(&middle) {
             Some(_) => Ok(()),
             None => Err(DesignError::Contradiction {
-                relations: self.relations.iter().map(Relation::described).collect(),
+                relations: self.relations(),
             }),
         }
     }

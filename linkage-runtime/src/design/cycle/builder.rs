@@ -129,7 +129,7 @@ where
     ///
     /// # Errors
     ///
-    /// As [`run`](Self::run): the first start's, if no start leads to an optimum.
+    /// As [`run`](Self::run); `NotFound`, with how many starts were refused by what, if several were begun and none leads to an optimum.
     pub fn run_all(mut self) -> Result<Vec<BestCycle<M, A>>, DesignError> {
         let end = self.settings.end();
         let Varied {
@@ -171,16 +171,16 @@ where
         let starts = (self.settings.starts.max(1), 1);
         let ended = |done: usize| done > 0 && stopped();
         let (found, _) = in_rounds(starts, &ended, &mut self.settings.progress, from, least);
-        let (mut optima, mut refused) = (Vec::new(), None);
+        let (mut optima, mut refused) = (Vec::new(), Vec::new());
         for found in found.into_iter().flatten() {
             match found {
                 Ok(optimum) => optima.push(optimum),
-                Err(error) => refused = refused.or(Some(error)),
+                Err(error) => refused.push(error),
             }
         }
-        match (optima.is_empty(), refused) {
-            (true, Some(error)) => Err(error),
-            _ => Ok(descents.distinct(optima)),
+        match optima.is_empty() {
+            true => Err(descents.refusals(refused)),
+            false => Ok(descents.distinct(optima)),
         }
     }
 

@@ -1,12 +1,15 @@
 //! Searches from several starts, and the distinct optima they end at.
 
+use alloc::boxed::Box;
+use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::super::DesignError;
 use super::super::catalogue::{self, Local};
 use super::super::limits::Limits;
 use super::super::minimax::{Search, minimise};
+use super::super::refusals::{Fate, Tally};
 use super::super::starts::unit;
+use super::super::{DesignError, Refusals};
 use super::found::BestCycle;
 use super::problem::{Problem, Start};
 use crate::Dimensions;
@@ -179,6 +182,39 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         };
         let place = x[..problem.varied.len()].to_vec();
         Ok(Optimum { best, least, place })
+    }
+
+    /// Why none of some starts leads to an optimum.
+    pub(super) fn refusals(&self, mut errors: Vec<DesignError>) -> DesignError {
+        if errors.len() == 1 {
+            return errors.remove(0);
+        }
+        let titles: Vec<String> = self
+            .problem
+            .wishes
+            .iter()
+            .map(|wish| wish.title())
+            .collect();
+        let mut tally = Tally::default();
+        let (mut no_values, mut not_whole) = (0, 0);
+        for error in &errors {
+            match error {
+                DesignError::OutOfReach { wish, .. } => {
+                    let wishes = titles.iter().position(|title| title == wish);
+                    tally.begun(&Fate::Broken(wishes.into_iter().collect()));
+                }
+                DesignError::NoValues { .. } => no_values += 1,
+                DesignError::NotWhole => not_whole += 1,
+                _ => tally.begun(&Fate::Open),
+            }
+        }
+        let refusals = tally.refusals(errors.len(), Vec::new(), titles);
+        DesignError::NotFound(Box::new(Refusals {
+            no_values,
+            not_whole,
+            first: errors.into_iter().next().map(Box::new),
+            ..refusals
+        }))
     }
 
     /// The distinct ones, the best first.

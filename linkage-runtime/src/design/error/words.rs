@@ -126,30 +126,10 @@ impl fmt::Display for DesignError {
                 f,
                 "the mechanism that the search begins with does not assemble: {error}; begin with dimensions that do"
             ),
-            Self::NotFound {
-                starts,
-                refused,
-                open,
-                not_whole,
-                nearest,
-            } => {
-                write!(
-                    f,
-                    "none of {starts} starts led to a mechanism that assembles over its whole range on one circuit"
-                )?;
-                write!(
-                    f,
-                    ": {refused} contradict the relations, {open} do not assemble where something is wanted, "
-                )?;
-                write!(
-                    f,
-                    "{not_whole} ended at mechanisms that do not run through the range; "
-                )?;
-                if let Some(nearest) = nearest {
-                    write!(f, "{nearest}; ")?;
-                }
-                f.write_str("take more starts, wider bounds, or relations that keep the range, such as Grashof's")
-            }
+            Self::NotFound(refusals) => write!(
+                f,
+                "{refusals}; take more starts, wider bounds, less strict conditions, or relations that keep the range, such as Grashof's"
+            ),
         }
     }
 }
