@@ -12,6 +12,8 @@ mod five_points;
 mod four_bar;
 mod function;
 mod nine_points;
+mod parallel;
+mod path;
 mod polynomial;
 mod task;
 #[cfg(test)]

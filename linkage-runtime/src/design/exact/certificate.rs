@@ -4,7 +4,8 @@
 //! the discs into itself and contracts it, rounding included. Then (Banach) it has one fixed point there, a solution of
 //! `f`. Data that are not exact are discs, too: what is shown then holds for all of them.
 //!
-//! Variables come in pairs: in a real solution, the second of a pair is the conjugate of the first.
+//! A real solution is its own mirror image: a variable is the conjugate of its partner, which is itself if it stands for a real
+//! number.
 
 use super::ball::Ball;
 use super::complex::Complex;
@@ -13,6 +14,11 @@ use super::double::Double;
 
 /// As many equations as unknowns.
 pub(super) trait System<const N: usize> {
+    /// The variable that is the conjugate of this one in a real solution: they come in pairs, if nothing else is said.
+    fn partner(i: usize) -> usize {
+        i ^ 1
+    }
+
     /// The values at a point, with all that rounding and the data leave open.
     fn values(&self, point: &Point<N>) -> [Ball; N];
 
@@ -43,12 +49,12 @@ impl<const N: usize> Certificate<N> {
 const ATTEMPTS: usize = 4;
 
 /// Looks for discs around `point` in which `system` has one solution.
-pub(super) fn certify<const N: usize>(
+pub(super) fn certify<const N: usize, S: System<N>>(
     point: &Point<N>,
-    system: &impl System<N>,
+    system: &S,
 ) -> Option<Certificate<N>> {
     let discs = one_solution(point, system)?;
-    let mirrored: [Ball; N] = core::array::from_fn(|i| discs[i ^ 1].conjugate());
+    let mirrored: [Ball; N] = core::array::from_fn(|i| discs[S::partner(i)].conjugate());
     let mut images = discs.iter().zip(mirrored);
     if images.any(|(disc, image)| disc.is_apart_from(image)) {
         let real = Some(false);
@@ -56,7 +62,7 @@ pub(super) fn certify<const N: usize>(
     }
     // Discs that are their own mirror image hold the mirror image of their only solution.
     let half = Complex::new(0.5, 0.0).wide();
-    let middle = core::array::from_fn(|i| (point[i] + point[i ^ 1].conjugate()) * half);
+    let middle = core::array::from_fn(|i| (point[i] + point[S::partner(i)].conjugate()) * half);
     Some(match one_solution(&middle, system) {
         Some(discs) => Certificate {
             discs,
@@ -66,13 +72,13 @@ pub(super) fn certify<const N: usize>(
     })
 }
 
-fn one_solution<const N: usize>(point: &Point<N>, system: &impl System<N>) -> Option<[Ball; N]> {
+fn one_solution<const N: usize, S: System<N>>(point: &Point<N>, system: &S) -> Option<[Ball; N]> {
     let there = point.map(Ball::of);
     let matrix = system.matrix(&there);
     let inverse = dense::inverse(&matrix.map(|row| row.map(|element| element.middle)))?;
     let shift = times(&inverse, &system.values(point)).map(Ball::size);
     // Twice the Newton step, so that there is room for the other terms.
-    let mut radii = pairs(|i| 2.0 * shift[i] + f64::MIN_POSITIVE);
+    let mut radii = pairs::<N, S>(|i| 2.0 * shift[i] + f64::MIN_POSITIVE);
     for _ in 0..ATTEMPTS {
         let discs = core::array::from_fn(|i| there[i].widened(radii[i]));
         let spread = spread(&inverse, &system.matrix(&discs), &radii);
@@ -85,14 +91,14 @@ fn one_solution<const N: usize>(point: &Point<N>, system: &impl System<N>) -> Op
         if inside {
             return Some(discs);
         }
-        radii = pairs(|i| 2.0 * image[i]);
+        radii = pairs::<N, S>(|i| 2.0 * image[i]);
     }
     None
 }
 
 /// The larger one for both of a pair.
-fn pairs<const N: usize>(radius: impl Fn(usize) -> f64) -> [f64; N] {
-    core::array::from_fn(|i| radius(i).max(radius(i ^ 1)))
+fn pairs<const N: usize, S: System<N>>(radius: impl Fn(usize) -> f64) -> [f64; N] {
+    core::array::from_fn(|i| radius(i).max(radius(S::partner(i))))
 }
 
 fn times<const N: usize>(matrix: &Matrix<N>, vector: &[Ball; N]) -> [Ball; N] {

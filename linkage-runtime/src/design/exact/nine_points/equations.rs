@@ -7,6 +7,7 @@
 use super::super::complex::{Complex, ONE, Ring, ZERO};
 use super::super::dense;
 use super::super::dyad::{self, Link, Pair};
+use super::super::path::Step;
 
 /// Shifts of the points after the first one, with hats.
 pub(super) type Shifts<T> = [Pair<T>; 8];
@@ -15,15 +16,6 @@ pub(super) type Unknowns<T> = [T; ALL];
 
 pub(super) const ALL: usize = 24;
 const JOINTS: usize = 8;
-
-/// A Newton step.
-pub(super) struct Step {
-    pub(super) to: Unknowns<Complex>,
-    /// Derivative by the parameter of the path, before the step.
-    pub(super) tangent: Unknowns<Complex>,
-    /// Whether the equations were singular.
-    pub(super) singular: bool,
-}
 
 #[inline(always)]
 fn links<T: Ring>(unknowns: &Unknowns<T>, shifts: &Shifts<T>, j: usize) -> ([Link<T>; 2], Pair<T>) {
@@ -40,7 +32,7 @@ pub(super) fn newton(
     unknowns: &Unknowns<Complex>,
     shifts: &Shifts<Complex>,
     drift: &Shifts<Complex>,
-) -> Step {
+) -> Step<ALL> {
     let mut matrix = [[ZERO; JOINTS]; JOINTS];
     let mut right = [[ZERO; JOINTS]; 2];
     let turned: [Turn; 8] = core::array::from_fn(|j| Turn::new(unknowns, shifts, drift, j));

@@ -6,10 +6,12 @@ use super::super::complex::{Complex, ONE, ZERO};
 use super::super::dense;
 use super::super::double::Double;
 use super::super::error::Unsolved;
+use super::super::parallel::in_parallel;
+use super::super::path::Pace;
 use super::super::task::Shift;
 use super::cognates::{Mark, cognate, exchanged};
 use super::equations::{self, ALL, Shifts, Unknowns};
-use super::path::{Pace, Way, follow};
+use super::path::{Way, follow};
 use super::{Progress, TRIPLES, Task, starts};
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
@@ -184,18 +186,4 @@ impl System<ALL> for Data {
     fn matrix(&self, discs: &[Ball; ALL]) -> [[Ball; ALL]; ALL] {
         equations::all(discs, &self.discs, [Ball::ZERO, Ball::exact(ONE)]).1
     }
-}
-
-#[cfg(feature = "rayon")]
-pub(super) fn in_parallel<T: Sync, R: Send>(
-    items: &[T],
-    work: impl Fn(&T) -> R + Sync + Send,
-) -> Vec<R> {
-    use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-    items.par_iter().map(work).collect()
-}
-
-#[cfg(not(feature = "rayon"))]
-pub(super) fn in_parallel<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
-    items.iter().map(work).collect()
 }

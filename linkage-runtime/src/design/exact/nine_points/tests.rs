@@ -3,9 +3,10 @@
 mod generator;
 
 use super::super::complex::{Complex, ONE};
+use super::super::path::Pace;
 use super::super::tests::coupler_at;
 use super::equations::Unknowns;
-use super::path::{Pace, Way};
+use super::path::Way;
 use super::search::{Data, Search};
 use super::*;
 use core::f64::consts::TAU;
