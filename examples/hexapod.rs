@@ -2,8 +2,11 @@
 //! from position to position.
 //!
 //! Poses, Jacobian and condition along a published path against solutions in 80 digits; a path of 10,000 poses there and back; and a slice of
-//! the workspace as a picture, `target/hexapod/workspace.svg`, or in the folder that is given behind `--`.
+//! the workspace as a picture, `target/hexapod/workspace.svg`, or in the folder that is given behind `--`. At last all 40 assemblies of the
+//! platform that has the most real ones, each certified; without optimisation that takes long, and is left out but with `LINKAGE_LONG=1`.
 
+#[path = "hexapod/assemblies.rs"]
+mod assemblies;
 mod check;
 #[path = "check/digits.rs"]
 mod digits;
@@ -101,6 +104,10 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args_os().nth(1).filter(|_| !cfg!(test));
     let folder = folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from);
     workspace::show(&mut check, start, &to_legs, &folder)?;
+    if !cfg!(debug_assertions) || std::env::var_os("LINKAGE_LONG").is_some() {
+        println!("All assemblies:");
+        assemblies::show(&mut check)?;
+    }
     check.finish()
 }
 

@@ -15,6 +15,7 @@ mod nine_points;
 mod parallel;
 mod path;
 mod polynomial;
+mod solutions;
 mod task;
 #[cfg(test)]
 mod tests;
@@ -27,6 +28,7 @@ pub use function::{FunctionFourBar, Functions, Pair, Start};
 pub use nine_points::{
     NinePoints, PathFourBar, Progress, TRIPLES, Triple, nine_points, nine_points_reporting,
 };
+pub use solutions::{Equations, Number, Solution, Solutions, Trace, solutions, solutions_traced};
 
 use complex::Complex;
 

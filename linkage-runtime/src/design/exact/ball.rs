@@ -75,6 +75,18 @@ impl Ball {
     }
 }
 
+impl From<Complex> for Ball {
+    fn from(number: Complex) -> Self {
+        Self::exact(number)
+    }
+}
+
+impl From<f64> for Ball {
+    fn from(number: f64) -> Self {
+        Self::exact(number.into())
+    }
+}
+
 /// A bound of the absolute value that needs no root.
 fn taxi(number: Complex) -> f64 {
     number.re.abs() + number.im.abs()
@@ -94,6 +106,18 @@ impl Bound {
     pub(super) fn around(self, value: Complex<Double>) -> Ball {
         const WRONG: f64 = 1.0 / (1_u128 << 96) as f64;
         Ball::of(value).widened(self.0 * WRONG)
+    }
+}
+
+impl From<Complex> for Bound {
+    fn from(number: Complex) -> Self {
+        Self(taxi(number) * AMPLE)
+    }
+}
+
+impl From<f64> for Bound {
+    fn from(number: f64) -> Self {
+        Self(number.abs())
     }
 }
 

@@ -83,6 +83,18 @@ impl Complex<Double> {
     }
 }
 
+impl<R: From<f64>> From<f64> for Complex<R> {
+    fn from(number: f64) -> Self {
+        Self::new(number.into(), 0.0.into())
+    }
+}
+
+impl From<Complex> for Complex<Double> {
+    fn from(number: Complex) -> Self {
+        number.wide()
+    }
+}
+
 impl From<[f64; 2]> for Complex {
     fn from([re, im]: [f64; 2]) -> Self {
         Self::new(re, im)

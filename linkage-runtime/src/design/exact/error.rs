@@ -33,6 +33,13 @@ pub enum Unsolved {
         /// All paths.
         count: usize,
     },
+    /// Equations that are singular everywhere: they depend on each other, or not on all unknowns.
+    Singular,
+    /// More solutions than we follow.
+    TooMany {
+        /// So many are followed.
+        most: usize,
+    },
     /// Equations whose solutions cannot be listed.
     Unlisted(crate::numeric::roots::Unlisted),
 }
@@ -60,6 +67,15 @@ impl fmt::Display for Unsolved {
             Self::Stopped { done, count } => {
                 write!(f, "stopped as asked, after {done} of {count} paths")
             }
+            Self::Singular => f.write_str(
+                "the equations are singular at random places: they depend on each other, or not on all \
+                 unknowns; leave out what repeats others, and give what is free",
+            ),
+            Self::TooMany { most } => write!(
+                f,
+                "the equations have more than {most} solutions, complex ones counted; that is our limit: \
+                 use fewer or simpler equations"
+            ),
             Self::Unlisted(unlisted) => write!(f, "{unlisted}"),
         }
     }

@@ -1,0 +1,157 @@
+//! All solutions of polynomial equations, found from a single one.
+
+mod family;
+mod monodromy;
+mod number;
+#[cfg(test)]
+mod tests;
+mod trace;
+
+pub use number::Number;
+pub use trace::Trace;
+
+use super::certificate::Certificate;
+use super::complex::Complex;
+use super::error::Unsolved;
+use alloc::vec::Vec;
+use family::Member;
+use monodromy::{Fibre, Random};
+
+/// As many polynomial equations as unknowns, with real coefficients.
+///
+/// The equations of a group of links whose assemblies are asked for, as `loop` has them: distances as their squares, directions
+/// as their components, with equations for their lengths.
+pub trait Equations<const N: usize>: Sync {
+    /// By how much the equations are missed at `x`: all 0 at a solution. Coefficients are exact; fractions that binary numbers do
+    /// not have are avoided by multiplying an equation. Unknowns and values should be about 1.
+    fn values<T: Number>(&self, x: &[T; N]) -> [T; N];
+}
+
+/// The solutions of equations, and what is known of their number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solutions<const N: usize> {
+    /// The real ones, in ascending order of the first unknown, then of the next ones.
+    pub real: Vec<Solution<N>>,
+    /// How many are complex.
+    pub complex: usize,
+    /// Solutions that almost all constants in place of the 0 give: each isolated solution is the end of one of their paths.
+    pub general: usize,
+    /// Paths without a certified end of their own, which end at infinity, in multiple solutions, or next to those.
+    pub undecided: usize,
+    /// Loops of the constants that have brought no further solution after the last one that did.
+    pub idle: usize,
+    /// The trace test, if it was asked for.
+    pub trace: Option<Trace>,
+}
+
+/// A real solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution<const N: usize> {
+    /// The unknowns.
+    pub values: [f64; N],
+    /// A bound of the error of each, rounding included: there is one solution so near.
+    pub error: f64,
+}
+
+impl<const N: usize> Solutions<N> {
+    /// Whether there are no others, as far as numbers can tell: each path has a certified end of its own, and the trace test was
+    /// made and passed.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.undecided == 0 && self.trace.is_some_and(|trace| trace.passed())
+    }
+}
+
+/// Ways from the general constants to the given ones: angles without pattern. All solutions are found by the first one but for
+/// accidents; what several find together is as sure.
+const ARCS: [f64; 3] = [2.1937, -1.3291, 0.8713];
+
+/// All solutions of polynomial equations: from a random complex place, which solves them with other constants, by loops of the
+/// constants (monodromy), then along the way to the given ones. Each is shown to be one, to differ from the others and to be real
+/// or not by Krawczyk's test. That none is missing is not shown: see [`solutions_traced`].
+///
+/// The same equations always give the same listing, whatever the number of threads.
+///
+/// # Errors
+///
+/// `Singular` equations; `TooMany` solutions.
+pub fn solutions<const N: usize>(equations: &impl Equations<N>) -> Result<Solutions<N>, Unsolved> {
+    found(equations, None)
+}
+
+/// As [`solutions`], with the trace test, along equation `row`: its constant is what the curve has as a coordinate that the test
+/// sums up. The degree of that curve, which takes most of the time, may depend on the choice.
+///
+/// # Errors
+///
+/// As [`solutions`].
+///
+/// # Panics
+///
+/// If there is no equation `row`.
+pub fn solutions_traced<const N: usize>(
+    equations: &impl Equations<N>,
+    row: usize,
+) -> Result<Solutions<N>, Unsolved> {
+    assert!(row < N, "no equation {row}: there are {N}");
+    found(equations, Some(row))
+}
+
+fn found<E: Equations<N>, const N: usize>(
+    equations: &E,
+    row: Option<usize>,
+) -> Result<Solutions<N>, Unsolved> {
+    let given = Member::given(equations);
+    let mut random = Random::new();
+    let mut general = Fibre::find(&given, &mut random)?;
+    let trace = row
+        .map(|row| Trace::test(&mut general, row, &mut random))
+        .transpose()?;
+    let found = ends(&general, given);
+    let mut real: Vec<Solution<N>> = found.iter().filter_map(Solution::of).collect();
+    real.sort_by(|a, b| {
+        let order = a.values.partial_cmp(&b.values);
+        order.unwrap_or(core::cmp::Ordering::Equal)
+    });
+    let is_complex = |certificate: &&Certificate<N>| certificate.real == Some(false);
+    let complex = found.iter().filter(is_complex).count();
+    let count = general.found.len();
+    Ok(Solutions {
+        undecided: count.saturating_sub(real.len() + complex),
+        real,
+        complex,
+        general: count,
+        idle: general.idle,
+        trace,
+    })
+}
+
+/// The solutions with the given constants.
+fn ends<'a, E: Equations<N>, const N: usize>(
+    general: &Fibre<'a, E, N>,
+    given: Member<'a, E, N>,
+) -> Vec<Certificate<N>> {
+    let starts = general.places();
+    let mut ends = Fibre::starting(given);
+    for angle in ARCS {
+        ends.follow(&general.member, &starts, Complex::polar(angle));
+        if ends.found.len() >= starts.len() {
+            break;
+        }
+    }
+    ends.found
+}
+
+impl<const N: usize> Solution<N> {
+    /// If it is real.
+    fn of(certificate: &Certificate<N>) -> Option<Self> {
+        (certificate.real == Some(true)).then(|| Self {
+            values: certificate.discs.map(|disc| disc.middle.re),
+            error: certificate
+                .discs
+                .iter()
+                .map(|disc| disc.radius)
+                .fold(0.0, f64::max),
+        })
+    }
+}
