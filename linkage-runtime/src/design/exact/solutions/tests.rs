@@ -1,10 +1,12 @@
-//! Against systems whose solutions are known. A hexapod's 40 assemblies are listed by the example `hexapod`.
+//! Against systems whose solutions are known; random platforms, which are for optimised code, with `LINKAGE_LONG`.
 
 use super::super::error::Unsolved;
 use super::family::Member;
 use super::monodromy::{Fibre, Random};
 use super::trace::{LINEAR, miss};
 use super::*;
+use linkage_random::Random as Draw;
+use std::println;
 
 /// A ternary link on three legs in the plane: place and direction of the link, at most six assemblies.
 struct Ternary {
@@ -132,4 +134,108 @@ fn double_solutions_and_those_at_infinity_are_undecided() {
 #[test]
 fn equations_that_depend_on_each_other_are_refused() {
     assert_eq!(solutions(&Repeated), Err(Unsolved::Singular));
+}
+
+/// A platform on six legs in whole tenths of the unit, and an orientation of it in whole numbers over `whole`.
+struct Platform {
+    base: [[f64; 3]; 6],
+    platform: [[f64; 3]; 6],
+    whole: f64,
+    /// Squares of the legs, times that of `whole`.
+    squares: [f64; 6],
+}
+
+fn dot<T: Number>([a, b, c]: [T; 3], [d, e, f]: [T; 3]) -> T {
+    a * d + b * e + c * f
+}
+
+fn cross<T: Number>([a, b, c]: [T; 3], [d, e, f]: [T; 3]) -> [T; 3] {
+    [b * f - c * e, c * d - a * f, a * e - b * d]
+}
+
+impl Equations<9> for Platform {
+    fn values<T: Number>(&self, unknowns: &[T; 9]) -> [T; 9] {
+        let [p, x, y] = [0, 3, 6].map(|first| [0, 1, 2].map(|k| unknowns[first + k]));
+        let z = cross(x, y);
+        let one = T::from(1.0);
+        core::array::from_fn(|i| match i {
+            6 => dot(x, x) - one,
+            7 => dot(y, y) - one,
+            8 => dot(x, y),
+            leg => {
+                let [u, v, w] = self.platform[leg].map(T::from);
+                let link = [0, 1, 2].map(|k| {
+                    let base = T::from(self.base[leg][k]);
+                    T::from(10.0) * p[k] + u * x[k] + v * y[k] + w * z[k] - base
+                });
+                let square = T::from(self.whole * self.whole);
+                let miss = square * dot(link, link) - T::from(self.squares[leg]);
+                T::from(0.01 / (self.whole * self.whole)) * miss
+            }
+        })
+    }
+}
+
+/// A platform in a random pose: its place in tenths, and its directions times `whole`.
+fn posed(draw: &mut Draw) -> (Platform, [f64; 3], [[f64; 3]; 3]) {
+    let mut whole_number = || (draw.below(25) as f64) - 12.0;
+    let mut points = || core::array::from_fn(|_| core::array::from_fn(|_| whole_number()));
+    let (base, platform): ([[f64; 3]; 6], [[f64; 3]; 6]) = (points(), points());
+    let place: [f64; 3] = core::array::from_fn(|_| whole_number());
+    let [a, b, c, d]: [f64; 4] = core::array::from_fn(|_| whole_number());
+    let whole = a * a + b * b + c * c + d * d;
+    // The matrix of a quaternion by columns.
+    let x = [
+        a * a + b * b - c * c - d * d,
+        2.0 * (b * c + a * d),
+        2.0 * (b * d - a * c),
+    ];
+    let y = [
+        2.0 * (b * c - a * d),
+        a * a - b * b + c * c - d * d,
+        2.0 * (c * d + a * b),
+    ];
+    let z = cross(x, y).map(|entry| entry / whole);
+    let squares = core::array::from_fn(|leg| {
+        let ([u, v, w], base) = (platform[leg], base[leg]);
+        let link =
+            core::array::from_fn(|k| whole * (place[k] - base[k]) + u * x[k] + v * y[k] + w * z[k]);
+        dot(link, link)
+    });
+    let posed = Platform {
+        base,
+        platform,
+        whole,
+        squares,
+    };
+    (posed, place, [x, y, z])
+}
+
+#[test]
+fn random_platforms_have_forty_assemblies_and_their_pose_is_among_them() {
+    if std::env::var_os("LINKAGE_LONG").is_none() {
+        return;
+    }
+    let mut draw = Draw::new(40);
+    for _ in 0..20 {
+        let (platform, place, [x, y, _]) = posed(&mut draw);
+        let found = solutions_traced(&platform, 5).expect("it has some");
+        let trace = found.trace.expect("it was asked for");
+        let real = found.real.len();
+        println!("{real} real, {} undecided, {trace:?}", found.undecided);
+        assert_eq!(found.general, 40);
+        assert!(found.is_complete());
+        let pose = [
+            place.map(|number| number / 10.0),
+            x.map(|number| number / platform.whole),
+            y.map(|number| number / platform.whole),
+        ];
+        let pose = pose.concat();
+        let is_pose = |one: &&Solution<9>| {
+            let mut pairs = one.values.iter().zip(&pose);
+            // Both are rounded.
+            pairs.all(|(x, known)| (x - known).abs() <= one.error + f64::EPSILON)
+        };
+        assert_eq!(found.real.iter().filter(is_pose).count(), 1);
+    }
 }
