@@ -277,7 +277,7 @@ pub mod __private {
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::generated::{
         Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_or_call, fill_slices,
-        next_vectors, one, rows,
+        in_row, next_vectors, one, rows,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{

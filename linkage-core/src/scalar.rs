@@ -182,6 +182,12 @@ pub trait Scalar:
     /// `a` where `s >= 0`, `b` where `s < 0`, NaN where `s` is NaN.
     fn select(s: Self, a: Self, b: Self) -> Self;
 
+    /// `a` where `s >= 0`, else NaN: [`select`](Self::select) with NaN.
+    #[inline(always)]
+    fn unless_negative(s: Self, a: Self) -> Self {
+        Self::select(s, a, Self::from_f64(f64::NAN))
+    }
+
     /// The smaller of two numbers; NaN if either is NaN.
     #[inline(always)]
     fn min(self, other: Self) -> Self {

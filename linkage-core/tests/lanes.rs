@@ -51,6 +51,9 @@ macro_rules! compare {
                     Scalar::inverse_scale(a)
                 });
                 same("root", a.root(b), &|a, b, _| Scalar::root(a, b));
+                same("unless_negative", L::unless_negative(a, b), &|a, b, _| {
+                    Scalar::unless_negative(a, b)
+                });
                 same("select", L::select(a, b, c), &|a, b, c| {
                     $plain::select(a, b, c)
                 });

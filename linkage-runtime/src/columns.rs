@@ -74,7 +74,12 @@ impl<T: Scalar> Columns<T> {
 
     /// All columns, to write to: there are `W`.
     pub(crate) fn all_mut<const W: usize>(&mut self) -> [&mut [T]; W] {
-        let len = self.len;
+        self.all_with_room(0)
+    }
+
+    /// The same with `rows` places each, if they are more and fit before the next column: what is written behind the last row is never read.
+    pub(crate) fn all_with_room<const W: usize>(&mut self, rows: usize) -> [&mut [T]; W] {
+        let len = self.len.max(rows.min(self.distance));
         let mut columns = self.data[self.start..].chunks_mut(self.distance.max(1));
         let columns = core::array::from_fn(|_| columns.next().unwrap_or_default());
         columns.map(|column| &mut column[..len])

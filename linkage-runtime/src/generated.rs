@@ -45,7 +45,8 @@ pub use starts::{
 };
 #[cfg(feature = "alloc")]
 pub use sweep::{
-    Arguments, Block, Inputs, Kernel, Sets, fill, fill_or_call, fill_slices, next_vectors, rows,
+    Arguments, Block, Inputs, Kernel, Sets, fill, fill_or_call, fill_slices, in_row, next_vectors,
+    rows,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use sweep::{Extended, Followed, Moving, States, fill_followed};

@@ -46,6 +46,10 @@ pub(super) fn statements(
             Instruction::Load(source) => load(source),
             Instruction::Unary(operation, x) => unary(operation, runs, &name(x)),
             Instruction::Binary(operation, a, b) => binary(operation, &name(a), &name(b)),
+            Instruction::Ternary(Ternary::Select, s, a, b) if is_nan(program, b) => {
+                let [s, a] = [s, a].map(name);
+                quote!(T::unless_negative(#s, #a))
+            }
             Instruction::Ternary(operation, a, b, c) => {
                 ternary(operation, &name(a), &name(b), &name(c))
             }
@@ -60,6 +64,11 @@ pub(super) fn statements(
         out.extend(quote!(#keyword #pattern = #expression;));
     }
     out
+}
+
+/// Whether a value is NaN always.
+fn is_nan(program: &Program, value: Value) -> bool {
+    matches!(program.instructions[value.0], Instruction::Constant(x) if x.is_nan())
 }
 
 /// Every `let` opens a scope inside the one before, and a debug build of a few thousand nested scopes overflows the stack of

@@ -110,7 +110,7 @@ impl Sweeps<'_> {
         let fill = self.outline.body(self.with_kernel(|kernel| {
             let given = quote!(&self.#kernel(), &#rows, #ty::__of_mut(#columns));
             let one = self.one();
-            quote!(#runtime::fill_or_call(#given, || #one);)
+            quote!(#runtime::fill_or_call(#given, |__at| #one);)
         }));
         let [owned, into] = [Sweep::Owned, Sweep::Into].map(|sweep| self.title(sweep));
         let sweep = self.method(
@@ -158,7 +158,7 @@ impl Sweeps<'_> {
         }
     }
 
-    /// The numbers at the first position, by the function as it is called.
+    /// The numbers at the position `__at`, by the function as it is called.
     fn one(&self) -> TokenStream {
         let Self {
             outline, function, ..
@@ -171,7 +171,7 @@ impl Sweeps<'_> {
             field_scalars(&field.shape, &quote!(__one.#name))
         });
         quote! {{
-            let __one: #result<T> = #runtime::as_in_sweeps(self, [#(#arguments[0]),*])?;
+            let __one: #result<T> = #runtime::as_in_sweeps(self, [#(#runtime::in_row(#arguments, __at)),*])?;
             ::core::option::Option::Some([#(#fields),*])
         }}
     }

@@ -166,6 +166,13 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
+            fn unless_negative(s: Self, a: Self) -> Self {
+                // A choice beside 0 stays in the registers of floats: `a` would have to leave and enter them again.
+                let nan = select_unpredictable(s >= 0.0, 0.0, <$float>::NAN);
+                <$float>::from_bits(a.to_bits() | nan.to_bits())
+            }
+
+            #[inline(always)]
             fn min(self, other: Self) -> Self {
                 // Equal unless one is NaN: then one of them is.
                 let smaller = select_unpredictable(self < other, self, other);

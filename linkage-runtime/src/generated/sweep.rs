@@ -42,12 +42,20 @@ pub fn fill<T: Scalar, const I: usize, const W: usize>(
     arguments: &impl Arguments<T, I>,
     columns: &mut Columns<T>,
 ) {
-    columns.resize(arguments.check());
-    instruction_set::run(kernel, arguments, 0, columns.all_mut());
+    let rows = arguments.check();
+    columns.resize(rows);
+    // Fewer rows than stand side by side are a vector, too, which is written as a whole.
+    let columns = match rows {
+        0 => columns.all_mut(),
+        _ => columns.all_with_room(instruction_set::lanes::<T>()),
+    };
+    instruction_set::run(kernel, arguments, 0, columns);
 }
 
-/// As [`fill`], but a single position by `one`, the function as it is called, if that gives something: a vector of positions takes as long
-/// as several calls.
+/// So many positions take less time as calls than as a vector, which takes that of three to five calls.
+const CALLS: usize = 3;
+
+/// As [`fill`], but a few positions by `one`, the function as it is called, row by row, if that gives something.
 ///
 /// # Panics
 ///
@@ -57,16 +65,26 @@ pub fn fill_or_call<T: Scalar, const I: usize, const W: usize>(
     kernel: &impl Kernel<T, I, W>,
     arguments: &impl Arguments<T, I>,
     columns: &mut Columns<T>,
-    one: impl FnOnce() -> Option<[T; W]>,
+    one: impl Fn(usize) -> Option<[T; W]>,
 ) {
-    if const { T::VECTORISES }
-        && arguments.check() == 1
-        && let Some(row) = one()
-    {
-        columns.resize(1);
-        return columns.set(0, row);
+    let rows = arguments.check();
+    if const { T::VECTORISES } && rows <= CALLS {
+        columns.resize(rows);
+        let mut called = (0..rows).map(|row| one(row).map(|numbers| columns.set(row, numbers)));
+        if called.all(|called| called.is_some()) {
+            return;
+        }
     }
     fill(kernel, arguments, columns);
+}
+
+/// The value of an input in a row: one that is alone is that of all rows.
+#[inline(always)]
+pub fn in_row<T: Copy>(values: &[T], row: usize) -> T {
+    match values {
+        [value] => *value,
+        _ => values[row],
+    }
 }
 
 /// Evaluates `kernel` at all positions, into slices of that length. `title` is the function, for the panic.

@@ -138,6 +138,11 @@ fn turning_points_are_refused_or_end_the_table() {
     // Closer than that what is certified is right.
     let (_, second, _) = survey(&table, &mut triad, near, high);
     assert!(second < 1e-9);
+    let lookup = table.lookup::<4>().unwrap();
+    for beyond in [0.1, 1.0, 2.0] {
+        // What is extrapolated is told by the floor.
+        assert!(lookup.at(high + beyond).1.is_nan(), "{beyond}");
+    }
     for beyond in [1e-9, 1e-6, 1e-3, 0.1, 1.0, 2.0] {
         let mut state = [0.0; 4];
         let floor = table.state(high + beyond, &mut state);

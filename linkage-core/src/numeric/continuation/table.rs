@@ -141,11 +141,10 @@ impl Table {
         let (place, slot) = self.scale.find(x);
         let cell = &self.cells[usize::from(self.index[slot])];
         let (t, c) = (cell.t(place), &cell.coefficients);
-        let guard = guard(t, OUTSIDE);
         for (index, number) in state.iter_mut().enumerate() {
-            *number = by_pairs::<FUSED>(|power| c[power * width + index], t) + guard;
+            *number = by_pairs::<FUSED>(|power| c[power * width + index], t);
         }
-        cell.floor + guard
+        cell.floor + guard(t, OUTSIDE)
     }
 
     /// For generated code: the number of state numbers is fixed. `None` if it is not `S`.

@@ -4,6 +4,15 @@ use super::{Arguments, Kernel, blocks};
 use crate::FUSED;
 use crate::Scalar;
 
+/// How many rows stand side by side.
+pub(super) const fn lanes<T: Scalar>() -> usize {
+    match (T::VECTORISES, size_of::<T>()) {
+        (false, _) => 1,
+        (true, 4) => 16,
+        (true, _) => 8,
+    }
+}
+
 /// Evaluates the rows from `start` on, as many as the columns are long.
 pub(super) fn run<T, K, A, const I: usize, const W: usize>(
     kernel: &K,

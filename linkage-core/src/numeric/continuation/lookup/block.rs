@@ -80,7 +80,7 @@ impl<const S: usize> Lookup<S> {
     }
 }
 
-/// States and floors as lanes, NaN far outside the cell, of which `t` says where.
+/// States and floors as lanes, floors NaN far outside the cell, of which `t` says where.
 #[inline(always)]
 fn guarded<T: Scalar, const S: usize, const V: usize>(
     states: &[[f64; S]; V],
@@ -91,7 +91,7 @@ fn guarded<T: Scalar, const S: usize, const V: usize>(
     for lane in 0..V {
         let guard = guard(t[lane], OUTSIDE);
         for (column, number) in lanes.0.iter_mut().zip(&states[lane]) {
-            column[lane] = T::from_f64(number + guard);
+            column[lane] = T::from_f64(*number);
         }
         lanes.1[lane] = T::from_f64(floors[lane] + guard);
     }
