@@ -7,8 +7,10 @@ mod cylindrical;
 mod mixed;
 mod newton;
 mod octahedral;
+mod parallelograms;
 mod platform;
 mod rocking_sleeve;
+mod sarrus;
 mod stacked;
 
 use linkage::Vector3;

@@ -52,4 +52,52 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A table on three parallel cranks, a double parallelogram: the third one is 0.3 mm too long, and its foot 2 mm too high.
+    pub struct Table {
+        unit mm;
+        param crank = 50mm;
+        param span = 80mm;
+        input phi = 70deg in 20deg..160deg;
+        unknown tilt = 0deg;
+        unknown psi = 70deg;
+        let pin = polar(crank, phi);
+        let third = pin + rotate((30mm, 25mm), tilt);
+        loop pin + polar(span, tilt) = (span, 0mm) + polar(crank, psi);
+        loop distance(third, (30mm, 25mm)) = crank + 0.3mm redundant;
+        loop third = (30mm, 27mm) + polar(crank, phi) redundant;
+        loop third = (30mm, 25mm) + polar(crank, phi) redundant;
+    }
+    impl Table {
+        pub fn motion(phi) -> TableMotion { tilt, psi }
+    }
+}
+
+mechanism! {
+    /// Sarrus' linkage, whose hinge on the plate is turned by half a degree: the sides differ by sin 0.5deg.
+    pub struct Sarrus {
+        unit mm;
+        input phi = 60deg in 30deg..85deg;
+        unknown first = 120deg;
+        unknown tilt = 0deg;
+        unknown second = 60deg;
+        unknown third = 120deg;
+        unknown lean = 0deg;
+        const x = (1, 0, 0);
+        const y = (0, 1, 0);
+        const z = (0, 0, 1);
+        let top = (90mm, 0mm, 0mm) + 70mm * turn(x, -y, phi) + 90mm * turn(x, -y, first);
+        let other_top = (0mm, 90mm, 0mm) + 70mm * turn(y, x, second) + 90mm * turn(y, x, third);
+        let plate_x = turn(x, -y, tilt);
+        let plate_z = turn(z, x, lean);
+        loop top - 85mm * plate_x = other_top - 85mm * turn(y, x, lean);
+        loop dot(y, plate_z) = 0;
+        loop dot(plate_x, plate_z) = 0;
+        loop dot(plate_x, turn(turn(y, z, 0.5deg), x, lean)) = 0 redundant;
+    }
+    impl Sarrus {
+        pub fn motion(phi) -> SarrusMotion { top, plate_x, lean }
+    }
+}
+
 fn main() {}
