@@ -47,6 +47,7 @@ pub(crate) fn analyse(
         return (Unit::default(), None);
     }
     let formulation = formulate::formulate(&mut algebra, &nominal, structure);
+    close::check_names_of_follower(mechanism, &formulation, &mut reporter);
     watch.formulated(&mut algebra, &formulation, &nominal);
     let closing = lower::closing(&mut algebra, &formulation, &nominal);
     let inner = close::inner_parts(&mut algebra, &nominal, parts);

@@ -89,6 +89,34 @@ fn a_path_of_poses_is_where_it_was_computed_with_80_digits() {
     }
 }
 
+/// Single precision has 24 bits. Of 7 digits a platform whose condition is 60 (`body.rs`) leaves 5, elimination some 4 of derivatives.
+#[test]
+fn the_same_path_in_single_precision() {
+    let hexapod = Hexapod::default().cast::<f32>();
+    let hexapod = hexapod.assemble().expect("it assembles");
+    let [a, b, c, d, e, f] = REFERENCE.map(|leg| leg as f32);
+    let mut at = hexapod.follower(a, b, c, d, e, f).expect("the reference");
+    for known in read(include_str!("hexapod.json")) {
+        let [a, b, c, d, e, f] = numbers::<6>(&known["legs"]).map(|leg| leg as f32);
+        at.follow(a, b, c, d, e, f).expect("it is followed");
+        assert_eq!(at.inputs(), [a, b, c, d, e, f]);
+        let (pose, jacobian) = (at.pose(), at.jacobian());
+        for (found, known) in pose.p.iter().zip(numbers::<3>(&known["p"])) {
+            close(f64::from(*found), known, 420.0, 3e-6);
+        }
+        for leg in 0..6 {
+            let column: [f64; 3] = std::array::from_fn(|row| number(&known["jacobian"][row][leg]));
+            for (found, known) in jacobian.p[leg].iter().zip(column) {
+                close(f64::from(*found), known, 1.0, 5e-4);
+            }
+        }
+    }
+    // Where it cannot go on it stays.
+    let before = at;
+    assert!(at.follow(a, b, c, d, e, 2.0 * f).is_err());
+    assert_eq!(at.inputs(), before.inputs());
+}
+
 /// Legs of random poses, each near the one before, while the platform stays regular: no pose is lost, none is another one.
 #[test]
 fn random_walks_stay_on_the_assembly() {

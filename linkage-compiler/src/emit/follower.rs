@@ -12,16 +12,15 @@ use super::load::Places;
 use super::outline::{Outline, plain};
 use super::{attribute, literal, sealed};
 
-use crate::model::FOLLOWER;
+use crate::model::{FOLLOWER, METHODS_OF_FOLLOWER};
 use crate::unit::Unit;
 
 use functions::{method, single_of};
 
-/// The follower of a mechanism of which a coupled group depends on several inputs: tables over one input need none. Nothing if the user's
-/// functions have the names of its methods.
+/// The follower of a mechanism of which a coupled group depends on several inputs: tables over one input need none.
 pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let several = outline.starts.iter().any(|start| start.inputs.len() > 1);
-    if !several || is_taken(outline) {
+    if !several {
         return TokenStream::new();
     }
     let mut items = shared(outline);
@@ -53,15 +52,12 @@ pub(super) fn skeleton(outline: &Outline) -> TokenStream {
     quote!(#runtime::if_alloc! { #items })
 }
 
-/// True if the user's functions have the names of its methods.
+/// True if the user's functions have the names of its methods, which is a mistake if it has a follower.
 fn is_taken(outline: &Outline) -> bool {
-    let names = outline
-        .functions
-        .iter()
-        .map(|function| plain(function.name));
-    names
-        .into_iter()
-        .any(|name| name == "follower" || name == "follow")
+    let functions = outline.functions.iter();
+    functions
+        .map(|function| plain(function.name))
+        .any(|name| METHODS_OF_FOLLOWER.contains(&name.as_str()))
 }
 
 /// The type, how it comes about, and what it has beside the functions.

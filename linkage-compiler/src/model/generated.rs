@@ -21,6 +21,9 @@ pub(crate) const ASSEMBLY: &str = "Assembly";
 /// The type of what follows an assembly of a mechanism with several inputs, by what follows the mechanism's name.
 pub(crate) const FOLLOWER: &str = "Follower";
 
+/// Beside the functions: how a follower comes about, and what it has.
+pub(crate) const METHODS_OF_FOLLOWER: [&str; 4] = ["follower", "follow", "assembly", "inputs"];
+
 /// The type of the columns of sweeps, by what follows the name of the result type.
 pub(crate) const COLUMNS: &str = "Columns";
 

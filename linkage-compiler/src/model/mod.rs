@@ -51,7 +51,9 @@ mod zeros;
 pub(crate) use dump::dump;
 pub(crate) use frame::PARTS as FRAME_PARTS;
 pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
-pub(crate) use generated::{ASSEMBLY, COLUMNS, FOLLOWER, Sweep, TYPE_PARAMETER};
+pub(crate) use generated::{
+    ASSEMBLY, COLUMNS, FOLLOWER, METHODS_OF_FOLLOWER, Sweep, TYPE_PARAMETER,
+};
 pub(crate) use library::{Library, Model, resolve};
 pub use parameter::COMPONENTS;
 pub(crate) use presentation::significant;
