@@ -20,6 +20,7 @@ mod newton;
 mod pinned;
 mod platforms;
 mod polynomial;
+mod scissors;
 mod served;
 mod sets;
 mod sweeps;

@@ -155,6 +155,7 @@ impl<'m> Analysis<'_, 'm> {
             .or_else(|| self.eliminate_point(equations, coordinates))
             .or_else(|| self.eliminate_slide(equations, coordinates))
             .or_else(|| self.join_rows(equations, coordinates))
+            .or_else(|| self.distance_of_double_angle(equations, coordinates))
             .or_else(|| self.distance_to_link(equations, coordinates))
             .or_else(|| self.split_along_guide(equations, coordinates))
             .or_else(|| self.split_across_guides(equations, coordinates))

@@ -9,6 +9,7 @@ mod class;
 mod classify;
 mod core_unknowns;
 mod coupled_core;
+mod double;
 mod eliminate;
 mod equations;
 mod form;

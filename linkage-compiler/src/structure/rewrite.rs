@@ -1,7 +1,7 @@
 //! Bringing a coupled set of loops to known forms: distances become links, components become vectors, a sum of angles
 //! becomes an angle.
 
-use linkage_symbolic::{Ex, SymbolId, V2, Vector, collect};
+use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
 use crate::algebra::{Atom, StandsFor};
 
@@ -153,73 +153,6 @@ impl<'m> Analysis<'_, 'm> {
 }
 
 impl<'m> Analysis<'_, 'm> {
-    /// An angle that turns vectors twice as fast only: they turn with its double, which is solved for.
-    pub(super) fn double_angle(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<System<'m>> {
-        let [equation] = equations else { return None };
-        for (place, coordinate) in coordinates.iter().enumerate() {
-            let CoordinateKind::Angle(half) = coordinate.kind else {
-                continue;
-            };
-            let Some(rows) = self.squares_of(half, equation) else {
-                continue;
-            };
-            let double = self.algebra.names.add_angle("double", None);
-            let own = &self.algebra.names.angles[half];
-            let summands = own.summands().into_iter();
-            let summands = summands
-                .map(|(unknown, sign)| (unknown, 2.0 * sign))
-                .collect();
-            let stands_for = own.meant().map(|unknown| StandsFor { unknown, summands });
-            self.algebra.names.angles[double].stands_for = stands_for;
-            let unit = self.algebra.names.angles[double].unit;
-            let rows = rows.into_iter().map(|row| row.turned_with(unit));
-            let mut changed = Equation {
-                rows: rows.collect(),
-                relation: None,
-                ..equation.clone()
-            };
-            changed.eliminated.extend(coordinate.unknown);
-            let mut coordinates = coordinates.to_vec();
-            coordinates[place] = Coordinate {
-                kind: CoordinateKind::Angle(double),
-                unknown: None,
-            };
-            if self.classify(&changed, &coordinates).is_some() {
-                let value = self.algebra.atom(Atom::Angle(double)).scaled(0.5);
-                self.replace_angle(half, &value);
-                return Some((vec![changed], coordinates));
-            }
-        }
-        None
-    }
-
-    /// The rows of an equation, if they contain nothing of an angle but products of two of its cosine and sine.
-    fn squares_of(&self, angle: usize, equation: &Equation<'m>) -> Option<Vec<SquaresOf<'m>>> {
-        let own = &self.algebra.names.angles[angle];
-        let symbols = own.symbols();
-        let zero = self.algebra.zero();
-        let rows = equation.rows.iter().map(|&row| {
-            let mut terms = collect(row, &symbols, &[])?;
-            let mut take = |cos, sin| terms.remove(&vec![cos, sin, 0]).unwrap_or(zero);
-            let squares = SquaresOf {
-                cosine: take(2, 0),
-                sine: take(0, 2),
-                product: take(1, 1),
-                rest: take(0, 0),
-            };
-            terms.is_empty().then_some(squares)
-        });
-        let rows: Vec<SquaresOf> = rows.collect::<Option<_>>()?;
-        let turns = rows
-            .iter()
-            .any(|row| !row.product.is_zero() || row.cosine != row.sine);
-        turns.then_some(rows)
-    }
-
     /// The sum of an angle and the one it is measured from stands for the former.
     fn sum_of(&self, base: usize, relative: usize, sign: f64) -> Option<StandsFor> {
         let [base, relative] = [base, relative].map(|k| &self.algebra.names.angles[k]);
@@ -228,23 +161,6 @@ impl<'m> Analysis<'_, 'm> {
         summands.extend(base.map(|(unknown, own)| (unknown, sign * own)));
         let unknown = relative.meant()?;
         Some(StandsFor { unknown, summands })
-    }
-}
-
-/// `cosine c^2 + sine s^2 + product c s + rest`
-struct SquaresOf<'m> {
-    cosine: Ex<'m>,
-    sine: Ex<'m>,
-    product: Ex<'m>,
-    rest: Ex<'m>,
-}
-
-impl<'m> SquaresOf<'m> {
-    /// The same by cosine and sine of the double angle.
-    fn turned_with(&self, unit: V2<'m>) -> Ex<'m> {
-        let [cos, sin] = unit.0;
-        let (sum, difference) = (self.cosine + self.sine, self.cosine - self.sine);
-        0.5 * difference * cos + 0.5 * self.product * sin + (self.rest + 0.5 * sum)
     }
 }
 
