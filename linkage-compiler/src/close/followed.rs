@@ -98,25 +98,41 @@ impl<'m> Assembly<'_, 'm> {
                 return self.without_equations(solved);
             }
             Astray::Movable(ref states) => format!(
-                "{loops} ({unknowns}) cannot be solved{place}: where the estimates lead, {} can change although no length does\n\
+                "{loops} ({unknowns}) cannot be solved{place}: where the estimates lead, {} although no length changes\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another",
-                self.words.unknowns(&self.moved(prepared, states)),
+                self.freedom_at(prepared, &states[0]).unwrap_or_else(|| {
+                    let moved = self.moved(prepared, states);
+                    format!("{} can change", self.words.unknowns(&moved))
+                }),
             ),
-            Astray::DeadPoint { left } if left > NOTHING && left < ALL => format!(
-                "{loops} ({unknowns}) {are} followed{place} from the estimates, and a dead point is met on the way, where {:.1} % of what \
-                 the estimates miss by is taken back. The assemblies cannot be listed: {why}; {OURS}\n\
+            Astray::DeadPoint { left, ref at } if left > NOTHING && left < ALL => format!(
+                "{loops} ({unknowns}) {are} followed{place} from the estimates, and {} where {:.1} % of what \
+                 the estimates miss by is taken back{}. The assemblies cannot be listed: {why}; {OURS}\n\
                  help: write estimates that are nearer to the assembly that is meant; or change a length, if the links do not reach each \
                  other",
-                100.0 * (1.0 - left)
+                match self.freedom_at(prepared, at) {
+                    Some(_) => "a dead point is met on the way,",
+                    // No motion proves that it is one: the order in which the matrix is eliminated may serve no further.
+                    None => "the way ends",
+                },
+                100.0 * (1.0 - left),
+                told(self.freedom_at(prepared, at)),
             ),
             Astray::NoValue | Astray::DeadPoint { .. } => format!(
-                "{loops} ({unknowns}) {are} singular{place} where the estimates {}; the assemblies cannot be listed, since {why}\n\
+                "{loops} ({unknowns}) {are} singular{place} where the estimates {}{}; the assemblies cannot be listed: {why}\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another; or write \
                  estimates, or a reference input, away from a dead point",
                 match astray {
-                    Astray::DeadPoint { left } if left < ALL => "lead",
+                    Astray::DeadPoint { left, .. } if left < ALL => "lead",
                     _ => "are",
-                }
+                },
+                told(match astray {
+                    Astray::DeadPoint { ref at, .. } => self.freedom_at(prepared, at),
+                    _ => {
+                        let estimate = prepared.estimate_of_default(self.algebra, self.nominal);
+                        self.freedom_at(prepared, &estimate)
+                    }
+                }),
             ),
         };
         let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
@@ -152,6 +168,11 @@ impl<'m> Assembly<'_, 'm> {
             ),
         );
     }
+}
+
+/// What moves, behind a place.
+fn told(freedom: Option<String>) -> String {
+    freedom.map_or_else(String::new, |freedom| format!(": there {freedom}"))
 }
 
 /// Why the assemblies of a group are not listed.

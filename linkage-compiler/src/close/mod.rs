@@ -14,6 +14,7 @@ mod estimates;
 mod follow;
 mod followed;
 mod follower;
+mod freedoms;
 mod listing;
 mod machine;
 mod parts;

@@ -73,7 +73,7 @@ pub(crate) fn check_redundant(
     }
 }
 
-fn difference<'m>(algebra: &mut Algebra<'m>, own: &Loop) -> Vec<Ex<'m>> {
+pub(super) fn difference<'m>(algebra: &mut Algebra<'m>, own: &Loop) -> Vec<Ex<'m>> {
     let [left, right] = [&own.left, &own.right].map(|side| algebra.translate(side));
     match (&left, &right) {
         (Value::Scalar(_), Value::Scalar(_)) => {

@@ -99,6 +99,22 @@ impl<'m> Prepared<'m> {
         numbers.collect()
     }
 
+    /// The unknowns of a state.
+    pub(crate) fn core(&self) -> &[Core] {
+        &self.core
+    }
+
+    /// A state of the default mechanism, its lengths in the mechanism's unit.
+    pub(crate) fn unscaled(&self, nominal: &Nominal, state: &[f64]) -> Vec<f64> {
+        let scale = nominal.evaluate(&[self.scale])[0];
+        let factors = self.core.iter().flat_map(|core| match core {
+            Core::Angle(_) => vec![1.0; 2],
+            Core::Length { number: true, .. } => vec![1.0],
+            Core::Length { .. } => vec![1.0 / scale],
+        });
+        factors.zip(state).map(|(factor, x)| factor * x).collect()
+    }
+
     fn estimated(&self, algebra: &Algebra<'m>, nominal: &Nominal) -> Vec<Estimated> {
         let names = &algebra.names;
         let number = |value| Estimated {

@@ -21,10 +21,17 @@ struct Found {
 
 impl Mechanism {
     /// True for a loop that says what the axes of an unknown frame are.
-    pub(super) fn is_loop_of_frame(&self, index: usize) -> bool {
+    pub(crate) fn is_loop_of_frame(&self, index: usize) -> bool {
         let origin = self.loops[index].origin;
         let mut unknowns = self.unknowns.iter();
         unknowns.any(|unknown| unknown.origin == origin)
+    }
+
+    /// The bodies of space that are unknowns, each with its name, its origin and two of its axes.
+    pub(crate) fn bodies_of_space(&self) -> Vec<(String, Vec<usize>)> {
+        let lets = self.lets.iter();
+        let frames = lets.filter_map(|own| Some((own.name.clone(), self.unknowns_of(&own.value)?)));
+        frames.filter(|(_, parts)| parts.len() == 3).collect()
     }
 
     fn unknown_frames(&self) -> Vec<Found> {

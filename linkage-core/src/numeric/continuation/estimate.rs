@@ -35,6 +35,8 @@ pub enum Astray {
     DeadPoint {
         /// The part of what the equations miss by at the estimate that is left there: 1 if it is the estimate.
         left: f64,
+        /// The state where the way ends.
+        at: Vec<f64>,
     },
     /// It leads to a solution beside which there are others: these states, both of which solve the equations.
     Movable([Vec<f64>; 2]),
@@ -86,7 +88,10 @@ pub fn from_estimate(
         left *= 1.0 - part;
         here = next;
     }
-    Err(Astray::DeadPoint { left })
+    Err(Astray::DeadPoint {
+        left,
+        at: here.state,
+    })
 }
 
 struct Way<'w> {
@@ -136,7 +141,10 @@ impl Way<'_> {
             }
             return Err(match size <= BACK {
                 true => Astray::Movable([state, beside]),
-                false => Astray::DeadPoint { left: 0.0 },
+                false => Astray::DeadPoint {
+                    left: 0.0,
+                    at: state,
+                },
             });
         }
         Ok(state)
@@ -250,13 +258,15 @@ mod tests {
     #[test]
     fn links_that_do_not_reach_each_other_end_at_a_dead_point() {
         let astray = found(2.1, 1.0).expect_err("nothing is there");
-        let Astray::DeadPoint { left } = astray else {
+        let Astray::DeadPoint { left, at } = astray else {
             panic!("{astray:?}")
         };
         // At the estimate both links end at one place for d = 2 cos 1, and the dead point is met at d = 2.
         let missed = |d: f64| 1.0 + d * d - 2.0 * d * 1.0_f64.cos() - 1.0;
         let ends = (missed(2.1) - (2.1_f64 * 2.1 - 2.0 * 2.1)) / missed(2.1);
         assert!((1.0 - left - ends).abs() < 0.02, "{left} {ends}");
+        // Both links lie along the base.
+        assert!(at[1].atan2(at[0]).abs() < 0.1, "{at:?}");
     }
 
     #[test]

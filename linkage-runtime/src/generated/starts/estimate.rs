@@ -25,7 +25,9 @@ impl CoupledGroup {
         let estimate = programs.estimate(x);
         match from_estimate(programs, self.variables, x, &estimate) {
             Ok(state) => Ok(self.solution(programs, x, state)),
-            Err(Astray::DeadPoint { left }) => Err(self.error(CoupledCause::NotReached { left })),
+            Err(Astray::DeadPoint { left, .. }) => {
+                Err(self.error(CoupledCause::NotReached { left }))
+            }
             Err(Astray::Movable(_)) => Err(self.error(CoupledCause::Singular)),
             Err(Astray::NoValue) => Err(self.undefined()),
         }
