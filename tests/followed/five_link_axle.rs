@@ -13,6 +13,16 @@ mechanism! {
         param l3 = 318.62987932709637832mm;
         param l4 = 451.60823730308551581mm;
         param l5 = 376.15422369023054744mm;
+        param inner1 = (110mm, 420mm, 430mm);
+        param inner2 = (-85mm, 435mm, 440mm);
+        param inner3 = (265mm, 480mm, 265mm);
+        param inner4 = (-60mm, 255mm, 215mm);
+        param inner5 = (-190mm, 316mm, 258mm);
+        param outer1 = (15mm, -70mm, 135mm);
+        param outer2 = (-30mm, -75mm, 140mm);
+        param outer3 = (40mm, -60mm, -105mm);
+        param outer4 = (-25mm, -55mm, -120mm);
+        param outer5 = (-150mm, -70mm, -58mm);
         input travel = 0mm in -80mm..80mm;
         unknown p = (0mm, 760mm, 320mm);
         unknown x = (1, 0, 0);
@@ -22,18 +32,18 @@ mechanism! {
         loop norm(y) = 1;
         loop dot(x, y) = 0;
         loop p.z = 320mm + travel;
-        loop distance(p + 15mm * x - 70mm * y + 135mm * z, (110mm, 420mm, 430mm)) = l1;
-        loop distance(p - 30mm * x - 75mm * y + 140mm * z, (-85mm, 435mm, 440mm)) = l2;
-        loop distance(p + 40mm * x - 60mm * y - 105mm * z, (265mm, 480mm, 265mm)) = l3;
-        loop distance(p - 25mm * x - 55mm * y - 120mm * z, (-60mm, 255mm, 215mm)) = l4;
-        loop distance(p - 150mm * x - 70mm * y - 58mm * z, (-190mm, 316mm, 258mm)) = l5;
+        loop distance(p + outer1.x * x + outer1.y * y + outer1.z * z, inner1) = l1;
+        loop distance(p + outer2.x * x + outer2.y * y + outer2.z * z, inner2) = l2;
+        loop distance(p + outer3.x * x + outer3.y * y + outer3.z * z, inner3) = l3;
+        loop distance(p + outer4.x * x + outer4.y * y + outer4.z * z, inner4) = l4;
+        loop distance(p + outer5.x * x + outer5.y * y + outer5.z * z, inner5) = l5;
         let spindle = unit(0.0035 * x + y + 0.0175 * z);
     }
 
     impl FiveLinkAxle {
-        pub fn wheel(travel) -> Wheel { p, spindle }
+        pub fn wheel(travel) -> Wheel { p, x, y, spindle }
         pub fn motion(travel) -> Motion { v: velocity(p), a: acceleration(p), turn: velocity(spindle) }
-        pub fn adjustment(travel) -> Adjustment { p: sensitivity(p), m: margin() }
+        pub fn adjustment(travel) -> Adjustment { p: sensitivity(p, [l1, l2, l3, l4, l5]), m: margin() }
     }
 }
 
@@ -109,6 +119,7 @@ fn rough_estimates_lead_to_the_assembly_of_a_larger_axle_too() {
         l3: own.l3 + 0.7,
         l4: own.l4 - 1.2,
         l5: own.l5 + 2.0,
+        ..own
     };
     let direct = larger.assemble().expect("it assembles");
     let from = own.assemble().expect("it assembles");

@@ -37,7 +37,7 @@ mechanism! {
     }
 }
 
-const REFERENCE: [f64; 6] = [
+pub(super) const REFERENCE: [f64; 6] = [
     454.35742, 468.552604, 488.341676, 461.66999, 410.067397, 458.630351,
 ];
 

@@ -5,6 +5,9 @@ mod body;
 mod double_wishbone;
 mod five_link_axle;
 mod hexapod;
+mod independent;
+mod random_axles;
+mod random_hexapods;
 
 use serde_json::Value;
 
@@ -25,6 +28,11 @@ const JOINTS: [[f64; 3]; 6] = [
     [-120.0, -105.0, -7.0],
     [35.0, -155.0, 12.0],
 ];
+
+/// Whether the long runs are asked for.
+fn long() -> bool {
+    std::env::var_os("LINKAGE_LONG").is_some()
+}
 
 fn read(text: &str) -> Vec<Value> {
     serde_json::from_str(text).expect("JSON")

@@ -1,0 +1,124 @@
+//! A body on six rods, or on five rods and at a height, by nothing but Newton's method in many steps: six speeds of the body are unknown, and its
+//! orientation is a quaternion. The compiler's groups have nine unknowns or eight, and other equations.
+
+use nalgebra::{Matrix6, UnitQuaternion, Vector3, Vector6};
+
+/// Millimetres that count as much as a radian.
+const RADIUS: f64 = 100.0;
+/// A way is gone in so many steps at least; the largest change in a step, in radians, and the smallest step that is tried.
+const STEPS: f64 = 100.0;
+const LARGEST: f64 = 0.01;
+const SHORTEST: f64 = 1e-10;
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pose {
+    pub(super) p: Vector3<f64>,
+    pub(super) turn: UnitQuaternion<f64>,
+}
+
+/// Joints in coordinates of the body and on the ground. Where there are five rods the height of the body counts as the sixth length.
+#[derive(Clone, Debug)]
+pub(super) struct Rods {
+    pub(super) on_body: Vec<Vector3<f64>>,
+    pub(super) on_ground: Vec<Vector3<f64>>,
+}
+
+impl Rods {
+    fn along(&self, pose: &Pose) -> impl Iterator<Item = (Vector3<f64>, Vector3<f64>)> {
+        let ends = self.on_body.iter().zip(&self.on_ground);
+        ends.map(|(own, foot)| (pose.turn * own, pose.p + pose.turn * own - foot))
+    }
+
+    pub(super) fn lengths(&self, pose: &Pose) -> [f64; 6] {
+        let mut lengths = [pose.p.z; 6];
+        let rods = self.along(pose);
+        rods.zip(&mut lengths)
+            .for_each(|((_, rod), length)| *length = rod.norm());
+        lengths
+    }
+
+    /// What the lengths do when the body moves: columns of ways in [`RADIUS`], then of turns.
+    fn slopes(&self, pose: &Pose) -> Matrix6<f64> {
+        let mut slopes = Matrix6::zeros();
+        slopes[(5, 2)] = 1.0;
+        for (row, (arm, rod)) in self.along(pose).enumerate() {
+            let way = rod.normalize();
+            let turn = arm.cross(&way) / RADIUS;
+            let row_of = [way.x, way.y, way.z, turn.x, turn.y, turn.z];
+            slopes.set_row(row, &Vector6::from(row_of).transpose());
+        }
+        slopes
+    }
+
+    /// Zero where the lengths do not hold the body.
+    pub(super) fn hold(&self, pose: &Pose) -> f64 {
+        self.slopes(pose).determinant()
+    }
+
+    /// The pose near this one with these lengths, if the body turns hardly and is held from the same side.
+    fn near(&self, pose: &Pose, lengths: &[f64; 6], largest: f64) -> Option<Pose> {
+        let mut here = *pose;
+        let mut gone = 0.0;
+        for _ in 0..12 {
+            let off = Vector6::from(*lengths) - Vector6::from(self.lengths(&here));
+            let step = self.slopes(&here).lu().solve(&(off / RADIUS))?;
+            gone += step.norm();
+            let is_small = gone <= largest;
+            if !is_small {
+                return None;
+            }
+            here.p += RADIUS * step.fixed_rows::<3>(0);
+            let turn = Vector3::new(step[3], step[4], step[5]);
+            here.turn = UnitQuaternion::new(turn) * here.turn;
+            if step.norm() < 1e-14 {
+                break;
+            }
+        }
+        let settled = self.lengths(&here);
+        let off = settled.iter().zip(lengths).map(|(a, b)| (a - b).abs());
+        let is_there = off.fold(0.0, f64::max) < 1e-9;
+        (is_there && self.hold(&here) * self.hold(pose) > 0.0).then_some(here)
+    }
+
+    /// Straight from the lengths of a pose to others, in steps that are `finer` times as short as usually.
+    ///
+    /// # Errors
+    ///
+    /// How far the way goes, and the pose there.
+    pub(super) fn go(&self, from: &Pose, to: &[f64; 6], finer: f64) -> Result<Pose, (f64, Pose)> {
+        let start = self.lengths(from);
+        let (mut here, mut share, mut step) = (*from, 0.0, 1.0 / (STEPS * finer));
+        while share < 1.0 {
+            let next = f64::min(share + step, 1.0);
+            let lengths = std::array::from_fn(|k| start[k] + (to[k] - start[k]) * next);
+            match self.near(&here, &lengths, LARGEST / finer) {
+                Some(there) => {
+                    here = there;
+                    share = next;
+                    step = f64::min(2.0 * step, 1.0 / (STEPS * finer));
+                }
+                None if step < SHORTEST => return Err((share, here)),
+                None => step *= 0.5,
+            }
+        }
+        Ok(here)
+    }
+}
+
+impl Pose {
+    /// How far another pose is, in radians and [`RADIUS`].
+    pub(super) fn away(&self, p: Vector3<f64>, x: Vector3<f64>, y: Vector3<f64>) -> f64 {
+        let turned = (self.turn * Vector3::x() - x).norm() + (self.turn * Vector3::y() - y).norm();
+        (self.p - p).norm() / RADIUS + turned
+    }
+
+    /// Shifted and turned at random.
+    pub(super) fn moved(&self, random: &mut linkage_random::Random, way: f64, turn: f64) -> Self {
+        let mut number = || random.between(-1.0, 1.0);
+        let [shift, about] = [(); 2].map(|()| Vector3::new(number(), number(), number()));
+        Self {
+            p: self.p + way * shift,
+            turn: UnitQuaternion::new(turn * about) * self.turn,
+        }
+    }
+}
