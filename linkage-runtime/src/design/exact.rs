@@ -11,6 +11,7 @@ mod error;
 mod five_points;
 mod four_bar;
 mod function;
+mod long;
 mod nine_points;
 mod parallel;
 mod path;

@@ -2,40 +2,64 @@
 //!
 //! Rounding is to the nearest number; its errors are bounded by twice what they can be, and so are those of the radii.
 
-use super::complex::{Complex, ZERO};
+use super::complex::{Complex, Ring, ZERO};
 use super::double::Double;
+use super::long::Long;
 use core::ops::{Add, Mul, Neg, Sub};
+
+/// What the middles of discs consist of.
+pub(super) trait Real: Ring {
+    /// A plain number, exactly; it is finite.
+    fn of(number: f64) -> Self;
+
+    /// A bound of the absolute value.
+    fn bound(self) -> f64;
+
+    /// By how much a complex sum of this size is wrong at most; products by four times that.
+    fn rounding(size: f64) -> f64;
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn of(number: f64) -> Self {
+        number
+    }
+
+    #[inline(always)]
+    fn bound(self) -> f64 {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn rounding(size: f64) -> f64 {
+        f64::EPSILON * size
+    }
+}
 
 /// All numbers that are not further from the middle than the radius.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ball {
-    pub(super) middle: Complex,
+pub(super) struct Ball<R = f64> {
+    pub(super) middle: Complex<R>,
     pub(super) radius: f64,
 }
 
 /// A radius is a sum of a few products: rounding makes it smaller by less than this.
 const AMPLE: f64 = 1.0 + 16.0 * f64::EPSILON;
 
-impl Ball {
-    pub(super) const ZERO: Self = Self::exact(ZERO);
-
-    pub(super) const fn exact(middle: Complex) -> Self {
+impl<R> Ball<R> {
+    pub(super) const fn exact(middle: Complex<R>) -> Self {
         Self {
             middle,
             radius: 0.0,
         }
     }
 
-    pub(super) const fn new(middle: Complex, radius: f64) -> Self {
+    pub(super) const fn new(middle: Complex<R>, radius: f64) -> Self {
         Self { middle, radius }
     }
+}
 
-    /// A number of more digits.
-    pub(super) fn of(number: Complex<Double>) -> Self {
-        let rest = number.re.low.abs() + number.im.low.abs();
-        Self::new(number.narrow(), rest * AMPLE)
-    }
-
+impl<R: Real> Ball<R> {
     pub(super) fn widened(self, by: f64) -> Self {
         Self::new(self.middle, (self.radius + by) * AMPLE)
     }
@@ -50,7 +74,17 @@ impl Ball {
     }
 
     pub(super) fn is_zero(self) -> bool {
-        self.middle == ZERO && self.radius == 0.0
+        taxi(self.middle) == 0.0 && self.radius == 0.0
+    }
+}
+
+impl Ball {
+    pub(super) const ZERO: Self = Self::exact(ZERO);
+
+    /// A number of more digits.
+    pub(super) fn of(number: Complex<Double>) -> Self {
+        let rest = number.re.low.abs() + number.im.low.abs();
+        Self::new(number.narrow(), rest * AMPLE)
     }
 
     /// Whether no number is in both.
@@ -75,21 +109,44 @@ impl Ball {
     }
 }
 
-impl From<Complex> for Ball {
-    fn from(number: Complex) -> Self {
-        Self::exact(number)
+impl Ball<Long> {
+    /// With the digits of plain numbers.
+    pub(super) fn narrow(self) -> Ball {
+        let middle = self.middle.rounded();
+        let rest = taxi(self.middle - middle.long());
+        Ball::new(middle, (self.radius + rest) * AMPLE)
+    }
+
+    /// Whether no number is in both.
+    pub(super) fn is_far_from(self, other: Self) -> bool {
+        let way = Ball::exact(self.middle - other.middle).narrow();
+        way.is_apart_from(Ball::new(ZERO, (self.radius + other.radius) * AMPLE))
     }
 }
 
-impl From<f64> for Ball {
+impl<R: Real> From<Complex> for Ball<R> {
+    fn from(number: Complex) -> Self {
+        let finite = number.re.is_finite() && number.im.is_finite();
+        let radius = if finite { 0.0 } else { f64::NAN };
+        Self::new(Complex::new(R::of(number.re), R::of(number.im)), radius)
+    }
+}
+
+impl From<Complex<Double>> for Ball<Long> {
+    fn from(number: Complex<Double>) -> Self {
+        Self::exact(Complex::new(number.re.into(), number.im.into()))
+    }
+}
+
+impl<R: Real> From<f64> for Ball<R> {
     fn from(number: f64) -> Self {
-        Self::exact(number.into())
+        Complex::new(number, 0.0).into()
     }
 }
 
 /// A bound of the absolute value that needs no root.
-fn taxi(number: Complex) -> f64 {
-    number.re.abs() + number.im.abs()
+fn taxi<R: Real>(number: Complex<R>) -> f64 {
+    number.re.bound() + number.im.bound()
 }
 
 /// Bounds of absolute values, of sums as of differences: how large the terms of a polynomial are.
@@ -157,12 +214,12 @@ impl Neg for Bound {
     }
 }
 
-fn sum(a: Ball, b: Ball, middle: Complex) -> Ball {
-    let radius = a.radius + b.radius + f64::EPSILON * taxi(middle);
+fn sum<R: Real>(a: Ball<R>, b: Ball<R>, middle: Complex<R>) -> Ball<R> {
+    let radius = a.radius + b.radius + R::rounding(taxi(middle));
     Ball::new(middle, radius * AMPLE)
 }
 
-impl Add for Ball {
+impl<R: Real> Add for Ball<R> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -170,7 +227,7 @@ impl Add for Ball {
     }
 }
 
-impl Sub for Ball {
+impl<R: Real> Sub for Ball<R> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -178,13 +235,13 @@ impl Sub for Ball {
     }
 }
 
-impl Mul for Ball {
+impl<R: Real> Mul for Ball<R> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
         let (a, b) = (taxi(self.middle), taxi(other.middle));
         let spread = a * other.radius + b * self.radius + self.radius * other.radius;
-        let radius = spread + 4.0 * f64::EPSILON * a * b;
+        let radius = spread + R::rounding(4.0 * a * b);
         // Products may be too small for a rounding error that is a part of them.
         Self::new(
             self.middle * other.middle,
@@ -193,7 +250,7 @@ impl Mul for Ball {
     }
 }
 
-impl Neg for Ball {
+impl<R: Real> Neg for Ball<R> {
     type Output = Self;
 
     fn neg(self) -> Self {

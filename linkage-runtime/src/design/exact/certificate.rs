@@ -7,10 +7,14 @@
 //! A real solution is its own mirror image: a variable is the conjugate of its partner, which is itself if it stands for a real
 //! number.
 
-use super::ball::Ball;
+mod long;
+
+use super::ball::{Ball, Real};
 use super::complex::Complex;
-use super::dense::{self, Matrix};
+use super::dense;
 use super::double::Double;
+use super::long::Long;
+pub(super) use long::certify_long;
 
 /// As many equations as unknowns.
 pub(super) trait System<const N: usize> {
@@ -24,7 +28,15 @@ pub(super) trait System<const N: usize> {
 
     /// The Jacobian at all points of the discs.
     fn matrix(&self, discs: &[Ball; N]) -> [[Ball; N]; N];
+
+    /// Values and Jacobian with 77 digits, of equations whose data are exact: others are not known any better.
+    fn long(&self, _discs: &[Ball<Long>; N]) -> Option<Evaluated<N>> {
+        None
+    }
 }
+
+/// Values and, by rows, derivatives.
+pub(super) type Evaluated<const N: usize> = ([Ball<Long>; N], [[Ball<Long>; N]; N]);
 
 /// With more digits than the solutions are told: next to singular points the values need them.
 pub(super) type Point<const N: usize> = [Complex<Double>; N];
@@ -54,7 +66,7 @@ pub(super) fn certify<const N: usize, S: System<N>>(
     system: &S,
 ) -> Option<Certificate<N>> {
     let discs = one_solution(point, system)?;
-    let mirrored: [Ball; N] = core::array::from_fn(|i| discs[S::partner(i)].conjugate());
+    let mirrored = mirrored::<N, S, f64>(&discs);
     let mut images = discs.iter().zip(mirrored);
     if images.any(|(disc, image)| disc.is_apart_from(image)) {
         let real = Some(false);
@@ -72,16 +84,30 @@ pub(super) fn certify<const N: usize, S: System<N>>(
     })
 }
 
+fn mirrored<const N: usize, S: System<N>, R: Real>(discs: &[Ball<R>; N]) -> [Ball<R>; N] {
+    core::array::from_fn(|i| discs[S::partner(i)].conjugate())
+}
+
 fn one_solution<const N: usize, S: System<N>>(point: &Point<N>, system: &S) -> Option<[Ball; N]> {
     let there = point.map(Ball::of);
     let matrix = system.matrix(&there);
     let inverse = dense::inverse(&matrix.map(|row| row.map(|element| element.middle)))?;
     let shift = times(&inverse, &system.values(point)).map(Ball::size);
+    contracted::<N, S, f64>(&there, &inverse, &shift, |discs| Some(system.matrix(discs)))
+}
+
+/// Discs around `there` that the map `x - inverse f(x)` takes into themselves; `shift` bounds `inverse f` at their middle.
+fn contracted<const N: usize, S: System<N>, R: Real>(
+    there: &[Ball<R>; N],
+    inverse: &[[Complex<R>; N]],
+    shift: &[f64; N],
+    matrix: impl Fn(&[Ball<R>; N]) -> Option<[[Ball<R>; N]; N]>,
+) -> Option<[Ball<R>; N]> {
     // Twice the Newton step, so that there is room for the other terms.
     let mut radii = pairs::<N, S>(|i| 2.0 * shift[i] + f64::MIN_POSITIVE);
     for _ in 0..ATTEMPTS {
         let discs = core::array::from_fn(|i| there[i].widened(radii[i]));
-        let spread = spread(&inverse, &system.matrix(&discs), &radii);
+        let spread = spread(inverse, &matrix(&discs)?, &radii);
         let image: [f64; N] =
             core::array::from_fn(|i| (shift[i] + spread[i]) * (1.0 + 4.0 * f64::EPSILON));
         let inside = image
@@ -101,22 +127,27 @@ fn pairs<const N: usize, S: System<N>>(radius: impl Fn(usize) -> f64) -> [f64; N
     core::array::from_fn(|i| radius(i).max(radius(S::partner(i))))
 }
 
-fn times<const N: usize>(matrix: &Matrix<N>, vector: &[Ball; N]) -> [Ball; N] {
+fn times<const N: usize, R: Real>(
+    matrix: &[[Complex<R>; N]],
+    vector: &[Ball<R>; N],
+) -> [Ball<R>; N] {
     core::array::from_fn(|i| {
         let terms = matrix[i].iter().zip(vector);
-        terms.fold(Ball::ZERO, |sum, (&a, &b)| sum + Ball::exact(a) * b)
+        terms.fold(0.0.into(), |sum: Ball<R>, (&a, &b)| {
+            sum + Ball::exact(a) * b
+        })
     })
 }
 
 /// `|1 - A J|` times the radii.
-fn spread<const N: usize>(
-    inverse: &Matrix<N>,
-    matrix: &[[Ball; N]; N],
+fn spread<const N: usize, R: Real>(
+    inverse: &[[Complex<R>; N]],
+    matrix: &[[Ball<R>; N]; N],
     radii: &[f64; N],
 ) -> [f64; N] {
     core::array::from_fn(|i| {
-        let mut row = [Ball::ZERO; N];
-        row[i] = Ball::exact(Complex::new(-1.0, 0.0));
+        let mut row: [Ball<R>; N] = [0.0.into(); N];
+        row[i] = (-1.0).into();
         for (&a, elements) in inverse[i].iter().zip(matrix) {
             for (sum, &element) in row.iter_mut().zip(elements) {
                 if !element.is_zero() {

@@ -1,6 +1,8 @@
-//! Complex numbers over plain and over double-double numbers.
+//! Complex numbers over plain numbers, over double-double ones, and over those of 77 digits.
 
+use super::ball::Real;
 use super::double::Double;
+use super::long::Long;
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A complex number.
@@ -75,11 +77,27 @@ impl Complex {
     pub(super) fn wide(self) -> Complex<Double> {
         Complex::new(self.re.into(), self.im.into())
     }
+
+    /// Of a finite number.
+    pub(super) fn long(self) -> Complex<Long> {
+        Complex::new(Long::of(self.re), Long::of(self.im))
+    }
 }
 
 impl Complex<Double> {
     pub(super) fn narrow(self) -> Complex {
         Complex::new(self.re.high, self.im.high)
+    }
+}
+
+impl Complex<Long> {
+    pub(super) fn rounded(self) -> Complex {
+        Complex::new(self.re.narrow(), self.im.narrow())
+    }
+
+    pub(super) fn reciprocal(self) -> Self {
+        let square = (self.re * self.re + self.im * self.im).inverse();
+        Self::new(self.re * square, -(self.im * square))
     }
 }
 

@@ -3,12 +3,13 @@
 
 use super::Pose;
 use super::ball::{Ball, Bound};
-use super::certificate::{self, Certificate, Point, System};
+use super::certificate::{self, Certificate, Evaluated, Point, System};
 use super::complex::{Complex, ONE, Ring, ZERO};
 use super::dense;
 use super::dyad;
 use super::error::{self, Unsolved};
 use super::four_bar::FourBar;
+use super::long::Long;
 use super::task::{self, Shift};
 use crate::numeric::roots::{self, Term, Variable};
 use alloc::vec::Vec;
@@ -57,6 +58,11 @@ impl System<ALL> for Task {
     fn matrix(&self, discs: &[Ball; ALL]) -> [[Ball; ALL]; ALL] {
         self.system(discs, [Ball::ZERO, Ball::exact(ONE)], |shift| shift.discs())
             .1
+    }
+
+    fn long(&self, discs: &[Ball<Long>; ALL]) -> Option<Evaluated<ALL>> {
+        let exact = |shift: &Shift| shift.wide().map(Ball::from);
+        Some(self.system(discs, [0.0.into(), 1.0.into()], exact))
     }
 }
 
@@ -199,7 +205,8 @@ impl Task {
             _ if i % 2 == 0 => number(2 + i / 2),
             _ => number(2 + i / 2).inverse(),
         });
-        certificate::certify(&self.refined(start), self)
+        let refined = self.refined(start);
+        certificate::certify(&refined, self).or_else(|| certificate::certify_long(&start, self))
     }
 
     /// Newton's steps with residuals of twice the digits.

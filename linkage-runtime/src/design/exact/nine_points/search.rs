@@ -1,11 +1,12 @@
 //! Following all stored solutions, and sorting out what is found.
 
 use super::super::ball::{Ball, Bound};
-use super::super::certificate::{self, Point, System};
+use super::super::certificate::{self, Evaluated, Point, System};
 use super::super::complex::{Complex, ONE, ZERO};
 use super::super::dense;
 use super::super::double::Double;
 use super::super::error::Unsolved;
+use super::super::long::Long;
 use super::super::parallel::in_parallel;
 use super::super::path::Pace;
 use super::super::task::Shift;
@@ -145,9 +146,16 @@ impl Data {
         let end = follow(start, way, pace)?;
         let second = cognate(&end, &self.plain);
         let third = cognate(&exchanged(&end), &self.plain);
-        [end, second, third]
-            .iter()
-            .find_map(|unknowns| self.shown(unknowns))
+        let all = [end, second, third];
+        let shown = all.iter().find_map(|unknowns| self.shown(unknowns));
+        shown.or_else(|| all.iter().find_map(|unknowns| self.shown_long(unknowns)))
+    }
+
+    /// A certificate where those of fewer digits fail.
+    pub(super) fn shown_long(&self, unknowns: &Unknowns<Complex>) -> Option<Found> {
+        let certificate = certificate::certify_long(unknowns, self)?;
+        let mark = Mark::new(&certificate.discs)?;
+        Some((certificate, mark))
     }
 
     /// A certificate near these unknowns.
@@ -185,5 +193,10 @@ impl System<ALL> for Data {
 
     fn matrix(&self, discs: &[Ball; ALL]) -> [[Ball; ALL]; ALL] {
         equations::all(discs, &self.discs, [Ball::ZERO, Ball::exact(ONE)]).1
+    }
+
+    fn long(&self, discs: &[Ball<Long>; ALL]) -> Option<Evaluated<ALL>> {
+        let shifts = self.wide.map(|pair| pair.map(Ball::from));
+        Some(equations::all(discs, &shifts, [0.0.into(), 1.0.into()]))
     }
 }

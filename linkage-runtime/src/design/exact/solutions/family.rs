@@ -1,9 +1,10 @@
 //! The equations among others: with other constants, and one of them with a linear form.
 
 use super::super::ball::{Ball, Bound};
-use super::super::certificate::{self, Certificate, Point, System};
+use super::super::certificate::{self, Certificate, Evaluated, Point, System};
 use super::super::complex::{Complex, ONE, ZERO};
 use super::super::dense;
+use super::super::long::Long;
 use super::super::path::{Moving, Step};
 use super::Equations;
 use super::number::{Number, Slopes};
@@ -88,6 +89,12 @@ impl<'a, E: Equations<N>, const N: usize> Member<'a, E, N> {
 
     /// A certificate near this place.
     pub(super) fn shown(&self, place: &[Complex; N]) -> Option<Certificate<N>> {
+        self.shown_soon(place)
+            .or_else(|| certificate::certify_long(place, self))
+    }
+
+    /// One for which residuals of 32 digits are enough.
+    pub(super) fn shown_soon(&self, place: &[Complex; N]) -> Option<Certificate<N>> {
         let mut point: Point<N> = place.map(Complex::wide);
         for _ in 0..STEPS {
             let values = self.evaluated(&point).map(Complex::narrow);
@@ -115,6 +122,10 @@ impl<E: Equations<N>, const N: usize> System<N> for Member<'_, E, N> {
 
     fn matrix(&self, discs: &[Ball; N]) -> [[Ball; N]; N] {
         self.differentiated(discs).1
+    }
+
+    fn long(&self, discs: &[Ball<Long>; N]) -> Option<Evaluated<N>> {
+        Some(self.differentiated(discs))
     }
 }
 

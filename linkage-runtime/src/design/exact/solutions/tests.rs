@@ -212,14 +212,50 @@ fn posed(draw: &mut Draw) -> (Platform, [f64; 3], [[f64; 3]; 3]) {
 }
 
 const PLATFORMS: usize = 18;
+const SEED: u64 = 40;
+
+#[test]
+fn solutions_two_thousand_times_as_far_as_a_platform_is_wide_are_shown() {
+    let mut draw = Draw::new(SEED);
+    let platforms = [(); PLATFORMS].map(|()| posed(&mut draw).0);
+    // Where a path of the last one ends, to ten digits; the other one of its pair is the mirror image.
+    let place = [
+        [1558.537407, 1189.451554],
+        [98.55984839, -2165.197926],
+        [2070.899016, -791.0883071],
+        [598.4645295, -708.0828578],
+        [-1067.971436, -103.5113432],
+        [-301.7186214, -1038.104029],
+        [299.4751225, -1048.731020],
+        [-1197.014615, 404.7648002],
+        [-824.3604810, -968.7245453],
+    ]
+    .map(Complex::from);
+    let given = Member::given(&platforms[PLATFORMS - 1]);
+    assert!(given.shown_soon(&place).is_none(), "77 digits are needed");
+    let [one, mirrored] = [place, place.map(Complex::conjugate)]
+        .map(|place| given.shown(&place).expect("it is a solution"));
+    for shown in [&one, &mirrored] {
+        assert_eq!(shown.real, Some(false));
+        for disc in shown.discs {
+            assert!(disc.radius <= f64::EPSILON * disc.size(), "{disc:?}");
+        }
+    }
+    assert!(one.is_apart_from(&mirrored));
+    let way = one
+        .discs
+        .iter()
+        .zip(place)
+        .map(|(disc, x)| (disc.middle - x).size());
+    assert!(way.fold(0.0, f64::max) < 1e-4);
+}
 
 #[test]
 fn random_platforms_have_forty_assemblies_and_their_pose_is_among_them() {
     if std::env::var_os("LINKAGE_LONG").is_none() {
         return;
     }
-    let mut draw = Draw::new(40);
-    let mut complete = 0;
+    let mut draw = Draw::new(SEED);
     for _ in 0..PLATFORMS {
         let (platform, place, [x, y, _]) = posed(&mut draw);
         let found = solutions_traced(&platform, 5).expect("it has some");
@@ -230,8 +266,7 @@ fn random_platforms_have_forty_assemblies_and_their_pose_is_among_them() {
             (found.general, real + found.complex + found.undecided),
             (40, 40)
         );
-        assert!(trace.passed());
-        complete += usize::from(found.is_complete());
+        assert!(found.is_complete());
         let pose = [
             place.map(|number| number / 10.0),
             x.map(|number| number / platform.whole),
@@ -245,6 +280,4 @@ fn random_platforms_have_forty_assemblies_and_their_pose_is_among_them() {
         };
         assert_eq!(found.real.iter().filter(is_pose).count(), 1);
     }
-    // One has two complex solutions two thousand times as far away as it is wide, where the certificate's digits do not suffice.
-    assert!(complete + 1 >= PLATFORMS, "{complete} are complete");
 }

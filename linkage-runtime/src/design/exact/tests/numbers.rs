@@ -1,9 +1,10 @@
 //! Discs hold what they must, double-double numbers have their digits, certificates fail where there is no solution.
 
-use super::super::ball::{Ball, Bound};
-use super::super::certificate::{self, Point, System};
+use super::super::ball::{Ball, Bound, Real};
+use super::super::certificate::{self, Evaluated, Point, System};
 use super::super::complex::{Complex, Ring};
 use super::super::double::Double;
+use super::super::long::Long;
 use super::super::polynomial::roots;
 use linkage_random::Random;
 
@@ -39,6 +40,74 @@ fn double_double_products_are_exact_to_their_digits() {
     assert_eq!([difference.high, difference.low], [1.0, -1e-30]);
 }
 
+/// A random number of 256 digits or fewer, as a sum of plain ones that do not overlap.
+fn long(random: &mut Random) -> Long {
+    let mut size = 1.0;
+    let parts = (0..5).map(|_| {
+        let part = Long::of(random.between(-1.0, 1.0) * size);
+        size *= 2f64.powi(-54);
+        part
+    });
+    parts.fold(Long::ZERO, |sum, part| sum + part)
+}
+
+/// An error as a part of the larger of two numbers, in units of 2^-253.
+fn units(error: Long, of: Long) -> f64 {
+    let up = 2f64.powi(126);
+    (error * Long::of(up) * Long::of(up)).narrow().abs() * 2.0 / of.narrow().abs()
+}
+
+fn larger(a: Long, b: Long) -> Long {
+    if a.narrow().abs() < b.narrow().abs() {
+        b
+    } else {
+        a
+    }
+}
+
+#[test]
+fn long_numbers_are_exact_to_their_digits() {
+    let mut random = Random::new(18);
+    for _ in 0..1000 {
+        let [a, b, c, d] = [(); 4].map(|()| whole(&mut random));
+        let known = a as i128 * b as i128 + c as i128 * d as i128;
+        let sum = Long::of(a) * Long::of(b) + Long::of(c) * Long::of(d);
+        let rest = sum - Long::of(known as f64);
+        assert_eq!(rest.narrow() as i128 + known as f64 as i128, known);
+        // Sums of numbers far apart are exact, too, as long as their bits have place.
+        let (small, large) = (Long::of(a * 2f64.powi(-170)), Long::of(b));
+        assert_eq!((large + small - large).narrow(), a * 2f64.powi(-170));
+        assert_eq!((small - large + large).narrow(), a * 2f64.powi(-170));
+        assert_eq!(small - small, Long::ZERO);
+
+        let [a, b, c] = [(); 3].map(|()| long(&mut random));
+        assert!(units(a * b - b * a, a * b) == 0.0);
+        assert!(units((a + b) - b - a, larger(a, b)) < 8.0);
+        let terms = larger(a * c, b * c);
+        assert!(units((a + b) * c - (a * c + b * c), terms) < 8.0);
+        assert!(units(a * a.inverse() - Long::of(1.0), Long::of(1.0)) < 16.0);
+    }
+    // Less and more than plain numbers with all their digits hold.
+    for number in [5e-324, 3e-310, f64::MIN_POSITIVE, 1e-300, f64::MAX, -0.0] {
+        assert_eq!(Long::of(number).narrow(), number);
+        assert_eq!(Long::of(-number).narrow(), -number);
+        assert!(Long::of(number).bound() >= number);
+    }
+    let tiny = Long::of(1e-200) * Long::of(1e-200);
+    assert_eq!((tiny.narrow(), tiny == Long::ZERO), (0.0, false));
+    assert!(tiny.bound() > 0.0);
+    assert_eq!(
+        (Long::of(1e200) * Long::of(-1e200)).narrow(),
+        f64::NEG_INFINITY
+    );
+    // A product of Double's digits.
+    let wide = Double::difference(1.0, 1e-25);
+    let square = wide * wide;
+    let rest = Long::from(wide) * Long::from(wide) - Long::from(square);
+    assert!(rest.narrow().abs() < 1e-31, "{rest:?}");
+    assert!(Ball::<Long>::from(f64::NAN).size().is_nan());
+}
+
 fn polynomial<T: Ring>([a, b, c, d]: [T; 4]) -> T {
     a * b * c - d * a + (b - c) * (d + a) * -b
 }
@@ -61,6 +130,10 @@ fn discs_hold_the_exact_value() {
             way <= disc.radius && disc.radius < 1e-14 * bound.0,
             "{way} {disc:?} {bound:?}"
         );
+        // With more digits the disc holds the same number, which is not known as exactly.
+        let fine = polynomial(numbers.map(Ball::<Long>::from));
+        let middle = Ball::exact(fine.middle).narrow();
+        assert!(fine.radius < 1e-60 * bound.0 && !middle.is_apart_from(disc));
         // A product alone, whose rounding no other one covers.
         let [a, b, ..] = numbers;
         let disc = Ball::exact(a) * Ball::exact(b);
@@ -121,6 +194,66 @@ fn certificates_are_given_for_solutions_only() {
     assert!(at(0.0, near, near).is_none());
     let half = Complex::new(0.5, 0.0);
     assert!(at(2.0, half, half).is_none());
+}
+
+/// `9 x^2 - 6 x + 1 = c`, of real `x`: a third of 1 and of the roots of `c`.
+struct Close(f64);
+
+impl Close {
+    fn evaluated<R: Real>(&self, [x]: &[Ball<R>; 1]) -> ([Ball<R>; 1], [[Ball<R>; 1]; 1]) {
+        let number = |number: f64| Ball::from(number);
+        let value = number(9.0) * *x * *x - number(6.0) * *x + number(1.0) - number(self.0);
+        ([value], [[number(18.0) * *x - number(6.0)]])
+    }
+}
+
+impl System<1> for Close {
+    fn partner(i: usize) -> usize {
+        i
+    }
+
+    fn values(&self, point: &Point<1>) -> [Ball; 1] {
+        self.evaluated(&point.map(Ball::of)).0
+    }
+
+    fn matrix(&self, discs: &[Ball; 1]) -> [[Ball; 1]; 1] {
+        self.evaluated(discs).1
+    }
+
+    fn long(&self, discs: &[Ball<Long>; 1]) -> Option<Evaluated<1>> {
+        Some(self.evaluated(discs))
+    }
+}
+
+#[test]
+fn certificates_of_more_digits_tell_solutions_that_are_next_to_each_other() {
+    let third = 1.0 / 3.0;
+    let shown = |c: f64, re: f64, im: f64| {
+        // Next to the solution, as far as 32 digits say.
+        let third = Double::difference(third, third.mul_add(3.0, -1.0) / 3.0);
+        let near = Complex::new(third + re.into(), im.into());
+        assert!(certificate::certify(&[near], &Close(c)).is_none());
+        let start = Complex::new(third.high + 1.3 * re, 1.3 * im);
+        certificate::certify_long(&[start], &Close(c))
+    };
+    let [first, second] = [1e-15, -1e-15].map(|re| shown(9e-30, re, 0.0).unwrap());
+    assert!(first.is_apart_from(&second));
+    for (one, root) in [(first, 1e-15), (second, -1e-15)] {
+        assert_eq!(one.real, Some(true));
+        let [disc] = one.discs;
+        let known = Double::difference(third, third.mul_add(3.0, -1.0) / 3.0) + root.into();
+        let way = (known - disc.middle.re.into()).high.abs();
+        assert!(
+            way <= disc.radius + 1e-30 && disc.radius < 1e-16,
+            "{disc:?}"
+        );
+    }
+    let [first, second] = [1e-15, -1e-15].map(|im| shown(-9e-30, 0.0, im).unwrap());
+    assert_eq!((first.real, second.real), (Some(false), Some(false)));
+    assert!(first.is_apart_from(&second));
+    // Near a double solution there is nothing to show, and far away neither.
+    assert!(shown(0.0, 1e-15, 0.0).is_none());
+    assert!(shown(9e-30, f64::NAN, 0.0).is_none());
 }
 
 #[test]
