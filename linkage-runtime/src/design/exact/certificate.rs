@@ -41,7 +41,7 @@ pub(super) type Evaluated<const N: usize> = ([Ball<Long>; N], [[Ball<Long>; N]; 
 /// With more digits than the solutions are told: next to singular points the values need them.
 pub(super) type Point<const N: usize> = [Complex<Double>; N];
 
-/// Discs with one solution.
+/// Discs around a solution; it is the only one in them, or in smaller ones that plain numbers do not tell from a point.
 #[derive(Clone, Debug)]
 pub(super) struct Certificate<const N: usize> {
     pub(super) discs: [Ball; N],

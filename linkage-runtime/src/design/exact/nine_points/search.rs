@@ -61,7 +61,11 @@ impl Search {
                 let pace = Pace::of_attempt(attempt);
                 let mut again = BTreeSet::new();
                 for block in left.chunks(BLOCK) {
-                    let ends = in_parallel(block, |&i| data.end(&starts[i], &way, pace));
+                    let ends = in_parallel(block, |&i| match attempt + 1 == ATTEMPTS {
+                        // Many digits take as long as the path: for what nothing else has decided.
+                        true => data.end_long(&starts[i], &way, pace),
+                        false => data.end(&starts[i], &way, pace),
+                    });
                     for (&i, end) in block.iter().zip(ends) {
                         again.extend(search.doubtful(i, end));
                     }
@@ -143,12 +147,27 @@ impl Data {
         way: &Way<'_>,
         pace: Pace,
     ) -> Option<Found> {
+        let all = self.cognates(start, way, pace)?;
+        all.iter().find_map(|unknowns| self.shown(unknowns))
+    }
+
+    /// The same with more digits where those of `end` are not enough.
+    fn end_long(&self, start: &Unknowns<Complex>, way: &Way<'_>, pace: Pace) -> Option<Found> {
+        let all = self.cognates(start, way, pace)?;
+        let shown = all.iter().find_map(|unknowns| self.shown(unknowns));
+        shown.or_else(|| all.iter().find_map(|unknowns| self.shown_long(unknowns)))
+    }
+
+    fn cognates(
+        &self,
+        start: &Unknowns<Complex>,
+        way: &Way<'_>,
+        pace: Pace,
+    ) -> Option<[Unknowns<Complex>; 3]> {
         let end = follow(start, way, pace)?;
         let second = cognate(&end, &self.plain);
         let third = cognate(&exchanged(&end), &self.plain);
-        let all = [end, second, third];
-        let shown = all.iter().find_map(|unknowns| self.shown(unknowns));
-        shown.or_else(|| all.iter().find_map(|unknowns| self.shown_long(unknowns)))
+        Some([end, second, third])
     }
 
     /// A certificate where those of fewer digits fail.
