@@ -1,7 +1,8 @@
 //! A wheel on five rods: a wheel carrier as an unknown body, by the travel of the wheel and the shift of a rack on the fifth rod.
 //!
 //! Toe, camber, track, wheel base and roll centre with derivatives by travel and rack, and the sensitivities of the first four to all rods and to
-//! all points of the chassis and of the carrier, against solutions in 60 digits.
+//! all points of the chassis and of the carrier, against solutions in 60 digits. The axis of the screw on which the carrier moves is found against
+//! what rods do, and against poses beside it.
 //!
 //! `cargo run --release --example five_link_axle` writes a page with the usual curves over the travel to `target/five_link_axle`, or to the
 //! folder that is given behind `--`.
@@ -14,7 +15,7 @@ mod page;
 
 use check::Check;
 use digits::number;
-use linkage::mechanism;
+use linkage::{Screw, mechanism};
 use nalgebra::Vector3;
 use serde_json::Value;
 use std::error::Error;
@@ -75,9 +76,9 @@ mechanism! {
             toe_bends: acceleration(toe), camber_bends: acceleration(camber),
             track_bends: acceleration(track), base_bends: acceleration(base),
         }
-        /// The carrier as it moves, for the roll centre.
+        /// The carrier as it moves, for the roll centre and the axis of its screw.
         pub fn body(travel, rack) -> Body {
-            centre: carrier.origin, contact, v: velocity(carrier.origin), w: omega(carrier),
+            carrier, contact, v: velocity(carrier.origin), w: omega(carrier),
         }
         pub fn adjustment(travel, rack) -> Adjustment {
             toe: sensitivity(toe), camber: sensitivity(camber), track: sensitivity(track), base: sensitivity(base),
@@ -109,7 +110,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
 /// the body rolls about where that normal meets the middle of the vehicle.
 fn roll_centre(axle: &FiveLinkAxleAssembly, travel: f64, rack: f64) -> f64 {
     let body = axle.body(travel, rack);
-    let v: Vector3<f64> = body.v[0] + body.w[0].cross(&(body.contact - body.centre));
+    let v: Vector3<f64> = body.v[0] + body.w[0].cross(&(body.contact - body.carrier.origin));
     body.contact.y * v.y / v.z
 }
 
@@ -160,5 +161,66 @@ fn compare(
         height,
         1e-10,
     );
+    screw(check, axle, travel, rack);
     Ok(())
+}
+
+/// The axis about which the carrier turns and along which it shifts while the wheel travels, the rack at rest.
+fn screw(check: &mut Check, axle: &FiveLinkAxleAssembly, travel: f64, rack: f64) {
+    let body = axle.body(travel, rack);
+    let screw: Screw = Screw::of(body.w[0], body.v[0], body.carrier.origin);
+    let Screw {
+        direction, point, ..
+    } = screw;
+    println!(
+        "       screw axis through ({:.3}, {:.3}, {:.3}) mm along ({:.6}, {:.6}, {:.6}), {:.3} mm/deg",
+        point.x,
+        point.y,
+        point.z,
+        direction.x,
+        direction.y,
+        direction.z,
+        screw.pitch().to_radians(),
+    );
+    // Five rods leave one screw, the one that moves no ball along its rod (Ball's reciprocal screw); the travel says how fast.
+    let of = axle.mechanism();
+    let steered = of.inner5 + Vector3::y() * rack;
+    let rods = [
+        (of.outer1, of.inner1),
+        (of.outer2, of.inner2),
+        (of.outer3, of.inner3),
+        (of.outer4, of.inner4),
+        (of.outer5, steered),
+    ];
+    let along_rods = rods.map(|(outer, inner)| {
+        let ball = body.carrier.point(outer);
+        (ball - inner).normalize().dot(&screw.velocity(ball))
+    });
+    check.all_near(
+        "balls along their rods by the screw",
+        along_rods.map(|speed| (speed, 0.0)),
+        2e-15,
+    );
+    let rise = screw.velocity(body.carrier.origin).z;
+    check.near("  and the travel", rise, 1.0, 1e-14);
+    // Points of the carrier on the axis move along it: by poses half a millimetre and a millimetre up and down, where the ranges have them.
+    const STEP: f64 = 0.5;
+    if travel.abs() + 2.0 * STEP > 80.0 {
+        return;
+    }
+    for along in [0.0, 400.0] {
+        let on_axis = body.carrier.coordinates(point + direction * along);
+        let at = |steps: f64| {
+            let beside = axle.body(travel + steps * STEP, rack);
+            beside.carrier.point(on_axis)
+        };
+        let (near, far) = (at(1.0) - at(-1.0), at(2.0) - at(-2.0));
+        let speed: Vector3<f64> = (near * 8.0 - far) / (12.0 * STEP);
+        let off = speed - direction * screw.shift;
+        check.all_near(
+            "points of the axis along it by poses",
+            off.iter().map(|off| (*off, 0.0)),
+            1e-10,
+        );
+    }
 }

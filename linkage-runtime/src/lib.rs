@@ -5,7 +5,7 @@
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
 //! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the modules
 //! `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and `clearance`), `nalgebra`
-//! (`Vector2`, `Vector3`, `Frame`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
+//! (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
 //! `tolerance` and `monte-carlo` (the module `tolerance`), `design` (the module `design`), `report` (the module `report`).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -48,6 +48,8 @@ pub mod pins;
 pub mod report;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 mod scene;
+#[cfg(feature = "nalgebra")]
+mod screw;
 mod structure;
 #[cfg(feature = "alloc")]
 pub mod summary;
@@ -89,5 +91,7 @@ pub use nalgebra::{self, Vector2, Vector3};
 pub use numeric::roots::Unlisted;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use scene::{Handle, Handles, Scene};
+#[cfg(feature = "nalgebra")]
+pub use screw::Screw;
 pub use structure::{FunctionInfo, Group, Structure};
 pub use table::{Column, Heading, PictureColumns, Table};
