@@ -55,8 +55,20 @@ impl Position {
 pub(super) enum Choice {
     /// Among all that it has.
     Listed,
+    /// Among all that it has, but for some that meet at a dead point.
+    ListedApart,
     /// From its estimates.
     Followed,
+}
+
+impl Choice {
+    /// What is said behind a number of assemblies.
+    pub(super) fn beside(self) -> &'static str {
+        match self {
+            Self::Listed | Self::Followed => "",
+            Self::ListedApart => " beside those that meet at a dead point",
+        }
+    }
 }
 
 /// An unknown that is not where its estimate is.
@@ -114,7 +126,12 @@ impl Assembly<'_, '_> {
 
     /// Reports unknowns without an estimate of a group whose assemblies the other estimates do not tell apart, the nearest first; false if
     /// there is none.
-    pub(super) fn lacks_estimates(&mut self, solved: &Solved, all: &[&Position]) -> bool {
+    pub(super) fn lacks_estimates(
+        &mut self,
+        solved: &Solved,
+        all: &[&Position],
+        choice: Choice,
+    ) -> bool {
         let unknowns = all.iter().take(1).flat_map(|position| &position.values);
         let unknowns = unknowns.map(|(unknown, _)| *unknown);
         let open: Vec<usize> = unknowns.filter(|k| !self.is_estimated(*k)).collect();
@@ -127,7 +144,7 @@ impl Assembly<'_, '_> {
             self.words.unknowns(&open),
             if open.len() == 1 { "has" } else { "have" },
             self.words.at_reference(&self.nominal.inputs),
-            self.listed(solved, all, Choice::Listed),
+            self.listed(solved, all, choice),
         );
         let origin = self.algebra.mechanism.unknowns[first].origin;
         self.reporter.error(origin, message);
@@ -195,7 +212,9 @@ impl Assembly<'_, '_> {
         });
         let lines: String = lines.collect();
         match choice {
-            Choice::Listed => format!("{loops} {has} {count}:{lines}"),
+            Choice::Listed | Choice::ListedApart => {
+                format!("{loops} {has} {count}{}:{lines}", choice.beside())
+            }
             Choice::Followed => {
                 format!(
                     "{loops} cannot be listed, and {has} this assembly where the estimates lead:{lines}"

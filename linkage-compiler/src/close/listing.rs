@@ -1,8 +1,10 @@
 //! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken. Where they
 //! cannot be listed, `close/followed.rs` goes on.
 
-use linkage_core::numeric::continuation::{Correction, Grid, Range, Refusal, Step, Table};
-use linkage_core::numeric::nearest::{Ambiguity, nearest};
+use linkage_core::numeric::continuation::{
+    Correction, Grid, Range, Refusal, Step, Table, meeting_states, states,
+};
+use linkage_core::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use linkage_core::numeric::roots::{self, Term, Unlisted};
 use linkage_symbolic::program::Program;
 
@@ -75,6 +77,14 @@ pub(super) struct Candidate {
     pub(super) position: Position,
 }
 
+/// The real assemblies of a coupled group.
+struct Listed {
+    /// Those that are told apart, the nearest to the estimates first.
+    candidates: Vec<Candidate>,
+    /// How far from the estimates others are, about, that meet at a dead point.
+    meeting: Vec<f64>,
+}
+
 impl<'m> Assembly<'_, 'm> {
     /// Closes a coupled group; false if that was not possible.
     pub(super) fn close_coupled(&mut self, solved: &Solved<'m>, prepared: &Prepared<'m>) -> bool {
@@ -85,12 +95,11 @@ impl<'m> Assembly<'_, 'm> {
         if self.machine.closing.coupled[prepared.number].followed {
             return self.close_followed(solved, prepared, None);
         }
-        let candidates = match self.candidates(prepared.number) {
-            Ok(Some(candidates)) => candidates,
-            Ok(None) => {
-                self.refused(solved, prepared, Refusal::NotASolution);
-                return false;
-            }
+        let Listed {
+            candidates,
+            meeting,
+        } = match self.candidates(prepared.number) {
+            Ok(listed) => listed,
             Err(Unlisted::NotFinite) => {
                 self.without_equations(solved);
                 return false;
@@ -110,7 +119,15 @@ impl<'m> Assembly<'_, 'm> {
             .collect::<Vec<_>>()
             .join(", ");
         let distances = candidates.iter().map(|one| one.position.distance);
-        let Some(chosen) = nearest(distances, Ambiguity::AS_WRITTEN) else {
+        let chosen = nearest(distances, Ambiguity::AS_WRITTEN);
+        let distance = chosen.map_or(f64::INFINITY, |own| candidates[own.index].position.distance);
+        let others_meet = !meeting.is_empty();
+        let mut meeting = meeting.into_iter();
+        if meeting.any(|other| may_be_meant(other, distance, Ambiguity::AS_WRITTEN)) {
+            self.refused(solved, prepared, Refusal::NotASolution);
+            return false;
+        }
+        let Some(chosen) = chosen else {
             self.reporter.error(
                 origin,
                 format!(
@@ -121,7 +138,11 @@ impl<'m> Assembly<'_, 'm> {
             return false;
         };
         let positions: Vec<&Position> = candidates.iter().map(|one| &one.position).collect();
-        if chosen.ambiguous && self.lacks_estimates(solved, &positions) {
+        let choice = match others_meet {
+            false => Choice::Listed,
+            true => Choice::ListedApart,
+        };
+        if chosen.ambiguous && self.lacks_estimates(solved, &positions, choice) {
             return false;
         }
         if chosen.ambiguous {
@@ -130,16 +151,17 @@ impl<'m> Assembly<'_, 'm> {
             self.reporter.error(
                 own.unwrap_or(origin),
                 format!(
-                    "the start estimates of {unknowns} lie equally near to two assemblies of {loops}{place}; there are {}{}: \
+                    "the start estimates of {unknowns} lie equally near to two assemblies of {loops}{place}; there are {}{}{}: \
                      {listed}\n\
                      help: move the estimates towards the assembly that is meant",
                     candidates.len(),
+                    choice.beside(),
                     if candidates.len() > LISTED { ", the nearest" } else { "" }
                 ),
             );
             return false;
         }
-        if !self.meets_estimates(solved, &positions, Choice::Listed) {
+        if !self.meets_estimates(solved, &positions, choice) {
             return false;
         }
         self.prepare(solved, prepared, &candidates[chosen.index].state)
@@ -177,8 +199,8 @@ impl<'m> Assembly<'_, 'm> {
         Numbers::new(&self.machine, number, &self.nominal.inputs)
     }
 
-    /// All real assemblies, the nearest to the estimates first; `None` if some meet at a turning point.
-    fn candidates(&mut self, number: usize) -> Result<Option<Vec<Candidate>>, Unlisted> {
+    /// All real assemblies.
+    fn candidates(&mut self, number: usize) -> Result<Listed, Unlisted> {
         let (mut numbers, own) = self.numbers(number);
         let group = &self.machine.closing.coupled[number];
         let coefficients = numbers.run(&group.system, &[]);
@@ -196,22 +218,19 @@ impl<'m> Assembly<'_, 'm> {
             terms: &terms,
         };
         let listing = roots::solve(&system, &coefficients)?;
-        if listing.multiple > 0 {
-            return Ok(None);
-        }
-        let states = linkage_core::numeric::continuation::states(
-            &group.variables,
-            &listing,
-            &own,
-            &mut numbers,
-        );
-        let mut candidates = Vec::new();
-        for state in states {
+        let regular = states(&group.variables, &listing, &own, &mut numbers);
+        let candidate = |state: Vec<f64>| {
             let placed = numbers.run(&group.placed, &state);
-            candidates.push(self.candidate_of(group, state, &placed));
-        }
+            self.candidate_of(group, state, &placed)
+        };
+        let mut candidates: Vec<Candidate> = regular.into_iter().map(candidate).collect();
         candidates.sort_by(|a, b| a.position.distance.total_cmp(&b.position.distance));
-        Ok(Some(candidates))
+        let meeting = meeting_states(&group.variables, &listing).into_iter();
+        let meeting = meeting.map(|state| candidate(state).position.distance);
+        Ok(Listed {
+            candidates,
+            meeting: meeting.collect(),
+        })
     }
 
     pub(super) fn candidate_of(

@@ -169,7 +169,7 @@ impl<'m> Assembly<'_, 'm> {
         positions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
         if nearest.ambiguous {
             if let [a, b] = &candidates[..]
-                && !self.lacks_estimates(solved, &positions)
+                && !self.lacks_estimates(solved, &positions, Choice::Listed)
             {
                 let message = format!(
                     "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \

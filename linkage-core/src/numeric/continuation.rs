@@ -27,7 +27,7 @@ pub use estimate::{Astray, from_estimate};
 pub use grid::{Grid, GridLookup, LeftOut};
 pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};
 pub use lookup::Lookup;
-pub use states::states;
+pub use states::{meeting_states, states};
 pub use straight::dead_point;
 pub use table::Table;
 

@@ -1,5 +1,7 @@
 //! Which of several assemblies start estimates mean.
 
+use super::roots::MEETING;
+
 /// When estimates do not choose: the two least distances differ by at most this share of the second.
 ///
 /// The compiler and `assemble()` ask for different shares on purpose.
@@ -61,9 +63,27 @@ pub fn nearest(
     })
 }
 
+/// Whether the estimates may mean assemblies that meet at a dead point, about at this distance from them, although another one is nearest
+/// of those that are told apart.
+///
+/// ```
+/// use linkage_core::numeric::nearest::{Ambiguity, may_be_meant};
+///
+/// assert!(!may_be_meant(1.5, 0.2, Ambiguity::AS_WRITTEN));
+/// assert!(may_be_meant(0.2, 1.5, Ambiguity::AS_WRITTEN));
+/// // Where assemblies meet is not known to the last digit.
+/// assert!(may_be_meant(0.31, 0.3, Ambiguity::AT_RUN_TIME));
+/// ```
+pub fn may_be_meant(meeting: f64, nearest: f64, Ambiguity(share): Ambiguity) -> bool {
+    // An angle may be off by both its components.
+    let at_least = meeting - 2.0 * MEETING;
+    // What has no distance may be anywhere.
+    !(meeting.is_finite() && at_least - nearest > share * at_least)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Ambiguity, Nearest, nearest};
+    use super::{Ambiguity, Nearest, may_be_meant, nearest};
 
     const NAN: f64 = f64::NAN;
 
@@ -100,6 +120,15 @@ mod tests {
         };
         assert_eq!(ambiguous(0.9e-6), Some((1, true)));
         assert_eq!(ambiguous(1.1e-6), Some((1, false)));
+    }
+
+    #[test]
+    fn what_meets_is_left_aside_only_if_it_is_clearly_farther() {
+        let meant = |meeting| may_be_meant(meeting, 0.5, Ambiguity::AS_WRITTEN);
+        for meeting in [0.0, 0.4, 0.5, 0.52, NAN, f64::INFINITY] {
+            assert!(meant(meeting), "{meeting}");
+        }
+        assert!(!meant(0.53) && !meant(3.0));
     }
 
     #[test]

@@ -30,6 +30,9 @@ pub const HIGHEST_DEGREE: usize = 12;
 /// Most paths that are followed.
 pub const MOST_PATHS: usize = 4096;
 
+/// How far a path may be from the multiple solution at which it ends.
+pub const MEETING: f64 = 0.01;
+
 /// What a variable stands for, and hence which of its values are real.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variable {
@@ -71,11 +74,14 @@ pub struct Listing {
     /// Real and imaginary part of every variable, for every real solution; in ascending order of
     /// the first variable (by its angle from -pi to pi, or its value), then of the next ones.
     pub real: Vec<Vec<[f64; 2]>>,
+    /// Where multiple solutions are that may be real, made real; off by up to [`MEETING`], in ones and sizes of variables. No more of
+    /// them than `multiple`.
+    pub meeting: Vec<Vec<[f64; 2]>>,
     /// Number of isolated solutions, real and complex, in which no variable is infinite and no
     /// unit vector is 0. Multiple solutions are not counted.
     pub complex: usize,
     /// Number of paths that end in multiple solutions, or in solutions too close together to be
-    /// told apart, as next to a turning point. These are not listed, real or not.
+    /// told apart, as next to a turning point. None of these is among `real`.
     pub multiple: usize,
     /// Number of paths followed.
     pub paths: usize,

@@ -3,7 +3,7 @@
 use crate::has;
 use crate::laurent::{Complex, complex};
 use crate::triad::{Leg, Triad, direction, point};
-use linkage_core::numeric::roots::{MOST_PATHS, System, Term, Unlisted, Variable, solve};
+use linkage_core::numeric::roots::{MEETING, MOST_PATHS, System, Term, Unlisted, Variable, solve};
 use linkage_random::Random;
 
 const CASES: usize = if cfg!(debug_assertions) { 10 } else { 200 };
@@ -35,10 +35,40 @@ fn lengthen(triad: &mut Triad, by: f64) {
 fn turning_points_are_multiple_solutions() {
     let mut random = Random::new(5);
     for index in 0..CASES {
-        let (triad, _) = at_a_turning_point(&mut random);
+        let (triad, pose) = at_a_turning_point(&mut random);
         let listing = triad.equations().solve();
         let listing = listing.unwrap_or_else(|e| panic!("{index}: {e}"));
         assert_eq!((listing.complex, listing.multiple), (4, 2), "{index}");
+        // Both are told to be where they meet, and not among the others.
+        assert_eq!(listing.meeting.len(), 2, "{index}");
+        for meeting in listing.meeting {
+            assert!(has(&[meeting], &pose, MEETING), "{index}");
+        }
+        assert!(!has(&listing.real, &pose, MEETING), "{index}");
+    }
+}
+
+#[test]
+fn what_meets_off_the_real_line_is_no_assembly() {
+    // (x^2 + s)^2 (x - 3) = 0 for s = 1 and -1: two double solutions, at i and -i, or at 1 and -1.
+    let exponents: [&[i8]; 6] = [&[5], &[4], &[3], &[2], &[1], &[0]];
+    let terms = exponents.map(|exponents| Term {
+        equation: 0,
+        exponents,
+    });
+    let system = System {
+        variables: &[Variable::Length],
+        terms: &terms,
+    };
+    for (sign, met) in [(1.0, 0), (-1.0, 4)] {
+        let coefficients = [1.0, -3.0, 2.0 * sign, -6.0 * sign, 1.0, -3.0];
+        let listing = solve(&system, &coefficients.map(|c| [c, 0.0])).expect("a listing");
+        assert_eq!((listing.complex, listing.multiple), (1, 4), "{sign}");
+        assert!((listing.real[0][0][0] - 3.0).abs() < 1e-14);
+        assert_eq!(listing.meeting.len(), met, "{sign}");
+        for place in listing.meeting {
+            assert!((place[0][0].abs() - 1.0).abs() < MEETING && place[0][1] == 0.0);
+        }
     }
 }
 

@@ -122,6 +122,63 @@ fn cause(error: AssemblyError) -> CoupledCause {
     }
 }
 
+/// `(cos a - 1) (cos a - 0.2) = 0`: two assemblies at 78.5 and -78.5 degrees, and two that meet at 0.
+struct Meeting;
+
+impl Correction for Meeting {
+    fn correct(&mut self, _: &[f64], state: &mut [f64]) -> Step {
+        let [cos, sin] = [state[0], state[1]];
+        let slope = -sin * (2.0 * cos - 1.2);
+        let step = -(cos - 1.0) * (cos - 0.2) / slope;
+        (state[1], state[0]) = (sin.atan2(cos) + step).sin_cos();
+        Step {
+            size: step.abs(),
+            determinant: slope,
+        }
+    }
+}
+
+impl CoupledPrograms for Meeting {
+    fn system(&mut self, _: &[f64]) -> Vec<[f64; 2]> {
+        [0.25, -0.6, 0.7, -0.6, 0.25].map(|c| [c, 0.0]).into()
+    }
+
+    fn placed(&mut self, _: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
+        vec![[state[0], state[1]]]
+    }
+}
+
+#[test]
+fn assemblies_that_meet_are_in_the_way_only_if_they_are_meant() {
+    let chosen = |estimate: f64| {
+        let group = CoupledGroup {
+            unknowns: Box::leak(Box::new([unknown("a", estimate)])),
+            variables: &[Variable::Unit],
+            terms: &const {
+                [
+                    term(0, &[2]),
+                    term(0, &[1]),
+                    term(0, &[0]),
+                    term(0, &[-1]),
+                    term(0, &[-2]),
+                ]
+            },
+            ..GROUP
+        };
+        assert_eq!(list(&group, &mut Meeting, &[0.0]).unwrap().len(), 2);
+        couple(&group, &mut Meeting, &[0.0]).map_err(cause)
+    };
+    let angle = 0.2_f64.acos();
+    // Farther from where two meet than from another one, by more than what is known of where they do.
+    for (estimate, expected) in [(1.2, angle), (0.72, angle), (-2.5, -angle)] {
+        let found = chosen(estimate).unwrap();
+        assert!((found.values[0] - expected).abs() < 1e-15, "{estimate}");
+    }
+    for estimate in [0.0, -0.1, 0.68, 0.69] {
+        assert_eq!(chosen(estimate), Err(CoupledCause::Singular), "{estimate}");
+    }
+}
+
 #[test]
 fn estimates_between_two_assemblies_are_ambiguous() {
     let mut programs = Programs(EyeNeedle::MACHINE);

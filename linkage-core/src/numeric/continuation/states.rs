@@ -38,6 +38,12 @@ pub fn states(
     states
 }
 
+/// The states, about, where real solutions meet that are not listed.
+pub fn meeting_states(variables: &[Variable], listing: &Listing) -> Vec<Vec<f64>> {
+    let meeting = listing.meeting.iter();
+    meeting.map(|values| state(variables, values)).collect()
+}
+
 fn state(variables: &[Variable], values: &[[f64; 2]]) -> Vec<f64> {
     let mut state = Vec::new();
     for (variable, value) in variables.iter().zip(values) {

@@ -1,6 +1,7 @@
 //! Where paths end: at an isolated solution, at a multiple one, or where variables vanish or
 //! become infinite.
 
+use super::MEETING;
 use super::complex::{Complex, ZERO, rough_root};
 use super::homotopy::Homotopy;
 use super::matrix::{Matrix, Vector, size, solve, sum};
@@ -39,9 +40,8 @@ const UNCERTAIN: f64 = 100.0 * NOISE;
 const SHORT: f64 = 1e-6;
 /// The last correction at a solution is shorter than this part of how far Newton's method may start from it.
 const SETTLED: f64 = 0.01;
-/// A path ends in a singular solution if its end is nearer than this, and Newton's method would have to start nearer than
+/// A path ends in a singular solution if its end is nearer than [`MEETING`], and Newton's method would have to start nearer than
 /// so many times the way.
-const NEAR: f64 = 0.01;
 const SINGULAR_REACH: f64 = 1000.0;
 /// A coordinate that vanishes is smaller than this and falls with a higher power of `t`. The powers are fractions with small
 /// denominators.
@@ -180,7 +180,7 @@ fn conclude<const N: usize>(walker: &mut Walker<'_, N>) -> End<N> {
     let left = way_left(walker);
     let x = walker.now().x;
     let singular = reach(walker.homotopy, &x).is_none_or(|reach| reach < SINGULAR_REACH * left);
-    if singular && left < NEAR && place.is_inside(walker.variables) {
+    if singular && left < MEETING && place.is_inside(walker.variables) {
         return End::Multiple(place);
     }
     End::Lost

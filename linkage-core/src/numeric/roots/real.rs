@@ -1,10 +1,11 @@
 //! The real solutions: those that are their own reflections.
 
-use super::Variable;
 use super::complex::Complex;
 use super::ends::{Root, polish};
 use super::homotopy::Homotopy;
 use super::matrix::Vector;
+use super::place::Place;
+use super::{MEETING, Variable};
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
@@ -52,18 +53,41 @@ fn polished<const N: usize>(
     variables: &[Variable],
     root: &Root<N>,
 ) -> Option<Vector<N>> {
-    let mut place = root.place;
+    let mut place = alike(variables, &root.place);
+    homotopy.turn(place.flipped);
+    place.x = made_real(variables, &place.x);
+    let (x, _) = polish(homotopy, &place.x)?;
+    place.x = made_real(variables, &x);
+    (place.distance(&root.place) < root.reach * root.reach).then(|| place.values())
+}
+
+/// About where real solutions meet: multiple ones that are no farther from their reflections than both may be off.
+pub(super) fn meeting<const N: usize>(
+    variables: &[Variable],
+    multiple: &[Place<N>],
+) -> Vec<Vec<[f64; 2]>> {
+    let may_be_real = |place: &&Place<N>| {
+        let image = place.reflection(variables);
+        image.distance(place) <= (2.0 * MEETING) * (2.0 * MEETING)
+    };
+    let real = |place: &Place<N>| {
+        let mut place = alike(variables, place);
+        place.x = made_real(variables, &place.x);
+        place.values().into_iter().map(parts).collect()
+    };
+    multiple.iter().filter(may_be_real).map(real).collect()
+}
+
+/// The same place, a point and its conjugate both by their values or both by the inverses.
+fn alike<const N: usize>(variables: &[Variable], place: &Place<N>) -> Place<N> {
+    let mut place = *place;
     for (j, variable) in variables.iter().enumerate() {
         if *variable == Variable::Conjugate && place.flipped[j] != place.flipped[j - 1] {
             place.flipped[j] = place.flipped[j - 1];
             place.x[j] = place.x[j].inverse();
         }
     }
-    homotopy.turn(place.flipped);
-    place.x = made_real(variables, &place.x);
-    let (x, _) = polish(homotopy, &place.x)?;
-    place.x = made_real(variables, &x);
-    (place.distance(&root.place) < root.reach * root.reach).then(|| place.values())
+    place
 }
 
 /// The nearest real coordinates, which are either variables or their inverses: a point and its

@@ -30,7 +30,7 @@ pub(super) fn list<const N: usize>(
         let mut homotopy = Homotopy::<N>::new(target, attempt);
         match listing(&mut homotopy, &variables, Pace::of_attempt(attempt)) {
             Outcome::Listed(mut listing) => {
-                for solution in &mut listing.real {
+                for solution in listing.real.iter_mut().chain(&mut listing.meeting) {
                     solution.truncate(count);
                 }
                 return Ok(listing);
@@ -77,6 +77,7 @@ fn listing<const N: usize>(
         None => Outcome::Doubtful(roots.len()),
         Some(real) => Outcome::Listed(Listing {
             real,
+            meeting: real::meeting(variables, &multiple),
             complex: roots.len(),
             multiple: multiple.len(),
             paths: traces.len(),

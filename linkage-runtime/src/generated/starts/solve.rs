@@ -1,8 +1,8 @@
 //! The assembly of a group at the reference inputs: all solutions are listed, the one nearest to the start estimates is
 //! taken.
 
-use crate::numeric::continuation::{Correction, LeftOut, Range, Refusal, states};
-use crate::numeric::nearest::{Ambiguity, nearest};
+use crate::numeric::continuation::{Correction, LeftOut, Range, Refusal, meeting_states, states};
+use crate::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use crate::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
 use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value};
 use alloc::boxed::Box;
@@ -275,11 +275,14 @@ pub fn couple(
         return group.followed(programs, x);
     }
     let listing = group.listed(&programs.system(x))?;
-    if listing.multiple > 0 {
-        // The one that is meant may be among those that meet.
+    let listed = group.solutions(&listing, programs, x);
+    let nearest_one = listed.as_ref().map_or(f64::INFINITY, |all| all[0].distance);
+    let meeting = meeting_states(group.variables, &listing).into_iter();
+    let mut meeting = meeting.map(|state| group.solution(programs, x, state).distance);
+    if meeting.any(|other| may_be_meant(other, nearest_one, Ambiguity::AT_RUN_TIME)) {
         return Err(group.error(CoupledCause::Singular));
     }
-    let mut solutions = group.solutions(&listing, programs, x)?;
+    let mut solutions = listed?;
     let distances = solutions.iter().map(|one| one.distance);
     let chosen = nearest(distances, Ambiguity::AT_RUN_TIME);
     if chosen.is_some_and(|chosen| chosen.ambiguous) {
