@@ -1,8 +1,8 @@
 //! A wheel on five rods: a wheel carrier as an unknown body, by the travel of the wheel and the shift of a rack on the fifth rod.
 //!
-//! Toe, camber, track, wheel base and roll centre with derivatives by travel and rack, and the sensitivities of the first four to all rods and to
-//! all points of the chassis and of the carrier, against solutions in 60 digits. The axis of the screw on which the carrier moves is found against
-//! what rods do, and against poses beside it.
+//! Toe, camber, track, wheel base and roll centre with derivatives by travel and rack, and their sensitivities to all rods and to all points of
+//! the chassis and of the carrier, against solutions in 60 digits. The axis of the screw on which the carrier moves is found against what rods do,
+//! and against poses beside it.
 //!
 //! `cargo run --release --example five_link_axle` writes a page with the usual curves over the travel to `target/five_link_axle`, or to the
 //! folder that is given behind `--`.
@@ -76,9 +76,18 @@ mechanism! {
             toe_bends: acceleration(toe), camber_bends: acceleration(camber),
             track_bends: acceleration(track), base_bends: acceleration(base),
         }
-        /// The carrier as it moves, for the roll centre and the axis of its screw.
-        pub fn body(travel, rack) -> Body {
-            carrier, contact, v: velocity(carrier.origin), w: omega(carrier),
+        /// The carrier as it moves, for the axis of its screw.
+        pub fn body(travel, rack) -> Body { carrier, v: velocity(carrier.origin), w: omega(carrier) }
+        /// Height of the roll centre over the road. Seen from the front the wheel turns about a point on the normal to the way of the point of the
+        /// carrier that is its point of contact; the body rolls about where that normal meets the middle of the vehicle.
+        // Written out three times: a quantity knows the names of the struct block only, and `let` takes no derivatives.
+        pub fn roll(travel, rack) -> Roll {
+            roll_centre: contact.y * (velocity(carrier.origin)[0] + cross(omega(carrier)[0], contact - carrier.origin)).y
+                / (velocity(carrier.origin)[0] + cross(omega(carrier)[0], contact - carrier.origin)).z,
+            shift: velocity(contact.y * (velocity(carrier.origin)[0] + cross(omega(carrier)[0], contact - carrier.origin)).y
+                / (velocity(carrier.origin)[0] + cross(omega(carrier)[0], contact - carrier.origin)).z),
+            by_dimensions: sensitivity(contact.y * (velocity(carrier.origin)[0] + cross(omega(carrier)[0], contact - carrier.origin)).y
+                / (velocity(carrier.origin)[0] + cross(omega(carrier)[0], contact - carrier.origin)).z),
         }
         pub fn adjustment(travel, rack) -> Adjustment {
             toe: sensitivity(toe), camber: sensitivity(camber), track: sensitivity(track), base: sensitivity(base),
@@ -104,14 +113,6 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let folder = folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from);
     page::write(&axle, &folder)?;
     check.finish()
-}
-
-/// Height of the roll centre over the road. Seen from the front the wheel turns about a point on the normal to the way of its point of contact;
-/// the body rolls about where that normal meets the middle of the vehicle.
-fn roll_centre(axle: &FiveLinkAxleAssembly, travel: f64, rack: f64) -> f64 {
-    let body = axle.body(travel, rack);
-    let v: Vector3<f64> = body.v[0] + body.w[0].cross(&(body.contact - body.carrier.origin));
-    body.contact.y * v.y / v.z
 }
 
 fn compare(
@@ -154,13 +155,23 @@ fn compare(
             tolerance,
         );
     }
-    let height = number(&known["roll_centre"])?;
-    check.near(
-        "roll centre",
-        roll_centre(axle, travel, rack),
-        height,
-        1e-10,
+    let roll = axle.roll(travel, rack);
+    let pairs = [
+        (roll.roll_centre, number(&known["roll_centre"])?),
+        (roll.shift[0], number(&known["roll_centre_dz"])?),
+        (roll.shift[1], number(&known["roll_centre_du"])?),
+    ];
+    check.all_near("roll centre, by travel and rack", pairs, 1e-10);
+    let by_dimensions = known["roll_centre_sensitivity"]
+        .as_array()
+        .ok_or("a list")?;
+    let by_dimensions: Vec<f64> = by_dimensions.iter().map(number).collect::<Result<_, _>>()?;
+    check.holds(
+        "  every dimension",
+        by_dimensions.len() == roll.by_dimensions.len(),
     );
+    let pairs = roll.by_dimensions.into_iter().zip(by_dimensions);
+    check.all_near("  by all dimensions", pairs, 1e-10);
     screw(check, axle, travel, rack);
     Ok(())
 }
