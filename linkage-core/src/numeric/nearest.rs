@@ -1,6 +1,7 @@
 //! Which of several assemblies start estimates mean.
 
-use super::roots::MEETING;
+/// How far from where assemblies meet a listing may say that they do: a path may be so far from the multiple solution at which it ends.
+pub const MEETING: f64 = 0.01;
 
 /// When estimates do not choose: the two least distances differ by at most this share of the second.
 ///

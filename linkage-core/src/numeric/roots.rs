@@ -23,15 +23,14 @@ mod survey;
 use alloc::vec::Vec;
 use core::fmt;
 
+pub use super::nearest::MEETING;
+
 /// Most variables of a system.
 pub const MOST_VARIABLES: usize = 8;
 /// Highest degree of a variable in an equation (its highest exponent less its lowest).
 pub const HIGHEST_DEGREE: usize = 12;
 /// Most paths that are followed.
 pub const MOST_PATHS: usize = 4096;
-
-/// How far a path may be from the multiple solution at which it ends.
-pub const MEETING: f64 = 0.01;
 
 /// What a variable stands for, and hence which of its values are real.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
