@@ -243,7 +243,7 @@ fn random_platforms_go_where_an_independent_solver_goes() {
     }
     println!("{platforms} platforms, {refused} refused, {other} at another pose, {ways:?}");
     let all = ways.gone + ways.ended;
-    assert!(ways.jumps.len() * 5000 <= all);
+    assert_eq!(ways.jumps, [""; 0]);
     assert!(ways.given_up.len() * GIVEN_UP <= all);
     // Estimates that are no pose lead elsewhere, or to a dead point, where other assemblies are near.
     assert!(10 * refused <= platforms && 10 * other <= platforms);
@@ -251,7 +251,7 @@ fn random_platforms_go_where_an_independent_solver_goes() {
 
 /// Steps to random poses near by, wherever the platform may be: beside dead points it is stopped, and nowhere else.
 #[test]
-fn a_random_walk_stops_at_dead_points_and_hardly_ever_jumps() {
+fn a_random_walk_stops_at_dead_points_and_never_jumps() {
     let hexapod = AnyHexapod::default().assemble().expect("it assembles");
     let [a, b, c, d, e, f] = REFERENCE;
     let mut at = hexapod.follower(a, b, c, d, e, f).expect("the reference");
@@ -284,7 +284,7 @@ fn a_random_walk_stops_at_dead_points_and_hardly_ever_jumps() {
         ways.go(&mut again, &rods, &here, to);
     }
     println!("{gone} steps gone, {stopped} not, of which {ways:?}");
-    // Where two dead points follow each other closely small corrections are no proof: a limit of the certificate.
-    assert!(ways.jumps.len() * 2_000_000 <= steps);
+    // Where two dead points follow each other closely small corrections are no proof: the size of the determinant says it.
+    assert_eq!(ways.jumps, [""; 0]);
     assert!(ways.given_up.len() * GIVEN_UP <= ways.ended);
 }

@@ -6,6 +6,10 @@ use crate::Scalar;
 /// Shorter steps, as parts of the way, are not tried: beside a dead point.
 const SHORTEST: f64 = 1e-6;
 
+/// A step may change the determinant by this factor at most, from where it begins to any of its corrections. Corrections shrink as fast as they
+/// should where a step comes from one dead point to another assembly beside the next one; the determinant does not stay what it was there.
+const DETERMINANTS: f64 = 2.0;
+
 /// Where the state of a coupled group stands among the inputs and states of a mechanism.
 #[derive(Clone, Copy, Debug)]
 pub struct Standing {
@@ -53,7 +57,7 @@ pub fn put_corrected<T: Copy, const W: usize, const O: usize>(
 /// Follows the groups straight from where the mechanism stands, `from`, inputs with the states of all groups behind them, to the inputs `to`.
 ///
 /// A step is taken if in every group, in their order, the first correction is small, each of the next ones at most a quarter of the one
-/// before, the last one negligible, and the determinant keeps its sign. Other steps are halved.
+/// before, the last one negligible, and the determinant keeps its sign and, within a factor of two, its size. Other steps are halved.
 ///
 /// # Errors
 ///
@@ -103,13 +107,17 @@ fn settles<T: Scalar, const W: usize>(
     let floor = group.first + group.size;
     let settled = T::LAST_CORRECTION * T::LAST_CORRECTION;
     let mut allowed = FIRST * FIRST;
+    let mut begin: Option<T> = None;
     for _ in 0..CORRECTIONS {
         let step = correct(x);
+        let begin = *begin.get_or_insert(step.determinant);
         let (mut largest, mut sound) = (0.0, true);
         for lane in 0..T::LANES {
             let size2 = T::lane(step.size2, lane);
-            sound &=
-                size2 <= allowed && T::lane(step.determinant, lane) * T::lane(x[floor], lane) > 0.0;
+            let determinant = T::lane(step.determinant, lane);
+            sound &= size2 <= allowed
+                && determinant * T::lane(x[floor], lane) > 0.0
+                && is_alike(determinant, T::lane(begin, lane));
             largest = f64::max(largest, size2);
         }
         if !sound {
@@ -125,6 +133,13 @@ fn settles<T: Scalar, const W: usize>(
         allowed = CONTRACTION * CONTRACTION * largest;
     }
     false
+}
+
+/// True if two determinants are not further apart than those of one step may be.
+#[inline(always)]
+fn is_alike(determinant: f64, begin: f64) -> bool {
+    let [own, begin] = [determinant.abs(), begin.abs()];
+    own <= DETERMINANTS * begin && begin <= DETERMINANTS * own
 }
 
 #[cfg(test)]
@@ -164,6 +179,26 @@ mod tests {
         let stop = follow(&from(1.0), [-1.0], &GROUPS, correct).expect_err("nothing is there");
         assert_eq!(stop.number, 0);
         assert!((stop.share - 0.5).abs() < 1e-4, "{stop:?}");
+    }
+
+    /// `x^3 - 3 d^2 x = input`: dead points at `-d` and `d`, and on both sides of them an assembly with the same sign of the determinant.
+    #[test]
+    fn two_dead_points_that_are_close_together_are_not_crossed() {
+        let d: f64 = 0.004;
+        let correct = |_: usize, x: &mut [f64; 3]| {
+            let determinant = 3.0 * (x[1] * x[1] - d * d);
+            let step = (x[1].powi(3) - 3.0 * d * d * x[1] - x[0]) / determinant;
+            put_corrected(x, 1, &[x[1] - step, step * step, determinant])
+        };
+        let input = |x: f64| x.powi(3) - 3.0 * d * d * x;
+        for k in 0..2000 {
+            let begin = -d * (1.01 + 0.01 * f64::from(k));
+            let from = [input(begin), begin, 1.5 * (begin * begin - d * d)];
+            let end = 3.0 * d;
+            let stop = follow(&from, [input(end)], &GROUPS, correct).expect_err("a dead point");
+            let dead = (input(-d) - from[0]) / (input(end) - from[0]);
+            assert!((stop.share - dead).abs() < 1e-4, "from {begin}: {stop:?}");
+        }
     }
 
     #[test]
