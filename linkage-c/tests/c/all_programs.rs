@@ -6,7 +6,7 @@ use linkage_corpus::sample;
 use linkage_random::Random;
 use linkage_symbolic::program::Source;
 
-use crate::batch::{Batch, Request};
+use crate::batch::{Batch, Request, UNOPTIMISED};
 use crate::machine::Compiler;
 use linkage_corpus::given::{Given, golden};
 use linkage_corpus::numbers::{Numbers, ROUNDS};
@@ -43,7 +43,7 @@ fn compare(compiler: &Compiler, file: &str, given: &[Given]) -> (usize, usize) {
             }
         }
     }
-    let batch = Batch::new::<f64>(compiler, file, &printed, &["-O0", "-ffp-contract=off"]);
+    let batch = Batch::new::<f64>(compiler, file, &printed, &UNOPTIMISED);
     let (mut count, mut finite) = (0, 0);
     for ((what, rust), (_, c)) in expected.iter().zip(batch.run(&printed, &requests)) {
         for (index, (c, rust)) in c.iter().zip(rust).enumerate() {

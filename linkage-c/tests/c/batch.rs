@@ -10,6 +10,9 @@ use linkage_core::Scalar;
 use crate::machine::{self, Compiler};
 use linkage_corpus::given::Given;
 
+/// For groups that are compiled for a controller with optimisation, too: the compiler's time is most of that of a test, and results are the same.
+pub(crate) const UNOPTIMISED: [&str; 2] = ["-O0", "-ffp-contract=off"];
+
 /// A number of C.
 pub(crate) trait Number: Scalar {
     const REAL: Real;

@@ -9,7 +9,7 @@ use linkage_c::{Real, Sources, sources};
 use linkage_compiler::unit::Function;
 use linkage_random::Random;
 
-use crate::batch::{Batch, Request};
+use crate::batch::{Batch, Request, UNOPTIMISED};
 use crate::coupled;
 use crate::emulated::{COMPILER, FLAGS, build, emulate, printed, tools};
 use crate::machine::{self, Compiler};
@@ -230,8 +230,7 @@ fn a_controller_executes_the_same_instructions_at_all_inputs() {
     let coupled = coupled::all();
     let folder = built("controller_coupled", &coupled);
     let here = Compiler::find().expect("who compiles for controllers can compile for this machine");
-    let flags = ["-O1", "-ffp-contract=off"];
-    let batch = Batch::new::<f32>(&here, "controller_here", &coupled, &flags);
+    let batch = Batch::new::<f32>(&here, "controller_here", &coupled, &UNOPTIMISED);
     // The second time with the steps that lead from tables to other dimensions.
     for part in [0.0, 1e-3] {
         figures.extend(measure(&folder, &coupled, part, |asked| {

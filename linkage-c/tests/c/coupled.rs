@@ -3,7 +3,7 @@
 use linkage_c::{Real, sources};
 use linkage_compiler::unit::Unit;
 
-use crate::batch::{Batch, Number, Request};
+use crate::batch::{Batch, Number, Request, UNOPTIMISED};
 use crate::machine::Compiler;
 use linkage_corpus::given::{Given, exported};
 use linkage_corpus::reference::Assembled;
@@ -80,12 +80,7 @@ fn doubles_are_those_of_rust() {
         return;
     };
     let given = all();
-    let batch = Batch::new::<f64>(
-        &compiler,
-        "coupled_double",
-        &given,
-        &["-O1", "-ffp-contract=off"],
-    );
+    let batch = Batch::new::<f64>(&compiler, "coupled_double", &given, &UNOPTIMISED);
     for (mechanism, Given { name, unit }) in given.iter().enumerate() {
         let requests = requests::<f64>(mechanism, unit, &defaults(unit));
         let results = batch.run(&given, &requests);
@@ -120,12 +115,7 @@ fn singles_are_near_doubles() {
         return;
     };
     let given = all();
-    let batch = Batch::new::<f32>(
-        &compiler,
-        "coupled_single",
-        &given,
-        &["-O1", "-ffp-contract=off"],
-    );
+    let batch = Batch::new::<f32>(&compiler, "coupled_single", &given, &UNOPTIMISED);
     for (mechanism, Given { name, unit }) in given.iter().enumerate() {
         let requests = requests::<f32>(mechanism, unit, &defaults(unit));
         let results = batch.run(&given, &requests);
@@ -174,7 +164,7 @@ fn over_two_inputs(triad: &str) -> String {
 fn moved<T: Number>(name: &str, length: f64, text: fn(&str) -> String) -> Option<(usize, f64)> {
     let compiler = Compiler::find()?;
     let given = [Given::text(&text("261mm"))];
-    let batch = Batch::new::<T>(&compiler, name, &given, &["-O1", "-ffp-contract=off"]);
+    let batch = Batch::new::<T>(&compiler, name, &given, &UNOPTIMISED);
     let other = Given::text(&text(&format!("{length}mm")));
     let dimensions = defaults(&other.unit);
     let assembled = Assembled::new(&other.unit, &dimensions).expect("it is assembled");
