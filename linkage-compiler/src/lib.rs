@@ -58,6 +58,7 @@ mod diagnostic;
 mod emit;
 mod forces;
 mod formulate;
+mod freedoms;
 mod lower;
 mod model;
 mod oracle;

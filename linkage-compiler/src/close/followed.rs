@@ -4,6 +4,7 @@ use linkage_core::numeric::continuation::{Astray, from_estimate};
 use linkage_core::numeric::roots::Unlisted;
 
 use crate::formulate::{Prepared, Solved};
+use crate::freedoms::Nearest;
 use crate::structure::report::loop_list;
 use crate::structure::unsolved::OURS;
 
@@ -15,6 +16,12 @@ use super::refusal::WITHIN_RANGE;
 /// Of what the estimates miss by: where more is left, the dead point is at the estimates; where less is left, it is the assembly.
 const ALL: f64 = 0.9999;
 const NOTHING: f64 = 1e-6;
+
+/// What is said of the end of a way.
+struct Ends {
+    fact: String,
+    help: String,
+}
 
 impl<'m> Assembly<'_, 'm> {
     /// Closes a coupled group from its estimates; false if that was not possible. `unlisted` says why its assemblies were not listed, if that
@@ -98,26 +105,27 @@ impl<'m> Assembly<'_, 'm> {
                 return self.without_equations(solved);
             }
             Astray::Movable(ref states) => format!(
-                "{loops} ({unknowns}) cannot be solved{place}: where the estimates lead, {} although no length changes\n\
+                "{loops} ({unknowns}) cannot be solved{place}: where the estimates lead, {}\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another",
-                self.freedom_at(prepared, &states[0]).unwrap_or_else(|| {
-                    let moved = self.moved(prepared, states);
-                    format!("{} can change", self.words.unknowns(&moved))
-                }),
+                self.standing(prepared, &states[0])
+                    .freedom()
+                    .unwrap_or_else(|| {
+                        let moved = self.moved(prepared, states);
+                        format!(
+                            "{} can change and the loops stay closed",
+                            self.words.unknowns(&moved)
+                        )
+                    }),
             ),
-            Astray::DeadPoint { left, ref at } if left > NOTHING && left < ALL => format!(
-                "{loops} ({unknowns}) {are} followed{place} from the estimates, and {} where {:.1} % of what \
-                 the estimates miss by is taken back{}. The assemblies cannot be listed: {why}; {OURS}\n\
-                 help: write estimates that are nearer to the assembly that is meant; or change a length, if the links do not reach each \
-                 other",
-                match self.freedom_at(prepared, at) {
-                    Some(_) => "a dead point is met on the way,",
-                    // No motion proves that it is one: the order in which the matrix is eliminated may serve no further.
-                    None => "the way ends",
-                },
-                100.0 * (1.0 - left),
-                told(self.freedom_at(prepared, at)),
-            ),
+            Astray::DeadPoint { left, ref at } if left > NOTHING && left < ALL => {
+                let Ends { fact, help } = self.way_ends(prepared, at);
+                format!(
+                    "{loops} ({unknowns}) {are} followed{place} from the estimates, and the way ends where {:.1} % of what the \
+                     estimates miss by is taken back{fact}. The assemblies cannot be listed: {why}; {OURS}\n\
+                     help: {help}",
+                    100.0 * (1.0 - left),
+                )
+            }
             Astray::NoValue | Astray::DeadPoint { .. } => format!(
                 "{loops} ({unknowns}) {are} singular{place} where the estimates {}{}; the assemblies cannot be listed: {why}\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another; or write \
@@ -126,17 +134,44 @@ impl<'m> Assembly<'_, 'm> {
                     Astray::DeadPoint { left, .. } if left < ALL => "lead",
                     _ => "are",
                 },
-                told(match astray {
-                    Astray::DeadPoint { ref at, .. } => self.freedom_at(prepared, at),
+                match astray {
+                    Astray::DeadPoint { ref at, .. } => self.standing(prepared, at),
                     _ => {
                         let estimate = prepared.estimate_of_default(self.algebra, self.nominal);
-                        self.freedom_at(prepared, &estimate)
+                        self.standing(prepared, &estimate)
                     }
-                }),
+                }
+                .freedom()
+                .map_or_else(String::new, |freedom| format!(": there {freedom}")),
             ),
         };
         let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
         self.reporter.error(origin, message);
+    }
+
+    /// What is known of the end of a way: a dead point, and where behind it the loops come nearest to closing.
+    fn way_ends(&self, prepared: &Prepared<'m>, at: &[f64]) -> Ends {
+        let end = self.standing(prepared, at);
+        let dead = end.freedom();
+        let dead = dead.map_or_else(String::new, |freedom| {
+            format!(", at a dead point: there {freedom}")
+        });
+        let Some(Nearest { missing, motion }) = end.nearest() else {
+            return Ends {
+                fact: dead,
+                help: "write estimates that are nearer to the assembly that is meant; or change a length, if the links do not reach each other"
+                    .to_owned(),
+            };
+        };
+        let motion = motion.map_or_else(String::new, |motion| {
+            format!("; there {motion}, which closes none of them")
+        });
+        Ends {
+            fact: format!(
+                "{dead}. Where the loops come nearest to closing, their sides differ still, in {missing}{motion}"
+            ),
+            help: "change these lengths by about as much; or write estimates that are nearer to another assembly, if there is one".to_owned(),
+        }
     }
 
     /// The unknowns that differ between two states.
@@ -168,11 +203,6 @@ impl<'m> Assembly<'_, 'm> {
             ),
         );
     }
-}
-
-/// What moves, behind a place.
-fn told(freedom: Option<String>) -> String {
-    freedom.map_or_else(String::new, |freedom| format!(": there {freedom}"))
 }
 
 /// Why the assemblies of a group are not listed.

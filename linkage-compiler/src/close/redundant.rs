@@ -2,10 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use linkage_symbolic::Ex;
-
-use crate::algebra::{Algebra, Nominal, Translate, Value};
+use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
+use crate::freedoms::difference;
 use crate::model::{Loop, Mechanism, Type};
 
 use super::Reference;
@@ -46,16 +45,25 @@ pub(crate) fn check_redundant(
             let found = positions
                 .iter()
                 .map(|inputs| missed(own, reference.machine.evaluate(&sides, inputs), inputs));
-            let known = found.filter(|miss| !miss.size.is_nan());
+            let known = found.filter(|miss| miss.size.is_finite());
             known.max_by(|a, b| a.size.total_cmp(&b.size))
         });
         let unit = match is_length(&own.left.ty) {
             true => reference.longest,
             false => 1.0,
         };
-        let Some(miss) = miss.filter(|miss| miss.size > EQUAL * unit) else {
+        let Some(miss) = miss else {
+            let fact = format!(
+                "it cannot be told whether this loop follows from the others: its sides have no finite value (looked at {} positions)",
+                positions.len()
+            );
+            let help = "look for a division by zero, or a root or an arc function out of its range";
+            reporter.error_with_help(own.origin, fact, help);
             continue;
         };
+        if miss.size <= EQUAL * unit {
+            continue;
+        }
         let words = Words::new(mechanism);
         let all: Vec<usize> = (0..miss.inputs.len()).collect();
         let place = match all.is_empty() {
@@ -70,19 +78,6 @@ pub(crate) fn check_redundant(
         let help = "correct the dimensions by which it should follow, or make it a loop that holds something: without `redundant`, with an \
                     unknown of its own";
         reporter.error_with_help(own.origin, fact, help);
-    }
-}
-
-pub(super) fn difference<'m>(algebra: &mut Algebra<'m>, own: &Loop) -> Vec<Ex<'m>> {
-    let [left, right] = [&own.left, &own.right].map(|side| algebra.translate(side));
-    match (&left, &right) {
-        (Value::Scalar(_), Value::Scalar(_)) => {
-            vec![algebra.number(&left) - algebra.number(&right)]
-        }
-        _ => {
-            let difference = algebra.vector(&left) - algebra.vector(&right);
-            difference.iter().collect()
-        }
     }
 }
 

@@ -13,6 +13,10 @@ impl<'m> Words<'m> {
         Self { mechanism }
     }
 
+    pub(crate) fn mechanism(&self) -> &'m Mechanism {
+        self.mechanism
+    }
+
     /// `theta`, `psi` in back-ticks.
     pub(crate) fn unknowns(&self, unknowns: &[usize]) -> String {
         let name = |&k: &usize| format!("`{}`", self.mechanism.unknowns[k].name);

@@ -4,6 +4,8 @@ use super::Analysis;
 use super::equations::{Coordinate, Equation};
 use super::matching::{self, Matching};
 use super::report::{counted, loop_list};
+use crate::close::Words;
+use crate::freedoms::Position;
 use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
 
 /// An unknown frame of the model.
@@ -17,6 +19,12 @@ struct Found {
     name: String,
     /// The loops that mention it, without its own.
     loops: Vec<usize>,
+}
+
+/// What is said of a body that too many loops hold.
+struct TooMany {
+    fact: String,
+    help: String,
 }
 
 impl Mechanism {
@@ -109,7 +117,7 @@ impl<'m> Analysis<'_, 'm> {
                 told.extend(open.iter().flat_map(undetermined));
                 told.extend(own);
             } else if surplus > 0 && told.is_empty() {
-                self.report_held_twice(&found, surplus, coordinates.len(), equations);
+                self.report_held_twice(&found, surplus, coordinates, equations);
                 told.extend(own);
             }
         }
@@ -141,9 +149,17 @@ impl<'m> Analysis<'_, 'm> {
         };
         let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
         let mobility = (inputs + coordinates).saturating_sub(rows);
+        // Without a loop it moves in every way.
+        let motion = match loops.is_empty() {
+            true => None,
+            false => self.position(&self.nominal.estimates, |at| at.motion_left()),
+        };
+        let motion = motion.map_or_else(String::new, |motion| {
+            format!("; where the estimates are, {motion}")
+        });
         let message = format!(
             "more unknowns than equations: the frame `{name}` has {freedoms} freedoms, and {by}; mobility {mobility}, driven \
-             inputs {inputs}\n\
+             inputs {inputs}{motion}\n\
              help: add {}, like `{example}",
             counted(open, "equation"),
         );
@@ -155,7 +171,7 @@ impl<'m> Analysis<'_, 'm> {
         &mut self,
         found: &Found,
         surplus: usize,
-        coordinates: usize,
+        coordinates: &[Coordinate],
         equations: &[Equation<'m>],
     ) {
         let Found {
@@ -174,14 +190,80 @@ impl<'m> Analysis<'_, 'm> {
             .filter(|e| e.loops.iter().any(|k| loops.contains(k)));
         let rows: usize = about.map(|e| e.rows.len()).sum();
         let all: usize = equations.iter().map(|e| e.rows.len()).sum();
-        let mobility = (inputs + coordinates) as isize - all as isize;
+        let mobility = (inputs + coordinates.len()) as isize - all as isize;
+        let too_many = self.too_many(surplus, equations, coordinates);
         let message = format!(
             "more equations than unknowns: the frame `{name}` has {freedoms} freedoms, and {} {} {rows} equations about it, {surplus} \
-             too many (mobility {mobility}, driven inputs {inputs})\n\
-             help: remove a loop, or make a dimension or an input of one an `unknown`",
+             too many (mobility {mobility}, driven inputs {inputs}){}\n\
+             help: {}",
             loop_list(loops),
             if loops.len() == 1 { "has" } else { "have" },
+            too_many.fact,
+            too_many.help,
         );
         self.reporter.error(mechanism.loops[*last].origin, message);
+    }
+
+    /// Which loops about a frame depend on which, and what to do about that.
+    fn too_many(
+        &self,
+        surplus: usize,
+        equations: &[Equation<'m>],
+        coordinates: &[Coordinate],
+    ) -> TooMany {
+        let closed = self.all_closed(equations, coordinates);
+        let at = closed.as_ref().unwrap_or(&self.nominal.estimates);
+        let Some(found) = self.position(at, |at| at.surplus()) else {
+            return TooMany {
+                fact: String::new(),
+                help: "remove a loop, or make a dimension or an input of one an `unknown`"
+                    .to_owned(),
+            };
+        };
+        let all = match closed {
+            Some(_) => "; with these dimensions all of them close, and where they do, ",
+            None => "; where the estimates are, ",
+        };
+        let motion = found
+            .motion
+            .map_or_else(String::new, |motion| format!("; and yet {motion}"));
+        let enough = found.spare.len() >= surplus && motion.is_empty();
+        let help = match (&found.spare[..], &closed) {
+            (spare @ [_, ..], Some(_)) if enough => format!(
+                "write `redundant` at the end of {}: then it is checked that what they say follows from the others; or leave {} out",
+                loop_list(spare),
+                if spare.len() == 1 { "it" } else { "them" }
+            ),
+            (spare @ [_, ..], None) if enough => format!(
+                "remove {}, or others on which they depend; or make a dimension or an input of each an `unknown`",
+                loop_list(spare)
+            ),
+            _ => "remove loops that depend on others, and write some that hold what can still move"
+                .to_owned(),
+        };
+        TooMany {
+            fact: format!("{all}{}{motion}", found.dependences),
+            help,
+        }
+    }
+
+    /// What is found out about the loops where the unknowns have these values; nothing if one has no estimate.
+    fn position<R>(
+        &self,
+        values: &[Vec<f64>],
+        question: impl FnOnce(&Position<'_, 'm>) -> Option<R>,
+    ) -> Option<R> {
+        let mechanism = self.algebra.mechanism;
+        let mut unknowns = mechanism.unknowns.iter();
+        if unknowns.any(|unknown| unknown.estimate.is_none()) {
+            return None;
+        }
+        let words = Words::new(mechanism);
+        question(&Position::new(
+            &words,
+            self.nominal,
+            self.longest(),
+            values.to_vec(),
+        ))
     }
 }

@@ -64,7 +64,7 @@ impl<'m> Analysis<'_, 'm> {
                 }
                 match self.lets(&even) {
                     Some(lets) => format!("write {lets} and leave {loops} out"),
-                    None => format!("leave {loops} out"),
+                    None => format!("leave {loops} out, or write `redundant` at its end"),
                 }
             }
             None => format!(
@@ -78,6 +78,21 @@ impl<'m> Analysis<'_, 'm> {
             ),
             help,
         })
+    }
+
+    /// The unknowns with all components where all loops close, if they do so wherever the inputs go.
+    pub(super) fn all_closed(
+        &self,
+        equations: &[Equation<'m>],
+        coordinates: &[Coordinate],
+    ) -> Option<Vec<Vec<f64>>> {
+        let together = self.together(equations, coordinates)?;
+        let found = self.closed_at(&together, &self.positions())?;
+        let mut values: Vec<Vec<f64>> = vec![Vec::new(); self.nominal.estimates.len()];
+        for (coordinate, x) in coordinates.iter().zip(&found[0]) {
+            values[coordinate.unknown?].push(*x);
+        }
+        Some(values)
     }
 
     /// The coordinates that no other equation contains.
@@ -147,7 +162,7 @@ impl<'m> Analysis<'_, 'm> {
     }
 
     /// The largest length among parameters and estimates.
-    fn longest(&self) -> f64 {
+    pub(super) fn longest(&self) -> f64 {
         let parameters = &self.algebra.mechanism.scalar_parameters;
         let lengths = parameters.iter().zip(&self.nominal.parameters);
         let lengths = lengths.filter(|(p, _)| p.dimension.fits(Dimension::LENGTH));

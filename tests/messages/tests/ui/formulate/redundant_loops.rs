@@ -100,4 +100,45 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// Bennett's linkage with a long link twisted by a tenth of a degree too much: it does not move any more.
+    pub struct Bennett {
+        unit mm;
+        param short = 40mm;
+        param long = 60mm;
+        input phi = 60deg in 20deg..160deg;
+        unknown psi = -130deg;
+        const z = (0, 0, 1);
+        const x = (1, 0, 0);
+        const small = 30deg;
+        const large = asin(1.5 * sin(30deg)) + 0.1deg;
+        let across = turn(z, x, large);
+        let first = turn((short, 0, 0), z, phi);
+        let first_axis = turn(turn(z, x, small), z, phi);
+        let second = (long, 0, 0) + turn((short, 0, 0), across, psi);
+        let second_axis = turn(turn(across, x, small), across, psi);
+        loop distance(first, second) = long;
+        loop dot(first_axis, second_axis) = cos(large) redundant;
+        loop dot(first_axis, second - first) = 0 redundant;
+        loop dot(second_axis, second - first) = 0 redundant;
+    }
+    impl Bennett {
+        pub fn motion(phi) -> BennettMotion { psi }
+    }
+}
+
+mechanism! {
+    /// Sides that are no numbers anywhere say nothing.
+    pub struct NoValue {
+        unit mm;
+        input phi = 30deg in 10deg..170deg;
+        unknown psi = 30deg;
+        loop psi = phi;
+        loop acos(2 + sin(psi)) = 30deg redundant;
+    }
+    impl NoValue {
+        pub fn motion(phi) -> NoValueMotion { psi }
+    }
+}
+
 fn main() {}

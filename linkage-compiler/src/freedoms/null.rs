@@ -1,10 +1,10 @@
 //! Vectors that a matrix makes zero.
 
 /// A pivot below this part of the largest entry is zero: entries are differences, exact to some 1e-10.
-const ZERO: f64 = 1e-6;
+pub(super) const ZERO: f64 = 1e-6;
 
-/// The same of the last pivot: a way that is followed to a dead point ends shortly before it.
-const NEARLY_ZERO: f64 = 0.02;
+/// The same of the last pivot where a way was followed to a dead point: it ends shortly before it.
+pub(super) const NEARLY_ZERO: f64 = 0.02;
 
 /// Shares of a null vector below this part of the largest one are none.
 pub(super) const LITTLE: f64 = 1e-3;
@@ -19,8 +19,16 @@ pub(super) fn transposed(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
     (0..width).map(column).collect()
 }
 
-/// The null vectors of a matrix with so many columns, one for each column that is free; none if it is regular.
-pub(super) fn vectors(matrix: &[Vec<f64>], width: usize) -> Vec<Vec<f64>> {
+/// The places of a null vector that count.
+pub(super) fn used(vector: &[f64]) -> Vec<usize> {
+    let most = largest(vector);
+    let used = (0..vector.len()).filter(|&k| vector[k].abs() > LITTLE * most);
+    used.collect()
+}
+
+/// The null vectors of a matrix with so many columns, one for each column that is free; none if it is regular. The last pivot is zero below
+/// `last`, a part of the largest entry.
+pub(super) fn vectors(matrix: &[Vec<f64>], width: usize, last: f64) -> Vec<Vec<f64>> {
     let mut rows = matrix.to_vec();
     for row in &mut rows {
         let most = largest(row);
@@ -39,7 +47,7 @@ pub(super) fn vectors(matrix: &[Vec<f64>], width: usize) -> Vec<Vec<f64>> {
         };
         let pivot = rows[row][column];
         let is_last = free.len() == 1 && done + 1 == width;
-        let least = if is_last { NEARLY_ZERO } else { ZERO };
+        let least = if is_last { last } else { ZERO };
         if pivot.abs() <= least {
             break;
         }
@@ -80,7 +88,7 @@ mod tests {
             vec![2.0, -1.0, 0.5, 1.0],
             vec![3.0, 1.0, 3.5, 5.0],
         ];
-        let found = vectors(&matrix, 4);
+        let found = vectors(&matrix, 4, ZERO);
         assert_eq!(found.len(), 2);
         for vector in &found {
             for row in &matrix {
@@ -88,11 +96,11 @@ mod tests {
                 assert!(product.abs() < 1e-14, "{product}");
             }
         }
-        let [weights] = &vectors(&transposed(&matrix), 3)[..] else {
+        let [weights] = &vectors(&transposed(&matrix), 3, ZERO)[..] else {
             panic!("the third row is the sum of the others")
         };
         assert!((weights[0] / weights[2] + 1.0).abs() < 1e-14);
         assert!((weights[1] / weights[2] + 1.0).abs() < 1e-14);
-        assert!(vectors(&[vec![1.0, 2.0], vec![2.0, 1.0]], 2).is_empty());
+        assert!(vectors(&[vec![1.0, 2.0], vec![2.0, 1.0]], 2, ZERO).is_empty());
     }
 }

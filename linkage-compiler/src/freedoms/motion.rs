@@ -7,7 +7,7 @@ use crate::vector::{Vector, cross, dot, norm};
 
 use super::null::{LITTLE, largest, vectors};
 use super::{Mover, Position, Rows};
-use crate::close::words::numbers;
+use crate::close::numbers;
 
 /// So many motions are told.
 const TOLD: usize = 3;
@@ -20,8 +20,8 @@ const SHOWN: f64 = 1e-4;
 
 impl Position<'_, '_> {
     /// `body` can turn about ..., `a` and `b` can change in the ratio ...
-    pub(super) fn motion(&self, rows: &Rows) -> Option<String> {
-        let all = simple(vectors(&rows.matrix, rows.columns.len()), rows, self);
+    pub(super) fn motion(&self, rows: &Rows, last: f64) -> Option<String> {
+        let all = simple(vectors(&rows.matrix, rows.columns.len(), last), rows, self);
         let count = all.len();
         let told = all.iter().take(TOLD).map(|one| self.words_of(one, rows));
         let told: Vec<String> = told.collect();
@@ -121,7 +121,7 @@ impl Position<'_, '_> {
 }
 
 /// `a, b and c`
-fn list(words: Vec<String>) -> String {
+pub(super) fn list(words: Vec<String>) -> String {
     match &words[..] {
         [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
         _ => words.concat(),
