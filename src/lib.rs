@@ -12,10 +12,10 @@ pub use linkage_runtime::Lanes;
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
-    Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning, NotFollowed,
-    Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart,
-    PicturePoint, PointKind, Programs, Scalar, Screw, Structure, Table, Vector2, Vector3,
-    true_acceleration, true_jerk, true_velocity,
+    Gear, Group, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, Meaning,
+    NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
+    PicturePart, PicturePoint, PointKind, Programs, Scalar, Screw, Structure, Table, Vector2,
+    Vector3, true_acceleration, true_jerk, true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};

@@ -8,7 +8,7 @@ use crate::words::{join, numbers, rounded};
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 use core::fmt;
-pub use not_followed::NotFollowed;
+pub use not_followed::{Halt, NotFollowed};
 #[cfg(feature = "alloc")]
 pub use unprepared::{CoupledCause, CoupledError, Placed, Value};
 

@@ -64,7 +64,7 @@ pub use circuits::{Branch, BranchEnd, Circuits, Estimate};
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};
 pub use dimensions::Dimensions;
-pub use error::{AssemblyError, NotFollowed};
+pub use error::{AssemblyError, Halt, NotFollowed};
 #[cfg(feature = "alloc")]
 pub use error::{CoupledCause, CoupledError, Placed, Value};
 #[cfg(feature = "nalgebra")]

@@ -221,13 +221,18 @@ fn groups_without_a_closed_form_say_what_is_wrong() {
         ),
         (
             CoupledCause::NotListed(Unlisted::Degenerate),
-            format!("cannot be solved: the solutions {at} are not isolated, as when legs coincide"),
+            format!(
+                "cannot be solved: the solutions {at} cannot be listed: they may not be isolated, as where legs coincide, guides are \
+                 parallel or lengths are zero; otherwise this is a limit of linkage: `assemble_from` follows an assembly of other \
+                 dimensions to these, without a listing"
+            ),
         ),
         (
             CoupledCause::NotListed(Unlisted::Lost { lost: 1, paths: 8 }),
             format!(
                 "cannot be solved: the solutions {at} cannot all be listed: 1 of 8 paths have no \
-                 certain end; this is a limit of linkage, not of the mechanism"
+                 certain end; this is a limit of linkage, not of the mechanism: `assemble_from` follows an assembly of other \
+                 dimensions to these, without a listing"
             ),
         ),
         (

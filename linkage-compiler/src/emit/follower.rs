@@ -148,7 +148,7 @@ fn follow(outline: &Outline) -> TokenStream {
                 let __group = Self::__STANDING[__stop.number].group;
                 let __structure = #mechanism::<::core::primitive::f64>::STRUCTURE;
                 ::core::result::Result::Err(#runtime::NotFollowed::new(
-                    #title, __group, &__structure.groups[__group], __stop.share,
+                    #title, __group, &__structure.groups[__group], __stop.share, __stop.why,
                 ))
             }
         }

@@ -137,7 +137,7 @@ impl fmt::Display for Unlisted {
             }
             Self::Followed => f.write_str("a solution is followed from its estimates alone"),
             Self::NotFinite => f.write_str("a coefficient is not finite"),
-            Self::Degenerate => f.write_str("the solutions are not isolated"),
+            Self::Degenerate => f.write_str("the solutions may not be isolated"),
         }
     }
 }

@@ -8,7 +8,7 @@ use core::fmt;
 /// Why a follower of an assembly did not reach the inputs that it was to go to. It stays where it was.
 ///
 /// ```
-/// use linkage_runtime::NotFollowed;
+/// use linkage_runtime::{Halt, NotFollowed};
 ///
 /// let error = NotFollowed {
 ///     mechanism: "Hexapod",
@@ -17,11 +17,12 @@ use core::fmt;
 ///     loops: &[1, 2, 3],
 ///     unknowns: &["p", "x", "y"],
 ///     share: 0.25,
+///     why: Halt::DeadPoint,
 /// };
 /// assert_eq!(
 ///     error.to_string(),
 ///     "Hexapod: loops 1, 2 and 3 (p, x, y; 9 loops in space) cannot be followed beyond 25 % of the straight way to these inputs: \
-///      a dead point is there, or so near that no step is certain to stay on the assembly"
+///      a dead point is there"
 /// );
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,13 +39,34 @@ pub struct NotFollowed {
     pub unknowns: &'static [&'static str],
     /// How far the way goes: 0 where the follower stands, 1 at the inputs that it was to go to.
     pub share: f64,
+    /// What is known of its end.
+    pub why: Halt,
+}
+
+/// What is known of the end of a way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Halt {
+    /// A dead point is there: the determinant of the loops is less than a hundredth of what it was where the way began.
+    DeadPoint,
+    /// No step is certain to stay on the assembly: a dead point is near, but not much nearer than where the way began, or another assembly; or the
+    /// equations are eliminated in an order, chosen at the reference, in which a pivot becomes too small here, which is a limit of linkage.
+    Uncertain,
+    /// There is no correction: an input is no number, or a pivot of that order is zero.
+    NoNumber,
 }
 
 impl NotFollowed {
     /// What is known of a group and its way.
     #[doc(hidden)]
     #[must_use]
-    pub fn new(mechanism: &'static str, group: usize, own: &'static Group, share: f64) -> Self {
+    pub fn new(
+        mechanism: &'static str,
+        group: usize,
+        own: &'static Group,
+        share: f64,
+        why: Halt,
+    ) -> Self {
         Self {
             mechanism,
             group,
@@ -52,6 +74,7 @@ impl NotFollowed {
             loops: own.loops,
             unknowns: own.unknowns,
             share,
+            why,
         }
     }
 }
@@ -65,15 +88,32 @@ impl fmt::Display for NotFollowed {
             loops,
             unknowns,
             share,
+            why,
         } = *self;
         write!(f, "{mechanism}: ")?;
         place(f, group, kind, loops, unknowns)?;
         let share = rounded(100.0 * share);
         write!(
             f,
-            " cannot be followed beyond {share} % of the straight way to these inputs: a dead point is there, or so near that no step \
-             is certain to stay on the assembly"
+            " cannot be followed beyond {share} % of the straight way to these inputs: {why}"
         )
+    }
+}
+
+/// Continues a sentence that says where the way ends.
+impl fmt::Display for Halt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::DeadPoint => "a dead point is there",
+            Self::Uncertain => {
+                "no step from there is certain to stay on the assembly, as beside a dead point or another assembly, or where a pivot of the \
+                 elimination becomes small, whose order is chosen at the reference: that is a limit of linkage"
+            }
+            Self::NoNumber => {
+                "there is no correction from there, as where an input is no number, or where a pivot of the elimination is zero, whose order is \
+                 chosen at the reference: that is a limit of linkage"
+            }
+        })
     }
 }
 

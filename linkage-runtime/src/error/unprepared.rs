@@ -60,7 +60,7 @@ pub enum CoupledCause {
         /// Why.
         Unlisted,
     ),
-    /// The solutions cannot be listed, and the estimates, from which one is followed, do not lead to any: a dead point is on the way.
+    /// The solutions cannot be listed, and the estimates, from which one is followed, do not lead to any: the way ends before, as at a dead point.
     NotReached {
         /// The part of what the estimates miss by that is left there.
         left: f64,
@@ -128,6 +128,10 @@ impl fmt::Display for CoupledError {
     }
 }
 
+/// What does without a listing.
+const ANOTHER_WAY: &str =
+    "`assemble_from` follows an assembly of other dimensions to these, without a listing";
+
 /// Continues a sentence that begins with the group.
 impl fmt::Display for CoupledCause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -151,19 +155,24 @@ impl fmt::Display for CoupledCause {
                 }
                 Ok(())
             }
-            Self::NotListed(Unlisted::Degenerate) => f.write_str(
-                "cannot be solved: the solutions at the reference input are not isolated, as when \
-                 legs coincide",
+            Self::NotListed(Unlisted::Degenerate) => write!(
+                f,
+                "cannot be solved: the solutions at the reference input cannot be listed: they may not be isolated, as where legs coincide, \
+                 guides are parallel or lengths are zero; otherwise this is a limit of linkage: {ANOTHER_WAY}"
+            ),
+            Self::NotListed(Unlisted::Followed) => f.write_str(
+                "is followed from its estimates alone: its solutions are not listed, which is a limit of linkage",
             ),
             Self::NotListed(why) => write!(
                 f,
                 "cannot be solved: the solutions at the reference input cannot all be listed: {why}; this is a limit of \
-                 linkage, not of the mechanism"
+                 linkage, not of the mechanism: {ANOTHER_WAY}"
             ),
             Self::NotReached { left } => write!(
                 f,
-                "cannot be reached from its estimates at the reference input: a dead point is met where {:.1} % of what they miss by is \
-                 taken back; the links do not reach each other, or the estimates are too far off",
+                "cannot be reached from its estimates at the reference input: the way ends where {:.1} % of what they miss by is taken \
+                 back, at a dead point or where a pivot of the elimination becomes small; the links do not reach each other, or the \
+                 estimates are too far off",
                 100.0 * (1.0 - left)
             ),
             Self::Singular => {

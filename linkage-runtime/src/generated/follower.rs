@@ -1,7 +1,7 @@
 //! From position to position: coupled groups followed from where they stand, whatever the ranges of the inputs.
 
 use super::settle::{CONTRACTION, CORRECTIONS, FIRST};
-use crate::Scalar;
+use crate::{Halt, Scalar};
 
 /// Shorter steps, as parts of the way, are not tried: beside a dead point.
 const SHORTEST: f64 = 1e-6;
@@ -9,6 +9,10 @@ const SHORTEST: f64 = 1e-6;
 /// A step may change the determinant by this factor at most, from where it begins to any of its corrections. Corrections shrink as fast as they
 /// should where a step comes from one dead point to another assembly beside the next one; the determinant does not stay what it was there.
 const DETERMINANTS: f64 = 2.0;
+
+/// Beside a dead point, as near as the shortest steps lead, the determinant is some thousandth of what it was; where it is more than this, something
+/// else may end the way.
+const VANISHED: f64 = 0.01;
 
 /// Where the state of a coupled group stands among the inputs and states of a mechanism.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +41,8 @@ pub struct Stop {
     pub number: usize,
     /// How far the way goes, from 0 to 1.
     pub share: f64,
+    /// What ends it.
+    pub why: Halt,
 }
 
 /// Puts the state of a corrected group in its place.
@@ -82,28 +88,36 @@ pub fn follow<T: Scalar, const I: usize, const W: usize>(
             };
         }
         let mut all = groups.iter().enumerate();
-        let failed =
-            all.find(|(number, group)| !settles(&mut there, group, |x| correct(*number, x)));
+        let failed = all.find_map(|(number, group)| {
+            let settled = settle(&mut there, group, |x| correct(number, x));
+            Some((number, group, settled.err()?))
+        });
         match failed {
             None => {
                 here = there;
                 share = next;
                 length = (2.0 * length).min(1.0 - share);
             }
-            Some((number, _)) if length < SHORTEST => return Err(Stop { number, share }),
+            Some((number, group, why)) if length < SHORTEST => {
+                let why = match has_vanished(from, &here, group) {
+                    true => Halt::DeadPoint,
+                    false => why,
+                };
+                return Err(Stop { number, share, why });
+            }
             Some(_) => length *= 0.5,
         }
     }
     Ok(here)
 }
 
-/// Corrects a group until it is settled; false if it may be somewhere else then.
+/// Corrects a group until it is settled; otherwise it may be somewhere else then.
 #[inline(always)]
-fn settles<T: Scalar, const W: usize>(
+fn settle<T: Scalar, const W: usize>(
     x: &mut [T; W],
     group: &Standing,
     correct: impl Fn(&mut [T; W]) -> Corrected<T>,
-) -> bool {
+) -> Result<(), Halt> {
     let floor = group.first + group.size;
     let settled = T::LAST_CORRECTION * T::LAST_CORRECTION;
     let mut allowed = FIRST * FIRST;
@@ -111,28 +125,42 @@ fn settles<T: Scalar, const W: usize>(
     for _ in 0..CORRECTIONS {
         let step = correct(x);
         let begin = *begin.get_or_insert(step.determinant);
-        let (mut largest, mut sound) = (0.0, true);
+        let (mut largest, mut sound, mut finite) = (0.0, true, true);
         for lane in 0..T::LANES {
             let size2 = T::lane(step.size2, lane);
             let determinant = T::lane(step.determinant, lane);
             sound &= size2 <= allowed
                 && determinant * T::lane(x[floor], lane) > 0.0
                 && is_alike(determinant, T::lane(begin, lane));
+            finite &= size2.is_finite() && determinant.is_finite();
             largest = f64::max(largest, size2);
         }
+        if !finite {
+            return Err(Halt::NoNumber);
+        }
         if !sound {
-            return false;
+            return Err(Halt::Uncertain);
         }
         if largest <= settled {
             x[floor] = step.determinant * T::from_f64(0.5);
             let numbers = x[group.first..=floor].iter_mut();
             // Derivatives belong to a position: what is evaluated there makes them anew.
             numbers.for_each(|number| *number = T::from_lanes(|lane| T::lane(*number, lane)));
-            return true;
+            return Ok(());
         }
         allowed = CONTRACTION * CONTRACTION * largest;
     }
-    false
+    Err(Halt::Uncertain)
+}
+
+/// True if the determinant of a group is next to nothing, compared with where the way began.
+#[inline(always)]
+fn has_vanished<T: Scalar, const W: usize>(from: &[T; W], here: &[T; W], group: &Standing) -> bool {
+    let floor = group.first + group.size;
+    (0..T::LANES).any(|lane| {
+        let [begin, end] = [from, here].map(|x| T::lane(x[floor], lane).abs());
+        end < VANISHED * begin
+    })
 }
 
 /// True if two determinants are not further apart than those of one step may be.
@@ -177,7 +205,7 @@ mod tests {
     #[test]
     fn a_way_beyond_the_dead_point_stops_there() {
         let stop = follow(&from(1.0), [-1.0], &GROUPS, correct).expect_err("nothing is there");
-        assert_eq!(stop.number, 0);
+        assert_eq!((stop.number, stop.why), (0, Halt::DeadPoint));
         assert!((stop.share - 0.5).abs() < 1e-4, "{stop:?}");
     }
 
@@ -203,7 +231,24 @@ mod tests {
 
     #[test]
     fn nothing_is_followed_to_no_number_or_from_none() {
-        assert!(follow(&from(1.0), [f64::NAN], &GROUPS, correct).is_err());
-        assert!(follow(&[1.0, f64::NAN, 1.0], [1.1], &GROUPS, correct).is_err());
+        for (from, to) in [(from(1.0), f64::NAN), ([1.0, f64::NAN, 1.0], 1.1)] {
+            let stop = follow(&from, [to], &GROUPS, correct).expect_err("no number");
+            assert_eq!((stop.share, stop.why), (0.0, Halt::NoNumber));
+        }
+    }
+
+    /// The same solutions by a matrix that is eliminated in an order that does not serve beyond the input 2, far from any dead point.
+    #[test]
+    fn a_way_that_ends_for_another_reason_is_no_dead_point() {
+        for (lost, why) in [(f64::NAN, Halt::NoNumber), (1.0, Halt::Uncertain)] {
+            let unserved = |number: usize, x: &mut [f64; 3]| {
+                let corrected = correct(number, x);
+                let size2 = if x[0] > 2.0 { lost } else { corrected.size2 };
+                Corrected { size2, ..corrected }
+            };
+            let stop = follow(&from(1.0), [4.0], &GROUPS, unserved).expect_err("not served");
+            assert_eq!(stop.why, why);
+            assert!((stop.share - 1.0 / 3.0).abs() < 1e-5, "{stop:?}");
+        }
     }
 }
