@@ -10,6 +10,10 @@ const HALVINGS: usize = 1100;
 /// Beside a pole the determinant has grown at least so much: it is one over the root of the distance, which is halved many times.
 const GROWN: f64 = 100.0;
 
+/// Positions that end shortly before a pole, as tables of coupled groups do: one over the determinant's square is a straight line there, which reaches
+/// zero within this part of a step beyond their end.
+const SHORTLY: f64 = 1.0 / 64.0;
+
 /// How a position is singular (C. Gosselin, J. Angeles, "Singularity analysis of closed-loop kinematic chains", IEEE Trans. Robotics
 /// Automation 6, 1990).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +24,8 @@ pub enum SingularityKind {
     /// It is infinite: the results can move although the inputs stand still, and the drives hold no load in some direction. A dead point of
     /// the mechanism that is driven by these inputs.
     Second,
-    /// Beyond are no positions although the determinant stays finite: the end of a range that is served, or both kinds at once.
+    /// Beyond are no positions although the determinant stays finite and heads for no pole: the end of a range that is served, or both kinds at
+    /// once.
     End,
 }
 
@@ -38,6 +43,9 @@ pub struct Singularity {
 /// `jacobian` gives the derivatives at a place of the path, not finite where there is no position. Between `steps + 1` places at equal
 /// distances changes of the determinant's sign, and borders to where it is not finite, are enclosed by halving. What happens twice
 /// between two neighbouring places is not seen, nor is a position that is touched and not passed.
+///
+/// What is prepared of a coupled group ends shortly before a dead point. That is told as one of the second kind, at the border, if the determinant grows
+/// towards it like one over the root of a distance that is less than a 64th of a step beyond the border: smaller steps ask for more.
 ///
 /// ```
 /// use linkage_runtime::jacobian::{Jacobian, SingularityKind, singularities};
@@ -112,9 +120,10 @@ fn between(
         Some(_) => (low, first),
         None => (high, second),
     };
-    let grown = near.determinant.abs() > GROWN * far.determinant.abs();
     let passes = low.side().is_some() && high.side().is_some();
-    let kind = match (grown, passes) {
+    let grown = near.determinant.abs() > GROWN * far.determinant.abs();
+    let pole = grown || (!passes && heads_for_pole(at, near, far));
+    let kind = match (pole, passes) {
         (true, _) => SingularityKind::Second,
         (false, true) => SingularityKind::First,
         (false, false) => SingularityKind::End,
@@ -123,4 +132,12 @@ fn between(
         at: near.place,
         kind,
     })
+}
+
+/// Whether the determinant has a pole shortly beyond the border at `near`; `far` is a step away on the side where positions are.
+fn heads_for_pole(at: &mut impl FnMut(f64) -> Sample, near: Sample, far: Sample) -> bool {
+    let beside = at(near.place + SHORTLY * (far.place - near.place));
+    let [level, above] = [near, beside].map(|own| 1.0 / (own.determinant * own.determinant));
+    // From `above` over `level` down to zero, within the same distance.
+    beside.side().is_some() && above >= 2.0 * level
 }

@@ -112,6 +112,23 @@ fn zeros_poles_and_ends_are_told_apart() {
         close(at, place, 1e-15);
         assert_eq!(kind, expected);
     }
+    // A root's pole at 2, of which the last stretch is not served: a hundredth of a step, and a tenth.
+    for (rest, kind) in [
+        (1e-3, SingularityKind::Second),
+        (1e-2, SingularityKind::End),
+    ] {
+        let served = |x: f64| {
+            if x > 2.0 - rest {
+                f64::NAN
+            } else {
+                3.0 / (2.0 - x).sqrt()
+            }
+        };
+        let ends = singularities(|x| Jacobian::of_results([[served(x)]]), [0.0, 3.0], 30);
+        assert_eq!(ends.len(), 1);
+        close(ends[0].at, 2.0 - rest, 1e-15);
+        assert_eq!(ends[0].kind, kind, "{rest}");
+    }
     let ends = singularities(
         |x: f64| Jacobian::of_results([[if x < 0.7 { f64::NAN } else { 2.0 + x }]]),
         [0.0, 1.0],
