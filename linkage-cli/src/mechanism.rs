@@ -62,6 +62,12 @@ impl Mechanism {
     }
 
     /// The modes that the start estimates choose.
+    /// The groups whose assembly is followed from the estimates, as numbers in `structure`.
+    pub(crate) fn followed(&self) -> impl Iterator<Item = usize> {
+        let followed = self.unit.coupled.iter().filter(|own| own.followed);
+        followed.map(|own| own.group)
+    }
+
     pub(crate) fn modes(&self) -> Vec<AssemblyMode> {
         let modes = self.unit.modes().into_iter();
         modes

@@ -58,9 +58,26 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
             let unknowns: Vec<String> = unknowns.map(|own| own.to_string()).collect();
             let _ = writeln!(text, "{}  {modes}{}", index + 1, unknowns.join(", "));
         }
+        if let Some(left_out) = not_listed(&mechanism) {
+            let _ = writeln!(text, "{left_out}");
+        }
         print(&text)?;
     }
     Ok(())
+}
+
+/// Which groups may have other assemblies than those that are found, in words.
+pub(super) fn not_listed(mechanism: &Mechanism) -> Option<String> {
+    let followed = mechanism.followed();
+    let numbers: Vec<String> = followed.map(|group| (group + 1).to_string()).collect();
+    let groups = match &numbers[..] {
+        [] => return None,
+        [one] => format!("group {one} is"),
+        several => format!("groups {} are", several.join(", ")),
+    };
+    Some(format!(
+        "{groups} followed from the estimates: only that assembly is found, others of the same loops are not listed"
+    ))
 }
 
 /// Prints the circuits of each mechanism.

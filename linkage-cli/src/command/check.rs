@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use linkage_compiler::check_all;
 use linkage_runtime::Input;
 
-use super::assemblies::{placed, shown};
+use super::assemblies::{not_listed, placed, shown};
 use super::is_coloured;
 use super::output::print;
 use crate::failure::Failure;
@@ -54,7 +54,13 @@ fn known(mechanism: &Mechanism) -> String {
         let _ = writeln!(text, "{}", range(input));
     }
     let assemblies = match mechanism.assemblies(&mechanism.dimensions(), &mechanism.reference()) {
-        Ok(all) => format!("assemblies at the reference: {}", all.len()),
+        Ok(all) => match not_listed(mechanism) {
+            None => format!("assemblies at the reference: {}", all.len()),
+            Some(left_out) => format!(
+                "assemblies at the reference: {} found; {left_out}",
+                all.len()
+            ),
+        },
         Err(error) => format!("assemblies at the reference: {error}"),
     };
     let _ = writeln!(text, "{assemblies}\n");

@@ -40,7 +40,7 @@ pub(super) fn structure(unit: &Unit) -> &'static Structure {
         loops: forever(own.loops.as_slice()),
         unknowns: names(&own.unknowns),
         mode: own.mode,
-        method: own.method,
+        method: forever(own.method.as_str()),
     });
     let functions = unit.functions.iter().map(|own| FunctionInfo {
         name: forever(plain(&own.name)),

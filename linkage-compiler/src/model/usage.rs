@@ -33,6 +33,18 @@ impl Mechanism {
 }
 
 impl Mechanism {
+    /// Whether an expression is written with one of these unknowns, directly or through derived quantities.
+    pub(crate) fn mentions(&self, expr: &Expr, unknowns: &[usize]) -> bool {
+        let mut names = expr.parts().filter_map(Expr::as_name);
+        names.any(|name| match name {
+            Name::Let(index) => self.mentions(&self.lets[index].value, unknowns),
+            Name::Unknown(index) => unknowns.contains(&index),
+            Name::Const(_) | Name::Parameter(_) | Name::Input(_) | Name::Argument(_) | Name::Pi => {
+                false
+            }
+        })
+    }
+
     /// All that bodies, joints and loads are written with.
     pub(crate) fn expressions_of_mechanics(&self) -> Vec<&Expr> {
         let mut all: Vec<&Expr> = self.gravity.iter().collect();

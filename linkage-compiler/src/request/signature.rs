@@ -9,6 +9,7 @@ use crate::algebra::Algebra;
 use crate::close::{Reference, followed_range};
 use crate::formulate::{Formulation, Prepared, Solved};
 use crate::model::{Mechanism, Shape};
+use crate::structure::Most;
 use crate::unit::{Argument, Group, Input, Parameter, Role, Scalar, Unit, Unknown};
 
 use super::AtReference;
@@ -74,7 +75,7 @@ pub(super) fn signature<'m>(
         arguments: arguments.collect(),
         unknowns: unknowns.collect(),
         groups: groups
-            .map(|(solved, parameters)| group(mechanism, solved, parameters, reference))
+            .map(|(solved, parameters)| group(algebra, solved, parameters, reference))
             .collect(),
         mobility: formulation.mobility,
         longest: reference.longest,
@@ -120,26 +121,27 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
 }
 
 /// How a group is solved: where its assemblies cannot be listed, another way than its form says.
-fn method(solved: &Solved, reference: &Reference) -> &'static str {
+fn method(algebra: &Algebra, solved: &Solved, reference: &Reference) -> String {
     let coupled = &reference.machine.closing.coupled;
     let followed = |own: &&Prepared| coupled[own.number].followed;
-    match solved.prepared.as_ref().filter(followed) {
-        None => solved.closed.method,
-        Some(own) if own.has_table() => {
-            "followed from the estimates, complex solutions not listed; prepared table over the input, one Newton step, certificate"
-        }
-        Some(_) => {
-            "followed from the estimates, complex solutions not listed; prepared states, fixed number of Newton steps, certificate"
-        }
-    }
+    let Some(own) = solved.prepared.as_ref().filter(followed) else {
+        return solved.closed.method.to_owned();
+    };
+    let how = match own.has_table() {
+        true => "prepared table over the input, one Newton step, certificate",
+        false => "prepared states, fixed number of Newton steps, certificate",
+    };
+    let solutions = Most::of(algebra, &solved.group);
+    format!("followed from the estimates; {solutions} not listed; {how}")
 }
 
 fn group(
-    mechanism: &Mechanism,
+    algebra: &Algebra,
     solved: &Solved,
     parameters: Vec<usize>,
     reference: &Reference,
 ) -> Group {
+    let mechanism = algebra.mechanism;
     let unknown = |&k: &usize| mechanism.unknowns[k].name.clone();
     let modes = &reference.machine.modes;
     Group {
@@ -151,7 +153,7 @@ fn group(
         mode: solved.mode,
         coupled: solved.prepared.is_some(),
         plus: solved.mode.is_none_or(|mode| modes[mode] > 0.0),
-        method: method(solved, reference),
+        method: method(algebra, solved, reference),
         gap_unit: solved.gap_dimension(mechanism).unit(mechanism.unit),
         parameters,
     }

@@ -4,6 +4,7 @@
 //! directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups, in order. Each group is then brought
 //! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
 
+mod bound;
 mod circle;
 mod class;
 mod classify;
@@ -31,6 +32,7 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
 use crate::model::{Dimension, Mechanism, Type};
 
+pub(crate) use bound::Most;
 pub(crate) use coupled_core::{Block, Core, Coupled, Private, Product};
 pub(crate) use equations::{Coordinate, Equation};
 pub(crate) use form::{Form, Plane, Rotor, Sphere};

@@ -27,7 +27,7 @@ pub struct Group {
     /// The mode that the start estimates choose: true for `+1`.
     pub plus: bool,
     /// A sentence for `STRUCTURE`: which solution is used.
-    pub method: &'static str,
+    pub method: String,
     /// `mm`, `rad`: what the group's gap is measured in.
     pub gap_unit: String,
     /// The scalars of parameters that its solution needs and no earlier group.

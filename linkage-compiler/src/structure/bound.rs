@@ -1,0 +1,195 @@
+//! How many complex solutions the loops of a coupled group have at most, where they are not listed.
+
+use std::fmt;
+
+use linkage_symbolic::SymbolId;
+
+use super::{Block, Core, Coupled, Form, Group};
+use crate::algebra::{Algebra, Names};
+use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
+
+/// Places of a body in space by six distances of its points from known ones: F. Ronga, T. Vust, "Stewart platforms without computer?", 1992; D. Lazard,
+/// "Stewart platforms and Groebner basis", 1992; and M. Raghavan, "The Stewart platform of general geometry has 40 configurations", 1993. Known
+/// coordinates of a point are distances from centres infinitely far off, which leaves no more isolated solutions.
+const OF_A_BODY: u64 = 40;
+
+/// What is known of the number of complex solutions.
+pub(crate) enum Most {
+    /// One body on six distances.
+    OfABody,
+    /// Bezout's number for directions and lengths apart.
+    ByDegrees(u64),
+}
+
+impl fmt::Display for Most {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OfABody => write!(
+                f,
+                "up to {OF_A_BODY} complex solutions (a body on six distances)"
+            ),
+            Self::ByDegrees(u64::MAX) => f.write_str("complex solutions"),
+            Self::ByDegrees(number) => write!(f, "up to {number} complex solutions (by degrees)"),
+        }
+    }
+}
+
+impl Most {
+    /// How many isolated complex solutions a coupled group has at most.
+    pub(crate) fn of(algebra: &Algebra, group: &Group) -> Self {
+        let by_degrees = match &group.form {
+            Form::Coupled(coupled) => coupled.bezout(&algebra.names),
+            _ => u64::MAX,
+        };
+        match algebra.mechanism.is_body_on_distances(group) && OF_A_BODY < by_degrees {
+            true => Self::OfABody,
+            false => Self::ByDegrees(by_degrees),
+        }
+    }
+}
+
+impl Mechanism {
+    /// Whether a group finds where one body of space is, by distances of its points from known ones. Coordinates of its origin may be known.
+    fn is_body_on_distances(&self, group: &Group) -> bool {
+        let bodies = self.bodies_of_space();
+        let mut bodies = bodies.iter().map(|(_, parts)| parts);
+        let Some(parts) = bodies.find(|parts| group.unknowns.iter().all(|own| parts.contains(own)))
+        else {
+            return false;
+        };
+        let all = (0..self.loops.len()).filter(|&index| !self.is_loop_of_frame(index));
+        let mut about = all.filter(|&index| {
+            let own = &self.loops[index];
+            self.mentions(&own.left, parts) || self.mentions(&own.right, parts)
+        });
+        about.all(|index| {
+            let own = &self.loops[index];
+            let [left, right] = [&own.left, &own.right];
+            let known = |side| !self.mentions(side, parts);
+            let holds = |side| match group.loops.contains(&index) {
+                true => self.is_distance(side, parts),
+                false => self.is_coordinate_of_origin(side, parts),
+            };
+            (holds(left) && known(right)) || (holds(right) && known(left))
+        })
+    }
+
+    /// `distance(point_in(body, v), q)` of a body that consists of these unknowns.
+    fn is_distance(&self, side: &Expr, parts: &[usize]) -> bool {
+        let ExprKind::Call(Function::Distance, points) = &self.plain(side).kind else {
+            return false;
+        };
+        let [a, b] = &points[..] else { return false };
+        let on_body = |point: &Expr| match &self.plain(point).kind {
+            ExprKind::Call(Function::PointIn, own) => {
+                self.is_body(&own[0], parts) && !self.mentions(&own[1], parts)
+            }
+            ExprKind::Index(frame, 0) => self.is_body(frame, parts),
+            _ => false,
+        };
+        let known = |point: &Expr| !self.mentions(point, parts);
+        (on_body(a) && known(b)) || (on_body(b) && known(a))
+    }
+
+    /// `body.origin.z`
+    fn is_coordinate_of_origin(&self, side: &Expr, parts: &[usize]) -> bool {
+        let ExprKind::Component(point, _) = &self.plain(side).kind else {
+            return false;
+        };
+        matches!(&self.plain(point).kind, ExprKind::Index(frame, 0) if self.is_body(frame, parts))
+    }
+
+    /// Whether this is the frame that consists of these unknowns.
+    fn is_body(&self, frame: &Expr, parts: &[usize]) -> bool {
+        let ExprKind::Call(Function::Frame, own) = &self.plain(frame).kind else {
+            return false;
+        };
+        let own = own.iter().filter_map(Expr::as_name);
+        let unknowns =
+            own.filter(|name| matches!(name, Name::Unknown(index) if parts.contains(index)));
+        unknowns.count() == parts.len()
+    }
+
+    /// What a name stands for.
+    fn plain<'e>(&'e self, expr: &'e Expr) -> &'e Expr {
+        match expr.kind {
+            ExprKind::Name(Name::Let(index)) => self.plain(&self.lets[index].value),
+            _ => expr,
+        }
+    }
+}
+
+impl Coupled<'_> {
+    /// Bezout's number where all lengths are of one kind and every angle is of its own: the coefficient, in the product of all equations' degrees as
+    /// sums, of the product of all unknowns (A. Morgan, A. Sommese, "A homotopy for solving general polynomial systems that respects m-homogeneous
+    /// structures", 1987). An angle counts twice: a polynomial in its cosine and sine is one of twice the degree in the unit vector.
+    fn bezout(&self, names: &Names) -> u64 {
+        let angles: Vec<usize> = (0..self.core.len())
+            .filter(|&k| matches!(self.core[k], Core::Angle(_)))
+            .collect();
+        let lengths = self.core.len() - angles.len();
+        let degrees = self.degrees(names, &angles);
+        if degrees.len() != self.core.len() {
+            return u64::MAX;
+        }
+        // Ways of taking one factor of each equation so far such that the angles of a set occur; all others are lengths.
+        let sets = 1_usize << angles.len();
+        let mut ways = vec![0_u64; sets];
+        ways[0] = 1;
+        for (done, (of_lengths, of_angles)) in degrees.iter().enumerate() {
+            let mut next = vec![0_u64; sets];
+            for (set, &own) in ways.iter().enumerate().filter(|(_, own)| **own > 0) {
+                let mut add = |set: usize, degree: u64| {
+                    next[set] = next[set].saturating_add(own.saturating_mul(degree));
+                };
+                if done - (set.count_ones() as usize) < lengths {
+                    add(set, *of_lengths);
+                }
+                for (k, degree) in of_angles.iter().enumerate() {
+                    if set & (1 << k) == 0 {
+                        add(set | (1 << k), *degree);
+                    }
+                }
+            }
+            ways = next;
+        }
+        ways[sets - 1]
+    }
+
+    /// By equation: its degree in all lengths, and in each angle's unit vector.
+    fn degrees(&self, names: &Names, angles: &[usize]) -> Vec<(u64, Vec<u64>)> {
+        let lengths = self.core.iter().filter_map(|own| match own {
+            Core::Length { symbol, .. } => Some(*symbol),
+            Core::Angle(_) => None,
+        });
+        let lengths: Vec<SymbolId> = lengths.collect();
+        let units = angles.iter().map(|&k| match self.core[k] {
+            Core::Angle(angle) => names.angles[angle].symbols().to_vec(),
+            Core::Length { .. } => Vec::new(),
+        });
+        let units: Vec<Vec<SymbolId>> = units.collect();
+        let all = self.blocks.iter().flat_map(|block| {
+            let (count, factor) = match block.private {
+                // The square of a vector, or its product with the guide.
+                Some(_) => (1, 2),
+                None => (block.rows.len(), 1),
+            };
+            let of_lengths = factor * degree(block, &lengths);
+            let of_units = units.iter().map(|own| 2 * factor * degree(block, own));
+            std::iter::repeat_n((of_lengths, of_units.collect()), count)
+        });
+        all.collect()
+    }
+}
+
+/// The degree of a loop's polynomials in some symbols.
+fn degree(block: &Block, symbols: &[SymbolId]) -> u64 {
+    let all = block.terms.iter().map(|term| {
+        let own = term
+            .powers
+            .iter()
+            .filter(|(symbol, _)| symbols.contains(symbol));
+        own.map(|(_, power)| u64::from(*power)).sum()
+    });
+    all.max().unwrap_or(0)
+}
