@@ -14,8 +14,8 @@ pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
     Gear, Group, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, Meaning,
     NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
-    PicturePart, PicturePoint, PointKind, Programs, Scalar, Screw, Structure, Table, Vector2,
-    Vector3, true_acceleration, true_jerk, true_velocity,
+    PicturePart, PicturePoint, PlaneFrame, PointKind, Programs, Scalar, Screw, Structure, Table,
+    Vector2, Vector3, true_acceleration, true_jerk, true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};
@@ -300,8 +300,8 @@ pub mod __private {
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, FUSED, Frame,
         FunctionInfo, Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning,
         NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
-        PicturePart, PicturePoint, PointKind, Programs, Scalar, Structure, Table, Vector2, Vector3,
-        if_alloc, if_rayon, if_report,
+        PicturePart, PicturePoint, PlaneFrame, PointKind, Programs, Scalar, Structure, Table,
+        Vector2, Vector3, if_alloc, if_rayon, if_report,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle};

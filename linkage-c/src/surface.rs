@@ -26,7 +26,7 @@ pub(crate) struct Surface<'a> {
     pub(crate) assemble: String,
     pub(crate) error: String,
     pub(crate) dimensions_type: String,
-    vectors: [String; 3],
+    vectors: [String; 4],
 }
 
 /// A field of the struct of dimensions.
@@ -72,7 +72,7 @@ impl<'a> Surface<'a> {
         let mut global = |name: &str| names.take(&format!("{prefix}_{name}"));
         let [dimensions_type, assemble, error] =
             ["dimensions", "assemble", "error"].map(&mut global);
-        let vectors = ["xy", "xyz", "frame"].map(&mut global);
+        let vectors = ["xy", "xyz", "frame", "plane_frame"].map(&mut global);
         let functions = unit.functions.iter();
         let functions = functions.map(|own| evaluator(unit, own, &mut global));
         let functions = functions.collect();
@@ -116,12 +116,13 @@ impl<'a> Surface<'a> {
 
     /// A declaration without the semicolon: `double e[3]`, `favorit_xy p`.
     pub(crate) fn declared(&self, name: &str, shape: &Shape) -> String {
-        let [xy, xyz, frame] = &self.vectors;
+        let [xy, xyz, frame, plane_frame] = &self.vectors;
         match shape {
             Shape::Scalar => format!("{} {name}", self.real.name()),
             Shape::Vector(2) => format!("{xy} {name}"),
             Shape::Vector(_) => format!("{xyz} {name}"),
             Shape::Frame => format!("{frame} {name}"),
+            Shape::PlaneFrame => format!("{plane_frame} {name}"),
             Shape::Array(count, entry) => self.declared(&format!("{name}[{count}]"), entry),
         }
     }
@@ -135,11 +136,11 @@ impl<'a> Surface<'a> {
             .map(innermost)
             .collect();
         let number = self.real.name();
-        let [xy, xyz, frame] = &self.vectors;
+        let [xy, xyz, frame, plane_frame] = &self.vectors;
         let has = |wanted: &Shape| shapes.contains(&wanted);
-        let frames = has(&Shape::Frame);
+        let [frames, plane_frames] = [Shape::Frame, Shape::PlaneFrame].map(|own| has(&own));
         let mut types = Vec::new();
-        if has(&Shape::Vector(2)) {
+        if has(&Shape::Vector(2)) || plane_frames {
             types.push(format!("typedef struct {xy} {{ {number} x, y; }} {xy};\n"));
         }
         if has(&Shape::Vector(3)) || frames {
@@ -150,6 +151,11 @@ impl<'a> Surface<'a> {
         if frames {
             types.push(format!(
                 "typedef struct {frame} {{ {xyz} origin, x, y, z; }} {frame};\n"
+            ));
+        }
+        if plane_frames {
+            types.push(format!(
+                "typedef struct {plane_frame} {{ {xy} origin, x, y; }} {plane_frame};\n"
             ));
         }
         types
@@ -170,7 +176,7 @@ impl<'a> Surface<'a> {
 fn innermost(shape: &Shape) -> &Shape {
     match shape {
         Shape::Array(_, entry) => innermost(entry),
-        Shape::Scalar | Shape::Vector(_) | Shape::Frame => shape,
+        Shape::Scalar | Shape::Vector(_) | Shape::Frame | Shape::PlaneFrame => shape,
     }
 }
 
@@ -190,6 +196,12 @@ pub(crate) fn places(name: &str, shape: &Shape) -> Vec<String> {
             let vectors = OF_FRAME.iter();
             let vectors =
                 vectors.flat_map(|own| places(&format!("{name}.{own}"), &Shape::Vector(3)));
+            vectors.collect()
+        }
+        Shape::PlaneFrame => {
+            let vectors = OF_FRAME[..3].iter();
+            let vectors =
+                vectors.flat_map(|own| places(&format!("{name}.{own}"), &Shape::Vector(2)));
             vectors.collect()
         }
     }
@@ -282,6 +294,6 @@ fn field_note(field: &linkage_compiler::unit::Field, columns: &[Column]) -> Stri
             let names: Vec<&str> = columns.iter().map(|own| &own.name[..]).collect();
             format!("{about}: {}", names.join(", "))
         }
-        Shape::Scalar | Shape::Vector(_) | Shape::Frame => about,
+        Shape::Scalar | Shape::Vector(_) | Shape::Frame | Shape::PlaneFrame => about,
     }
 }

@@ -204,5 +204,6 @@ fn shape(own: &Shape) -> String {
         Shape::Vector(count) => many(count, number()),
         Shape::Array(count, entry) => many(count, shape(entry)),
         Shape::Frame => many(&4, many(&3, number())),
+        Shape::PlaneFrame => many(&3, many(&2, number())),
     }
 }

@@ -90,6 +90,7 @@ fn shape(own: &Shape) -> String {
         Shape::Vector(count) => format!("[{}]", vec!["number"; *count].join(", ")),
         Shape::Array(_, entry) => format!("{}[]", shape(entry)),
         Shape::Frame => "[Axis, Axis, Axis, Axis]".to_owned(),
+        Shape::PlaneFrame => format!("[{}]", ["[number, number]"; 3].join(", ")),
     }
 }
 

@@ -44,6 +44,8 @@ pub mod javascript;
 mod motion;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod pins;
+#[cfg(feature = "nalgebra")]
+mod plane_frame;
 #[cfg(feature = "report")]
 pub mod report;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
@@ -89,6 +91,8 @@ pub use motion::{true_acceleration, true_jerk, true_velocity};
 pub use nalgebra::{self, Vector2, Vector3};
 #[cfg(feature = "alloc")]
 pub use numeric::roots::Unlisted;
+#[cfg(feature = "nalgebra")]
+pub use plane_frame::PlaneFrame;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use scene::{Handle, Handles, Scene};
 #[cfg(feature = "nalgebra")]

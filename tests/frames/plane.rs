@@ -19,6 +19,8 @@ mechanism! {
             tip, angle: coupler.angle, speed: velocity(tip), x: coupler.x, y: coupler.y, own: coordinates_in(coupler, tip),
             e: sensitivity(tip),
         }
+        /// The pose, and how it turns.
+        pub fn pose(phi) -> BodyPose { coupler, turn: omega(coupler), bend: alpha(coupler), first: velocity(coupler.angle) }
     }
 }
 
@@ -124,5 +126,38 @@ fn a_platform_is_a_group_of_class_three() {
             1e-12,
         );
         near(seen.x, turn(Vector2::new(cos, sin)), 1e-14);
+    }
+}
+
+/// The pose as a motion of the plane takes the body's points where the mechanism has them; it turns as differences of its axes say.
+#[test]
+fn a_pose_is_a_motion_of_the_plane() {
+    const STEP: f64 = 1e-4;
+    let linkage = Body::default().assemble().expect("it assembles");
+    let tracer = linkage.mechanism().tracer;
+    for k in 0..24 {
+        let phi = 0.1 + 0.26 * f64::from(k);
+        let (pose, motion) = (linkage.pose(phi), linkage.motion(phi));
+        let body = pose.coupler;
+        let carried = body.isometry() * linkage::nalgebra::Point2::from(tracer);
+        assert!((carried.coords - motion.tip).norm() < 1e-13);
+        assert!((body.point(tracer) - motion.tip).norm() < 1e-13);
+        assert!((body.coordinates(motion.tip) - tracer).norm() < 1e-13);
+        assert!((body.x - motion.x).norm() < 1e-15 && (body.y - motion.y).norm() < 1e-15);
+        assert!((body.isometry().rotation.angle().sin() - motion.angle.sin()).abs() < 1e-14);
+        assert_eq!(pose.turn, pose.first);
+        // Turned by d in between: the sine of it is the product of both axes.
+        let at = |steps: f64| linkage.pose(phi + steps * STEP);
+        let turned = at(-1.0).coupler.x.perp(&at(1.0).coupler.x).asin();
+        assert!((turned / (2.0 * STEP) - pose.turn).abs() < 1e-7);
+        let bend = (at(1.0).turn - at(-1.0).turn) / (2.0 * STEP);
+        assert!((bend - pose.bend).abs() < 1e-6);
+    }
+    // In a sweep: the columns of origin, x and y, each with two components.
+    let poses = linkage.pose_sweep(&[0.8, 0.9]);
+    let [origin, x, y]: [[&[f64]; 2]; 3] = poses.coupler();
+    let own = linkage.pose(0.9).coupler;
+    for (columns, vector) in [(origin, own.origin), (x, own.x), (y, own.y)] {
+        (0..2).for_each(|k| assert!((columns[k][1] - vector[k]).abs() < 1e-13));
     }
 }

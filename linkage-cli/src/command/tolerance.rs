@@ -265,7 +265,7 @@ fn quantities(field: &Field, parameters: &[usize], first: usize) -> Vec<Sensitiv
     let inner = width(entry);
     let together = match entry {
         Shape::Scalar | Shape::Vector(_) => inner,
-        Shape::Array(..) | Shape::Frame => 1,
+        Shape::Array(..) | Shape::Frame | Shape::PlaneFrame => 1,
     };
     let part = |start: usize| {
         let components = start..start + together;
@@ -294,5 +294,6 @@ fn width(shape: &Shape) -> usize {
         Shape::Vector(count) => *count,
         Shape::Array(count, entry) => count * width(entry),
         Shape::Frame => 12,
+        Shape::PlaneFrame => 6,
     }
 }

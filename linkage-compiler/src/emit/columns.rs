@@ -190,6 +190,7 @@ fn fields(outline: &Outline, function: &Function) -> TokenStream {
             behind_name(&field.about),
             match field.shape {
                 Shape::Frame => " Entries are its origin and its axes x, y, z.",
+                Shape::PlaneFrame => " Entries are its origin and its axes x, y.",
                 _ => "",
             }
         ));
@@ -214,6 +215,7 @@ fn slices_type(shape: &Shape) -> TokenStream {
             quote!([#entry; #n])
         }
         Shape::Frame => quote!([[&[T]; 3]; 4]),
+        Shape::PlaneFrame => quote!([[&[T]; 2]; 3]),
     }
 }
 
@@ -226,6 +228,7 @@ fn slices(shape: &Shape, next: &mut usize) -> TokenStream {
         Shape::Vector(n) => entries(*n, &Shape::Scalar),
         Shape::Array(n, entry) => entries(*n, entry),
         Shape::Frame => entries(4, &Shape::Vector(3)),
+        Shape::PlaneFrame => entries(3, &Shape::Vector(2)),
         Shape::Scalar => {
             let column = literal::index(*next);
             *next += 1;

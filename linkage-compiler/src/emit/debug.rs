@@ -44,7 +44,7 @@ fn has_vectors(field: &Field) -> bool {
             Shape::Vector(_) => true,
             Shape::Array(_, entry) => within(entry),
             // It shows its own.
-            Shape::Scalar | Shape::Frame => false,
+            Shape::Scalar | Shape::Frame | Shape::PlaneFrame => false,
         }
     }
     within(&field.shape)

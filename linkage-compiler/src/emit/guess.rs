@@ -108,6 +108,7 @@ impl<'a> Guess<'a> {
                 _ => Shape::Scalar,
             },
             ExprKind::Field(value, _) if shape(value) == Shape::Frame => Shape::Vector(3),
+            ExprKind::Field(value, _) if shape(value) == Shape::PlaneFrame => Shape::Vector(2),
             ExprKind::Negate(inner) => shape(inner),
             ExprKind::Binary(BinaryOp::Div, left, _) => shape(left),
             ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul, left, right) => {
@@ -193,8 +194,15 @@ impl<'a> Guess<'a> {
 fn call(function: Function, first: &dyn Fn() -> Shape) -> Shape {
     match function {
         Function::Polar | Function::Dir => Shape::Vector(2),
-        Function::Turn | Function::PointIn | Function::CoordinatesIn => Shape::Vector(3),
-        Function::Frame => Shape::Frame,
+        Function::Turn => Shape::Vector(3),
+        Function::PointIn | Function::CoordinatesIn => match first() {
+            Shape::PlaneFrame => Shape::Vector(2),
+            _ => Shape::Vector(3),
+        },
+        Function::Frame => match first() {
+            Shape::Vector(2) => Shape::PlaneFrame,
+            _ => Shape::Frame,
+        },
         Function::Rotate | Function::Unit => first(),
         Function::Cross => match first() {
             Shape::Vector(3) => Shape::Vector(3),

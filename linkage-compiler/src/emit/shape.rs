@@ -21,6 +21,7 @@ impl Outline<'_> {
                 quote!([#entry; #n])
             }
             Shape::Frame => quote!(#runtime::Frame<#scalar>),
+            Shape::PlaneFrame => quote!(#runtime::PlaneFrame<#scalar>),
         }
     }
 
@@ -49,6 +50,10 @@ impl Outline<'_> {
                     [(); 4].map(|()| self.field_value(&Shape::Vector(3), scalars));
                 quote!(#runtime::Frame { origin: #origin, x: #x, y: #y, z: #z })
             }
+            Shape::PlaneFrame => {
+                let [origin, x, y] = [(); 3].map(|()| self.field_value(&Shape::Vector(2), scalars));
+                quote!(#runtime::PlaneFrame { origin: #origin, x: #x, y: #y })
+            }
         }
     }
 }
@@ -71,6 +76,10 @@ pub(super) fn field_scalars(shape: &Shape, value: &TokenStream) -> Vec<TokenStre
         Shape::Frame => [quote!(origin), quote!(x), quote!(y), quote!(z)]
             .iter()
             .flat_map(|axis| vector(&quote!(#value.#axis), 3))
+            .collect(),
+        Shape::PlaneFrame => [quote!(origin), quote!(x), quote!(y)]
+            .iter()
+            .flat_map(|axis| vector(&quote!(#value.#axis), 2))
             .collect(),
     }
 }

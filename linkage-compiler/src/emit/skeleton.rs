@@ -198,7 +198,7 @@ fn components(name: &Ident, shape: &Shape) -> Vec<Component> {
             .iter()
             .map(|c| format!("{name}.{c}"))
             .collect(),
-        Shape::Scalar | Shape::Array(..) | Shape::Frame => vec![name],
+        Shape::Scalar | Shape::Array(..) | Shape::Frame | Shape::PlaneFrame => vec![name],
     };
     names
         .into_iter()

@@ -202,7 +202,6 @@ impl Resolver<'_> {
             None => self.expression(&quantity.value, context),
         };
         settle_alone(&mut value);
-        let value = self.refuse_plane_frame(value);
         Quantity {
             field,
             documentation: documentation(&quantity.attributes),

@@ -15,7 +15,11 @@ pub(crate) const PARTS: [&str; 4] = ["origin", "x", "y", "z"];
 pub(super) const PARTS_HELP: &str = "parts of a frame are `.origin`, `.x`, `.y` and `.z`";
 
 /// What a frame of the plane consists of, in this order.
-pub(super) const PLANE_PARTS: [&str; 4] = ["origin", "x", "y", "angle"];
+pub(crate) const PLANE_PARTS: [&str; 4] = ["origin", "x", "y", "angle"];
+
+/// Which of them is its angle, behind so many vectors: as a quantity it is these.
+const ANGLE_PART: usize = 3;
+pub(crate) const VECTORS_OF_PLANE: usize = ANGLE_PART;
 
 pub(super) const PLANE_PARTS_HELP: &str =
     "parts of a frame of the plane are `.origin`, `.x`, `.y` and `.angle`";
@@ -194,18 +198,6 @@ impl Resolver<'_> {
         }
     }
 
-    /// A frame of the plane as a quantity.
-    pub(super) fn refuse_plane_frame(&mut self, value: Expr) -> Expr {
-        if value.ty != Type::PlaneFrame {
-            return value;
-        }
-        let span = self.origins.span(value.origin);
-        let fact = "a frame of the plane is no quantity; this is a limit of linkage, not a mistake of yours";
-        let help = "ask for its parts: `.origin`, `.x`, `.y`, `.angle`";
-        self.diagnostics.error_with_help(span, fact, help);
-        self.failed(span)
-    }
-
     /// The frame of which the turning is asked for.
     pub(super) fn turning(
         &mut self,
@@ -218,18 +210,18 @@ impl Resolver<'_> {
         if value.ty == Type::Frame || value.ty.is_error() {
             return value;
         }
+        if value.ty == Type::PlaneFrame {
+            // It turns by its angle.
+            let span = self.origins.span(value.origin);
+            let ty = type_of_part(&value.ty, ANGLE_PART);
+            return self.make(ExprKind::Index(Box::new(value), ANGLE_PART), ty, span);
+        }
         let fact = format!(
-            "`{word}` is about the turning of a frame in space, found {}",
+            "`{word}` is about the turning of a frame, found {}",
             value.ty
         );
-        let help = match value.ty {
-            Type::PlaneFrame => {
-                "in the plane ask for `velocity` and `acceleration` of its `.angle`"
-            }
-            _ => {
-                "`frame(origin, x, z)` makes a frame; of anything else ask for `velocity` and `acceleration`"
-            }
-        };
+        let help = "`frame(origin, x, z)` makes a frame, in the plane `frame(origin, x)`; of anything else ask for `velocity` and \
+                    `acceleration`";
         let span = self.origins.span(value.origin);
         self.diagnostics.error_with_help(span, fact, help);
         self.failed(span)
@@ -243,7 +235,9 @@ impl Resolver<'_> {
         let span = self.origins.span(value.origin);
         let help = self.parts_help("differentiate", &value);
         let help = match value.ty {
-            Type::PlaneFrame => format!("{help}, or `.angle`"),
+            Type::PlaneFrame => {
+                format!("{help}, or `.angle`; `omega` and `alpha` say how it turns")
+            }
             _ => format!("{help}; `omega` and `alpha` say how it turns"),
         };
         self.diagnostics

@@ -49,7 +49,7 @@ mod words;
 mod zeros;
 
 pub(crate) use dump::dump;
-pub(crate) use frame::PARTS as FRAME_PARTS;
+pub(crate) use frame::{PARTS as FRAME_PARTS, PLANE_PARTS, VECTORS_OF_PLANE};
 pub(crate) use functions::{MechanicsWord, MotionWord, QuantityWord};
 pub(crate) use generated::{
     ASSEMBLY, COLUMNS, FOLLOWER, METHODS_OF_FOLLOWER, Sweep, TYPE_PARAMETER,

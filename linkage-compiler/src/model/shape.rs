@@ -1,6 +1,6 @@
 //! How many numbers a value has, and how they are put together.
 
-use super::frame::PARTS;
+use super::frame::{PARTS, VECTORS_OF_PLANE};
 use super::types::Type;
 
 /// What a value of a function's result looks like, without dimensions.
@@ -14,16 +14,18 @@ pub enum Shape {
     Array(usize, Box<Shape>),
     /// Origin and axes x, y, z: four vectors of space.
     Frame,
+    /// Origin and axes x, y: three vectors of the plane.
+    PlaneFrame,
 }
 
 impl Shape {
     /// The shape of a checked type; a type spoilt by a mistake counts as a scalar.
     pub(crate) fn of(ty: &Type) -> Self {
         match ty {
-            // One of the plane has been refused.
-            Type::Scalar(_) | Type::Zero(1) | Type::PlaneFrame | Type::Error => Self::Scalar,
+            Type::Scalar(_) | Type::Zero(1) | Type::Error => Self::Scalar,
             Type::Vector(count, _) | Type::Zero(count) => Self::Vector(*count),
             Type::Frame => Self::Frame,
+            Type::PlaneFrame => Self::PlaneFrame,
             Type::Array(entries) => {
                 let entry = entries.first().map_or(Self::Scalar, Self::of);
                 Self::Array(entries.len(), Box::new(entry))
@@ -38,6 +40,7 @@ impl Shape {
             Self::Vector(n) => *n,
             Self::Array(n, entry) => n * entry.width(),
             Self::Frame => 3 * PARTS.len(),
+            Self::PlaneFrame => 2 * VECTORS_OF_PLANE,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::model::{
     COMPONENTS, Derived, EvaluatorDef, Expr, ExprKind, FRAME_PARTS, LengthUnit, Mechanism,
-    Quantity, Shape, Type, Variable,
+    PLANE_PARTS, Quantity, Shape, Type, VECTORS_OF_PLANE, Variable,
 };
 use crate::unit::{Column, Meaning, Picture};
 
@@ -254,9 +254,13 @@ fn names(ty: &Type, labels: &[Vec<String>], name: String) -> Vec<String> {
             .into_iter()
             .flat_map(|part| COMPONENTS.map(|axis| format!("{name}.{part}.{axis}")))
             .collect(),
+        Type::PlaneFrame => PLANE_PARTS[..VECTORS_OF_PLANE]
+            .iter()
+            .flat_map(|part| ["x", "y"].map(|axis| format!("{name}.{part}.{axis}")))
+            .collect(),
         Type::Vector(count, _) => components(*count).collect(),
         Type::Zero(count) if *count > 1 => components(*count).collect(),
-        Type::Scalar(_) | Type::Zero(_) | Type::PlaneFrame | Type::Error => vec![name],
+        Type::Scalar(_) | Type::Zero(_) | Type::Error => vec![name],
     }
 }
 
@@ -273,7 +277,11 @@ fn units(ty: &Type, length: LengthUnit) -> Vec<String> {
             let origin = vec![length.name().to_owned(); 3];
             origin.into_iter().chain(vec![String::new(); 9]).collect()
         }
+        Type::PlaneFrame => {
+            let origin = vec![length.name().to_owned(); 2];
+            origin.into_iter().chain(vec![String::new(); 4]).collect()
+        }
         Type::Zero(count) => vec![String::new(); *count],
-        Type::PlaneFrame | Type::Error => vec![String::new()],
+        Type::Error => vec![String::new()],
     }
 }

@@ -133,7 +133,7 @@ fn unit_words(ty: &Type, length: LengthUnit) -> String {
                 _ => "various units".to_owned(),
             }
         }
-        Type::Frame => format!("{}, its axes of length 1", length.name()),
-        Type::Zero(_) | Type::PlaneFrame | Type::Error => String::new(),
+        Type::Frame | Type::PlaneFrame => format!("{}, its axes of length 1", length.name()),
+        Type::Zero(_) | Type::Error => String::new(),
     }
 }

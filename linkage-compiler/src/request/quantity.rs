@@ -5,7 +5,7 @@ use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 use crate::algebra::{Algebra, Direction, Translate, Value};
 use crate::forces::Forces;
 use crate::formulate::Formulation;
-use crate::model::{EvaluatorDef, Expr, ExprKind, Type, Variable};
+use crate::model::{EvaluatorDef, Expr, ExprKind, Type, VECTORS_OF_PLANE, Variable};
 
 use super::State;
 
@@ -88,6 +88,10 @@ impl<'m> Request<'_, 'm> {
             value = self.by_other_sides(value);
             if !quantity.is_picture() {
                 value = self.in_unit(value, &quantity.value.ty);
+            }
+            if let (Type::PlaneFrame, Value::Array(parts)) = (&quantity.value.ty, &mut value) {
+                // Its angle is told by its axes.
+                parts.truncate(VECTORS_OF_PLANE);
             }
             self.flatten(&value, &mut scalars);
         }
