@@ -1,7 +1,7 @@
 //! A platform on six legs, both ways: the lengths of the legs from a pose in closed form, the pose from the lengths by a follower, which goes
 //! from position to position.
 //!
-//! Poses, Jacobian and condition along a published path against solutions in 80 digits; a path of 10,000 poses there and back; and a slice of
+//! Poses, Jacobian and condition along a path against solutions in 80 digits, computed apart from this project; a path of 10,000 poses there and back; and a slice of
 //! the workspace as a picture, `target/hexapod/workspace.svg`, or in the folder that is given behind `--`. At last all 40 assemblies of the
 //! platform that has the most real ones, each certified; without optimisation that takes long, and is left out but with `LINKAGE_LONG=1`.
 
@@ -10,6 +10,8 @@ mod assemblies;
 mod check;
 #[path = "check/digits.rs"]
 mod digits;
+#[path = "hexapod/geometry.rs"]
+mod geometry;
 #[path = "hexapod/workspace.rs"]
 mod workspace;
 
@@ -96,8 +98,8 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", ToPose::STRUCTURE);
     let [a, b, c, d, e, f] = std::array::from_fn(|k| ToPose::INPUTS[k].reference);
     let start = to_pose.follower(a, b, c, d, e, f)?;
-    println!("A published path:");
-    published(&mut check, start, &to_legs)?;
+    println!("A path with solutions in 80 digits:");
+    along_known(&mut check, start, &to_legs)?;
     println!("{POSES} poses:");
     there_and_back(&mut check, start, &to_legs)?;
     println!("Workspace:");
@@ -111,7 +113,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     check.finish()
 }
 
-fn published(
+fn along_known(
     check: &mut Check,
     mut at: ToPoseFollower<'_>,
     to_legs: &ToLegsAssembly,

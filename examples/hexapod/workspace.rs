@@ -1,6 +1,7 @@
 //! A slice of the workspace: places of the platform's origin at one height and in one orientation.
 
 use crate::check::Check;
+use crate::geometry::{FEET, JOINTS};
 use crate::{TURN, ToLegsAssembly, ToPoseFollower, even, listed, rotation};
 use nalgebra::Vector3;
 use std::error::Error;
@@ -16,24 +17,6 @@ const HEIGHT: f64 = 420.0;
 const CELL: i32 = 12;
 /// Beyond it the platform is told as badly held.
 const WORST: f64 = 150.0;
-
-/// The legs' joints on the ground and on the platform.
-const FEET: [[f64; 3]; 6] = [
-    [310.0, 40.0, -12.0],
-    [180.0, 275.0, 18.0],
-    [-120.0, 300.0, -25.0],
-    [-325.0, 60.0, 10.0],
-    [-150.0, -290.0, 22.0],
-    [205.0, -250.0, -8.0],
-];
-const JOINTS: [[f64; 3]; 6] = [
-    [150.0, -60.0, -14.0],
-    [130.0, 85.0, 9.0],
-    [10.0, 160.0, -11.0],
-    [-145.0, 75.0, 16.0],
-    [-120.0, -105.0, -7.0],
-    [35.0, -155.0, 12.0],
-];
 
 /// A place that all legs reach, and the condition there; none where the follower did not come.
 struct Place {
