@@ -159,22 +159,51 @@ fn there_and_back(
     check.all_near("and its Hessian fits", rest, 1e-12);
 }
 
+/// Everything that the drives need, in the numbers of a controller.
 fn single_precision(check: &mut Check) -> Result<(), Box<dyn Error>> {
     let to_motors = ToMotors::default().cast::<f32>().assemble()?;
     let to_foot = ToFoot::default().cast::<f32>().assemble()?;
-    let mut motors = Vec::new();
-    let mut feet = Vec::new();
+    let [mut motors, mut feet] = [const { Vec::new() }; 2];
+    let [mut by_foot, mut bends, mut back, mut torques] = [const { Vec::new() }; 4];
     for known in &KNOWN {
         #[expect(clippy::cast_possible_truncation, reason = "to single precision")]
         let [pitch, roll] = known.foot.map(|angle| angle.to_radians() as f32);
-        let m = to_motors.motors(pitch, roll);
-        let found = [m.left, m.right].map(f64::from);
-        motors.extend(found.into_iter().zip(known.motors));
-        let foot = to_foot.foot(m.left, m.right);
-        feet.extend([(foot.pitch, pitch), (foot.roll, roll)].map(|(a, b)| (a.into(), b.into())));
+        let m = to_motors.motion(pitch, roll);
+        motors.extend(
+            [m.left, m.right]
+                .map(f64::from)
+                .into_iter()
+                .zip(known.motors),
+        );
+        let rows = [m.left_by, m.right_by];
+        let pairs = rows.as_flattened().iter().map(|x| f64::from(*x));
+        by_foot.extend(pairs.zip(known.jacobian.into_iter().flatten()));
+        for (h, k) in [m.left_bends, m.right_bends].iter().zip(known.hessian) {
+            let h = h.map(|row| row.map(f64::from));
+            bends.extend([
+                (h[0][0], k[0]),
+                (h[0][1], k[1]),
+                (h[1][0], k[1]),
+                (h[1][1], k[2]),
+            ]);
+        }
+        let tilt = to_foot.tilt(m.left, m.right);
+        feet.extend([(tilt.pitch, pitch), (tilt.roll, roll)].map(|(a, b)| (a.into(), b.into())));
+        // What undoes the Jacobian, and torques, by the solution in 60 digits.
+        let exact = Jacobian::of_results(known.jacobian).inverse();
+        let rows = [tilt.pitch_by, tilt.roll_by];
+        let pairs = rows.as_flattened().iter().map(|x| f64::from(*x));
+        back.extend(pairs.zip(exact.rows().into_iter().flatten()));
+        let own = Jacobian::of_results([m.left_by, m.right_by]).inverse();
+        let found = own.efforts([30.0, 8.0]).map(f64::from);
+        torques.extend(found.into_iter().zip(exact.efforts([30.0, 8.0])));
     }
     check.all_near("motors", motors, 1e-6);
+    check.all_near("their Jacobian", by_foot, 2e-6);
+    check.all_near("their Hessian", bends, 5e-6);
     check.all_near("foot", feet, 2e-6);
+    check.all_near("its Jacobian", back, 1e-5);
+    check.all_near("torques, N m", torques, 5e-5);
     Ok(())
 }
 

@@ -10,7 +10,15 @@
 //! for this package alone, is the proof.
 #![no_std]
 
-use linkage::pins::{Fit, Limit, Member, Mounting, Pin, PinError, Width};
+mod ankle;
+mod around;
+
+#[cfg(feature = "alloc")]
+pub use ankle::ankle_tilt;
+pub use ankle::{Ankle, Driven, Foot, ankle_motors, ankle_torques};
+pub use around::pin_diameter;
+#[cfg(feature = "alloc")]
+pub use around::{counterweight, dwell, least_distance, swing};
 use linkage::{AssemblyError, mechanism};
 
 mechanism! {
@@ -133,156 +141,6 @@ mechanism! {
 pub fn camera_turn(pan: f64) -> Result<f64, AssemblyError> {
     let pose = Camera::default().assemble()?.pose(pan);
     Ok(pose.body.isometry().rotation.angle())
-}
-
-mechanism! {
-    /// The ankle of a humanoid, from the foot to its two motors.
-    pub struct Ankle {
-        unit mm;
-        param crank = 60mm;
-        input pitch = 0deg in -45deg..25deg;
-        input roll = 0deg in -20deg..20deg;
-        unknown left = 0deg;
-        unknown right = 0deg;
-        const x = (1, 0, 0);
-        const y = (0, 1, 0);
-        let heel_left = turn(turn((-50mm, 45mm, 10mm), x, roll), y, pitch);
-        let heel_right = turn(turn((-50mm, -45mm, 10mm), x, roll), y, pitch);
-        loop distance((0, 45mm, 230mm) + turn((-crank, 0, 0), y, left), heel_left) = 230mm;
-        loop distance((0, -45mm, 230mm) + turn((-crank, 0, 0), y, right), heel_right) = 230mm;
-    }
-
-    impl Ankle {
-        /// The motors, their Jacobian and Hessian.
-        pub fn motors(pitch, roll) -> Motors {
-            left, right,
-            left_by: velocity(left), right_by: velocity(right),
-            left_bends: acceleration(left), right_bends: acceleration(right),
-        }
-    }
-
-    /// The same from the motors to the foot.
-    pub struct Foot {
-        unit mm;
-        param crank = 60mm;
-        input left = 5deg in -25deg..35deg;
-        input right = 5deg in -25deg..35deg;
-        unknown pitch = 0deg;
-        unknown roll = 0deg;
-        const x = (1, 0, 0);
-        const y = (0, 1, 0);
-        let heel_left = turn(turn((-50mm, 45mm, 10mm), x, roll), y, pitch);
-        let heel_right = turn(turn((-50mm, -45mm, 10mm), x, roll), y, pitch);
-        loop distance((0, 45mm, 230mm) + turn((-crank, 0, 0), y, left), heel_left) = 230mm;
-        loop distance((0, -45mm, 230mm) + turn((-crank, 0, 0), y, right), heel_right) = 230mm;
-    }
-
-    impl Foot {
-        /// Pitch and roll.
-        pub fn tilt(left, right) -> Tilt { pitch, roll }
-    }
-}
-
-/// The torques of the ankle's motors under these moments on the foot, in single precision.
-///
-/// # Errors
-///
-/// If the links do not reach each other.
-pub fn ankle_torques(foot: [f32; 2], moments: [f32; 2]) -> Result<[f32; 2], AssemblyError> {
-    let ankle = Ankle::default().cast::<f32>().assemble()?;
-    let motors = ankle.motors(foot[0], foot[1]);
-    let by_foot = linkage::jacobian::Jacobian::of_results([motors.left_by, motors.right_by]);
-    Ok(by_foot.inverse().efforts(moments))
-}
-
-/// Pitch and roll of the foot: what both motors determine together is prepared on a grid.
-///
-/// # Errors
-///
-/// If the links do not reach each other.
-#[cfg(feature = "alloc")]
-pub fn ankle_tilt(motors: [f32; 2]) -> Result<[f32; 2], AssemblyError> {
-    let foot = Foot::default().cast::<f32>().assemble()?;
-    let tilt = foot.tilt(motors[0], motors[1]);
-    Ok([tilt.pitch, tilt.roll])
-}
-
-/// The diameter of a clevis pin, loose in rod and fork, 10 mm and twice 5 mm wide.
-///
-/// # Errors
-///
-/// If the load is not positive.
-pub fn pin_diameter(load: f64) -> Result<f64, PinError> {
-    let member = |width| Member {
-        width: Width::Fixed(width),
-        pressure: Limit::allowable(30.0),
-    };
-    let pin = Pin {
-        load,
-        mounting: Mounting::Clevis {
-            fit: Fit::Loose,
-            rod: member(10.0),
-            fork: member(5.0),
-        },
-        bending: Limit::new(400.0, 2.5),
-        shear: Limit::new(250.0, 2.5),
-    };
-    Ok(pin.diameter()?.diameter)
-}
-
-/// The mass that leaves the least peak of forces.
-///
-/// # Errors
-///
-/// If there is nothing to balance.
-#[cfg(feature = "alloc")]
-pub fn counterweight(
-    forces: &[[f64; 2]],
-    effects: &[[[f64; 2]; 1]],
-) -> Result<f64, linkage::balancing::BalanceError> {
-    let [mass] = linkage::balancing::Balance::new(forces, effects)?
-        .peak()?
-        .values;
-    Ok(mass)
-}
-
-/// How far the rocker swings, in radians.
-///
-/// # Errors
-///
-/// If it cannot be followed over the turn.
-#[cfg(feature = "alloc")]
-pub fn swing(rocker: impl Fn(f64) -> [f64; 2]) -> Result<f64, linkage::summary::SummaryError> {
-    let turn = (0.0, core::f64::consts::TAU);
-    let course = linkage::summary::Course::of(turn, 360, rocker)?;
-    Ok(course.position().stroke())
-}
-
-/// Where the rocker's dwell within a band below its highest position begins, in radians of the shaft.
-#[cfg(feature = "alloc")]
-pub fn dwell(rocker: impl Fn(f64) -> [f64; 2], band: f64) -> Option<f64> {
-    use linkage::cyclogram::{Band, Event, Motion, Organ};
-    let turn = (0.0, core::f64::consts::TAU);
-    let course = linkage::summary::Course::of(turn, 360, rocker).ok()?;
-    let organ = Organ::new("rocker", &course, &[Band::Top(band)]).ok()?;
-    let begins = |event: &&Event| event.begins == Motion::Dwell(0);
-    organ.events().iter().find(begins).map(|event| event.at)
-}
-
-/// How close two points come.
-///
-/// # Errors
-///
-/// If they cannot be followed over the turn.
-#[cfg(feature = "alloc")]
-pub fn least_distance(
-    points: impl Fn(f64) -> [[[f64; 2]; 3]; 2],
-) -> Result<f64, linkage::summary::SummaryError> {
-    let turn = (0.0, core::f64::consts::TAU);
-    let pair = |x| points(x).map(|point| [point]).into();
-    Ok(linkage::clearance::Clearance::of(turn, 90, pair)?
-        .least()
-        .distance)
 }
 
 #[cfg(test)]
