@@ -2,14 +2,20 @@
 //!
 //! The wheel, its toe and camber with first and second derivatives by both inputs, and the sensitivities to rods and points, against solutions in
 //! 80 digits.
+//!
+//! `cargo run --release --example double_wishbone` writes a page with the usual curves over the travel to `target/double_wishbone`, or to the
+//! folder that is given behind `--`.
 
 mod check;
 #[path = "check/digits.rs"]
 mod digits;
+#[path = "suspension/page.rs"]
+mod page;
 
 use check::Check;
 use digits::number;
 use linkage::mechanism;
+use linkage::report::Report;
 use serde_json::Value;
 use std::error::Error;
 
@@ -49,7 +55,7 @@ mechanism! {
     }
 
     impl DoubleWishbone {
-        pub fn wheel(travel, rack) -> Wheel { x, y, toe, camber }
+        pub fn wheel(travel, rack) -> Wheel { toe, camber, x, y }
         pub fn motion(travel, rack) -> Motion {
             x: velocity(x), y: velocity(y), toe: velocity(toe), camber: velocity(camber),
             x_bends: acceleration(x), y_bends: acceleration(y),
@@ -58,6 +64,7 @@ mechanism! {
         pub fn adjustment(travel, rack) -> Adjustment {
             x: sensitivity(x), y: sensitivity(y), toe: sensitivity(toe), camber: sensitivity(camber),
         }
+        pub fn picture(travel, rack) -> Picture { shape: picture() }
     }
 }
 
@@ -79,6 +86,9 @@ const DIMENSIONS: [&str; 14] = [
     "tie_inner.z",
 ];
 
+/// Where the page is written if no folder is given.
+const FOLDER: &str = "target/double_wishbone";
+
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let wishbone = DoubleWishbone::default().assemble()?;
@@ -90,7 +100,25 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     for known in &references {
         compare(&mut check, &wishbone, known)?;
     }
+    let travel = page::travels(&DoubleWishbone::<f64>::INPUTS[0]);
+    let wheel = wishbone.wheel_sweep(&travel, &[0.0]);
+    let lengths = [("x", wheel.x()), ("y", wheel.y())];
+    page::write(&report()?, &lengths, FOLDER)?;
     check.finish()
+}
+
+/// The page: the rack in the middle.
+pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
+    let wishbone = DoubleWishbone::default().assemble()?;
+    let input = &DoubleWishbone::<f64>::INPUTS[0];
+    let travel = page::travels(input);
+    let about = "A wheel between two arms over its travel. x and y are where its centre is.";
+    Ok(page::of("Double wishbone", about, input, &travel)
+        .structure(DoubleWishbone::<f64>::STRUCTURE)
+        .dimensions(wishbone.mechanism())
+        .table(&wishbone.wheel_sweep(&travel, &[0.0]))
+        .table(&wishbone.motion_sweep(&travel, &[0.0]))
+        .table(&wishbone.picture_sweep(&travel, &[0.0])))
 }
 
 fn compare(

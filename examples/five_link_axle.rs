@@ -10,16 +10,16 @@
 mod check;
 #[path = "check/digits.rs"]
 mod digits;
-#[path = "five_link_axle/page.rs"]
+#[path = "suspension/page.rs"]
 mod page;
 
 use check::Check;
 use digits::number;
+use linkage::report::Report;
 use linkage::{Screw, mechanism};
 use nalgebra::Vector3;
 use serde_json::Value;
 use std::error::Error;
-use std::path::PathBuf;
 
 mechanism! {
     /// A left wheel: x points forwards, y outwards, z up.
@@ -92,7 +92,7 @@ mechanism! {
         pub fn adjustment(travel, rack) -> Adjustment {
             toe: sensitivity(toe), camber: sensitivity(camber), track: sensitivity(track), base: sensitivity(base),
         }
-        pub fn shape(travel, rack) -> Shape { shape: picture() }
+        pub fn picture(travel, rack) -> Picture { shape: picture() }
     }
 }
 
@@ -109,10 +109,33 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     for known in &references {
         compare(&mut check, &axle, known)?;
     }
-    let folder = std::env::args_os().nth(1).filter(|_| !cfg!(test));
-    let folder = folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from);
-    page::write(&axle, &folder)?;
+    let travel = page::travels(&FiveLinkAxle::<f64>::INPUTS[0]);
+    let (wheel, roll) = (
+        axle.wheel_sweep(&travel, &[0.0]),
+        axle.roll_sweep(&travel, &[0.0]),
+    );
+    let lengths = [
+        ("track", wheel.track()),
+        ("base", wheel.base()),
+        ("roll centre", roll.roll_centre()),
+    ];
+    page::write(&report()?, &lengths, FOLDER)?;
     check.finish()
+}
+
+/// The page: the rack in the middle.
+pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
+    let axle = FiveLinkAxle::default().assemble()?;
+    let input = &FiveLinkAxle::<f64>::INPUTS[0];
+    let travel = page::travels(input);
+    let about = "A wheel carrier on five rods over the travel of the wheel. Base is where the wheel stands on the road, forwards.";
+    Ok(page::of("Five-link axle", about, input, &travel)
+        .structure(FiveLinkAxle::<f64>::STRUCTURE)
+        .dimensions(axle.mechanism())
+        .table(&axle.wheel_sweep(&travel, &[0.0]))
+        .table(&axle.roll_sweep(&travel, &[0.0]))
+        .table(&axle.motion_sweep(&travel, &[0.0]))
+        .table(&axle.picture_sweep(&travel, &[0.0])))
 }
 
 fn compare(

@@ -3,6 +3,14 @@
 //!
 //! `cargo run --release --example gallery` writes them to `target/gallery`, or to the folder that is given behind `--`.
 
+#[path = "double_wishbone.rs"]
+#[allow(
+    dead_code,
+    unreachable_pub,
+    clippy::duplicate_mod,
+    reason = "a program of its own, here a module"
+)]
+mod double_wishbone;
 #[cfg(test)]
 #[path = "gallery/drawings.rs"]
 mod drawings;
@@ -29,6 +37,22 @@ mod favorit;
     reason = "a program of its own, here a module"
 )]
 mod favorit_forces;
+#[path = "five_link_axle.rs"]
+#[allow(
+    dead_code,
+    unreachable_pub,
+    clippy::duplicate_mod,
+    reason = "a program of its own, here a module"
+)]
+mod five_link_axle;
+#[path = "mcpherson.rs"]
+#[allow(
+    dead_code,
+    unreachable_pub,
+    clippy::duplicate_mod,
+    reason = "a program of its own, here a module"
+)]
+mod mcpherson;
 #[path = "gallery/reports.rs"]
 mod reports;
 #[path = "spatial_crank_rocker.rs"]
@@ -57,11 +81,14 @@ use std::time::Instant;
 /// The folder of a report and what makes it.
 type Job = (&'static str, fn() -> Result<Report, Box<dyn Error>>);
 
-const JOBS: [Job; 5] = [
+const JOBS: [Job; 8] = [
     ("favorit", reports::favorit),
     ("eye_needle", reports::eye_needle),
     ("two_crank_triad", reports::two_crank_triad),
     ("spatial_crank_rocker", reports::spatial_crank_rocker),
+    ("five_link_axle", five_link_axle::report),
+    ("double_wishbone", double_wishbone::report),
+    ("mcpherson", mcpherson::report),
     ("beyond_reach", reports::beyond_reach),
 ];
 

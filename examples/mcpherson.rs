@@ -3,14 +3,20 @@
 //!
 //! The wheel, its toe and camber and the length of the strut with first and second derivatives, and the sensitivities to rods and points, against
 //! solutions in 80 digits.
+//!
+//! `cargo run --release --example mcpherson` writes a page with the usual curves over the travel to `target/mcpherson`, or to the folder that is
+//! given behind `--`.
 
 mod check;
 #[path = "check/digits.rs"]
 mod digits;
+#[path = "suspension/page.rs"]
+mod page;
 
 use check::Check;
 use digits::number;
 use linkage::mechanism;
+use linkage::report::Report;
 use serde_json::Value;
 use std::error::Error;
 
@@ -47,7 +53,7 @@ mechanism! {
     }
 
     impl McPherson {
-        pub fn wheel(travel) -> Wheel { x, y, toe, camber, strut_length }
+        pub fn wheel(travel) -> Wheel { toe, camber, x, y, strut_length }
         pub fn motion(travel) -> Motion {
             x: d(x, travel), y: d(y, travel), toe: d(toe, travel), camber: d(camber, travel),
             strut_length: d(strut_length, travel),
@@ -59,6 +65,7 @@ mechanism! {
         pub fn adjustment(travel) -> Adjustment {
             x: sensitivity(x), y: sensitivity(y), toe: sensitivity(toe), camber: sensitivity(camber),
         }
+        pub fn picture(travel) -> Picture { shape: picture() }
     }
 }
 
@@ -81,6 +88,9 @@ const DIMENSIONS: [&str; 15] = [
     "tie_inner.z",
 ];
 
+/// Where the page is written if no folder is given.
+const FOLDER: &str = "target/mcpherson";
+
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let strut = McPherson::default().assemble()?;
@@ -90,7 +100,30 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     for known in &references {
         compare(&mut check, &strut, known)?;
     }
+    let travel = page::travels(&McPherson::<f64>::INPUTS[0]);
+    let wheel = strut.wheel_sweep(&travel);
+    let lengths = [
+        ("x", wheel.x()),
+        ("y", wheel.y()),
+        ("strut", wheel.strut_length()),
+    ];
+    page::write(&report()?, &lengths, FOLDER)?;
     check.finish()
+}
+
+/// The page, which computes, too.
+pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
+    let strut = McPherson::default().assemble()?;
+    let input = &McPherson::<f64>::INPUTS[0];
+    let travel = page::travels(input);
+    let about = "A wheel on an arm, a tie rod and a strut over its travel. x and y are where its centre is.";
+    Ok(page::of("McPherson strut", about, input, &travel)
+        .structure(McPherson::<f64>::STRUCTURE)
+        .dimensions(strut.mechanism())
+        .programs(McPherson::<f64>::PROGRAMS)
+        .table(&strut.wheel_sweep(&travel))
+        .table(&strut.motion_sweep(&travel))
+        .table(&strut.picture_sweep(&travel)))
 }
 
 fn compare(
