@@ -72,7 +72,7 @@ pub mod tutorial {
     #![doc = include_str!("../docs/tutorial.md")]
 }
 
-/// Fifteen tasks with a short program for each, from inverse motion to a counterweight.
+/// Sixteen tasks with a short program for each, from inverse motion to a counterweight.
 pub mod cookbook {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cookbook.md")]
