@@ -1,24 +1,24 @@
 //! What the sweeps of a function run: its stages, each in a loop over a block of positions.
 
-use std::collections::BTreeSet;
-
 use linkage_symbolic::passes::stages::{Stage, memory};
-use linkage_symbolic::program::{Instruction, Source};
+use linkage_symbolic::program::Program;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{format_ident, quote};
 
-use super::entries::{entries, entry};
+use super::entries::entries;
 use super::evaluator::{Version, stage_name};
 use super::outline::{Function, Outline};
+use super::slots::Slots;
 use super::{attribute, blocks, literal, sealed, sweeps};
 
 /// The kernels over inputs and over mechanisms; nothing for a function without inputs. `beside` are the stages of the program for
-/// dimensions that tables do not know, if that is another one.
+/// dimensions that tables do not know, if that is another one; `prepare` computes all prepared slots.
 pub(super) fn items(
     outline: &Outline,
     function: &Function,
     stages: &[Stage],
     beside: Option<&[Stage]>,
+    prepare: &Program,
 ) -> TokenStream {
     if function.arguments.is_empty() {
         return TokenStream::new();
@@ -35,7 +35,8 @@ pub(super) fn items(
     if beside.is_some() {
         over_inputs.extend(self::over_inputs(outline, function, sets));
     }
-    let over_sets = (!outline.parameters.is_empty()).then(|| over_sets(outline, function, sets));
+    let over_sets =
+        (!outline.parameters.is_empty()).then(|| over_sets(outline, function, sets, prepare));
     let allow = attribute::allow();
     quote! {
         #runtime::if_alloc! {
@@ -59,7 +60,12 @@ fn over_inputs(outline: &Outline, function: &Function, stages: Stages) -> TokenS
 }
 
 /// A row is the dimensions of a mechanism, then its inputs. The first loop prepares what the function uses.
-fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStream {
+fn over_sets(
+    outline: &Outline,
+    function: &Function,
+    stages: Stages,
+    prepare: &Program,
+) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -69,25 +75,16 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
     } = outline;
     let dimensions = outline.scalar_fields().len();
     let arguments = dimensions + function.places(outline).width();
-    let used: Vec<usize> = used_slots(stages.0).into_iter().collect();
-    let stores = used.iter().enumerate().map(|(place, &slot)| {
-        let place = literal::index(place);
-        let value = entry("__value", slot);
-        quote!(__slots.set(#place, __lane, #value);)
-    });
-    let values = (0..outline.prepared).map(|slot| match used.binary_search(&slot) {
-        Ok(_) => entry("__value", slot).into_token_stream(),
-        Err(_) => quote!(_),
-    });
-    let modes = (!used.is_empty()).then(|| quote!(let #core { __modes, __turns, .. } = __core;));
+    let slots = Slots::of(stages.0, prepare);
+    let modes = (slots.count() > 0).then(|| quote!(let #core { __modes, __turns, .. } = __core;));
     let prepare = modes.is_some().then(|| {
+        let prepare = slots.prepare(outline);
         // All lanes of the block, also those without a row: only a loop of a fixed length becomes vectors of full width.
         quote! {
             let mut __lane = 0;
             while __lane < __BLOCK {
                 let __mechanism = #name::__at_lane(&__x, __lane);
-                let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
-                #(#stores)*
+                #prepare
                 __lane += 1;
             }
         }
@@ -101,7 +98,7 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
         &quote!(#assembly::#at_lane(&__core, &__x, &__slots, __lane)),
     );
     let memory = buffers(outline, stages.0);
-    let count = literal::index(used.len());
+    let count = literal::index(slots.count());
     let buffers = quote! {
         #modes
         let mut __slots = #runtime::Block::<T, __BLOCK, #count>::filled(__zero);
@@ -111,13 +108,7 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
     let kernel = kernel(outline, function, arguments, &buffers, &body);
     let method = sweeps::over_sets(function);
     let method = method_of(outline, function, &method, arguments, &kernel);
-    let prepared = (0..outline.prepared).map(|slot| match used.binary_search(&slot) {
-        Ok(place) => {
-            let place = literal::index(place);
-            quote!(__slots.at(#place, __lane))
-        }
-        Err(_) => quote!(__zero),
-    });
+    let prepared = slots.all(outline);
     let arguments = literal::index(arguments);
     quote! {
         #method
@@ -133,22 +124,11 @@ fn over_sets(outline: &Outline, function: &Function, stages: Stages) -> TokenStr
             let __zero = T::from_f64(0.0);
             #core {
                 __mechanism: #name::__at_lane(__x, __lane),
-                __prepared: [#(#prepared),*],
+                __prepared: #prepared,
                 ..*__core
             }
         }
     }
-}
-
-/// The prepared slots that the stages load.
-fn used_slots(stages: &[Stage]) -> BTreeSet<usize> {
-    let instructions = stages.iter().flat_map(|stage| &stage.program.instructions);
-    instructions
-        .filter_map(|instruction| match instruction {
-            Instruction::Load(Source::Prepared(slot)) => Some(*slot),
-            _ => None,
-        })
-        .collect()
 }
 
 /// The method `name` that gives a kernel.

@@ -32,6 +32,7 @@ mod prepare;
 mod sealed;
 mod shape;
 mod skeleton;
+mod slots;
 mod starts;
 mod structure;
 mod survey;
@@ -42,6 +43,7 @@ mod tests;
 mod way;
 mod winding;
 
+use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -82,7 +84,7 @@ pub(crate) fn emit(
     assembled.extend(way::items(&outline, unit));
     assembled.extend(follower::items(&outline, unit));
     for (function, own) in outline.functions.iter().zip(&unit.functions) {
-        assembled.extend(self::function(&outline, function, own));
+        assembled.extend(self::function(&outline, function, own, &unit.prepare));
     }
     match outline.starts.is_empty() {
         true => items.extend(assembled),
@@ -96,7 +98,12 @@ pub(crate) fn emit(
 }
 
 /// One function with its programs and sweeps.
-fn function(outline: &Outline, function: &Function, own: &unit::Function) -> TokenStream {
+fn function(
+    outline: &Outline,
+    function: &Function,
+    own: &unit::Function,
+    prepare: &Program,
+) -> TokenStream {
     let mut types = evaluator::result(outline, function);
     types.extend(evaluator::from_row(outline, function));
     let columns = columns::items(outline, function);
@@ -120,6 +127,6 @@ fn function(outline: &Outline, function: &Function, own: &unit::Function) -> Tok
     }
     items.extend(sweeps::items(outline, function));
     items.extend(table::items(outline, function, &own.columns));
-    items.extend(kernels::items(outline, function, stages, beside));
+    items.extend(kernels::items(outline, function, stages, beside, prepare));
     items
 }

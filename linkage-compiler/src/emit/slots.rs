@@ -1,0 +1,112 @@
+//! What a sweep over mechanisms prepares for its rows: the slots that its function uses.
+
+use std::collections::BTreeSet;
+
+use linkage_symbolic::passes::stages::Stage;
+use linkage_symbolic::program::{Instruction, Program, Source};
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+
+use super::body::{self, Runs};
+use super::entries::entry;
+use super::literal;
+use super::load::{Places, loader};
+use super::outline::Outline;
+
+/// So many slots that a function does not use are named in its sweeps, one by one, and left to the optimiser. Where there are more, as in a
+/// machine of many parts, it has a program of its own for those that it uses: what is printed for a function does not grow with the machine.
+const OTHERS: usize = 64;
+
+/// The slots of one function, in order.
+pub(super) struct Slots {
+    used: Vec<usize>,
+    /// Prepares them alone; `None` where that of all slots does it.
+    own: Option<Program>,
+}
+
+impl Slots {
+    /// Those that stages load; `prepare` is the program of all.
+    pub(super) fn of(stages: &[Stage], prepare: &Program) -> Self {
+        let instructions = stages.iter().flat_map(|stage| &stage.program.instructions);
+        let used = instructions.filter_map(|instruction| match instruction {
+            Instruction::Load(Source::Prepared(slot)) => Some(*slot),
+            _ => None,
+        });
+        let used: Vec<usize> = used.collect::<BTreeSet<usize>>().into_iter().collect();
+        let others = prepare.outputs.len() - used.len();
+        let own = (others > OTHERS).then(|| {
+            let program = Program {
+                instructions: prepare.instructions.clone(),
+                outputs: used.iter().map(|&slot| prepare.outputs[slot]).collect(),
+            };
+            program.without_unused()
+        });
+        Self { used, own }
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.used.len()
+    }
+
+    /// Stores them for the `__mechanism` of `__lane`, by `__modes` and `__turns`.
+    pub(super) fn prepare(&self, outline: &Outline) -> TokenStream {
+        let assembly = &outline.assembly;
+        let stores = self.used.iter().enumerate().map(|(place, &slot)| {
+            let place = literal::index(place);
+            let value = entry("__value", slot);
+            quote!(__slots.set(#place, __lane, #value);)
+        });
+        let values = match &self.own {
+            Some(program) => {
+                let values = self.used.iter().map(|&slot| entry("__value", slot));
+                let places = Places::all(outline);
+                let statements = body::statements(program, Runs::Once, &loader(outline, &places));
+                let outputs = body::outputs(program);
+                quote! {
+                    let __m = &__mechanism;
+                    let [#(#values),*] = { #statements #outputs };
+                }
+            }
+            None => {
+                let values = (0..outline.prepared).map(|slot| match self.place(slot) {
+                    Some(_) => entry("__value", slot).into_token_stream(),
+                    None => quote!(_),
+                });
+                quote! {
+                    let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
+                }
+            }
+        };
+        quote!(#values #(#stores)*)
+    }
+
+    /// All slots of `__lane`; those that nobody uses are zero.
+    pub(super) fn all(&self, outline: &Outline) -> TokenStream {
+        let stored = |place: usize| {
+            let place = literal::index(place);
+            quote!(__slots.at(#place, __lane))
+        };
+        if self.own.is_none() {
+            let all = (0..outline.prepared).map(|slot| match self.place(slot) {
+                Some(place) => stored(place),
+                None => quote!(__zero),
+            });
+            return quote!([#(#all),*]);
+        }
+        let count = literal::index(outline.prepared);
+        let used = self.used.iter().enumerate().map(|(place, &slot)| {
+            let (slot, stored) = (literal::index(slot), stored(place));
+            quote!(__prepared[#slot] = #stored;)
+        });
+        quote! {{
+            let mut __prepared = [__zero; #count];
+            #(#used)*
+            __prepared
+        }}
+    }
+
+    /// Where a slot stands among those that are used.
+    fn place(&self, slot: usize) -> Option<usize> {
+        self.used.binary_search(&slot).ok()
+    }
+}
