@@ -10,6 +10,7 @@ use crate::diagnostic::{Diagnostics, Reporter};
 use crate::forces::Forces;
 use crate::model::Model;
 use crate::request::{AtReference, State};
+use crate::structure::Scope;
 use crate::unit::Unit;
 use crate::watch::Watch;
 use crate::{close, forces, formulate, lower, request, structure};
@@ -41,7 +42,12 @@ pub(crate) fn analyse(
         close::check_values(mechanism, &nominal, &mut reporter);
     }
     close::warn_of_unused(mechanism, &nominal, &mut reporter);
-    let structure = structure::decompose(&mut algebra, &nominal, reporter.reborrow());
+    let structure = structure::decompose(
+        &mut algebra,
+        &nominal,
+        &Scope::all(mechanism),
+        reporter.reborrow(),
+    );
     watch.structure(&algebra, &structure);
     if reporter.errors() > before {
         return (Unit::default(), None);
@@ -51,6 +57,7 @@ pub(crate) fn analyse(
     watch.formulated(&mut algebra, &formulation, &nominal);
     let closing = lower::closing(&mut algebra, &formulation, &nominal);
     let inner = close::inner_parts(&mut algebra, &nominal, parts);
+    let written = nominal.clone();
     let mut reference = close::assemble_reference(
         &algebra,
         &formulation,
@@ -60,6 +67,18 @@ pub(crate) fn analyse(
         reporter.reborrow(),
     );
     nominal.complete(&reference.found);
+    let at = AtReference {
+        reference: &reference,
+        nominal: &nominal,
+        written: &written,
+    };
+    // Behind what is said of bodies.
+    let mut of_functions = Diagnostics::default();
+    let mut silent = Reporter {
+        origins,
+        diagnostics: &mut of_functions,
+    };
+    let of_motion = request::of_motion(&mut algebra, &formulation, at, &mut silent);
     let mut forces = Forces::new(&mut algebra);
     if reference.closed {
         forces::check(
@@ -70,17 +89,14 @@ pub(crate) fn analyse(
             &mut reporter,
         );
     }
+    reporter.diagnostics.append(of_functions);
     let state = State {
         algebra: &mut algebra,
         forces: &mut forces,
         formulation: &formulation,
         drawn: Vec::new(),
     };
-    let at = AtReference {
-        reference: &reference,
-        nominal: &nominal,
-    };
-    let unit = request::unit(state, at, &mut reporter, watch);
+    let unit = request::unit(state, at, of_motion, &mut reporter, watch);
     if reference.closed {
         close::check_ranges(
             &mut algebra,

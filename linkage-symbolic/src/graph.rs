@@ -170,6 +170,11 @@ impl Graph {
         self.store().find_source(source)
     }
 
+    /// Loads from other places: `new` says from where. What was loaded from different places must still be.
+    pub fn move_sources(&self, new: impl Fn(Source) -> Source) {
+        self.store_mut().move_sources(new);
+    }
+
     /// A fresh symbol that lives by a definition given now or later.
     pub fn unknown(&self, name: impl Into<String>) -> (SymbolId, NodeId) {
         self.store_mut().unknown(name.into())

@@ -27,7 +27,12 @@ struct Wanted<'t> {
 }
 
 impl Nominal {
+    /// Of what it is computed from nothing stays in the graph: the order of its nodes is that of the mechanism's formulas.
     pub(crate) fn of(algebra: &mut Algebra) -> Self {
+        algebra.tried(Self::found)
+    }
+
+    fn found(algebra: &mut Algebra) -> Self {
         let mechanism = algebra.mechanism;
         let mut nominal = Self::default();
         for parameter in &mechanism.parameters {

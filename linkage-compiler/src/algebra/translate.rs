@@ -150,7 +150,12 @@ impl<'m> Algebra<'m> {
 
     /// Translates the derived names in order: each then finds those before it done, and a long chain does not recurse.
     pub(crate) fn translate_lets(&mut self) {
-        for index in 0..self.names.lets.len() {
+        self.translate_these_lets(|_| true);
+    }
+
+    /// The same for some of them.
+    pub(crate) fn translate_these_lets(&mut self, which: impl Fn(usize) -> bool) {
+        for index in (0..self.names.lets.len()).filter(|&index| which(index)) {
             self.name(Name::Let(index));
         }
     }

@@ -22,7 +22,7 @@ pub(super) enum Turning<'m> {
     Rod(Vn<'m>),
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Geometry<'m> {
     /// 2 in the plane, 3 in space.
     pub(super) dimensions: usize,

@@ -69,8 +69,8 @@ use wrench::{Carried, Wrench};
 pub(crate) use check::check;
 pub(crate) use print::describe;
 
-/// All that is known of the mechanics, made when it is asked for.
-#[derive(Clone, Debug)]
+/// All that is known of the mechanics, made when it is asked for; the default for functions that ask for nothing of it.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Forces<'m> {
     tree: Tree,
     geometry: Geometry<'m>,

@@ -2,7 +2,7 @@
 
 use crate::model::Mechanism;
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Tree {
     /// `None` is the frame.
     pub(super) parent: Vec<Option<usize>>,

@@ -83,6 +83,7 @@ impl Resolver<'_> {
         };
         let lets: Vec<Let> = embedding.lets().collect();
         let inner: Vec<Placed> = embedding.placed(mechanism.loops.len()).collect();
+        mechanism.leaves.extend(body.leaves(mechanism.loops.len()));
         mechanism.loops.extend(embedding.loops());
         mechanism.parts.push(embedding.part());
         self.placed.extend(inner);

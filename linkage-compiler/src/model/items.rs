@@ -35,6 +35,7 @@ impl Resolver<'_> {
             redundant: Vec::new(),
             arguments: Vec::new(),
             parts: Vec::new(),
+            leaves: Vec::new(),
             placed: Vec::new(),
             gravity: None,
             bodies: Vec::new(),

@@ -20,6 +20,7 @@ mod functions;
 mod generated;
 mod given;
 mod items;
+mod leaf;
 mod library;
 mod mechanics;
 mod names;

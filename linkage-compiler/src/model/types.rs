@@ -8,6 +8,7 @@ mod mechanics;
 use std::ops::Range;
 
 pub(crate) use super::functions::Function;
+pub(crate) use super::leaf::Leaf;
 pub(crate) use super::units::LengthUnit;
 pub(crate) use course::{Course, CourseKind, Ends, Knot, Law, Repeating, Repeats};
 pub(crate) use mechanics::*;
@@ -276,6 +277,7 @@ pub(crate) struct Mechanism {
     pub(crate) parts: Vec<Part>,
     /// Parts, and parts of parts, with coordinates of their own.
     pub(crate) placed: Vec<Placed>,
+    pub(crate) leaves: Vec<Leaf>,
     pub(crate) gravity: Option<Expr>,
     pub(crate) bodies: Vec<Body>,
     /// Those that bodies hang on, and those that close loops.

@@ -117,6 +117,14 @@ impl EvaluatorDef {
     }
 
     /// Whether it asks for a reaction or moment of a joint.
+    /// Whether it asks for forces, or for a picture: what is known of bodies, too.
+    pub(crate) fn asks_of_bodies(&self) -> bool {
+        let values = self.quantities.iter().map(|own| &own.value);
+        values
+            .flat_map(Expr::parts)
+            .any(|part| matches!(part.kind, ExprKind::Mechanics(_) | ExprKind::Picture(_)))
+    }
+
     pub(crate) fn asks_for_reactions(&self) -> bool {
         self.quantities
             .iter()

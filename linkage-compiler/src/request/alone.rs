@@ -21,7 +21,7 @@ use super::{AtReference, State, columns, fields, needs, quantity};
 /// A function before it is scheduled.
 #[derive(Debug)]
 pub(super) struct Alone {
-    graph: Graph,
+    pub(super) graph: Graph,
     formulas: Formulas,
     /// The results for dimensions, derivatives or digits that a table does not know, if they differ.
     beside: Option<Vec<NodeId>>,

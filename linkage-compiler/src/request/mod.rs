@@ -2,6 +2,7 @@
 
 mod about;
 mod alone;
+mod apart;
 mod choice;
 mod columns;
 mod fields;
@@ -13,10 +14,12 @@ mod tests;
 mod touched;
 mod turning;
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::program::{Instruction, Source};
 use linkage_symbolic::schedule::{Slots, schedule, schedule_whole};
-use linkage_symbolic::{Ex, NodeId, Vn};
+use linkage_symbolic::{Ex, Graph, NodeId, Vn};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::close::Reference;
@@ -25,10 +28,12 @@ use crate::forces::Forces;
 use crate::formulate::Formulation;
 use crate::lower::{self, GroupNodes, find_turning, group_nodes, groups, plain, valued_angles};
 use crate::model::EvaluatorDef;
+use crate::structure::Scope;
 use crate::unit::{Function, Surveyed, Unit};
 use crate::watch::Watch;
 
 use alone::Alone;
+use apart::Apart;
 use quantity::Way;
 
 /// A formulated mechanism, in which functions are asked for.
@@ -45,6 +50,54 @@ pub(crate) struct State<'a, 'm> {
 pub(crate) struct AtReference<'a> {
     pub(crate) reference: &'a Reference,
     pub(crate) nominal: &'a Nominal,
+    /// What the loops are solved with: estimates as they are given.
+    pub(crate) written: &'a Nominal,
+}
+
+/// The functions that ask for nothing of bodies; `None` stands for the others.
+pub(crate) struct OfMotion(Vec<Option<Alone>>);
+
+/// Makes them before anything is known of bodies: those change nothing in them. What does not fit is reported.
+pub(crate) fn of_motion<'m>(
+    algebra: &mut Algebra<'m>,
+    formulation: &Formulation<'m>,
+    at: AtReference,
+    reporter: &mut Reporter,
+) -> OfMotion {
+    let mechanism = algebra.mechanism;
+    let functions = &mechanism.evaluators;
+    let scopes = functions
+        .iter()
+        .map(|definition| touched::scope(mechanism, formulation, definition));
+    let scopes: Vec<Option<Scope>> = scopes.collect();
+    // Functions of the same parts share what is solved.
+    let distinct: BTreeSet<&Scope> = scopes.iter().flatten().collect();
+    let graphs = vec![Graph::new(); distinct.len()];
+    let apart = distinct.into_iter().zip(&graphs).map(|(scope, graph)| {
+        let apart = Apart::new(algebra, formulation, at, scope, graph, reporter);
+        (scope, apart)
+    });
+    let mut apart: BTreeMap<&Scope, Option<Apart>> = apart.collect();
+    let inliner = solved(algebra, formulation);
+    let state = &mut State {
+        algebra,
+        forces: &mut Forces::default(),
+        formulation,
+        drawn: Vec::new(),
+    };
+    let all = functions.iter().zip(&scopes).map(|(definition, scope)| {
+        if definition.asks_of_bodies() {
+            return None;
+        }
+        let apart = scope
+            .as_ref()
+            .and_then(|scope| apart.get_mut(scope)?.as_mut());
+        Some(match apart {
+            Some(apart) => apart.function(at, definition, reporter),
+            None => Alone::new(state, at, &inliner, definition, reporter),
+        })
+    });
+    OfMotion(all.collect())
 }
 
 /// Lowers all functions of the mechanism. An argument list that does not fit its quantities is reported, and a picture that
@@ -52,26 +105,17 @@ pub(crate) struct AtReference<'a> {
 pub(crate) fn unit<'m>(
     mut state: State<'_, 'm>,
     at: AtReference,
+    of_motion: OfMotion,
     reporter: &mut Reporter,
     watch: &mut dyn Watch,
 ) -> Unit {
     // All graphs begin with the solved groups, so that what functions have in common is put together alike in each of them.
-    let groups_of_all: Vec<usize> = (0..state.formulation.groups.len()).collect();
-    let mut inliner = solved(&state, &groups_of_all);
-    let mechanism = state.algebra.mechanism;
-    let functions = mechanism.evaluators.iter();
-    let all: Vec<Alone> = functions
-        .map(|definition| {
-            let touched = touched::groups(mechanism, state.formulation, definition);
-            match touched == groups_of_all {
-                true => Alone::new(&mut state, at, &inliner, definition, reporter),
-                false => {
-                    let inliner = solved(&state, &touched);
-                    Alone::new(&mut state, at, &inliner, definition, reporter)
-                }
-            }
-        })
-        .collect();
+    let mut inliner = solved(state.algebra, state.formulation);
+    let functions = state.algebra.mechanism.evaluators.iter();
+    let all = functions.zip(of_motion.0).map(|(definition, made)| {
+        made.unwrap_or_else(|| Alone::new(&mut state, at, &inliner, definition, reporter))
+    });
+    let all: Vec<Alone> = all.collect();
     let State {
         algebra,
         formulation,
@@ -140,13 +184,12 @@ pub(crate) fn unit<'m>(
     unit
 }
 
-/// A plain graph that begins with these of the solved groups.
-fn solved(state: &State, groups: &[usize]) -> Inliner {
+/// A plain graph that begins with the solved groups.
+fn solved(algebra: &Algebra, formulation: &Formulation) -> Inliner {
     let mut inliner = Inliner::default();
-    let all = groups.iter().map(|&group| &state.formulation.groups[group]);
-    let closed = all.flat_map(|group| {
+    let closed = formulation.groups.iter().flat_map(|group| {
         let all = group.group.unknowns.iter();
-        let all = all.flat_map(|&unknown| state.algebra.names.numbers_of(unknown));
+        let all = all.flat_map(|&unknown| algebra.names.numbers_of(unknown));
         all.chain([group.closed.gap]).collect::<Vec<_>>()
     });
     plain(&mut inliner, &closed.collect::<Vec<_>>());

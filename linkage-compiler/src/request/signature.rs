@@ -20,7 +20,9 @@ pub(super) fn signature<'m>(
     formulation: &Formulation<'m>,
     at: AtReference,
 ) -> Unit {
-    let AtReference { reference, nominal } = at;
+    let AtReference {
+        reference, nominal, ..
+    } = at;
     let mechanism = algebra.mechanism;
     let parameters = mechanism.parameters.iter().map(|parameter| {
         let shape = Shape::of(&parameter.ty);

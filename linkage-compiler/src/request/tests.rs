@@ -46,7 +46,12 @@ fn expect_agreement(items: &str, function: &str) {
         origins: &origins,
         diagnostics: &mut diagnostics,
     };
-    let structure = structure::decompose(&mut algebra, &nominal, reporter.reborrow());
+    let structure = structure::decompose(
+        &mut algebra,
+        &nominal,
+        &structure::Scope::all(&mechanism),
+        reporter.reborrow(),
+    );
     let formulation = formulate::formulate(&mut algebra, &nominal, structure);
     let mut forces = Forces::new(&mut algebra);
     let others = [(false, false), (true, false), (false, true)];

@@ -1,53 +1,48 @@
-//! Which groups a function of a mechanism with parts touches.
+//! What of a mechanism with parts a function is made of.
 
 use crate::formulate::Formulation;
-use crate::model::{EvaluatorDef, Expr, ExprKind, Mechanism, Name};
+use crate::model::{EvaluatorDef, Expr, ExprKind, Leaf, Mechanism, Name};
+use crate::structure::Scope;
 
-/// The groups with which the graph of a function begins, by their numbers: all of them, but not those of parts that nothing in the function is
-/// made of. So a part costs what it does in its own mechanism: what others share with it would order its sums in another way.
-pub(super) fn groups(
+/// The formulas that a function of a mechanism with parts is made of, those of each part that it touches all of them; `None` if they are those
+/// of the whole mechanism.
+pub(super) fn scope(
     mechanism: &Mechanism,
     formulation: &Formulation,
     function: &EvaluatorDef,
-) -> Vec<usize> {
-    let all = 0..formulation.groups.len();
-    let values = || function.quantities.iter().map(|own| &own.value);
-    let is_of_all = |part: &Expr| {
-        matches!(
-            part.kind,
-            ExprKind::Margin | ExprKind::Picture(_) | ExprKind::Mechanics(_)
-        )
-    };
-    if mechanism.parts.is_empty() || values().flat_map(Expr::parts).any(is_of_all) {
-        return all.collect();
+) -> Option<Scope> {
+    if mechanism.parts.is_empty() || function.asks_of_bodies() {
+        return None;
     }
+    let values = || function.quantities.iter().map(|own| &own.value);
     let mut touched = Touched {
         mechanism,
         formulation,
-        lets: vec![false; mechanism.lets.len()],
-        groups: vec![false; formulation.groups.len()],
+        scope: Scope::nothing(mechanism),
+        leaves: vec![false; mechanism.leaves.len()],
         open: values().collect(),
     };
     touched.follow();
-    let parts: Vec<bool> = mechanism
-        .parts
-        .iter()
-        .enumerate()
-        .map(|(part, _)| {
-            let mut own = all.clone().filter(|&group| touched.groups[group]);
-            own.any(|group| touched.part_of(group) == Some(part))
-        })
-        .collect();
-    all.filter(|&group| touched.part_of(group).is_none_or(|part| parts[part]))
-        .collect()
+    let asks_margin = || {
+        let mut parts = values().flat_map(Expr::parts);
+        parts.any(|part| matches!(part.kind, ExprKind::Margin))
+    };
+    // The margin alone is that of all groups.
+    let moves = touched.scope.unknowns.contains(&true);
+    (moves || !asks_margin()).then_some(touched.scope)
 }
 
 struct Touched<'m, 'g> {
     mechanism: &'m Mechanism,
     formulation: &'g Formulation<'m>,
-    lets: Vec<bool>,
-    groups: Vec<bool>,
+    scope: Scope,
+    leaves: Vec<bool>,
     open: Vec<&'m Expr>,
+}
+
+/// Whether something is new, which it is no more.
+fn first(seen: &mut bool) -> bool {
+    !std::mem::replace(seen, true)
 }
 
 impl Touched<'_, '_> {
@@ -55,12 +50,9 @@ impl Touched<'_, '_> {
         while let Some(value) = self.open.pop() {
             for name in value.parts().filter_map(Expr::as_name) {
                 match name {
-                    Name::Let(own) if !std::mem::replace(&mut self.lets[own], true) => {
-                        self.open.push(&self.mechanism.lets[own].value);
-                    }
-                    Name::Unknown(unknown) => self.find(unknown),
-                    Name::Let(_)
-                    | Name::Const(_)
+                    Name::Let(own) => self.touch_let(own),
+                    Name::Unknown(unknown) => self.touch_unknown(unknown),
+                    Name::Const(_)
                     | Name::Parameter(_)
                     | Name::Input(_)
                     | Name::Argument(_)
@@ -70,36 +62,53 @@ impl Touched<'_, '_> {
         }
     }
 
-    /// The group that finds an unknown is made of all that its loops are.
-    fn find(&mut self, unknown: usize) {
-        let mut groups = self.formulation.groups.iter().enumerate();
-        let found = groups.find(|(_, own)| own.group.unknowns.contains(&unknown));
-        let Some((number, own)) = found else {
-            return;
-        };
-        if !std::mem::replace(&mut self.groups[number], true) {
-            let loops = own
-                .group
-                .loops
-                .iter()
-                .map(|&own| &self.mechanism.loops[own]);
-            self.open
-                .extend(loops.flat_map(|own| [&own.left, &own.right]));
+    fn touch_let(&mut self, own: usize) {
+        if first(&mut self.scope.lets[own]) {
+            self.open.push(&self.mechanism.lets[own].value);
+            self.touch_leaf(|leaf| leaf.lets.contains(&own));
         }
     }
 
-    /// The part that all unknowns of a group belong to.
-    fn part_of(&self, group: usize) -> Option<usize> {
-        let unknowns = &self.formulation.groups[group].group.unknowns;
-        let parts = &self.mechanism.parts;
-        let of = |unknown: usize| {
-            let mut parts = parts.iter();
-            parts.position(|part| part.unknowns.contains(&unknown))
+    /// An unknown is made of all that the loops of its groups are.
+    fn touch_unknown(&mut self, unknown: usize) {
+        if !first(&mut self.scope.unknowns[unknown]) {
+            return;
+        }
+        self.touch_leaf(|leaf| leaf.unknowns.contains(&unknown));
+        let groups = self.formulation.groups.iter().map(|own| &own.group);
+        for group in groups.filter(|own| own.unknowns.contains(&unknown)) {
+            group.loops.iter().for_each(|&own| self.touch_loop(own));
+            group
+                .unknowns
+                .iter()
+                .for_each(|&own| self.touch_unknown(own));
+        }
+        // Those that say what the axes of an unknown frame are stand in no group.
+        let origin = self.mechanism.unknowns[unknown].origin;
+        let loops = self.mechanism.loops.iter().enumerate();
+        for (own, _) in loops.filter(|(_, own)| own.origin == origin) {
+            self.touch_loop(own);
+        }
+    }
+
+    fn touch_loop(&mut self, own: usize) {
+        if first(&mut self.scope.loops[own]) {
+            let item = &self.mechanism.loops[own];
+            self.open.extend([&item.left, &item.right]);
+            self.touch_leaf(|leaf| leaf.loops.contains(&own));
+        }
+    }
+
+    /// A part is as in its own mechanism, where all formulas stand beside each other.
+    fn touch_leaf(&mut self, is_in: impl Fn(&Leaf) -> bool) {
+        let Some(number) = self.mechanism.leaves.iter().position(is_in) else {
+            return;
         };
-        let first = of(*unknowns.first()?)?;
-        let mut others = unknowns.iter();
-        others
-            .all(|&unknown| of(unknown) == Some(first))
-            .then_some(first)
+        if first(&mut self.leaves[number]) {
+            let leaf = self.mechanism.leaves[number].clone();
+            leaf.lets.for_each(|own| self.touch_let(own));
+            leaf.loops.for_each(|own| self.touch_loop(own));
+            leaf.unknowns.for_each(|own| self.touch_unknown(own));
+        }
     }
 }

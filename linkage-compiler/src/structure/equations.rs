@@ -6,6 +6,7 @@ use crate::algebra::{Bound, Scalar, Translate, Value};
 use crate::model::Loop;
 
 use super::Analysis;
+use super::scope::Scope;
 use super::squared::Link;
 
 /// A loop, or what became of one: one to three scalar equations `row = 0`.
@@ -51,16 +52,18 @@ pub(crate) enum CoordinateKind {
 }
 
 impl<'m> Analysis<'_, 'm> {
-    /// All loops as equations, all unknowns as coordinates.
-    pub(super) fn equations(&mut self) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
+    /// Loops as equations, unknowns as coordinates.
+    pub(super) fn equations(&mut self, scope: &Scope) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
         let mechanism = self.algebra.mechanism;
-        self.algebra.translate_lets();
+        self.algebra.translate_these_lets(|index| scope.lets[index]);
         let loops = mechanism.loops.iter().enumerate();
         let equations = loops
+            .filter(|(index, _)| scope.loops[*index])
             .map(|(index, item)| self.equation(index, item))
             .collect();
         let mut coordinates = Vec::new();
-        for (unknown, bound) in self.algebra.names.bound.iter().enumerate() {
+        let bound = self.algebra.names.bound.iter().enumerate();
+        for (unknown, bound) in bound.filter(|(unknown, _)| scope.unknowns[*unknown]) {
             let kinds: Vec<CoordinateKind> = match bound {
                 Bound::Angle(angle) => vec![CoordinateKind::Angle(*angle)],
                 Bound::Lengths(symbols) => symbols

@@ -21,6 +21,7 @@ mod reach;
 mod repeated;
 pub(crate) mod report;
 mod rewrite;
+mod scope;
 mod space;
 mod squared;
 mod together;
@@ -36,6 +37,7 @@ pub(crate) use bound::Most;
 pub(crate) use coupled_core::{Block, Core, Coupled, Private, Product};
 pub(crate) use equations::{Coordinate, Equation};
 pub(crate) use form::{Form, Plane, Rotor, Sphere};
+pub(crate) use scope::Scope;
 pub(crate) use squared::Link;
 
 /// One Assur group.
@@ -106,10 +108,11 @@ pub(crate) struct Structure<'m> {
     pub(crate) mobility: usize,
 }
 
-/// Finds the groups; what cannot be solved is reported.
+/// Finds the groups of what is looked at; what cannot be solved is reported.
 pub(crate) fn decompose<'m>(
     algebra: &mut Algebra<'m>,
     nominal: &Nominal,
+    scope: &Scope,
     reporter: Reporter,
 ) -> Structure<'m> {
     let mut analysis = Analysis {
@@ -121,7 +124,7 @@ pub(crate) fn decompose<'m>(
         steps: 0,
     };
     analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
-    let (equations, coordinates) = analysis.equations();
+    let (equations, coordinates) = analysis.equations(scope);
     analysis.solve(equations, coordinates);
     analysis.structure
 }

@@ -55,7 +55,7 @@ fn time_grows_linearly_with_the_number_of_groups() {
     );
 }
 
-fn count(tokens: TokenStream) -> usize {
+pub(super) fn count(tokens: TokenStream) -> usize {
     let one = |tree| match tree {
         TokenTree::Group(group) => 2 + count(group.stream()),
         _ => 1,

@@ -3,6 +3,8 @@
 mod along;
 mod costs;
 mod frames;
+mod places;
+mod ten;
 
 use linkage_compiler::unit::{Coupled, Start, Unit};
 use linkage_compiler::{Checked, check_all};

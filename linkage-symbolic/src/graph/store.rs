@@ -118,6 +118,18 @@ impl Store {
         self.revision
     }
 
+    /// Loads from other places: `new` says from where. What was loaded from different places still is.
+    pub(crate) fn move_sources(&mut self, new: impl Fn(Source) -> Source) {
+        self.sources = Map::new();
+        for (index, symbol) in self.symbols.iter_mut().enumerate() {
+            if let Some(source) = symbol.source.map(&new) {
+                symbol.name = format!("{source:?}");
+                symbol.source = Some(source);
+                self.sources.insert(source, SymbolId(index as u32));
+            }
+        }
+    }
+
     fn add_symbol(&mut self, symbol: Symbol) -> SymbolId {
         self.symbols.push(symbol);
         SymbolId(self.symbols.len() as u32 - 1)

@@ -221,6 +221,7 @@ pub(crate) fn mechanism() -> Mechanism {
         unit: LengthUnit::Millimetre,
         constants: vec![],
         redundant: vec![],
+        leaves: vec![],
         parameters: vec![
             parameter("pivot", Type::Vector(2, LENGTH), 2, 0),
             parameter("crank", Type::Scalar(LENGTH), 1, 2),

@@ -1,0 +1,36 @@
+//! Mechanisms within a mechanism that have no parts themselves.
+
+use std::ops::Range;
+
+use super::part::PartBody;
+
+/// A part, or a part of a part, that has none itself: where its own derived quantities, loops and unknowns stand.
+#[derive(Clone, Debug)]
+pub(crate) struct Leaf {
+    pub(crate) lets: Range<usize>,
+    pub(crate) loops: Range<usize>,
+    pub(crate) unknowns: Range<usize>,
+}
+
+impl PartBody {
+    /// The part itself, or those within it; its loops stand behind so many others.
+    pub(super) fn leaves(&self, loops: usize) -> Vec<Leaf> {
+        let mechanism = self.mechanism();
+        let whole = Leaf {
+            lets: 0..mechanism.lets.len(),
+            loops: 0..mechanism.loops.len(),
+            unknowns: 0..mechanism.unknowns.len(),
+        };
+        let own = match mechanism.parts.is_empty() {
+            true => vec![whole],
+            false => mechanism.leaves.clone(),
+        };
+        let behind = |own: Range<usize>, others: usize| own.start + others..own.end + others;
+        let own = own.into_iter().map(|own| Leaf {
+            lets: behind(own.lets, self.own_lets()),
+            loops: behind(own.loops, loops),
+            unknowns: behind(own.unknowns, self.first_unknown),
+        });
+        own.collect()
+    }
+}
