@@ -10,26 +10,38 @@ use linkage_symbolic::program::Unary;
 
 use super::choice::Choice;
 use super::law::profile;
-use crate::model::{Course, CourseKind, Ends, Law, Repeats};
+use crate::model::{Course, CourseKind, Law, Pieces, Repeats};
 
+mod quintic;
 mod spline;
+
+pub(crate) use spline::clamped_curvatures;
 
 /// A turn in two parts, the first one so short that its products with whole numbers are exact, in single precision, too.
 const TURN_HIGH: f64 = 6.28125;
 /// The rest: `2 pi - TURN_HIGH`.
 const TURN_LOW: f64 = 1.935_307_179_586_476_9e-3;
 
-/// The value of a course at `argument`, its knots given as places and values.
-pub(super) fn value<'m>(argument: Ex<'m>, course: &Course, knots: &[(Ex<'m>, Ex<'m>)]) -> Ex<'m> {
+/// The value of a course at `argument`, or its derivative by that, its knots given as places and values, those of some splines as slopes, too.
+pub(super) fn value<'m>(
+    argument: Ex<'m>,
+    course: &Course,
+    knots: &[(Ex<'m>, Ex<'m>)],
+    slopes: &[Ex<'m>],
+) -> Ex<'m> {
     let along = if_ordered(wound(argument, course.repeats, knots), knots);
+    let order = usize::from(course.order);
     match course.kind {
         CourseKind::Rise | CourseKind::Laws => {
             let laws: Vec<Option<Law>> = course.knots.iter().map(|own| own.law).collect();
-            by_laws(along, knots, &laws, course.repeats)
+            by_laws(along, knots, &laws, course.repeats, order)
         }
-        CourseKind::Spline(ends) => {
-            let repeats = ends == Ends::Periodic;
-            spline::value(along, knots, ends, repeats)
+        CourseKind::Spline(ends, Pieces::Cubic) => spline::value(along, knots, ends, order),
+        CourseKind::Spline(ends, Pieces::Quintic) => {
+            quintic::value(along, knots, None, ends, order)
+        }
+        CourseKind::Spline(ends, Pieces::QuinticBySlopes) => {
+            quintic::value(along, knots, Some(slopes), ends, order)
         }
     }
 }
@@ -73,6 +85,7 @@ fn by_laws<'m>(
     knots: &[(Ex<'m>, Ex<'m>)],
     laws: &[Option<Law>],
     repeats: Repeats,
+    order: usize,
 ) -> Ex<'m> {
     let places: Vec<Ex> = knots.iter().map(|own| own.0).collect();
     let mut bases: Vec<Ex> = Vec::new();
@@ -100,7 +113,11 @@ fn by_laws<'m>(
         }
     };
     let choice = Choice::new(along, borders);
-    let base = choice.of(&bases);
+    let base = match order {
+        0 => choice.of(&bases),
+        // Values of which each piece has another are no part of a slope.
+        _ => along.number(0.0),
+    };
     let Some(some) = pieces.iter().flatten().next() else {
         return base;
     };
@@ -119,8 +136,12 @@ fn by_laws<'m>(
         .map(|own| own.height)
         .collect::<Vec<_>>());
     let laws: Vec<Law> = with_neighbour.iter().map(|own| own.law).collect();
-    let x = (along - from) * choice.of(&rates);
-    base + height * profile(x, &choice, &laws)
+    let way = along - from;
+    let rate = choice.of(&rates);
+    let x = way * rate;
+    // Each derivative by the place brings the rate once more.
+    let height = (0..order).fold(height, |height, _| height * rate);
+    base + height * profile(x, &choice, &laws)[order]
 }
 
 /// What pieces have; those that have nothing have what the last one before them has, or else the first one of all.

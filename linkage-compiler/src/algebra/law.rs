@@ -10,10 +10,11 @@ use super::course::filled;
 use crate::model::Law;
 
 pub(crate) use zones::ends;
-use zones::{ORDERS, Zone, falling, zones};
+pub(super) use zones::{ORDERS, falling};
+use zones::{Zone, zones};
 
-/// `s(x)` of the law that `choice` takes, one for each of its pieces.
-pub(super) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> Ex<'m> {
+/// `s(x)` of the law that `choice` takes, one for each of its pieces, and its derivatives.
+pub(super) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> [Ex<'m>; ORDERS] {
     let coefficients = Coefficients { x, choice, laws };
     let y = x - coefficients.chosen(|zone| Some(zone.origin));
     let degree = laws
@@ -32,7 +33,7 @@ pub(super) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> E
         .any(|own| own.wave.is_some());
     let waves = waves.then(|| coefficients.waves(y));
     // From the last one down: each derivative is known when what it is the slope of is made.
-    let mut slope: Option<Ex> = None;
+    let mut all = [x; ORDERS];
     for order in (0..ORDERS).rev() {
         let own = polynomial.iter().enumerate().skip(order);
         let own: Vec<Ex> = own.map(|(k, &c)| falling(k, order) * c).collect();
@@ -43,12 +44,12 @@ pub(super) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> E
                 _ => sum + waves[order],
             };
         }
-        slope = Some(match slope {
-            Some(slope) => sum.with_slope(x, slope),
+        all[order] = match all.get(order + 1) {
+            Some(&slope) => sum.with_slope(x, slope),
             None => sum,
-        });
+        };
     }
-    slope.unwrap_or(x)
+    all
 }
 
 /// The numbers of laws as expressions.
@@ -131,7 +132,7 @@ fn evaluated<'m>(coefficients: &[Ex<'m>], y: Ex<'m>) -> Ex<'m> {
 }
 
 /// Horner's scheme.
-fn scheme<'m>(coefficients: &[Ex<'m>], y: Ex<'m>) -> Ex<'m> {
+pub(super) fn scheme<'m>(coefficients: &[Ex<'m>], y: Ex<'m>) -> Ex<'m> {
     let zero = y.number(0.0);
     coefficients.iter().rev().fold(zero, |sum, &c| c + y * sum)
 }

@@ -40,6 +40,7 @@ use derivatives::Derivatives;
 pub(crate) use adjoint::Direction;
 pub(crate) use bearing::{Bearing, Phasor};
 pub(crate) use carrier::Carrier;
+pub(crate) use course::clamped_curvatures;
 pub(crate) use elimination::{CoreRow, Elimination, PrivateColumn};
 pub(crate) use even::{ALIKE, Even};
 pub(crate) use law::ends as ends_of_law;

@@ -70,7 +70,9 @@ pub(crate) trait Translate<'m> {
                     (place, value)
                 });
                 let knots: Vec<(Ex, Ex)> = knots.collect();
-                course::value(argument, course, &knots).into()
+                let slopes = course.knots.iter().filter_map(|own| own.slope.as_ref());
+                let slopes: Vec<Ex> = slopes.map(|own| self.translate_number(own)).collect();
+                course::value(argument, course, &knots, &slopes).into()
             }
             ExprKind::Derivative(..)
             | ExprKind::InputDerivative(..)

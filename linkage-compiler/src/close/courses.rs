@@ -2,9 +2,11 @@
 
 use linkage_symbolic::Graph;
 
-use crate::algebra::{Algebra, Nominal, ends_of_law};
-use crate::diagnostic::Reporter;
-use crate::model::{Course, CourseKind, Expr, ExprKind, Law, Mechanism, Name, Repeats, Type};
+use crate::algebra::{Algebra, Nominal, clamped_curvatures, ends_of_law};
+use crate::diagnostic::{OriginId, Reporter};
+use crate::model::{
+    Course, CourseKind, Ends, Expr, ExprKind, Law, Mechanism, Name, Pieces, Repeats, Type,
+};
 
 use super::words::Words;
 
@@ -36,10 +38,16 @@ pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: 
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
     algebra.translate_lets();
+    let mut seen: Vec<OriginId> = Vec::new();
     for expr in courses {
         let ExprKind::Course(course) = &expr.kind else {
             continue;
         };
+        // Slopes have the knots of what they are the slopes of.
+        if seen.contains(&course.knots[0].origin) {
+            continue;
+        }
+        seen.push(course.knots[0].origin);
         let mut number = |own: &Expr| {
             let scale = algebra.internal_per_unit(&own.ty);
             algebra.evaluated(own, &nominal.parameters, &[])[0] / scale
@@ -62,7 +70,6 @@ pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: 
                 mechanism,
                 nominal,
                 course,
-                expr,
                 knots,
                 words,
             }
@@ -82,7 +89,6 @@ struct Check<'c, 'm> {
     mechanism: &'m Mechanism,
     nominal: &'c Nominal,
     course: &'m Course,
-    expr: &'m Expr,
     knots: Vec<At>,
     words: Words<'m>,
 }
@@ -97,9 +103,9 @@ impl Check<'_, '_> {
         self.closure(reporter);
         if self.course.kind == CourseKind::Laws {
             self.laws(reporter);
-            if reporter.errors() == before {
-                self.jumps(reporter);
-            }
+        }
+        if reporter.errors() == before {
+            self.jumps(reporter);
         }
     }
 
@@ -108,7 +114,7 @@ impl Check<'_, '_> {
     }
 
     fn value(&self, value: f64) -> String {
-        self.words.value(&self.expr.ty, &[value])
+        self.words.value(&self.course.value_type(), &[value])
     }
 
     fn order(&self, reporter: &mut Reporter) {
@@ -181,11 +187,35 @@ impl Check<'_, '_> {
         }
     }
 
+    /// The speeds and accelerations of all pieces at their ends; nothing where none jumps.
+    fn pieces(&self) -> Vec<[Rates; 2]> {
+        let pieces = self.knots.windows(2).zip(&self.course.knots[1..]);
+        match self.course.kind {
+            CourseKind::Laws => pieces.map(|(pair, knot)| rates(pair, knot.law)).collect(),
+            CourseKind::Spline(Ends::Clamped, Pieces::Cubic) => {
+                let graph = Graph::new();
+                let points = self.knots.iter();
+                let points = points.map(|own| (graph.number(own.place), graph.number(own.value)));
+                let curvatures = clamped_curvatures(&points.collect::<Vec<_>>());
+                let [first, last] = curvatures.map(|own| own.constant_value().unwrap_or(f64::NAN));
+                // Within it nothing jumps: what is the same on both sides is as good as rest.
+                let mut all = vec![[[0.0; 2]; 2]; self.knots.len() - 1];
+                all[0][0][1] = first;
+                all[self.knots.len() - 2][1][1] = last;
+                all
+            }
+            // A natural spline goes on as it ends, a periodic one as it began; a clamped quintic one ends without acceleration.
+            CourseKind::Rise | CourseKind::Spline(..) => Vec::new(),
+        }
+    }
+
     /// Warns where speed or acceleration jumps and no `jump` accepts it.
     fn jumps(&self, reporter: &mut Reporter) {
         let rest = [0.0; 2];
-        let pieces = self.knots.windows(2).zip(&self.course.knots[1..]);
-        let pieces: Vec<[Rates; 2]> = pieces.map(|(pair, knot)| rates(pair, knot.law)).collect();
+        let pieces = self.pieces();
+        if pieces.is_empty() {
+            return;
+        }
         let last = self.knots.len() - 1;
         let repeats = self.course.repeats != Repeats::Never;
         for (k, knot) in self.course.knots.iter().enumerate() {
@@ -213,6 +243,9 @@ impl Check<'_, '_> {
                 let at = self.place(self.knots[k].place);
                 let fact = format!("the {name} of this course jumps at {at}, from {from} to {to}");
                 let help = match order {
+                    _ if matches!(self.course.kind, CourseKind::Spline(..)) => {
+                        "write `clamped, quintic` behind the points, which ends without acceleration, or `jump` behind this one to accept it"
+                    }
                     0 => {
                         "lead to rest with a law like `modified_sine`, or write `jump` behind the knot to accept it"
                     }

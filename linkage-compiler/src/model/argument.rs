@@ -68,6 +68,12 @@ impl Resolver<'_> {
         }
     }
 
+    /// Remembers what the next derived quantity is made of.
+    pub(super) fn note_let(&mut self, value: &Expr) {
+        self.arguments_of_lets.push(self.argument_below(value));
+        self.courses_of_lets.push(self.course_of(value).cloned());
+    }
+
     /// An argument that a value depends on, perhaps through derived quantities.
     pub(super) fn argument_below(&self, value: &Expr) -> Option<usize> {
         let mut names = value.parts().filter_map(Expr::as_name);

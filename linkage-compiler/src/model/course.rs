@@ -1,6 +1,8 @@
 //! `rise`, `piecewise` and `spline`: what they are written with.
 
 mod knots;
+mod slope;
+mod spline;
 
 use std::f64::consts::TAU;
 
@@ -9,7 +11,7 @@ use super::names::Resolver;
 use super::operators::settle_alone;
 use super::place::Context;
 use super::types::{
-    BinaryOp, Course, CourseKind, Dimension, Ends, Expr, ExprKind, Knot, Repeating, Repeats, Type,
+    BinaryOp, Course, CourseKind, Dimension, Expr, ExprKind, Knot, Repeating, Repeats, Type,
 };
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::count;
@@ -27,6 +29,7 @@ impl CourseWord {
                 "piecewise(x, [(place, value), (place, value, law)])` or `piecewise(x, [...], periodic)"
             }
             CourseWord::Spline => "spline(x, [(place, value), (place, value)], ends)",
+            CourseWord::Slope => "slope(course)",
         }
     }
 }
@@ -43,6 +46,7 @@ impl Resolver<'_> {
             CourseWord::Rise => self.rise(arguments, context, span),
             CourseWord::Piecewise => self.piecewise(arguments, context, span),
             CourseWord::Spline => self.spline(arguments, context, span),
+            CourseWord::Slope => self.slope(arguments, context, span),
         };
         match course {
             Some((course, ty)) => self.make(ExprKind::Course(course), ty, span),
@@ -83,6 +87,7 @@ impl Resolver<'_> {
             Knot {
                 place,
                 value,
+                slope: None,
                 law,
                 may_jump: true,
                 origin,
@@ -94,6 +99,7 @@ impl Resolver<'_> {
             knots,
             kind: CourseKind::Rise,
             repeats: Repeats::Never,
+            order: 0,
         };
         Some((course, Type::NUMBER))
     }
@@ -130,57 +136,7 @@ impl Resolver<'_> {
                 knots,
                 kind: CourseKind::Laws,
                 repeats,
-            },
-            ty,
-        ))
-    }
-
-    fn spline(
-        &mut self,
-        arguments: &[syntax::Expr],
-        context: Context,
-        span: SourceSpan,
-    ) -> Option<(Course, Type)> {
-        let word = CourseWord::Spline;
-        let (arguments, ends) = match arguments {
-            [before @ .., ends] if arguments.len() == 3 => (before, Some(self.ends(ends)?)),
-            all => (all, None),
-        };
-        let [x, list] = self.so_many(word, arguments, span)?;
-        let (argument, knots, ty) = self.along(word, x, list, context)?;
-        let worded = knots.iter().find(|own| own.law.is_some() || own.may_jump);
-        if let Some(knot) = worded {
-            let span = self.origins.span(knot.origin);
-            let fact = "a point of a spline has a place and a value, found more";
-            self.diagnostics.error_with_help(
-                span,
-                fact,
-                "laws lead from knot to knot in `piecewise`",
-            );
-            return None;
-        }
-        let turn = spans_a_turn(&knots);
-        let ends = ends.unwrap_or(if turn { Ends::Periodic } else { Ends::Natural });
-        let repeats = match (ends, turn) {
-            (Ends::Periodic, true) => Repeats::EachTurn,
-            (Ends::Periodic, false) => Repeats::FromLastToFirst,
-            (Ends::Natural | Ends::Clamped, _) => Repeats::Never,
-        };
-        if ends == Ends::Periodic && knots.len() < 4 {
-            let found = knots.len() - 1;
-            let fact =
-                format!("a periodic spline goes through at least three points, found {found}");
-            let help = "the last point is the first one, a period later";
-            self.diagnostics.error_with_help(list.span, fact, help);
-            return None;
-        }
-        let argument = Box::new(argument);
-        Some((
-            Course {
-                argument,
-                knots,
-                kind: CourseKind::Spline(ends),
-                repeats,
+                order: 0,
             },
             ty,
         ))

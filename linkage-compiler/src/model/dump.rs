@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter, Write};
 use super::functions::MotionWord;
 use super::mechanics::write_mechanics;
 use super::types::{
-    BinaryOp, Course, CourseKind, Expr, ExprKind, Knot, Mechanism, Repeats, Type, Variable,
+    BinaryOp, Course, CourseKind, Expr, ExprKind, Knot, Mechanism, Pieces, Repeats, Type, Variable,
 };
 use crate::syntax::Word;
 
@@ -251,23 +251,32 @@ impl<'a> Show<'a> {
     fn course(&self, f: &mut Formatter, course: &'a Course) -> fmt::Result {
         let knot = |own: &'a Knot| {
             let (place, value) = (self.inner(&own.place), self.inner(&own.value));
+            let slope = own.slope.as_ref();
+            let slope = slope.map_or(String::new(), |own| format!(", {}", self.inner(own)));
             let law = own
                 .law
                 .map_or(String::new(), |law| format!(", {}", law.word()));
             let jump = if own.may_jump { ", jump" } else { "" };
-            format!("({place}, {value}{law}{jump})")
+            format!("({place}, {value}{slope}{law}{jump})")
         };
         let name = match course.kind {
             CourseKind::Rise | CourseKind::Laws => "piecewise",
-            CourseKind::Spline(ends) => ends.word(),
+            CourseKind::Spline(ends, _) => ends.word(),
         };
+        let quintic = match course.kind {
+            CourseKind::Spline(_, Pieces::Quintic) => " quintic",
+            CourseKind::Rise
+            | CourseKind::Laws
+            | CourseKind::Spline(_, Pieces::Cubic | Pieces::QuinticBySlopes) => "",
+        };
+        let slope = "slope of ".repeat(usize::from(course.order));
         let repeats = match course.repeats {
             Repeats::Never => "",
             Repeats::EachTurn => " each turn",
             Repeats::FromLastToFirst => " again and again",
         };
-        write!(f, "{name}({}, ", self.inner(&course.argument))?;
+        write!(f, "{slope}{name}({}, ", self.inner(&course.argument))?;
         separated(f, "[", course.knots.iter().map(knot), "]")?;
-        write!(f, "{repeats})")
+        write!(f, "{repeats}{quintic})")
     }
 }

@@ -40,6 +40,7 @@ vocabulary! {
         Rise = "rise",
         Piecewise = "piecewise",
         Spline = "spline",
+        Slope = "slope",
     }
 }
 

@@ -88,7 +88,7 @@ impl Resolver<'_> {
         mechanism.parts.push(embedding.part());
         self.placed.extend(inner);
         for own in lets {
-            self.arguments_of_lets.push(self.argument_below(&own.value));
+            self.note_let(&own.value);
             mechanism.lets.push(own);
         }
     }
@@ -174,7 +174,7 @@ impl Resolver<'_> {
         name: &str,
         value: Expr,
     ) {
-        self.arguments_of_lets.push(self.argument_below(&value));
+        self.note_let(&value);
         let name = format!("{}.{name}", item.name);
         mechanism.lets.push(Let { name, value });
     }

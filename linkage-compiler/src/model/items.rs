@@ -88,8 +88,7 @@ impl Resolver<'_> {
                 Definition::Let(item) => {
                     let name = Name::Let(mechanism.lets.len());
                     let value = self.named(item, name, context);
-                    let argument = self.argument_below(&value);
-                    self.arguments_of_lets.push(argument);
+                    self.note_let(&value);
                     let name = item.name.to_string();
                     mechanism.lets.push(Let { name, value });
                 }

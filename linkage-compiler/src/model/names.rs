@@ -8,7 +8,7 @@ use super::library::Source;
 use super::mechanics::Scope;
 use super::part::PartScope;
 use super::place::{Context, refusal};
-use super::types::{Dimension, LengthUnit, Name, Placed, ScalarParameter, Type};
+use super::types::{Course, Dimension, LengthUnit, Name, Placed, ScalarParameter, Type};
 use super::unitless::Unitless;
 use super::unknown_frame::Kind;
 use super::zeros::Zeros;
@@ -49,6 +49,8 @@ pub(super) struct Resolver<'a> {
     pub(super) input_count: usize,
     /// For each derived quantity so far, an argument that it depends on.
     pub(super) arguments_of_lets: Vec<Option<usize>>,
+    /// For each derived quantity so far, the course that it is.
+    pub(super) courses_of_lets: Vec<Option<Course>>,
     /// Speeds and accelerations of each input.
     pub(super) rates: Vec<[Option<usize>; 2]>,
     pub(super) mechanics: Scope,
@@ -82,6 +84,7 @@ impl<'a> Resolver<'a> {
             scalar_parameters: Vec::new(),
             input_count: 0,
             arguments_of_lets: Vec::new(),
+            courses_of_lets: Vec::new(),
             rates: Vec::new(),
             mechanics: Scope::default(),
             parts: Vec::new(),

@@ -10,7 +10,9 @@ use std::ops::Range;
 pub(crate) use super::functions::Function;
 pub(crate) use super::leaf::Leaf;
 pub(crate) use super::units::LengthUnit;
-pub(crate) use course::{Course, CourseKind, Ends, Knot, Law, Repeating, Repeats};
+pub(crate) use course::{
+    Course, CourseKind, Ends, HIGHEST_SLOPE, Knot, Law, Pieces, Repeating, Repeats, SplineWord,
+};
 pub(crate) use mechanics::*;
 
 use crate::diagnostic::OriginId;
@@ -275,9 +277,9 @@ pub(crate) struct Mechanism {
     pub(crate) redundant: Vec<Loop>,
     pub(crate) arguments: Vec<Argument>,
     pub(crate) parts: Vec<Part>,
+    pub(crate) leaves: Vec<Leaf>,
     /// Parts, and parts of parts, with coordinates of their own.
     pub(crate) placed: Vec<Placed>,
-    pub(crate) leaves: Vec<Leaf>,
     pub(crate) gravity: Option<Expr>,
     pub(crate) bodies: Vec<Body>,
     /// Those that bodies hang on, and those that close loops.

@@ -98,6 +98,7 @@ impl Resolver<'_> {
             };
             self.set_type(Name::Let(found.number), found.kind.ty(), false);
             self.arguments_of_lets.push(None);
+            self.courses_of_lets.push(None);
             mechanism.unknowns.extend(found.unknowns());
             mechanism.lets.push(Let {
                 name: found.name.clone(),

@@ -13,6 +13,7 @@ mod periodic_courses;
 mod proposals;
 mod robust;
 mod speed;
+mod splines;
 
 use proc_macro2::TokenStream;
 

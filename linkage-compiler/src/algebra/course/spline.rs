@@ -11,7 +11,7 @@ pub(super) fn value<'m>(
     along: Ex<'m>,
     points: &[(Ex<'m>, Ex<'m>)],
     ends: Ends,
-    repeats: bool,
+    order: usize,
 ) -> Ex<'m> {
     let curvatures = curvatures(points, ends);
     let zero = along.number(0.0);
@@ -26,9 +26,9 @@ pub(super) fn value<'m>(
         pieces.push([from, before, slope, 0.5 * curvature[0], bend]);
     }
     let places: Vec<Ex> = points.iter().map(|own| own.0).collect();
-    let borders = match repeats {
-        true => &places[1..places.len() - 1],
-        false => {
+    let borders = match ends {
+        Ends::Periodic => &places[1..places.len() - 1],
+        Ends::Natural | Ends::Clamped => {
             // It goes on as it ends: straight, or level.
             let (first, last) = (pieces[0], pieces[pieces.len() - 1]);
             let (end, at) = points[points.len() - 1];
@@ -51,7 +51,18 @@ pub(super) fn value<'m>(
         choice.of(&all)
     });
     let way = along - from;
-    value + way * (slope + way * (half + way * bend))
+    match order {
+        0 => value + way * (slope + way * (half + way * bend)),
+        1 => slope + way * (2.0 * half + way * (3.0 * bend)),
+        2 => 2.0 * half + way * (6.0 * bend),
+        _ => 6.0 * bend,
+    }
+}
+
+/// The second derivatives on the inner sides of the ends of a spline that is clamped there.
+pub(crate) fn clamped_curvatures<'m>(points: &[(Ex<'m>, Ex<'m>)]) -> [Ex<'m>; 2] {
+    let all = curvatures(points, Ends::Clamped);
+    [all[0], all[all.len() - 1]]
 }
 
 /// The second derivatives at the points.
@@ -98,7 +109,7 @@ fn curvatures<'m>(points: &[(Ex<'m>, Ex<'m>)], ends: Ends) -> Vec<Ex<'m>> {
 }
 
 /// A tridiagonal system.
-fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
+pub(super) fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
     let columns: Vec<Vec<Ex>> = rows.iter().map(|own| vec![own[3]]).collect();
     eliminated(rows, columns)
         .into_iter()
@@ -108,7 +119,7 @@ fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
 
 /// A system whose first and last rows mention each other: the first unknown is moved to the right-hand side, and its own row
 /// says what it is.
-fn solved_in_circle<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
+pub(super) fn solved_in_circle<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
     let (first, rest) = (rows[0], &rows[1..]);
     let zero = first[0].number(0.0);
     let right = rest.iter().enumerate().map(|(k, own)| {

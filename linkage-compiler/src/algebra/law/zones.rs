@@ -25,7 +25,7 @@ pub(super) struct Wave {
 }
 
 /// The law itself and three derivatives have formulas of their own; what lies above follows by the rules.
-pub(super) const ORDERS: usize = 4;
+pub(in crate::algebra) const ORDERS: usize = 4;
 
 const fn zone(from: f64, origin: f64, polynomial: &'static [f64], wave: Option<Wave>) -> Zone {
     Zone {
@@ -137,7 +137,7 @@ pub(crate) fn ends(law: Law) -> [[f64; 2]; 2] {
 }
 
 /// `k (k - 1) ...`, so many factors.
-pub(super) fn falling(k: usize, factors: usize) -> f64 {
+pub(in crate::algebra) fn falling(k: usize, factors: usize) -> f64 {
     (0..factors).map(|own| (k - own) as f64).product()
 }
 

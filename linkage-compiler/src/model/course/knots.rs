@@ -3,7 +3,7 @@
 use super::super::functions::CourseWord;
 use super::super::names::Resolver;
 use super::super::place::Context;
-use super::super::types::{Ends, Knot, Law, Repeating};
+use super::super::types::{Knot, Law, Repeating, SplineWord};
 use crate::diagnostic::text::{count, nearest};
 use crate::syntax::{self, Word};
 
@@ -40,7 +40,7 @@ impl Resolver<'_> {
         knots.into_iter().collect()
     }
 
-    /// `(place, value)`, then a law, then `jump`.
+    /// `(place, value)`, then a law, of a spline a slope, then `jump`.
     fn knot(&mut self, word: CourseWord, entry: &syntax::Expr, context: Context) -> Option<Knot> {
         let parts = match &entry.kind {
             syntax::ExprKind::Tuple(parts) if (2..=4).contains(&parts.len()) => parts,
@@ -61,8 +61,17 @@ impl Resolver<'_> {
         };
         let place = self.expression(&parts[0], context);
         let value = self.expression(&parts[1], context);
+        let is_slope = |own: &syntax::Expr| {
+            let law = named(own).and_then(|own| Law::from_word(&own));
+            matches!(word, CourseWord::Spline) && law.is_none()
+        };
+        let mut slope = None;
         let law = match words {
             [] => None,
+            [own] if is_slope(own) => {
+                slope = Some(self.expression(own, context));
+                None
+            }
             [law] => Some(self.law(law)?),
             [_, other, ..] => {
                 let fact = "behind its law a knot has nothing but `jump`";
@@ -71,13 +80,15 @@ impl Resolver<'_> {
                 return None;
             }
         };
-        if place.ty.is_error() || value.ty.is_error() {
+        let all = [&place, &value].into_iter().chain(&slope);
+        if all.into_iter().any(|own| own.ty.is_error()) {
             return None;
         }
         let origin = self.origins.add(entry.span);
         Some(Knot {
             place,
             value,
+            slope,
             law,
             may_jump,
             origin,
@@ -88,7 +99,7 @@ impl Resolver<'_> {
         self.word_of(expr, "a law of motion", "laws are")
     }
 
-    pub(super) fn ends(&mut self, expr: &syntax::Expr) -> Option<Ends> {
+    pub(super) fn spline_word(&mut self, expr: &syntax::Expr) -> Option<SplineWord> {
         self.word_of(expr, "how the spline ends", "it may be")
     }
 

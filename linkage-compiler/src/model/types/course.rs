@@ -29,12 +29,28 @@ vocabulary! {
 vocabulary! {
     /// How a spline ends.
     pub(crate) enum Ends {
-        /// Without curvature; it goes on as a straight line.
+        /// It goes on as its last derivatives that are continuous say: a cubic one as a straight line.
         Natural = "natural",
         /// Without slope; it goes on as a constant.
         Clamped = "clamped",
         /// As it began.
         Periodic = "periodic",
+    }
+}
+
+vocabulary! {
+    /// Of which degree the pieces of a spline are, if they are not cubic.
+    pub(crate) enum Degree {
+        /// Four derivatives are continuous.
+        Quintic = "quintic",
+    }
+}
+
+vocabulary! {
+    /// What stands behind the points of a spline.
+    pub(crate) enum SplineWord {
+        Ends(Ends),
+        Degree(Degree),
     }
 }
 
@@ -46,7 +62,18 @@ vocabulary! {
     }
 }
 
-/// A number along `argument`.
+/// What the pieces of a spline are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pieces {
+    /// Through points, with continuous curvature.
+    Cubic,
+    /// Through points, with four continuous derivatives.
+    Quintic,
+    /// Through points by slopes that are given, with three continuous derivatives.
+    QuinticBySlopes,
+}
+
+/// A number along `argument`, or its slope.
 #[derive(Clone, Debug)]
 pub(crate) struct Course {
     pub(crate) argument: Box<Expr>,
@@ -55,7 +82,12 @@ pub(crate) struct Course {
     pub(crate) kind: CourseKind,
     /// How the argument repeats.
     pub(crate) repeats: Repeats,
+    /// Which derivative by the argument it is.
+    pub(crate) order: u8,
 }
+
+/// The highest derivative of a course that is a course itself.
+pub(crate) const HIGHEST_SLOPE: u8 = 3;
 
 /// How it goes from knot to knot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,7 +96,7 @@ pub(crate) enum CourseKind {
     Rise,
     /// By the law of the later knot; beyond the ends it stays where it is.
     Laws,
-    Spline(Ends),
+    Spline(Ends, Pieces),
 }
 
 /// After what the argument begins anew.
@@ -82,6 +114,8 @@ pub(crate) enum Repeats {
 pub(crate) struct Knot {
     pub(crate) place: Expr,
     pub(crate) value: Expr,
+    /// The slope there, of a spline.
+    pub(crate) slope: Option<Expr>,
     /// The law that leads to it.
     pub(crate) law: Option<Law>,
     /// Whether speed and acceleration may jump here.
@@ -93,14 +127,15 @@ pub(crate) struct Knot {
 impl PartialEq for Knot {
     fn eq(&self, other: &Self) -> bool {
         let words = |own: &Self| (own.law, own.may_jump);
-        self.place == other.place && self.value == other.value && words(self) == words(other)
+        let numbers = |own: &Self| (own.place.clone(), own.value.clone(), own.slope.clone());
+        numbers(self) == numbers(other) && words(self) == words(other)
     }
 }
 
 /// Equal if they say the same, wherever they stand.
 impl PartialEq for Course {
     fn eq(&self, other: &Self) -> bool {
-        let all = |own: &Self| (own.kind, own.repeats);
+        let all = |own: &Self| (own.kind, own.repeats, own.order);
         self.argument == other.argument && self.knots == other.knots && all(self) == all(other)
     }
 }
@@ -115,6 +150,15 @@ impl Course {
         angle.map_or(&*self.argument, |own| &own.place).ty.clone()
     }
 
+    /// Of what its values are, were it not differentiated.
+    pub(crate) fn value_type(&self) -> Type {
+        let angle = self
+            .knots
+            .iter()
+            .find(|own| matches!(own.value.ty, Type::Scalar(own) if own.angle));
+        angle.unwrap_or(&self.knots[0]).value.ty.clone()
+    }
+
     /// The same course of other expressions, from elsewhere.
     pub(crate) fn map(
         &self,
@@ -124,6 +168,7 @@ impl Course {
         let knot = |own: &Knot| Knot {
             place: expression(&own.place),
             value: expression(&own.value),
+            slope: own.slope.as_ref().map(&expression),
             origin: origin(own.origin),
             ..own.clone()
         };
@@ -137,7 +182,8 @@ impl Course {
     /// The expressions that it is made of, as they are read.
     pub(crate) fn operands(&self) -> Vec<&Expr> {
         let mut all = vec![&*self.argument];
-        all.extend(self.knots.iter().flat_map(|own| [&own.place, &own.value]));
+        let knots = self.knots.iter();
+        all.extend(knots.flat_map(|own| [&own.place, &own.value].into_iter().chain(&own.slope)));
         all
     }
 }

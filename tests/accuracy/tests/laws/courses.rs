@@ -111,34 +111,55 @@ fn courses_without_a_period_end_and_others_do_not() {
 
 #[test]
 fn splines_have_fifteen_digits() {
-    // The largest values of the spline and its derivatives, by degrees.
-    let sizes = [12.3, 0.21, 0.0056, 2.6e-4];
-    let mut worst: f64 = 0.0;
+    // Where each stands among the courses, and the largest values of it and its derivatives, by degrees.
+    let splines = [
+        ("spline", 2, [12.3, 0.21, 0.0056, 2.6e-4, 0.0]),
+        ("quintic", 6, [12.3, 0.21, 0.0056, 2.5e-4, 1.5e-5]),
+        ("sloped", 7, [12.2, 0.22, 0.0073, 6.5e-4, 1.2e-4]),
+    ];
+    let mut worst = [[0.0_f64; 4]; 3];
+    let mut count = 0;
     for Reference {
-        at, side, values, ..
-    } in references().filter(|own| own.law == "spline")
+        law,
+        at,
+        side,
+        values,
+    } in references()
     {
+        let Some(spline) = splines.iter().position(|own| own.0 == law) else {
+            continue;
+        };
+        let (_, place_of, sizes) = splines[spline];
+        count += 1;
         let place = radians(at);
         let place = if side == "left" {
             if at == 0.0 { -1e-15 } else { place.next_down() }
         } else {
             place
         };
-        let found = courses(place).map(|own| own[2]);
+        let found = courses(place).map(|own| own[place_of]);
         let mut per = 1.0;
         for order in 0..4 {
             let error = (found[order] * per - values[order]).abs();
             // Degrees are rounded when they become radians.
-            let of_place = match order {
-                3 => 0.0,
-                _ => 2.0 * f64::EPSILON * at * sizes[order + 1],
-            };
-            worst = worst.max((error - of_place) / sizes[order]);
+            let of_place = 2.0 * f64::EPSILON * at * sizes[order + 1];
+            let worst = &mut worst[spline][order];
+            *worst = worst.max((error - of_place) / sizes[order]);
             per *= radians(1.0);
         }
     }
-    println!("spline, of its largest values: {worst:e}");
-    assert!(worst <= 2e-15);
+    assert_eq!(count, 3 * 18);
+    println!("splines, of their largest values: {worst:?}");
+    // What rounds slopes that are given is 24 / width^2 times as much in the third derivative.
+    let allowed = |spline: usize, order: usize| match (spline, order) {
+        (2, 3) => 6e-15,
+        _ => 2e-15,
+    };
+    for (spline, own) in worst.iter().enumerate() {
+        for (order, own) in own.iter().enumerate() {
+            assert!(*own <= allowed(spline, order), "{spline} {order}: {own:e}");
+        }
+    }
 }
 
 /// Sensitivities to values and places of knots against dual numbers, which follow the whole formula.
@@ -165,12 +186,25 @@ fn dimensions_of_courses_have_exact_sensitivities() {
             [&lift, &start, &second].map(|own| own.values(constant));
         let [rate_lift, rate_start, rate_second] =
             [&lift, &start, &second].map(|own| own.rates(constant));
+        let [bent_start, bent_second] = [&start, &second].map(|own| own.quintics(constant));
         let pairs = [
             (found.s, [by_lift.s, by_start.s]),
             (found.s_rate, [rate_lift.s, rate_start.s]),
             (found.natural, [by_second.natural, by_start.natural]),
             (found.clamped, [by_second.clamped, by_start.clamped]),
             (found.again, [rate_second.again, rate_start.again]),
+            (found.bent, [bent_second.bent, bent_start.bent]),
+            (found.free, [bent_second.free, bent_start.free]),
+            (found.led, [bent_second.led, bent_start.led]),
+            (found.circle, [bent_second.circle, bent_start.circle]),
+            (
+                found.bent_slope,
+                [bent_second.bent_slope, bent_start.bent_slope],
+            ),
+            (
+                found.led_curvature,
+                [bent_second.led_curvature, bent_start.led_curvature],
+            ),
         ];
         for (found, expected) in pairs {
             for (found, Dual(expected)) in found.into_iter().zip(expected) {

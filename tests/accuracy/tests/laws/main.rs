@@ -61,21 +61,40 @@ linkage::mechanism! {
         let natural = spline(phi, [(start, 2mm), (90deg, second), (180deg, 5mm), (250deg, 1mm)]);
         let clamped = spline(phi, [(start, 2mm), (90deg, second), (180deg, 5mm), (250deg, 1mm)], clamped);
         let again = spline(phi, [(10deg, 2mm), (start, second), (70deg, 5mm), (90deg, 2mm)], periodic);
+        let quintic = spline(phi, [
+            (0deg, 0mm), (40deg, 3.5mm), (90deg, 11.25mm), (130deg, 12mm), (180deg, 10.5mm),
+            (235deg, 6.75mm), (280deg, -1.5mm), (325deg, -2.25mm), (360deg, 0mm),
+        ], quintic);
+        let sloped = spline(phi, [
+            (0deg, 0mm, 0.05mm / 1deg), (40deg, 3.5mm, 0.12mm / 1deg), (90deg, 11.25mm, 0.1mm / 1deg),
+            (130deg, 12mm, -0.02mm / 1deg), (180deg, 10.5mm, -0.06mm / 1deg), (235deg, 6.75mm, -0.14mm / 1deg),
+            (280deg, -1.5mm, -0.1mm / 1deg), (325deg, -2.25mm, 0.03mm / 1deg), (360deg, 0mm, 0.05mm / 1deg),
+        ]);
+        let bent = spline(phi, [(start, 2mm), (90deg, second), (180deg, 5mm), (250deg, 1mm)], clamped, quintic);
+        let free = spline(phi, [(start, 2mm), (90deg, second), (180deg, 5mm), (250deg, 1mm)], quintic);
+        let led = spline(phi, [(start, 2mm, second / 2), (90deg, second, 0mm / 1deg), (180deg, 5mm, -1mm)]);
+        let circle = spline(phi, [(10deg, 2mm), (start, second), (70deg, 5mm), (90deg, 2mm)], quintic, periodic);
     }
 
     impl Courses {
-        fn values(phi) -> CourseValues { s, once, spline, natural, clamped, again }
+        fn values(phi) -> CourseValues { s, once, spline, natural, clamped, again, quintic, sloped }
+        /// Quintic splines by parameters, as far as [`ByDimensions`] asks.
+        fn quintics(phi) -> Quintics {
+            bent, free: velocity(free), led: velocity(led), circle: acceleration(circle),
+            bent_slope: slope(bent), led_curvature: slope(slope(led)),
+        }
         fn rates(phi) -> CourseRates {
             s: velocity(s), once: velocity(once), spline: velocity(spline), natural: velocity(natural),
-            clamped: velocity(clamped), again: velocity(again),
+            clamped: velocity(clamped), again: velocity(again), quintic: velocity(quintic), sloped: velocity(sloped),
         }
         fn accelerations(phi) -> CourseAccelerations {
             s: acceleration(s), once: acceleration(once), spline: acceleration(spline),
             natural: acceleration(natural), clamped: acceleration(clamped), again: acceleration(again),
+            quintic: acceleration(quintic), sloped: acceleration(sloped),
         }
         fn jerks(phi) -> CourseJerks {
             s: jerk(s), once: jerk(once), spline: jerk(spline), natural: jerk(natural),
-            clamped: jerk(clamped), again: jerk(again),
+            clamped: jerk(clamped), again: jerk(again), quintic: jerk(quintic), sloped: jerk(sloped),
         }
         fn by_dimensions(phi) -> ByDimensions {
             s: sensitivity(s, [lift, start]),
@@ -83,6 +102,12 @@ linkage::mechanism! {
             natural: sensitivity(natural, [second, start]),
             clamped: sensitivity(clamped, [second, start]),
             again: sensitivity(velocity(again), [second, start]),
+            bent: sensitivity(bent, [second, start]),
+            free: sensitivity(velocity(free), [second, start]),
+            led: sensitivity(velocity(led), [second, start]),
+            circle: sensitivity(acceleration(circle), [second, start]),
+            bent_slope: sensitivity(slope(bent), [second, start]),
+            led_curvature: sensitivity(slope(slope(led)), [second, start]),
         }
     }
 }
@@ -103,7 +128,7 @@ macro_rules! laws {
 
 macro_rules! courses {
     ($result:expr) => {
-        list!($result; s once spline natural clamped again)
+        list!($result; s once spline natural clamped again quintic sloped)
     };
 }
 
@@ -163,7 +188,7 @@ fn laws<T: Scalar>(x: T) -> [[f64; 8]; 4] {
 }
 
 /// A course and its derivatives, for every course.
-fn courses(phi: f64) -> [[f64; 6]; 4] {
+fn courses(phi: f64) -> [[f64; 8]; 4] {
     let linkage = Courses::default().assemble().expect("it has no loop");
     [
         courses!(linkage.values(phi)),

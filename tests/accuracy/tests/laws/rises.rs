@@ -113,3 +113,65 @@ fn derivatives_are_those_of_dual_numbers() {
         }
     }
 }
+
+/// The largest value of speed times acceleration, to twenty digits, where it is known.
+const DYNAMIC: [(&str, f64); 6] = [
+    ("poly345", 6.694_268_727_495_788_4),
+    ("poly4567", 10.750_226_164_026_470),
+    ("cycloidal", 8.162_097_139_053_980_3),
+    ("harmonic", 3.875_784_585_037_477_5),
+    ("modified_sine", 5.457_752_762_719_378_5),
+    ("modified_trapezoid", 8.089_980_982_313_149_9),
+];
+
+/// The largest magnitude of something about a law on [0, 1): where it is among so many places, then by smaller and smaller steps about there.
+fn largest(law: usize, of: impl Fn(&[[f64; 8]; 4], usize) -> f64) -> f64 {
+    let at = |x: f64| of(&laws(x.clamp(0.0, 1.0_f64.next_down())), law).abs();
+    let places = 0..=400;
+    let found = places.map(|k| f64::from(k) / 400.0);
+    let mut best = found.fold(0.0, |best, x| if at(x) > at(best) { x } else { best });
+    let mut step = 1.0 / 400.0;
+    while step > 1e-10 {
+        for next in [best - step, best + step] {
+            if at(next) > at(best) {
+                best = next;
+            }
+        }
+        step *= 0.7;
+    }
+    at(best)
+}
+
+/// The table of laws in the documentation says how large they become, and so does the table that errors are measured by.
+#[test]
+fn the_largest_values_are_those_of_the_documentation() {
+    let page = include_str!("../../../../docs/language/expressions.md");
+    for (law, (name, sizes)) in LAWS.iter().enumerate() {
+        let row = format!("| `{name}` |");
+        let line = page.lines().find(|line| line.starts_with(&row));
+        let line = line.expect("each law has a row").trim_end_matches(" |");
+        let (_, told) = line.rsplit_once("| ").expect("columns");
+        let told: Vec<f64> = told
+            .split([',', ';'])
+            .map(|own| own.trim().parse().expect("a number"))
+            .collect();
+        let found = [1, 2, 3].map(|order| largest(law, |own, law| own[order][law]));
+        let product = largest(law, |own, law| own[1][law] * own[2][law]);
+        for (told, found) in told.iter().zip(found.iter().chain([&product])) {
+            assert!(
+                (told - found).abs() <= 0.0051 * told.max(1.0),
+                "{name}: {told} and {found}"
+            );
+        }
+        assert_eq!(told.len(), 4, "{line}");
+        for (size, found) in sizes.iter().zip(found) {
+            assert!(
+                (size - found).abs() < 1e-4 * found.max(1.0),
+                "{name}: {size} and {found}"
+            );
+        }
+        if let Some((_, known)) = DYNAMIC.iter().find(|own| own.0 == *name) {
+            assert!((product - known).abs() < 1e-14 * known, "{name}: {product}");
+        }
+    }
+}

@@ -15,9 +15,13 @@ linkage::mechanism! {
         let ends = piecewise(t, [(0deg, 0mm), (100deg, lift, line)]);
         let beyond = piecewise(t, [(0deg, 0deg), (90deg, 45deg, line)]);
         let accepted = piecewise(phi, [(0deg, 0mm), (90deg, lift, line, jump), (360deg, 0mm, cubic, jump)]);
+        // A clamped spline bends at once where it begins; its end is that of the range.
+        let clamped = spline(phi, [(20deg, 0mm), (110deg, 2mm), (360deg, lift)], clamped);
+        let bends = spline(phi, [(20deg, 0mm, jump), (110deg, 2mm), (300deg, lift, jump)], clamped);
+        let quintic = spline(phi, [(20deg, 0mm), (110deg, 2mm), (300deg, lift)], clamped, quintic);
     }
     impl Jumps {
-        fn at(phi, t) -> At { tip, smooth, ends, beyond, accepted }
+        fn at(phi, t) -> At { tip, smooth, ends, beyond, accepted, clamped, bends, quintic }
     }
 }
 

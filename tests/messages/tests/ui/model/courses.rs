@@ -23,6 +23,10 @@ linkage::mechanism! {
         let ends = spline(phi, [(0deg, 0mm), (90deg, lift)], clampd);
         let laws = spline(phi, [(0deg, 0mm), (90deg, lift, line)]);
         let short = spline(phi, [(0deg, 0mm), (90deg, lift), (360deg, 0mm)]);
+        let some_slopes = spline(phi, [(0deg, 0mm, 1mm), (90deg, lift)]);
+        let no_jump = spline(phi, [(0deg, 0mm), (90deg, lift, jump), (180deg, 0mm)], clamped);
+        let two_words = spline(phi, [(0deg, 0mm), (90deg, lift), (180deg, 0mm)], quintic, quintic);
+        let no_course = slope(2 * phi);
         let unknown = piecewize(phi, [(0deg, 0mm), (90deg, lift, line)]);
     }
     impl Courses {

@@ -1,0 +1,356 @@
+//! Quintic splines: pieces by values, slopes and curvatures at their ends. Where slopes are given, curvatures follow from continuous third
+//! derivatives, a tridiagonal system whose diagonal dominates; where they are not, slopes and curvatures follow from continuous third and
+//! fourth derivatives, in blocks of two. That system says where the integral of the squared third derivative is least, so it is symmetric
+//! and positive, and needs no search for pivots. Points that are numbers give numbers; parameters among them stay parameters.
+//!
+//! Source: C. de Boor, A Practical Guide to Splines; the pieces are Hermite's.
+
+use linkage_symbolic::Ex;
+
+use super::spline::{solved, solved_in_circle};
+use crate::algebra::choice::Choice;
+use crate::algebra::law::{ORDERS, falling, scheme};
+use crate::model::Ends;
+
+/// Slope and curvature at a point.
+type Shape<'m> = [Ex<'m>; 2];
+
+/// Two rows of a system, by the slope and the curvature of one point.
+type Block<'m> = [[Ex<'m>; 2]; 2];
+
+/// What the values at the ends of a piece are, and how wide it is.
+struct Span<'m> {
+    width: Ex<'m>,
+    height: Ex<'m>,
+}
+
+/// The value of a spline through points at `along`, or a derivative.
+pub(super) fn value<'m>(
+    along: Ex<'m>,
+    points: &[(Ex<'m>, Ex<'m>)],
+    slopes: Option<&[Ex<'m>]>,
+    ends: Ends,
+    order: usize,
+) -> Ex<'m> {
+    let spans: Vec<Span> = points
+        .windows(2)
+        .map(|own| Span {
+            width: own[1].0 - own[0].0,
+            height: own[1].1 - own[0].1,
+        })
+        .collect();
+    let shapes = match slopes {
+        Some(slopes) => by_slopes(&spans, slopes, ends),
+        None => by_points(&spans, ends),
+    };
+    let zero = along.number(0.0);
+    // The middle of each piece, then the coefficients of the powers of the way from there, which is short: little cancels.
+    let pieces = points.windows(2).zip(&spans).zip(shapes.windows(2));
+    let mut pieces: Vec<[Ex; 7]> = pieces
+        .map(|((ends, span), shapes)| {
+            let [a, b, c, d, e, f] = span.powers([ends[0].1, ends[1].1], [shapes[0], shapes[1]]);
+            [ends[0].0 + 0.5 * span.width, a, b, c, d, e, f]
+        })
+        .collect();
+    let places: Vec<Ex> = points.iter().map(|own| own.0).collect();
+    let borders = match ends {
+        Ends::Periodic => &places[1..places.len() - 1],
+        Ends::Natural | Ends::Clamped => {
+            // It goes on with its slope and curvature: both are 0 where it is clamped.
+            let beyond = |at: usize| {
+                let ((place, value), [slope, curvature]) = (points[at], shapes[at]);
+                [place, value, slope, 0.5 * curvature, zero, zero, zero]
+            };
+            pieces.insert(0, beyond(0));
+            pieces.push(beyond(points.len() - 1));
+            &places[..]
+        }
+    };
+    let are_numbers = |own: &[Ex; 7]| own.iter().all(|x| x.constant_value().is_some());
+    let known = pieces.iter().all(are_numbers);
+    let choice = Choice::new(along, borders);
+    let [from, coefficients @ ..] = [0, 1, 2, 3, 4, 5, 6].map(|k| {
+        let all: Vec<Ex> = pieces.iter().map(|own| own[k]).collect();
+        choice.of(&all)
+    });
+    let way = along - from;
+    // From the last one down: each derivative is known when what it is the slope of is made.
+    let mut all = [along; ORDERS];
+    for order in (0..ORDERS).rev() {
+        let own = coefficients.iter().enumerate().skip(order);
+        let own: Vec<Ex> = own.map(|(k, &c)| falling(k, order) * c).collect();
+        let sum = scheme(&own, way);
+        all[order] = match all.get(order + 1) {
+            // Coefficients that are no numbers are differentiated, too.
+            Some(&slope) if known => sum.with_slope(along, slope),
+            _ => sum,
+        };
+    }
+    all[order]
+}
+
+impl<'m> Span<'m> {
+    /// The coefficients of the powers of the way from its middle, by the values at its ends and what goes with them.
+    fn powers(&self, values: [Ex<'m>; 2], shapes: [Shape<'m>; 2]) -> [Ex<'m>; 6] {
+        let half = 0.5 * self.width;
+        let [[p, c], [q, e]] = shapes;
+        let square = half * half;
+        // Halves of sums and differences of what stands at the ends, as if the piece went from -1 to 1: sums belong to even derivatives.
+        let (middle, rise) = (0.5 * (values[0] + values[1]), 0.5 * self.height);
+        let (slope, turn) = (0.5 * half * (p + q), 0.5 * half * (q - p));
+        let (bend, twist) = (0.5 * square * (c + e), 0.5 * square * (e - c));
+        let fourth = 0.125 * (bend - turn);
+        let second = 0.25 * (3.0 * turn - bend);
+        let missing = slope - rise;
+        let fifth = 0.125 * (twist - 3.0 * missing);
+        let third = 0.25 * (5.0 * missing - twist);
+        let all = [
+            middle - second - fourth,
+            rise - third - fifth,
+            second,
+            third,
+            fourth,
+            fifth,
+        ];
+        let mut scale = half.number(1.0);
+        all.map(|own| {
+            let scaled = own / scale;
+            scale = scale * half;
+            scaled
+        })
+    }
+
+    /// By what its begin leaves to the end, in the equations of the end: `24 / h^2` and the like.
+    fn by_begin(&self) -> Block<'m> {
+        let [first, second, third] = self.inverses();
+        [
+            [168.0 * third, 24.0 * second],
+            [-24.0 * second, -3.0 * first],
+        ]
+    }
+
+    /// The same of the end in the equations of the begin.
+    fn by_end(&self) -> Block<'m> {
+        let [[a, b], [c, d]] = self.by_begin();
+        [[a, c], [b, d]]
+    }
+
+    /// `1 / h`, `1 / h^2`, `1 / h^3`
+    fn inverses(&self) -> [Ex<'m>; 3] {
+        let first = 1.0 / self.width;
+        let second = first * first;
+        [first, second, second * first]
+    }
+
+    /// What it adds to the block of a point at its begin (1) or end (-1).
+    fn own(&self, side: f64) -> Block<'m> {
+        let [first, second, third] = self.inverses();
+        let mixed = side * 36.0 * second;
+        [[192.0 * third, mixed], [mixed, 9.0 * first]]
+    }
+
+    /// What it adds to the right-hand side there.
+    fn right(&self, side: f64) -> Shape<'m> {
+        let [_, _, third] = self.inverses();
+        let cubed = self.height * third;
+        [360.0 * cubed / self.width, side * 60.0 * cubed]
+    }
+}
+
+/// Curvatures that make the third derivative continuous; none at ends that go on straight.
+fn by_slopes<'m>(spans: &[Span<'m>], slopes: &[Ex<'m>], ends: Ends) -> Vec<Shape<'m>> {
+    let zero = slopes[0].number(0.0);
+    let row = |left: usize, right: usize, at: usize| {
+        let (before, behind) = (&spans[left], &spans[right]);
+        let [[_, _], [from_before, curvature_before]] = before.by_begin();
+        let [[_, _], [from_behind, curvature_behind]] = behind.by_end();
+        let [[_, _], [slope_before, own_before]] = before.own(-1.0);
+        let [[_, _], [slope_behind, own_behind]] = behind.own(1.0);
+        let known = from_before * slopes[left]
+            + (slope_before + slope_behind) * slopes[at]
+            + from_behind * slopes[right + 1];
+        let right = before.right(-1.0)[1] + behind.right(1.0)[1];
+        [
+            curvature_before,
+            own_before + own_behind,
+            curvature_behind,
+            right - known,
+        ]
+    };
+    let last = spans.len() - 1;
+    let within: Vec<[Ex; 4]> = (1..=last).map(|k| row(k - 1, k, k)).collect();
+    let curvatures = match ends {
+        Ends::Periodic => {
+            let mut rows = vec![row(last, 0, 0)];
+            rows.extend(within);
+            let mut all = solved_in_circle(&rows);
+            all.push(all[0]);
+            all
+        }
+        Ends::Natural | Ends::Clamped => {
+            let mut all = vec![zero];
+            all.extend(solved(&within));
+            all.push(zero);
+            all
+        }
+    };
+    let shapes = slopes.iter().zip(curvatures);
+    shapes
+        .map(|(&slope, curvature)| [slope, curvature])
+        .collect()
+}
+
+/// A point's rows: by the point before, its own, by the point behind, and what they make, a column for each system.
+struct Row<'m> {
+    before: Block<'m>,
+    own: Block<'m>,
+    behind: Block<'m>,
+    right: Vec<Shape<'m>>,
+}
+
+/// Slopes and curvatures that make the third and the fourth derivative continuous. Natural ends have none of them.
+fn by_points<'m>(spans: &[Span<'m>], ends: Ends) -> Vec<Shape<'m>> {
+    let zero = spans[0].width.number(0.0);
+    let row = |left: Option<usize>, right: Option<usize>| {
+        let sides = [(left, -1.0), (right, 1.0)];
+        let sides = sides.map(|(span, side)| span.map(|span| (&spans[span], side)));
+        let mut row = Row {
+            before: [[zero; 2]; 2],
+            own: [[zero; 2]; 2],
+            behind: [[zero; 2]; 2],
+            right: vec![[zero; 2]],
+        };
+        for (span, side) in sides.into_iter().flatten() {
+            row.own = plus(row.own, span.own(side));
+            row.right[0] = added(row.right[0], span.right(side));
+            match side < 0.0 {
+                true => row.before = span.by_begin(),
+                false => row.behind = span.by_end(),
+            }
+        }
+        row
+    };
+    let last = spans.len() - 1;
+    let mut within: Vec<Row> = (1..=last).map(|k| row(Some(k - 1), Some(k))).collect();
+    let only = |rows: Vec<Row<'m>>| -> Vec<Shape<'m>> {
+        eliminated(rows).iter().map(|own| own[0]).collect()
+    };
+    match ends {
+        Ends::Natural => {
+            let mut rows = vec![row(None, Some(0))];
+            rows.append(&mut within);
+            rows.push(row(Some(last), None));
+            only(rows)
+        }
+        Ends::Clamped => {
+            let mut all = vec![[zero; 2]];
+            all.extend(only(within));
+            all.push([zero; 2]);
+            all
+        }
+        Ends::Periodic => {
+            let mut all = in_circle(row(Some(last), Some(0)), within);
+            all.push(all[0]);
+            all
+        }
+    }
+}
+
+/// A system whose first and last rows mention each other: the first point is moved to the right-hand side, and its own rows say what it is.
+fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape<'m>> {
+    let zero = first.own[0][0].number(0.0);
+    let last = rest.len() - 1;
+    for (k, row) in rest.iter_mut().enumerate() {
+        let mut moved = [[zero; 2]; 2];
+        if k == 0 {
+            moved = plus(moved, row.before);
+        }
+        if k == last {
+            moved = plus(moved, row.behind);
+        }
+        row.right
+            .extend([0, 1].map(|k| [-moved[0][k], -moved[1][k]]));
+    }
+    let found = eliminated(rest);
+    let (next, end) = (&found[0], &found[last]);
+    // What the neighbours add to the first rows: beside the number, by its slope and by its curvature.
+    let known = |column: usize| {
+        added(
+            times(first.behind, next[column]),
+            times(first.before, end[column]),
+        )
+    };
+    let [by_slope, by_curvature] = [known(1), known(2)];
+    let own = plus(
+        first.own,
+        [
+            [by_slope[0], by_curvature[0]],
+            [by_slope[1], by_curvature[1]],
+        ],
+    );
+    let moved = quotient(own, less(first.right[0], known(0)));
+    let others = found.iter().map(|own| {
+        let by = added(scaled(own[1], moved[0]), scaled(own[2], moved[1]));
+        added(own[0], by)
+    });
+    std::iter::once(moved).chain(others).collect()
+}
+
+/// Solutions for all right-hand sides, by row.
+fn eliminated<'m>(mut rows: Vec<Row<'m>>) -> Vec<Vec<Shape<'m>>> {
+    for k in 1..rows.len() {
+        let (done, open) = rows.split_at_mut(k);
+        let (above, row) = (&done[k - 1], &mut open[0]);
+        let removed = |column: Shape<'m>| times(row.before, quotient(above.own, column));
+        let columns = [0, 1].map(|k| removed([above.behind[0][k], above.behind[1][k]]));
+        let right: Vec<Shape> = above.right.iter().map(|own| removed(*own)).collect();
+        for (own, removed) in row.right.iter_mut().zip(right) {
+            *own = less(*own, removed);
+        }
+        for (r, own) in row.own.iter_mut().enumerate() {
+            for (c, own) in own.iter_mut().enumerate() {
+                *own -= columns[c][r];
+            }
+        }
+    }
+    let mut found: Vec<Vec<Shape>> = Vec::new();
+    for row in rows.iter().rev() {
+        let behind = found.last();
+        let own = row.right.iter().enumerate().map(|(column, &right)| {
+            let right = match behind {
+                Some(behind) => less(right, times(row.behind, behind[column])),
+                None => right,
+            };
+            quotient(row.own, right)
+        });
+        found.push(own.collect());
+    }
+    found.reverse();
+    found
+}
+
+fn plus<'m>(a: Block<'m>, b: Block<'m>) -> Block<'m> {
+    [added(a[0], b[0]), added(a[1], b[1])]
+}
+
+fn added<'m>(a: Shape<'m>, b: Shape<'m>) -> Shape<'m> {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+fn less<'m>(a: Shape<'m>, b: Shape<'m>) -> Shape<'m> {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn scaled<'m>(a: Shape<'m>, by: Ex<'m>) -> Shape<'m> {
+    a.map(|own| own * by)
+}
+
+fn times<'m>(block: Block<'m>, by: Shape<'m>) -> Shape<'m> {
+    block.map(|row| row[0] * by[0] + row[1] * by[1])
+}
+
+/// `block^-1 right`
+fn quotient<'m>([[a, b], [c, d]]: Block<'m>, [x, y]: Shape<'m>) -> Shape<'m> {
+    let determinant = a * d - b * c;
+    [(d * x - b * y) / determinant, (a * y - c * x) / determinant]
+}
