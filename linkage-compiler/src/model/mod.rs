@@ -37,6 +37,7 @@ mod presentation;
 mod rate;
 mod refused;
 mod shape;
+mod slopes;
 #[cfg(test)]
 mod tests;
 mod types;

@@ -2,15 +2,16 @@
 
 use super::argument::rate;
 use super::names::Resolver;
-use super::types::{BinaryOp, Expr, ExprKind, Let, Name, Type};
+use super::slopes::{of_both, slopes};
+use super::types::{BinaryOp, Course, Expr, ExprKind, Let, Name, Type};
 
 /// Why a speed or an acceleration is not known.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Unfollowed {
     /// This input has none.
     OfInput(usize),
-    /// By an unknown, a function or a law: sums, products and quotients are differentiated here. A limit of ours.
-    NoProduct,
+    /// By an unknown, or a function that is not differentiated here. A limit of ours.
+    Other,
 }
 
 /// The derivative in time; `None` for what stands still.
@@ -42,8 +43,8 @@ impl Resolver<'_> {
                 let input = own.map_or("", |own| own.text.as_str());
                 format!("; or give `{input}` one: `input {input} = ... at speed, acceleration`")
             }
-            Unfollowed::NoProduct => "; it follows from the input given where that is a sum, product or quotient of inputs \
-                 and parameters, which is a limit of linkage"
+            Unfollowed::Other => "; it follows from the input given where that is made of inputs and parameters by sums, products, \
+                 quotients, laws, splines and functions of numbers like `sin`, which is a limit of linkage"
                 .to_owned(),
         }
     }
@@ -66,7 +67,7 @@ impl Resolver<'_> {
             ExprKind::Name(Name::Argument(speed)) => {
                 let mut inputs = self.rates.iter();
                 let input = inputs.position(|own| own[0] == Some(*speed));
-                let input = input.ok_or(Unfollowed::NoProduct)?;
+                let input = input.ok_or(Unfollowed::Other)?;
                 let [_, acceleration] = self.rates[input];
                 ExprKind::Name(Name::Argument(
                     acceleration.ok_or(Unfollowed::OfInput(input))?,
@@ -114,9 +115,45 @@ impl Resolver<'_> {
             }
             // Of what is made of parameters alone, like `sqrt(2)`, nothing moves.
             _ if self.is_still(value, lets) => return Ok(None),
-            _ => return Err(Unfollowed::NoProduct),
+            ExprKind::Course(course) => {
+                let slope = self
+                    .slope_of(course, value, lets)
+                    .ok_or(Unfollowed::Other)?;
+                return self.by(slope, &course.argument, lets);
+            }
+            ExprKind::Call(function, arguments) => {
+                let slopes = slopes(*function, arguments, value).ok_or(Unfollowed::Other)?;
+                let mut rate = None;
+                for (slope, argument) in slopes.into_iter().zip(arguments) {
+                    let share = self.by(slope, argument, lets)?;
+                    rate = summed(rate, share, &|a, b| joined(BinaryOp::Add, a, b));
+                }
+                return Ok(rate);
+            }
+            _ => return Err(Unfollowed::Other),
         };
         Ok(Some(made(kind)))
+    }
+
+    /// What changes with an argument, by its slope.
+    fn by(&self, slope: Expr, argument: &Expr, lets: &[Let]) -> Rate {
+        let rate = self.in_time(argument, lets)?;
+        Ok(rate.map(|rate| of_both(BinaryOp::Mul, slope, rate)))
+    }
+
+    /// The slope of a course whose knots stand still.
+    fn slope_of(&self, course: &Course, value: &Expr, lets: &[Let]) -> Option<Expr> {
+        let mut knots = course.operands().into_iter().skip(1);
+        let slope = course
+            .slope()
+            .filter(|_| knots.all(|own| self.is_still(own, lets)))?;
+        let by = course.argument_type().dimension()?;
+        let dimension = value.ty.dimension()?.over(by)?;
+        Some(Expr {
+            kind: ExprKind::Course(slope),
+            ty: Type::Scalar(dimension),
+            origin: value.origin,
+        })
     }
 
     fn is_still(&self, value: &Expr, lets: &[Let]) -> bool {
