@@ -4,8 +4,6 @@
 
 #[cfg(feature = "num-dual")]
 pub use linkage_runtime::Dual;
-#[cfg(any(feature = "std", feature = "libm"))]
-pub use linkage_runtime::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::Lanes;
 /// The library whose vectors and poses results are: what else it offers for them, in the version that fits.
@@ -21,6 +19,8 @@ pub use linkage_runtime::{
 pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{Columns, CoupledCause, CoupledError, Placed, Unlisted, Value};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use linkage_runtime::{Enclosure, Float};
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use linkage_runtime::{Handle, Handles, Scene};
 
@@ -276,13 +276,13 @@ pub mod __private {
     pub use linkage_runtime::generated::{Along, Angle, Turns, turns, wind};
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::generated::{
-        Arguments, Block, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_or_call, fill_slices,
-        in_row, next_vectors, one, rows,
+        Arguments, Block, Box, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_or_call,
+        fill_slices, in_row, next_vectors, one, rows,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
-        Chosen, Level, Levels, NoPrograms, Searched, SurveyedUnknown, Way, circuits, follow_way,
-        prepared_over,
+        Bounds, Chosen, Enclosure, Level, Levels, NoPrograms, Searched, SurveyedUnknown, Way,
+        circuits, follow_way, prepared_over,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{

@@ -34,9 +34,9 @@ pub use picture::{
 pub use scalar::Dual;
 #[doc(hidden)]
 pub use scalar::FUSED;
-#[cfg(any(feature = "std", feature = "libm"))]
-pub use scalar::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use scalar::Lanes;
 pub use scalar::Scalar;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use scalar::{Enclosure, Float};
 pub use survey::{Cycle, Level};

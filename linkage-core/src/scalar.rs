@@ -3,6 +3,8 @@
 #[cfg(feature = "num-dual")]
 mod dual;
 #[cfg(any(feature = "std", feature = "libm"))]
+mod enclosure;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 mod lanes;
@@ -15,6 +17,8 @@ mod operators;
 
 #[cfg(feature = "num-dual")]
 pub use dual::Dual;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use enclosure::Enclosure;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use float::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]

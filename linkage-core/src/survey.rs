@@ -15,6 +15,20 @@ pub struct Cycle {
     pub samples: usize,
 }
 
+impl Cycle {
+    /// A range of an angle that differs from a full turn by less, in radians, is one: users write 360 degrees.
+    pub const TURN: f64 = 1e-9;
+
+    /// The length of the range if it is a full turn.
+    #[must_use]
+    pub fn turn(&self) -> Option<f64> {
+        let length = self.high - self.low;
+        // The absolute value is there without a standard library, too.
+        let aside = (length - core::f64::consts::TAU).max(core::f64::consts::TAU - length);
+        (self.angle && aside < Self::TURN).then_some(length)
+    }
+}
+
 /// What assemblies of a group there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {

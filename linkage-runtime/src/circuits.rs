@@ -4,6 +4,7 @@ mod coupled;
 mod curve;
 mod join;
 mod levels;
+mod parts;
 mod print;
 mod search;
 mod slab;
@@ -18,7 +19,7 @@ use alloc::vec::Vec;
 use linkage_core::Cycle;
 use search::{End, Leaf, Search};
 
-pub use levels::{Chosen, Levels, NoPrograms, Searched, SurveyedUnknown};
+pub use levels::{Bounds, Chosen, Levels, NoPrograms, Searched, SurveyedUnknown};
 
 /// All assemblies over the range of an input.
 ///
@@ -108,9 +109,6 @@ impl<A> Circuits<A> {
 /// How close the places of one assembly are from one turn to the next, relative to their size.
 const SAME: f64 = 1e-6;
 
-/// A range of an angle that differs from a full turn by less, in radians, is one: users write 360 degrees.
-const TURN: f64 = 1e-9;
-
 /// Margins that are looked at along an assembly.
 const MARGINS: usize = 120;
 
@@ -155,16 +153,20 @@ pub fn circuits<M: Levels>(
         .zip(&assemblies)
         .map(|(leaf, (assembly, _))| leaf.inputs.map(|x| numbers(mechanism, assembly, x)))
         .collect();
-    let (circuits, closed) = join::circuits(&leaves, &seams, is_turn(cycle));
+    let (circuits, closed) = join::circuits(&leaves, &seams, cycle.turn().is_some());
     let branches = leaves.iter().zip(assemblies).zip(circuits).zip(closed);
     let branches = branches.map(|(((leaf, (assembly, input)), circuit), closed)| {
-        let (at, margin) = least(mechanism, leaf, &assembly);
+        let mut ends = leaf.branch_ends();
+        let (mut at, mut margin) = least(mechanism, leaf, &assembly);
+        if margin.is_nan() && !leaf.turns() {
+            (ends, at, margin) = up_to(mechanism, &assembly, ends, [input, at]);
+        }
         Branch {
             unknowns: estimates(mechanism, &assembly, input),
             assembly,
             circuit,
-            ends: leaf.branch_ends(),
-            closed,
+            closed: closed && ends == leaf.branch_ends(),
+            ends,
             margin,
             at,
             input,
@@ -217,8 +219,7 @@ fn estimates<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> Vec<Es
     unknowns.iter().map(estimate).collect()
 }
 
-/// Where the margin is smallest, and the margin there. Shortly before a turning point, and where another assembly is too near, that
-/// of a coupled group is not known.
+/// Where the margin is smallest, and the margin there: NaN, and where, if it is not known everywhere.
 fn least<M: Levels>(mechanism: &M, leaf: &Leaf, assembly: &M::Assembly) -> (f64, f64) {
     for (end, x) in leaf.ends.into_iter().zip(leaf.inputs) {
         if let End::Turning { .. } = end {
@@ -226,17 +227,45 @@ fn least<M: Levels>(mechanism: &M, leaf: &Leaf, assembly: &M::Assembly) -> (f64,
         }
     }
     let [low, high] = leaf.inputs;
-    minimum(low, high, MARGINS, |x| {
-        let margin = mechanism.survey(assembly, x).as_ref()[0];
-        if margin.is_nan() {
-            f64::INFINITY
-        } else {
-            margin
+    minimum(low, high, MARGINS, |x| margin(mechanism, assembly, x))
+}
+
+fn margin<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> f64 {
+    mechanism.survey(assembly, x).as_ref()[0]
+}
+
+/// An assembly that is nowhere at the input `lost` ends before it: its ends then, and its least margin up to there. `known` is an input at
+/// which it is.
+fn up_to<M: Levels>(
+    mechanism: &M,
+    assembly: &M::Assembly,
+    mut ends: [BranchEnd; 2],
+    [known, lost]: [f64; 2],
+) -> ([BranchEnd; 2], f64, f64) {
+    let [mut here, mut there] = [known, lost];
+    for _ in 0..f64::MANTISSA_DIGITS {
+        let middle = 0.5 * (here + there);
+        match margin(mechanism, assembly, middle).is_nan() {
+            true => there = middle,
+            false => here = middle,
         }
-    })
+    }
+    ends[usize::from(lost > known)] = BranchEnd::Lost(here);
+    let [low, high] = ends.map(BranchEnd::x);
+    let (at, least) = minimum(low, high, MARGINS, |x| margin(mechanism, assembly, x));
+    if least.is_nan() && at != here && at != lost {
+        return up_to(mechanism, assembly, ends, [known, at]);
+    }
+    (ends, at, least)
 }
 
 impl Leaf {
+    /// Whether it ends at a turning point.
+    fn turns(&self) -> bool {
+        let turning = |end: &End| matches!(end, End::Turning { .. });
+        self.ends.iter().any(turning)
+    }
+
     fn branch_ends(&self) -> [BranchEnd; 2] {
         [0, 1].map(|side| match self.ends[side] {
             End::Range => BranchEnd::Range(self.inputs[side]),
@@ -253,11 +282,6 @@ fn sample(cycle: &Cycle, index: usize) -> f64 {
         return cycle.high;
     }
     cycle.low + (cycle.high - cycle.low) * (index as f64 / last as f64)
-}
-
-/// Whether the range is a full turn.
-fn is_turn(cycle: &Cycle) -> bool {
-    cycle.angle && ((cycle.high - cycle.low) - core::f64::consts::TAU).abs() < TURN
 }
 
 /// Whether places are the same, within a share of this size.

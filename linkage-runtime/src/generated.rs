@@ -19,20 +19,22 @@ mod turns;
 mod way;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use crate::circuits::{Chosen, Levels, NoPrograms, Searched, SurveyedUnknown, circuits};
+pub use crate::circuits::{
+    Bounds, Chosen, Levels, NoPrograms, Searched, SurveyedUnknown, circuits,
+};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::numeric::continuation::{Correction, Range, Step};
 #[cfg(feature = "alloc")]
 pub use crate::numeric::roots::{Term, Variable};
 #[cfg(feature = "alloc")]
-pub use alloc::vec::Vec;
+pub use alloc::{boxed::Box, vec::Vec};
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
 pub use close::{close, explained, finite};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use follower::{Corrected, Standing, Stop, follow, put_corrected};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use linkage_core::Level;
+pub use linkage_core::{Enclosure, Level};
 #[cfg(feature = "nalgebra")]
 pub use named::{Named, named};
 pub use sealed::Sealed;

@@ -76,14 +76,14 @@ pub use javascript::Programs;
 pub use linkage_core::Cycle;
 #[cfg(feature = "num-dual")]
 pub use linkage_core::Dual;
-#[cfg(any(feature = "std", feature = "libm"))]
-pub use linkage_core::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use linkage_core::Lanes;
 pub use linkage_core::{
     Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Meaning, Picture,
     PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind, Scalar,
 };
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use linkage_core::{Enclosure, Float};
 #[doc(hidden)]
 pub use linkage_core::{FUSED, numeric};
 pub use motion::{true_acceleration, true_jerk, true_velocity};

@@ -139,6 +139,16 @@ fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
             fn survey(&self, __assembly: &#assembly<#float>, __at: #float) -> [#float; #count] {
                 __assembly.__survey::<{ #runtime::FUSED }>([__at])
             }
+            fn bounds(
+                &self,
+                __assembly: &#assembly<#float>,
+                __number: ::core::primitive::usize,
+            ) -> ::core::option::Option<#runtime::Bounds<'_>> {
+                let __bounds = #assembly::<#runtime::Enclosure>::__without_starts(__assembly);
+                ::core::option::Option::Some(#runtime::Box::new(move |__x| {
+                    __bounds.__survey::<{ #runtime::FUSED }>([__x])[__number]
+                }))
+            }
             fn assembled(
                 &self,
                 __chosen: &#runtime::Chosen,

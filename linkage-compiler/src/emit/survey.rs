@@ -38,6 +38,8 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     };
     let own = sealed::core(outline, &quote!(self));
     let surveyor = surveyor(outline, unit);
+    // For `circuits()`, of mechanisms with one input.
+    let without_starts = (unit.inputs.len() == 1).then(|| without_starts(outline));
     let allow = attribute::allow();
     quote! {
         #runtime::if_alloc! {
@@ -50,8 +52,33 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
                     #statements
                     #outputs
                 }
+                #without_starts
             }
             #surveyor
+        }
+    }
+}
+
+/// The same assembly in another scalar, without what is prepared of coupled groups.
+fn without_starts(outline: &Outline) -> TokenStream {
+    let Outline {
+        runtime,
+        assembly,
+        core,
+        ..
+    } = outline;
+    let float = quote!(::core::primitive::f64);
+    let own = sealed::core(outline, &quote!(__of));
+    let starts = (!outline.starts.is_empty())
+        .then(|| quote!(let __starts = Self::__starts(&#runtime::nothing(T::LANES));));
+    let made = sealed::made(outline);
+    quote! {
+        fn __without_starts(__of: &#assembly<#float>) -> Self {
+            let #core { __mechanism, __modes, __turns, .. } = #own;
+            let (__m, __modes, __turns) = (&__mechanism.cast::<T>(), *__modes, __turns.cast::<T>());
+            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
+            #starts
+            #made
         }
     }
 }

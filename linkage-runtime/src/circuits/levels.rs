@@ -3,8 +3,9 @@
 use crate::generated::{CoupledGroup, CoupledPrograms, Start};
 use crate::numeric::continuation::{Correction, Step};
 use crate::{AssemblyError, AssemblyMode};
+use alloc::boxed::Box;
 use alloc::vec::Vec;
-use linkage_core::Level;
+use linkage_core::{Enclosure, Level};
 
 /// An unknown whose numbers are surveyed.
 #[derive(Clone, Copy, Debug)]
@@ -47,6 +48,9 @@ pub struct Searched {
     pub coupled: usize,
 }
 
+/// Bounds of a number as a function of the inputs.
+pub type Bounds<'a> = Box<dyn Fn(Enclosure) -> Enclosure + 'a>;
+
 /// A mechanism with one input.
 pub trait Levels {
     /// An assembled mechanism.
@@ -62,6 +66,11 @@ pub trait Levels {
     fn surveyor(&self, chosen: &Chosen, at: f64) -> Self::Assembly;
     /// What an assembly is at an input.
     fn survey(&self, assembly: &Self::Assembly, at: f64) -> Self::Survey;
+    /// Bounds of a number of the survey over inputs. Those of groups behind a coupled one are not known.
+    fn bounds(&self, assembly: &Self::Assembly, number: usize) -> Option<Bounds<'_>> {
+        let _ = (assembly, number);
+        None
+    }
     /// The assembly in which all groups are chosen.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use super::coupled::{self, Found};
 use super::levels::{Chosen, Levels, Searched};
 use super::slab::Slab;
-use super::stretches::{Border, stretches};
+use super::stretches::{Border, Slack, stretches};
 use super::trace::CurveEnd;
 use super::{Cycle, MOST_MODES, sample};
 use crate::generated::{CoupledGroup, CoupledPrograms, Start, prepared};
@@ -13,7 +13,8 @@ use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::Level;
 
-/// Places at which the slack of a group is sampled for every place at which coupled groups are listed, and at least.
+/// Places at which the slack of a group is sampled for every place at which coupled groups are listed, and at least: to begin with, and all
+/// that is known of it where it has no bounds.
 const SAMPLES: f64 = 0.85;
 const LEAST_SAMPLES: usize = 48;
 
@@ -116,9 +117,18 @@ impl<'a, M: Levels> Search<'a, M> {
         let middle = before.known.unwrap_or_else(|| slab.x(0.0));
         let surveyor = self.mechanism.surveyor(&before.chosen, middle);
         let mechanism = self.mechanism;
-        let slack = |x: f64| mechanism.survey(&surveyor, x).as_ref()[1 + group];
-        let served = before.known.is_none();
-        for borders in stretches(&slab, samples, mode.is_none(), served, slack) {
+        let at = |x: f64| mechanism.survey(&surveyor, x).as_ref()[1 + group];
+        let over = match before.is_coupled() {
+            true => None,
+            false => mechanism.bounds(&surveyor, 1 + group),
+        };
+        let slack = Slack {
+            at: &at,
+            over: over.as_deref(),
+            single: mode.is_none(),
+            served: before.known.is_none(),
+        };
+        for borders in stretches(&slab, samples, &slack) {
             let mut next = before.clone();
             for (side, border) in borders.into_iter().enumerate() {
                 match border {
@@ -263,5 +273,11 @@ impl Leaf {
     fn slab(&self) -> Slab {
         let [low, high] = self.inputs;
         Slab { low, high }
+    }
+
+    /// Whether a coupled group is among those that are assembled.
+    fn is_coupled(&self) -> bool {
+        let of_states = |(_, way): &(usize, Way)| matches!(way, Way::States(_));
+        self.ways.iter().any(of_states)
     }
 }

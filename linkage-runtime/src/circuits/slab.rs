@@ -3,6 +3,8 @@
 //! At a turning point places depend on the root of the distance from it. Inputs are a cubic of the parameter whose slope vanishes at both
 //! ends, so that they are smooth functions of it.
 
+use linkage_core::{Enclosure, Scalar};
+
 /// Two inputs, the lower one first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Slab {
@@ -21,6 +23,13 @@ impl Slab {
         } else {
             (self.low + (self.high - self.low) * share).clamp(self.low, self.high)
         }
+    }
+
+    /// The inputs of parameters from -1 to 1.
+    pub(super) fn over(&self, u: Enclosure) -> Enclosure {
+        let [low, length, quarter, two, three] =
+            [self.low, self.high - self.low, 0.25, 2.0, 3.0].map(Enclosure::from_f64);
+        low + length * (quarter * (two + u * (three - u * u)))
     }
 
     /// How fast the input grows with the parameter, compared with the middle.

@@ -1,8 +1,10 @@
 //! Where a group with a closed form can be assembled: its slack is positive between simple roots.
 
+use super::parts::parts;
 use super::slab::Slab;
 use crate::numeric::minimum::{Point, descend};
 use alloc::vec::Vec;
+use linkage_core::Enclosure;
 
 /// A slack that is negative by less, compared with the largest, is rounding: two turning points that close are one place that the
 /// assembly passes.
@@ -23,29 +25,48 @@ pub(super) enum Border {
     Broken(f64),
 }
 
-/// All stretches of a slab where the slack is positive, or, `single`, where there is one. `served` says whether it is known up to the
-/// ends of the slab; elsewhere it is taken to go on as it does beside them.
-pub(super) fn stretches(
-    slab: &Slab,
-    samples: usize,
-    single: bool,
-    served: bool,
-    mut slack: impl FnMut(f64) -> f64,
-) -> Vec<[Border; 2]> {
+/// What is known of a slack.
+pub(super) struct Slack<'a> {
+    /// Its value at an input.
+    pub(super) at: &'a dyn Fn(f64) -> f64,
+    /// Bounds over inputs; without them it is known by samples only.
+    pub(super) over: Option<&'a dyn Fn(Enclosure) -> Enclosure>,
+    /// Whether its sign does not matter: the group has one assembly wherever there is a slack.
+    pub(super) single: bool,
+    /// Whether it is known up to the ends of the slab; elsewhere it is taken to go on as it does beside them.
+    pub(super) served: bool,
+}
+
+/// All stretches of a slab where the slack is positive, or, `single`, where there is one.
+///
+/// Where the slack has bounds, the sign of every part between two ends is shown; what is left, beside places where it is zero twice or
+/// without bounds, is looked at by so many samples and the dips between them.
+pub(super) fn stretches(slab: &Slab, samples: usize, own: &Slack<'_>) -> Vec<[Border; 2]> {
     let mut slack = |u: f64| {
-        let value = slack(slab.x(u));
-        if single { 0.0 * value } else { value }
+        let value = (own.at)(slab.x(u));
+        if own.single { 0.0 * value } else { value }
     };
     let last = samples.max(2);
     let at = |index: usize| 2.0 * (index as f64 / last as f64) - 1.0;
     let mut points: Vec<Point> = (0..=last).map(|k| Point::at(at(k), &mut slack)).collect();
-    if !served {
+    if !own.served {
         trim(&mut points);
     }
     let size = points.iter().map(|point| point.margin.abs());
     let size = size.fold(0.0, |most: f64, size| if size > most { size } else { most });
     let works = |point: Point| point.margin >= ROUNDING * size;
-    refine(&mut points, &works, &mut slack);
+    let shown = own.over.is_some_and(|over| {
+        let over = |u: Enclosure| over(slab.over(u));
+        let parts = parts(&over, own.single, ROUNDING * size);
+        // Ends within the slab: where signs change there is one between two of them.
+        let between = parts.ends.into_iter().filter(|u| u.abs() < 1.0);
+        points.extend(between.map(|u| Point::at(u, &mut slack)));
+        points.sort_by(|a, b| a.x.total_cmp(&b.x));
+        parts.shown
+    });
+    if !shown {
+        refine(&mut points, &works, &mut slack);
+    }
 
     let mut found = Vec::new();
     let mut from = points

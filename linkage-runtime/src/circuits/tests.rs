@@ -1,12 +1,14 @@
 //! Curves whose shape is known by a formula, and the places in them that decide something.
 
 use super::curve::{Curve, Node};
+use super::parts::parts;
 use super::slab::Slab;
-use super::stretches::{Border, stretches};
+use super::stretches::{Border, Slack, stretches};
 use super::trace::{CurveEnd, Strand};
 use crate::numeric::continuation::{Correction, Step};
 use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
+use linkage_core::{Enclosure, Scalar};
 
 #[test]
 fn samples_are_even_and_reach_both_ends() {
@@ -146,21 +148,96 @@ fn the_best_node_is_far_from_singular() {
     assert_eq!(strand.best().u, 0.5);
 }
 
+/// Where a slack is positive over the slab, by 8 samples and, if so, by bounds.
+fn found(at: &dyn Fn(f64) -> f64, over: Option<&dyn Fn(Enclosure) -> Enclosure>) -> Vec<[f64; 2]> {
+    let slack = Slack {
+        at,
+        over,
+        single: false,
+        served: true,
+    };
+    let input = |border: Border, end: f64| match border {
+        Border::Slab => end,
+        Border::Root(x) => x,
+        Border::Broken(_) => f64::NAN,
+    };
+    let all = stretches(&SLAB, 8, &slack).into_iter();
+    all.map(|[from, to]| [input(from, SLAB.low), input(to, SLAB.high)])
+        .collect()
+}
+
+fn expect(found: &[[f64; 2]], stretches: &[[f64; 2]], within: f64) {
+    assert_eq!(found.len(), stretches.len(), "{found:?}");
+    for (found, expected) in found.iter().zip(stretches) {
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() <= within, "{found} {expected}");
+        }
+    }
+}
+
 /// Gaps and islands between two samples.
 #[test]
 fn what_happens_between_samples_is_seen() {
-    let near = |border: Border, x: f64| matches!(border, Border::Root(at) if (at - x).abs() < 1e-9);
-    let found = stretches(&SLAB, 8, false, true, |x| (x - 0.31).powi(2) - 1e-4);
-    assert_eq!(found.len(), 2, "{found:?}");
-    assert_eq!((found[0][0], found[1][1]), (Border::Slab, Border::Slab));
-    assert!(
-        near(found[0][1], 0.30) && near(found[1][0], 0.32),
-        "{found:?}"
-    );
-    let found = stretches(&SLAB, 8, false, true, |x| 1e-4 - (x - 0.31).powi(2));
-    assert_eq!(found.len(), 1, "{found:?}");
-    assert!(
-        near(found[0][0], 0.30) && near(found[0][1], 0.32),
-        "{found:?}"
-    );
+    let gap = found(&|x| (x - 0.31).powi(2) - 1e-4, None);
+    expect(&gap, &[[-2.0, 0.3], [0.32, 2.0]], 1e-9);
+    let island = found(&|x| 1e-4 - (x - 0.31).powi(2), None);
+    expect(&island, &[[0.3, 0.32]], 1e-9);
+}
+
+/// A slack that rises but for a notch, so narrow that its samples only rise.
+fn notch<T: Scalar>(x: T, width: f64) -> T {
+    let [place, one, fifth] = [0.317, 1.0, 0.2].map(T::from_f64);
+    let far = (x - place) * T::from_f64(1.0 / width);
+    one + fifth * x - (one + one) / (one + far * far)
+}
+
+#[test]
+fn bounds_see_what_no_sample_falls_into() {
+    for width in [1e-2, 1e-4, 1e-6] {
+        let at = |x: f64| notch(x, width);
+        let own = |x: Enclosure| notch(x, width);
+        let edge = |side: f64| {
+            let (mut inside, mut outside) = (0.317, 0.317 + side * 3.0 * width);
+            for _ in 0..70 {
+                let middle = 0.5 * (inside + outside);
+                match at(middle) < 0.0 {
+                    true => inside = middle,
+                    false => outside = middle,
+                }
+            }
+            outside
+        };
+        let [low, high] = [edge(-1.0), edge(1.0)];
+        expect(&found(&at, None), &[[-2.0, 2.0]], 0.0);
+        let seen = [[-2.0, low], [high, 2.0]];
+        expect(&found(&at, Some(&own)), &seen, 1e-14);
+        // And an island.
+        let at = |x: f64| -notch(x, width);
+        let own = |x: Enclosure| -notch(x, width);
+        expect(&found(&at, None), &[], 0.0);
+        expect(&found(&at, Some(&own)), &[[low, high]], 1e-14);
+    }
+}
+
+/// Two roots that are one but for rounding are no gap, with bounds as without.
+#[test]
+fn what_touches_zero_goes_on() {
+    fn touching<T: Scalar>(x: T) -> T {
+        let far = x - T::from_f64(0.317);
+        far * far
+    }
+    expect(&found(&touching::<f64>, None), &[[-2.0, 2.0]], 0.0);
+    let over = touching::<Enclosure>;
+    expect(&found(&touching::<f64>, Some(&over)), &[[-2.0, 2.0]], 0.0);
+}
+
+/// Bounds show it in few steps, and say where they do not.
+#[test]
+fn parts_are_shown_or_not() {
+    let wave = |u: Enclosure| (u * Enclosure::from_f64(20.0)).sin_cos().0;
+    let all = parts(&wave, false, -1e-14);
+    assert!(all.shown && all.ends.len() < 200, "{}", all.ends.len());
+    let broken = |u: Enclosure| Enclosure::from_f64(1.0) / (u * u);
+    assert!(!parts(&broken, false, -1e-14).shown);
+    assert!(!parts(&broken, true, -1e-14).shown);
 }

@@ -31,6 +31,17 @@ impl<T: Scalar, const A: usize, const I: usize> Turns<T, A, I> {
     }
 }
 
+impl<const A: usize, const I: usize> Turns<f64, A, I> {
+    /// The same in another scalar.
+    #[must_use]
+    pub fn cast<T: Scalar>(&self) -> Turns<T, A, I> {
+        Turns {
+            centres: self.centres.map(T::from_f64),
+            windings: self.windings.map(|own| own.map(T::from_f64)),
+        }
+    }
+}
+
 /// An angle to follow; `X` are numbers for all inputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Angle<X: 'static> {

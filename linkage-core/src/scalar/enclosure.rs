@@ -1,0 +1,361 @@
+//! Bounds of a function over an interval of one variable, by the code that computes it elsewhere.
+
+mod bounds;
+
+use super::Scalar;
+use bounds::Bounds;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A function of one variable over an interval, as a [`Scalar`]: between which numbers all its values are, all its slopes, and
+/// the value in the middle of the interval.
+///
+/// All bounds are rounded outwards, so that they hold for the function itself and not only for what is computed of it. They
+/// are the tighter, by the square, the shorter the interval is: values are those of interval arithmetic and of the mean value
+/// theorem at once (R. E. Moore, *Interval Analysis*, 1966). Where nothing can be said, bounds are NaN.
+///
+/// ```
+/// use linkage_core::{Enclosure, Scalar};
+///
+/// // x - x^2 between 0.4 and 0.6 is at most 1/4, and its slope 1 - 2 x is between -0.2 and 0.2.
+/// let x = Enclosure::over(0.4, 0.6);
+/// let y = x - x * x;
+/// let [low, high] = y.range();
+/// assert!(0.22 < low && low <= 0.24 && 0.25 <= high && high < 0.28);
+/// let [least, most] = y.slopes();
+/// assert!(least <= -0.2 && 0.2 <= most && most - least < 0.4001);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Enclosure {
+    range: Bounds,
+    /// In the middle of the interval.
+    middle: Bounds,
+    slope: Bounds,
+    /// Half the length of the interval; 0 for a constant.
+    half: f64,
+}
+
+impl Enclosure {
+    /// The variable itself, between two numbers in this order.
+    #[must_use]
+    pub fn over(low: f64, high: f64) -> Self {
+        let middle = 0.5 * low + 0.5 * high;
+        Self {
+            range: Bounds::between(low, high),
+            middle: Bounds::exactly(middle),
+            slope: Bounds::exactly(1.0),
+            half: (high - middle).max(middle - low).next_up(),
+        }
+    }
+
+    /// A number below all values and one above them; NaN where nothing is known.
+    #[must_use]
+    pub fn range(self) -> [f64; 2] {
+        [self.range.low, self.range.high]
+    }
+
+    /// A number below all derivatives by the variable and one above them; NaN where nothing is known.
+    #[must_use]
+    pub fn slopes(self) -> [f64; 2] {
+        [self.slope.low, self.slope.high]
+    }
+
+    const UNKNOWN: Self = Self {
+        range: Bounds::UNKNOWN,
+        middle: Bounds::UNKNOWN,
+        slope: Bounds::UNKNOWN,
+        half: 0.0,
+    };
+
+    const fn constant(value: Bounds) -> Self {
+        Self {
+            range: value,
+            middle: value,
+            slope: Bounds::ZERO,
+            half: 0.0,
+        }
+    }
+
+    /// A value of these parts, within what the mean value theorem says.
+    fn of(range: Bounds, middle: Bounds, slope: Bounds, half: f64) -> Self {
+        let aside = Bounds::between(-half, half);
+        let mean = match slope.low.is_finite() && slope.high.is_finite() {
+            true => middle + slope * aside,
+            false => Bounds::UNKNOWN,
+        };
+        Self {
+            range: range.and(mean),
+            middle,
+            slope,
+            half,
+        }
+    }
+
+    /// A function of it, with the derivative as a function of its range.
+    fn by(
+        self,
+        function: impl Fn(Bounds) -> Bounds,
+        derivative: impl Fn(Bounds) -> Bounds,
+    ) -> Self {
+        Self::of(
+            function(self.range),
+            function(self.middle),
+            derivative(self.range) * self.slope,
+            self.half,
+        )
+    }
+}
+
+impl Neg for Enclosure {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            range: -self.range,
+            middle: -self.middle,
+            slope: -self.slope,
+            half: self.half,
+        }
+    }
+}
+
+// Calls, for the code of a mechanism would be many times as long otherwise.
+impl Add for Enclosure {
+    type Output = Self;
+
+    #[inline(never)]
+    fn add(self, other: Self) -> Self {
+        Self::of(
+            self.range + other.range,
+            self.middle + other.middle,
+            self.slope + other.slope,
+            self.half.max(other.half),
+        )
+    }
+}
+
+impl Sub for Enclosure {
+    type Output = Self;
+
+    #[inline(never)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Enclosure {
+    type Output = Self;
+
+    #[inline(never)]
+    fn mul(self, other: Self) -> Self {
+        Self::of(
+            self.range * other.range,
+            self.middle * other.middle,
+            self.slope * other.range + self.range * other.slope,
+            self.half.max(other.half),
+        )
+    }
+}
+
+impl Div for Enclosure {
+    type Output = Self;
+
+    #[inline(never)]
+    fn div(self, other: Self) -> Self {
+        let quotient = self.range / other.range;
+        Self::of(
+            quotient,
+            self.middle / other.middle,
+            (self.slope - quotient * other.slope) / other.range,
+            self.half.max(other.half),
+        )
+    }
+}
+
+impl Scalar for Enclosure {
+    const LANES: usize = 1;
+
+    fn from_f64(x: f64) -> Self {
+        Self::constant(Bounds::exactly(x))
+    }
+
+    /// The middle of all values.
+    fn lane(self, _: usize) -> f64 {
+        self.range.centre()
+    }
+
+    fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {
+        Self::from_f64(f(0))
+    }
+
+    fn abs(self) -> Self {
+        let sign = |range: Bounds| {
+            if range.low >= 0.0 {
+                Bounds::exactly(1.0)
+            } else if range.high <= 0.0 {
+                Bounds::exactly(-1.0)
+            } else {
+                Bounds::between(-1.0, 1.0)
+            }
+        };
+        self.by(Bounds::abs, sign)
+    }
+
+    #[inline(never)]
+    fn sqrt(self) -> Self {
+        let half = Bounds::exactly(0.5);
+        self.by(Bounds::sqrt, |range| half / range.sqrt())
+    }
+
+    fn tan(self) -> Self {
+        let (sin, cos) = self.sin_cos();
+        sin / cos
+    }
+
+    fn asin(self) -> Self {
+        let one = Bounds::exactly(1.0);
+        self.by(
+            |range| range.by(Scalar::asin),
+            |range| one / (one - range.square()).sqrt(),
+        )
+    }
+
+    fn acos(self) -> Self {
+        let one = Bounds::exactly(1.0);
+        self.by(
+            |range| -range.by(|x| -Scalar::acos(x)),
+            |range| -(one / (one - range.square()).sqrt()),
+        )
+    }
+
+    fn atan(self) -> Self {
+        let one = Bounds::exactly(1.0);
+        self.by(
+            |range| range.by(Scalar::atan),
+            |range| one / (one + range.square()),
+        )
+    }
+
+    #[inline(never)]
+    fn sin_cos(self) -> (Self, Self) {
+        let sin = self.by(|range| range.sin_cos().0, |range| range.sin_cos().1);
+        let cos = self.by(|range| range.sin_cos().1, |range| -range.sin_cos().0);
+        (sin, cos)
+    }
+
+    #[inline(never)]
+    fn atan2(self, x: Self) -> Self {
+        let y = self;
+        let square = x.range.square() + y.range.square();
+        Self::of(
+            y.range.atan2(x.range),
+            y.middle.atan2(x.middle),
+            (x.range * y.slope - y.range * x.slope) / square,
+            x.half.max(y.half),
+        )
+    }
+
+    /// For all values together: that of the largest.
+    fn inverse_scale(self) -> Self {
+        let size = self.range.abs();
+        match size.is_known() {
+            true => Self::from_f64(Scalar::inverse_scale(size.high)),
+            false => Self::UNKNOWN,
+        }
+    }
+
+    /// What is negative counts as 0: whoever asks for bounds of what depends on a root looks after its discriminant, too.
+    #[inline(never)]
+    fn root(self, _scale: Self) -> Self {
+        let positive = |range: Bounds| Bounds::between(range.low.max(0.0), range.high);
+        let half = Bounds::exactly(0.5);
+        self.by(
+            |range| positive(range).sqrt(),
+            |range| half / positive(range).sqrt(),
+        )
+    }
+
+    #[inline(never)]
+    fn angle_near(y: Self, x: Self, guide: Self) -> Self {
+        // Seen from the middle of the box no vector of it is near half a turn.
+        let [cx, cy] = [x, y].map(|own| own.range.centre());
+        let base = Bounds::exactly(Scalar::angle_near(cy, cx, guide.range.centre()));
+        let [fx, fy] = [cx, cy].map(Bounds::exactly);
+        let angle = |x: Bounds, y: Bounds| {
+            let aside = (fx * y - fy * x).atan2(fx * x + fy * y);
+            // The base itself is rounded.
+            base.by(|angle| angle) + aside
+        };
+        let square = x.range.square() + y.range.square();
+        let half = x.half.max(y.half).max(guide.half);
+        let all = Self::of(
+            angle(x.range, y.range),
+            angle(x.middle, y.middle),
+            (x.range * y.slope - y.range * x.slope) / square,
+            half,
+        );
+        let away = (all.range - guide.range).abs();
+        match away.high < core::f64::consts::PI {
+            true => all,
+            false => Self::UNKNOWN,
+        }
+    }
+
+    fn whole(self) -> Self {
+        let [low, high] = [self.range.low, self.range.high].map(Scalar::whole);
+        match low == high {
+            true => Self::from_f64(low),
+            false => Self::UNKNOWN,
+        }
+    }
+
+    /// Where either may be chosen, nothing is known of the slope.
+    fn select(s: Self, a: Self, b: Self) -> Self {
+        if s.range.low >= 0.0 {
+            return a;
+        }
+        if s.range.high < 0.0 {
+            return b;
+        }
+        if !s.range.is_known() {
+            return Self::UNKNOWN;
+        }
+        Self {
+            range: a.range.or(b.range),
+            middle: a.middle.or(b.middle),
+            slope: Bounds::UNKNOWN,
+            half: a.half.max(b.half).max(s.half),
+        }
+    }
+
+    #[inline(never)]
+    fn min(self, other: Self) -> Self {
+        if self.range.high <= other.range.low {
+            return self;
+        }
+        if other.range.high <= self.range.low {
+            return other;
+        }
+        Self::of(
+            self.range.least(other.range),
+            self.middle.least(other.middle),
+            self.slope.or(other.slope),
+            self.half.max(other.half),
+        )
+    }
+
+    fn max(self, other: Self) -> Self {
+        -(-self).min(-other)
+    }
+
+    #[inline(never)]
+    fn hypot(self, other: Self) -> Self {
+        let length = |a: Bounds, b: Bounds| (a.square() + b.square()).sqrt();
+        let range = length(self.range, other.range);
+        Self::of(
+            range,
+            length(self.middle, other.middle),
+            (self.range * self.slope + other.range * other.slope) / range,
+            self.half.max(other.half),
+        )
+    }
+}

@@ -1,0 +1,247 @@
+//! Two numbers between which a third one is, rounded outwards.
+
+use crate::math::double;
+use crate::scalar::Scalar;
+use core::f64::consts::{FRAC_PI_2, TAU};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Elementary functions are wrong by less than this many units in the last place.
+const ULPS: usize = 4;
+
+/// How far from an extreme of the sine, in turns, a bound is taken for being beyond it.
+const BESIDE: f64 = 1e-9;
+
+/// Between a low and a high number; NaN where nothing is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bounds {
+    pub(super) low: f64,
+    pub(super) high: f64,
+}
+
+impl Bounds {
+    /// Nothing is known.
+    pub(super) const UNKNOWN: Self = Self::exactly(f64::NAN);
+    pub(super) const ZERO: Self = Self::exactly(0.0);
+
+    pub(super) const fn exactly(x: f64) -> Self {
+        Self { low: x, high: x }
+    }
+
+    /// Between two numbers in this order.
+    pub(super) fn between(low: f64, high: f64) -> Self {
+        match low <= high {
+            true => Self { low, high },
+            false => Self::UNKNOWN,
+        }
+    }
+
+    /// The same after a rounding of each bound.
+    fn rounded(self) -> Self {
+        Self {
+            low: self.low.next_down(),
+            high: self.high.next_up(),
+        }
+    }
+
+    /// The same after the errors of an elementary function.
+    fn widened(self) -> Self {
+        (0..ULPS).fold(self, |bounds, _| bounds.rounded())
+    }
+
+    /// The least bounds of some numbers; unknown if one of them is.
+    fn around(numbers: [f64; 4]) -> Self {
+        if numbers.iter().any(|x| x.is_nan()) {
+            return Self::UNKNOWN;
+        }
+        Self {
+            low: numbers.into_iter().fold(f64::INFINITY, f64::min),
+            high: numbers.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+
+    pub(super) fn is_known(self) -> bool {
+        self.low <= self.high
+    }
+
+    pub(super) fn contains(self, x: f64) -> bool {
+        self.low <= x && x <= self.high
+    }
+
+    pub(super) fn centre(self) -> f64 {
+        0.5 * self.low + 0.5 * self.high
+    }
+
+    /// What is in one or the other.
+    pub(super) fn or(self, other: Self) -> Self {
+        Self::around([self.low, self.high, other.low, other.high])
+    }
+
+    /// What is in both; `self` where nothing is known of the other.
+    pub(super) fn and(self, other: Self) -> Self {
+        if !other.is_known() {
+            return self;
+        }
+        let both = Self {
+            low: self.low.max(other.low),
+            high: self.high.min(other.high),
+        };
+        if self.is_known() && both.is_known() {
+            both
+        } else {
+            self
+        }
+    }
+
+    pub(super) fn least(self, other: Self) -> Self {
+        match self.is_known() && other.is_known() {
+            true => Self::between(self.low.min(other.low), self.high.min(other.high)),
+            false => Self::UNKNOWN,
+        }
+    }
+
+    pub(super) fn abs(self) -> Self {
+        if self.low >= 0.0 {
+            self
+        } else if self.high <= 0.0 {
+            -self
+        } else {
+            Self::between(0.0, self.high.max(-self.low))
+        }
+    }
+
+    pub(super) fn square(self) -> Self {
+        let size = self.abs();
+        let square = Self::between(size.low * size.low, size.high * size.high).rounded();
+        Self::between(square.low.max(0.0), square.high)
+    }
+
+    /// Unknown where a part is negative.
+    pub(super) fn sqrt(self) -> Self {
+        if self.low >= 0.0 {
+            let root = Self::between(double::sqrt(self.low), double::sqrt(self.high)).rounded();
+            Self::between(root.low.max(0.0), root.high)
+        } else {
+            Self::UNKNOWN
+        }
+    }
+
+    /// By a function that rises.
+    pub(super) fn by(self, rising: impl Fn(f64) -> f64) -> Self {
+        Self::between(rising(self.low), rising(self.high)).widened()
+    }
+
+    pub(super) fn sin_cos(self) -> (Self, Self) {
+        (
+            self.wave(FRAC_PI_2, |(sin, _)| sin),
+            self.wave(0.0, |(_, cos)| cos),
+        )
+    }
+
+    /// Sine or cosine, which has its greatest value at `summit` and once in every turn from there.
+    fn wave(self, summit: f64, own: impl Fn((f64, f64)) -> f64) -> Self {
+        let [low, high] = [self.low, self.high].map(|x| own(Scalar::sin_cos(x)));
+        // Whether a whole number of turns from there is within the bounds, or beside them.
+        let meets = |place: f64| {
+            let turns = [self.low, self.high].map(|x| (x - place) / TAU);
+            let (from, to) = (turns[0] - BESIDE, turns[1] + BESIDE);
+            let within = |turns: f64| from <= turns.whole() && turns.whole() <= to;
+            to - from >= 1.0 || within(from) || within(to)
+        };
+        let ends = Self::around([low, high, low, high]).widened();
+        if !ends.is_known() {
+            return Self::UNKNOWN;
+        }
+        Self {
+            low: if meets(summit + 0.5 * TAU) {
+                -1.0
+            } else {
+                ends.low.max(-1.0)
+            },
+            high: if meets(summit) {
+                1.0
+            } else {
+                ends.high.min(1.0)
+            },
+        }
+    }
+
+    /// Angles of vectors from the x axis; unknown where some of them may have none, or half a turn.
+    pub(super) fn atan2(self, x: Self) -> Self {
+        let apart = x.low > 0.0 || self.low > 0.0 || self.high < 0.0;
+        if !apart {
+            return Self::UNKNOWN;
+        }
+        let (y, angle) = (self, |y: f64, x: f64| Scalar::atan2(y, x));
+        Self::around([
+            angle(y.low, x.low),
+            angle(y.low, x.high),
+            angle(y.high, x.low),
+            angle(y.high, x.high),
+        ])
+        .widened()
+    }
+}
+
+impl Neg for Bounds {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            low: -self.high,
+            high: -self.low,
+        }
+    }
+}
+
+impl Add for Bounds {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            low: self.low + other.low,
+            high: self.high + other.high,
+        }
+        .rounded()
+    }
+}
+
+impl Sub for Bounds {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Bounds {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        Self::around([
+            a.low * b.low,
+            a.low * b.high,
+            a.high * b.low,
+            a.high * b.high,
+        ])
+        .rounded()
+    }
+}
+
+impl Div for Bounds {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        if b.contains(0.0) {
+            return Self::UNKNOWN;
+        }
+        Self::around([
+            a.low / b.low,
+            a.low / b.high,
+            a.high / b.low,
+            a.high / b.high,
+        ])
+        .rounded()
+    }
+}
