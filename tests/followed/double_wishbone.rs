@@ -91,8 +91,8 @@ fn the_wheel_is_where_it_was_computed_with_80_digits() {
 }
 
 mechanism! {
-    /// The arms turn about their axes; the wheel hangs on the three ball joints. Four unknowns remain, few enough for a listing, but the listing
-    /// meets solutions that may not be isolated.
+    /// The arms turn about their axes; the wheel hangs on the three ball joints. Four unknowns remain, few enough for a listing, although many
+    /// paths end far out, close to each other.
     pub struct TurningArms {
         unit mm;
         input travel = 0mm in -80mm..80mm;
@@ -126,6 +126,7 @@ mechanism! {
 
     impl TurningArms {
         pub fn wheel_of_arms(travel) -> WheelOfArms { wheel, v: velocity(wheel) }
+        pub fn arms(travel) -> Arms { low, high }
     }
 }
 
@@ -146,4 +147,34 @@ fn arms_that_turn_lead_the_wheel_along_the_same_way() {
         close(found.v.y, number(&known["d_dz"]["y"]), 1.0, 1e-11);
     }
     assert!(compared > 10);
+}
+
+/// The arms where the wheel is at the height of the design: of each lower arm's angle that brings the wheel there, found by bisection over a turn,
+/// with the two upper arms and the two rods that go with it.
+const ARMS: [[f64; 2]; 8] = [
+    [-3.073940028937305, -2.92205059841074],
+    [-2.6228811523719586, 1.9068013764092777],
+    [-2.5361977197985346, 1.874962558744963],
+    [-0.465701200080899, 2.1573190732191803],
+    [-0.23464315626630428, 2.056052762656172],
+    [-0.04799872214118756, -0.07269755037032555],
+    [0.0, 0.0],
+    [3.036155744551493, 3.0822962929160007],
+];
+
+#[test]
+fn all_arms_that_bring_the_wheel_to_its_height_are_listed() {
+    let all = TurningArms::default()
+        .assemblies()
+        .expect("they are listed");
+    assert_eq!(all.len(), ARMS.len());
+    for known in ARMS {
+        let apart = |own: &TurningArmsAssembly| {
+            let found = own.arms(0.0);
+            let [low, high] = [found.low - known[0], found.high - known[1]];
+            low.sin().hypot(high.sin()).max(-low.cos()).max(-high.cos())
+        };
+        let near = all.iter().filter(|own| apart(own) < 1e-12);
+        assert_eq!(near.count(), 1, "{known:?}");
+    }
 }

@@ -7,6 +7,8 @@
 //! is known beforehand, and a listing is given only if every path is accounted for.
 
 mod complex;
+mod continuum;
+mod cycle;
 mod doubts;
 mod ends;
 mod homotopy;
@@ -82,6 +84,9 @@ pub struct Listing {
     /// Number of paths that end in multiple solutions, or in solutions too close together to be
     /// told apart, as next to a turning point. None of these is among `real`.
     pub multiple: usize,
+    /// Number of paths that end where nothing is real, too far out or too close to others for an end that
+    /// is certain: what isolated solutions are there are not counted as `complex`.
+    pub blurred: usize,
     /// Number of paths followed.
     pub paths: usize,
 }

@@ -1,6 +1,7 @@
 //! Listing all solutions of polynomial systems.
 
 mod counts;
+mod ends;
 mod extremes;
 mod groups;
 mod known;

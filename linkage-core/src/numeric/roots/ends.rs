@@ -2,12 +2,14 @@
 //! become infinite.
 
 use super::MEETING;
-use super::complex::{Complex, ZERO, rough_root};
+use super::complex::{Complex, rough_root};
+use super::cycle;
 use super::homotopy::Homotopy;
 use super::matrix::{Matrix, Vector, size, solve, sum};
 use super::past::Knot;
 use super::path::Walker;
 use super::place::Place;
+use alloc::vec::Vec;
 
 /// The end of a path.
 pub(super) enum End<const N: usize> {
@@ -17,6 +19,8 @@ pub(super) enum End<const N: usize> {
     Outside,
     /// A multiple solution, or one of a continuum.
     Multiple(Place<N>),
+    /// Nothing real; what else it is, numbers of this precision do not tell.
+    Blurred,
     Lost,
 }
 
@@ -49,15 +53,21 @@ const VANISHED: f64 = 0.01;
 const LEAST_RATE: f64 = 0.05;
 /// Exponents that differ by less than this part are the same.
 const SAME_RATE: f64 = 0.01;
-/// Equations that some way off a solution are missed by less hold there too.
-const HOLDS: f64 = 1e-10;
 /// Paths that cannot be followed any further earlier than this are lost.
 const LATE: f64 = 1e-4;
+/// Where a path is noted on its way: whenever `t` has become smaller by this.
+const BETWEEN_MARKS: f64 = 0.125;
+/// Multiple solutions of up to four paths are met as precisely as this; what is farther may be several solutions.
+const PRECISE: f64 = 1e-3;
+/// Within a circle, sums of powers of the paths that run around it are no larger than on it. So none of the paths is farther from their middle
+/// than twice what it is on the circle; and as much again is beside its reflection.
+const CONFINED: f64 = 4.0;
 
 /// The end of a path that has come near it.
 pub(super) fn find<const N: usize>(walker: &mut Walker<'_, N>, most_steps: usize) -> End<N> {
     let mut next_try = f64::INFINITY;
     let mut rates = Rates::new();
+    let mut marks = Vec::new();
     for _ in 0..most_steps {
         let t = walker.now().t;
         if walker.step() >= t && t <= next_try {
@@ -66,9 +76,15 @@ pub(super) fn find<const N: usize>(walker: &mut Walker<'_, N>, most_steps: usize
             }
             next_try = 0.2 * t;
         }
+        if marks
+            .last()
+            .is_none_or(|(last, _)| t < BETWEEN_MARKS * last)
+        {
+            marks.push((t, walker.homotopy.place(walker.now().x)));
+        }
         let precise = walker.pivot * way_left(walker) > BLURRED;
         if t < LAST || !precise || walker.step() < SHORT * t {
-            return conclude(walker);
+            return conclude(walker, &marks);
         }
         if rates.are_settled(walker) {
             return End::Outside;
@@ -158,8 +174,8 @@ fn reach<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) -> Option<f6
     reach.is_finite().then(|| reach.min(LONGEST))
 }
 
-/// The end of a path that cannot be followed further.
-fn conclude<const N: usize>(walker: &mut Walker<'_, N>) -> End<N> {
+/// The end of a path that cannot be followed further, which has been at these places.
+fn conclude<const N: usize>(walker: &mut Walker<'_, N>, marks: &[(f64, Place<N>)]) -> End<N> {
     if let Some(root) = arrive(walker) {
         return End::Regular(root);
     }
@@ -180,10 +196,45 @@ fn conclude<const N: usize>(walker: &mut Walker<'_, N>) -> End<N> {
     let left = way_left(walker);
     let x = walker.now().x;
     let singular = reach(walker.homotopy, &x).is_none_or(|reach| reach < SINGULAR_REACH * left);
-    if singular && left < MEETING && place.is_inside(walker.variables) {
+    let multiple = singular && left < MEETING && place.is_inside(walker.variables);
+    if multiple && left < PRECISE {
         return End::Multiple(place);
     }
-    End::Lost
+    match led_around(walker, marks) {
+        Some(Led::Past) => End::Blurred,
+        Some(Led::Onto(middle)) if multiple => End::Multiple(middle),
+        _ => End::Lost,
+    }
+}
+
+/// What lies within a way around the end of a path.
+enum Led<const N: usize> {
+    /// Nothing real.
+    Past,
+    /// The middle, which may be real.
+    Onto(Place<N>),
+}
+
+/// Leads the path around its end: it ends within that way, so in nothing real if the way is narrower than its middle is away from its reflection.
+fn led_around<const N: usize>(
+    walker: &mut Walker<'_, N>,
+    marks: &[(f64, Place<N>)],
+) -> Option<Led<N>> {
+    let mut onto = None;
+    for (t, place) in marks.iter().filter(|(t, _)| *t < LATE) {
+        walker.homotopy.turn(place.flipped);
+        let Some(cycle) = cycle::around(walker.homotopy, &place.x, *t) else {
+            continue;
+        };
+        let middle = walker.homotopy.place(cycle.middle);
+        let gaps = middle.gaps(walker.variables);
+        if (0..N).any(|j| gaps[j] > CONFINED * cycle.extent[j]) {
+            return Some(Led::Past);
+        }
+        // Earlier ways are more precise.
+        onto.get_or_insert(Led::Onto(middle));
+    }
+    onto
 }
 
 /// The exponent `w` if a coordinate tends to zero like `t^w`.
@@ -232,71 +283,4 @@ impl<const N: usize> Rates<N> {
             outer && place.x[j].square() < SMALL * SMALL && self.same[j] >= 2
         })
     }
-}
-
-/// Whether solutions go on beside a multiple one: along the direction in which the matrix is
-/// singular, the equations hold to rounding errors not only here but also some way off.
-pub(super) fn is_continuum<const N: usize>(homotopy: &mut Homotopy<N>, place: &Place<N>) -> bool {
-    homotopy.turn(place.flipped);
-    let Some(along) = weakest_component(homotopy, &place.x) else {
-        return true;
-    };
-    [Complex::new(0.02, 0.01), Complex::new(-0.01, 0.02)]
-        .into_iter()
-        .all(|offset| slack(homotopy, &place.x, along, offset).is_none_or(|s| s < HOLDS))
-}
-
-/// Pivots below this are those of a singular matrix.
-const SINGULAR: f64 = 1e-6;
-
-/// The coordinate that changes most along the direction in which the matrix is singular; `None`
-/// if there is no single one.
-fn weakest_component<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) -> Option<usize> {
-    let (_, matrix) = homotopy.target(x);
-    let sizes = |j: usize| {
-        let mut others = matrix;
-        for (i, row) in others.iter_mut().enumerate() {
-            row[j] = weight(i);
-        }
-        solve(&mut others, &mut [[ZERO; N]])
-    };
-    let best = (0..N).max_by(|&a, &b| sizes(a).total_cmp(&sizes(b)))?;
-    (sizes(best) > SINGULAR * SINGULAR).then_some(best)
-}
-
-/// By how much the equations miss, in a fixed combination of them, at the nearest point with
-/// the coordinate `along` moved by `offset`. `None` if there is no such point.
-fn slack<const N: usize>(
-    homotopy: &mut Homotopy<N>,
-    x: &Vector<N>,
-    along: usize,
-    offset: Complex,
-) -> Option<f64> {
-    const STEPS: usize = 8;
-    let mut x = *x;
-    x[along] += offset;
-    let mut slack = ZERO;
-    for _ in 0..STEPS {
-        let (values, mut matrix) = homotopy.target(&x);
-        let mut right = [core::array::from_fn(|i| -(values[i] + weight(i) * slack))];
-        for (i, row) in matrix.iter_mut().enumerate() {
-            row[along] = weight(i);
-        }
-        if solve(&mut matrix, &mut right) == 0.0 {
-            return None;
-        }
-        for j in 0..N {
-            if j == along {
-                slack += right[0][j];
-            } else {
-                x[j] += right[0][j];
-            }
-        }
-    }
-    Some(rough_root(slack.square()))
-}
-
-/// Some numbers that no combination of equations has by itself.
-fn weight(row: usize) -> Complex {
-    Complex::new(1.0 - 0.173 * row as f64, 0.317 + 0.211 * row as f64)
 }

@@ -142,6 +142,24 @@ impl<const N: usize> Homotopy<N> {
         }
     }
 
+    /// The same for a `t` that is not real.
+    pub(super) fn evaluate_beside(&mut self, x: &Vector<N>, t: Complex) -> Evaluation<N> {
+        let (target, mut matrix) = self.target(x);
+        // There is nothing but the start system at 1.
+        let start = self.evaluate(x, 1.0);
+        for (row, start) in matrix.iter_mut().zip(&start.matrix) {
+            for (slope, start) in row.iter_mut().zip(start) {
+                *slope += (*start - *slope) * t;
+            }
+        }
+        let drift: Vector<N> = core::array::from_fn(|i| start.values[i] - target[i]);
+        Evaluation {
+            values: core::array::from_fn(|i| target[i] + drift[i] * t),
+            matrix,
+            drift,
+        }
+    }
+
     #[inline(never)]
     fn sparse_target(&mut self, x: &Vector<N>) -> (Vector<N>, Matrix<N>) {
         for (powers, (&x, &highest)) in self.powers.iter_mut().zip(x.iter().zip(&self.highest)) {

@@ -1,7 +1,7 @@
 //! Points of a product of projective lines.
 
 use super::Variable;
-use super::complex::{Complex, ONE};
+use super::complex::{Complex, ONE, rough_root};
 use super::matrix::Vector;
 
 /// A point: of every variable either its value or, where `flipped`, the inverse of its value,
@@ -46,6 +46,20 @@ impl<const N: usize> Place<N> {
             image.flipped[j] = self.flipped[from] != flip;
         }
         image
+    }
+
+    /// How far the coordinate of each variable is from what it would be if the solution were real: that of its reflection.
+    pub(super) fn gaps(&self, variables: &[Variable]) -> [f64; N] {
+        let image = self.reflection(variables);
+        core::array::from_fn(|j| {
+            let (own, other) = (self.x[j], image.x[j]);
+            let gap = match self.flipped[j] == image.flipped[j] {
+                true => own - other,
+                // The other coordinate is the inverse of this one.
+                false => own * other - ONE,
+            };
+            rough_root(gap.square())
+        })
     }
 
     /// The values of the variables; infinite ones are not finite numbers.

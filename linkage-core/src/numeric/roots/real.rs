@@ -10,24 +10,33 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 /// The values of the real solutions in ascending order; `None` if the reflection of a solution is
-/// missing or not certain.
+/// missing or not certain. Of solutions that are not real up to `blurred` may be missing.
 pub(super) fn list<const N: usize>(
     homotopy: &mut Homotopy<N>,
     variables: &[Variable],
     roots: &[Root<N>],
+    blurred: usize,
 ) -> Option<Vec<Vec<[f64; 2]>>> {
-    let partners: Vec<usize> = roots
+    let partners: Vec<Option<usize>> = roots
         .iter()
         .map(|root| partner(variables, root, roots))
-        .collect::<Option<_>>()?;
+        .collect();
     let mut found = Vec::new();
+    let mut alone = 0;
     for (index, &partner) in partners.iter().enumerate() {
-        if partners[partner] != index {
+        let Some(partner) = partner else {
+            alone += 1;
+            continue;
+        };
+        if partners[partner] != Some(index) {
             return None;
         }
         if partner == index {
             found.push(polished(homotopy, variables, &roots[index])?);
         }
+    }
+    if alone > blurred {
+        return None;
     }
     found.sort_by(|a, b| order(variables, a, b));
     let list = |values: &Vector<N>| values.iter().copied().map(parts).collect();

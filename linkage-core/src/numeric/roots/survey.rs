@@ -1,7 +1,8 @@
 //! Follows all paths and accepts their ends only if they fit together.
 
+use super::continuum::is_continuum;
 use super::doubts;
-use super::ends::{End, Root, is_continuum};
+use super::ends::{End, Root};
 use super::homotopy::Homotopy;
 use super::path::{Pace, Trace, follow};
 use super::place::Place;
@@ -70,16 +71,19 @@ fn listing<const N: usize>(
     if doubts > 0 {
         return Outcome::Doubtful(doubts);
     }
+    let blurred = traces.iter().filter(|own| matches!(own.end, End::Blurred));
+    let blurred = blurred.count();
     // Those at infinity were of use for finding duplicates only.
     let inside = |root: &Root<N>| root.place.is_inside(variables);
     let roots: Vec<Root<N>> = roots.into_iter().filter(inside).collect();
-    match real::list(homotopy, variables, &roots) {
+    match real::list(homotopy, variables, &roots, blurred) {
         None => Outcome::Doubtful(roots.len()),
         Some(real) => Outcome::Listed(Listing {
             real,
             meeting: real::meeting(variables, &multiple),
             complex: roots.len(),
             multiple: multiple.len(),
+            blurred,
             paths: traces.len(),
         }),
     }
@@ -92,7 +96,7 @@ fn sorted<const N: usize>(traces: &[Trace<N>]) -> (Vec<Root<N>>, Vec<Place<N>>) 
         match trace.end {
             End::Regular(root) => roots.push(root),
             End::Multiple(place) => multiple.push(place),
-            End::Outside | End::Lost => {}
+            End::Outside | End::Blurred | End::Lost => {}
         }
     }
     (roots, multiple)
