@@ -15,7 +15,6 @@
 )]
 #[path = "../../examples/double_double/mod.rs"]
 mod double_double;
-mod environment;
 mod errors;
 mod hostile;
 mod labels;
@@ -24,8 +23,8 @@ mod panels;
 mod plot;
 mod table;
 
-use linkage_peers::Random;
 use linkage_peers::timing::{Times, interleave, only_tested};
+use linkage_peers::{Random, environment};
 use std::time::Duration;
 
 /// What is measured of one method.
@@ -64,7 +63,11 @@ fn main() -> std::io::Result<()> {
         panels::accuracy(&positions, time / 2),
         hostile,
     ];
-    let about = environment::describe(if quick { " -- --quick" } else { "" });
+    let about = environment::describe(if quick {
+        "cargo bench --bench pareto -- --quick"
+    } else {
+        "cargo bench --bench pareto"
+    });
     print!("{}", table::text(&panels, &about));
     if test || (quick && !has("--write")) {
         return Ok(());

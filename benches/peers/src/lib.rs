@@ -9,6 +9,7 @@ pub mod c;
 pub mod closed;
 pub mod differences;
 pub mod dual;
+pub mod environment;
 pub mod exported;
 pub mod mechanisms;
 pub mod newton;

@@ -1,21 +1,29 @@
-//! Where and when the figures were measured.
+//! Where and when figures were measured.
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// Command, processor, date.
-pub(crate) fn describe(options: &str) -> String {
-    let flags = if cfg!(target_feature = "avx512f") {
+/// Command, build, processor, date.
+#[must_use]
+pub fn describe(command: &str) -> String {
+    let (build, processor, date) = (build(), processor(), date());
+    format!("`{command}`, {build}; {processor}; {date}")
+}
+
+/// What the machine code may use.
+#[must_use]
+pub fn build() -> &'static str {
+    if cfg!(target_feature = "avx512f") {
         "built with AVX-512"
     } else if cfg!(target_feature = "fma") {
         "built with fused multiply-add"
     } else {
         "default build"
-    };
-    let (processor, date) = (processor(), date());
-    format!("`cargo bench --bench pareto{options}`, {flags}; {processor}; {date}")
+    }
 }
 
-fn processor() -> String {
+/// The name of the processor, as far as the system tells it.
+#[must_use]
+pub fn processor() -> String {
     let known = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = known
         .lines()
