@@ -9,7 +9,7 @@ use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, Graph};
 
-use super::{Algebra, Order};
+use super::{Algebra, Scheme};
 
 /// How a group's Jacobian is brought down to its core.
 #[derive(Clone, Debug)]
@@ -23,7 +23,7 @@ pub(crate) struct Elimination<'m> {
     /// In the order of the columns after those of the core.
     pub(crate) privates: Vec<PrivateColumn<'m>>,
     /// How the matrix is solved if it is too large for cofactors.
-    pub(crate) order: Option<Order>,
+    pub(crate) scheme: Option<Scheme<'m>>,
 }
 
 /// An equation of the core: a combination of the rows of one loop.
@@ -60,9 +60,9 @@ impl<'m> Algebra<'m> {
             .iter()
             .map(|row| self.product_sum(&row.factors, &right[row.first..]))
             .collect();
-        let quotients = match &elimination.order {
-            Some(order) => {
-                self.solve_in_order(order, &elimination.matrix, &core)
+        let quotients = match &elimination.scheme {
+            Some(scheme) => {
+                self.solve_by_scheme(scheme, &elimination.matrix, &core)
                     .solution
             }
             None => self.solve_core(&elimination.matrix, &core, solution.determinant),
@@ -107,15 +107,12 @@ impl<'m> Algebra<'m> {
                 elimination.units[position] * (weights[position] - known)
             })
             .collect();
-        let transposed: Vec<Vec<Ex>> = (0..count)
-            .map(|column| elimination.matrix.iter().map(|row| row[column]).collect())
-            .collect();
-        let factors: Vec<Ex> = match &elimination.order {
-            Some(order) => {
-                let order = order.transposed();
-                self.solve_in_order(&order, &transposed, &core).solution
-            }
+        let factors: Vec<Ex> = match &elimination.scheme {
+            Some(scheme) => self.solve_transposed_by_scheme(scheme, &elimination.matrix, &core),
             None => {
+                let transposed: Vec<Vec<Ex>> = (0..count)
+                    .map(|column| elimination.matrix.iter().map(|row| row[column]).collect())
+                    .collect();
                 let numerators = self.cofactor_products(&transposed, &core).into_iter();
                 numerators.map(|own| own / solution.determinant).collect()
             }

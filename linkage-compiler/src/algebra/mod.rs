@@ -5,6 +5,7 @@
 
 mod adjoint;
 mod bearing;
+mod bodies;
 mod calls;
 mod carrier;
 mod choice;
@@ -39,6 +40,7 @@ use derivatives::Derivatives;
 
 pub(crate) use adjoint::Direction;
 pub(crate) use bearing::{Bearing, Phasor};
+pub(crate) use bodies::{Bodies, Body, Scheme};
 pub(crate) use carrier::Carrier;
 pub(crate) use course::clamped_curvatures;
 pub(crate) use elimination::{CoreRow, Elimination, PrivateColumn};

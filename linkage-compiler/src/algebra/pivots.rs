@@ -4,7 +4,7 @@
 //! although the matrix is regular: then it is NaN, and so is the solution. The last unknowns are solved by cofactors, which need no pivot.
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use linkage_symbolic::Ex;
 
@@ -167,7 +167,7 @@ impl Left {
 }
 
 /// 1 for an even permutation, -1 for an odd one.
-fn parity(permutation: &[usize]) -> f64 {
+pub(super) fn parity(permutation: &[usize]) -> f64 {
     let pairs = permutation.iter().enumerate();
     let inversions = pairs.flat_map(|(k, a)| permutation[..k].iter().filter(move |&b| b > a));
     if inversions.count() % 2 == 0 {

@@ -6,6 +6,7 @@
 
 mod differentiate;
 mod equations;
+mod large;
 mod largest;
 mod laurent;
 mod newton;
@@ -181,12 +182,12 @@ impl<'m> Solver<'_, 'm> {
         let meanings = [&looked_up, &called, &beside].map(|state| self.meanings(state, unit));
         self.define_core(&called, unit);
 
-        let determinant = match &equations.order {
-            Some(order) => {
+        let determinant = match &equations.large {
+            Some(large) => {
                 let nothing = vec![self.algebra.zero(); equations.matrix.len()];
-                let solved = self
-                    .algebra
-                    .solve_in_order(order, &equations.matrix, &nothing);
+                let solved =
+                    self.algebra
+                        .solve_by_scheme(&large.scheme, &equations.matrix, &nothing);
                 solved.determinant
             }
             None => self.algebra.determinant(&equations.matrix),

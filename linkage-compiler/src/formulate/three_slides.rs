@@ -42,7 +42,7 @@ impl<'m> Solver<'_, 'm> {
             matrix: (0..3).map(|row| guides.map(|g| g[row]).to_vec()).collect(),
             units: vec![one; 3],
             privates: Vec::new(),
-            order: None,
+            scheme: None,
         };
         self.push_solution(Solution {
             terms,

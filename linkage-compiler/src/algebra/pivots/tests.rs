@@ -8,7 +8,7 @@ use crate::model::{self, Library};
 use crate::syntax;
 
 /// Numbers from -1 to 1 without a pattern.
-fn numbers(count: usize, seed: u32) -> Vec<f64> {
+pub(in crate::algebra) fn numbers(count: usize, seed: u32) -> Vec<f64> {
     let mut state = seed;
     let mut next = || {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -17,7 +17,8 @@ fn numbers(count: usize, seed: u32) -> Vec<f64> {
     (0..count).map(|_| next()).collect()
 }
 
-fn solved(order: &Order, matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) {
+/// Lends the algebra of a small mechanism.
+pub(in crate::algebra) fn with_algebra(work: impl FnOnce(&Algebra)) {
     let text = "struct M { input phi = 0deg; } impl M { fn f(phi) -> F { phi } }";
     let mut diagnostics = Diagnostics::default();
     let tokens = text.parse().expect("tokens");
@@ -25,15 +26,22 @@ fn solved(order: &Order, matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) 
     let definition = parsed.expect("a mechanism");
     let model = model::resolve(&definition, &Library::default(), &mut diagnostics);
     let (model, graph) = (model.expect("it resolves"), Graph::new());
-    let algebra = Algebra::new(&model.mechanism, &graph);
-    let lift = |row: &[f64]| row.iter().map(|&x| graph.number(x)).collect::<Vec<_>>();
-    let rows: Vec<Vec<Ex>> = matrix.iter().map(|row| lift(row)).collect();
-    let InOrder {
-        mut solution,
-        determinant,
-    } = algebra.solve_in_order(order, &rows, &lift(right));
-    solution.push(determinant);
-    let mut all = evaluate(&solution, |_| f64::NAN);
+    work(&Algebra::new(&model.mechanism, &graph));
+}
+
+fn solved(order: &Order, matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) {
+    let mut all = Vec::new();
+    with_algebra(|algebra| {
+        let number = |&x: &f64| algebra.graph.number(x);
+        let lift = |row: &[f64]| row.iter().map(number).collect::<Vec<_>>();
+        let rows: Vec<Vec<Ex>> = matrix.iter().map(|row| lift(row)).collect();
+        let InOrder {
+            mut solution,
+            determinant,
+        } = algebra.solve_in_order(order, &rows, &lift(right));
+        solution.push(determinant);
+        all = evaluate(&solution, |_| f64::NAN);
+    });
     let determinant = all.pop().expect("it was pushed");
     (all, determinant)
 }

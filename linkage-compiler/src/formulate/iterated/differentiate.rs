@@ -43,7 +43,7 @@ impl<'m> Solver<'_, 'm> {
             matrix: equations.matrix.clone(),
             units: core.map(|&core| equations.unit_of(core)).collect(),
             privates,
-            order: equations.order.clone(),
+            scheme: equations.large.as_ref().map(|large| large.scheme.clone()),
         };
         self.push_solution(Solution {
             terms,

@@ -2,10 +2,11 @@
 
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
 
-use crate::algebra::{CoreRow, Order};
+use crate::algebra::CoreRow;
 use crate::formulate::Solver;
 use crate::structure::{Block, Core, Coupled, Private};
 
+use super::large::Large;
 use super::vector;
 
 /// The equations of the core, in the symbols of the core alone, and all that is made of them.
@@ -23,8 +24,8 @@ pub(super) struct Equations<'f, 'm> {
     pub(super) rows: Vec<CoreRow<'m>>,
     /// The derivatives of the residuals by the scaled unknowns.
     pub(super) matrix: Vec<Vec<Ex<'m>>>,
-    /// How the matrix is solved if it is too large for cofactors.
-    pub(super) order: Option<Order>,
+    /// What steps solve instead, if it is too large for cofactors.
+    pub(super) large: Option<Large<'m>>,
 }
 
 /// A loop and where it stands.
@@ -59,6 +60,14 @@ impl<'f, 'm> Equations<'f, 'm> {
             next += block.rows.len();
             Place { block, first }
         })
+    }
+
+    /// How many equations of the core a loop leaves.
+    pub(super) fn count(&self, place: Place<'_, 'm>) -> usize {
+        match place.block.private {
+            Some(_) => 1,
+            None => place.block.rows.len(),
+        }
     }
 
     /// An unknown of the core over its scaled value.
@@ -117,7 +126,7 @@ impl<'m> Solver<'_, 'm> {
             residuals: Vec::new(),
             rows: Vec::new(),
             matrix: Vec::new(),
-            order: None,
+            large: None,
         };
         for place in equations.places() {
             match &place.block.private {
@@ -125,19 +134,8 @@ impl<'m> Solver<'_, 'm> {
                 None => self.row_by_row(&mut equations, place),
             }
         }
-        equations.order = form.is_large().then(|| self.order(&equations.matrix));
+        equations.large = form.is_large().then(|| self.large(&equations));
         equations
-    }
-
-    /// The order in which a matrix is eliminated, from what it is where the unknowns are estimated.
-    fn order(&self, matrix: &[Vec<Ex<'m>>]) -> Order {
-        let values = self.algebra.at_estimates(self.nominal, &matrix.concat());
-        let values: Vec<Vec<f64>> = values.chunks(matrix.len()).map(<[_]>::to_vec).collect();
-        let zero: Vec<Vec<bool>> = matrix
-            .iter()
-            .map(|row| row.iter().map(|x| x.is_zero()).collect())
-            .collect();
-        Order::new(&values, &zero)
     }
 
     /// The sum of the lengths of the links that do not depend on inputs.

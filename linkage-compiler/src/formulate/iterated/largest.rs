@@ -18,7 +18,7 @@ impl<'m> Solver<'_, 'm> {
     /// Nothing that the determinant of the core can be is larger.
     pub(super) fn largest_core_determinant(&mut self, equations: &Equations<'_, 'm>) -> Ex<'m> {
         let blocks = &equations.form.blocks;
-        if equations.order.is_some() {
+        if equations.large.is_some() {
             return self.product_of_rows(equations);
         }
         if blocks.iter().all(|block| block.rows.len() == 2) {

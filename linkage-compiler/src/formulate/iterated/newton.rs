@@ -85,7 +85,7 @@ pub(super) struct Step<'m> {
     /// The state with unit vectors of length 1, as the corrections apply to it.
     start: Vec<Part<'m>>,
     pub(super) corrections: Vec<Ex<'m>>,
-    /// The sum of the squares of the corrections.
+    /// The sum of the squares of the corrections; of a body, of its turns and of what its directions missed.
     pub(super) size2: Ex<'m>,
     pub(super) determinant: Ex<'m>,
 }
@@ -101,22 +101,34 @@ impl<'m> Step<'m> {
 impl<'m> Solver<'_, 'm> {
     /// The correction of a state.
     pub(super) fn step(&self, equations: &Equations<'_, 'm>, state: &[Part<'m>]) -> Step<'m> {
-        let start: Vec<Part> = state.iter().map(|part| part.unit_length()).collect();
+        let mut start: Vec<Part> = state.iter().map(|part| part.unit_length()).collect();
+        let missed = match &equations.large {
+            Some(large) => large.straighten(&mut start),
+            None => Vec::new(),
+        };
         let meanings = self.meanings(&start, equations.unit).into_iter();
         let here = meanings.map(|own| (own.symbol, own.value)).collect();
-        let all = [&equations.residuals[..], &equations.matrix.concat()].concat();
+        let (residuals, matrix) = match &equations.large {
+            Some(large) => (&large.residuals, &large.matrix),
+            None => (&equations.residuals, &equations.matrix),
+        };
+        let count = residuals.len();
+        let all = [&residuals[..], &matrix.concat()].concat();
         let all = substitute(&all, &here);
-        let (residuals, entries) = all.split_at(start.len());
-        let matrix: Vec<Vec<Ex>> = entries.chunks(start.len()).map(<[_]>::to_vec).collect();
+        let (residuals, entries) = all.split_at(count);
+        let matrix: Vec<Vec<Ex>> = entries.chunks(count).map(<[_]>::to_vec).collect();
 
-        let (corrections, determinant): (Vec<Ex>, Ex) = match &equations.order {
-            Some(order) => {
-                let solved = self.algebra.solve_in_order(order, &matrix, residuals);
+        let (freedoms, determinant): (Vec<Ex>, Ex) = match &equations.large {
+            Some(large) => {
+                let solved = self
+                    .algebra
+                    .solve_in_order(&large.order, &matrix, residuals);
                 let InOrder {
                     solution,
                     determinant,
                 } = solved;
-                (solution.into_iter().map(|own| -own).collect(), determinant)
+                let freedoms = solution.into_iter().map(|own| -own).collect();
+                (freedoms, large.share * determinant)
             }
             None => {
                 let determinant = self.algebra.determinant(&matrix);
@@ -125,10 +137,15 @@ impl<'m> Solver<'_, 'm> {
                 (corrections.collect(), determinant)
             }
         };
+        let algebra = &self.algebra;
         Step {
+            size2: algebra.product_sum(&freedoms, &freedoms)
+                + algebra.product_sum(&missed, &missed),
+            corrections: match &equations.large {
+                Some(large) => large.corrections(&start, &freedoms),
+                None => freedoms,
+            },
             start,
-            size2: self.algebra.product_sum(&corrections, &corrections),
-            corrections,
             determinant,
         }
     }

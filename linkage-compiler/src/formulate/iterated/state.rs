@@ -29,6 +29,23 @@ impl<'m> Part<'m> {
         }
     }
 
+    /// The number that it is; no angle is one.
+    pub(super) fn number(self) -> Ex<'m> {
+        match self {
+            Self::Angle(..) => unreachable!("an angle is no number"),
+            Self::Length(_, number) | Self::Number(_, number) => number,
+        }
+    }
+
+    /// The same unknown with another number.
+    pub(super) fn with(self, number: Ex<'m>) -> Self {
+        match self {
+            Self::Angle(..) => self,
+            Self::Length(symbol, _) => Self::Length(symbol, number),
+            Self::Number(symbol, _) => Self::Number(symbol, number),
+        }
+    }
+
     /// A step of the inverse root: it makes the length of a unit vector exact that is 1 to about eight digits, as those of tables and those
     /// after a correction are.
     pub(super) fn unit_length(self) -> Self {

@@ -90,7 +90,7 @@ impl<'m> Solver<'_, 'm> {
                 matrix,
                 units: vec![one; count],
                 privates: Vec::new(),
-                order: None,
+                scheme: None,
             }),
             links: [None; 2],
             rod: None,

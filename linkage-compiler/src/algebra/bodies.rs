@@ -1,0 +1,236 @@
+//! Linear systems of cores in the freedoms of their bodies.
+//!
+//! Two perpendicular directions `u` and `w` of length 1 are six unknowns with three equations of their own, `u.du = p`, `w.dw = q`,
+//! `w.du + u.dw = r`. All their solutions are `du = t x u + p u + r w/2`, `dw = t x w + q w + r u/2` with a turn `t`. So a system is solved in the
+//! turns instead: three unknowns and three equations less for each body, and fewer pivots that can vanish where nothing is singular.
+
+#[cfg(test)]
+mod tests;
+
+use linkage_symbolic::{Ex, V3, Vector, agree};
+
+use super::pivots::parity;
+use super::{Algebra, InOrder, Order};
+
+/// Two directions of a core that their own equations keep perpendicular and of length 1.
+#[derive(Clone, Debug)]
+pub(crate) struct Body<'m> {
+    /// The places of their components among the unknowns.
+    pub(crate) columns: [[usize; 3]; 2],
+    /// Their equations: both lengths and the right angle.
+    rows: [usize; 3],
+    /// The directions themselves.
+    pub(crate) axes: [V3<'m>; 2],
+}
+
+/// The bodies of a core, and what is not theirs.
+#[derive(Clone, Debug)]
+pub(crate) struct Bodies<'m> {
+    pub(crate) all: Vec<Body<'m>>,
+    /// The other equations and unknowns.
+    pub(crate) rows: Vec<usize>,
+    pub(crate) columns: Vec<usize>,
+    sign: f64,
+}
+
+/// How a system that is too large for cofactors is solved.
+#[derive(Clone, Debug)]
+pub(crate) struct Scheme<'m> {
+    pub(crate) bodies: Bodies<'m>,
+    /// Of the freedoms: the other unknowns, then three turns for each body.
+    pub(crate) order: Order,
+}
+
+impl<'m> Bodies<'m> {
+    /// The bodies that a matrix of derivatives by these unknowns shows; no angle is part of one.
+    pub(crate) fn of(matrix: &[Vec<Ex<'m>>], unknowns: &[Option<Ex<'m>>]) -> Self {
+        let filled = |row: &[Ex<'m>]| -> Vec<usize> {
+            let columns = 0..row.len();
+            columns.filter(|&k| !row[k].is_zero()).collect()
+        };
+        let is = |entry: Ex<'m>, column: usize| unknowns[column].is_some_and(|x| agree(entry, x));
+        // The derivative of half the square of a direction is the direction.
+        let lengths = matrix.iter().enumerate().filter_map(|(row, entries)| {
+            let columns: [usize; 3] = filled(entries).try_into().ok()?;
+            let own = columns.iter().all(|&k| is(entries[k], k));
+            own.then_some((row, columns))
+        });
+        let lengths: Vec<(usize, [usize; 3])> = lengths.collect();
+        let mut all: Vec<Body> = Vec::new();
+        for (row, entries) in matrix.iter().enumerate() {
+            let filled = filled(entries);
+            let pair = |&(_, own): &&(usize, [usize; 3])| own.iter().all(|k| filled.contains(k));
+            let of_pair: Vec<&(usize, [usize; 3])> = lengths.iter().filter(pair).collect();
+            let [(first, u), (second, w)] = of_pair[..] else {
+                continue;
+            };
+            let crossed = (0..3).all(|k| is(entries[u[k]], w[k]) && is(entries[w[k]], u[k]));
+            let taken = all.iter().any(|body| {
+                let mut own = body.columns.iter();
+                own.any(|columns| columns == u || columns == w)
+            });
+            if filled.len() == 6 && crossed && !taken {
+                let axis = |columns: &[usize; 3]| {
+                    Vector(columns.map(|k| unknowns[k].expect("its value agrees")))
+                };
+                all.push(Body {
+                    columns: [*u, *w],
+                    rows: [*first, *second, row],
+                    axes: [axis(u), axis(w)],
+                });
+            }
+        }
+        Self::with(all, matrix.len())
+    }
+
+    fn with(all: Vec<Body<'m>>, size: usize) -> Self {
+        let of_bodies: Vec<usize> = all.iter().flat_map(|body| body.rows).collect();
+        let in_bodies: Vec<usize> = all.iter().flat_map(|body| body.columns.concat()).collect();
+        let others =
+            |taken: &[usize]| -> Vec<usize> { (0..size).filter(|k| !taken.contains(k)).collect() };
+        let (rows, columns) = (others(&of_bodies), others(&in_bodies));
+        // Turns and what is missed are of one volume with the components; the turns of all bodies stand before all that is missed.
+        let between = 9 * all.len() * all.len().saturating_sub(1) / 2;
+        let sign = parity(&[&rows[..], &of_bodies].concat())
+            * parity(&[&columns[..], &in_bodies].concat())
+            * if between.is_multiple_of(2) { 1.0 } else { -1.0 };
+        Self {
+            all,
+            rows,
+            columns,
+            sign,
+        }
+    }
+
+    /// The determinant of a system over that in the freedoms: 1 or -1.
+    pub(crate) fn sign(&self) -> f64 {
+        self.sign
+    }
+
+    /// The derivatives by the freedoms, without the equations of the bodies.
+    pub(crate) fn freedoms(&self, matrix: &[Vec<Ex<'m>>]) -> Vec<Vec<Ex<'m>>> {
+        let rows = self.rows.iter();
+        rows.map(|&row| self.by_freedoms(&matrix[row])).collect()
+    }
+
+    /// A row by the freedoms.
+    pub(crate) fn by_freedoms(&self, row: &[Ex<'m>]) -> Vec<Ex<'m>> {
+        let others = self.columns.iter().map(|&k| row[k]);
+        let turns = self.all.iter().flat_map(|body| body.by_turns(row).0);
+        others.chain(turns).collect()
+    }
+
+    /// The unknowns from the freedoms, with what the equations of the bodies miss.
+    fn unknowns(&self, freedoms: &[Ex<'m>], missed: &[Missed<'m>]) -> Vec<Ex<'m>> {
+        let mut all = vec![None; self.columns.len() + 6 * self.all.len()];
+        let (others, turns) = freedoms.split_at(self.columns.len());
+        for (&column, &own) in self.columns.iter().zip(others) {
+            all[column] = Some(own);
+        }
+        let turns = turns.as_chunks::<3>().0.iter();
+        for ((body, &turn), missed) in self.all.iter().zip(turns).zip(missed) {
+            let shifts = missed.shifts(body);
+            for (k, columns) in body.columns.iter().enumerate() {
+                let turned = Vector(turn).cross(body.axes[k]) + shifts[k];
+                for (&column, own) in columns.iter().zip(turned.components()) {
+                    all[column] = Some(own);
+                }
+            }
+        }
+        all.into_iter().flatten().collect()
+    }
+}
+
+impl<'m> Body<'m> {
+    /// Entries of a row as vectors.
+    fn entries(&self, row: &[Ex<'m>]) -> [V3<'m>; 2] {
+        self.columns.map(|columns| Vector(columns.map(|k| row[k])))
+    }
+
+    /// A row by the turns.
+    pub(crate) fn by_turns(&self, row: &[Ex<'m>]) -> V3<'m> {
+        let [u, w] = self.axes;
+        let [by_u, by_w] = self.entries(row);
+        u.cross(by_u) + w.cross(by_w)
+    }
+}
+
+/// What the equations of a body miss.
+struct Missed<'m>([Ex<'m>; 3]);
+
+impl<'m> Missed<'m> {
+    /// How the directions change to make up for it.
+    fn shifts(&self, body: &Body<'m>) -> [V3<'m>; 2] {
+        let ([p, q, r], [u, w]) = (self.0, body.axes);
+        let half = 0.5 * r;
+        [p * u + half * w, q * w + half * u]
+    }
+}
+
+impl<'m> Algebra<'m> {
+    /// Solves a linear system by a scheme.
+    pub(crate) fn solve_by_scheme(
+        &self,
+        scheme: &Scheme<'m>,
+        matrix: &[Vec<Ex<'m>>],
+        right: &[Ex<'m>],
+    ) -> InOrder<'m> {
+        let bodies = &scheme.bodies;
+        let missed: Vec<Missed> = bodies
+            .all
+            .iter()
+            .map(|body| Missed(body.rows.map(|row| right[row])))
+            .collect();
+        let known = bodies.rows.iter().map(|&row| {
+            let own = bodies.all.iter().zip(&missed);
+            own.fold(right[row], |left, (body, missed)| {
+                let entries = body.entries(&matrix[row]);
+                let pairs = entries.into_iter().zip(missed.shifts(body));
+                pairs.fold(left, |left, (entries, shift)| left - entries.dot(shift))
+            })
+        });
+        let known: Vec<Ex> = known.collect();
+        let InOrder {
+            solution,
+            determinant,
+        } = self.solve_in_order(&scheme.order, &bodies.freedoms(matrix), &known);
+        InOrder {
+            solution: bodies.unknowns(&solution, &missed),
+            determinant: bodies.sign * determinant,
+        }
+    }
+
+    /// Solves the transposed system: one number for each equation.
+    pub(crate) fn solve_transposed_by_scheme(
+        &self,
+        scheme: &Scheme<'m>,
+        matrix: &[Vec<Ex<'m>>],
+        right: &[Ex<'m>],
+    ) -> Vec<Ex<'m>> {
+        let bodies = &scheme.bodies;
+        let freedoms = bodies.freedoms(matrix);
+        let transposed: Vec<Vec<Ex>> = (0..freedoms.len())
+            .map(|column| freedoms.iter().map(|row| row[column]).collect())
+            .collect();
+        let known = bodies.by_freedoms(right);
+        let order = scheme.order.transposed();
+        let others = self.solve_in_order(&order, &transposed, &known).solution;
+        let mut all = vec![self.zero(); right.len()];
+        for (&row, &own) in bodies.rows.iter().zip(&others) {
+            all[row] = own;
+        }
+        for body in &bodies.all {
+            let [mut by_u, mut by_w] = body.entries(right);
+            for (&row, &own) in bodies.rows.iter().zip(&others) {
+                let [of_u, of_w] = body.entries(&matrix[row]);
+                (by_u, by_w) = (by_u - own * of_u, by_w - own * of_w);
+            }
+            let [u, w] = body.axes;
+            let own = [by_u.dot(u), by_w.dot(w), 0.5 * (by_u.dot(w) + by_w.dot(u))];
+            for (&row, own) in body.rows.iter().zip(own) {
+                all[row] = own;
+            }
+        }
+        all
+    }
+}
