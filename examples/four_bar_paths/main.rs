@@ -22,7 +22,13 @@ const ZERO: f64 = 1e-24;
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     for problem in problems() {
-        let found = problem.design()?.starts(problem.few).run()?;
+        // A line that is written anew until the search is done.
+        let found = problem
+            .design()?
+            .starts(problem.few)
+            .progress(|progress| eprint!("\r{progress}"))
+            .run()?;
+        eprintln!();
         let best = found.best();
         println!(
             "{}: {} designs from {} starts",

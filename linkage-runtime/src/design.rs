@@ -14,6 +14,7 @@ mod certificate;
 mod check;
 mod columns;
 mod condition;
+mod contradiction;
 mod cycle;
 mod error;
 pub mod exact;
@@ -23,10 +24,12 @@ mod least_squares;
 mod limits;
 mod minimax;
 mod normal;
+mod parallel;
 mod problem;
 mod quadratic;
 mod refusals;
 mod relation;
+mod results;
 mod rounds;
 mod run;
 mod sampled;
@@ -58,11 +61,7 @@ pub use wish::{Candidates, Evaluate, Free, Rows, Wish};
 
 use linkage_core::Cycle;
 
-/// A range of an angle that differs from a full turn by less, in radians, is one: users write 360 degrees.
-const TURN: f64 = 1e-9;
-
 /// The length of the range if it is a full turn.
 fn turn(cycle: &Cycle) -> Option<f64> {
-    let length = cycle.high - cycle.low;
-    (cycle.angle && (length - core::f64::consts::TAU).abs() < TURN).then_some(length)
+    cycle.turn()
 }

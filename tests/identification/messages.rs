@@ -1,7 +1,7 @@
 //! All that is wrong is told.
 
 use super::{FourBar, FourBarAssembly, LENGTHS, Outcome, drawn, inputs, points};
-use linkage::design::{Identification, Measured};
+use linkage::design::{DesignError, Identification, Measured};
 
 #[test]
 fn all_that_is_wrong_is_told() -> Outcome {
@@ -73,5 +73,43 @@ fn all_that_is_wrong_is_told() -> Outcome {
         .measured(one.computed_by(path))
         .run()?;
     assert_eq!((found.degrees_of_freedom, found.undetermined.len()), (0, 1));
+    Ok(())
+}
+
+/// Bounds that are one number hold a parameter there: no mistake.
+#[test]
+fn numbers_of_the_case_are_told() -> Outcome {
+    // The end of its crank is up to 230 mm from the other pivot, coupler and rocker together are 220 mm.
+    let long = FourBar {
+        crank: 90.0,
+        shim: 0.0,
+        pivot_a: [10.0, 8.0].into(),
+        zero: 0.0,
+        ..FourBar::default()
+    };
+    let read = Measured::of("b", [[1.0, 2.0]; 4]).at(inputs(4));
+    let error = Identification::new(long, FourBar::default().assemble()?)
+        .unknown(LENGTHS)
+        .measured(read.computed_by(FourBarAssembly::path_sweep_sets_into))
+        .run();
+    assert_eq!(
+        error.unwrap_err().to_string(),
+        "the mechanism that the fit begins with does not assemble, or stands at a dead point, for 2 of 8 readings, \
+         the first at input 3.14159; begin with dimensions that are nearer"
+    );
+    assert_eq!(
+        DesignError::Unsettled { steps: 1000 }.to_string(),
+        "no least sum of squares in 1000 evaluations, which is our limit; give bounds with `vary`, or begin nearer"
+    );
+
+    let at = inputs(12);
+    let read = Measured::of("b", points(&at)?).at(at).deviations([0.01; 2]);
+    let found = drawn()?
+        .vary("crank", 50.2, 50.2)
+        .unknown(["coupler", "rocker"])
+        .measured(read.computed_by(FourBarAssembly::path_sweep_sets_into))
+        .run()?;
+    assert!((found.mechanism.crank - 50.2).abs() < 1e-12);
+    assert!((found.mechanism.rocker - 100.1).abs() < 1e-6, "{found}");
     Ok(())
 }

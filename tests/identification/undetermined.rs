@@ -76,7 +76,7 @@ fn what_cannot_be_told_apart_is_named() -> Outcome {
     assert_eq!(
         words,
         [
-            "`turned` changes nothing that was measured; `reading` would tell, best at input 0.5",
+            "`turned` changes nothing that was measured; `reading` would tell, best at `phi` = 0.5",
             "`pivot_d.x` and `shim` cannot be told apart: what was measured stays when they change together, `pivot_d.x` by 1 mm, \
              `shim` by -1 mm",
         ]

@@ -79,18 +79,6 @@ where
         "starts are"
     );
 
-    /// A number that follows from the dimensions must not be negative: `function` gives it with its derivatives by all parameters,
-    /// in their order and units.
-    #[must_use]
-    pub fn hold_that(
-        mut self,
-        title: &str,
-        function: impl Fn(&M) -> (f64, [f64; N]) + Send + Sync + 'a,
-    ) -> Self {
-        self.wishes.push(Box::new(Condition::new(title, function)));
-        self
-    }
-
     /// Something is wanted.
     #[must_use]
     pub fn want(mut self, wish: impl Wish<M, A> + 'a) -> Self {
@@ -98,7 +86,8 @@ where
         self
     }
 
-    /// The most designs that are listed, 100 without it.
+    /// The most designs that are listed, 100 without it; [`Search::left_out`](super::Search::left_out) tells of how many optima more there
+    /// are.
     #[must_use]
     pub fn listed(mut self, designs: usize) -> Self {
         self.listed = designs;

@@ -1,11 +1,17 @@
 //! Parameters that take some values only: branch and bound from a local optimum.
 //!
-//! The bound of a branch is what a local optimum of it comes to, so a better one in a branch that is left may be missed where there
-//! are several: the result is the best of what is near the optimum, not a proof.
+//! Where a parameter is between two values of its list, one branch has all values up to the lower one and the other one all from the upper
+//! one on, and everything is optimised anew in each. The bound of a branch is what a local optimum of it comes to: where each branch has
+//! one optimum, the result is the best of all combinations; where there are several, a better one in a branch that is left may be
+//! missed.
 
 use alloc::vec::Vec;
+use core::ops::RangeInclusive;
 
 use super::limits::Limits;
+
+#[cfg(test)]
+mod tests;
 
 /// What branches end at.
 pub(crate) trait Local {
@@ -21,49 +27,82 @@ pub(crate) type Catalogues = [(usize, Vec<f64>)];
 
 /// The best optimum near this one with all catalogue parameters at values of their lists; `None` if there is none.
 ///
-/// `descend` gives the optimum within narrower limits, from that within wider ones.
+/// `descend` gives the optimum within narrower limits, from that within wider ones. No branch is begun once `ended`: what is best until then
+/// is the result.
 pub(crate) fn rounded<O: Local>(
     catalogues: &Catalogues,
     limits: &Limits,
     optimum: O,
-    mut descend: impl FnMut(&Limits, &O) -> Option<O>,
+    descend: impl FnMut(&Limits, &O) -> Option<O>,
+    ended: &dyn Fn() -> bool,
 ) -> Option<O> {
-    let mut best = None;
-    branch(catalogues, limits, optimum, &mut descend, &mut best);
-    best
+    let mut branches = Branches {
+        catalogues,
+        descend,
+        ended,
+        best: None,
+    };
+    let all = |(_, values): &(usize, Vec<f64>)| 0..=values.len().saturating_sub(1);
+    let open = catalogues.iter().map(all).collect();
+    branches.branch(open, limits, optimum);
+    branches.best
 }
 
-/// Sets the first of these parameters to the values below and above, then the others.
-fn branch<O: Local>(
-    open: &Catalogues,
-    limits: &Limits,
-    optimum: O,
-    descend: &mut impl FnMut(&Limits, &O) -> Option<O>,
-    best: &mut Option<O>,
-) {
-    if best
-        .as_ref()
-        .is_some_and(|best| best.least() <= optimum.least())
-    {
-        return;
-    }
-    let Some(((place, values), open)) = open.split_first() else {
-        *best = Some(optimum);
-        return;
-    };
-    let x = optimum.place()[*place];
-    let above = values
-        .partition_point(|value| *value < x)
-        .min(values.len() - 1);
-    let mut sides = Vec::from([above, above.saturating_sub(1)]);
-    sides.dedup();
-    // The nearer value first: its optimum is likely to cut the other one off.
-    sides.sort_by(|a, b| (values[*a] - x).abs().total_cmp(&(values[*b] - x).abs()));
-    for side in sides {
-        let mut limits = limits.clone();
-        (limits.lower[*place], limits.upper[*place]) = (values[side], values[side]);
-        if let Some(next) = descend(&limits, &optimum) {
-            branch(open, &limits, next, descend, best);
+struct Branches<'c, O, F> {
+    catalogues: &'c Catalogues,
+    descend: F,
+    ended: &'c dyn Fn() -> bool,
+    best: Option<O>,
+}
+
+impl<O: Local, F: FnMut(&Limits, &O) -> Option<O>> Branches<'_, O, F> {
+    /// The best of a branch, whose optimum between the values is known; `open` are the numbers of the values of each list that it has.
+    fn branch(&mut self, open: Vec<RangeInclusive<usize>>, limits: &Limits, optimum: O) {
+        let best = self.best.as_ref();
+        if best.is_some_and(|best| best.least() <= optimum.least()) {
+            return;
         }
+        let Some((number, above)) = self.farthest(&open, &optimum) else {
+            self.best = Some(optimum);
+            return;
+        };
+        let (place, values) = &self.catalogues[number];
+        let (place, x) = (*place, optimum.place()[*place]);
+        let [first, last] = [*open[number].start(), *open[number].end()];
+        let mut sides = [first..=above - 1, above..=last];
+        // The nearer side first: its optimum is likely to cut the other one off.
+        if values[above] - x < x - values[above - 1] {
+            sides.reverse();
+        }
+        for side in sides {
+            if (self.ended)() {
+                return;
+            }
+            let (mut limits, mut open) = (limits.clone(), open.clone());
+            (limits.lower[place], limits.upper[place]) =
+                (values[*side.start()], values[*side.end()]);
+            open[number] = side;
+            if let Some(next) = (self.descend)(&limits, &optimum) {
+                self.branch(open, &limits, next);
+            }
+        }
+    }
+
+    /// The parameter that is farthest from a value of its list, as a part of the gap between two, and the number of the value above it; `None`
+    /// if all are at one.
+    fn farthest(&self, open: &[RangeInclusive<usize>], optimum: &O) -> Option<(usize, usize)> {
+        let between = |(number, (place, values)): (usize, &(usize, Vec<f64>))| {
+            let x = optimum.place()[*place];
+            let above = values.partition_point(|value| *value < x);
+            let inside = *open[number].start() < above && above <= *open[number].end();
+            (inside && values[above] != x).then(|| {
+                let gap = values[above] - values[above - 1];
+                let far = (values[above] - x).min(x - values[above - 1]) / gap;
+                (far, (number, above))
+            })
+        };
+        let all = self.catalogues.iter().enumerate().filter_map(between);
+        let farthest = all.max_by(|a, b| a.0.total_cmp(&b.0));
+        farthest.map(|(_, found)| found)
     }
 }

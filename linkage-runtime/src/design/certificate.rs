@@ -1,7 +1,8 @@
 //! No mechanism is returned that does not assemble over its whole range on one circuit.
 //!
-//! Its assemblies are found over the range, each with its ends, by the roots of discriminants: not by samples. One of them must
-//! run through the whole range, a turn must close, and at all inputs that the wishes ask for it must give the rows of the
+//! Its assemblies are found over the range, each with its ends: those of groups with a closed form by bounds of their
+//! discriminants, so that none is missed; those of coupled groups as far as listings at some inputs and steps along their curves
+//! see. One of them must run through the whole range, a turn must close, and at all inputs that the wishes ask for it must give the rows of the
 //! optimum: so it is the assembly that was optimised, all its positions are on one circuit, and they are reached without a dead
 //! point between them.
 

@@ -1,6 +1,7 @@
 //! What is wrong with a design problem, all at once.
 
 use alloc::string::ToString;
+use alloc::vec::Vec;
 
 use super::DesignError;
 use super::builder::Design;
@@ -39,7 +40,9 @@ where
             errors.extend(wish.check(&cycle, M::PARAMETERS, &varied));
         }
         DesignError::all(errors)?;
-        self.freedom.consistent(&limits)?;
+        let names = varied.iter().map(|&k| M::PARAMETERS[k].name);
+        let names: Vec<_> = names.collect();
+        self.freedom.consistent(&limits, &names)?;
         let free = self.wishes.iter().map(|wish| wish.free(&cycle)).collect();
         Ok(Problem::new(
             Given {

@@ -33,6 +33,19 @@ impl Numbers {
         Self(places.map(|value| number(columns, value)).collect())
     }
 
+    /// All other numbers of which there are derivatives by these parameters.
+    pub(crate) fn beside(heading: &Heading, quantity: &str, parameters: &[usize]) -> Self {
+        let columns = heading.columns;
+        let others = (0..columns.len())
+            .filter(|&k| !belongs(&columns[k], quantity) && columns[k].meaning == Meaning::Value);
+        let known = |number: &Number| {
+            let by =
+                |parameter: &usize| number.sensitivities.iter().any(|(own, _)| own == parameter);
+            parameters.iter().all(by)
+        };
+        Self(others.map(|k| number(columns, k)).filter(known).collect())
+    }
+
     /// The same, or what is missing.
     pub(crate) fn find(
         heading: &Heading,

@@ -5,6 +5,7 @@ mod words;
 use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
+use std::time::Duration;
 
 use super::Refusals;
 use crate::AssemblyError;
@@ -121,10 +122,14 @@ pub enum DesignError {
         /// The parameters.
         missing: Vec<String>,
     },
-    /// Bounds and relations that cannot hold together.
+    /// Bounds and relations that cannot hold together: without any of them the others can.
     Contradiction {
         /// The relations, in words.
         relations: Vec<String>,
+        /// The bounds, in words.
+        bounds: Vec<String>,
+        /// By how much the last of the relations is missed at least where the others hold.
+        missed: f64,
     },
     /// Not exactly one goal.
     Goals {
@@ -156,6 +161,15 @@ pub enum DesignError {
     Start(AssemblyError),
     /// No mechanism that holds what must hold was found.
     NotFound(Box<Refusals>),
+    /// None was found before the search was ended.
+    Ended {
+        /// Starts that were tried until then, and what refused them.
+        refusals: Box<Refusals>,
+        /// All starts.
+        count: usize,
+        /// The time limit; `None` if it was cancelled.
+        limit: Option<Duration>,
+    },
 }
 
 impl DesignError {

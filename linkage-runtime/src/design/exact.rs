@@ -13,7 +13,6 @@ mod four_bar;
 mod function;
 mod long;
 mod nine_points;
-mod parallel;
 mod path;
 mod polynomial;
 mod solutions;
@@ -27,11 +26,15 @@ pub use five_points::{FivePoints, five_points};
 pub use four_bar::{FourBar, Passage, Turning, Visit};
 pub use function::{FunctionFourBar, Functions, Pair, Start};
 pub use nine_points::{
-    NinePoints, PathFourBar, Progress, TRIPLES, Triple, nine_points, nine_points_reporting,
+    NinePoints, PathFourBar, TRIPLES, Triple, nine_points, nine_points_reporting,
 };
 pub use solutions::{Equations, Number, Solution, Solutions, Trace, solutions, solutions_traced};
 
 use complex::Complex;
+
+/// Ways from general constants, or stored ones, to the given ones: angles without pattern. All solutions are found by the first one but for
+/// accidents; what several find together is as sure.
+const ARCS: [f64; 3] = [2.1937, -1.3291, 0.8713];
 
 /// Where a body is in the plane: the place of the origin of its frame, and its angle (rad).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,5 +1,6 @@
 //! Designs that were found.
 
+use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
@@ -20,6 +21,8 @@ pub struct Found<M, A> {
     pub wishes: Vec<String>,
     /// The rows of each wish: weighted residuals, or the values of a condition.
     pub residuals: Vec<Vec<f64>>,
+    /// By how much each wish is missed where it is missed most, in words; of a condition nothing.
+    pub farthest: Vec<Option<String>>,
     /// The free inputs of each wish, in their order.
     pub inputs: Vec<Vec<f64>>,
     /// Its smallest margin over the range, 0 at a dead point.
@@ -30,6 +33,12 @@ pub struct Found<M, A> {
     pub at_bound: Vec<(&'static str, f64)>,
     /// Gradient of half the sum by the parameters that are at a bound, in the same order: how much is to be gained beyond it.
     pub bound_slopes: Vec<f64>,
+    /// The units of the parameters that are at a bound, in the same order.
+    pub bound_units: Vec<&'static str>,
+    /// The linear relations that are in the way, in words: those that are not equalities and would be broken beyond.
+    pub active_relations: Vec<String>,
+    /// The conditions that are in the way, by their titles.
+    pub active_conditions: Vec<String>,
     /// Whether it is a local optimum; `false` where the descent had used up its steps.
     pub converged: bool,
     /// The start that led here.
@@ -53,9 +62,12 @@ pub struct Search<M, A> {
     pub broken: usize,
     /// Distinct optima that were refused since they do not run through the whole range on one circuit.
     pub not_whole: usize,
+    /// Distinct optima that are not listed, although some of them may run through the range: the list was full, or the search was to end. Their
+    /// sums are not less than those of the designs.
+    pub left_out: usize,
     /// Evaluations of mechanisms with derivatives.
     pub evaluations: usize,
-    /// Whether time limit or cancellation ended it before all starts were done.
+    /// Whether time limit or cancellation ended it before all starts were done, or before all optima were looked at.
     pub ended_early: bool,
     /// Residuals and variables: with more variables than residuals a design is one of many.
     pub residuals: usize,
@@ -91,21 +103,30 @@ impl<M, A> fmt::Display for Found<M, A> {
             self.sum,
             rounded(self.margin)
         )?;
-        for (wish, rows) in self.wishes.iter().zip(&self.residuals) {
-            let farther = |a: &(usize, &f64), b: &(usize, &f64)| a.1.abs().total_cmp(&b.1.abs());
-            if let Some((row, by)) = rows.iter().enumerate().max_by(farther) {
-                let (count, by) = (rows.len(), rounded(by.abs()));
-                writeln!(f, "{wish}: farthest by {by} in row {} of {count}", row + 1)?;
+        for (wish, farthest) in self.wishes.iter().zip(&self.farthest) {
+            if let Some(farthest) = farthest {
+                writeln!(f, "{wish}: farthest {farthest}")?;
             }
         }
-        for ((name, bound), slope) in self.at_bound.iter().zip(&self.bound_slopes) {
+        let bounds = self.at_bound.iter().zip(&self.bound_units);
+        for (((name, bound), unit), slope) in bounds.zip(&self.bound_slopes) {
+            let (bound, per) = match *unit {
+                "rad" => (format!("{} deg", rounded(bound.to_degrees())), "rad"),
+                "" => (rounded(*bound).to_string(), "unit"),
+                unit => (format!("{} {unit}", rounded(*bound)), unit),
+            };
             // The slope is that of half the sum.
             let gain = rounded(2.0 * slope.abs());
             writeln!(
                 f,
-                "{name} is at its bound {}: beyond it the sum falls by {gain} per unit",
-                rounded(*bound)
+                "{name} is at its bound {bound}: beyond it the sum falls by {gain} per {per}"
             )?;
+        }
+        for relation in &self.active_relations {
+            writeln!(f, "the relation {relation} is in the way")?;
+        }
+        for condition in &self.active_conditions {
+            writeln!(f, "the condition `{condition}` is in the way")?;
         }
         match self.converged {
             true => Ok(()),
@@ -137,6 +158,12 @@ impl<M, A> fmt::Display for Search<M, A> {
             "{} optima that do not run through the range",
             self.not_whole
         )?;
+        if self.left_out > 0 {
+            writeln!(f, "{} optima with larger sums are left out", self.left_out)?;
+        }
+        if self.ended_early {
+            writeln!(f, "ended early, by time limit or cancellation")?;
+        }
         writeln!(f, "design  sum          margin    starts")?;
         for (index, design) in self.designs.iter().enumerate() {
             let margin = rounded(design.margin).to_string();

@@ -6,10 +6,11 @@ mod error;
 mod identified;
 mod print;
 mod reading;
+mod scale;
 mod words;
 
 use alloc::boxed::Box;
-use alloc::string::{String, ToString};
+use alloc::string::ToString;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
@@ -23,6 +24,7 @@ use super::DesignError;
 use super::least_squares::{State, minimise};
 use super::limits::Limits;
 use super::normal::Normal;
+use super::varied::Freedom;
 use crate::{Dimensions, Table};
 
 /// The most evaluations of a fit: a hundred times what one near its start takes.
@@ -40,7 +42,8 @@ const POLISH: usize = 3;
 pub struct Identification<'a, M, A, const N: usize> {
     start: M,
     assembly: A,
-    unknown: Vec<(String, f64, f64)>,
+    /// The parameters that are unknown, with bounds that may be infinite.
+    freedom: Freedom,
     sources: Sources<'a, M, A>,
     offers: Sources<'a, M, A>,
     direct: Vec<Direct>,
@@ -58,7 +61,7 @@ where
         Self {
             start,
             assembly,
-            unknown: Vec::new(),
+            freedom: Freedom::default(),
             sources: Vec::new(),
             offers: Vec::new(),
             direct: Vec::new(),
@@ -69,16 +72,16 @@ where
     /// These parameters are to be found, each named as in `PARAMETERS`, `pivot.x` for a component.
     #[must_use]
     pub fn unknown<'n>(mut self, names: impl IntoIterator<Item = &'n str>) -> Self {
-        let names = names.into_iter();
-        self.unknown
-            .extend(names.map(|name| (name.to_string(), f64::NEG_INFINITY, f64::INFINITY)));
+        for name in names {
+            self.freedom.vary(name, f64::NEG_INFINITY, f64::INFINITY);
+        }
         self
     }
 
     /// This parameter is to be found between bounds, both included.
     #[must_use]
     pub fn vary(mut self, name: &str, low: f64, high: f64) -> Self {
-        self.unknown.push((name.to_string(), low, high));
+        self.freedom.vary(name, low, high);
         self
     }
 
@@ -128,8 +131,7 @@ where
     /// All that is wrong with what was given, together; `StartOpen` if the mechanism does not assemble at an input,
     /// `Unsettled` if no least sum of squares is found.
     pub fn run(&self) -> Result<Identified<M, N>, DesignError> {
-        let unknown = self.check()?;
-        let limits = self.limits();
+        let (unknown, limits) = self.check()?;
         let mut start: Vec<f64> = unknown
             .iter()
             .map(|&index| self.start.values()[index])
@@ -159,7 +161,8 @@ where
             ranges,
             limits,
         };
-        let offers: Vec<Row> = self.rows_of(&self.offers, &mechanism, &named.places);
+        let mut offers: Vec<Row> = self.rows_of(&self.offers, &mechanism, &named.places);
+        offers.extend(self.beside(&mechanism, &named.places, &rows));
         let undetermined = words::undetermined(&named, &found, &offers);
         Ok(identified::identified(
             mechanism,
@@ -250,6 +253,7 @@ where
             rows.push(Row {
                 number: parameters[unknown[place]].name,
                 unit: parameters[unknown[place]].unit,
+                input_name: "",
                 input: f64::NAN,
                 reading: direct.value,
                 difference: x[place] - direct.value,
@@ -265,29 +269,6 @@ where
             .iter()
             .map(|source| source.rows(&self.assembly, mechanism, unknown));
         rows.flatten().collect()
-    }
-
-    /// By how much each parameter may be off: between its bounds, or by its own size; by the largest length where a
-    /// length is 0 or nearly, by one radian for an angle, and by 1 for a number that is 0.
-    fn ranges(&self, limits: &Limits, start: &[f64], unknown: &[usize]) -> Vec<f64> {
-        let unit = |j: usize| M::PARAMETERS[unknown[j]].unit;
-        let is_length = |unit: &str| !unit.is_empty() && unit != "rad";
-        let all = M::PARAMETERS.iter().zip(self.start.values());
-        let lengths = all.filter(|(parameter, _)| is_length(parameter.unit));
-        let largest = lengths.fold(0.0, |most: f64, (_, value)| most.max(value.abs()));
-        let range = |j: usize| {
-            let width = limits.upper[j] - limits.lower[j];
-            let size = start[j].abs();
-            match unit(j) {
-                _ if width > 0.0 && width.is_finite() => width,
-                "rad" => 1.0,
-                // Less than a hundredth of the largest length is a coordinate that happens to be small.
-                unit if is_length(unit) && largest > 0.0 => size.max(0.01 * largest),
-                _ if size > 0.0 => size,
-                _ => 1.0,
-            }
-        };
-        (0..start.len()).map(range).collect()
     }
 
     /// Without any standard deviations they are found from the scatter of the readings.

@@ -26,6 +26,11 @@ impl Linear {
         slack >= least && (!self.equality || slack <= -least)
     }
 
+    /// Whether it has nothing to spare and is no equality, which never has.
+    pub(crate) fn is_active(&self, x: &[f64]) -> bool {
+        !self.equality && self.slack(x) <= ACTIVE * self.scale(x)
+    }
+
     /// The size of what is added, for rounding.
     fn scale(&self, x: &[f64]) -> f64 {
         let parts: f64 = self.terms.iter().map(|&(j, a)| (a * x[j]).abs()).sum();
@@ -35,6 +40,9 @@ impl Linear {
 
 /// A relation that is violated by less than this part of its terms holds: they are sums of rounded numbers.
 const HOLDS: f64 = 1e-11;
+
+/// One with less to spare than this part of them is in the way: steps end on it but for rounding.
+const ACTIVE: f64 = 1e-9;
 
 /// Where the variables may be.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,6 +1,7 @@
 //! A checked design problem: variables as a list of numbers, and what they do.
 
 use alloc::boxed::Box;
+use alloc::string::String;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 use core::marker::PhantomData;
@@ -22,6 +23,9 @@ pub(crate) const ROOM: f64 = 2.0;
 /// A condition that is violated by less than this part of what the bounds' widths do to it holds: the last step met it to second
 /// order.
 const HOLDS: f64 = 1e-9;
+
+/// One that has less to spare than this part of it is in the way: descents end that near to it.
+const ACTIVE: f64 = 1e-6;
 
 /// What a problem is made of, beside the wishes.
 pub(crate) struct Given<const N: usize> {
@@ -66,7 +70,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
             .collect();
         for (j, &index) in given.varied.iter().enumerate() {
             let width = limits.upper[j] - limits.lower[j];
-            if M::PARAMETERS[index].unit == "rad" && width >= TAU - super::TURN {
+            if M::PARAMETERS[index].unit == "rad" && width >= TAU - Cycle::TURN {
                 // An angle that may have any direction has no bounds: room to turn past the seam.
                 limits.lower[j] -= ROOM * TAU;
                 limits.upper[j] += ROOM * TAU;
@@ -162,21 +166,29 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
 
     /// The numbers of the wishes whose conditions do not hold.
     pub(crate) fn broken(&self, at: &Normal) -> Vec<usize> {
+        self.conditions(at, |value, size| value < -HOLDS * size)
+    }
+
+    /// The titles of the conditions that are met with nothing to spare.
+    pub(crate) fn active(&self, at: &Normal) -> Vec<String> {
+        let active = self.conditions(at, |value, size| value <= ACTIVE * size);
+        active.into_iter().map(|k| self.wishes[k].title()).collect()
+    }
+
+    /// The numbers of the wishes with a condition whose value, and what the bounds' widths do to it, are so.
+    fn conditions(&self, at: &Normal, so: impl Fn(f64, f64) -> bool) -> Vec<usize> {
         let widths = self.widths();
         let wishes = self.wishes.iter().enumerate();
         let conditions = wishes.filter(|(_, wish)| wish.is_condition());
         let owners = conditions.flat_map(|(k, wish)| (0..wish.rows()).map(move |_| k));
-        let holds = |(value, slopes): &(f64, Vec<f64>)| {
+        let is_so = |(_, (value, slopes)): &(usize, &(f64, Vec<f64>))| {
             let size: f64 = slopes.iter().zip(&widths).map(|(s, w)| (s * w).abs()).sum();
-            *value >= -HOLDS * size
+            so(*value, size)
         };
-        let rows = owners.zip(&at.conditions);
-        let mut broken: Vec<usize> = rows
-            .filter(|(_, row)| !holds(row))
-            .map(|(owner, _)| owner)
-            .collect();
-        broken.dedup();
-        broken
+        let rows = owners.zip(&at.conditions).filter(is_so);
+        let mut found: Vec<usize> = rows.map(|(owner, _)| owner).collect();
+        found.dedup();
+        found
     }
 
     /// How many residuals there are.

@@ -264,7 +264,8 @@ impl Quadratic {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+/// The scalar product.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 

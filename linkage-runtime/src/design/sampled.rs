@@ -13,6 +13,7 @@ use super::columns::Numbers;
 use super::problem::ROOM;
 use super::targets::{Targets, Timing};
 use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
+use crate::words::rounded;
 use crate::{Dimensions, Parameter, Table};
 
 /// [`Targets`] of a generated function.
@@ -98,6 +99,29 @@ where
 
     fn rows(&self) -> usize {
         self.targets.targets.len() * self.targets.weights.len()
+    }
+
+    /// Without its weight, in the unit of the quantity.
+    fn missed(&self, row: usize, value: f64) -> String {
+        let Targets {
+            quantities,
+            targets,
+            weights,
+            ..
+        } = &self.targets;
+        let (position, k) = (row / weights.len() + 1, row % weights.len());
+        let columns = C::default();
+        let heading = columns.heading();
+        let numbers = Numbers::all(heading, quantities);
+        let column = numbers.iter().nth(k).map(|own| &heading.columns[own.value]);
+        let (name, unit) = column.map_or((self.called(), ""), |own| (own.name.into(), own.unit));
+        let (by, unit) = match unit {
+            "rad" => ((value / weights[k]).to_degrees().abs(), "deg"),
+            unit => ((value / weights[k]).abs(), unit),
+        };
+        let space = if unit.is_empty() { "" } else { " " };
+        let (by, count) = (rounded(by), targets.len());
+        format!("by {by}{space}{unit} in `{name}` at position {position} of {count}")
     }
 
     fn free(&self, cycle: &Cycle) -> Option<Free> {

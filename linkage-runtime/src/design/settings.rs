@@ -1,18 +1,41 @@
 //! How a search is run, whatever it searches: starts, steps, when it ends, whom it tells.
 
 use alloc::boxed::Box;
+use core::fmt;
 use core::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// How far a search has come.
+use crate::words::rounded;
+
+/// How far a search has come. Printed, it is a bar: `[#########---------------------] 320 of 1024, least 0.0123`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
-    /// Starts that are done.
+    /// Starts, or paths of a homotopy, that are done.
     pub done: usize,
-    /// All starts.
+    /// All of them. Of a homotopy more are followed if some have no end of their own.
     pub count: usize,
-    /// The least sum so far, not yet certified; infinite before there is one.
+    /// What the search makes least, as far as it has come, not yet certified; infinite before there is one, and where nothing is made least.
     pub least: f64,
+}
+
+/// Characters of a bar.
+const BAR: usize = 30;
+
+impl fmt::Display for Progress {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { done, count, least } = *self;
+        let full = BAR * done.min(count) / count.max(1);
+        write!(
+            f,
+            "[{}{}] {done} of {count}",
+            "#".repeat(full),
+            "-".repeat(BAR - full)
+        )?;
+        match least.is_finite() {
+            true => write!(f, ", least {}", rounded(least)),
+            false => Ok(()),
+        }
+    }
 }
 
 /// Whom a search tells how far it has come.
@@ -51,6 +74,9 @@ impl<'a> Settings<'a> {
     }
 }
 
+/// What was found when the time is over is rounded and certified for no longer than this part of the limit.
+const AFTERWARDS: f64 = 0.25;
+
 /// When a search is to end before all is done.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct End<'a> {
@@ -60,10 +86,24 @@ pub(crate) struct End<'a> {
 }
 
 impl End<'_> {
+    /// Whether what was found is not to be looked at any more.
+    pub(crate) fn is_over(&self) -> bool {
+        let late = |time: Duration| self.began.elapsed() >= time.mul_f64(1.0 + AFTERWARDS);
+        self.time.is_some_and(late) || self.is_cancelled()
+    }
+
+    /// The time limit if it has been reached.
+    pub(crate) fn limit(&self) -> Option<Duration> {
+        self.time.filter(|time| self.began.elapsed() >= *time)
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
+
     /// Whether its time is over, or it has been cancelled.
     pub(crate) fn reached(&self) -> bool {
-        self.time.is_some_and(|time| self.began.elapsed() >= time)
-            || self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
+        self.limit().is_some() || self.is_cancelled()
     }
 }
 
@@ -92,7 +132,8 @@ macro_rules! settings_methods {
             self
         }
 
-        #[doc = concat!("No ", $begun, " begun after this time; what is found then depends on the machine.")]
+        #[doc = concat!("No ", $begun, " begun after this time, and what was found is rounded and certified for no longer than a quarter of it; \
+            what is found then depends on the machine.")]
         #[must_use]
         pub fn time_limit(mut self, time: Duration) -> Self {
             self.settings.time = Some(time);

@@ -4,7 +4,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::limits::{Limits, Linear};
-use super::{DesignError, Relation};
+use super::{DesignError, Relation, contradiction};
 use crate::{Dimensions, Parameter};
 
 /// What may vary, as it is written.
@@ -17,7 +17,7 @@ pub(crate) struct Freedom {
     relations: Vec<Relation>,
 }
 
-/// The methods by which a design problem says what may vary, for its fields `nominal` and `freedom`.
+/// The methods by which a design problem says what may vary, for its fields `nominal`, `freedom` and `wishes`.
 macro_rules! freedom_methods {
     () => {
         /// A parameter may vary between these bounds, both included: named as in `PARAMETERS`, `pivot.x` for a component.
@@ -36,8 +36,8 @@ macro_rules! freedom_methods {
 
         /// A parameter takes one of these values only, as lengths of a catalogue: instead of [`vary`](Self::vary).
         ///
-        /// Each local optimum with the parameter anywhere between them is rounded by branch and bound: one such parameter after the
-        /// other is set to the values below and above, and everything else is optimised anew.
+        /// Each local optimum with the parameter anywhere between them is rounded by branch and bound: it may be at most the value
+        /// below, or at least that above, and everything is optimised anew, until all such parameters are at values.
         #[must_use]
         pub fn catalogue(mut self, name: &str, values: impl IntoIterator<Item = f64>) -> Self {
             self.freedom.catalogue(name, values.into_iter().collect());
@@ -48,6 +48,18 @@ macro_rules! freedom_methods {
         #[must_use]
         pub fn hold(mut self, relations: impl Into<Vec<Relation>>) -> Self {
             self.freedom.hold(relations.into());
+            self
+        }
+
+        /// A number that follows from the dimensions must not be negative: `function` gives it with its derivatives by all parameters,
+        /// in their order and units.
+        #[must_use]
+        pub fn hold_that(
+            mut self,
+            title: &str,
+            function: impl Fn(&M) -> (f64, [f64; N]) + Send + Sync + 'a,
+        ) -> Self {
+            self.wishes.push(Box::new(Condition::new(title, function)));
             self
         }
     };
@@ -63,7 +75,7 @@ pub(crate) struct Varied {
     pub(crate) limits: Limits,
     /// Which of them, by their place in this order, take some values only, which ascend.
     pub(crate) catalogues: Vec<(usize, Vec<f64>)>,
-    /// All mistakes; what they are about is left out above.
+    /// All mistakes. Without any the above means something.
     pub(crate) errors: Vec<DesignError>,
 }
 
@@ -99,30 +111,38 @@ impl Freedom {
         self.relations.extend(relations);
     }
 
-    /// Looks up parameters with their bounds, and relations between them.
-    pub(crate) fn varied(&self, parameters: &[Parameter], values: &[f64]) -> Varied {
-        let mut errors = Vec::new();
-        let known: Vec<&'static str> = parameters.iter().map(|parameter| parameter.name).collect();
-        let mut places: Vec<(usize, f64, f64)> = Vec::new();
+    /// Looks up parameters with their bounds, in the order in which they are named; and what is wrong with them. Bounds may be
+    /// `infinite`, or must not.
+    pub(crate) fn places(
+        &self,
+        parameters: &[Parameter],
+        infinite: bool,
+    ) -> (Vec<(usize, f64, f64)>, Vec<DesignError>) {
+        let known = names(parameters);
+        let (mut places, mut errors): (Vec<(usize, f64, f64)>, _) = (Vec::new(), Vec::new());
         for (name, low, high) in &self.bounds {
-            match known.iter().position(|own| own == name) {
-                None => errors.push(DesignError::NoParameter {
-                    name: name.clone(),
-                    known: known.clone(),
-                }),
-                Some(_) if !(low <= high && (high - low).is_finite()) => {
-                    errors.push(DesignError::Bounds {
-                        name: name.clone(),
-                        low: *low,
-                        high: *high,
-                    });
-                }
-                Some(index) if places.iter().any(|place| place.0 == index) => {
-                    errors.push(DesignError::Twice { name: name.clone() });
-                }
-                Some(index) => places.push((index, *low, *high)),
+            let (name, low, high) = (name.clone(), *low, *high);
+            let Some(index) = known.iter().position(|own| *own == name) else {
+                let known = known.clone();
+                errors.push(DesignError::NoParameter { name, known });
+                continue;
+            };
+            if places.iter().any(|place| place.0 == index) {
+                errors.push(DesignError::Twice { name });
+                continue;
+            }
+            places.push((index, low, high));
+            if !(low <= high && (infinite || (high - low).is_finite())) {
+                errors.push(DesignError::Bounds { name, low, high });
             }
         }
+        (places, errors)
+    }
+
+    /// Looks up parameters with their bounds, and relations between them.
+    pub(crate) fn varied(&self, parameters: &[Parameter], values: &[f64]) -> Varied {
+        let known = names(parameters);
+        let (mut places, mut errors) = self.places(parameters, false);
         places.sort_by_key(|place| place.0);
         let indices: Vec<usize> = places.iter().map(|place| place.0).collect();
         let of = |relation: &Relation| linear(relation, &known, &indices, values, &mut errors);
@@ -155,17 +175,25 @@ impl Freedom {
         self.relations.iter().map(Relation::described).collect()
     }
 
-    /// Whether the relations leave anything within the bounds.
-    pub(crate) fn consistent(&self, limits: &Limits) -> Result<(), DesignError> {
-        let middle = limits.lower.iter().zip(&limits.upper);
-        let middle: Vec<f64> = middle.map(|(low, high)| 0.5 * (low + high)).collect();
-        match limits.nearest(&middle) {
-            Some(_) => Ok(()),
-            None => Err(DesignError::Contradiction {
-                relations: self.relations(),
-            }),
-        }
+    /// The relations that are no equalities and hold with nothing to spare, in words.
+    pub(crate) fn active(&self, limits: &Limits, x: &[f64]) -> Vec<String> {
+        let pairs = self.relations.iter().zip(&limits.relations);
+        let active = pairs.filter(|(_, linear)| linear.is_active(x));
+        active.map(|(relation, _)| relation.described()).collect()
     }
+
+    /// Whether the relations leave anything within the bounds of these variables.
+    pub(crate) fn consistent(
+        &self,
+        limits: &Limits,
+        names: &[&'static str],
+    ) -> Result<(), DesignError> {
+        contradiction::consistent(&self.relations, limits, names)
+    }
+}
+
+fn names(parameters: &[Parameter]) -> Vec<&'static str> {
+    parameters.iter().map(|parameter| parameter.name).collect()
 }
 
 /// A relation of the variables; parameters that do not vary count as numbers.

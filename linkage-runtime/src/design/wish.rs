@@ -1,6 +1,7 @@
 //! What is wanted, as rows of residuals or conditions with exact derivatives.
 
 use alloc::boxed::Box;
+use alloc::format;
 use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -8,6 +9,7 @@ use linkage_core::Cycle;
 
 use super::DesignError;
 use crate::Parameter;
+use crate::words::rounded;
 
 /// Something that is wanted of a mechanism: rows of residuals, whose sum of squares is made least, or of conditions, which must
 /// not be negative.
@@ -24,6 +26,16 @@ pub trait Wish<M, A>: Send + Sync {
     /// Whether the rows are conditions.
     fn is_condition(&self) -> bool {
         false
+    }
+
+    /// By how much a row misses what is wanted, in words: which one, with its unit where it is known. `value` is that of the row.
+    fn missed(&self, row: usize, value: f64) -> String {
+        format!(
+            "by {} in row {} of {}",
+            rounded(value.abs()),
+            row + 1,
+            self.rows()
+        )
     }
 
     /// The inputs that the search may choose, beside the parameters; `None` if there are none.

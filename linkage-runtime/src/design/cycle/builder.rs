@@ -78,18 +78,6 @@ where
         "step is"
     );
 
-    /// A number that follows from the dimensions must not be negative: `function` gives it with its derivatives by all parameters,
-    /// in their order and units.
-    #[must_use]
-    pub fn hold_that(
-        mut self,
-        title: &str,
-        function: impl Fn(&M) -> (f64, [f64; N]) + Send + Sync + 'a,
-    ) -> Self {
-        self.wishes.push(Box::new(Condition::new(title, function)));
-        self
-    }
-
     /// The goal, or a condition.
     #[must_use]
     pub fn want(mut self, wish: impl CycleWish<M, A, N> + 'a) -> Self {
@@ -104,12 +92,10 @@ where
         self
     }
 
-    /// Calls `report` about ten times a second and at the end, on the thread that called `run`, with the number of starts that are done, and of
-    /// all.
+    /// Calls `report` about ten times a second and at the end, on the thread that called `run`.
     #[must_use]
-    pub fn progress(mut self, mut report: impl FnMut(usize, usize) + 'a) -> Self {
-        let told = move |progress: Progress| report(progress.done, progress.count);
-        self.settings.progress = Some(Box::new(told));
+    pub fn progress(mut self, report: impl FnMut(Progress) + 'a) -> Self {
+        self.settings.progress = Some(Box::new(report));
         self
     }
 
@@ -205,7 +191,9 @@ where
             });
         }
         DesignError::all(errors)?;
-        self.freedom.consistent(&varied.limits)?;
+        let names = varied.indices.iter().map(|&k| M::PARAMETERS[k].name);
+        let names: Vec<_> = names.collect();
+        self.freedom.consistent(&varied.limits, &names)?;
         Ok(varied)
     }
 }

@@ -2,6 +2,7 @@
 
 use alloc::boxed::Box;
 
+use super::super::quadratic::dot;
 use super::{Motion, Piece, Place};
 use crate::summary::Course;
 
@@ -83,8 +84,4 @@ impl<'a, A, const N: usize> Curve<'a, A, N> {
             own: alloc::vec::Vec::new(),
         }
     }
-}
-
-fn dot<const K: usize>(a: &[f64; K], b: &[f64; K]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

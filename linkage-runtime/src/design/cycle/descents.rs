@@ -109,7 +109,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             evaluations += ended.evaluations;
             Some(ended)
         };
-        let best = catalogue::rounded(&problem.catalogues, &problem.limits, ended, descend);
+        let (lists, limits) = (&problem.catalogues, &problem.limits);
+        let best = catalogue::rounded(lists, limits, ended, descend, self.stopped);
         let best = best.ok_or_else(|| DesignError::NoValues {
             parameters: problem.of_catalogues(),
         })?;

@@ -1,5 +1,7 @@
 //! Errors in words.
 
+use alloc::string::String;
+use alloc::vec::Vec;
 use core::fmt;
 
 use super::DesignError;
@@ -89,11 +91,23 @@ impl fmt::Display for DesignError {
                 "`{function}` has no derivatives of `{quantity}` by {}, which may vary; add `s: sensitivity({quantity})` to the function",
                 missing.join(", ")
             ),
-            Self::Contradiction { relations } => write!(
-                f,
-                "no dimensions within the bounds hold all relations: {}; widen a bound, or leave one of them",
-                relations.join("; ")
-            ),
+            Self::Contradiction {
+                relations,
+                bounds,
+                missed,
+            } => {
+                let (last, others) = relations.split_last().map_or(("", &[][..]), |(last, others)| (last, others));
+                let with: Vec<&str> = others.iter().chain(bounds).map(String::as_str).collect();
+                write!(f, "{last} cannot hold")?;
+                if !with.is_empty() {
+                    write!(f, " with {}", with.join(", "))?;
+                }
+                write!(
+                    f,
+                    ": it is missed by at least {}; widen one of these bounds, or leave one of these relations",
+                    rounded(*missed)
+                )
+            }
             Self::Goals { goals } if goals.is_empty() => {
                 f.write_str("no wish is a goal; one is to be least, greatest, longest or narrowest")
             }
@@ -126,6 +140,22 @@ impl fmt::Display for DesignError {
                 f,
                 "the mechanism that the search begins with does not assemble: {error}; begin with dimensions that do"
             ),
+            Self::Ended {
+                refusals,
+                count,
+                limit,
+            } => {
+                match limit {
+                    Some(limit) => write!(f, "the time limit of {limit:?} ended the search")?,
+                    None => f.write_str("the search was cancelled")?,
+                }
+                let done = refusals.starts;
+                match done {
+                    0 => write!(f, " before the first of {count} starts was done")?,
+                    _ => write!(f, " after {done} of {count} starts; {refusals}")?,
+                }
+                f.write_str("; give it more time, or fewer starts")
+            }
             Self::NotFound(refusals) => write!(
                 f,
                 "{refusals}; take more starts, wider bounds, less strict conditions, or relations that keep the range, such as Grashof's"

@@ -17,6 +17,7 @@ use super::complex::Complex;
 use super::error::{self, Unsolved};
 use super::four_bar::{FourBar, Passage};
 use super::task::{self, Shift};
+use crate::design::Progress;
 use alloc::vec::Vec;
 use search::Search;
 
@@ -65,15 +66,6 @@ pub struct PathFourBar {
     pub poses: [Pose; 9],
     /// Circuits, branches, order.
     pub passage: Passage,
-}
-
-/// How far a search has come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Progress {
-    /// Paths that have been followed.
-    pub done: usize,
-    /// All paths. More are followed if some of them have no end of their own.
-    pub count: usize,
 }
 
 /// Nine points against the first one.

@@ -10,6 +10,7 @@ mod trace;
 pub use number::Number;
 pub use trace::Trace;
 
+use super::ARCS;
 use super::certificate::Certificate;
 use super::complex::Complex;
 use super::error::Unsolved;
@@ -61,10 +62,6 @@ impl<const N: usize> Solutions<N> {
         self.undecided == 0 && self.trace.is_some_and(|trace| trace.passed())
     }
 }
-
-/// Ways from the general constants to the given ones: angles without pattern. All solutions are found by the first one but for
-/// accidents; what several find together is as sure.
-const ARCS: [f64; 3] = [2.1937, -1.3291, 0.8713];
 
 /// All solutions of polynomial equations: from a random complex place, which solves them with other constants, by loops of the
 /// constants (monodromy), then along the way to the given ones. Each is shown to be one, to differ from the others and to be real

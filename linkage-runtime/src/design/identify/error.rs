@@ -12,10 +12,10 @@ impl<M, A, const N: usize> Identification<'_, M, A, N>
 where
     M: Dimensions<N> + Copy,
 {
-    /// The places of the unknown parameters, or all that is wrong.
-    pub(super) fn check(&self) -> Result<Vec<usize>, DesignError> {
-        let mut errors = Vec::new();
-        let mut unknown: Vec<usize> = Vec::new();
+    /// The places of the unknown parameters and their limits, or all that is wrong.
+    pub(super) fn check(&self) -> Result<(Vec<usize>, Limits), DesignError> {
+        let (places, mut errors) = self.freedom.places(M::PARAMETERS, true);
+        let unknown: Vec<usize> = places.iter().map(|place| place.0).collect();
         let place = |name: &str| {
             M::PARAMETERS
                 .iter()
@@ -28,24 +28,11 @@ where
                 .map(|parameter| parameter.name)
                 .collect(),
         };
-        for (name, low, high) in &self.unknown {
-            match place(name) {
-                None => errors.push(missing(name)),
-                Some(index) if unknown.contains(&index) => {
-                    errors.push(DesignError::Twice { name: name.clone() });
-                }
-                Some(index) => unknown.push(index),
-            }
-            if low >= high || low.is_nan() || high.is_nan() {
-                let (name, low, high) = (name.clone(), *low, *high);
-                errors.push(DesignError::Bounds { name, low, high });
-            }
-        }
         let nothing = |what| DesignError::Nothing {
             what,
             wish: "identification".to_string(),
         };
-        if self.unknown.is_empty() {
+        if places.is_empty() && errors.is_empty() {
             errors.push(nothing("no unknown parameters"));
         }
         if self.sources.is_empty() {
@@ -83,15 +70,12 @@ where
                 errors.push(DesignError::SomeDeviations { quantities });
             }
         }
-        DesignError::all(errors).map(|()| unknown)
-    }
-
-    pub(super) fn limits(&self) -> Limits {
-        Limits {
-            lower: self.unknown.iter().map(|(_, low, _)| *low).collect(),
-            upper: self.unknown.iter().map(|(_, _, high)| *high).collect(),
+        let limits = Limits {
+            lower: places.iter().map(|place| place.1).collect(),
+            upper: places.iter().map(|place| place.2).collect(),
             relations: Vec::new(),
-        }
+        };
+        DesignError::all(errors).map(|()| (unknown, limits))
     }
 
     /// The mechanism that the fit begins with must assemble where there are readings.

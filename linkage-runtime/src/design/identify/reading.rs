@@ -8,8 +8,8 @@ use core::f64::consts::TAU;
 use core::marker::PhantomData;
 
 use crate::design::DesignError;
-use crate::design::columns::Numbers;
-use crate::{Dimensions, Parameter, Table};
+use crate::design::columns::{Number, Numbers};
+use crate::{Dimensions, Heading, Parameter, Table};
 
 /// A quantity at positions of the input, with readings or without: `Measured::of("tracer", values)` was measured,
 /// `Measured::offer("psi")` could be.
@@ -99,6 +99,7 @@ pub struct Readings<M, A, C, F, const N: usize> {
 pub(super) struct Row {
     pub(super) number: &'static str,
     pub(super) unit: &'static str,
+    pub(super) input_name: &'static str,
     pub(super) input: f64,
     /// What was read; NaN if nothing was.
     pub(super) reading: f64,
@@ -115,6 +116,9 @@ pub(super) trait Source<M, A> {
     /// Whether standard deviations are given.
     fn has_deviations(&self) -> bool;
     fn quantity(&self) -> &str;
+    /// What else the function has with derivatives by all unknown parameters, at the same inputs, as if each number had a standard deviation
+    /// of 1.
+    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row>;
     /// All rows of a mechanism, missing readings left out.
     fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row>;
 }
@@ -187,47 +191,90 @@ where
     }
 
     fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row> {
-        let own = &self.measured;
+        let columns = self.columns(assembly, mechanism);
+        let quantity = core::slice::from_ref(&self.measured.quantity);
+        let numbers = Numbers::all(columns.heading(), quantity);
+        let numbers = numbers.iter().enumerate();
+        let rows = numbers.map(|(k, number)| self.rows_of(&columns, number, Some(k), unknown));
+        rows.flatten().collect()
+    }
+
+    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row> {
+        let columns = self.columns(assembly, mechanism);
+        let numbers = Numbers::beside(columns.heading(), &self.measured.quantity, unknown);
+        let rows = numbers
+            .iter()
+            .map(|number| self.rows_of(&columns, number, None, unknown));
+        rows.flatten().collect()
+    }
+}
+
+impl<M, A, C, F, const N: usize> Readings<M, A, C, F, N>
+where
+    M: Dimensions<N> + Copy,
+    F: Fn(&A, &[M], &[f64], &mut C),
+    C: Table + Default,
+{
+    /// The function at all inputs.
+    fn columns(&self, assembly: &A, mechanism: &M) -> C {
+        let inputs = &self.measured.inputs;
         let mut columns = C::default();
-        let mechanisms = vec![*mechanism; own.inputs.len()];
-        (self.function)(assembly, &mechanisms, &own.inputs, &mut columns);
-        let numbers = Numbers::all(columns.heading(), core::slice::from_ref(&own.quantity));
+        let mechanisms = vec![*mechanism; inputs.len()];
+        (self.function)(assembly, &mechanisms, inputs, &mut columns);
+        columns
+    }
+
+    /// The rows of a number, which was `read` as this one of its quantity, or not at all.
+    fn rows_of(
+        &self,
+        columns: &C,
+        number: &Number,
+        read: Option<usize>,
+        unknown: &[usize],
+    ) -> Vec<Row> {
+        let own = &self.measured;
+        let Heading {
+            columns: all,
+            arguments,
+            ..
+        } = columns.heading();
+        let heading = &all[number.value];
+        // Parameters that the list of sensitivities leaves out are no unknowns: the check has seen to it.
+        let places = unknown.iter().filter_map(|index| {
+            let own = number.sensitivities.iter().find(|(own, _)| own == index);
+            own.map(|&(_, column)| column)
+        });
+        let places: Vec<usize> = places.collect();
         let mut rows = Vec::new();
-        for (k, number) in numbers.iter().enumerate() {
-            let heading = &columns.heading().columns[number.value];
-            // Parameters that the list of sensitivities leaves out are no unknowns: the check has seen to it.
-            let places = unknown.iter().filter_map(|index| {
-                let own = number.sensitivities.iter().find(|(own, _)| own == index);
-                own.map(|&(_, column)| column)
-            });
-            let places: Vec<usize> = places.collect();
-            for (position, &input) in own.inputs.iter().enumerate() {
-                let reading = own.values.as_ref().map(|values| values[position][k]);
-                if reading.is_some_and(f64::is_nan) {
-                    continue;
-                }
-                let value = columns.column(number.value)[position];
-                let reading = reading.unwrap_or(f64::NAN);
-                let difference = value - reading;
-                let turns = if number.angle {
-                    TAU * (difference / TAU).round()
-                } else {
-                    0.0
-                };
-                let deviations = own.deviations.get(position).or(own.deviations.first());
-                rows.push(Row {
-                    number: heading.name,
-                    unit: heading.unit,
-                    input,
-                    reading,
-                    difference: difference - turns,
-                    deviation: deviations.map_or(1.0, |row| row[k]),
-                    slopes: places
-                        .iter()
-                        .map(|&place| columns.column(place)[position])
-                        .collect(),
-                });
+        for (position, &input) in own.inputs.iter().enumerate() {
+            let values = read.and_then(|k| Some((k, own.values.as_ref()?)));
+            let reading = values.map(|(k, values)| values[position][k]);
+            if reading.is_some_and(f64::is_nan) {
+                continue;
             }
+            let value = columns.column(number.value)[position];
+            let reading = reading.unwrap_or(f64::NAN);
+            let difference = value - reading;
+            let turns = if number.angle {
+                TAU * (difference / TAU).round()
+            } else {
+                0.0
+            };
+            let deviations = own.deviations.get(position).or(own.deviations.first());
+            let deviation = read.and_then(|k| Some(deviations?[k]));
+            rows.push(Row {
+                number: heading.name,
+                unit: heading.unit,
+                input_name: arguments.first().copied().unwrap_or("input"),
+                input,
+                reading,
+                difference: difference - turns,
+                deviation: deviation.unwrap_or(1.0),
+                slopes: places
+                    .iter()
+                    .map(|&place| columns.column(place)[position])
+                    .collect(),
+            });
         }
         rows
     }

@@ -24,7 +24,8 @@ pub struct Undetermined {
     pub exactly: bool,
     /// What it is.
     pub words: String,
-    /// Which of the offered quantities would determine it, the best first.
+    /// Which quantities would determine it, the best first: those that were offered, and all others of the functions in use, at the inputs at
+    /// which these were read.
     pub remedies: Vec<Remedy>,
 }
 
@@ -33,6 +34,8 @@ pub struct Undetermined {
 pub struct Remedy {
     /// The quantity.
     pub quantity: &'static str,
+    /// The name of the input.
+    pub input_name: &'static str,
     /// The offered input at which it tells most.
     pub input: f64,
     /// By how many standard deviations it changes there, when the combination changes over its range.
@@ -142,8 +145,9 @@ fn tell(
     let mut words = said(named, &order, &parts, pattern, exactly);
     if let Some(best) = remedies.first() {
         words += &format!(
-            "; `{}` would tell, best at input {}",
+            "; `{}` would tell, best at `{}` = {}",
             best.quantity,
+            best.input_name,
             rounded(best.input)
         );
     }
@@ -213,6 +217,7 @@ fn remedies(
         }
         let remedy = Remedy {
             quantity: row.number,
+            input_name: row.input_name,
             input: row.input,
             change,
         };

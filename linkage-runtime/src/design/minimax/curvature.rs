@@ -3,6 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use super::super::quadratic::dot;
 use super::{Groups, Key, Row};
 
 /// A positive definite approximation of the second derivatives of the rows, each times its weight, in reaches.
@@ -120,8 +121,4 @@ fn same<'a>(row: &Row, others: &'a [Row]) -> Option<&'a Row> {
         .iter()
         .min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     (distance(nearest) < NEAR).then_some(nearest)
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

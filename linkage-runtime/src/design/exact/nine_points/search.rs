@@ -1,5 +1,6 @@
 //! Following all stored solutions, and sorting out what is found.
 
+use super::super::ARCS;
 use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Evaluated, Point, System};
 use super::super::complex::{Complex, ONE, ZERO};
@@ -7,13 +8,14 @@ use super::super::dense;
 use super::super::double::Double;
 use super::super::error::Unsolved;
 use super::super::long::Long;
-use super::super::parallel::in_parallel;
 use super::super::path::Pace;
 use super::super::task::Shift;
 use super::cognates::{Mark, cognate, exchanged};
 use super::equations::{self, ALL, Shifts, Unknowns};
 use super::path::{Way, follow};
-use super::{Progress, TRIPLES, Task, starts};
+use super::{TRIPLES, Task, starts};
+use crate::design::Progress;
+use crate::design::parallel::in_parallel;
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
@@ -30,9 +32,7 @@ pub(super) struct Search {
     origins: Vec<Option<usize>>,
 }
 
-/// Ways from the stored points to the given ones: angles without pattern. All solutions are found by the first one but for
-/// accidents; what several find together is as sure.
-const ARCS: [f64; 3] = [2.1937, -1.3291, 0.8713];
+/// How often a path without an end of its own is followed on each way, in ever shorter steps.
 const ATTEMPTS: usize = 3;
 /// Paths of a block: some dozen reports in all, and enough for many threads.
 const BLOCK: usize = 64;
@@ -118,9 +118,12 @@ fn told(
     count: usize,
 ) -> Result<(), Unsolved> {
     let stopped = Unsolved::Stopped { done, count };
-    report(Progress { done, count })
-        .then_some(())
-        .ok_or(stopped)
+    let progress = Progress {
+        done,
+        count,
+        least: f64::INFINITY,
+    };
+    report(progress).then_some(()).ok_or(stopped)
 }
 
 /// The points against the first one in the numbers that are needed.

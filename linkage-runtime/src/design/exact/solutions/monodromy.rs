@@ -7,11 +7,11 @@
 use super::super::super::starts;
 use super::super::certificate::Certificate;
 use super::super::complex::{Complex, ZERO};
-use super::super::parallel::in_parallel;
 use super::super::path::{Pace, Stuck, follow};
 use super::Equations;
 use super::family::{Member, Way};
 use crate::design::exact::Unsolved;
+use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 

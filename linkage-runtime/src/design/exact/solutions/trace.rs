@@ -7,11 +7,11 @@
 //! infinity.
 
 use super::super::complex::{Complex, ZERO};
-use super::super::parallel::in_parallel;
 use super::Equations;
 use super::family::{Member, Way};
 use super::monodromy::{Fibre, Random, end, middle};
 use crate::design::exact::Unsolved;
+use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
 
 /// What the trace test has shown.

@@ -6,13 +6,13 @@
 //! The points are then changed into those that are stored.
 
 use super::super::super::complex::{Complex, ZERO};
-use super::super::super::parallel::in_parallel;
 use super::super::super::path::Pace;
 use super::super::cognates::Mark;
 use super::super::equations::{Shifts, Unknowns};
 use super::super::path::Way;
 use super::super::search::{Certificate, Data, Search};
 use super::super::{TRIPLES, starts};
+use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
 use linkage_random::Random;
 use std::println;

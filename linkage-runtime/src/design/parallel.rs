@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 #[cfg(feature = "rayon")]
-pub(super) fn in_parallel<T: Sync, R: Send>(
+pub(crate) fn in_parallel<T: Sync, R: Send>(
     items: &[T],
     work: impl Fn(&T) -> R + Sync + Send,
 ) -> Vec<R> {
@@ -12,6 +12,6 @@ pub(super) fn in_parallel<T: Sync, R: Send>(
 }
 
 #[cfg(not(feature = "rayon"))]
-pub(super) fn in_parallel<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
+pub(crate) fn in_parallel<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
     items.iter().map(work).collect()
 }

@@ -1,0 +1,201 @@
+//! From local optima to designs: rounded to values of catalogues, then certified over the whole range, on all threads.
+
+use alloc::vec::Vec;
+
+use super::Found;
+use super::builder::CircuitsOf;
+use super::catalogue::rounded;
+use super::certificate::{Interrupted, Interruption, certify};
+use super::limits::Limits;
+use super::parallel::in_parallel;
+use super::problem::{Evaluator, Problem};
+use super::search::{Optimum, distinct};
+use super::settings::End;
+use super::varied::Freedom;
+use crate::Dimensions;
+
+/// What designs are made from.
+pub(super) struct Results<'d, M, A, const N: usize> {
+    pub(super) problem: &'d Problem<'d, M, A, N>,
+    pub(super) assemblies: &'d [A],
+    pub(super) circuits: &'d CircuitsOf<'d, M, A>,
+    pub(super) freedom: &'d Freedom,
+    /// The most evaluations of a descent.
+    pub(super) steps: usize,
+    /// The most designs that are listed.
+    pub(super) listed: usize,
+}
+
+/// Optima that are certified side by side.
+const CERTIFIED: usize = 16;
+
+/// Optima with values of catalogues.
+#[derive(Default)]
+pub(super) struct Rounded {
+    pub(super) optima: Vec<Optimum>,
+    /// Optima near which no values hold all conditions.
+    pub(super) no_values: usize,
+    /// Whether it was ended before all combinations that might be better were looked at.
+    pub(super) ended: bool,
+}
+
+/// Optima that were looked at over the whole range.
+pub(super) struct Certified<M, A> {
+    pub(super) designs: Vec<Found<M, A>>,
+    pub(super) not_whole: usize,
+    /// The one with the least sum that is not whole.
+    pub(super) nearest: Option<Interrupted>,
+    /// Optima that were not looked at.
+    pub(super) left_out: usize,
+    /// Whether this is because the search was to end.
+    pub(super) ended: bool,
+}
+
+impl<M, A> Default for Certified<M, A> {
+    fn default() -> Self {
+        Self {
+            designs: Vec::new(),
+            not_whole: 0,
+            nearest: None,
+            left_out: 0,
+            ended: false,
+        }
+    }
+}
+
+impl<'d, M, A, const N: usize> Results<'d, M, A, N>
+where
+    M: Dimensions<N> + Copy + Send + Sync,
+    A: Clone + Send + Sync,
+{
+    /// The optima with all catalogue parameters at values of their lists.
+    pub(super) fn rounded(&self, optima: Vec<Optimum>, end: &End<'_>) -> Rounded {
+        let problem = self.problem;
+        if problem.catalogues.is_empty() {
+            return Rounded {
+                optima,
+                ..Rounded::default()
+            };
+        }
+        let ended = || end.is_over();
+        let all = in_parallel(&optima, |optimum| {
+            let mut evaluator = Evaluator::new(problem);
+            let mode = (&self.assemblies[optimum.assembly], self.steps);
+            let descend = |limits: &Limits, near: &Optimum| {
+                near.within(limits, problem, &mut evaluator, mode)
+            };
+            let (lists, limits) = (&problem.catalogues, &problem.limits);
+            let best = rounded(lists, limits, optimum.clone(), descend, &ended);
+            (best, ended())
+        });
+        let ended = all.iter().any(|(_, ended)| *ended);
+        let none = all.iter().filter(|(best, ended)| best.is_none() && !ended);
+        Rounded {
+            no_values: none.count(),
+            ended,
+            optima: distinct(
+                all.into_iter().filter_map(|(best, _)| best).collect(),
+                &problem.widths(),
+                &problem.periods(),
+            ),
+        }
+    }
+
+    /// The first optima that run through the whole range, as many as are listed. When the search is to end those that are being looked at
+    /// are the last ones.
+    pub(super) fn certified(&self, optima: &[Optimum], end: &End<'_>) -> Certified<M, A> {
+        let mut certified = Certified::default();
+        let mut seen = 0;
+        for some in optima.chunks(CERTIFIED) {
+            let full = certified.designs.len() >= self.listed;
+            certified.ended = !full && seen > 0 && end.is_over();
+            if full || certified.ended {
+                break;
+            }
+            let all = in_parallel(some, |optimum| {
+                self.found(&mut Evaluator::new(self.problem), optimum)
+            });
+            for (optimum, found) in some.iter().zip(all) {
+                if certified.designs.len() == self.listed {
+                    break;
+                }
+                seen += 1;
+                match found {
+                    Ok(found) => certified.designs.push(found),
+                    Err(why) => {
+                        certified.not_whole += 1;
+                        let sum = optimum.sum;
+                        // The least one comes first.
+                        certified.nearest.get_or_insert(Interrupted { sum, why });
+                    }
+                }
+            }
+        }
+        certified.left_out = optima.len() - seen;
+        certified
+    }
+
+    fn found(
+        &self,
+        evaluator: &mut Evaluator<'_, M, A, N>,
+        optimum: &Optimum,
+    ) -> Result<Found<M, A>, Interruption> {
+        let problem = self.problem;
+        let assembly = &self.assemblies[optimum.assembly];
+        let optimum = &problem.wrapped(optimum);
+        let branch = certify(problem, evaluator, assembly, optimum, &|mechanism| {
+            (self.circuits)(mechanism)
+        })?;
+        evaluator.evaluate(&branch.assembly, core::iter::once(&optimum.x[..]));
+        let mut normal = super::normal::Normal::new(problem.limits.len());
+        evaluator.normal(0, &mut normal);
+        let wishes = 0..problem.wishes.len();
+        let rows = |wish: usize| {
+            let rows = evaluator.rows(wish);
+            (0..rows.count()).map(|row| rows.row(0, row).0).collect()
+        };
+        let residuals: Vec<Vec<f64>> = wishes.clone().map(rows).collect();
+        let farthest = |k: usize| {
+            let (wish, rows) = (&problem.wishes[k], residuals[k].iter().enumerate());
+            let farthest = rows.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+            let (row, value) = farthest.filter(|_| !wish.is_condition())?;
+            Some(wish.missed(row, *value))
+        };
+        let inputs = |wish: usize| {
+            problem.wishes[wish].inputs(&optimum.x[problem.inputs(wish)], &problem.cycle)
+        };
+        let bound = |j: usize| {
+            [problem.limits.lower[j], problem.limits.upper[j]]
+                .into_iter()
+                .find(|bound| *bound == optimum.x[j])
+        };
+        let active: Vec<(usize, f64)> = (0..problem.varied.len())
+            .filter_map(|j| Some((j, bound(j)?)))
+            .collect();
+        Ok(Found {
+            mechanism: problem.mechanism(&optimum.x),
+            sum: normal.sum,
+            wishes: problem.wishes.iter().map(|wish| wish.title()).collect(),
+            farthest: wishes.clone().map(farthest).collect(),
+            residuals,
+            inputs: wishes.map(inputs).collect(),
+            margin: branch.margin,
+            margin_at: branch.at,
+            at_bound: active
+                .iter()
+                .map(|&(j, bound)| (M::PARAMETERS[problem.varied[j]].name, bound))
+                .collect(),
+            bound_units: active
+                .iter()
+                .map(|&(j, _)| M::PARAMETERS[problem.varied[j]].unit)
+                .collect(),
+            active_relations: self.freedom.active(&problem.limits, &optimum.x),
+            active_conditions: problem.active(&normal),
+            bound_slopes: active.iter().map(|&(j, _)| normal.gradient[j]).collect(),
+            assembly: branch.assembly,
+            converged: optimum.converged,
+            start: optimum.start,
+            hits: optimum.hits,
+        })
+    }
+}
