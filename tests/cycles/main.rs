@@ -5,7 +5,9 @@ mod length;
 mod messages;
 mod optima;
 mod relations;
+mod seeds;
 mod starts;
+mod whole;
 
 use linkage::Dimensions;
 use linkage::design::{Curve, CycleDesign, ErrorOf, Figure, Motion, Pieces};

@@ -66,3 +66,38 @@ fn what_refuses_the_starts_is_counted() {
         "{text}"
     );
 }
+
+/// Between two values of a catalogue the condition can be held, at none of them.
+#[test]
+fn values_of_a_catalogue_that_do_not_do() {
+    let between = |rocker: &Rocker| {
+        let aside = rocker.crank - 50.5;
+        let mut slopes = [0.0; N];
+        slopes[1] = -2.0 * aside;
+        (0.01 - aside * aside, slopes)
+    };
+    let design = CycleDesign::new(
+        Rocker::default(),
+        Rocker::assemble,
+        Rocker::assemble_from,
+        Rocker::circuits,
+    );
+    let run = design
+        .expect("assembles")
+        .catalogue("crank", [48.0, 49.0, 50.0, 51.0, 52.0])
+        .vary_by("rocker", 0.1)
+        .want(Peak(speed()).least())
+        .hold_that("a crank of 50.5 mm, about", between)
+        .run();
+    let error = run.expect_err("there is none");
+    assert_eq!(
+        error,
+        DesignError::NoValues {
+            parameters: vec!["crank".to_string()]
+        }
+    );
+    assert_eq!(
+        error.to_string(),
+        "no values of the catalogues of crank near the best mechanism between them hold all conditions; offer more values, or ask for less"
+    );
+}

@@ -14,7 +14,7 @@ fn starts_are_reproducible_and_their_optima_listed() -> Result<(), DesignError> 
             .starts(starts)
             .seed(seed);
         let found = design
-            .progress(|done, all| reports.push((done, all)))
+            .progress(|p| reports.push((p.done, p.count)))
             .run_all();
         assert_eq!(reports.last(), Some(&(starts, starts)));
         assert!(reports.windows(2).all(|pair| pair[0].0 < pair[1].0));

@@ -2,9 +2,12 @@
 #![cfg(feature = "design")]
 
 mod derivatives;
+mod judge;
 mod known;
 mod messages;
+mod reach;
 mod reproducible;
+mod seeds;
 mod space;
 mod whole;
 
@@ -50,10 +53,10 @@ mechanism! {
 /// The lengths.
 const LENGTHS: [&str; 4] = ["frame", "crank", "coupler", "rocker"];
 
-type FourBarDesign = Design<'static, FourBar, FourBarAssembly, 9>;
+type FourBarDesign<'a> = Design<'a, FourBar, FourBarAssembly, 9>;
 
 /// A problem of the four-bar, without a wish.
-fn problem() -> FourBarDesign {
+fn problem<'a>() -> FourBarDesign<'a> {
     let design = Design::new(
         FourBar::default(),
         FourBar::assemble,

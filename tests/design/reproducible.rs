@@ -1,19 +1,24 @@
 //! A seed gives the same designs, however many threads there are.
 
-use super::{FourBarAssembly, FourBarDesign, evenly, points, problem};
-use linkage::design::{DesignError, Targets};
-use std::sync::atomic::AtomicBool;
+use super::{FourBar, FourBarAssembly, FourBarDesign, LENGTHS, evenly, points, problem};
+use linkage::design::{Design, DesignError, Progress, Relation, Search, Targets, Wish};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-fn small() -> FourBarDesign {
+type Found = Search<FourBar, FourBarAssembly>;
+
+fn small<'a>() -> FourBarDesign<'a> {
+    problem().want(moved()).starts(256)
+}
+
+/// Points that no four-bar with this arm passes through.
+fn moved() -> impl Wish<FourBar, FourBarAssembly> {
     let inputs = evenly(0.3, 0.9, 5);
     let moved: Vec<[f64; 2]> = points(&inputs)
         .iter()
         .map(|[x, y]| [x + 3.0 * y.sin(), *y])
         .collect();
-    problem()
-        .want(Targets::of("tracer", moved).computed_by(FourBarAssembly::path_sweep_sets_into))
-        .starts(256)
+    Targets::of("tracer", moved).computed_by(FourBarAssembly::path_sweep_sets_into)
 }
 
 #[test]
@@ -51,7 +56,124 @@ fn progress_time_and_cancellation() {
     assert!(done.windows(2).all(|pair| pair[0].0 < pair[1].0));
 
     let stop = AtomicBool::new(true);
-    let told = Err(DesignError::NotFound(Box::default()));
-    assert_eq!(small().cancel(&stop).run().map(|_| ()), told);
-    assert_eq!(small().time_limit(Duration::ZERO).run().map(|_| ()), told);
+    let told = |design: FourBarDesign| design.run().map(|_| ()).expect_err("it is ended");
+    assert_eq!(
+        told(small().cancel(&stop)).to_string(),
+        "the search was cancelled before the first of 256 starts was done; give it more time, or fewer starts"
+    );
+    assert_eq!(
+        told(small().time_limit(Duration::ZERO)).to_string(),
+        "the time limit of 0ns ended the search before the first of 256 starts was done; give it more time, or fewer starts"
+    );
+}
+
+/// What was found until a search is cancelled is what one with so many starts finds, the best of it at least.
+#[test]
+fn an_ended_search_gives_what_it_has() {
+    let stop = AtomicBool::new(false);
+    let ended = small()
+        .starts(4096)
+        .cancel(&stop)
+        .progress(|p| stop.store(p.done >= 96, Ordering::Relaxed))
+        .run()
+        .expect("some are found");
+    assert!(ended.ended_early && (96..4096).contains(&ended.starts));
+    let whole = small().starts(ended.starts).run().expect("the same");
+    assert!(!whole.ended_early);
+    assert!(!ended.designs.is_empty());
+    for (a, b) in ended.designs.iter().zip(&whole.designs) {
+        assert_eq!((a.mechanism, a.sum, a.hits), (b.mechanism, b.sum, b.hits));
+    }
+    let all = |found: &Found| found.designs.len() + found.not_whole + found.left_out;
+    assert_eq!(all(&ended), all(&whole));
+    assert!(ended.to_string().contains("ended early"), "{ended}");
+
+    // One of which nothing is left says what refused the starts until then.
+    stop.store(false, Ordering::Relaxed);
+    let none = small()
+        .hold(Relation::at_most([("crank", 1.0)], 5.0))
+        .starts(4096)
+        .cancel(&stop)
+        .progress(|p| stop.store(p.done >= 96, Ordering::Relaxed))
+        .run()
+        .expect_err("only its bound holds the relation");
+    let text = none.to_string();
+    let DesignError::Ended {
+        refusals,
+        count: 4096,
+        limit: None,
+    } = none
+    else {
+        panic!("{text}");
+    };
+    assert_eq!(refusals.refused, refusals.starts);
+    let told = format!(
+        "the search was cancelled after {} of 4096 starts; none of",
+        refusals.starts
+    );
+    assert!(text.starts_with(&told), "{text}");
+}
+
+/// A short list says how many distinct optima are left out, and begins as a long one.
+#[test]
+fn what_is_left_out_is_counted() {
+    let (long, short) = (small().run(), small().listed(3).run());
+    let (long, short) = (long.expect("found"), short.expect("found"));
+    assert!(long.designs.len() > 4 && long.left_out == 0, "{long}");
+    assert_eq!(short.designs, long.designs[..3]);
+    let all = |found: &Found| found.designs.len() + found.not_whole + found.left_out;
+    assert_eq!(all(&short), all(&long));
+    let told = format!("{} optima with larger sums are left out", short.left_out);
+    assert!(
+        short.left_out >= 2 && short.to_string().contains(&told),
+        "{short}"
+    );
+    assert!(!long.to_string().contains("left out"));
+
+    // With values of a catalogue they are cut when they are rounded, not before: the best one may come from any of them.
+    let listed = |listed: usize| {
+        let lengths = (0..30).map(|i| 5.0 + 1.9 * f64::from(i));
+        let design = Design::new(
+            FourBar::default(),
+            FourBar::assemble,
+            FourBar::assemblies,
+            FourBar::circuits,
+        );
+        let design = design
+            .expect("it assembles")
+            .want(moved())
+            .starts(64)
+            .listed(listed);
+        let design = design.hold(Relation::crank_turns(LENGTHS, 0.0));
+        let design = design.vary("frame", 5.0, 60.0).vary("crank", 5.0, 60.0);
+        let design = design
+            .catalogue("coupler", lengths.clone())
+            .catalogue("rocker", lengths);
+        design.run().expect("found")
+    };
+    assert_eq!(listed(1).designs, listed(100).designs[..1]);
+}
+
+#[test]
+fn progress_is_a_bar() {
+    let bar = |done, least| {
+        let count = 1024;
+        Progress { done, count, least }.to_string()
+    };
+    assert_eq!(
+        bar(320, 0.012345),
+        format!(
+            "[{}{}] 320 of 1024, least 0.012345",
+            "#".repeat(9),
+            "-".repeat(21)
+        )
+    );
+    assert_eq!(
+        bar(0, f64::INFINITY),
+        format!("[{}] 0 of 1024", "-".repeat(30))
+    );
+    assert_eq!(
+        bar(1024, 0.5),
+        format!("[{}] 1024 of 1024, least 0.5", "#".repeat(30))
+    );
 }

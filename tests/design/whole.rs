@@ -1,27 +1,102 @@
 //! No mechanism is returned that does not assemble over its whole range on one circuit.
 //!
 //! Random problems without Grashof's condition, so that most optima do not turn: what is listed is looked at by `circuits()`, and,
-//! independently of it, by the lengths alone and at many inputs. `LINKAGE_LONG=1` looks at 10,000 results.
+//! independently of it, by the lengths alone or by a solver of its own that follows the loops. `LINKAGE_LONG=1` looks at 10,000 results of
+//! each kind, of coupled groups at 1000.
+
+mod drive;
+mod notch;
+mod six_bar;
+mod spatial;
 
 use super::{FourBar, FourBarAssembly, LENGTHS};
+use linkage::Dimensions;
 use linkage::design::{Design, DesignError, Targets};
 use linkage_random::Random;
 use std::f64::consts::TAU;
 
 /// Results that are looked at.
-fn wanted() -> usize {
-    if std::env::var_os("LINKAGE_LONG").is_some() {
-        10_000
-    } else {
-        30
+struct Counts {
+    wanted: usize,
+    results: usize,
+    problems: usize,
+    /// Optima that do not run through the turn.
+    refused: usize,
+    /// Starts that do not assemble.
+    open: usize,
+}
+
+impl Counts {
+    /// So many, or with `LINKAGE_LONG` so many.
+    fn wanted(few: usize, many: usize) -> Self {
+        let long = std::env::var_os("LINKAGE_LONG").is_some();
+        Self {
+            wanted: if long { many } else { few },
+            results: 0,
+            problems: 0,
+            refused: 0,
+            open: 0,
+        }
     }
+
+    fn go_on(&self) -> bool {
+        self.results < self.wanted
+    }
+
+    /// What was looked at; `hard` of what was tried must have been refused, a tenth of the results at least.
+    fn tell(&self, what: &str, hard: usize) {
+        let Self {
+            results,
+            problems,
+            refused,
+            open,
+            ..
+        } = self;
+        println!(
+            "{results} {what} of {problems} problems run through the turn; {refused} optima did not, {open} starts do not assemble"
+        );
+        assert!(
+            hard > results / 10,
+            "the problems are not hard enough: {hard}"
+        );
+    }
+}
+
+/// Runs a search and has all its results looked at.
+fn search<M, A, const N: usize>(
+    design: Design<'_, M, A, N>,
+    counts: &mut Counts,
+    look: impl Fn(M, &A) -> Result<(), String>,
+) -> Result<(), DesignError>
+where
+    M: Dimensions<N> + Copy + Send + Sync + std::fmt::Debug,
+    A: Clone + Send + Sync,
+{
+    counts.problems += 1;
+    let found = match design.run() {
+        Err(DesignError::NotFound(why)) => {
+            counts.refused += why.not_whole;
+            counts.open += why.open;
+            return Ok(());
+        }
+        other => other?,
+    };
+    counts.refused += found.not_whole;
+    counts.open += found.open;
+    counts.results += found.designs.len();
+    for design in &found.designs {
+        if let Err(why) = look(design.mechanism, &design.assembly) {
+            panic!("{why}: {:?}", design.mechanism);
+        }
+    }
+    Ok(())
 }
 
 #[test]
 fn all_results_run_through_the_turn() -> Result<(), DesignError> {
     let mut random = Random::new(23);
-    let (mut results, mut refused, mut problems) = (0, 0, 0);
-    while results < wanted() {
+    let mut counts = Counts::wanted(30, 10_000);
+    while counts.go_on() {
         let count = 3 + random.below(4);
         let points: Vec<[f64; 2]> = (0..count)
             .map(|_| [random.between(-40.0, 60.0), random.between(-40.0, 60.0)])
@@ -40,27 +115,12 @@ fn all_results_run_through_the_turn() -> Result<(), DesignError> {
         for name in LENGTHS {
             design = design.vary(name, 5.0, 60.0);
         }
-        problems += 1;
-        let found = match design.run() {
-            Err(DesignError::NotFound(why)) => {
-                refused += why.not_whole;
-                continue;
-            }
-            other => other?,
-        };
-        refused += found.not_whole;
-        for design in &found.designs {
-            look(design.mechanism, &design.assembly);
-        }
-        results += found.designs.len();
+        search(design, &mut counts, |mechanism, assembly| {
+            look(mechanism, assembly);
+            Ok(())
+        })?;
     }
-    println!(
-        "{results} results of {problems} problems run through the turn; {refused} optima did not"
-    );
-    assert!(
-        refused > results / 10,
-        "the problems are hard enough: {refused} optima were refused"
-    );
+    counts.tell("four-bars", counts.refused);
     Ok(())
 }
 
