@@ -219,7 +219,8 @@ fn estimates<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> Vec<Es
     unknowns.iter().map(estimate).collect()
 }
 
-/// Where the margin is smallest, and the margin there: NaN, and where, if it is not known everywhere.
+/// Where the margin is smallest, and the margin there: NaN, and where, if that of a coupled group is not known everywhere. Groups with a
+/// closed form have one wherever their slack is positive, but for rounding at a change point.
 fn least<M: Levels>(mechanism: &M, leaf: &Leaf, assembly: &M::Assembly) -> (f64, f64) {
     for (end, x) in leaf.ends.into_iter().zip(leaf.inputs) {
         if let End::Turning { .. } = end {
@@ -227,7 +228,13 @@ fn least<M: Levels>(mechanism: &M, leaf: &Leaf, assembly: &M::Assembly) -> (f64,
         }
     }
     let [low, high] = leaf.inputs;
-    minimum(low, high, MARGINS, |x| margin(mechanism, assembly, x))
+    minimum(low, high, MARGINS, |x| {
+        let margin = margin(mechanism, assembly, x);
+        match margin.is_nan() && !leaf.is_coupled() {
+            true => f64::INFINITY,
+            false => margin,
+        }
+    })
 }
 
 fn margin<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> f64 {

@@ -276,7 +276,7 @@ impl Leaf {
     }
 
     /// Whether a coupled group is among those that are assembled.
-    fn is_coupled(&self) -> bool {
+    pub(super) fn is_coupled(&self) -> bool {
         let of_states = |(_, way): &(usize, Way)| matches!(way, Way::States(_));
         self.ways.iter().any(of_states)
     }

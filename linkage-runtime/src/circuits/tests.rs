@@ -231,6 +231,60 @@ fn what_touches_zero_goes_on() {
     expect(&found(&touching::<f64>, Some(&over)), &[[-2.0, 2.0]], 0.0);
 }
 
+/// A mechanism of which only the margin is asked for: it has none in some gaps.
+struct Gaps(&'static [[f64; 2]]);
+
+impl super::Levels for Gaps {
+    type Assembly = ();
+    type Survey = [f64; 1];
+    type Programs = super::NoPrograms;
+
+    fn searched(&self) -> super::Searched {
+        unreachable!("nothing is searched")
+    }
+
+    fn surveyor(&self, _: &super::Chosen, _: f64) {}
+
+    fn survey(&self, (): &(), at: f64) -> [f64; 1] {
+        let within = |[low, high]: &[f64; 2]| *low < at && at < *high;
+        match self.0.iter().any(within) {
+            true => [f64::NAN],
+            false => [1.0 + (at - 1.5).powi(2)],
+        }
+    }
+
+    fn assembled(&self, _: &super::Chosen, _: f64) -> Result<(), crate::AssemblyError> {
+        Ok(())
+    }
+
+    fn check(&self, _: f64) -> Result<(), crate::AssemblyError> {
+        Ok(())
+    }
+}
+
+/// Where there is no margin an assembly ends, on the side of the place where it is known; of several such places the nearest one counts.
+#[test]
+fn an_assembly_ends_where_it_has_no_margin() {
+    use super::BranchEnd::{Lost, Range};
+    let gaps = Gaps(&[[0.2, 0.4], [2.0, 2.5], [3.0, 3.7]]);
+    let whole = [Range(0.0), Range(4.0)];
+    let ends = |known: f64, lost: f64| super::up_to(&gaps, &(), whole, [known, lost]);
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
+    for lost in [0.3, 2.2, 3.2] {
+        let (ends, at, least) = ends(1.0, lost);
+        assert!(
+            matches!(ends, [Lost(low), Lost(high)] if near(low, 0.4) && near(high, 2.0)),
+            "{ends:?}"
+        );
+        assert!(near(least, 1.0) && (at - 1.5).abs() < 1e-6, "{at} {least}");
+    }
+    let (ends, ..) = ends(3.9, 2.1);
+    assert!(
+        matches!(ends, [Lost(low), Range(4.0)] if near(low, 3.7)),
+        "{ends:?}"
+    );
+}
+
 /// Bounds show it in few steps, and say where they do not.
 #[test]
 fn parts_are_shown_or_not() {
