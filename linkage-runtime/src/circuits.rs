@@ -4,6 +4,7 @@ mod coupled;
 mod curve;
 mod join;
 mod levels;
+mod margins;
 mod parts;
 mod print;
 mod search;
@@ -14,9 +15,9 @@ mod tests;
 mod trace;
 
 use crate::AssemblyError;
-use crate::numeric::range::minimum;
 use alloc::vec::Vec;
 use linkage_core::Cycle;
+use margins::{least, up_to};
 use search::{End, Leaf, Search};
 
 pub use levels::{Bounds, Chosen, Levels, NoPrograms, Searched, SurveyedUnknown};
@@ -108,9 +109,6 @@ impl<A> Circuits<A> {
 
 /// How close the places of one assembly are from one turn to the next, relative to their size.
 const SAME: f64 = 1e-6;
-
-/// Margins that are looked at along an assembly.
-const MARGINS: usize = 120;
 
 /// More modes than this are not searched.
 const MOST_MODES: usize = 16;
@@ -217,53 +215,6 @@ fn estimates<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> Vec<Es
     };
     let unknowns = mechanism.searched().unknowns;
     unknowns.iter().map(estimate).collect()
-}
-
-/// Where the margin is smallest, and the margin there: NaN, and where, if that of a coupled group is not known everywhere. Groups with a
-/// closed form have one wherever their slack is positive, but for rounding at a change point.
-fn least<M: Levels>(mechanism: &M, leaf: &Leaf, assembly: &M::Assembly) -> (f64, f64) {
-    for (end, x) in leaf.ends.into_iter().zip(leaf.inputs) {
-        if let End::Turning { .. } = end {
-            return (x, 0.0);
-        }
-    }
-    let [low, high] = leaf.inputs;
-    minimum(low, high, MARGINS, |x| {
-        let margin = margin(mechanism, assembly, x);
-        match margin.is_nan() && !leaf.is_coupled() {
-            true => f64::INFINITY,
-            false => margin,
-        }
-    })
-}
-
-fn margin<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> f64 {
-    mechanism.survey(assembly, x).as_ref()[0]
-}
-
-/// An assembly that is nowhere at the input `lost` ends before it: its ends then, and its least margin up to there. `known` is an input at
-/// which it is.
-fn up_to<M: Levels>(
-    mechanism: &M,
-    assembly: &M::Assembly,
-    mut ends: [BranchEnd; 2],
-    [known, lost]: [f64; 2],
-) -> ([BranchEnd; 2], f64, f64) {
-    let [mut here, mut there] = [known, lost];
-    for _ in 0..f64::MANTISSA_DIGITS {
-        let middle = 0.5 * (here + there);
-        match margin(mechanism, assembly, middle).is_nan() {
-            true => there = middle,
-            false => here = middle,
-        }
-    }
-    ends[usize::from(lost > known)] = BranchEnd::Lost(here);
-    let [low, high] = ends.map(BranchEnd::x);
-    let (at, least) = minimum(low, high, MARGINS, |x| margin(mechanism, assembly, x));
-    if least.is_nan() && at != here && at != lost {
-        return up_to(mechanism, assembly, ends, [known, at]);
-    }
-    (ends, at, least)
 }
 
 impl Leaf {

@@ -1,7 +1,8 @@
 //! A checked design problem: variables as a list of numbers, and what they do.
 
+mod conditions;
+
 use alloc::boxed::Box;
-use alloc::string::String;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 use core::marker::PhantomData;
@@ -19,13 +20,6 @@ const WIDE: f64 = 100.0;
 
 /// Turns that an angle has on both sides: a descent does not turn a part further.
 pub(crate) const ROOM: f64 = 2.0;
-
-/// A condition that is violated by less than this part of what the bounds' widths do to it holds: the last step met it to second
-/// order.
-const HOLDS: f64 = 1e-9;
-
-/// One that has less to spare than this part of it is in the way: descents end that near to it.
-const ACTIVE: f64 = 1e-6;
 
 /// What a problem is made of, beside the wishes.
 pub(crate) struct Given<const N: usize> {
@@ -157,38 +151,6 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
             }
         }
         wrapped
-    }
-
-    /// Whether all conditions hold.
-    pub(crate) fn meets(&self, at: &Normal) -> bool {
-        self.broken(at).is_empty()
-    }
-
-    /// The numbers of the wishes whose conditions do not hold.
-    pub(crate) fn broken(&self, at: &Normal) -> Vec<usize> {
-        self.conditions(at, |value, size| value < -HOLDS * size)
-    }
-
-    /// The titles of the conditions that are met with nothing to spare.
-    pub(crate) fn active(&self, at: &Normal) -> Vec<String> {
-        let active = self.conditions(at, |value, size| value <= ACTIVE * size);
-        active.into_iter().map(|k| self.wishes[k].title()).collect()
-    }
-
-    /// The numbers of the wishes with a condition whose value, and what the bounds' widths do to it, are so.
-    fn conditions(&self, at: &Normal, so: impl Fn(f64, f64) -> bool) -> Vec<usize> {
-        let widths = self.widths();
-        let wishes = self.wishes.iter().enumerate();
-        let conditions = wishes.filter(|(_, wish)| wish.is_condition());
-        let owners = conditions.flat_map(|(k, wish)| (0..wish.rows()).map(move |_| k));
-        let is_so = |(_, (value, slopes)): &(usize, &(f64, Vec<f64>))| {
-            let size: f64 = slopes.iter().zip(&widths).map(|(s, w)| (s * w).abs()).sum();
-            so(*value, size)
-        };
-        let rows = owners.zip(&at.conditions).filter(is_so);
-        let mut found: Vec<usize> = rows.map(|(owner, _)| owner).collect();
-        found.dedup();
-        found
     }
 
     /// How many residuals there are.
