@@ -12,6 +12,8 @@ mod check;
 mod digits;
 #[path = "hexapod/geometry.rs"]
 mod geometry;
+#[path = "hexapod/platform.rs"]
+mod platform;
 #[path = "hexapod/workspace.rs"]
 mod workspace;
 
