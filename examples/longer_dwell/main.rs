@@ -71,8 +71,12 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         built.band <= BAND,
     );
     check.holds("and is shorter", built.rest[1] < drawn.rest[1]);
-    if let Some(folder) = std::env::args_os().nth(1).filter(|_| !cfg!(test)) {
-        let page = compared(&[published, drawn, built], Path::new(&folder))?;
+    let designs = [published, drawn, built];
+    if cfg!(test) {
+        // Tests of pages look at it.
+        compared(&designs, Path::new("target/comparisons/longer_dwell"))?;
+    } else if let Some(folder) = std::env::args_os().nth(1) {
+        let page = compared(&designs, Path::new(&folder))?;
         println!("Open {}", page.display());
     }
     check.finish()

@@ -230,3 +230,33 @@ fn other_mechanisms_are_compared() {
     assert!(pens > 1.0, "{pens}");
     page.assert_quiet();
 }
+
+/// The page of the example `longer_dwell`, as its test has written it: three drives over each other, each of which is shown alone on a click.
+#[test]
+fn drives_with_longer_dwells() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../target/comparisons/longer_dwell/index.html");
+    if !path.is_file() {
+        let advice = "no page: `cargo test --example longer_dwell` writes it";
+        assert!(!linkage_browser::required(), "{advice}");
+        eprintln!("skipped: {advice}");
+        return;
+    }
+    let Some(mut page) = Page::open(&path) else {
+        return;
+    };
+    let designs = page.number("document.querySelectorAll('#designs [data-design]').length");
+    assert_eq!(designs, 3.0);
+    let text = page.words("document.body.innerText");
+    for part in [
+        "A longer dwell",
+        "published",
+        "longest as drawn",
+        "longest in the worst case",
+        "band when it is built",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    page.shoot("longer-dwell");
+    page.assert_quiet();
+}
