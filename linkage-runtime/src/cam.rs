@@ -14,6 +14,7 @@ mod error;
 mod follower;
 mod outline;
 mod search;
+mod undercut;
 #[cfg(feature = "report")]
 mod write;
 
@@ -21,7 +22,8 @@ pub use contact::Contact;
 pub use error::CamError;
 pub use follower::Follower;
 pub use outline::Outline;
-pub use search::{Stationary, Undercut};
+pub use search::Stationary;
+pub use undercut::Undercut;
 
 use core::f64::consts::TAU;
 

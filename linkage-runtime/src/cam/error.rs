@@ -6,7 +6,7 @@ use super::{Follower, Undercut};
 use crate::words::rounded;
 
 /// Why a cam cannot be made.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CamError {
     /// A number that makes no sense.
@@ -39,7 +39,7 @@ pub enum CamError {
 
 impl fmt::Display for CamError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
+        match self {
             Self::Invalid {
                 what,
                 value,
@@ -48,7 +48,7 @@ impl fmt::Display for CamError {
                 write!(
                     f,
                     "the {what} is {}, and must be {expected}",
-                    rounded(value)
+                    rounded(*value)
                 )
             }
             Self::NotFinite { angle } => write!(
@@ -59,23 +59,18 @@ impl fmt::Display for CamError {
             Self::Open { gap } => write!(
                 f,
                 "the motion ends a turn {} from where it began: a cam needs a motion that comes back",
-                rounded(gap)
+                rounded(*gap)
             ),
             Self::Undercut { undercut, follower } => {
-                let Undercut {
-                    from,
-                    to,
-                    at,
-                    radius,
-                    limit,
-                } = undercut;
-                let [from, to, at] = [from, to, at].map(f64::to_degrees);
-                write!(
-                    f,
-                    "the profile is undercut from {} deg to {} deg: ",
-                    rounded(from),
-                    rounded(to)
-                )?;
+                let (at, radius, limit) =
+                    (undercut.at.to_degrees(), undercut.radius, undercut.limit);
+                write!(f, "the profile is undercut")?;
+                for (index, interval) in undercut.intervals.iter().enumerate() {
+                    let and = if index == 0 { "" } else { " and" };
+                    let [from, to] = [interval.from, interval.to].map(|x| rounded(x.to_degrees()));
+                    write!(f, "{and} from {from} deg to {to} deg")?;
+                }
+                f.write_str(": ")?;
                 match follower {
                     Follower::Flat { base } => write!(
                         f,
@@ -83,7 +78,7 @@ impl fmt::Display for CamError {
                          it, or take a slower motion",
                         rounded(at),
                         rounded(radius),
-                        rounded(base),
+                        rounded(*base),
                         rounded(limit)
                     ),
                     Follower::Roller { radius: own, .. }
@@ -93,7 +88,7 @@ impl fmt::Display for CamError {
                          that, a larger cam or a slower motion",
                         rounded(at),
                         rounded(limit),
-                        rounded(own)
+                        rounded(*own)
                     ),
                 }
             }

@@ -1,4 +1,4 @@
-//! What happens over the turn: places where pressure angle and curvature stand still, and undercut.
+//! What happens over the turn: places where pressure angle and curvature stand still.
 
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
@@ -6,13 +6,13 @@ use core::f64::consts::TAU;
 use linkage_core::numeric::summit::highest;
 
 use super::contact::{Figures, Rate};
-use super::{Cam, CamError, Follower};
+use super::{Cam, Follower};
 
 /// At so many angles per turn it is looked: a motion does nothing within half a degree.
 const POSITIONS: usize = 720;
 
 /// Halvings of a step: beyond them there are no numbers between its ends.
-const HALVINGS: usize = 60;
+pub(super) const HALVINGS: usize = 60;
 
 /// A place where something is highest or lowest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,21 +21,6 @@ pub struct Stationary {
     pub angle: f64,
     /// What it is there.
     pub value: f64,
-}
-
-/// Where a profile is undercut.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Undercut {
-    /// The angle of the cam at which the radius of the profile becomes negative for the first time.
-    pub from: f64,
-    /// Where that ends.
-    pub to: f64,
-    /// Where it is worst, over the whole turn.
-    pub at: f64,
-    /// The radius of curvature of the profile there.
-    pub radius: f64,
-    /// What would just do: the radius of a roller, which is that of the pitch curve, or the distance of a flat face at the base.
-    pub limit: f64,
 }
 
 /// The angles at which it is looked, both ends of the turn among them.
@@ -73,45 +58,8 @@ impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
         Stationary { value, ..peak }
     }
 
-    /// Whether the profile can be made.
-    ///
-    /// # Errors
-    ///
-    /// [`CamError::Undercut`] with the angles, and the radius of a roller or the distance of a flat face that would do.
-    pub fn check(&self) -> Result<(), CamError> {
-        let peak = self.peak(|own| own.bend, |bend| self.sharpness(bend));
-        if self.left(peak.value) >= 0.0 {
-            return Ok(());
-        }
-        let left = |angle: f64| self.left(self.figures(angle).bend.value);
-        let all: Vec<f64> = angles().collect();
-        let mut crossings = all
-            .windows(2)
-            .filter_map(|own| crossing([own[0], own[1]], left));
-        // What is shorter than a step lies about its worst place.
-        let from = crossings.next().unwrap_or(peak.angle);
-        let to = crossings.next().unwrap_or(peak.angle);
-        let (radius, limit) = match self.follower {
-            Follower::Flat { base } => (peak.value, base - peak.value),
-            Follower::Roller { radius, .. } | Follower::Swinging { radius, .. } => {
-                (1.0 / peak.value - radius, 1.0 / peak.value)
-            }
-        };
-        let undercut = Undercut {
-            from,
-            to,
-            at: peak.angle,
-            radius,
-            limit,
-        };
-        Err(CamError::Undercut {
-            undercut,
-            follower: self.follower,
-        })
-    }
-
     /// How sharply the profile is bent outwards: the curvature of the pitch curve, or the radius turned round.
-    fn sharpness(&self, bend: f64) -> f64 {
+    pub(super) fn sharpness(&self, bend: f64) -> f64 {
         match self.follower {
             Follower::Flat { .. } => -bend,
             Follower::Roller { .. } | Follower::Swinging { .. } => bend,
@@ -130,7 +78,9 @@ impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
 
     fn stationary(&self, of: impl Fn(Figures) -> Rate) -> Vec<Stationary> {
         let all: Vec<f64> = angles().collect();
-        let slope = |angle: f64| of(self.figures(angle)).slope;
+        // A root at the end of the turn is told by what comes after it.
+        let turned = |angle: f64| if angle > TAU { angle - TAU } else { angle };
+        let slope = |angle: f64| of(self.figures(turned(angle))).slope;
         let largest = all
             .iter()
             .fold(0.0, |most: f64, &angle| most.max(slope(angle).abs()));
@@ -153,7 +103,11 @@ impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
 
     /// Where a figure of a number is largest: at a place where the number stands still, or at a jump, which a search without
     /// derivatives finds.
-    fn peak(&self, of: impl Fn(Figures) -> Rate, figure: impl Fn(f64) -> f64) -> Stationary {
+    pub(super) fn peak(
+        &self,
+        of: impl Fn(Figures) -> Rate,
+        figure: impl Fn(f64) -> f64,
+    ) -> Stationary {
         let value = |angle: f64| of(self.figures(angle)).value;
         let searched = highest([0.0, TAU], POSITIONS + 1, |angle| figure(value(angle)));
         let searched = searched.map_or(0.0, |own| own.at);
