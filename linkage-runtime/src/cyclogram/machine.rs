@@ -182,7 +182,7 @@ impl Cyclogram {
         found.filter(|interval| interval.range > 0.0).collect()
     }
 
-    fn width(&self) -> f64 {
+    pub(super) fn width(&self) -> f64 {
         self.range.1 - self.range.0
     }
 }

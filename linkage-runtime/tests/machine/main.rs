@@ -6,8 +6,10 @@ mod cyclogram;
 mod distance;
 #[cfg(feature = "report")]
 mod files;
+mod lags;
 mod motion;
 mod phases;
+mod setting;
 
 pub(crate) const TAU: f64 = std::f64::consts::TAU;
 pub(crate) const TURN: (f64, f64) = (0.0, TAU);

@@ -1,0 +1,120 @@
+//! By how much one event comes after another.
+
+use super::{Cyclogram, Moment, Motion};
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::fmt;
+
+#[cfg(feature = "tolerance")]
+use super::CyclogramError;
+#[cfg(feature = "tolerance")]
+use crate::tolerance::{Effects, Tolerances};
+
+/// By how much one event of a machine comes after another, of the same organ or of two. Printed, it is a sentence.
+#[derive(Clone, Copy, Debug)]
+pub struct Lag<'a> {
+    /// The event that is counted from.
+    pub from: Moment<'a>,
+    /// The one that comes after it.
+    pub to: Moment<'a>,
+    /// How far the shaft turns from the one to the other, in radians: from 0 to less than a cycle.
+    pub angle: f64,
+}
+
+impl Cyclogram {
+    /// How far the shaft turns from an event `a` to the next `b`.
+    ///
+    /// ```
+    /// use linkage_runtime::cyclogram::{Band, Cyclogram, Motion, Organ};
+    /// use linkage_runtime::summary::Course;
+    ///
+    /// let organ = |name: &str, lead: f64| -> Result<Organ, Box<dyn std::error::Error>> {
+    ///     let lift = |x: f64| [(x + lead).sin(), (x + lead).cos(), -(x + lead).sin()];
+    ///     let course = Course::of((0.0, std::f64::consts::TAU), 90, lift)?;
+    ///     Ok(Organ::new(name, &course, &[Band::Top(0.5)])?.unit("mm"))
+    /// };
+    /// let machine = Cyclogram::of([organ("hook", 0.0)?, organ("eye", 20f64.to_radians())?])?;
+    /// let hook = machine.begin("hook", Motion::Dwell(0)).expect("it dwells");
+    /// let eye = machine.end("eye", Motion::Dwell(0)).expect("it dwells");
+    /// let lag = machine.after(&hook, &eye);
+    /// assert!((lag.angle - 100f64.to_radians()).abs() < 1e-14);
+    /// assert_eq!(
+    ///     lag.to_string(),
+    ///     "eye's dwell (top 0.5 mm) ends 100.0000 deg after hook's dwell (top 0.5 mm) begins"
+    /// );
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn after<'a>(&self, a: &Moment<'a>, b: &Moment<'a>) -> Lag<'a> {
+        let cycle = self.width();
+        let angle = (b.event.at - a.event.at) % cycle;
+        Lag {
+            from: *a,
+            to: *b,
+            angle: if angle < 0.0 { angle + cycle } else { angle },
+        }
+    }
+
+    /// The first event of the cycle at which the organ of this name begins a motion; `None` if there is no such organ,
+    /// or it never does that.
+    #[must_use]
+    pub fn begin(&self, organ: &str, motion: Motion) -> Option<Moment<'_>> {
+        self.moments()
+            .find(|moment| moment.organ.name() == organ && moment.event.begins == motion)
+    }
+
+    /// The same where it ends a motion.
+    #[must_use]
+    pub fn end(&self, organ: &str, motion: Motion) -> Option<Moment<'_>> {
+        self.moments()
+            .find(|moment| moment.organ.name() == organ && moment.event.ends == motion)
+    }
+}
+
+impl Lag<'_> {
+    /// The derivatives of its angle by the parameters: those of the later event less those of the earlier one, so that
+    /// what shifts both alike does nothing. `None` unless both organs have [sensitivities](super::Organ::sensitivities)
+    /// by the same parameters.
+    #[must_use]
+    pub fn sensitivity(&self) -> Option<Vec<f64>> {
+        let from = self.from.organ.sensitivity(self.from.index)?;
+        let to = self.to.organ.sensitivity(self.to.index)?;
+        let both = to.iter().zip(from);
+        (from.len() == to.len()).then(|| both.map(|(to, from)| to - from).collect())
+    }
+
+    /// What each tolerance does to its angle: to both events by the same parts, so no more than to the two of them
+    /// together. The worst case is `worst_case()`.
+    ///
+    /// # Errors
+    ///
+    /// `Parameters` of an organ without sensitivities, or with those by another number of parameters.
+    #[cfg(feature = "tolerance")]
+    pub fn effects<const P: usize>(
+        &self,
+        tolerances: &Tolerances<P>,
+    ) -> Result<Effects<P, 1>, CyclogramError> {
+        let of = |moment: &Moment<'_>| moment.organ.effects(moment.index, tolerances);
+        Ok(of(&self.to)?.relative_to(&of(&self.from)?))
+    }
+}
+
+/// As in `eye's dwell (top 0.5 mm) begins 12.3000 deg after hook's return ends`.
+impl fmt::Display for Lag<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [from, to] = [&self.from, &self.to].map(happens);
+        write!(f, "{to} {:.4} deg after {from}", self.angle.to_degrees())
+    }
+}
+
+/// What happens: a dwell that begins or ends, or a motion that begins.
+fn happens(moment: &Moment<'_>) -> String {
+    let event = moment.event;
+    let (motion, word) = match (event.begins.is_dwell(), event.ends.is_dwell()) {
+        (false, true) => (event.ends, "ends"),
+        (true, _) | (false, false) => (event.begins, "begins"),
+    };
+    let motion = motion.told(moment.organ.bands(), &moment.organ.unit);
+    format!("{}'s {motion} {word}", moment.organ.name())
+}
