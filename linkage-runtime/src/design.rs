@@ -26,6 +26,7 @@ mod minimax;
 mod normal;
 mod parallel;
 mod problem;
+mod proof;
 mod quadratic;
 mod refusals;
 mod relation;
@@ -43,9 +44,9 @@ mod wish;
 pub use builder::Design;
 pub use certificate::{Interrupted, Interruption};
 pub use cycle::{
-    BestCycle, Candidate, Chosen, Conditions, Curve, CycleDesign, CycleWish, Demand, Dwell,
-    ErrorOf, Figure, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place, RootMeanSquare,
-    Stroke, TimeRatio,
+    BestCycle, Candidate, Chosen, Compromise, Conditions, Curve, CycleDesign, CycleWish, Demand,
+    Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place,
+    RootMeanSquare, Stroke, TimeRatio,
 };
 pub use error::DesignError;
 pub use found::{Found, Search};

@@ -15,7 +15,7 @@ mod effects;
 mod error;
 mod given;
 mod grade;
-mod modulus;
+pub(crate) mod modulus;
 #[cfg(feature = "monte-carlo")]
 mod monte_carlo;
 mod requirement;

@@ -1,17 +1,13 @@
 //! Derivatives of all figures against differences.
 
 use super::{
-    N, Rocker, RockerAssembly, changed, course, distance, errors, figure, margin, speed, tip,
-    tolerances,
+    N, Rocker, RockerAssembly, asked, changed, course, distance, figure, margin,
+    slopes_of_pieces_agree, speed, tip,
 };
 use linkage::Dimensions;
-use linkage::design::{
-    Candidate, Chosen, CycleWish, Dwell, Figure, Highest, Lowest, Motion, Peak, RootMeanSquare,
-    Stroke, TimeRatio,
-};
-use std::f64::consts::TAU;
+use linkage::design::{Dwell, Figure, Highest, Lowest, Peak, RootMeanSquare, Stroke, TimeRatio};
 
-fn slopes_agree(what: &impl Figure<RockerAssembly, N>) {
+pub(super) fn slopes_agree(what: &impl Figure<RockerAssembly, N>) {
     const STEP: f64 = 1e-3;
     let (value, slopes) = figure(what, &Rocker::default());
     assert!(
@@ -45,22 +41,6 @@ fn slopes_of_figures_are_those_of_differences() {
     slopes_agree(&TimeRatio::new(tip(), |rocker: &RockerAssembly, phi| {
         rocker.slopes(phi).ev
     }));
-    slopes_agree(&errors(true));
-    slopes_agree(&errors(false));
-}
-
-#[test]
-fn errors_are_those_of_effects() {
-    let assembly = Rocker::default().assemble().expect("assembles");
-    let largest = |error: &dyn Fn(&linkage::tolerance::Effects<N, 1>) -> f64| {
-        let at = |i: i32| error(&tolerances().effects(&assembly.slopes(0.5 * f64::from(i)).e));
-        (0..12).map(at).fold(0.0, f64::max)
-    };
-    let (worst, _) = figure(&errors(true), &Rocker::default());
-    let exact = largest(&|effects| effects.worst_case()[0]);
-    assert!(worst >= exact && worst < exact * 1.005, "{worst} {exact}");
-    let (root, _) = figure(&errors(false), &Rocker::default());
-    assert!((root - largest(&|effects| effects.root_sum_square()[0])).abs() < 1e-12);
 }
 
 #[test]
@@ -68,57 +48,17 @@ fn slopes_of_a_dwell_are_those_of_differences() {
     let limit = course(&Rocker::default()).position().highest;
     let own = [limit.at - 0.3, 0.8, limit.value - 2.0, 3.0];
     let dwell = Dwell::longest(tip(), own[3]);
-    let all = |values: [f64; N + 4]| {
-        let mechanism = Rocker::from_values(&std::array::from_fn(|k| values[k]));
-        let assembly = mechanism.assemble().expect("assembles");
-        let motion = Motion {
-            assembly: &assembly,
-            range: (0.0, TAU),
-            closed: true,
-            positions: 121,
-        };
-        let assemble = |other: &Rocker| other.assemble().ok();
-        let candidate = Candidate::new(&mechanism, motion, &assemble);
-        let asked = dwell
-            .evaluate(
-                &candidate,
-                Chosen {
-                    own: &values[N..],
-                    added: &[],
-                },
-            )
-            .expect("runs through the interval");
-        asked
-            .conditions
-            .into_iter()
-            .chain([asked.goal])
-            .flatten()
-            .collect::<Vec<_>>()
-    };
     let nominal = Rocker::default().values();
     let place: [f64; N + 4] = std::array::from_fn(|k| if k < N { nominal[k] } else { own[k - N] });
-    let pieces = all(place);
     // What is sampled, above and below, the limit above, and the goal.
-    assert_eq!(pieces.len(), 2 * Dwell::<RockerAssembly, N>::SAMPLES + 2);
-    for k in 0..N + 4 {
-        const STEP: f64 = 1e-5;
-        let [up, down] = [STEP, -STEP].map(|step| {
-            let mut other = place;
-            other[k] += step;
-            all(other)
-        });
-        for ((piece, up), down) in pieces.iter().zip(&up).zip(&down) {
-            let slope = if k < N {
-                piece.parameters[k]
-            } else {
-                piece.own[k - N]
-            };
-            let difference = (up.value - down.value) / (2.0 * STEP);
-            assert!(
-                (slope - difference).abs() < 1e-6,
-                "{k} {:?}: {slope} and {difference}",
-                piece.place
-            );
-        }
-    }
+    let count = asked(&dwell, &place).len();
+    assert_eq!(count, 2 * Dwell::<RockerAssembly, N>::SAMPLES + 2);
+    slopes_of_pieces_agree(&dwell, &place);
+    // Within given inputs there is a condition more, as a condition itself no goal.
+    let window = Dwell::longest(tip(), own[3]).between(limit.at - 0.4, limit.at + 0.6);
+    assert_eq!(asked(&window, &place).len(), count + 1);
+    slopes_of_pieces_agree(&window, &place);
+    let condition = Dwell::at_least(tip(), own[3], own[1]);
+    assert_eq!(asked(&condition, &place).len(), count - 1);
+    slopes_of_pieces_agree(&condition, &place);
 }

@@ -1,6 +1,12 @@
 //! Design problems of whole cycles: derivatives of all figures against differences, optima against other ways to them, messages.
 
+mod assemblies;
 mod derivatives;
+mod dwells;
+mod errors;
+mod fit;
+mod forces;
+mod front;
 mod length;
 mod messages;
 mod optima;
@@ -10,7 +16,9 @@ mod starts;
 mod whole;
 
 use linkage::Dimensions;
-use linkage::design::{Curve, CycleDesign, ErrorOf, Figure, Motion, Pieces};
+use linkage::design::{
+    Candidate, Chosen, Curve, CycleDesign, CycleWish, ErrorOf, Figure, Motion, Piece, Pieces,
+};
 use linkage::mechanism;
 use linkage::summary::Course;
 use linkage::tolerance::Tolerances;
@@ -31,13 +39,21 @@ mechanism! {
         loop polar(crank, phi) + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
         let tip = arm * psi;
         let point = polar(crank, phi) + polar(arm, theta);
+        let mu = psi - theta;
     }
     impl Rocker {
         fn tip(phi) -> Tip { tip, v: velocity(tip), a: acceleration(tip), j: jerk(tip) }
-        fn slopes(phi) -> Slopes { e: sensitivity(tip), ev: sensitivity(velocity(tip)) }
+        fn slopes(phi) -> Slopes {
+            e: sensitivity(tip), ev: sensitivity(velocity(tip)), ea: sensitivity(acceleration(tip)),
+        }
         fn point(phi) -> Point { point, v: velocity(point), a: acceleration(point), e: sensitivity(point) }
         fn margin(phi) -> Margin { m: margin(), v: velocity(margin()), a: acceleration(margin()), e: sensitivity(margin()) }
+        fn transmission(phi) -> Transmission { mu, v: velocity(mu), a: acceleration(mu), e: sensitivity(mu) }
         fn second(phi) -> Second { h: sensitivity(sensitivity(tip)) }
+        fn spread(phi) -> Spread {
+            e: sensitivity(point), ev: sensitivity(velocity(point)), ea: sensitivity(acceleration(point)),
+            h: sensitivity(sensitivity(point)),
+        }
     }
 }
 
@@ -80,14 +96,35 @@ fn tolerances() -> Tolerances<N> {
     Tolerances::complete(Rocker::PARAMETERS).expect("all have one")
 }
 
+/// Some dimensions lie on one side of their nominal values.
+fn one_sided() -> Tolerances<N> {
+    let limits = tolerances().limits(Rocker::INDEX_CRANK, 0.0, 0.03);
+    let limits = limits.and_then(|all| all.limits(Rocker::INDEX_COUPLER, -0.05, -0.01));
+    limits.expect("the lower ones come first")
+}
+
 fn errors(worst_case: bool) -> ErrorOf<'static, RockerAssembly, N> {
-    let second = |rocker: &RockerAssembly, phi| rocker.second(phi).h;
+    errors_within(&tolerances(), worst_case)
+}
+
+fn errors_within(
+    tolerances: &Tolerances<N>,
+    worst_case: bool,
+) -> ErrorOf<'static, RockerAssembly, N> {
     let inputs = (0..12).map(|i| 0.5 * f64::from(i));
     if worst_case {
-        ErrorOf::worst_case(tip(), second, &tolerances(), inputs)
+        ErrorOf::worst_case(effects, second, tolerances, inputs)
     } else {
-        ErrorOf::root_sum_square(tip(), second, &tolerances(), inputs)
+        ErrorOf::root_sum_square(effects, second, tolerances, inputs)
     }
+}
+
+fn effects(rocker: &RockerAssembly, phi: f64) -> [f64; N] {
+    rocker.slopes(phi).e
+}
+
+fn second(rocker: &RockerAssembly, phi: f64) -> [[f64; N]; N] {
+    rocker.second(phi).h
 }
 
 /// The figure, and its slopes by all parameters.
@@ -109,6 +146,55 @@ fn figure(figure: &impl Figure<RockerAssembly, N>, rocker: &Rocker) -> (f64, [f6
         .max_by(|a, b| key(a.value).total_cmp(&key(b.value)))
         .expect("a piece");
     (best.value, best.parameters)
+}
+
+/// What a wish asks of a rocker with these dimensions, and variables of its own behind them.
+fn asked(wish: &dyn CycleWish<Rocker, RockerAssembly, N>, place: &[f64]) -> Vec<Piece<N>> {
+    let mechanism = Rocker::from_values(&std::array::from_fn(|k| place[k]));
+    let assembly = mechanism.assemble().expect("assembles");
+    let motion = Motion {
+        assembly: &assembly,
+        range: (0.0, TAU),
+        closed: true,
+        positions: 121,
+    };
+    let assemble = |other: &Rocker| other.assemble().ok();
+    let candidate = Candidate::new(&mechanism, motion, &assemble);
+    let chosen = Chosen {
+        own: &place[N..],
+        added: &[],
+    };
+    let asked = wish
+        .evaluate(&candidate, chosen)
+        .expect("runs through the interval");
+    let pieces = asked.conditions.into_iter().chain([asked.goal]);
+    pieces.flatten().collect()
+}
+
+/// Compares all derivatives of what a wish asks at a place with differences.
+fn slopes_of_pieces_agree(wish: &dyn CycleWish<Rocker, RockerAssembly, N>, place: &[f64]) {
+    let pieces = asked(wish, place);
+    for k in 0..place.len() {
+        const STEP: f64 = 1e-5;
+        let [up, down] = [STEP, -STEP].map(|step| {
+            let mut other = place.to_vec();
+            other[k] += step;
+            asked(wish, &other)
+        });
+        for ((piece, up), down) in pieces.iter().zip(&up).zip(&down) {
+            let slope = if k < N {
+                piece.parameters[k]
+            } else {
+                piece.own[k - N]
+            };
+            let difference = (up.value - down.value) / (2.0 * STEP);
+            assert!(
+                (slope - difference).abs() < 1e-6 * (1.0 + slope.abs()),
+                "{k} {:?}: {slope} and {difference}",
+                piece.place
+            );
+        }
+    }
 }
 
 /// A rocker whose parameter `k` differs.

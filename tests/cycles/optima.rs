@@ -1,10 +1,8 @@
 //! Optima against other ways to them.
 
-use super::{N, Rocker, RockerAssembly, course, design, errors, figure, margin, speed, tip};
+use super::{Rocker, RockerAssembly, course, design, figure, margin, speed, tip};
 use linkage::Dimensions;
 use linkage::design::{DesignError, Dwell, Figure, Lowest, Peak, Stroke, TimeRatio};
-use linkage::summary::Course;
-use linkage::tolerance::Tolerances;
 
 #[test]
 fn a_longest_dwell_is_that_of_the_narrowest_band() -> Result<(), DesignError> {
@@ -43,46 +41,6 @@ fn a_longest_dwell_is_that_of_the_narrowest_band() -> Result<(), DesignError> {
 }
 
 #[test]
-fn a_dwell_in_the_worst_case_holds_for_all_corners() -> Result<(), DesignError> {
-    let wide = Tolerances::new(Rocker::PARAMETERS, &[0.05; N]).expect("as many");
-    let nominal = design().want(Dwell::longest(tip(), 1.0)).run()?;
-    let found = design()
-        .want(Dwell::longest(tip(), 1.0).in_worst_case(&wide))
-        .run()?;
-    assert!(
-        found.goal < nominal.goal - 1e-3,
-        "{} {}",
-        found.goal,
-        nominal.goal
-    );
-    let [from, length] = [found.own[0][0], found.own[0][1]];
-    let widest = |mechanism: &Rocker| {
-        let values = mechanism.values();
-        let corner = |corner: u32| {
-            let sign = |k: usize| if corner >> k & 1 == 1 { 0.05 } else { -0.05 };
-            let assembly = Rocker::from_values(&std::array::from_fn(|k| values[k] + sign(k)))
-                .assemble()
-                .expect("assembles");
-            let jet = |phi| {
-                [
-                    assembly.tip(phi).tip,
-                    assembly.tip(phi).v,
-                    assembly.tip(phi).a,
-                ]
-            };
-            Course::of((from, from + length), 60, jet)
-                .expect("an interval")
-                .position()
-                .stroke()
-        };
-        (0..1 << N).map(corner).fold(0.0, f64::max)
-    };
-    let band = widest(&found.mechanism);
-    assert!((1.0 - 1e-4..=1.0).contains(&band), "{band}");
-    Ok(())
-}
-
-#[test]
 fn figures_are_led_to_limits_and_goals() -> Result<(), DesignError> {
     let ratio = TimeRatio::new(tip(), |rocker: &RockerAssembly, phi| rocker.slopes(phi).ev);
     let found = design()
@@ -102,18 +60,5 @@ fn figures_are_led_to_limits_and_goals() -> Result<(), DesignError> {
     assert!((greatest.goal - large).abs() < 1e-9 * large);
     assert!(large > figure(&Stroke(tip()), &Rocker::default()).0);
     assert!(!greatest.at_bound.is_empty());
-    Ok(())
-}
-
-#[test]
-fn an_error_is_made_small() -> Result<(), DesignError> {
-    let (before, _) = figure(&errors(true), &Rocker::default());
-    let stroke = course(&Rocker::default()).position().stroke();
-    let found = design()
-        .want(errors(true).least())
-        .want(Stroke(tip()).equal(stroke))
-        .run()?;
-    assert!(found.goal < 0.99 * before, "{} {before}", found.goal);
-    assert!((figure(&errors(true), &found.mechanism).0 - found.goal).abs() < 1e-9);
     Ok(())
 }

@@ -3,6 +3,7 @@
 
 mod derivatives;
 mod judge;
+mod evenly;
 mod known;
 mod messages;
 mod reach;

@@ -258,3 +258,21 @@ fn what_refuses_the_starts_is_counted() {
     );
     assert!(text.contains(&told), "{text}");
 }
+
+/// One point less than there are variables for.
+#[test]
+fn as_many_targets_as_can_be_met() {
+    let one = wish(&[0.4]).computed_by(FourBarAssembly::path_sweep_sets_into);
+    let found = problem()
+        .want(one)
+        .starts(256)
+        .run()
+        .expect("it can be met");
+    assert!(found.best().sum < 1e-12);
+    assert!(
+        found
+            .to_string()
+            .contains("2 residuals, 4 variables: no more than can be met exactly"),
+        "{found}"
+    );
+}

@@ -2,23 +2,21 @@
 //!
 //! Its assemblies are found over the range, each with its ends: those of groups with a closed form by bounds of their
 //! discriminants, so that none is missed; those of coupled groups as far as listings at some inputs and steps along their curves
-//! see. One of them must run through the whole range, a turn must close, and at all inputs that the wishes ask for it must give the rows of the
-//! optimum: so it is the assembly that was optimised, all its positions are on one circuit, and they are reached without a dead
+//! see. One of them must run through the whole range, a turn must close, and by all that the wishes ask for it must be the optimum:
+//! so it is the assembly that was optimised, all its positions are on one circuit, and they are reached without a dead
 //! point between them.
 
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::problem::{Evaluator, Problem};
-use super::search::Optimum;
 use crate::words::rounded;
-use crate::{AssemblyError, Branch, BranchEnd, Circuits, Dimensions};
-
-/// Rows of the same assembly differ by less than this part of what the bounds' widths do to them; those of other ones by far more.
-const SAME: f64 = 1e-6;
+use crate::{AssemblyError, Branch, BranchEnd, Circuits};
 
 /// The least margin that is no dead point: that which the compiler asks of a declaration.
 const LEAST: f64 = 1e-6;
+
+/// Numbers of the same assembly differ by less than this part of their sizes; those of other assemblies by far more.
+const SAME: f64 = 1e-6;
 
 /// A local optimum that does not run through its whole range.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +31,8 @@ pub struct Interrupted {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Interruption {
+    /// It assembles nowhere.
+    Unassembled(AssemblyError),
     /// No single assembly has all positions that are wanted: it would have to be taken apart between two of them.
     Apart,
     /// It assembles between these inputs only.
@@ -47,14 +47,20 @@ impl fmt::Display for Interrupted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "the best of these, with a sum of squares of {}, ",
-            rounded(self.sum)
-        )?;
-        match &self.why {
-            Interruption::Apart => {
-                f.write_str("would have to be taken apart between two of its positions")
-            }
-            Interruption::Ends(intervals) => {
+            "the best of these, with a sum of squares of {}, {}",
+            rounded(self.sum),
+            self.why
+        )
+    }
+}
+
+/// What a mechanism does that is named before.
+impl fmt::Display for Interruption {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unassembled(error) => write!(f, "does not assemble: {error}"),
+            Self::Apart => f.write_str("would have to be taken apart between two of its positions"),
+            Self::Ends(intervals) => {
                 f.write_str("assembles only between the inputs ")?;
                 for (k, [from, to]) in intervals.iter().enumerate() {
                     let and = if k > 0 { ", and between " } else { "" };
@@ -62,36 +68,22 @@ impl fmt::Display for Interrupted {
                 }
                 Ok(())
             }
-            Interruption::DeadPoint(input) => {
-                write!(f, "has a dead point at input {}", rounded(*input))
-            }
-            Interruption::Other => {
-                f.write_str("is in another assembly after a full turn of the input")
-            }
+            Self::DeadPoint(input) => write!(f, "has a dead point at input {}", rounded(*input)),
+            Self::Other => f.write_str("is in another assembly after a full turn of the input"),
         }
     }
 }
 
-/// The assembly of an optimum over the whole range, or why there is none.
-pub(crate) fn certify<M: Dimensions<N> + Copy, A, const N: usize>(
-    problem: &Problem<'_, M, A, N>,
-    evaluator: &mut Evaluator<'_, M, A, N>,
-    assembly: &A,
-    optimum: &Optimum,
-    circuits: &dyn Fn(&M) -> Result<Circuits<A>, AssemblyError>,
+/// The assembly over the whole range that is the same as the one that is meant, or why there is none.
+pub(crate) fn certify<A>(
+    found: Result<Circuits<A>, AssemblyError>,
+    mut same: impl FnMut(&Branch<A>) -> bool,
 ) -> Result<Branch<A>, Interruption> {
-    let found = circuits(&problem.mechanism(&optimum.x)).map_err(|_| Interruption::Apart)?;
+    let found = found.map_err(Interruption::Unassembled)?;
     let turns = super::turn(&found.cycle).is_some();
-    let place = || core::iter::once(&optimum.x[..]);
-    evaluator.evaluate(assembly, place());
-    let own = values(problem, evaluator);
-    let sizes = sizes(problem, evaluator);
     let mut parts = Vec::new();
     for branch in found.branches {
-        evaluator.evaluate(&branch.assembly, place());
-        let others = values(problem, evaluator);
-        let same = |((a, b), size): ((&f64, &f64), &f64)| (a - b).abs() <= SAME * size;
-        if !own.iter().zip(&others).zip(&sizes).all(same) {
+        if !same(&branch) {
             continue;
         }
         if !branch.is_whole() {
@@ -111,35 +103,8 @@ pub(crate) fn certify<M: Dimensions<N> + Copy, A, const N: usize>(
     })
 }
 
-/// The rows of all wishes.
-fn values<M: Dimensions<N> + Copy, A, const N: usize>(
-    problem: &Problem<'_, M, A, N>,
-    evaluator: &Evaluator<'_, M, A, N>,
-) -> Vec<f64> {
-    let wishes = 0..problem.wishes.len();
-    let rows = wishes.map(|wish| evaluator.rows(wish));
-    rows.flat_map(|rows| (0..rows.count()).map(|row| rows.row(0, row).0))
-        .collect()
-}
-
-/// What the bounds' widths do to each row.
-fn sizes<M: Dimensions<N> + Copy, A, const N: usize>(
-    problem: &Problem<'_, M, A, N>,
-    evaluator: &Evaluator<'_, M, A, N>,
-) -> Vec<f64> {
-    let width = |j: usize| problem.limits.upper[j] - problem.limits.lower[j];
-    let wishes = 0..problem.wishes.len();
-    let rows = wishes.map(|wish| evaluator.rows(wish));
-    rows.flat_map(|rows| {
-        (0..rows.count()).map(|row| {
-            let (_, slopes, _) = rows.row(0, row);
-            problem
-                .varied
-                .iter()
-                .enumerate()
-                .map(|(j, &index)| (slopes[index] * width(j)).abs())
-                .sum()
-        })
-    })
-    .collect()
+/// Whether numbers are those of the same assembly, each beside a size.
+pub(crate) fn alike(a: &[f64], b: &[f64], sizes: impl IntoIterator<Item = f64>) -> bool {
+    let mut pairs = a.iter().zip(b).zip(sizes);
+    a.len() == b.len() && pairs.all(|((a, b), size)| (a - b).abs() <= SAME * size)
 }

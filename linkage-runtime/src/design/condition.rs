@@ -90,8 +90,8 @@ where
             own: Vec::new(),
         };
         Some(Conditions {
-            goal: Vec::new(),
             conditions: vec![vec![piece.times(-1.0, 0.0)]],
+            ..Conditions::default()
         })
     }
 

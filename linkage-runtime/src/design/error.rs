@@ -7,7 +7,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use std::time::Duration;
 
-use super::Refusals;
+use super::{Interruption, Refusals};
 use crate::AssemblyError;
 
 /// Why a design problem cannot be solved.
@@ -99,6 +99,30 @@ pub enum DesignError {
         /// The upper end of the range.
         high: f64,
     },
+    /// Evenly spaced positions that are longer than the range of the mechanism.
+    TooLong {
+        /// Where.
+        wish: String,
+        /// How many positions.
+        positions: usize,
+        /// From one to the next.
+        step: f64,
+        /// From the first to the last.
+        length: f64,
+        /// The length of the range.
+        range: f64,
+    },
+    /// An interval that is longer than where it is to be.
+    NoRoom {
+        /// The wish.
+        wish: String,
+        /// The length of the interval.
+        length: f64,
+        /// Where its room begins.
+        from: f64,
+        /// Where it ends.
+        to: f64,
+    },
     /// The function has no such quantity.
     NoQuantity {
         /// The function.
@@ -136,7 +160,7 @@ pub enum DesignError {
         /// The goals there are.
         goals: Vec<String>,
     },
-    /// A wish finds no place to begin with in the mechanism that the search begins with.
+    /// A wish finds nothing in the mechanism that the search begins with, although it runs through its whole range.
     NoStart {
         /// The wish.
         wish: String,
@@ -149,14 +173,20 @@ pub enum DesignError {
         by: f64,
         /// The parameters that are at a bound.
         at_bound: Vec<String>,
+        /// How many equations must hold: figures that must have a value, and relations between parameters.
+        equations: usize,
+        /// How many variables the search has.
+        variables: usize,
     },
     /// Near the optimum there are no values of the catalogues with which all conditions hold.
     NoValues {
         /// The parameters that take values of catalogues.
         parameters: Vec<String>,
     },
-    /// The mechanism that was found does not run through its whole range on one circuit.
-    NotWhole,
+    /// The mechanism that was found does not run through its whole range on one circuit, for this reason.
+    NotWhole(Interruption),
+    /// That which the search begins with does not.
+    StartNotWhole(Interruption),
     /// The mechanism of the declaration does not assemble.
     Start(AssemblyError),
     /// No mechanism that holds what must hold was found.

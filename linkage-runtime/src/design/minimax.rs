@@ -46,6 +46,8 @@ pub(crate) struct Groups {
     pub(crate) objective: Vec<Row>,
     /// None of them may be above zero; 1 is a violation that matters.
     pub(crate) conditions: Vec<Vec<Row>>,
+    /// Rows of whose squares the objective is the sum, if it is one: most of its curvature is known from them.
+    pub(crate) squares: Vec<Row>,
 }
 
 impl Groups {

@@ -164,7 +164,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
 }
 
 /// The inputs of a wish come in order, all within a turn.
-fn order(free: &Free, first: usize) -> Vec<Linear> {
+pub(crate) fn order(free: &Free, first: usize) -> Vec<Linear> {
     let less = |a: usize, b: usize, most: f64| Linear {
         terms: Vec::from([(first + a, 1.0), (first + b, -1.0)]),
         most,

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use super::Found;
 use super::builder::CircuitsOf;
 use super::catalogue::rounded;
-use super::certificate::{Interrupted, Interruption, certify};
+use super::certificate::{Interrupted, Interruption};
 use super::limits::Limits;
 use super::parallel::in_parallel;
 use super::problem::{Evaluator, Problem};
@@ -143,9 +143,7 @@ where
         let problem = self.problem;
         let assembly = &self.assemblies[optimum.assembly];
         let optimum = &problem.wrapped(optimum);
-        let branch = certify(problem, evaluator, assembly, optimum, &|mechanism| {
-            (self.circuits)(mechanism)
-        })?;
+        let branch = problem.certify(evaluator, assembly, optimum, self.circuits)?;
         evaluator.evaluate(&branch.assembly, core::iter::once(&optimum.x[..]));
         let mut normal = super::normal::Normal::new(problem.limits.len());
         evaluator.normal(0, &mut normal);

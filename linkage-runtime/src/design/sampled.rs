@@ -16,6 +16,9 @@ use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
 use crate::words::rounded;
 use crate::{Dimensions, Parameter, Table};
 
+/// Positions that are longer than the range by less than this part of it fill it: steps in degrees are rounded.
+const ROUNDING: f64 = 1e-12;
+
 /// [`Targets`] of a generated function.
 pub struct Sampled<M, A, C, F, const N: usize> {
     targets: Targets,
@@ -64,6 +67,28 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
                 high: cycle.high,
             });
         count.into_iter().chain(beyond).collect()
+    }
+
+    /// Positions that are evenly spaced over more than there is.
+    fn too_long(&self, cycle: &Cycle) -> Option<DesignError> {
+        let &Timing::Evenly(step) = &self.targets.timing else {
+            return None;
+        };
+        let range = cycle.high - cycle.low;
+        let error = DesignError::TooLong {
+            wish: self.called(),
+            positions: self.targets.targets.len(),
+            step,
+            length: self.rest(step).abs(),
+            range,
+        };
+        let fits = self.rest(step).abs() <= range * (1.0 + ROUNDING);
+        (super::turn(cycle).is_none() && step.is_finite() && !fits).then_some(error)
+    }
+
+    /// From the first position to the last, if they are evenly spaced.
+    fn rest(&self, step: f64) -> f64 {
+        step * self.targets.targets.len().saturating_sub(1) as f64
     }
 
     /// The first number that is none.
@@ -141,8 +166,10 @@ where
             None => (low, high),
         };
         if let (Timing::Evenly(step), None) = (timing, turn) {
-            let rest = step * targets.len().saturating_sub(1) as f64;
-            bounds = (low - rest.min(0.0), high - rest.max(0.0));
+            let rest = self.rest(*step);
+            let first = low - rest.min(0.0);
+            // As long as the range but for rounding, they begin at its end.
+            bounds = (first, (high - rest.max(0.0)).max(first));
         }
         let backwards = matches!(timing, Timing::Backwards);
         let from = if turn.is_some() { (low, high) } else { bounds };
@@ -188,6 +215,7 @@ where
             });
         }
         errors.extend(self.not_finite());
+        errors.extend(self.too_long(cycle));
         let each = targets.first().map_or(0, Vec::len);
         errors.extend(self.count("weights", each, weights.len()));
         let free = !matches!(timing, Timing::Given(_));

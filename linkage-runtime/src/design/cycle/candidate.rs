@@ -2,6 +2,10 @@
 
 use alloc::string::String;
 use alloc::vec::Vec;
+use linkage_core::Cycle;
+
+use super::super::DesignError;
+use crate::Parameter;
 
 /// How a mechanism is assembled in the modes of the first one.
 pub(super) type Assemble<'c, M, A> = dyn Fn(&M) -> Option<A> + 'c;
@@ -95,6 +99,12 @@ pub struct Piece<const N: usize> {
 }
 
 impl<const N: usize> Piece<N> {
+    /// Whether all its numbers are.
+    pub(crate) fn is_finite(&self) -> bool {
+        let mut slopes = self.parameters.iter().chain(&self.own);
+        self.value.is_finite() && slopes.all(|slope| slope.is_finite())
+    }
+
     /// This piece times a factor, plus a number.
     pub(crate) fn times(&self, factor: f64, more: f64) -> Self {
         Self {
@@ -124,6 +134,8 @@ pub struct Conditions<const N: usize> {
     pub goal: Vec<Piece<N>>,
     /// None of these may be above zero.
     pub conditions: Vec<Vec<Piece<N>>>,
+    /// The pieces of whose squares the goal is the sum, if it is one; empty otherwise. Its curvature is known from them.
+    pub squares: Vec<Piece<N>>,
 }
 
 /// What a search has come to for a wish.
@@ -142,6 +154,17 @@ pub trait CycleWish<M, A, const N: usize>: Send + Sync {
 
     /// Whether it is the goal, of which a design has one.
     fn is_goal(&self) -> bool;
+
+    /// What is wrong with it, for a mechanism of which these parameters may vary.
+    fn check(&self, cycle: &Cycle, parameters: &[Parameter], varied: &[usize]) -> Vec<DesignError> {
+        let _ = (cycle, parameters, varied);
+        Vec::new()
+    }
+
+    /// How many equations between the variables it is: of a figure that must have a value one.
+    fn equations(&self) -> usize {
+        0
+    }
 
     /// The goal as it is told, from what the search makes least: a greatest value is the least of its opposite.
     fn told(&self, least: f64) -> f64 {

@@ -6,11 +6,15 @@ use core::array;
 use super::interval::ranges;
 use super::{Candidate, Piece};
 use crate::Dimensions;
+use crate::tolerance::Tolerances;
 
 /// The mechanisms of some tolerances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corners<const N: usize> {
-    tolerances: [f64; N],
+    /// The middle of each zone, from the nominal value.
+    middles: [f64; N],
+    /// Half of its width.
+    halves: [f64; N],
 }
 
 /// A mechanism with all dimensions at limits of their tolerances.
@@ -48,19 +52,22 @@ impl<const N: usize> Corner<N> {
 }
 
 impl<const N: usize> Corners<N> {
-    pub(super) fn new(tolerances: [f64; N]) -> Self {
-        Self { tolerances }
+    pub(super) fn new(tolerances: &Tolerances<N>) -> Self {
+        Self {
+            middles: *tolerances.middles(),
+            halves: tolerances.values(),
+        }
     }
 
     /// The corner in which a difference of two values grows most, to first order.
     fn towards(&self, slopes: &[f64; N]) -> Corner<N> {
-        // A dimension without effect stays where it is.
+        // A dimension without effect stays in the middle of its zone.
         let change = |k: usize| {
-            if slopes[k] == 0.0 {
-                0.0
-            } else {
-                self.tolerances[k].copysign(slopes[k])
-            }
+            let from_middle = match slopes[k] == 0.0 {
+                true => 0.0,
+                false => self.halves[k].copysign(slopes[k]),
+            };
+            self.middles[k] + from_middle
         };
         Corner {
             changes: array::from_fn(change),
@@ -111,12 +118,10 @@ impl<const N: usize> Corners<N> {
         for high in places {
             for low in places {
                 let slopes: [f64; N] = array::from_fn(|k| high.parameters[k] - low.parameters[k]);
-                let more: f64 = slopes
-                    .iter()
-                    .zip(&self.tolerances)
-                    .map(|(slope, tolerance)| slope.abs() * tolerance)
-                    .sum();
-                pairs.push((high.value - low.value + more, self.towards(&slopes)));
+                let corner = self.towards(&slopes);
+                let parts = slopes.iter().zip(&corner.changes);
+                let more: f64 = parts.map(|(slope, change)| slope * change).sum();
+                pairs.push((high.value - low.value + more, corner));
             }
         }
         pairs.sort_by(|a, b| b.0.total_cmp(&a.0));

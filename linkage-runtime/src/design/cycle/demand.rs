@@ -66,6 +66,16 @@ pub trait Figure<A, const N: usize>: Sized {
     }
 }
 
+impl<A, F: Figure<A, N>, const N: usize> Figure<A, N> for &F {
+    fn title(&self) -> String {
+        (**self).title()
+    }
+
+    fn pieces(&self, motion: &Motion<'_, A>) -> Option<Pieces<N>> {
+        (**self).pieces(motion)
+    }
+}
+
 /// What is asked of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Sense {
@@ -83,6 +93,32 @@ pub struct Demand<F> {
     sense: Sense,
 }
 
+impl<F> Demand<F> {
+    /// The condition that the figure is as good as a limit, where this is a goal.
+    pub(super) fn within(&self, limit: f64) -> Demand<&F> {
+        let sense = match self.sense {
+            Sense::Greatest => Sense::AtLeast(limit),
+            _ => Sense::AtMost(limit),
+        };
+        Demand {
+            figure: &self.figure,
+            sense,
+        }
+    }
+
+    /// What the figure comes to; `None` where the mechanism does not assemble over the range.
+    pub(super) fn value<A, const N: usize>(&self, motion: &Motion<'_, A>) -> Option<f64>
+    where
+        F: Figure<A, N>,
+    {
+        let piece = match &self.figure.pieces(motion)? {
+            Pieces::Largest(all) => largest(all)?.value,
+            Pieces::Smallest(all) => smallest(all)?.value,
+        };
+        Some(piece)
+    }
+}
+
 impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleWish<M, A, N> for Demand<F> {
     fn title(&self) -> String {
         let title = self.figure.title();
@@ -97,6 +133,10 @@ impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleWish<M, A, N> for
 
     fn is_goal(&self) -> bool {
         matches!(self.sense, Sense::Least | Sense::Greatest)
+    }
+
+    fn equations(&self) -> usize {
+        usize::from(matches!(self.sense, Sense::Equal(_)))
     }
 
     fn told(&self, least: f64) -> f64 {
@@ -119,7 +159,11 @@ impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleWish<M, A, N> for
                 vec![upper(&pieces, value), lower(&pieces, value)],
             ),
         };
-        Some(Conditions { goal, conditions })
+        Some(Conditions {
+            goal,
+            conditions,
+            ..Conditions::default()
+        })
     }
 }
 

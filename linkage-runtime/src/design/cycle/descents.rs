@@ -35,6 +35,8 @@ pub(super) struct Descents<'d, M, A, const N: usize> {
     pub(super) seed: u64,
     pub(super) steps: usize,
     pub(super) stopped: &'d (dyn Fn() -> bool + Sync),
+    /// In the modes of which assembly of the first mechanism.
+    pub(super) assembly: usize,
 }
 
 /// A local optimum that holds all conditions, not yet certified.
@@ -64,6 +66,8 @@ pub(super) struct Optimum<M, A> {
     least: f64,
     /// The parameters that vary.
     place: Vec<f64>,
+    /// Of which assembly of the first mechanism it has the modes.
+    assembly: usize,
 }
 
 impl<M, A> Optimum<M, A> {
@@ -79,8 +83,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let problem = &self.problem;
         let limits = &problem.limits;
         let place: Vec<f64> = if index == 0 {
-            let own = problem.varied.iter().map(|&index| problem.nominal[index]);
-            own.collect()
+            problem.first()
         } else {
             let unit = unit(self.seed, index, limits.lower.len());
             let bounds = limits.lower.iter().zip(&limits.upper);
@@ -91,6 +94,16 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         };
         let ended = self.descend(problem.start(limits, place)?)?;
         self.certified(self.rounded(ended)?)
+    }
+
+    /// Whether an assembly of the first mechanism is the one that these searches are in the modes of.
+    pub(super) fn is_own(&self, assembly: &A) -> bool {
+        let problem = &self.problem;
+        let Ok(start) = problem.start(&problem.limits, problem.first()) else {
+            return false;
+        };
+        let own = problem.tried(&start.x, |candidate| problem.known_by(&start, candidate));
+        own.is_some_and(|own| problem.is_known(&start, &own, assembly))
     }
 
     /// With all parameters of catalogues at values of these.
@@ -122,6 +135,10 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     }
 
     fn descend(&self, mut start: Start) -> Result<Ended, DesignError> {
+        let problem = &self.problem;
+        let mut sizes = problem
+            .sizes(&start)
+            .ok_or_else(|| problem.refused(&start))?;
         let search = Search {
             reach: start.reach.clone(),
             precision: PRECISION,
@@ -129,23 +146,23 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             tolerance: TOLERANCE,
             rounds: self.steps,
         };
-        let problem = &self.problem;
         let (mut steps, mut evaluations, mut converged) = (0, 0, false);
         for _ in 0..REFINEMENTS {
-            let sizes = problem.sizes(&start).ok_or(DesignError::NotWhole)?;
             let groups = |x: &[f64]| problem.groups(&start, x, &sizes);
             let found = minimise(&start.x, &start.limits, &search, groups, self.stopped)
-                .ok_or(DesignError::NotWhole)?;
+                .ok_or_else(|| problem.not_whole(&start.x))?;
             steps += found.rounds;
             evaluations += found.evaluations;
             start.x = found.x;
             let refined = !(self.stopped)() && problem.refine(&mut start);
             converged = found.converged && !refined;
+            sizes = problem
+                .sizes(&start)
+                .ok_or_else(|| problem.not_whole(&start.x))?;
             if !refined {
                 break;
             }
         }
-        let sizes = problem.sizes(&start).ok_or(DesignError::NotWhole)?;
         problem.held(&start, &sizes, HOLDS)?;
         let least = problem
             .groups(&start, &start.x, &sizes)
@@ -182,7 +199,12 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             hits: 1,
         };
         let place = x[..problem.varied.len()].to_vec();
-        Ok(Optimum { best, least, place })
+        Ok(Optimum {
+            best,
+            least,
+            place,
+            assembly: self.assembly,
+        })
     }
 
     /// Why none of some starts leads to an optimum.
@@ -205,7 +227,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
                     tally.begun(&Fate::Broken(wishes.into_iter().collect()));
                 }
                 DesignError::NoValues { .. } => no_values += 1,
-                DesignError::NotWhole => not_whole += 1,
+                DesignError::NotWhole(_) => not_whole += 1,
                 _ => tally.begun(&Fate::Open),
             }
         }
@@ -232,6 +254,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             let places = a.place.iter().zip(&b.place).zip(lower.iter().zip(upper));
             let mut places = places.into_iter();
             same(a, b)
+                && a.assembly == b.assembly
                 && places.all(|((a, b), (low, high))| (a - b).abs() <= DISTINCT * (high - low))
         };
         for optimum in optima {

@@ -4,25 +4,55 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
+use linkage_core::Cycle;
 
+use super::super::{DesignError, turn};
 use super::corners::{Corner, Corners};
 use super::interval::ranges;
 use super::{Candidate, Chosen, Conditions, Curve, CycleWish, Own, Piece, Place};
-use crate::Dimensions;
 use crate::tolerance::Tolerances;
 use crate::words::rounded;
+use crate::{Dimensions, Parameter};
 
 /// A dwell: a quantity stays within a band over an interval of the input, of which the length is to be greatest or the band
-/// least.
+/// least, or which is there beside another goal.
 ///
 /// Its limits within the interval are exact roots of the derivative, and count with those places' slopes; between them the quantity
 /// counts at [`SAMPLES`](Self::SAMPLES) evenly spaced places, too, which see what might grow into a limit. The variables of its own are, in this
 /// order: where the interval begins, its length, the lower bound of the band, the band.
 pub struct Dwell<'a, A, const N: usize> {
     pub(super) curve: Curve<'a, A, N>,
-    length: Option<f64>,
-    band: Option<f64>,
+    asked: Asked,
+    /// Between which inputs it is to be, if not anywhere.
+    pub(super) between: Option<[f64; 2]>,
     corners: Option<Corners<N>>,
+}
+
+/// What is given of a dwell, and so what is searched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Asked {
+    /// The longest one within this band.
+    Longest(f64),
+    /// The narrowest band over this length.
+    Narrowest(f64),
+    /// One of this length, within this band.
+    AtLeast { length: f64, band: f64 },
+}
+
+impl Asked {
+    fn length(self) -> Option<f64> {
+        match self {
+            Self::Longest(_) => None,
+            Self::Narrowest(length) | Self::AtLeast { length, .. } => Some(length),
+        }
+    }
+
+    fn band(self) -> Option<f64> {
+        match self {
+            Self::Narrowest(_) => None,
+            Self::Longest(band) | Self::AtLeast { band, .. } => Some(band),
+        }
+    }
 }
 
 /// Of a band so much is left to rounding and to the precision of the search: no limit may lie outside of it in the end. A start leaves twice as
@@ -31,6 +61,8 @@ pub(super) const SPARE: f64 = 1e-6;
 /// Of the range, how far an interval may move and grow in the first step, and of the band its bounds.
 const REACH: f64 = 0.005;
 const REACH_OF_BAND: f64 = 0.3;
+/// An interval that is longer than its room by less than this part of it fills it: both are rounded.
+const ROUNDING: f64 = 1e-12;
 /// An interval is at least this part of the range.
 const LEAST: f64 = 1e-3;
 
@@ -41,22 +73,36 @@ impl<'a, A, const N: usize> Dwell<'a, A, N> {
     /// The longest interval in which the quantity changes by no more than `band`. The search begins with the longest one of the mechanism
     /// that the design begins with.
     pub fn longest(curve: Curve<'a, A, N>, band: f64) -> Self {
-        Self {
-            curve,
-            length: None,
-            band: Some(band),
-            corners: None,
-        }
+        Self::new(curve, Asked::Longest(band))
     }
 
     /// The narrowest band in which the quantity stays over an interval of this length. The search begins with the interval in which the
     /// mechanism that the design begins with changes least.
     pub fn narrowest(curve: Curve<'a, A, N>, length: f64) -> Self {
+        Self::new(curve, Asked::Narrowest(length))
+    }
+
+    /// A condition: the quantity changes by no more than `band` over an interval of at least this length.
+    pub fn at_least(curve: Curve<'a, A, N>, band: f64, length: f64) -> Self {
+        Self::new(curve, Asked::AtLeast { length, band })
+    }
+
+    fn new(curve: Curve<'a, A, N>, asked: Asked) -> Self {
         Self {
             curve,
-            length: Some(length),
-            band: None,
+            asked,
+            between: None,
             corners: None,
+        }
+    }
+
+    /// Between these inputs, not anywhere in the range; the second one may be beyond the seam of a turn. A dwell of a length that is as long as
+    /// this interval is exactly there.
+    #[must_use]
+    pub fn between(self, from: f64, to: f64) -> Self {
+        Self {
+            between: Some([from, to]),
+            ..self
         }
     }
 
@@ -65,11 +111,12 @@ impl<'a, A, const N: usize> Dwell<'a, A, N> {
     ///
     /// The worst mechanisms have all dimensions at limits of their tolerances. Those that matter are found as the search goes on, and
     /// each is assembled and counts as exactly as the first one. A dimension may not be worse in the middle of its tolerance, then:
-    /// so it is where effects are nearly linear over a tolerance.
+    /// so it is where effects are nearly linear over a tolerance. The mechanism with nominal dimensions counts, too, even where zones do
+    /// not contain them.
     #[must_use]
     pub fn in_worst_case(self, tolerances: &Tolerances<N>) -> Self {
         Self {
-            corners: Some(Corners::new(tolerances.values())),
+            corners: Some(Corners::new(tolerances)),
             ..self
         }
     }
@@ -77,67 +124,94 @@ impl<'a, A, const N: usize> Dwell<'a, A, N> {
 
 impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N> {
     fn title(&self) -> String {
-        let what = match (self.length, self.band) {
-            (Some(length), _) => format!("narrowest band over {}", rounded(length)),
-            (_, band) => format!("longest dwell within {}", rounded(band.unwrap_or(0.0))),
+        let what = match self.asked {
+            Asked::Longest(band) => format!("longest dwell within {}", rounded(band)),
+            Asked::Narrowest(length) => format!("narrowest band over {}", rounded(length)),
+            Asked::AtLeast { length, band } => {
+                format!("dwell over {} within {}", rounded(length), rounded(band))
+            }
         };
+        let between = self.between.map_or(String::new(), |[from, to]| {
+            format!(" between {} and {}", rounded(from), rounded(to))
+        });
         let tolerances = if self.corners.is_some() {
             " in the worst case"
         } else {
             ""
         };
-        what + tolerances
+        what + &between + tolerances
     }
 
     fn is_goal(&self) -> bool {
-        true
+        !matches!(self.asked, Asked::AtLeast { .. })
     }
 
     fn told(&self, least: f64) -> f64 {
-        if self.length.is_some() { least } else { -least }
+        match self.asked {
+            Asked::Longest(_) => -least,
+            _ => least,
+        }
+    }
+
+    fn check(&self, cycle: &Cycle, _: &[Parameter], _: &[usize]) -> Vec<DesignError> {
+        let wish = || CycleWish::<M, A, N>::title(self);
+        let [from, to] = self.between.unwrap_or([cycle.low, cycle.high]);
+        let mut errors = Vec::new();
+        let turns = turn(cycle).is_some();
+        let outside = |input: &f64| !(turns || (cycle.low..=cycle.high).contains(input));
+        if let Some(input) = [from, to].into_iter().find(outside) {
+            errors.push(DesignError::OutOfRange {
+                wish: wish(),
+                input,
+                low: cycle.low,
+                high: cycle.high,
+            });
+        }
+        let length = self.asked.length().unwrap_or(0.0);
+        if !(length <= (to - from) * (1.0 + ROUNDING) && to - from > 0.0) {
+            errors.push(DesignError::NoRoom {
+                wish: wish(),
+                length,
+                from,
+                to,
+            });
+        }
+        errors
     }
 
     fn own(&self, candidate: &Candidate<'_, M, A>) -> Option<Vec<Own>> {
-        let (low, high) = candidate.motion.range;
+        let motion = &candidate.motion;
+        let (low, high) = motion.range;
         let width = high - low;
-        let course = self.curve.course(&candidate.motion)?;
-        let [from, length, lowest, band] = match (self.length, self.band) {
-            (None, Some(band)) => {
-                let dwell = course.longest_dwell((1.0 - 2.0 * SPARE) * band)?;
-                [
-                    dwell.interval.from,
-                    dwell.interval.range,
-                    dwell.lowest,
-                    band,
-                ]
-            }
-            (length, _) => {
-                let length = length?;
-                self.steadiest(&candidate.motion, length)?
+        let [from, length, lowest, band] = match self.asked {
+            Asked::Longest(band) => self.longest_of(motion, band)?,
+            Asked::Narrowest(length) | Asked::AtLeast { length, .. } => {
+                self.steadiest(motion, length)?
             }
         };
-        let fixed = |value: f64, reach: f64| Own {
-            start: value,
-            bounds: (value, value),
-            reach,
-        };
-        let free = |start: f64, bounds: (f64, f64), reach: f64| Own {
+        // Of a fixed band the start may leave any part.
+        let band = self.asked.band().unwrap_or(band);
+        let own = |start: f64, bounds: (f64, f64), reach: f64| Own {
             start,
             bounds,
             reach,
         };
         let (step, rise) = (REACH * width, REACH_OF_BAND * band);
+        let [first, last] = self.between.unwrap_or([low - width, high + width]);
+        let (beginnings, lengths) = match (self.asked.length(), self.between) {
+            (Some(length), Some(_)) => ((first, (last - length).max(first)), (length, length)),
+            (Some(length), None) => ((first, last), (length, length)),
+            (None, _) => ((first, last), (LEAST * width, width)),
+        };
+        let bands = self
+            .asked
+            .band()
+            .map_or((0.0, f64::INFINITY), |band| (band, band));
         Some(vec![
-            free(from, (low - width, high + width), step),
-            self.length
-                .map_or(free(length, (LEAST * width, width), step), |length| {
-                    fixed(length, step)
-                }),
-            free(lowest, (f64::NEG_INFINITY, f64::INFINITY), rise),
-            self.band
-                .map_or(free(band, (0.0, f64::INFINITY), rise), |band| {
-                    fixed(band, rise)
-                }),
+            own(from, beginnings, step),
+            own(length, lengths, step),
+            own(lowest, (f64::NEG_INFINITY, f64::INFINITY), rise),
+            own(band, bands, rise),
         ])
     }
 
@@ -148,24 +222,31 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
     ) -> Option<Conditions<N>> {
         let own: [f64; 4] = chosen.own.try_into().ok()?;
         let [from, length, _, band] = own;
-        let (value, slope) = if self.length.is_some() {
-            (band, [0.0, 0.0, 0.0, 1.0])
-        } else {
-            (-length, [0.0, -1.0, 0.0, 0.0])
-        };
-        let goal = vec![Piece {
+        let piece = |value: f64, slopes: [f64; 4]| Piece {
             place: Place::Nth(0),
             value,
             parameters: [0.0; N],
-            own: slope.to_vec(),
-        }];
+            own: slopes.to_vec(),
+        };
+        let goal = match self.asked {
+            Asked::Longest(_) => vec![piece(-length, [0.0, -1.0, 0.0, 0.0])],
+            Asked::Narrowest(_) => vec![piece(band, [0.0, 0.0, 0.0, 1.0])],
+            Asked::AtLeast { .. } => Vec::new(),
+        };
         let mut conditions = self.nominal(&candidate.motion, own)?.to_vec();
+        if let (Asked::Longest(_), Some([_, to])) = (self.asked, self.between) {
+            conditions.push(vec![piece(from + length - to, [1.0, 1.0, 0.0, 0.0])]);
+        }
         for corner in chosen.added {
             let assembly = Corner::of(corner)?.assemble(candidate)?;
             let limits = self.limits(&candidate.motion, &assembly, [from, length])?;
             conditions.push(ranges(&limits, band));
         }
-        Some(Conditions { goal, conditions })
+        Some(Conditions {
+            goal,
+            conditions,
+            ..Conditions::default()
+        })
     }
 
     /// Its speeds: the quantity itself may count whole turns.

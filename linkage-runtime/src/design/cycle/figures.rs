@@ -23,7 +23,7 @@ pub struct Peak<'a, A, const N: usize>(pub Curve<'a, A, N>);
 pub struct Stroke<'a, A, const N: usize>(pub Curve<'a, A, N>);
 
 /// The places of one kind, ends of the range among them; the extreme one is there even if the quantity does not vary.
-fn places(extremes: &Extremes, kind: Kind) -> Vec<(f64, f64)> {
+pub(super) fn places(extremes: &Extremes, kind: Kind) -> Vec<(f64, f64)> {
     let limits = extremes.points.iter().filter(|point| point.kind == kind);
     let mut places: Vec<(f64, f64)> = limits.map(|point| (point.at, point.value)).collect();
     if places.is_empty() {

@@ -127,9 +127,24 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         ])
     }
 
+    /// The longest dwell within a band, and what is spared of the band: where it begins, its length, its lowest value, the band.
+    pub(super) fn longest_of(&self, motion: &Motion<'_, A>, band: f64) -> Option<[f64; 4]> {
+        let spared = (1.0 - 2.0 * SPARE) * band;
+        let dwell = match self.between {
+            None => self.curve.course(motion)?.longest_dwell(spared)?,
+            Some([from, to]) => {
+                let advance = self.advance(motion, motion.assembly);
+                let jet = |input: f64| self.jet(motion, motion.assembly, input, advance);
+                let course = Course::of((from, to), motion.positions, jet).ok()?;
+                course.longest_dwell(spared)?
+            }
+        };
+        let interval = dwell.interval;
+        Some([interval.from, interval.range, dwell.lowest, band])
+    }
+
     /// The interval of a length in which the quantity changes least, of those that begin at the positions of the search.
     pub(super) fn steadiest(&self, motion: &Motion<'_, A>, length: f64) -> Option<[f64; 4]> {
-        let inputs = positions(motion.range, motion.positions);
         let change = |from: f64| {
             let [highs, lows] = self.limits(motion, motion.assembly, [from, length])?;
             let high = highs
@@ -144,10 +159,16 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         };
         let inside =
             |from: &f64| motion.in_range(from + length).1 > 0.0 || from + length <= motion.range.1;
-        inputs
-            .filter(inside)
-            .filter_map(change)
-            .min_by(|a, b| a[3].total_cmp(&b[3]))
+        let beginnings: Vec<f64> = match self.between {
+            None => positions(motion.range, motion.positions)
+                .filter(inside)
+                .collect(),
+            // As long as its room it has one beginning.
+            Some([from, to]) if to - length <= from => vec![from],
+            Some([from, to]) => positions((from, to - length), motion.positions).collect(),
+        };
+        let changes = beginnings.into_iter().filter_map(change);
+        changes.min_by(|a, b| a[3].total_cmp(&b[3]))
     }
 }
 

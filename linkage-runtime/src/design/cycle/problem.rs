@@ -1,6 +1,5 @@
 //! A checked design problem of a cycle: variables as a list of numbers, and what they do.
 
-use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -10,6 +9,9 @@ use super::super::limits::Limits;
 use super::super::minimax::{Groups, Key, Row};
 use super::{Candidate, Chosen, CycleWish, Motion, Own, Piece, Place};
 use crate::{AssemblyError, Circuits, Dimensions};
+
+/// How a mechanism is assembled in the modes of another one.
+pub(super) type Assemble<'p, M, A> = dyn Fn(&M) -> Result<A, AssemblyError> + Sync + 'p;
 
 /// A problem, which searches on several threads share. The variables are the parameters that vary, then those that each wish has for itself.
 pub(super) struct Problem<'p, M, A, const N: usize> {
@@ -24,8 +26,8 @@ pub(super) struct Problem<'p, M, A, const N: usize> {
     /// Whether the range is a full turn.
     pub(super) closed: bool,
     pub(super) positions: usize,
-    pub(super) wishes: &'p [Box<dyn CycleWish<M, A, N> + 'p>],
-    pub(super) assemble: &'p (dyn Fn(&M) -> Option<A> + Sync + 'p),
+    pub(super) wishes: &'p [&'p (dyn CycleWish<M, A, N> + 'p)],
+    pub(super) assemble: &'p Assemble<'p, M, A>,
     pub(super) circuits: &'p (dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + Sync + 'p),
 }
 
@@ -82,7 +84,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             let own = |candidate: &Candidate<'_, M, A>| wish.own(candidate);
             let own: Vec<Own> = self
                 .tried(&start.x, own)
-                .ok_or_else(|| DesignError::NoStart { wish: wish.title() })?;
+                .ok_or_else(|| self.refused(&start))?;
             let first = start.reach.len();
             for Own {
                 start: value,
@@ -100,6 +102,12 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         Ok(start)
     }
 
+    /// The parameters that vary, in the first mechanism.
+    pub(super) fn first(&self) -> Vec<f64> {
+        let own = self.varied.iter().map(|&index| self.nominal[index]);
+        own.collect()
+    }
+
     /// The mechanism with these variables.
     pub(super) fn mechanism(&self, x: &[f64]) -> M {
         let mut values = self.nominal;
@@ -115,7 +123,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         x: &[f64],
         of: impl FnOnce(&Candidate<'_, M, A>) -> Option<R>,
     ) -> Option<R> {
-        let assembly = (self.assemble)(&self.mechanism(x))?;
+        let assembly = (self.assemble)(&self.mechanism(x)).ok()?;
         self.assembled(x, &assembly, of)
     }
 
@@ -132,7 +140,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             closed: self.closed,
             positions: self.positions,
         };
-        of(&Candidate::new(&mechanism, motion, self.assemble))
+        let assemble = |mechanism: &M| (self.assemble)(mechanism).ok();
+        of(&Candidate::new(&mechanism, motion, &assemble))
     }
 
     /// Goal and conditions of a candidate in their own units; those of a wish come together, in the order of the wishes.
@@ -148,6 +157,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             let row = |piece: &Piece<N>| self.row(piece, &start.own[k], x.len());
             let rows = |pieces: Vec<Piece<N>>| pieces.iter().map(row).collect();
             groups.objective.extend::<Vec<Row>>(rows(asked.goal));
+            groups.squares.extend::<Vec<Row>>(rows(asked.squares));
             groups
                 .conditions
                 .extend(asked.conditions.into_iter().map(rows));
@@ -214,6 +224,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     pub(super) fn groups(&self, start: &Start, x: &[f64], sizes: &Sizes) -> Option<Groups> {
         let mut groups = self.tried(x, |candidate| self.asked(start, x, candidate))?;
         scale(&mut groups.objective, sizes.goal);
+        scale(&mut groups.squares, sizes.goal.sqrt());
         groups
             .conditions
             .iter_mut()

@@ -4,13 +4,14 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::super::DesignError;
+use super::super::certificate::{Interruption, alike, certify};
 use super::super::minimax::Row;
-use super::Candidate;
 use super::problem::{Problem, Sizes, Start};
-use crate::{Branch, Dimensions};
+use super::{Candidate, Piece};
+use crate::{AssemblyError, Branch, BranchEnd, Circuits, Dimensions};
 
-/// Numbers of the same assembly differ by less than this part of the largest one; those of other assemblies by far more.
-const SAME: f64 = 1e-6;
+/// Ends that differ by less than this part of their interval are one: that of two assemblies which meet there.
+const SAME_END: f64 = 1e-6;
 
 impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// Whether all conditions hold to within a part of their sizes.
@@ -23,7 +24,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         let x = &start.x;
         let groups = self
             .tried(x, |candidate| self.asked(start, x, candidate))
-            .ok_or(DesignError::NotWhole)?;
+            .ok_or_else(|| self.not_whole(x))?;
         let missed: Vec<f64> = groups.conditions.iter().map(|rows| largest(rows)).collect();
         let mut first = 0;
         for (k, wish) in self.wishes.iter().enumerate() {
@@ -35,7 +36,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
                             .len(),
                     )
                 })
-                .ok_or(DesignError::NotWhole)?;
+                .ok_or_else(|| self.not_whole(x))?;
             let own = first..first + count;
             first += count;
             let worst = own
@@ -43,14 +44,27 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
                 .map(|k| missed[k]);
             if let Some(by) = worst.max_by(f64::total_cmp) {
                 let at_bound = self.at_bound(x);
+                let (equations, variables) = self.freedom(start);
                 return Err(DesignError::OutOfReach {
                     wish: wish.title(),
                     by,
                     at_bound: at_bound.iter().map(|(name, _)| name.to_string()).collect(),
+                    equations,
+                    variables,
                 });
             }
         }
         Ok(())
+    }
+
+    /// How many equations must hold, of figures and between parameters, and how many variables there are for them.
+    fn freedom(&self, start: &Start) -> (usize, usize) {
+        let figures: usize = self.wishes.iter().map(|wish| wish.equations()).sum();
+        let relations = &start.limits.relations;
+        let relations = relations.iter().filter(|relation| relation.equality);
+        let bounds = start.limits.lower.iter().zip(&start.limits.upper);
+        let free = bounds.filter(|(low, high)| low < high);
+        (figures + relations.count(), free.count())
     }
 
     /// The parameters that are at a bound, with it.
@@ -78,34 +92,122 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// what they are for the optimum, so that it is the one that was optimised.
     pub(super) fn certify(&self, start: &Start) -> Result<Branch<A>, DesignError> {
         let x = &start.x;
-        let circuits = (self.circuits)(&self.mechanism(x)).map_err(|_| DesignError::NotWhole)?;
-        let turns = super::super::turn(&circuits.cycle).is_some();
-        let known_by = |candidate: &Candidate<'_, M, A>| {
-            let wishes = self.wishes.iter().enumerate();
-            wishes
-                .map(|(k, wish)| wish.known_by(candidate, start.chosen(k, x)))
-                .collect::<Option<Vec<_>>>()
-        };
-        let own = self.tried(x, known_by).ok_or(DesignError::NotWhole)?;
-        let whole = circuits
-            .branches
-            .into_iter()
-            .filter(|branch| branch.is_whole() && (branch.closed || !turns));
-        let same = |branch: &Branch<A>| {
-            let other = self.assembled(x, &branch.assembly, known_by);
-            other.is_some_and(|other| own.iter().zip(&other).all(|(a, b)| alike(a, b)))
-        };
-        whole.into_iter().find(same).ok_or(DesignError::NotWhole)
+        let own = self
+            .tried(x, |candidate| self.known_by(start, candidate))
+            .ok_or_else(|| self.not_whole(x))?;
+        let same = |branch: &Branch<A>| self.is_known(start, &own, &branch.assembly);
+        certify((self.circuits)(&self.mechanism(x)), same).map_err(DesignError::NotWhole)
     }
+
+    /// The numbers by which all wishes know an assembly of the mechanism where a search is.
+    pub(super) fn known_by(
+        &self,
+        start: &Start,
+        candidate: &Candidate<'_, M, A>,
+    ) -> Option<Vec<Vec<f64>>> {
+        let wishes = self.wishes.iter().enumerate();
+        wishes
+            .map(|(k, wish)| wish.known_by(candidate, start.chosen(k, &start.x)))
+            .collect()
+    }
+
+    /// Whether an assembly of this mechanism is the one with these numbers.
+    pub(super) fn is_known(&self, start: &Start, own: &[Vec<f64>], assembly: &A) -> bool {
+        let other = self.assembled(&start.x, assembly, |candidate| {
+            self.known_by(start, candidate)
+        });
+        let same = |(a, b): (&Vec<f64>, &Vec<f64>)| {
+            let size = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            alike(a, b, a.iter().map(|_| size))
+        };
+        other.is_some_and(|other| own.iter().zip(&other).all(same))
+    }
+
+    /// That a mechanism which was found is not there over the whole range.
+    pub(super) fn not_whole(&self, x: &[f64]) -> DesignError {
+        let circuits = (self.circuits)(&self.mechanism(x));
+        DesignError::NotWhole(self.interruption(x, &circuits))
+    }
+
+    /// Why nothing can be said of the mechanism that a search begins with: it does not run through its whole range, or a wish finds nothing in
+    /// it.
+    pub(super) fn refused(&self, start: &Start) -> DesignError {
+        let circuits = (self.circuits)(&self.mechanism(&start.x));
+        let branches = circuits.as_ref().map_or(&[][..], |found| &found.branches);
+        let mut whole = branches
+            .iter()
+            .filter(|branch| branch.is_whole())
+            .peekable();
+        // A wish that finds nothing even where an assembly runs through the whole range.
+        let wishes = 0..self.wishes.len();
+        let found = |k: usize| {
+            whole
+                .clone()
+                .any(|branch| self.finds(start, k, &branch.assembly))
+        };
+        let nothing = wishes.clone().find(|&k| !found(k));
+        match (whole.peek().is_some(), nothing) {
+            (true, Some(k)) => DesignError::NoStart {
+                wish: self.wishes[k].title(),
+            },
+            _ => DesignError::StartNotWhole(self.interruption(&start.x, &circuits)),
+        }
+    }
+
+    /// Why a mechanism with these assemblies is not there over the whole range.
+    fn interruption(
+        &self,
+        x: &[f64],
+        circuits: &Result<Circuits<A>, AssemblyError>,
+    ) -> Interruption {
+        let branches = match circuits {
+            Ok(circuits) => &circuits.branches,
+            Err(error) => return Interruption::Unassembled(error.clone()),
+        };
+        let parts: Vec<_> = branches
+            .iter()
+            .filter(|branch| !branch.is_whole())
+            .collect();
+        match (parts.is_empty(), (self.assemble)(&self.mechanism(x))) {
+            (false, _) => Interruption::Ends(intervals(&parts)),
+            (true, Err(error)) => Interruption::Unassembled(error),
+            (true, Ok(_)) => Interruption::Apart,
+        }
+    }
+
+    /// Whether a wish finds something in an assembly: the variables of its own, and then all its numbers.
+    fn finds(&self, start: &Start, k: usize, assembly: &A) -> bool {
+        let wish = &self.wishes[k];
+        let asked = |candidate: &Candidate<'_, M, A>| {
+            if start.own.get(k).is_none() {
+                return wish.own(candidate).map(|_| ());
+            }
+            let asked = wish.evaluate(candidate, start.chosen(k, &start.x))?;
+            let mut all = asked.conditions.iter().chain([&asked.goal]).flatten();
+            all.all(Piece::is_finite).then_some(())
+        };
+        self.assembled(&start.x, assembly, asked).is_some()
+    }
+}
+
+/// Between which inputs some assemblies reach, each once: two that are mirrored reach equally far.
+fn intervals<A>(parts: &[&Branch<A>]) -> Vec<[f64; 2]> {
+    let mut intervals: Vec<[f64; 2]> = Vec::new();
+    for part in parts {
+        let own = part.ends.map(BranchEnd::x);
+        let near = |other: &[f64; 2]| {
+            let [low, high] = [other[0] - own[0], other[1] - own[1]];
+            low.abs().max(high.abs()) <= SAME_END * (own[1] - own[0])
+        };
+        if !intervals.iter().any(near) {
+            intervals.push(own);
+        }
+    }
+    intervals
 }
 
 fn largest(rows: &[Row]) -> f64 {
     rows.iter()
         .map(|row| row.value)
         .fold(f64::NEG_INFINITY, f64::max)
-}
-
-fn alike(a: &[f64], b: &[f64]) -> bool {
-    let size = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * size)
 }

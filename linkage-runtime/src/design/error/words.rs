@@ -72,6 +72,33 @@ impl fmt::Display for DesignError {
                 rounded(*low),
                 rounded(*high)
             ),
+            Self::TooLong {
+                wish,
+                positions,
+                step,
+                length,
+                range,
+            } => write!(
+                f,
+                "{wish}: {positions} positions every {} take {}, the range is {}; take a shorter step or fewer positions, or widen the range \
+                 of the input",
+                rounded(*step),
+                rounded(*length),
+                rounded(*range)
+            ),
+            Self::NoRoom {
+                wish,
+                length,
+                from,
+                to,
+            } => write!(
+                f,
+                "{wish}: an interval of {} does not fit between {} and {}, which are {} apart; take a shorter one, or widen its room",
+                rounded(*length),
+                rounded(*from),
+                rounded(*to),
+                rounded(to - from)
+            ),
             Self::NoQuantity { function, quantity } => {
                 write!(
                     f,
@@ -119,10 +146,26 @@ impl fmt::Display for DesignError {
             ),
             Self::NoStart { wish } => write!(
                 f,
-                "{wish}: the mechanism that the search begins with has none, or does not run through its whole range; begin with another one"
+                "{wish}: there is none in the mechanism that the search begins with; begin with another one"
             ),
-            Self::OutOfReach { wish, by, at_bound } => {
-                write!(f, "{wish}: missed by {} in the best mechanism that was found", rounded(*by))?;
+            Self::OutOfReach {
+                wish,
+                by,
+                at_bound,
+                equations,
+                variables,
+            } => {
+                write!(
+                    f,
+                    "{wish}: missed by {} in the best mechanism that was found",
+                    rounded(*by)
+                )?;
+                if equations > variables {
+                    return write!(
+                        f,
+                        "; {equations} equations must hold, and what varies is {variables}; make limits of some, or vary more"
+                    );
+                }
                 match at_bound.is_empty() {
                     true => f.write_str(", with no parameter at a bound; ask for less, or begin with another mechanism"),
                     false => write!(f, ", with {} at a bound; widen these, or ask for less", at_bound.join(", ")),
@@ -133,8 +176,14 @@ impl fmt::Display for DesignError {
                 "no values of the catalogues of {} near the best mechanism between them hold all conditions; offer more values, or ask for less",
                 parameters.join(", ")
             ),
-            Self::NotWhole => f.write_str(
-                "the mechanism that was found does not run through its whole range on one circuit; ask for a margin, `Lowest(margin).at_least(..)`",
+            Self::NotWhole(why) => write!(
+                f,
+                "the mechanism that was found {why}; ask for a margin, `Lowest(margin).at_least(..)`"
+            ),
+            Self::StartNotWhole(why) => write!(
+                f,
+                "the mechanism that the search begins with {why}; begin with dimensions that run through the whole range, or narrow the \
+                 range of the input"
             ),
             Self::Start(error) => write!(
                 f,

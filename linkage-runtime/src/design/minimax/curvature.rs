@@ -8,12 +8,17 @@ use super::{Groups, Key, Row};
 
 /// A positive definite approximation of the second derivatives of the rows, each times its weight, in reaches.
 ///
+/// Of a sum of squares the part of Gauss and Newton is known, and only the rest is gathered.
+///
 /// Updated by Broyden, Fletcher, Goldfarb and Shanno with Powell's damping: M. J. D. Powell, "A fast algorithm for nonlinearly constrained
 /// optimization calculations", Lecture Notes in Mathematics 630 (1978).
 #[derive(Clone, Debug)]
 pub(super) struct Curvature {
     reach: Vec<f64>,
+    /// What is gathered.
     matrix: Vec<f64>,
+    /// What is known where the search is.
+    known: Vec<f64>,
     begun: bool,
 }
 
@@ -28,25 +33,40 @@ impl Curvature {
     pub(super) fn new(reach: &[f64]) -> Self {
         Self {
             matrix: vec![0.0; reach.len() * reach.len()],
+            known: vec![0.0; reach.len() * reach.len()],
             reach: reach.to_vec(),
             begun: false,
         }
     }
 
     pub(super) fn at(&self, i: usize, j: usize) -> f64 {
-        self.matrix[i * self.reach.len() + j]
+        let place = i * self.reach.len() + j;
+        self.matrix[place] + self.known[place]
+    }
+
+    /// The slopes of a row by the variables in reaches.
+    fn scaled(&self, row: &Row) -> Vec<f64> {
+        let slopes = row.slopes.iter().zip(&self.reach);
+        slopes.map(|(slope, reach)| slope * reach).collect()
+    }
+
+    /// The search is at another place.
+    pub(super) fn see(&mut self, here: &Groups) {
+        let n = self.reach.len();
+        self.known.fill(0.0);
+        for row in &here.squares {
+            let scaled = self.scaled(row);
+            for (line, a) in self.known.chunks_exact_mut(n).zip(&scaled) {
+                line.iter_mut()
+                    .zip(&scaled)
+                    .for_each(|(sum, b)| *sum += 2.0 * a * b);
+            }
+        }
     }
 
     /// Half the curvature times a step twice.
     pub(super) fn along(&self, d: &[f64]) -> f64 {
-        0.5 * dot(d, &self.times(d))
-    }
-
-    fn times(&self, d: &[f64]) -> Vec<f64> {
-        self.matrix
-            .chunks_exact(d.len().max(1))
-            .map(|row| dot(row, d))
-            .collect()
+        0.5 * (dot(d, &times(&self.matrix, d)) + dot(d, &times(&self.known, d)))
     }
 
     /// Learns from a step, unless a row that had a weight is no longer there.
@@ -77,6 +97,14 @@ impl Curvature {
                 }
             }
         }
+        // What squares bend by is known: where the step ends, as they will be seen.
+        for row in &there.squares {
+            let scaled = self.scaled(row);
+            let along = dot(&scaled, &d);
+            y.iter_mut()
+                .zip(&scaled)
+                .for_each(|(y, s)| *y -= 2.0 * along * s);
+        }
         let square = dot(&d, &d);
         if square == 0.0 {
             return;
@@ -89,7 +117,7 @@ impl Curvature {
             (0..n).for_each(|j| self.matrix[j * n + j] = size);
             self.begun = true;
         }
-        let image = self.times(&d);
+        let image = times(&self.matrix, &d);
         let (bend, change) = (dot(&d, &image), dot(&d, &y));
         let part = if change >= LEAST * bend {
             1.0
@@ -109,6 +137,11 @@ impl Curvature {
             }
         }
     }
+}
+
+fn times(matrix: &[f64], d: &[f64]) -> Vec<f64> {
+    let rows = matrix.chunks_exact(d.len().max(1));
+    rows.map(|row| dot(row, d)).collect()
 }
 
 fn same<'a>(row: &Row, others: &'a [Row]) -> Option<&'a Row> {

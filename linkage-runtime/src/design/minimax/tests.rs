@@ -55,6 +55,7 @@ fn second(x: &[f64]) -> Groups {
     Groups {
         objective,
         conditions: Vec::new(),
+        squares: Vec::new(),
     }
 }
 
@@ -97,6 +98,7 @@ fn rosen_suzuki(x: &[f64]) -> Groups {
     Groups {
         objective: vec![row(0, value, &slopes)],
         conditions,
+        squares: Vec::new(),
     }
 }
 
@@ -158,6 +160,7 @@ fn line(x: &[f64]) -> Groups {
     Groups {
         objective: rows.collect(),
         conditions: Vec::new(),
+        squares: Vec::new(),
     }
 }
 
@@ -180,6 +183,7 @@ fn a_condition_far_away_hides_no_objective() {
         Groups {
             objective: vec![row(0, a * a + b * b, &[2.0 * a, 2.0 * b])],
             conditions: vec![vec![row(0, 30.0 - along, &[-2.0 * x[0], -0.1])]],
+            squares: Vec::new(),
         }
     };
     let found = solved(&[0.1, -3.0], &within(2, 50.0), groups);
@@ -196,6 +200,7 @@ fn where_slopes_promise_more_nothing_has_converged() {
     let groups = |x: &[f64]| Groups {
         objective: vec![row(0, x[0].abs(), &[1.0])],
         conditions: Vec::new(),
+        squares: Vec::new(),
     };
     let found = solved(&[1.0], &within(1, 10.0), groups);
     assert!(found.groups.value() < 1e-3 && !found.converged, "{found:?}");
@@ -206,6 +211,7 @@ fn what_cannot_hold_is_as_near_as_can_be() {
     let groups = |x: &[f64]| Groups {
         objective: vec![row(0, x[1], &[0.0, 1.0])],
         conditions: vec![vec![row(0, 3.0 - x[0], &[-1.0, 0.0])]],
+        squares: Vec::new(),
     };
     let found = solved(&[0.0, 0.0], &within(2, 1.0), groups);
     assert!(found.converged);
@@ -220,9 +226,54 @@ fn places_without_a_value_are_avoided() {
         (x[0] > 1.0).then(|| Groups {
             objective: vec![row(0, x[0] - 1.2 * root, &[1.0 - 0.6 / root])],
             conditions: Vec::new(),
+            squares: Vec::new(),
         })
     };
     let found = minimise(&[4.0], &within(1, 10.0), &search(1), groups, || false).expect("a value");
     assert!((found.x[0] - 1.36).abs() < 1e-6 && found.converged);
     assert!(minimise(&[0.5], &within(1, 10.0), &search(1), groups, || false).is_none());
+}
+
+/// Rosenbrock's function as the sum of two squares: what is known of its curvature leads to its zero, and with a condition to where the line
+/// of equal sums touches it.
+#[test]
+fn squares_bend_as_is_known() {
+    let squares = |x: &[f64]| {
+        vec![
+            row(0, 1.0 - x[0], &[-1.0, 0.0]),
+            row(1, 10.0 * (x[1] - x[0] * x[0]), &[-20.0 * x[0], 10.0]),
+        ]
+    };
+    let groups = |x: &[f64], known: bool| {
+        let rows = squares(x);
+        let value = rows.iter().map(|row| row.value * row.value).sum();
+        let slope = |j: usize| rows.iter().map(|row| 2.0 * row.value * row.slopes[j]).sum();
+        let slopes: [f64; 2] = core::array::from_fn(slope);
+        Groups {
+            objective: vec![row(0, value, &slopes)],
+            conditions: Vec::new(),
+            squares: if known { rows } else { Vec::new() },
+        }
+    };
+    let limits = within(2, 5.0);
+    let found = solved(&[-1.2, 1.0], &limits, |x| groups(x, true));
+    assert!(found.converged && found.groups.value() < 1e-18, "{found:?}");
+    let gathered = solved(&[-1.2, 1.0], &limits, |x| groups(x, false));
+    assert!(
+        2 * found.rounds < gathered.rounds,
+        "{} {}",
+        found.rounds,
+        gathered.rounds
+    );
+
+    // Below a line that leaves the zero out.
+    let bounded = |x: &[f64]| Groups {
+        conditions: vec![vec![row(0, x[0] + x[1] - 1.0, &[1.0, 1.0])]],
+        ..groups(x, true)
+    };
+    let found = solved(&[-1.2, 1.0], &limits, bounded);
+    assert!(found.converged && (found.x[0] + found.x[1] - 1.0).abs() < 1e-8);
+    let along = |t: f64| groups(&[t, 1.0 - t], true).value();
+    let near = [along(found.x[0] - 1e-4), along(found.x[0] + 1e-4)];
+    assert!(near.iter().all(|value| *value > found.groups.value()));
 }

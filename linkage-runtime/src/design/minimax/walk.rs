@@ -55,13 +55,15 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         search: &'w Search,
         evaluate: E,
     ) -> Self {
+        let mut curvature = Curvature::new(&search.reach);
+        curvature.see(&here);
         Self {
             limits,
             search,
             evaluate,
             x: start.to_vec(),
             here,
-            curvature: Curvature::new(&search.reach),
+            curvature,
             radius: 1.0,
             price: 1.0,
             evaluations: 1,
@@ -133,7 +135,7 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         let better = there.filter(|there| there.excess() < 0.5 * self.here.excess());
         let led = better.is_some();
         if let Some(there) = better {
-            (self.x, self.here) = (place, there);
+            self.go(place, there);
         }
         led
     }
@@ -144,6 +146,7 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
             return Some(End::Stuck);
         }
         self.curvature = Curvature::new(&self.search.reach);
+        self.curvature.see(&self.here);
         self.radius = 1.0;
         self.fresh = true;
         None
@@ -186,9 +189,14 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
             self.radius *= 2.0;
         }
         if let Some(there) = there.filter(|_| part > TAKEN) {
-            (self.x, self.here) = (trial, there);
+            self.go(trial, there);
             self.fresh = false;
         }
+    }
+
+    fn go(&mut self, place: Vec<f64>, there: Groups) {
+        self.curvature.see(&there);
+        (self.x, self.here) = (place, there);
     }
 }
 

@@ -1,0 +1,259 @@
+//! Values at positions as the goal of a cycle, or as a condition beside others.
+
+use alloc::format;
+use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
+use linkage_core::Cycle;
+
+use super::super::DesignError;
+use super::super::least_squares::minimise;
+use super::super::limits::{Limits, Linear};
+use super::super::normal::Normal;
+use super::super::problem::order;
+use super::super::starts::unit;
+use super::super::wish::{Candidates, Free, Rows, Wish};
+use super::{Candidate, Chosen, Conditions, CycleWish, Own, Piece, Place};
+use crate::words::rounded;
+use crate::{Dimensions, Parameter};
+
+/// What [`Targets`](super::super::Targets), or another [`Wish`], ask for, beside figures of the whole cycle: a path with a margin that
+/// is never below a limit, a pose with a low peak of torque.
+///
+/// Inputs that the wish leaves free are variables of its own; the search begins with those that suit its first mechanism best. Rows of a wish that
+/// is a condition must not be negative, whatever is asked of them here.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit<W> {
+    wish: W,
+    sense: Sense,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Sense {
+    Least,
+    Closest,
+    Within(f64),
+}
+
+/// Starts of free inputs in the first mechanism: enough for the best of the ways in which a path of some points may be run through.
+const STARTS: usize = 32;
+/// The most steps from each of them.
+const STEPS: usize = 60;
+/// Of the range, how far a free input may go in the first step.
+const REACH: f64 = 0.02;
+
+impl<W> Fit<W> {
+    /// The sum of the squares of all weighted differences is to be least: the goal.
+    pub fn least(wish: W) -> Self {
+        Self {
+            wish,
+            sense: Sense::Least,
+        }
+    }
+
+    /// The largest weighted difference, without its sign, is to be least: the goal.
+    pub fn closest(wish: W) -> Self {
+        Self {
+            wish,
+            sense: Sense::Closest,
+        }
+    }
+
+    /// No weighted difference may be larger than this, without its sign.
+    pub fn within(wish: W, limit: f64) -> Self {
+        Self {
+            wish,
+            sense: Sense::Within(limit),
+        }
+    }
+
+    /// The rows for a mechanism and free inputs; `None` where it does not assemble.
+    fn rows<M, A, const N: usize>(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+        free: &[f64],
+    ) -> Option<Rows>
+    where
+        W: Wish<M, A>,
+    {
+        let mut rows = Rows::new(self.wish.rows(), N, free.len());
+        rows.reset(1);
+        let candidates = Candidates {
+            assembly: candidate.motion.assembly,
+            mechanisms: core::slice::from_ref(candidate.mechanism),
+            free,
+        };
+        self.wish.evaluator().evaluate(&candidates, &mut rows);
+        let finite = (0..rows.count()).all(|row| rows.row(0, row).0.is_finite());
+        finite.then_some(rows)
+    }
+
+    /// Free inputs that suit a mechanism: the best of descents from several.
+    fn suited<M, A, const N: usize>(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+        free: &Free,
+    ) -> Option<Vec<f64>>
+    where
+        W: Wish<M, A>,
+    {
+        let limits = Limits {
+            lower: vec![free.bounds.0; free.count],
+            upper: vec![free.bounds.1; free.count],
+            relations: order(free, 0),
+        };
+        let places: Vec<usize> = (0..free.count).collect();
+        let sum = |x: &[f64], normal: &mut Normal| match self.rows::<M, A, N>(candidate, x) {
+            Some(rows) => (0..rows.count()).for_each(|row| {
+                let (value, _, slopes) = rows.row(0, row);
+                normal.add(value, &places, slopes);
+            }),
+            None => normal.sum = f64::NAN,
+        };
+        let from = |start: usize| {
+            let x = limits.nearest(&free.start(&unit(0, start, free.count)))?;
+            let (descent, _) = minimise(x, &limits, STEPS, sum);
+            let found = descent.here.sum.is_finite();
+            found.then_some((descent.here.sum, descent.x))
+        };
+        let all = (0..STARTS).filter_map(from);
+        all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, x)| x)
+    }
+
+    /// That free inputs come one after the other.
+    fn in_order<const N: usize>(free: Option<&Free>, own: &[f64]) -> Vec<Piece<N>> {
+        let piece = |(nth, relation): (usize, Linear)| {
+            let mut slopes = vec![0.0; own.len()];
+            relation.terms.iter().for_each(|&(k, by)| slopes[k] = by);
+            Piece {
+                place: Place::Nth(nth),
+                value: -relation.slack(own),
+                parameters: [0.0; N],
+                own: slopes,
+            }
+        };
+        let relations = free.map_or(Vec::new(), |free| order(free, 0));
+        relations.into_iter().enumerate().map(piece).collect()
+    }
+}
+
+/// The range as wishes know it.
+fn cycle<M, A>(candidate: &Candidate<'_, M, A>) -> Cycle {
+    let motion = &candidate.motion;
+    Cycle {
+        low: motion.range.0,
+        high: motion.range.1,
+        angle: motion.closed,
+        samples: motion.positions,
+    }
+}
+
+impl<M: Dimensions<N>, A, W: Wish<M, A>, const N: usize> CycleWish<M, A, N> for Fit<W> {
+    fn title(&self) -> String {
+        let title = self.wish.title();
+        match self.sense {
+            _ if self.wish.is_condition() => title,
+            Sense::Least => format!("least sum of squares of {title}"),
+            Sense::Closest => format!("least difference from {title}"),
+            Sense::Within(limit) => format!("{title} within {}", rounded(limit)),
+        }
+    }
+
+    fn is_goal(&self) -> bool {
+        !self.wish.is_condition() && !matches!(self.sense, Sense::Within(_))
+    }
+
+    fn check(&self, cycle: &Cycle, parameters: &[Parameter], varied: &[usize]) -> Vec<DesignError> {
+        self.wish.check(cycle, parameters, varied)
+    }
+
+    fn own(&self, candidate: &Candidate<'_, M, A>) -> Option<Vec<Own>> {
+        let Some(free) = self.wish.free(&cycle(candidate)) else {
+            return Some(Vec::new());
+        };
+        let (low, high) = candidate.motion.range;
+        let own = |start: f64| Own {
+            start,
+            bounds: free.bounds,
+            reach: REACH * (high - low),
+        };
+        Some(
+            self.suited::<M, A, N>(candidate, &free)?
+                .into_iter()
+                .map(own)
+                .collect(),
+        )
+    }
+
+    fn evaluate(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+        chosen: Chosen<'_>,
+    ) -> Option<Conditions<N>> {
+        let rows = self.rows::<M, A, N>(candidate, chosen.own)?;
+        let piece = |nth: usize| {
+            let (value, parameters, own) = rows.row(0, nth);
+            Piece {
+                place: Place::Nth(nth),
+                value,
+                parameters: core::array::from_fn(|k| parameters[k]),
+                own: own.to_vec(),
+            }
+        };
+        let pieces: Vec<Piece<N>> = (0..rows.count()).map(piece).collect();
+        let mut asked = Conditions::default();
+        match self.sense {
+            _ if self.wish.is_condition() => {
+                let below = |piece: &Piece<N>| vec![piece.times(-1.0, 0.0)];
+                asked.conditions.extend(pieces.iter().map(below));
+            }
+            Sense::Least => {
+                asked.goal.push(sum_of_squares(&pieces, chosen.own.len()));
+                asked.squares = pieces;
+            }
+            Sense::Closest => asked.goal = sizes(&pieces, 0.0),
+            Sense::Within(limit) => asked.conditions.push(sizes(&pieces, limit)),
+        }
+        let free = self.wish.free(&cycle(candidate));
+        let in_order = Self::in_order(free.as_ref(), chosen.own);
+        if !in_order.is_empty() {
+            asked.conditions.push(in_order);
+        }
+        Some(asked)
+    }
+
+    /// Slopes of all rows: those of a sum of squares vanish where it does.
+    fn known_by(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Vec<f64>> {
+        let rows = self.rows::<M, A, N>(candidate, chosen.own)?;
+        let slopes = (0..rows.count()).flat_map(|row| rows.row(0, row).1.to_vec());
+        Some(slopes.collect())
+    }
+}
+
+fn sum_of_squares<const N: usize>(rows: &[Piece<N>], free: usize) -> Piece<N> {
+    let mut sum = Piece {
+        place: Place::Nth(0),
+        value: 0.0,
+        parameters: [0.0; N],
+        own: vec![0.0; free],
+    };
+    for row in rows {
+        sum.value += row.value * row.value;
+        let slopes = row.parameters.iter().chain(&row.own);
+        let sums = sum.parameters.iter_mut().chain(&mut sum.own);
+        sums.zip(slopes)
+            .for_each(|(sum, slope)| *sum += 2.0 * row.value * slope);
+    }
+    sum
+}
+
+/// What the sizes of rows are above a limit.
+fn sizes<const N: usize>(rows: &[Piece<N>], limit: f64) -> Vec<Piece<N>> {
+    let both = |(nth, row): (usize, &Piece<N>)| {
+        [1.0, -1.0].map(|sign| Piece {
+            place: Place::Nth(2 * nth + usize::from(sign < 0.0)),
+            ..row.times(sign, -limit)
+        })
+    };
+    rows.iter().enumerate().flat_map(both).collect()
+}
