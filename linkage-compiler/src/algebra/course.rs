@@ -12,6 +12,7 @@ use super::choice::Choice;
 use super::law::profile;
 use crate::model::{Course, CourseKind, Law, Pieces, Repeats};
 
+mod blocks;
 mod quintic;
 mod spline;
 

@@ -1,12 +1,12 @@
 //! Courses for the default dimensions: knots in order, one value where a turn closes, jumps of speed and acceleration.
 
+mod ends;
+
 use linkage_symbolic::Graph;
 
-use crate::algebra::{Algebra, Nominal, clamped_curvatures, ends_of_law};
+use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
-use crate::model::{
-    Course, CourseKind, Ends, Expr, ExprKind, Law, Mechanism, Name, Pieces, Repeats, Type,
-};
+use crate::model::{Course, CourseKind, Expr, ExprKind, Mechanism, Name, Repeats, Type};
 
 use super::words::Words;
 
@@ -92,9 +92,6 @@ struct Check<'c, 'm> {
     knots: Vec<At>,
     words: Words<'m>,
 }
-
-/// Speed and acceleration on one side of a knot.
-type Rates = [f64; 2];
 
 impl Check<'_, '_> {
     fn report(&self, reporter: &mut Reporter) {
@@ -187,28 +184,6 @@ impl Check<'_, '_> {
         }
     }
 
-    /// The speeds and accelerations of all pieces at their ends; nothing where none jumps.
-    fn pieces(&self) -> Vec<[Rates; 2]> {
-        let pieces = self.knots.windows(2).zip(&self.course.knots[1..]);
-        match self.course.kind {
-            CourseKind::Laws => pieces.map(|(pair, knot)| rates(pair, knot.law)).collect(),
-            CourseKind::Spline(Ends::Clamped, Pieces::Cubic) => {
-                let graph = Graph::new();
-                let points = self.knots.iter();
-                let points = points.map(|own| (graph.number(own.place), graph.number(own.value)));
-                let curvatures = clamped_curvatures(&points.collect::<Vec<_>>());
-                let [first, last] = curvatures.map(|own| own.constant_value().unwrap_or(f64::NAN));
-                // Within it nothing jumps: what is the same on both sides is as good as rest.
-                let mut all = vec![[[0.0; 2]; 2]; self.knots.len() - 1];
-                all[0][0][1] = first;
-                all[self.knots.len() - 2][1][1] = last;
-                all
-            }
-            // A natural spline goes on as it ends, a periodic one as it began; a clamped quintic one ends without acceleration.
-            CourseKind::Rise | CourseKind::Spline(..) => Vec::new(),
-        }
-    }
-
     /// Warns where speed or acceleration jumps and no `jump` accepts it.
     fn jumps(&self, reporter: &mut Reporter) {
         let rest = [0.0; 2];
@@ -295,19 +270,4 @@ impl Check<'_, '_> {
         };
         format!("{}{per}", self.value(rate))
     }
-}
-
-/// Speed and acceleration of a piece at its begin and end.
-fn rates(pair: &[At], law: Option<Law>) -> [Rates; 2] {
-    let Some(law) = law else {
-        return [[0.0; 2]; 2];
-    };
-    let width = pair[1].place - pair[0].place;
-    let height = pair[1].value - pair[0].value;
-    ends_of_law(law).map(|[speed, acceleration]| {
-        [
-            speed * height / width,
-            acceleration * height / (width * width),
-        ]
-    })
 }

@@ -28,6 +28,7 @@ mod operators;
 mod parameter;
 mod part;
 mod part_frame;
+mod part_messages;
 mod part_place;
 mod passes;
 mod picture;

@@ -7,16 +7,11 @@
 
 use linkage_symbolic::Ex;
 
+use super::blocks::{Block, Row, Shape, added, eliminated, in_circle, plus};
 use super::spline::{solved, solved_in_circle};
 use crate::algebra::choice::Choice;
 use crate::algebra::law::{ORDERS, falling, scheme};
 use crate::model::Ends;
-
-/// Slope and curvature at a point.
-type Shape<'m> = [Ex<'m>; 2];
-
-/// Two rows of a system, by the slope and the curvature of one point.
-type Block<'m> = [[Ex<'m>; 2]; 2];
 
 /// What the values at the ends of a piece are, and how wide it is.
 struct Span<'m> {
@@ -200,14 +195,6 @@ fn by_slopes<'m>(spans: &[Span<'m>], slopes: &[Ex<'m>], ends: Ends) -> Vec<Shape
         .collect()
 }
 
-/// A point's rows: by the point before, its own, by the point behind, and what they make, a column for each system.
-struct Row<'m> {
-    before: Block<'m>,
-    own: Block<'m>,
-    behind: Block<'m>,
-    right: Vec<Shape<'m>>,
-}
-
 /// Slopes and curvatures that make the third and the fourth derivative continuous. Natural ends have none of them.
 fn by_points<'m>(spans: &[Span<'m>], ends: Ends) -> Vec<Shape<'m>> {
     let zero = spans[0].width.number(0.0);
@@ -254,103 +241,4 @@ fn by_points<'m>(spans: &[Span<'m>], ends: Ends) -> Vec<Shape<'m>> {
             all
         }
     }
-}
-
-/// A system whose first and last rows mention each other: the first point is moved to the right-hand side, and its own rows say what it is.
-fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape<'m>> {
-    let zero = first.own[0][0].number(0.0);
-    let last = rest.len() - 1;
-    for (k, row) in rest.iter_mut().enumerate() {
-        let mut moved = [[zero; 2]; 2];
-        if k == 0 {
-            moved = plus(moved, row.before);
-        }
-        if k == last {
-            moved = plus(moved, row.behind);
-        }
-        row.right
-            .extend([0, 1].map(|k| [-moved[0][k], -moved[1][k]]));
-    }
-    let found = eliminated(rest);
-    let (next, end) = (&found[0], &found[last]);
-    // What the neighbours add to the first rows: beside the number, by its slope and by its curvature.
-    let known = |column: usize| {
-        added(
-            times(first.behind, next[column]),
-            times(first.before, end[column]),
-        )
-    };
-    let [by_slope, by_curvature] = [known(1), known(2)];
-    let own = plus(
-        first.own,
-        [
-            [by_slope[0], by_curvature[0]],
-            [by_slope[1], by_curvature[1]],
-        ],
-    );
-    let moved = quotient(own, less(first.right[0], known(0)));
-    let others = found.iter().map(|own| {
-        let by = added(scaled(own[1], moved[0]), scaled(own[2], moved[1]));
-        added(own[0], by)
-    });
-    std::iter::once(moved).chain(others).collect()
-}
-
-/// Solutions for all right-hand sides, by row.
-fn eliminated<'m>(mut rows: Vec<Row<'m>>) -> Vec<Vec<Shape<'m>>> {
-    for k in 1..rows.len() {
-        let (done, open) = rows.split_at_mut(k);
-        let (above, row) = (&done[k - 1], &mut open[0]);
-        let removed = |column: Shape<'m>| times(row.before, quotient(above.own, column));
-        let columns = [0, 1].map(|k| removed([above.behind[0][k], above.behind[1][k]]));
-        let right: Vec<Shape> = above.right.iter().map(|own| removed(*own)).collect();
-        for (own, removed) in row.right.iter_mut().zip(right) {
-            *own = less(*own, removed);
-        }
-        for (r, own) in row.own.iter_mut().enumerate() {
-            for (c, own) in own.iter_mut().enumerate() {
-                *own -= columns[c][r];
-            }
-        }
-    }
-    let mut found: Vec<Vec<Shape>> = Vec::new();
-    for row in rows.iter().rev() {
-        let behind = found.last();
-        let own = row.right.iter().enumerate().map(|(column, &right)| {
-            let right = match behind {
-                Some(behind) => less(right, times(row.behind, behind[column])),
-                None => right,
-            };
-            quotient(row.own, right)
-        });
-        found.push(own.collect());
-    }
-    found.reverse();
-    found
-}
-
-fn plus<'m>(a: Block<'m>, b: Block<'m>) -> Block<'m> {
-    [added(a[0], b[0]), added(a[1], b[1])]
-}
-
-fn added<'m>(a: Shape<'m>, b: Shape<'m>) -> Shape<'m> {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-fn less<'m>(a: Shape<'m>, b: Shape<'m>) -> Shape<'m> {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn scaled<'m>(a: Shape<'m>, by: Ex<'m>) -> Shape<'m> {
-    a.map(|own| own * by)
-}
-
-fn times<'m>(block: Block<'m>, by: Shape<'m>) -> Shape<'m> {
-    block.map(|row| row[0] * by[0] + row[1] * by[1])
-}
-
-/// `block^-1 right`
-fn quotient<'m>([[a, b], [c, d]]: Block<'m>, [x, y]: Shape<'m>) -> Shape<'m> {
-    let determinant = a * d - b * c;
-    [(d * x - b * y) / determinant, (a * y - c * x) / determinant]
 }

@@ -1,0 +1,116 @@
+//! Linear systems in blocks of two, each point's rows by the point itself and its neighbours, without search for pivots.
+
+use linkage_symbolic::Ex;
+
+/// Slope and curvature at a point.
+pub(super) type Shape<'m> = [Ex<'m>; 2];
+
+/// Two rows of a system, by the slope and the curvature of one point.
+pub(super) type Block<'m> = [[Ex<'m>; 2]; 2];
+
+/// A point's rows: by the point before, its own, by the point behind, and what they make, a column for each system.
+pub(super) struct Row<'m> {
+    pub(super) before: Block<'m>,
+    pub(super) own: Block<'m>,
+    pub(super) behind: Block<'m>,
+    pub(super) right: Vec<Shape<'m>>,
+}
+
+/// A system whose first and last rows mention each other: the first point is moved to the right-hand side, and its own rows say what it is.
+pub(super) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape<'m>> {
+    let zero = first.own[0][0].number(0.0);
+    let last = rest.len() - 1;
+    for (k, row) in rest.iter_mut().enumerate() {
+        let mut moved = [[zero; 2]; 2];
+        if k == 0 {
+            moved = plus(moved, row.before);
+        }
+        if k == last {
+            moved = plus(moved, row.behind);
+        }
+        row.right
+            .extend([0, 1].map(|k| [-moved[0][k], -moved[1][k]]));
+    }
+    let found = eliminated(rest);
+    let (next, end) = (&found[0], &found[last]);
+    // What the neighbours add to the first rows: beside the number, by its slope and by its curvature.
+    let known = |column: usize| {
+        added(
+            times(first.behind, next[column]),
+            times(first.before, end[column]),
+        )
+    };
+    let [by_slope, by_curvature] = [known(1), known(2)];
+    let own = plus(
+        first.own,
+        [
+            [by_slope[0], by_curvature[0]],
+            [by_slope[1], by_curvature[1]],
+        ],
+    );
+    let moved = quotient(own, less(first.right[0], known(0)));
+    let others = found.iter().map(|own| {
+        let by = added(scaled(own[1], moved[0]), scaled(own[2], moved[1]));
+        added(own[0], by)
+    });
+    std::iter::once(moved).chain(others).collect()
+}
+
+/// Solutions for all right-hand sides, by row.
+pub(super) fn eliminated<'m>(mut rows: Vec<Row<'m>>) -> Vec<Vec<Shape<'m>>> {
+    for k in 1..rows.len() {
+        let (done, open) = rows.split_at_mut(k);
+        let (above, row) = (&done[k - 1], &mut open[0]);
+        let removed = |column: Shape<'m>| times(row.before, quotient(above.own, column));
+        let columns = [0, 1].map(|k| removed([above.behind[0][k], above.behind[1][k]]));
+        let right: Vec<Shape> = above.right.iter().map(|own| removed(*own)).collect();
+        for (own, removed) in row.right.iter_mut().zip(right) {
+            *own = less(*own, removed);
+        }
+        for (r, own) in row.own.iter_mut().enumerate() {
+            for (c, own) in own.iter_mut().enumerate() {
+                *own -= columns[c][r];
+            }
+        }
+    }
+    let mut found: Vec<Vec<Shape>> = Vec::new();
+    for row in rows.iter().rev() {
+        let behind = found.last();
+        let own = row.right.iter().enumerate().map(|(column, &right)| {
+            let right = match behind {
+                Some(behind) => less(right, times(row.behind, behind[column])),
+                None => right,
+            };
+            quotient(row.own, right)
+        });
+        found.push(own.collect());
+    }
+    found.reverse();
+    found
+}
+
+pub(super) fn plus<'m>(a: Block<'m>, b: Block<'m>) -> Block<'m> {
+    [added(a[0], b[0]), added(a[1], b[1])]
+}
+
+pub(super) fn added<'m>(a: Shape<'m>, b: Shape<'m>) -> Shape<'m> {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+fn less<'m>(a: Shape<'m>, b: Shape<'m>) -> Shape<'m> {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn scaled<'m>(a: Shape<'m>, by: Ex<'m>) -> Shape<'m> {
+    a.map(|own| own * by)
+}
+
+fn times<'m>(block: Block<'m>, by: Shape<'m>) -> Shape<'m> {
+    block.map(|row| row[0] * by[0] + row[1] * by[1])
+}
+
+/// `block^-1 right`
+fn quotient<'m>([[a, b], [c, d]]: Block<'m>, [x, y]: Shape<'m>) -> Shape<'m> {
+    let determinant = a * d - b * c;
+    [(d * x - b * y) / determinant, (a * y - c * x) / determinant]
+}
