@@ -7,6 +7,7 @@
 mod builder;
 mod case;
 mod code;
+mod courses;
 mod functions;
 pub mod given;
 mod groups;

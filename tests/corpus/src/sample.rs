@@ -31,6 +31,9 @@ pub struct Sample {
 /// Seeds below this one give mechanisms of the plane.
 const PLANAR: u64 = 36;
 
+/// From this seed on every second mechanism has a crank that a law or a spline turns, too.
+const DRIVEN: u64 = 47;
+
 /// The share of groups in space in the others.
 const IN_SPACE: f64 = 0.75;
 
@@ -42,6 +45,9 @@ pub fn sample(seed: u64, name: &str) -> Sample {
         builder.crank();
     }
     let in_space = seed >= PLANAR;
+    if seed >= DRIVEN && seed % 2 == 1 {
+        builder.course_crank();
+    }
     let wanted = 1 + builder.random.below(if in_space { 4 } else { 6 });
     let mut found = 0;
     while found < wanted {
