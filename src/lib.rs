@@ -131,7 +131,7 @@ pub mod language {
         #![doc = include_str!("../docs/language/generated.md")]
     }
 
-    /// Whole machines: mechanisms as parts of others; the inverse of a mechanism; a `Scene` of functions of several linkages.
+    /// Machines: mechanisms as parts of others; the inverse of a mechanism; a `Scene` of functions of several linkages.
     pub mod machines {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/machines.md")]
