@@ -12,10 +12,10 @@ mod surplus;
 use linkage_symbolic::Graph;
 
 use crate::algebra::Nominal;
-use crate::close::Words;
 use crate::model::{Mechanism, Type};
-use crate::structure::report::loop_list;
 use crate::vector::{Vector, cross};
+use crate::words::Words;
+use crate::words::loop_list;
 
 use loops::Loops;
 pub(crate) use loops::difference;

@@ -70,6 +70,7 @@ pub mod trace;
 pub mod unit;
 mod vector;
 mod watch;
+mod words;
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;

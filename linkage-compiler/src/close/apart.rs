@@ -8,12 +8,12 @@ use crate::algebra::{ALIKE, Algebra, Bound, Even};
 use crate::diagnostic::OriginId;
 use crate::formulate::Solved;
 use crate::model::Mechanism;
-use crate::structure::report::loop_list;
+use crate::words::loop_list;
 
 use super::check::range_of;
 use super::dead_point::DeadPoint;
 use super::ranges::{Break, Broken, GRID, Ranges};
-use super::words::Words;
+use crate::words::Words;
 
 /// Ends of a range that are proposed are this share of it inside the dead point, rounded to a power of ten.
 const INSIDE: f64 = 1e-4;

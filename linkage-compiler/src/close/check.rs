@@ -4,13 +4,13 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::formulate::Formulation;
 use crate::model::Input;
-use crate::structure::report::loop_list;
 use crate::unit::ContinuousAngle;
+use crate::words::loop_list;
 
 use super::Reference;
 use super::follow::{Unfollowed, follow_angles};
 use super::ranges::{Broken, Ranges};
-use super::words::Words;
+use crate::words::Words;
 
 /// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.
 /// `asked` are the angles whose values functions use.

@@ -8,7 +8,7 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::model::{Course, CourseKind, Expr, ExprKind, Mechanism, Name, Repeats, Type};
 
-use super::words::Words;
+use crate::words::Words;
 
 /// Of the size of speeds or accelerations: a smaller difference is rounding.
 const ROUNDING: f64 = 1e-9;

@@ -10,7 +10,7 @@ use crate::structure::Form;
 use crate::vector::norm;
 
 use super::machine::Machine;
-use super::words::Words;
+use crate::words::Words;
 
 /// Points nearer than this share of their distance from the origin and each other are one.
 const SAME: f64 = 1e-9;

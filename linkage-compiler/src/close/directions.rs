@@ -11,7 +11,7 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Mechanism, Name};
 
-use super::words::Words;
+use crate::words::Words;
 use asked::{Asked, asked_for};
 
 /// Reports every axis and argument of `unit` that is zero, or parallel to the one that it must differ from, for the default dimensions, and in loops those that are zero

@@ -8,7 +8,7 @@ use linkage_symbolic::program::Ternary;
 use crate::algebra::Bound;
 use crate::formulate::Solved;
 use crate::model::Dimension;
-use crate::structure::report::loop_list;
+use crate::words::loop_list;
 
 use super::reference::Assembly;
 

@@ -5,8 +5,8 @@ use linkage_core::numeric::roots::Unlisted;
 
 use crate::formulate::{Prepared, Solved};
 use crate::freedoms::Nearest;
-use crate::structure::report::loop_list;
 use crate::structure::unsolved::OURS;
+use crate::words::loop_list;
 
 use super::estimates::Choice;
 use super::listing::Candidate;

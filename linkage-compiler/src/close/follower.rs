@@ -3,7 +3,7 @@
 use crate::diagnostic::Reporter;
 use crate::formulate::Formulation;
 use crate::model::{METHODS_OF_FOLLOWER, Mechanism};
-use crate::structure::report::loop_list;
+use crate::words::loop_list;
 
 /// Reports functions that the follower of an assembly has no names for. One is generated if a coupled group depends on several inputs.
 pub(crate) fn check_names_of_follower(

@@ -10,8 +10,8 @@ use linkage_symbolic::program::Program;
 
 use crate::algebra::Algebra;
 use crate::formulate::{Prepared, Solved};
-use crate::structure::report::loop_list;
 use crate::unit::{Coupled, Start};
+use crate::words::loop_list;
 
 use super::estimates::{Choice, LISTED, Position};
 use super::follow::followed_range;

@@ -10,7 +10,7 @@ use crate::model::{Loop, Mechanism, Type};
 use super::Reference;
 use super::places::places;
 use super::ranges::GRID;
-use super::words::Words;
+use crate::words::Words;
 
 /// Positions along the range of each input.
 const ALONG: usize = 97;

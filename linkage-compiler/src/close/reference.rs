@@ -5,8 +5,8 @@ use linkage_core::numeric::nearest::{Ambiguity, nearest};
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::Reporter;
 use crate::formulate::{Formulation, Prepared, Solved};
-use crate::structure::report::loop_list;
 use crate::unit::{Closing, Outputs};
+use crate::words::loop_list;
 
 use super::check::report_unfollowed;
 use super::estimates::{Choice, Position};
@@ -15,7 +15,7 @@ use super::machine::Machine;
 use super::parts::InnerPart;
 use super::refusal::Verdict;
 use super::sizes::Sizes;
-use super::words::Words;
+use crate::words::Words;
 
 /// Below this margin a position cannot be told from a dead point.
 pub(super) const SINGULAR: f64 = 1e-6;

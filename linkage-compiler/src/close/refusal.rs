@@ -4,7 +4,7 @@ use crate::diagnostic::OriginId;
 use crate::formulate::Solved;
 use crate::model::Dimension;
 use crate::structure::Form;
-use crate::structure::report::loop_list;
+use crate::words::loop_list;
 
 use super::reference::{Assembly, SINGULAR};
 use super::values::without_value;

@@ -3,8 +3,8 @@
 use linkage_core::numeric::continuation::Refusal;
 
 use crate::formulate::{Prepared, Solved};
-use crate::structure::report::loop_list;
 use crate::structure::unsolved::OURS;
+use crate::words::loop_list;
 
 use super::check::range_of;
 use super::reference::Assembly;

@@ -6,7 +6,7 @@ use crate::algebra::Nominal;
 use crate::diagnostic::Reporter;
 use crate::model::{Expr, ExprKind, Mechanism, Name, Parameter, Variable};
 
-use super::words::Words;
+use crate::words::Words;
 
 /// Warns of parameters that neither loops nor bodies nor functions mention. One whose name begins with `_`, or with
 /// `#[allow(unused)]`, is meant to be so.

@@ -9,7 +9,7 @@ use crate::diagnostic::{OriginId, Reporter};
 use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name};
 use crate::syntax::Word;
 
-use super::words::Words;
+use crate::words::Words;
 
 /// Reports the innermost expressions of parameters and numbers that are not finite: as errors those that leave a loop without a
 /// solution, else as warnings, since other dimensions may be meant to be given, or an infinity to be compared with.

@@ -6,7 +6,7 @@
 use linkage_core::numeric::continuation::{self, Grid, LeftOut};
 
 use crate::formulate::{Prepared, Solved};
-use crate::structure::report::loop_list;
+use crate::words::loop_list;
 
 use super::check::range_of;
 use super::reference::Assembly;

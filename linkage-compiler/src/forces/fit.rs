@@ -2,9 +2,9 @@
 
 use linkage_symbolic::Vn;
 
-use crate::close::numbers;
 use crate::diagnostic::{OriginId, Reporter};
 use crate::model::{Between, ElementKind, Expr, Mechanism};
+use crate::words::numbers;
 
 use super::Mechanics;
 use super::geometry::{Turns, slides_along, turns_of};

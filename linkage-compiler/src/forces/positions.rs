@@ -3,8 +3,9 @@
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::Nominal;
-use crate::close::{ALTERATIONS, Reference, Words, altered, places};
+use crate::close::{ALTERATIONS, Reference, altered, places};
 use crate::model::Mechanism;
+use crate::words::Words;
 
 /// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is
 /// written wrongly is wrong by far more.

@@ -7,7 +7,7 @@ use crate::vector::{Vector, cross, dot, norm};
 
 use super::null::{LITTLE, largest, vectors};
 use super::{Mover, Position, Rows};
-use crate::close::numbers;
+use crate::words::numbers;
 
 /// So many motions are told.
 const TOLD: usize = 3;

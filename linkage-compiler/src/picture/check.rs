@@ -1,9 +1,9 @@
 //! Links that the user lists must be rigid, and move.
 
-use crate::close::numbers;
 use crate::diagnostic::text::list;
 use crate::diagnostic::{OriginId, Reporter};
 use crate::unit::{Picture, PointKind};
+use crate::words::numbers;
 
 use super::chains::Sketch;
 use super::marks::Asked;

@@ -28,7 +28,8 @@ impl fmt::Display for Most {
                 f,
                 "up to {OF_A_BODY} complex solutions (a body on six distances)"
             ),
-            Self::ByDegrees(u64::MAX) => f.write_str("complex solutions"),
+            // Too many to count, or none that is isolated.
+            Self::ByDegrees(0 | u64::MAX) => f.write_str("complex solutions"),
             Self::ByDegrees(number) => write!(f, "up to {number} complex solutions (by degrees)"),
         }
     }

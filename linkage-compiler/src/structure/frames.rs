@@ -3,10 +3,11 @@
 use super::Analysis;
 use super::equations::{Coordinate, Equation};
 use super::matching::{self, Matching};
-use super::report::{counted, loop_list};
-use crate::close::Words;
+use super::report::counted;
 use crate::freedoms::Position;
 use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
+use crate::words::Words;
+use crate::words::loop_list;
 
 /// An unknown frame of the model.
 struct Found {
@@ -228,15 +229,18 @@ impl<'m> Analysis<'_, 'm> {
             .motion
             .map_or_else(String::new, |motion| format!("; and yet {motion}"));
         let enough = found.spare.len() >= surplus && motion.is_empty();
-        let help = match (&found.spare[..], &closed) {
-            (spare @ [_, ..], Some(_)) if enough => format!(
-                "write `redundant` at the end of {}: then it is checked that what they say follows from the others; or leave {} out",
-                loop_list(spare),
-                if spare.len() == 1 { "it" } else { "them" }
+        let [they, depend, them, each] = match found.spare.len() {
+            1 => ["it", "depends", "it", "it"],
+            _ => ["they", "depend", "them", "each"],
+        };
+        let spare = loop_list(&found.spare);
+        let help = match &closed {
+            Some(_) if enough => format!(
+                "write `redundant` at the end of {spare}, to have it checked whether {they} follow{} from the others; or leave {them} out",
+                if found.spare.len() == 1 { "s" } else { "" }
             ),
-            (spare @ [_, ..], None) if enough => format!(
-                "remove {}, or others on which they depend; or make a dimension or an input of each an `unknown`",
-                loop_list(spare)
+            None if enough => format!(
+                "remove {spare}, or a loop on which {they} {depend}; or make a dimension or an input of {each} an `unknown`"
             ),
             _ => "remove loops that depend on others, and write some that hold what can still move"
                 .to_owned(),

@@ -3,10 +3,10 @@
 
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::report::loop_list;
 use super::together::{Together, independent};
 use crate::algebra::{ALIKE, Bound, Even, Nominal};
 use crate::model::Dimension;
+use crate::words::loop_list;
 
 /// Positions besides the reference, as shares of a small motion to both sides.
 const POSITIONS: [f64; 5] = [0.0, 0.5, 1.0, -0.5, -1.0];

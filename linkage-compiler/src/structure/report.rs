@@ -4,6 +4,7 @@ use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
 use super::repeated::Repeated;
+use crate::words::loop_list;
 
 impl<'m> Analysis<'_, 'm> {
     /// Reports unknowns without equations and equations without unknowns; true if there are none.
@@ -211,19 +212,6 @@ impl<'m> Analysis<'_, 'm> {
         unknowns.dedup();
         let name = |&k: &usize| format!("`{}`", self.algebra.mechanism.unknowns[k].name);
         unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
-    }
-}
-
-/// `loop 2`, `loops 2 and 3`, `loops 1, 2 and 3`
-pub(crate) fn loop_list<'a>(loops: impl IntoIterator<Item = &'a usize>) -> String {
-    let mut numbers: Vec<usize> = loops.into_iter().map(|k| k + 1).collect();
-    numbers.sort_unstable();
-    numbers.dedup();
-    let words: Vec<String> = numbers.iter().map(usize::to_string).collect();
-    match &words[..] {
-        [one] => format!("loop {one}"),
-        [before @ .., last] => format!("loops {} and {last}", before.join(", ")),
-        [] => "no loop".to_owned(),
     }
 }
 

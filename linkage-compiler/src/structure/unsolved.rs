@@ -5,10 +5,10 @@ use linkage_symbolic::{MAX_DEGREE, Obstacle, SymbolId, obstacle};
 use super::Analysis;
 use super::coupled_core::MOST_CORE;
 use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::report::loop_list;
 use crate::algebra::{Translate, Value};
 use crate::diagnostic::OriginId;
 use crate::model::Expr;
+use crate::words::loop_list;
 
 /// How every limit is called what it is.
 pub(crate) const OURS: &str = "this is a limit of linkage, not a mistake of yours";

@@ -310,7 +310,7 @@ fn unit() -> Unit {
             mode: Some(0),
             coupled: false,
             plus: true,
-            method: "closed form",
+            method: "closed form".to_owned(),
             gap_unit: "mm".to_owned(),
             parameters: vec![0],
         }],

@@ -1,6 +1,5 @@
-//! Positions in the words of a message.
+//! Positions, quantities and loops in the words of a message.
 
-use crate::formulate::Solved;
 use crate::model::{Dimension, Mechanism, Type, significant};
 
 /// Prints quantities of one mechanism.
@@ -113,15 +112,6 @@ impl<'m> Words<'m> {
         }
     }
 
-    pub(crate) fn gap(&self, solved: &Solved, gap: f64) -> String {
-        let dimension = solved.gap_dimension(self.mechanism);
-        format!(
-            "{}{}",
-            significant(gap),
-            dimension.unit(self.mechanism.unit)
-        )
-    }
-
     pub(crate) fn scalar(&self, dimension: Dimension, x: f64) -> String {
         match dimension.half_lengths {
             0 => format!("{}deg", significant(x.to_degrees())),
@@ -148,4 +138,17 @@ fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
             true => 0.0,
             false => x,
         })
+}
+
+/// `loop 2`, `loops 2 and 3`, `loops 1, 2 and 3`
+pub(crate) fn loop_list<'a>(loops: impl IntoIterator<Item = &'a usize>) -> String {
+    let mut numbers: Vec<usize> = loops.into_iter().map(|k| k + 1).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    let words: Vec<String> = numbers.iter().map(usize::to_string).collect();
+    match &words[..] {
+        [one] => format!("loop {one}"),
+        [before @ .., last] => format!("loops {} and {last}", before.join(", ")),
+        [] => "no loop".to_owned(),
+    }
 }

@@ -1,0 +1,16 @@
+//! By how much the links of a group miss each other, in words.
+
+use crate::formulate::Solved;
+use crate::model::significant;
+use crate::words::Words;
+
+impl Words<'_> {
+    pub(super) fn gap(&self, solved: &Solved, gap: f64) -> String {
+        let dimension = solved.gap_dimension(self.mechanism());
+        format!(
+            "{}{}",
+            significant(gap),
+            dimension.unit(self.mechanism().unit)
+        )
+    }
+}
