@@ -13,7 +13,7 @@ use linkage_symbolic::Graph;
 
 use crate::algebra::Nominal;
 use crate::model::{Mechanism, Type};
-use crate::vector::{Vector, cross};
+use crate::vector::{Vector, cross, dot, norm};
 use crate::words::Words;
 use crate::words::loop_list;
 
@@ -69,16 +69,22 @@ impl<'w, 'm> Position<'w, 'm> {
         words: &'w Words<'m>,
         nominal: &'w Nominal,
         length: f64,
-        values: Vec<Vec<f64>>,
+        mut values: Vec<Vec<f64>>,
     ) -> Self {
         let mechanism = words.mechanism();
+        let movers = movers(mechanism);
+        for mover in &movers {
+            if let Mover::Body { axes, .. } = mover {
+                make_rigid(&mut values, *axes);
+            }
+        }
         Self {
             mechanism,
             nominal,
             words,
             length,
             values,
-            movers: movers(mechanism),
+            movers,
         }
     }
 
@@ -222,6 +228,19 @@ impl Position<'_, '_> {
                 loop_list(&loops)
             )
         })
+    }
+}
+
+/// Axes of length 1 and perpendicular, if both are known: on a way to an assembly they are so but for what steps leave.
+fn make_rigid(values: &mut [Vec<f64>], axes: [usize; 2]) {
+    let [first, second]: [Vector; 2] = axes.map(|axis| [0, 1, 2].map(|k| values[axis][k]));
+    let first = first.map(|x| x / norm(first));
+    let along = dot(first, second);
+    let second = [0, 1, 2].map(|k| second[k] - along * first[k]);
+    let second = second.map(|x| x / norm(second));
+    if first.iter().chain(&second).all(|x| x.is_finite()) {
+        values[axes[0]] = first.to_vec();
+        values[axes[1]] = second.to_vec();
     }
 }
 
