@@ -279,41 +279,5 @@ fn singular(check: &mut Check) -> Result<(), Box<dyn Error>> {
         stretched,
         1e-9,
     );
-    of_the_foot(check)
-}
-
-/// Where the lever of a short heel and its rod are in one line, motors that go on do not move the foot any more.
-fn of_the_foot(check: &mut Check) -> Result<(), Box<dyn Error>> {
-    let short = ToFoot {
-        heel: 20.0,
-        ..ToFoot::default()
-    }
-    .assemble()?;
-    let foot = |motor: f64| {
-        let tilt = short.tilt(motor, motor);
-        Jacobian::of_results([tilt.pitch_by, tilt.roll_by])
-    };
-    let found = singularities(foot, [0.0, 0.6], 60);
-    for own in &found {
-        println!(
-            "       heel of 20 mm: {:?} at motors of {:.3} degrees",
-            own.kind,
-            own.at.to_degrees()
-        );
-    }
-    check.holds(
-        "one of the second kind",
-        found.len() == 1 && found[0].kind == SingularityKind::Second,
-    );
-    // The pin of the crank is as far from the joint as rod and lever are long: by the law of cosines.
-    let reach = 230.0 + 20.0_f64.hypot(10.0);
-    let stretched = (reach * reach - 60.0 * 60.0 - 230.0 * 230.0) / (2.0 * 60.0 * 230.0);
-    // What is prepared of both motors together ends shortly before.
-    check.near(
-        "where lever and rod are in line, shortly before",
-        found[0].at,
-        stretched.asin(),
-        1e-3,
-    );
     Ok(())
 }
