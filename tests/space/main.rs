@@ -7,6 +7,7 @@ mod cylindrical;
 mod mixed;
 mod newton;
 mod octahedral;
+mod octahedral_bodies;
 mod parallelograms;
 mod platform;
 mod rocking_sleeve;

@@ -7,16 +7,23 @@ use super::eliminate::{System, point_symbols};
 use super::equations::{Coordinate, CoordinateKind, Equation};
 
 /// A distance of an unknown point from a fixed one.
-struct Held<'m> {
-    place: usize,
-    end: V3<'m>,
-    length: Ex<'m>,
+pub(super) struct Held<'m> {
+    /// The equation that says so.
+    pub(super) place: usize,
+    pub(super) end: V3<'m>,
+    pub(super) length: Ex<'m>,
 }
 
 /// The points `middle + cos axes[0] + sin axes[1]`.
 struct Circle<'m> {
     middle: V3<'m>,
     axes: [V3<'m>; 2],
+}
+
+/// A point that runs on a circle, by a new angle.
+pub(super) struct Running<'m> {
+    pub(super) point: V3<'m>,
+    pub(super) angle: Coordinate,
 }
 
 impl<'m> Analysis<'_, 'm> {
@@ -75,13 +82,10 @@ impl<'m> Analysis<'_, 'm> {
         coordinates: &[Coordinate],
     ) -> Option<System<'m>> {
         let symbols = point_symbols(point)?;
-        let circle = self.circle(first, second);
-        let angle = self.algebra.names.add_angle("circle", None);
-        self.algebra.names.angles[angle].estimated = self.angle_at_estimate(&symbols, &circle);
-        let Circle { middle, axes } = circle;
-        let Vector([cos, sin]) = self.algebra.names.angles[angle].unit;
-        let at = middle + axes[0].map(|x| cos * x) + axes[1].map(|x| sin * x);
-        for (symbol, value) in symbols.into_iter().zip(at.0) {
+        let graph = self.algebra.graph;
+        let own = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
+        let running = self.running(own, [first, second]);
+        for (symbol, value) in symbols.into_iter().zip(running.point.0) {
             self.make_explicit(symbol, value);
         }
         let mut gone = equations[first.place].clone();
@@ -94,11 +98,24 @@ impl<'m> Analysis<'_, 'm> {
         }
         let mut left: Vec<Coordinate> = coordinates.to_vec();
         left.retain(|own| !point.contains(own));
-        left.push(Coordinate {
-            kind: CoordinateKind::Angle(angle),
-            unknown: None,
-        });
+        left.push(running.angle);
         Some((kept, left))
+    }
+
+    /// A point that two distances hold, by the angle on its circle; `point` is what it is by the unknowns so far.
+    pub(super) fn running(&mut self, point: V3<'m>, held: [&Held<'m>; 2]) -> Running<'m> {
+        let circle = self.circle(held[0], held[1]);
+        let angle = self.algebra.names.add_angle("circle", None);
+        self.algebra.names.angles[angle].estimated = self.angle_at_estimate(point, &circle);
+        let Circle { middle, axes } = circle;
+        let Vector([cos, sin]) = self.algebra.names.angles[angle].unit;
+        Running {
+            point: middle + axes[0].map(|x| cos * x) + axes[1].map(|x| sin * x),
+            angle: Coordinate {
+                kind: CoordinateKind::Angle(angle),
+                unknown: None,
+            },
+        }
     }
 
     /// Where two spheres meet.
@@ -126,11 +143,8 @@ impl<'m> Analysis<'_, 'm> {
     }
 
     /// The angle at which the point is estimated; 0 if that is nowhere.
-    fn angle_at_estimate(&self, point: &[SymbolId], circle: &Circle<'m>) -> f64 {
-        let graph = self.algebra.graph;
-        let symbols = point.iter().map(|&own| graph.ex(graph.symbol_node(own)));
-        let symbols: Vec<Ex> = symbols.collect();
-        let arm = Vector([0, 1, 2].map(|k| symbols[k])) - circle.middle;
+    fn angle_at_estimate(&self, point: V3<'m>, circle: &Circle<'m>) -> f64 {
+        let arm = point - circle.middle;
         let sides = circle.axes.map(|axis| arm.dot(axis));
         let values = self.algebra.at_estimates(self.nominal, &sides);
         let angle = values[1].atan2(values[0]);

@@ -162,6 +162,7 @@ impl<'m> Analysis<'_, 'm> {
             .or_else(|| self.double_angle(equations, coordinates))
             .or_else(|| self.relative_angle(equations, coordinates))
             .or_else(|| self.point_to_circle(equations, coordinates))
+            .or_else(|| self.body_to_circles(equations, coordinates))
     }
 
     /// `p + ... = 0` in one of several vector loops gives the unknown point `p`.

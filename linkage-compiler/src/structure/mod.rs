@@ -5,6 +5,7 @@
 //! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
 
 mod bound;
+mod body_circle;
 mod circle;
 mod class;
 mod classify;
