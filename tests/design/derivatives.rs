@@ -120,6 +120,44 @@ fn of_poses_and_velocities() {
     );
 }
 
+/// Velocities of a point, with inputs free: two numbers at each position.
+#[test]
+fn of_the_velocity_of_a_point() {
+    let going = FourBarAssembly::going_sweep_sets_into;
+    let wanted = [[3.0, -4.0], [1.0, 2.0], [-6.0, 0.5]];
+    compare(
+        &Targets::of("v", wanted)
+            .weights([1.0, 2.0])
+            .computed_by(going),
+        &[0.5, 1.1, 3.0],
+    );
+    // Those of a four-bar lead back to it, up to a rotation of nothing: lengths and the place of the point.
+    let known = FourBar {
+        crank: 14.0,
+        rocker: 32.0,
+        arm: [18.0, 12.0].into(),
+        ..FourBar::default()
+    };
+    let assembly = known.assemble().expect("it assembles");
+    let inputs = evenly(0.2, 0.9, 7);
+    let velocities: Vec<[f64; 2]> = inputs
+        .iter()
+        .map(|&phi| assembly.going(phi).v.into())
+        .collect();
+    let wish = Targets::of("v", velocities).at(inputs).computed_by(going);
+    let design = ["crank", "rocker", "arm.x", "arm.y"]
+        .into_iter()
+        .fold(super::problem_of_nothing(), |design, name| {
+            design.vary_by(name, 0.3)
+        });
+    let found = design.want(wish).starts(16).run().expect("it can be found");
+    let best = found.best();
+    assert!(best.sum < 1e-18, "{found}");
+    for (value, known) in best.mechanism.values().iter().zip(known.values()) {
+        assert!((value - known).abs() < 1e-7, "{value} {known}");
+    }
+}
+
 /// The residual itself is the difference, an angle's without whole turns.
 #[test]
 fn residuals_are_differences() {

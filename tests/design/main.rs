@@ -46,6 +46,10 @@ mechanism! {
         pub fn speed(phi) -> Speed {
             v: velocity(psi), a: acceleration(psi), s: sensitivity(velocity(psi)), psi,
         }
+        /// The velocity of the point as a quantity.
+        pub fn going(phi) -> Going {
+            v: velocity(tracer), a: acceleration(tracer), s: sensitivity(velocity(tracer)), tracer,
+        }
         /// Without derivatives by the input, and by two parameters only.
         pub fn poor(phi) -> Poor { tracer, s: sensitivity(tracer, [crank, coupler]) }
     }
@@ -56,17 +60,20 @@ const LENGTHS: [&str; 4] = ["frame", "crank", "coupler", "rocker"];
 
 type FourBarDesign<'a> = Design<'a, FourBar, FourBarAssembly, 9>;
 
-/// A problem of the four-bar, without a wish.
-fn problem<'a>() -> FourBarDesign<'a> {
+/// A problem of the four-bar in which nothing varies.
+fn problem_of_nothing<'a>() -> FourBarDesign<'a> {
     let design = Design::new(
         FourBar::default(),
         FourBar::assemble,
         FourBar::assemblies,
         FourBar::circuits,
     );
-    let design = design
-        .expect("it assembles")
-        .hold(Relation::crank_turns(LENGTHS, 0.0));
+    design.expect("it assembles")
+}
+
+/// A problem of the four-bar, without a wish.
+fn problem<'a>() -> FourBarDesign<'a> {
+    let design = problem_of_nothing().hold(Relation::crank_turns(LENGTHS, 0.0));
     LENGTHS
         .iter()
         .fold(design, |design, name| design.vary(name, 5.0, 60.0))

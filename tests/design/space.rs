@@ -2,7 +2,7 @@
 
 use super::evenly;
 use linkage::Dimensions;
-use linkage::design::{Design, Targets};
+use linkage::design::{Design, Targets, Timing};
 use linkage::mechanism;
 
 mechanism! {
@@ -31,7 +31,7 @@ mechanism! {
     impl Carrier {
         fn pose(phi) -> CarrierPose {
             tip, along, upward,
-            by_tip: sensitivity(tip), by_along: sensitivity(along), by_upward: sensitivity(upward),
+            v: velocity(tip), by_tip: sensitivity(tip), by_along: sensitivity(along), by_upward: sensitivity(upward),
         }
     }
 }
@@ -73,4 +73,44 @@ fn poses_are_found_again() {
         assert!((value - known).abs() < 1e-8, "{value} and {known}");
     }
     assert_eq!((found.residuals, found.variables), (90, 9));
+}
+
+/// Points of a way in space, one after the other at any inputs, lead back to the carrier and to their inputs.
+#[test]
+fn a_path_in_space_is_found_again() {
+    let nominal = Carrier::default();
+    let known = Carrier {
+        rod: 133.0,
+        rocker: 68.0,
+        crank: 31.0,
+        ..nominal
+    };
+    let assembly = known.assemble().expect("it assembles");
+    let inputs = evenly(0.3, 0.55, 9);
+    let points = inputs
+        .iter()
+        .map(|&phi| <[f64; 3]>::from(assembly.pose(phi).tip));
+    let wish = Targets::of("tip", points)
+        .timing(Timing::InOrder)
+        .computed_by(CarrierAssembly::pose_sweep_sets_into);
+    let design = Design::new(
+        nominal,
+        Carrier::assemble,
+        Carrier::assemblies,
+        Carrier::circuits,
+    );
+    let design = ["rod", "rocker", "crank"].into_iter().fold(
+        design.expect("it assembles").want(wish).starts(64),
+        |design, name| design.vary_by(name, 0.1),
+    );
+    let found = design.run().expect("it can be found");
+    let best = found.best();
+    assert!(best.sum < 1e-16, "{found}");
+    for (value, known) in best.mechanism.values().iter().zip(known.values()) {
+        assert!((value - known).abs() < 1e-6, "{value} and {known}");
+    }
+    for (input, known) in best.inputs[0].iter().zip(&inputs) {
+        assert!((input - known).abs() < 1e-6, "{input} and {known}");
+    }
+    assert_eq!((found.residuals, found.variables), (27, 12));
 }
