@@ -2,8 +2,8 @@
 #![cfg(feature = "design")]
 
 mod derivatives;
-mod judge;
 mod evenly;
+mod judge;
 mod known;
 mod messages;
 mod reach;

@@ -13,6 +13,9 @@ use super::Algebra;
 /// So many unknowns are left to cofactors: their determinant takes as many products as elimination, and no division but one.
 const REST: usize = 3;
 
+/// Systems of no more unknowns have no pivot that could vanish: those of one body on rods whose travel is given. Beyond, minors are too many.
+const WHOLE: usize = 5;
+
 /// A pivot may be this part of the largest entry that could be one, if that keeps more zeros: multipliers stay small.
 const THRESHOLD: f64 = 0.25;
 
@@ -62,7 +65,8 @@ impl Order {
             columns: (0..size).collect(),
         };
         let mut pivots = Vec::new();
-        while left.rows.len() > REST {
+        let rest = if size <= WHOLE { size } else { REST };
+        while left.rows.len() > rest {
             let (row, column) = left.best();
             pivots.push(Pivot {
                 row,

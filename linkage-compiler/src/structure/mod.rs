@@ -4,8 +4,8 @@
 //! directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups, in order. Each group is then brought
 //! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
 
-mod bound;
 mod body_circle;
+mod bound;
 mod circle;
 mod class;
 mod classify;

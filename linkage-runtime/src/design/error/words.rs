@@ -123,7 +123,9 @@ impl fmt::Display for DesignError {
                 bounds,
                 missed,
             } => {
-                let (last, others) = relations.split_last().map_or(("", &[][..]), |(last, others)| (last, others));
+                let (last, others) = relations
+                    .split_last()
+                    .map_or(("", &[][..]), |(last, others)| (last, others));
                 let with: Vec<&str> = others.iter().chain(bounds).map(String::as_str).collect();
                 write!(f, "{last} cannot hold")?;
                 if !with.is_empty() {
