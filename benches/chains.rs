@@ -111,7 +111,7 @@ fn main() {
     for (times, goal) in times.iter().zip(goals) {
         print(times, goal, clock);
     }
-    operations(&McPherson::<f64>::STRUCTURE);
+    operations(McPherson::<f64>::STRUCTURE);
 }
 
 /// Both ways, all over the ranges.

@@ -59,7 +59,7 @@ linkage::mechanism! {
             (235deg, 6.75mm), (280deg, -1.5mm), (325deg, -2.25mm), (360deg, 0mm),
         ]);
         let natural = spline(phi, [(start, 2mm), (90deg, second), (180deg, 5mm), (250deg, 1mm)]);
-        let clamped = spline(phi, [(start, 2mm), (90deg, second), (180deg, 5mm), (250deg, 1mm)], clamped);
+        let clamped = spline(phi, [(start, 2mm, jump), (90deg, second), (180deg, 5mm), (250deg, 1mm, jump)], clamped);
         let again = spline(phi, [(10deg, 2mm), (start, second), (70deg, 5mm), (90deg, 2mm)], periodic);
         let quintic = spline(phi, [
             (0deg, 0mm), (40deg, 3.5mm), (90deg, 11.25mm), (130deg, 12mm), (180deg, 10.5mm),
