@@ -69,10 +69,7 @@ fn all_values_and_slopes_are_within() {
                 let room = 1e-14 * (1.0 + value.abs());
                 // Bounds that are not known are NaN.
                 let beyond = least - value > room || value - most > room;
-                assert!(
-                    !beyond,
-                    "{name} at {x}: {value} not in {least} to {most}"
-                );
+                assert!(!beyond, "{name} at {x}: {value} not in {least} to {most}");
                 let slope = dual[k].1(Dual(Dual64::new(x, 1.0))).0.eps;
                 let room = 1e-12 * (1.0 + slope.abs());
                 let beyond = falls - slope > room || slope - rises > room;

@@ -115,13 +115,13 @@ fn the_transposed_matrix_has_the_transposed_order() {
 
 #[test]
 fn a_pivot_that_vanishes_or_changes_its_sign_gives_no_number() {
-    let at_reference = matrix(5, 11);
+    let at_reference = matrix(6, 11);
     let order = order(&at_reference);
     let Pivot { row, column, .. } = order.pivots[0];
     for factor in [1.0 / 2048.0, 0.0, -1.0] {
         let mut elsewhere = at_reference.clone();
         elsewhere[row][column] *= factor;
-        let (solution, found) = solved(&order, &elsewhere, &[1.0; 5]);
+        let (solution, found) = solved(&order, &elsewhere, &[1.0; 6]);
         assert!(found.is_nan() && solution.iter().any(|x| x.is_nan()));
     }
 }
