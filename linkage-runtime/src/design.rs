@@ -59,10 +59,3 @@ pub use sampled::Sampled;
 pub use settings::Progress;
 pub use targets::{Targets, Timing};
 pub use wish::{Candidates, Evaluate, Free, Rows, Wish};
-
-use linkage_core::Cycle;
-
-/// The length of the range if it is a full turn.
-fn turn(cycle: &Cycle) -> Option<f64> {
-    cycle.turn()
-}

@@ -80,7 +80,7 @@ pub(crate) fn certify<A>(
     mut same: impl FnMut(&Branch<A>) -> bool,
 ) -> Result<Branch<A>, Interruption> {
     let found = found.map_err(Interruption::Unassembled)?;
-    let turns = super::turn(&found.cycle).is_some();
+    let turns = found.cycle.turn().is_some();
     let mut parts = Vec::new();
     for branch in found.branches {
         if !same(&branch) {

@@ -75,7 +75,8 @@ impl Groups {
     }
 }
 
-fn largest(rows: &[Row]) -> f64 {
+/// The largest value of some rows.
+pub(crate) fn largest(rows: &[Row]) -> f64 {
     rows.iter()
         .map(|row| row.value)
         .fold(f64::NEG_INFINITY, f64::max)

@@ -54,8 +54,7 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
         let Timing::Given(inputs) = &self.targets.timing else {
             return Vec::new();
         };
-        let outside =
-            |x: &&f64| super::turn(cycle).is_none() && !(cycle.low..=cycle.high).contains(*x);
+        let outside = |x: &&f64| cycle.turn().is_none() && !(cycle.low..=cycle.high).contains(*x);
         let count = self.count("inputs", self.targets.targets.len(), inputs.len());
         let beyond = inputs
             .iter()
@@ -83,7 +82,7 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
             range,
         };
         let fits = self.rest(step).abs() <= range * (1.0 + ROUNDING);
-        (super::turn(cycle).is_none() && step.is_finite() && !fits).then_some(error)
+        (cycle.turn().is_none() && step.is_finite() && !fits).then_some(error)
     }
 
     /// From the first position to the last, if they are evenly spaced.
@@ -159,7 +158,7 @@ where
             _ => targets.len(),
         };
         let (low, high) = (cycle.low, cycle.high);
-        let turn = super::turn(cycle);
+        let turn = cycle.turn();
         let mut bounds = match turn {
             // Inputs that differ by turns are the same: room to turn past the seam.
             Some(turn) => (low - ROOM * turn, high + ROOM * turn),
@@ -190,7 +189,7 @@ where
         let inputs: Vec<f64> = positions
             .map(|position| timing.input(free, position).0)
             .collect();
-        match (timing, super::turn(cycle), inputs.first()) {
+        match (timing, cycle.turn(), inputs.first()) {
             (Timing::Given(_), _, _) | (_, None, _) | (_, _, None) => inputs,
             (_, Some(turn), Some(first)) => {
                 let past = turn * ((first - cycle.low) / turn).floor();

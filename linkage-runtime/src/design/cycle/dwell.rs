@@ -6,7 +6,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::Cycle;
 
-use super::super::{DesignError, turn};
+use super::super::DesignError;
 use super::corners::{Corner, Corners};
 use super::interval::ranges;
 use super::{Candidate, Chosen, Conditions, Curve, CycleWish, Own, Piece, Place};
@@ -157,7 +157,7 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
         let wish = || CycleWish::<M, A, N>::title(self);
         let [from, to] = self.between.unwrap_or([cycle.low, cycle.high]);
         let mut errors = Vec::new();
-        let turns = turn(cycle).is_some();
+        let turns = cycle.turn().is_some();
         let outside = |input: &f64| !(turns || (cycle.low..=cycle.high).contains(input));
         if let Some(input) = [from, to].into_iter().find(outside) {
             errors.push(DesignError::OutOfRange {

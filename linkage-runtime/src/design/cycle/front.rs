@@ -65,7 +65,7 @@ where
             let motion = Motion {
                 assembly: &best.assembly,
                 range: (cycle.low, cycle.high),
-                closed: super::super::turn(cycle).is_some(),
+                closed: cycle.turn().is_some(),
                 positions: self.positions,
             };
             let other = other.value(&motion).unwrap_or(f64::NAN);

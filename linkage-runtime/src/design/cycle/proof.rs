@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::super::DesignError;
 use super::super::certificate::{Interruption, alike, certify};
-use super::super::minimax::Row;
+use super::super::minimax::largest;
 use super::problem::{Problem, Sizes, Start};
 use super::{Candidate, Piece};
 use crate::{AssemblyError, Branch, BranchEnd, Circuits, Dimensions};
@@ -204,10 +204,4 @@ fn intervals<A>(parts: &[&Branch<A>]) -> Vec<[f64; 2]> {
         }
     }
     intervals
-}
-
-fn largest(rows: &[Row]) -> f64 {
-    rows.iter()
-        .map(|row| row.value)
-        .fold(f64::NEG_INFINITY, f64::max)
 }

@@ -7,10 +7,10 @@ use alloc::vec::Vec;
 use core::ops::Range;
 use linkage_core::Cycle;
 
+use super::super::DesignError;
 use super::super::rounds::in_rounds;
 use super::super::settings::{End, Report};
 use super::super::varied::Varied;
-use super::super::{DesignError, turn};
 use super::CycleWish;
 use super::builder::CycleDesign;
 use super::descents::{Descents, Optimum};
@@ -135,7 +135,7 @@ where
             limits: checked.varied.limits.clone(),
             catalogues: checked.varied.catalogues.clone(),
             range: (cycle.low, cycle.high),
-            closed: turn(cycle).is_some(),
+            closed: cycle.turn().is_some(),
             positions: self.positions,
             wishes,
             assemble,

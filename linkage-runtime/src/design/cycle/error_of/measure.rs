@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use super::Slopes;
 use crate::components::{in_space, norm};
+use crate::design::quadratic::dot;
 use crate::tolerance::Tolerances;
 use crate::tolerance::modulus::corners as corners_of;
 
@@ -268,8 +269,4 @@ fn worst_changes<const N: usize>(tolerances: &Tolerances<N>, slopes: &Slopes<N>)
 
 fn times<const N: usize>(matrix: &[[f64; N]; N], vector: &[f64; N]) -> [f64; N] {
     matrix.map(|row| dot(&row, vector))
-}
-
-fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
