@@ -24,6 +24,8 @@ impl States<f64, 1, 2> for Twice {
 struct Sum;
 
 impl Kernel<f64, 3, 2> for Sum {
+    const WIDE: bool = true;
+
     fn evaluate<const FUSED: bool, const V: usize, const B: usize>(
         &self,
         arguments: &impl Arguments<f64, 3>,

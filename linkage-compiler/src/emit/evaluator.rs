@@ -8,7 +8,7 @@ use super::at_word::type_at;
 use super::body::Runs;
 use super::docs::{behind_name, doc, documented, sentence, tokens, with_note};
 use super::entries::{entries, entry};
-use super::load::{CARRIED, loader};
+use super::load::{CARRIED, INPUT, loader_by};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
 use super::{attribute, body, debug, home, literal, sealed, starts};
@@ -199,7 +199,11 @@ pub(super) fn kernel(
         let stage = &stages[index];
         let results = results(index, stage);
         let [taken, kept] = [&stage.taken, &stage.kept].map(|places| in_memory(places));
-        quote!(let ([#(#kept),*], [#(#results),*]) = self.#method::<__FUSED, false>(__x, [#(#taken),*]);)
+        let read = places.read(&stage.program).into_iter().map(literal::index);
+        quote! {
+            let ([#(#kept),*], [#(#results),*]) =
+                self.#method::<__FUSED, false>([#(__x[#read]),*], [#(#taken),*]);
+        }
     });
     let mut outputs = vec![TokenStream::new(); function.width()];
     for (index, stage) in stages.iter().enumerate() {
@@ -262,7 +266,7 @@ fn in_memory(places: &[usize]) -> Vec<Ident> {
         .collect()
 }
 
-/// From what it takes of stages before to what it keeps for later ones, and results.
+/// From the inputs and states that it reads and what it takes of stages before to what it keeps for later ones, and results.
 fn stage(
     outline: &Outline,
     function: &Function,
@@ -278,7 +282,11 @@ fn stage(
     } = &stages[index];
     let method = stage_name(function, index, version);
     let places = function.places(outline);
-    let statements = body::statements(program, Runs::InRows, &loader(outline, &places));
+    let input = |place| entry(INPUT, place).into_token_stream();
+    let load = loader_by(outline, &places, input);
+    let statements = body::statements(program, Runs::InRows, &load);
+    let read = places.read(program);
+    let inputs: Vec<_> = read.iter().map(|&place| entry(INPUT, place)).collect();
     let (next, finished) = program.outputs.split_at(kept.len());
     let [next, finished] = [next, finished].map(|values| {
         let names = values.iter().map(|value| body::name(*value));
@@ -286,12 +294,12 @@ fn stage(
     });
     let entries = entries(CARRIED, taken.len());
     let [count, taken, kept, results] =
-        [places.width(), taken.len(), kept.len(), results.len()].map(literal::index);
+        [read.len(), taken.len(), kept.len(), results.len()].map(literal::index);
     quote! {
         #[inline(always)]
         fn #method<const __FUSED: ::core::primitive::bool, const __ROWS: ::core::primitive::bool>(
             &self,
-            __x: [T; #count],
+            [#(#inputs),*]: [T; #count],
             [#(#entries),*]: [T; #taken],
         ) -> ([T; #kept], [T; #results]) {
             let Self { __mechanism: __m, __modes, __prepared, .. } = self;

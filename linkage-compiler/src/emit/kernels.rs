@@ -1,12 +1,12 @@
 //! What the sweeps of a function run: its stages, each in a loop over a block of positions.
 
-use linkage_symbolic::passes::stages::{Stage, memory};
+use linkage_symbolic::passes::stages::Stage;
 use linkage_symbolic::program::Program;
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
 
-use super::entries::entries;
-use super::evaluator::{Version, stage_name};
+use super::evaluator::Version;
+use super::loops::{Loops, Over, at_lane};
 use super::outline::{Function, Outline};
 use super::slots::Slots;
 use super::{attribute, blocks, literal, sealed, sweeps};
@@ -50,32 +50,49 @@ pub(super) fn items(
     }
 }
 
-fn over_inputs(outline: &Outline, function: &Function, stages: Stages) -> TokenStream {
-    let arguments = function.places(outline).width();
-    let loops = loops(outline, function, stages, 0, &quote!(__core));
-    let buffers = buffers(outline, stages.0);
-    let kernel = kernel(outline, function, arguments, &buffers, &loops);
-    let method = sweeps::over_inputs(function, stages.1);
-    method_of(outline, function, &method, arguments, &kernel)
+/// The stages of one of a function's programs.
+type Stages<'a> = (&'a [Stage], Version);
+
+fn over_inputs(outline: &Outline, function: &Function, (stages, version): Stages) -> TokenStream {
+    let loops = Loops {
+        outline,
+        function,
+        stages,
+        version,
+        over: Over::Inputs,
+    };
+    let kernel = kernel(&loops, &loops.buffers(), &loops.calls());
+    let method = sweeps::over_inputs(function, version);
+    let method = method_of(&loops, &method, &kernel);
+    let loops = loops.methods();
+    quote!(#method #loops)
 }
 
 /// A row is the dimensions of a mechanism, then its inputs. The first loop prepares what the function uses.
 fn over_sets(
     outline: &Outline,
     function: &Function,
-    stages: Stages,
+    (stages, version): Stages,
     prepare: &Program,
 ) -> TokenStream {
     let Outline {
         runtime,
         name,
-        assembly,
         core,
         ..
     } = outline;
-    let dimensions = outline.scalar_fields().len();
-    let arguments = dimensions + function.places(outline).width();
-    let slots = Slots::of(stages.0, prepare);
+    let slots = Slots::of(stages, prepare);
+    let over = Over::Sets {
+        dimensions: outline.scalar_fields().len(),
+        slots: slots.count(),
+    };
+    let loops = Loops {
+        outline,
+        function,
+        stages,
+        version,
+        over,
+    };
     let modes = (slots.count() > 0).then(|| quote!(let #core { __modes, __turns, .. } = __core;));
     let prepare = modes.is_some().then(|| {
         let prepare = slots.prepare(outline);
@@ -89,29 +106,23 @@ fn over_sets(
             }
         }
     });
-    let at_lane = format_ident!("__at_lane_of_{}", function.name);
-    let loops = loops(
-        outline,
-        function,
-        stages,
-        dimensions,
-        &quote!(#assembly::#at_lane(&__core, &__x, &__slots, __lane)),
-    );
-    let memory = buffers(outline, stages.0);
+    let memory = loops.buffers();
     let count = literal::index(slots.count());
     let buffers = quote! {
         #modes
         let mut __slots = #runtime::Block::<T, __BLOCK, #count>::filled(__zero);
         #memory
     };
-    let body = quote!(#prepare #loops);
-    let kernel = kernel(outline, function, arguments, &buffers, &body);
-    let method = sweeps::over_sets(function);
-    let method = method_of(outline, function, &method, arguments, &kernel);
+    let calls = loops.calls();
+    let kernel = kernel(&loops, &buffers, &quote!(#prepare #calls));
+    let method = method_of(&loops, &sweeps::over_sets(function), &kernel);
+    let at_lane = at_lane(function);
     let prepared = slots.all(outline);
-    let arguments = literal::index(arguments);
+    let arguments = literal::index(loops.arguments());
+    let loops = loops.methods();
     quote! {
         #method
+        #loops
 
         /// The assembly of one lane, with what this function uses of it.
         #[inline(always)]
@@ -132,16 +143,10 @@ fn over_sets(
 }
 
 /// The method `name` that gives a kernel.
-fn method_of(
-    outline: &Outline,
-    function: &Function,
-    name: &Ident,
-    arguments: usize,
-    kernel: &TokenStream,
-) -> TokenStream {
-    let runtime = &outline.runtime;
-    let [arguments, width] = [arguments, function.width()].map(literal::index);
-    let core = sealed::core(outline, &quote!(self));
+fn method_of(loops: &Loops, name: &Ident, kernel: &TokenStream) -> TokenStream {
+    let runtime = &loops.outline.runtime;
+    let [arguments, width] = [loops.arguments(), loops.function.width()].map(literal::index);
+    let core = sealed::core(loops.outline, &quote!(self));
     quote! {
         fn #name(&self) -> impl #runtime::Kernel<T, #arguments, #width> + use<'_, T> {
             #kernel
@@ -150,19 +155,16 @@ fn method_of(
     }
 }
 
-fn kernel(
-    outline: &Outline,
-    function: &Function,
-    arguments: usize,
-    buffers: &TokenStream,
-    body: &TokenStream,
-) -> TokenStream {
+fn kernel(loops: &Loops, buffers: &TokenStream, body: &TokenStream) -> TokenStream {
+    let outline = loops.outline;
     let Outline { runtime, core, .. } = outline;
-    let [arguments, width] = [arguments, function.width()].map(literal::index);
+    let [arguments, width] = [loops.arguments(), loops.function.width()].map(literal::index);
     let loops = blocks::over_blocks(outline, body);
     quote! {
         struct __Kernel<'a, T>(&'a #core<T>);
         impl<T: #runtime::Scalar> #runtime::Kernel<T, #arguments, #width> for __Kernel<'_, T> {
+            const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
+
             #[inline(always)]
             fn evaluate<
                 const __FUSED: ::core::primitive::bool,
@@ -182,73 +184,4 @@ fn kernel(
             }
         }
     }
-}
-
-/// Blocks for the stages' memory and for what a stage finishes, made once for all rows.
-fn buffers(outline: &Outline, stages: &[Stage]) -> TokenStream {
-    let runtime = &outline.runtime;
-    let memory = literal::index(memory(stages));
-    let done = stages.iter().enumerate().map(|(index, stage)| {
-        let (done, finished) = (done(index), literal::index(stage.results.len()));
-        quote!(let mut #done = #runtime::Block::<T, __LANES, #finished>::filled(__zero);)
-    });
-    quote! {
-        let mut __memory = #runtime::Block::<T, __BLOCK, #memory>::filled(__zero);
-        #(#done)*
-    }
-}
-
-/// The stages of one of a function's programs.
-type Stages<'a> = (&'a [Stage], Version);
-
-/// One loop for each stage. `core` is that of the assembly at `__lane`; the program's arguments follow `before` others.
-fn loops(
-    outline: &Outline,
-    function: &Function,
-    (stages, version): Stages,
-    before: usize,
-    core: &TokenStream,
-) -> TokenStream {
-    let inputs: Vec<_> = (before..before + function.places(outline).width())
-        .map(|input| {
-            let input = literal::index(input);
-            quote!(__x.at(#input, __lane))
-        })
-        .collect();
-    let mut loops = TokenStream::new();
-    for (index, stage) in stages.iter().enumerate() {
-        let method = stage_name(function, index, version);
-        let read = stage.taken.iter().map(|&place| {
-            let place = literal::index(place);
-            quote!(__memory.at(#place, __lane))
-        });
-        let done = done(index);
-        let next = entries("__next", stage.kept.len());
-        let keep = next.iter().zip(&stage.kept).map(|(next, &place)| {
-            let place = literal::index(place);
-            quote!(__memory.set(#place, __lane, #next);)
-        });
-        let finished = entries("__finished", stage.results.len());
-        let finish = finished.iter().enumerate().map(|(k, finished)| {
-            let k = literal::index(k);
-            quote!(#done.set(#k, __lane - __start, #finished);)
-        });
-        let write = stage.results.iter().enumerate().map(|(k, &result)| {
-            let [k, result] = [k, result].map(literal::index);
-            quote!(#done.write(#k, &mut __results, #result, __row + __start);)
-        });
-        let one = quote! {
-            let ([#(#next),*], [#(#finished),*]) =
-                #core.#method::<__FUSED, true>([#(#inputs),*], [#(#read),*]);
-            #(#keep)*
-            #(#finish)*
-        };
-        loops.extend(blocks::over_vectors(&one, &quote!(#(#write)*)));
-    }
-    loops
-}
-
-/// What stage `index` has finished, for some rows side by side.
-fn done(index: usize) -> Ident {
-    format_ident!("__done{index}", span = Span::mixed_site())
 }

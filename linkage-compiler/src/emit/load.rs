@@ -2,7 +2,7 @@
 //! `__m` the mechanism, `__modes`, `__turns` the centres and windings of the continuous angles, `__prepared`, [`CARRIED`] with a
 //! number what comes from the stage before, and `__x` the inputs with the prepared states of coupled groups behind them.
 
-use linkage_symbolic::program::Source;
+use linkage_symbolic::program::{Instruction, Program, Source};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
@@ -12,6 +12,9 @@ use super::outline::Outline;
 
 /// What a stage takes over from the one before, entry by entry.
 pub(super) const CARRIED: &str = "__carried";
+
+/// What a stage reads of `__x`, by its place there.
+pub(super) const INPUT: &str = "__input";
 
 /// What stands where in `__x`.
 #[derive(Clone, Debug)]
@@ -53,12 +56,51 @@ impl Places {
     pub(super) fn state(&self, group: usize, component: usize) -> usize {
         self.states[group].expect("a program uses only its states") + component
     }
+
+    /// The place of what a program loads, if it is in `__x`.
+    fn of(&self, source: Source) -> Option<usize> {
+        match source {
+            Source::Input(input) => {
+                let position = self.inputs.iter().position(|i| *i == input);
+                Some(position.expect("a program uses only its inputs"))
+            }
+            Source::State(group, component) => Some(self.state(group, component)),
+            _ => None,
+        }
+    }
+
+    /// The places that a program loads, in order.
+    pub(super) fn read(&self, program: &Program) -> Vec<usize> {
+        let loads = program
+            .instructions
+            .iter()
+            .filter_map(|instruction| match instruction {
+                Instruction::Load(source) => self.of(*source),
+                _ => None,
+            });
+        let mut places: Vec<usize> = loads.collect();
+        places.sort_unstable();
+        places.dedup();
+        places
+    }
 }
 
-/// Prints loads.
+/// Prints loads, those of `__x` as entries of an array.
 pub(super) fn loader<'a>(
     outline: &'a Outline,
     places: &'a Places,
+) -> impl Fn(Source) -> TokenStream + 'a {
+    loader_by(outline, places, |place| {
+        let place = literal::index(place);
+        quote!(__x[#place])
+    })
+}
+
+/// Prints loads, those of `__x` by `at`.
+pub(super) fn loader_by<'a>(
+    outline: &'a Outline,
+    places: &'a Places,
+    at: impl Fn(usize) -> TokenStream + 'a,
 ) -> impl Fn(Source) -> TokenStream + 'a {
     let runtime = &outline.runtime;
     let fields = outline.scalar_fields();
@@ -67,14 +109,8 @@ pub(super) fn loader<'a>(
             let field = &fields[index];
             quote!(__m.#field)
         }
-        Source::Input(input) => {
-            let position = places.inputs.iter().position(|i| *i == input);
-            let position = literal::index(position.expect("a program uses only its inputs"));
-            quote!(__x[#position])
-        }
-        Source::State(group, component) => {
-            let position = literal::index(places.state(group, component));
-            quote!(__x[#position])
+        Source::Input(_) | Source::State(..) => {
+            at(places.of(source).expect("inputs and states stand there"))
         }
         Source::Limit => quote!(T::from_f64(T::CORRECTION_LIMIT)),
         Source::Mode(mode) => {

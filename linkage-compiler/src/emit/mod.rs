@@ -25,6 +25,7 @@ mod home;
 mod kernels;
 mod literal;
 mod load;
+mod loops;
 mod mechanism;
 mod outline;
 mod picture;

@@ -21,6 +21,10 @@ use crate::{Columns, Scalar};
 
 /// A generated function as the sweeps see it: `I` arguments to `W` numbers, without a branch.
 pub trait Kernel<T, const I: usize, const W: usize> {
+    /// Whether there is code for AVX-512, too: generated code says so unless it is built for debugging. That is no faster by it, its
+    /// results are the same, and its build takes a tenth longer.
+    const WIDE: bool;
+
     /// Evaluates the rows of arguments from `start` on, as many as the columns are long, in blocks of up to `B`, `V` of them
     /// side by side. There are at least `V`. The last `V` begin earlier if rows are missing: some rows are then computed
     /// twice, every one in the same way. With `FUSED` only on machines with fused multiply-add.

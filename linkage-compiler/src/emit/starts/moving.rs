@@ -138,6 +138,8 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
         struct #kernel<'a>(&'a #moving);
         #allow
         impl #runtime::Kernel<#float, #width, #outputs> for #kernel<'_> {
+            const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
+
             #[inline(always)]
             fn evaluate<const __FUSED: ::core::primitive::bool, const __LANES: #size, const __BLOCK: #size>(
                 &self,

@@ -55,7 +55,11 @@ fn vectors<T, K, A, const V: usize, const B: usize, const I: usize, const W: usi
     }
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
     let columns = {
-        let rest = avx512::run::<T, K, A, V, B, I, W>(kernel, arguments, start, columns);
+        let rest = if const { K::WIDE } {
+            avx512::run::<T, K, A, V, B, I, W>(kernel, arguments, start, columns)
+        } else {
+            Some(columns)
+        };
         let rest = rest.and_then(|columns| {
             avx2::run::<T, K, A, V, B, I, W>(kernel, arguments, start, columns)
         });
