@@ -2,12 +2,14 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::OnceLock;
 
 use linkage_compiler::check;
 use linkage_compiler::unit::Unit;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// A mechanism with its name.
+#[derive(Clone)]
 pub struct Given {
     /// As its struct is called, the last one of several.
     pub name: String,
@@ -34,6 +36,7 @@ impl Given {
 }
 
 /// Golden mechanisms and examples.
+#[must_use]
 pub fn exported() -> Vec<Given> {
     let mut all = golden();
     all.extend(examples());
@@ -52,20 +55,29 @@ pub fn turning() -> Vec<Given> {
         .into()
 }
 
-/// The mechanisms of the golden files.
+/// The mechanisms of the golden files, compiled once for all tests of a process.
+#[must_use]
 pub fn golden() -> Vec<Given> {
-    let texts = texts("../../linkage-compiler/tests/golden", "mech");
-    texts.iter().map(|text| Given::text(text)).collect()
+    static GOLDEN: OnceLock<Vec<Given>> = OnceLock::new();
+    let all = GOLDEN.get_or_init(|| {
+        let texts = texts("../../linkage-compiler/tests/golden", "mech");
+        texts.iter().map(|text| Given::text(text)).collect()
+    });
+    all.clone()
 }
 
-/// The mechanisms of the examples.
+/// The mechanisms of the examples, compiled once for all tests of a process.
+#[must_use]
 pub fn examples() -> Vec<Given> {
-    let texts = texts("../../examples", "rs");
-    let mut bodies = Vec::new();
-    for text in texts {
-        find(text.parse().expect("Rust"), &mut bodies);
-    }
-    bodies.into_iter().map(Given::new).collect()
+    static EXAMPLES: OnceLock<Vec<Given>> = OnceLock::new();
+    let all = EXAMPLES.get_or_init(|| {
+        let mut bodies = Vec::new();
+        for text in texts("../../examples", "rs") {
+            find(text.parse().expect("Rust"), &mut bodies);
+        }
+        bodies.into_iter().map(Given::new).collect()
+    });
+    all.clone()
 }
 
 fn texts(folder: &str, end: &str) -> Vec<String> {
