@@ -37,6 +37,8 @@ pub(crate) struct Bodies<'m> {
 #[derive(Clone, Debug)]
 pub(crate) struct Scheme<'m> {
     pub(crate) bodies: Bodies<'m>,
+    /// The matrix by the freedoms, without the equations of the bodies.
+    pub(crate) freedoms: Vec<Vec<Ex<'m>>>,
     /// Of the freedoms: the other unknowns, then three turns for each body.
     pub(crate) order: Order,
 }
@@ -107,14 +109,8 @@ impl<'m> Bodies<'m> {
         self.sign
     }
 
-    /// The derivatives by the freedoms, without the equations of the bodies.
-    pub(crate) fn freedoms(&self, matrix: &[Vec<Ex<'m>>]) -> Vec<Vec<Ex<'m>>> {
-        let rows = self.rows.iter();
-        rows.map(|&row| self.by_freedoms(&matrix[row])).collect()
-    }
-
     /// A row by the freedoms.
-    pub(crate) fn by_freedoms(&self, row: &[Ex<'m>]) -> Vec<Ex<'m>> {
+    fn by_freedoms(&self, row: &[Ex<'m>]) -> Vec<Ex<'m>> {
         let others = self.columns.iter().map(|&k| row[k]);
         let turns = self.all.iter().flat_map(|body| body.by_turns(row).0);
         others.chain(turns).collect()
@@ -193,7 +189,7 @@ impl<'m> Algebra<'m> {
         let InOrder {
             solution,
             determinant,
-        } = self.solve_in_order(&scheme.order, &bodies.freedoms(matrix), &known);
+        } = self.solve_in_order(&scheme.order, &scheme.freedoms, &known);
         InOrder {
             solution: bodies.unknowns(&solution, &missed),
             determinant: bodies.sign * determinant,
@@ -208,9 +204,8 @@ impl<'m> Algebra<'m> {
         right: &[Ex<'m>],
     ) -> Vec<Ex<'m>> {
         let bodies = &scheme.bodies;
-        let freedoms = bodies.freedoms(matrix);
-        let transposed: Vec<Vec<Ex>> = (0..freedoms.len())
-            .map(|column| freedoms.iter().map(|row| row[column]).collect())
+        let transposed: Vec<Vec<Ex>> = (0..scheme.freedoms.len())
+            .map(|column| scheme.freedoms.iter().map(|row| row[column]).collect())
             .collect();
         let known = bodies.by_freedoms(right);
         let order = scheme.order.transposed();

@@ -27,7 +27,13 @@ impl<'m> Algebra<'m> {
                 let (v, axis) = (spatial(vector(0)), spatial(vector(1)));
                 self.turn(v, axis, &arguments[2])
             }
-            Dot => vector(0).dot(vector(1)).into(),
+            Dot => {
+                let (a, b) = (vector(0), vector(1));
+                match (a.in_space(), b.in_space()) {
+                    (Some(a), Some(b)) => a.product(b).into(),
+                    _ => a.dot(b).into(),
+                }
+            }
             Cross => {
                 let (a, b) = (vector(0), vector(1));
                 match a.len().max(b.len()) {

@@ -12,6 +12,7 @@ mod laurent;
 mod newton;
 mod state;
 mod system;
+mod turns;
 
 use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn};
 

@@ -1,36 +1,21 @@
 //! An unknown frame that rods hold, two and two in a point of it: each of these points runs on a circle.
 //!
 //! Three such points say where the frame is, so that three angles remain of nine unknowns, and of the loops the distances between the points.
+//! Of fewer, one says where the origin is: an angle instead of its coordinates, and two loops less.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, collect};
+use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{Ex, V3, substitute};
 
 use super::Analysis;
-use super::circle::Held;
+use super::body::{Body, Joint};
 use super::eliminate::System;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-
-/// An unknown frame: its origin and two axes `p` and `q`; the third one is `p x q`.
-struct Body<'m> {
-    coordinates: Vec<Coordinate>,
-    symbols: Vec<SymbolId>,
-    /// Origin, `p`, `q` and `p x q`.
-    origin: V3<'m>,
-    axes: [V3<'m>; 3],
-    /// The equations of its axes.
-    own: Vec<usize>,
-}
-
-/// A point of the body, by its coordinates along `p`, `q` and `p x q`, and the rods to it.
-struct Joint<'m> {
-    local: V3<'m>,
-    rods: Vec<Held<'m>>,
-}
+use super::equations::{Coordinate, Equation};
 
 /// Points of which one is nearer to the line through the others than this share of their distance determine no frame.
 const ON_A_LINE: f64 = 1e-3;
 
 impl<'m> Analysis<'_, 'm> {
-    /// One body of which points run on circles.
+    /// One body of which points run on circles: three, or the first.
     pub(super) fn body_to_circles(
         &mut self,
         equations: &[Equation<'m>],
@@ -41,150 +26,16 @@ impl<'m> Analysis<'_, 'm> {
                 continue;
             };
             let joints = self.joints(&body, equations, coordinates);
-            if let Some(three) = self.three_of(&joints) {
+            if body.of_origin().len() == 3
+                && let Some(three) = self.three_of(&joints)
+            {
                 return Some(self.on_three_circles(&body, three, equations, coordinates));
+            }
+            if let Some(joint) = joints.first() {
+                return Some(self.on_one_circle(&body, joint, equations, coordinates));
             }
         }
         None
-    }
-
-    /// A frame of which all nine unknowns are open.
-    fn body(
-        &self,
-        unknowns: &[usize],
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<Body<'m>> {
-        let of = |unknown: usize| {
-            let own = coordinates
-                .iter()
-                .filter(move |c| c.unknown == Some(unknown));
-            own.cloned()
-        };
-        let own: Vec<Coordinate> = unknowns.iter().flat_map(|&unknown| of(unknown)).collect();
-        let symbols: Vec<SymbolId> = own
-            .iter()
-            .map(|c| match c.kind {
-                CoordinateKind::Length(symbol) => Some(symbol),
-                CoordinateKind::Angle(_) => None,
-            })
-            .collect::<Option<_>>()?;
-        if symbols.len() != 9 {
-            return None;
-        }
-        let mechanism = self.algebra.mechanism;
-        let is_own = |equation: &Equation<'m>| {
-            let written = equation
-                .loops
-                .iter()
-                .all(|&k| mechanism.is_loop_of_frame(k));
-            let about = coordinates
-                .iter()
-                .filter(|c| self.contains(equation.rows[0], c));
-            let mut about = about;
-            written && equation.rows.len() == 1 && about.all(|c| own[3..].contains(c))
-        };
-        let places = (0..equations.len()).filter(|&k| is_own(&equations[k]));
-        let places: Vec<usize> = places.collect();
-        if places.len() != 3 {
-            return None;
-        }
-        let graph = self.algebra.graph;
-        let part = |first: usize| {
-            Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[first + k]))))
-        };
-        let [origin, p, q] = [part(0), part(3), part(6)];
-        Some(Body {
-            coordinates: own,
-            axes: [p, q, p.cross(q)],
-            origin,
-            own: places,
-            symbols,
-        })
-    }
-
-    /// Its points at which two rods from fixed points end.
-    fn joints(
-        &mut self,
-        body: &Body<'m>,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Vec<Joint<'m>> {
-        let mut joints: Vec<Joint<'m>> = Vec::new();
-        for (place, equation) in equations.iter().enumerate() {
-            let Some((local, held)) = self.rod(body, place, equation, coordinates) else {
-                continue;
-            };
-            let same = |joint: &&mut Joint<'m>| {
-                let mut pairs = joint.local.components().zip(local.components());
-                pairs.all(|(a, b)| agree(a, b))
-            };
-            match joints.iter_mut().find(same) {
-                Some(joint) => joint.rods.push(held),
-                None => joints.push(Joint {
-                    local,
-                    rods: vec![held],
-                }),
-            }
-        }
-        // What a third rod holds runs nowhere.
-        joints.retain(|joint| joint.rods.len() == 2);
-        joints
-    }
-
-    /// The point of the body at which a rod from a fixed point ends, and the rod.
-    fn rod(
-        &mut self,
-        body: &Body<'m>,
-        place: usize,
-        equation: &Equation<'m>,
-        coordinates: &[Coordinate],
-    ) -> Option<(V3<'m>, Held<'m>)> {
-        let [row] = equation.rows[..] else {
-            return None;
-        };
-        let (vector, length) = self.space_distance(row, coordinates)?;
-        let (places, factor, known) = self.moved_point(vector, &body.symbols[..3])?;
-        let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
-        if !is_whole || places != [0, 1, 2] {
-            return None;
-        }
-        let (local, end) = self.local(body, known / factor)?;
-        let end = -end;
-        let is_fixed = local.is_fixed() && end.is_fixed();
-        is_fixed.then_some((local, Held { place, end, length }))
-    }
-
-    /// `a` and the rest of `a.x p + a.y q + a.z (p x q) + rest`.
-    fn local(&mut self, body: &Body<'m>, vector: V3<'m>) -> Option<(V3<'m>, V3<'m>)> {
-        let zero = self.algebra.zero();
-        let mut found: [Option<Ex<'m>>; 3] = [None; 3];
-        let mut rest = [zero; 3];
-        for (k, row) in vector.components().enumerate() {
-            let mut terms = collect(row, &body.symbols[3..], &[])?;
-            let mut take = |of: &[usize]| {
-                let mut monomial = vec![0; 6];
-                of.iter().for_each(|&place| monomial[place] += 1);
-                terms.remove(&monomial).unwrap_or(zero)
-            };
-            let [next, last] = [(k + 1) % 3, (k + 2) % 3];
-            let product = take(&[next, 3 + last]);
-            let along = [take(&[k]), take(&[3 + k]), product];
-            rest[k] = take(&[]);
-            let turned_back = take(&[last, 3 + next]);
-            if !agree(product, -turned_back) || !terms.is_empty() {
-                return None;
-            }
-            for (found, own) in found.iter_mut().zip(along) {
-                if !agree(*found.get_or_insert(own), own) {
-                    return None;
-                }
-            }
-        }
-        let [Some(x), Some(y), Some(z)] = found else {
-            return None;
-        };
-        Some((Vector([x, y, z]), Vector(rest)))
     }
 
     /// Three joints that are on no line at the defaults.
@@ -212,61 +63,98 @@ impl<'m> Analysis<'_, 'm> {
         coordinates: &[Coordinate],
     ) -> System<'m> {
         let running = joints.map(|joint| {
-            self.running(self.place_of(body, joint), [&joint.rods[0], &joint.rods[1]])
+            let place = body.origin + body.arm(joint);
+            self.running(place, [&joint.rods[0], &joint.rods[1]])
         });
         let points = [0, 1, 2].map(|k| running[k].point);
         let locals = joints.map(|joint| joint.local);
-        self.explain(body, frame_of(points, locals));
-        let mut kept = self.kept(body, &joints, equations);
+        let parts = frame_of(points, locals).into_iter();
+        let values = parts.flat_map(|part| part.0);
+        for (&symbol, value) in body.symbols.iter().zip(values) {
+            self.make_explicit(symbol, value);
+        }
+        let explained = [body.of_origin(), body.of_axes.clone()].concat();
+        let rods = joints.iter().flat_map(|joint| &joint.rods);
+        let solved = rods.map(|rod| rod.place).chain(body.own.clone());
+        let mut kept = self.kept(solved.collect(), &explained, equations);
         for [a, b] in [[0, 1], [1, 2], [2, 0]] {
             let apart = (points[b] - points[a]).length();
             let wanted = (locals[b] - locals[a]).length();
             let mut equation = equations[joints[a].rods[0].place].clone();
             for rod in joints[a].rods.iter().chain(&joints[b].rods) {
-                equation.absorb(&equations[rod.place], &body.coordinates);
+                equation.absorb(&equations[rod.place], &explained);
             }
             equation.rows = vec![apart - wanted];
             equation.relation = None;
             kept.push(equation);
         }
-        let mut left = without(coordinates, &body.coordinates);
+        let mut left = without(coordinates, &explained);
         left.extend(running.map(|own| own.angle));
         (kept, left)
     }
 
-    /// Where a joint is by the unknowns of the body.
-    fn place_of(&self, body: &Body<'m>, joint: &Joint<'m>) -> V3<'m> {
-        let [p, q, r] = body.axes;
-        let Vector([x, y, z]) = joint.local;
-        body.origin + x * p + y * q + z * r
-    }
-
-    /// Makes origin and axes expressions of other unknowns.
-    fn explain(&mut self, body: &Body<'m>, parts: [V3<'m>; 3]) {
-        let values = parts.into_iter().flat_map(|part| part.0);
-        for (&symbol, value) in body.symbols.iter().zip(values) {
-            self.make_explicit(symbol, value);
-        }
-    }
-
-    /// The equations without those of the rods to three points, and of the axes.
-    fn kept(
+    /// The origin by one of its points, which runs on a circle; the axes stay what they are.
+    fn on_one_circle(
         &mut self,
         body: &Body<'m>,
-        joints: &[&Joint<'m>; 3],
+        joint: &Joint<'m>,
+        equations: &[Equation<'m>],
+        coordinates: &[Coordinate],
+    ) -> System<'m> {
+        let [first, second] = [0, 1].map(|k| &joint.rods[k]);
+        let arm = body.arm(joint);
+        let running = self.running(body.origin + arm, [first, second]);
+        let origin = running.point - arm;
+        let of_origin = body.of_origin();
+        let mut known = Map::new();
+        let mut rows = Vec::new();
+        for (place, open) in body.open.iter().enumerate() {
+            let (symbol, own) = (body.symbols[place], origin[place]);
+            match open {
+                Some(_) => self.make_explicit(symbol, own),
+                None => {
+                    known.insert(symbol, own);
+                    rows.push(self.along(place).product(origin - body.origin));
+                }
+            }
+        }
+        self.whole.extend(&body.symbols[3..]);
+        let mut rod = equations[first.place].clone();
+        rod.absorb(&equations[second.place], &of_origin);
+        let mut kept = self.kept(vec![first.place, second.place], &of_origin, equations);
+        for equation in &mut kept {
+            // As if it were not known: the body carries all that the loops are about as one.
+            self.algebra
+                .graph
+                .substitute_lengths(&equation.rows, &known);
+            equation.rows = substitute(&equation.rows, &known);
+        }
+        kept.extend(rows.into_iter().map(|row| Equation {
+            rows: vec![row],
+            relation: None,
+            ..rod.clone()
+        }));
+        let mut left = without(coordinates, &of_origin);
+        left.push(running.angle);
+        (kept, left)
+    }
+
+    /// The equations without those that were solved, in which some unknowns are expressions now.
+    fn kept(
+        &mut self,
+        solved: Vec<usize>,
+        explained: &[Coordinate],
         equations: &[Equation<'m>],
     ) -> Vec<Equation<'m>> {
-        let rods = joints.iter().flat_map(|joint| &joint.rods);
-        let rods: Vec<usize> = rods.map(|rod| rod.place).collect();
-        let mut gone = equations[rods[0]].clone();
-        for &rod in &rods {
-            gone.absorb(&equations[rod], &[]);
+        let mut gone = equations[solved[0]].clone();
+        for &place in &solved {
+            gone.absorb(&equations[place], &[]);
         }
         let mut kept = Vec::new();
         for (place, equation) in equations.iter().enumerate() {
-            if !rods.contains(&place) && !body.own.contains(&place) {
+            if !solved.contains(&place) {
                 let mut equation = equation.clone();
-                self.substitute_in(&mut equation, &gone, &body.coordinates);
+                self.substitute_in(&mut equation, &gone, explained);
                 kept.push(equation);
             }
         }

@@ -137,8 +137,12 @@ impl<'m> Analysis<'_, 'm> {
         let values = self.nominal.evaluate(&direction.0);
         let sizes = values.iter().map(|x| x.abs()).enumerate();
         let least = sizes.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        self.along(least.map_or(0, |(place, _)| place))
+    }
+
+    /// The direction of an axis of coordinates.
+    pub(super) fn along(&self, place: usize) -> V3<'m> {
         let (zero, one) = (self.algebra.zero(), self.algebra.one());
-        let place = least.map_or(0, |(place, _)| place);
         Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
     }
 

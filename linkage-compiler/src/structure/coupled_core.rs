@@ -4,7 +4,7 @@
 //! equation without it: a link keeps its length, or a point stays on its guide. What remains are the *core* unknowns, two for a
 //! triad, whatever its joints.
 
-use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
+use linkage_symbolic::{Ex, SymbolId, V2, V3, Vector, substitute};
 
 use super::classify::Polynomials;
 use super::core_unknowns::paired;
@@ -48,6 +48,8 @@ pub(crate) struct Block<'m> {
     pub(crate) terms: Vec<Product<'m>>,
     /// A link in space, if the row is about the square of its vector.
     pub(crate) distance: Option<Link<'m>>,
+    /// The factors of a row in space that is their scalar product, or its negative, but for what is known.
+    pub(crate) product: Option<[V3<'m>; 2]>,
     /// Whether it is about numbers, as those of directions are.
     pub(crate) number: bool,
 }
@@ -136,7 +138,8 @@ impl<'m> Analysis<'_, 'm> {
         }
         let blocks = equations.iter().zip(&polynomials).zip(private);
         let blocks = blocks.map(|((equation, polynomials), private)| {
-            self.block(equation, polynomials, private.map(|(private, _)| private))
+            let private = private.map(|(private, _)| private);
+            self.block(equation, polynomials, private, coordinates)
         });
         let blocks = blocks.collect();
         let core = core
@@ -242,6 +245,7 @@ impl<'m> Analysis<'_, 'm> {
         equation: &Equation<'m>,
         polynomials: &Polynomials<'m>,
         private: Option<Private<'m>>,
+        coordinates: &[Coordinate],
     ) -> Block<'m> {
         let zero = self.algebra.zero();
         let mut monomials: Vec<_> = polynomials.rows.iter().flat_map(|row| row.keys()).collect();
@@ -263,6 +267,10 @@ impl<'m> Analysis<'_, 'm> {
             Some(Private::Slide { slide, .. }) => vec![*slide],
             None => Vec::new(),
         };
+        let product = match equation.rows[..] {
+            [row] => self.product(row, coordinates),
+            _ => None,
+        };
         let removed = own.into_iter().map(|symbol| (symbol, zero)).collect();
         Block {
             terms: terms.collect(),
@@ -270,6 +278,7 @@ impl<'m> Analysis<'_, 'm> {
             rows: equation.rows.clone(),
             private,
             distance: equation.distance.clone(),
+            product,
             number: self.is_number_loop(equation.written),
         }
     }

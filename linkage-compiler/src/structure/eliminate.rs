@@ -153,6 +153,7 @@ impl<'m> Analysis<'_, 'm> {
     ) -> Option<System<'m>> {
         self.eliminate_relation(equations, coordinates)
             .or_else(|| self.eliminate_point(equations, coordinates))
+            .or_else(|| self.body_to_circles(equations, coordinates))
             .or_else(|| self.eliminate_slide(equations, coordinates))
             .or_else(|| self.join_rows(equations, coordinates))
             .or_else(|| self.distance_of_double_angle(equations, coordinates))
@@ -162,7 +163,6 @@ impl<'m> Analysis<'_, 'm> {
             .or_else(|| self.double_angle(equations, coordinates))
             .or_else(|| self.relative_angle(equations, coordinates))
             .or_else(|| self.point_to_circle(equations, coordinates))
-            .or_else(|| self.body_to_circles(equations, coordinates))
     }
 
     /// `p + ... = 0` in one of several vector loops gives the unknown point `p`.
@@ -231,6 +231,9 @@ impl<'m> Analysis<'_, 'm> {
                 let CoordinateKind::Length(symbol) = coordinate.kind else {
                     continue;
                 };
+                if self.whole.contains(&symbol) {
+                    continue;
+                }
                 let Some(mut terms) = collect(equation.rows[0], &[symbol], &[]) else {
                     continue;
                 };

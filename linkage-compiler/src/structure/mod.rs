@@ -4,6 +4,7 @@
 //! directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups, in order. Each group is then brought
 //! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
 
+mod body;
 mod body_circle;
 mod bound;
 mod circle;
@@ -122,6 +123,7 @@ pub(crate) fn decompose<'m>(
         reporter,
         structure: Structure::default(),
         substitutions: Default::default(),
+        whole: Vec::new(),
         steps: 0,
     };
     analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
@@ -138,6 +140,8 @@ struct Analysis<'a, 'm> {
     structure: Structure<'m>,
     /// Eliminated symbols and what they stand for.
     substitutions: linkage_symbolic::unordered::Map<SymbolId, Ex<'m>>,
+    /// Components of axes that stay unknowns, all six of a body: systems are solved in its turns.
+    whole: Vec<SymbolId>,
     /// Reductions so far.
     steps: usize,
 }

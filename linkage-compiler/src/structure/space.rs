@@ -57,6 +57,25 @@ impl<'m> Analysis<'_, 'm> {
         }
     }
 
+    /// The factors of a row `v . w - c` (or its negative) with a known `c`.
+    pub(super) fn product(
+        &mut self,
+        row: Ex<'m>,
+        coordinates: &[Coordinate],
+    ) -> Option<[V3<'m>; 2]> {
+        let mut sides = Sides {
+            measured: row,
+            given: self.algebra.zero(),
+        };
+        loop {
+            let graph = self.algebra.graph;
+            if let Some(factors) = graph.factors_of_product(sides.measured.id()) {
+                return Some(factors);
+            }
+            sides = self.without_term(sides, coordinates)?;
+        }
+    }
+
     /// Both sides less a known term of the first.
     fn without_term(
         &mut self,

@@ -1,6 +1,7 @@
 //! The compiler from tokens to tokens: one program, so that it is linked once.
 
 mod arithmetic;
+mod closed_chains;
 mod directions;
 mod forms;
 mod forms_space;

@@ -1,4 +1,4 @@
-//! What is known of vectors: lengths and what they are the lengths of, directions.
+//! What is known of vectors: lengths and what they are the lengths of, scalar products and their factors, directions.
 
 use crate::unordered::{Map, Set};
 
@@ -7,7 +7,7 @@ use crate::graph::{Graph, NodeId, SymbolId};
 use crate::probe::{agree, agree_within};
 use crate::substitute::substitute;
 
-use super::{V3, Vn};
+use super::{V3, Vector, Vn};
 
 /// What rounding may add to the square of a direction.
 const UNIT: f64 = 8.0 * f64::EPSILON;
@@ -19,6 +19,8 @@ pub(crate) struct Vectors {
     norms: Map<NodeId, Vec<NodeId>>,
     /// The same behind squares of lengths.
     squares: Map<NodeId, Vec<NodeId>>,
+    /// The factors of scalar products in space, one behind the other.
+    products: Map<NodeId, Vec<NodeId>>,
     /// Vectors of length 1.
     units: Set<Vec<NodeId>>,
 }
@@ -34,12 +36,23 @@ impl Graph {
         self.store().vectors.squares.get(&square).cloned()
     }
 
-    /// Lengths in `roots` stay known as lengths of vectors when symbols are replaced.
+    /// The vectors in space that a node is known to be the scalar product of.
+    pub fn factors_of_product(&self, product: NodeId) -> Option<[V3<'_>; 2]> {
+        let factors = self.store().vectors.products.get(&product).cloned()?;
+        let factor = |first: usize| Vector([0, 1, 2].map(|k| self.ex(factors[first + k])));
+        Some([0, 3].map(factor))
+    }
+
+    /// Lengths and products in `roots` stay known as those of vectors when symbols are replaced.
     pub fn substitute_lengths<'g>(&'g self, roots: &[Ex<'g>], map: &Map<SymbolId, Ex<'g>>) {
         type Known = fn(&mut Vectors) -> &mut Map<NodeId, Vec<NodeId>>;
         let roots: Vec<NodeId> = roots.iter().map(|root| root.id()).collect();
         for node in self.reachable(&roots) {
-            let kinds: [Known; 2] = [|known| &mut known.norms, |known| &mut known.squares];
+            let kinds: [Known; 3] = [
+                |known| &mut known.norms,
+                |known| &mut known.squares,
+                |known| &mut known.products,
+            ];
             for kind in kinds {
                 let vector = kind(&mut self.store_mut().vectors).get(&node).cloned();
                 if let Some(vector) = vector {
@@ -106,6 +119,17 @@ impl<'g> Vn<'g> {
         let whole = (self + other).square();
         let parts = first + second;
         agree(first, second) && agree(whole, parts)
+    }
+}
+
+impl<'g> V3<'g> {
+    /// The scalar product; its factors stay known.
+    pub fn product(self, other: Self) -> Ex<'g> {
+        let product = self.dot(other);
+        let factors = self.0.iter().chain(&other.0).map(|x| x.id()).collect();
+        let products = &mut product.graph().store_mut().vectors.products;
+        products.insert(product.id(), factors);
+        product
     }
 }
 

@@ -73,8 +73,13 @@ fn check(bodies: usize, seed: u32) {
             Order::new(&values, &zero)
         };
         let whole = order(&matrix);
+        let freedoms = bodies.rows.iter();
+        let freedoms: Vec<Vec<Ex>> = freedoms
+            .map(|&row| bodies.by_freedoms(&matrix[row]))
+            .collect();
         let scheme = Scheme {
-            order: order(&bodies.freedoms(&matrix)),
+            order: order(&freedoms),
+            freedoms,
             bodies,
         };
         let right = lift(&right);

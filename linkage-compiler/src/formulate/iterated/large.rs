@@ -5,14 +5,15 @@
 //! derivatives by the nine components of its directions are not needed. What keeps the directions perpendicular and of length 1 is no equation of a
 //! step: they are made so where it begins, and turned.
 
-use linkage_symbolic::{Ex, Node, V3, Vector, agree, substitute};
+use linkage_symbolic::{Ex, V3, Vector};
 
 use crate::algebra::{Bodies, Body, Order, Scheme};
 use crate::formulate::Solver;
-use crate::structure::{Core, Link};
+use crate::structure::Core;
 
 use super::equations::{Equations, Place};
 use super::state::Part;
+use super::turns::{of_square, same};
 
 /// The system that a step solves.
 pub(super) struct Large<'m> {
@@ -95,8 +96,9 @@ impl<'m> Solver<'_, 'm> {
             Core::Length { symbol, .. } => Some(graph.ex(graph.symbol_node(symbol))),
         });
         let bodies = Bodies::of(&equations.matrix, &unknowns.collect::<Vec<_>>());
-        let order = self.order(&bodies.freedoms(&equations.matrix));
-        let rows = self.rows_of_step(equations, &bodies);
+        let freedoms = self.freedoms(equations, &bodies);
+        let order = self.order(&freedoms);
+        let rows = self.rows_of_step(equations, &bodies, &freedoms);
         let share = rows
             .iter()
             .fold(self.algebra.one(), |all, own| all * own.factor);
@@ -106,7 +108,11 @@ impl<'m> Solver<'_, 'm> {
             order: self.order(&matrix),
             matrix,
             share: bodies.sign() / share,
-            scheme: Scheme { bodies, order },
+            scheme: Scheme {
+                bodies,
+                freedoms,
+                order,
+            },
         }
     }
 
@@ -121,17 +127,25 @@ impl<'m> Solver<'_, 'm> {
         Order::new(&values, &zero)
     }
 
-    fn rows_of_step(&mut self, equations: &Equations<'_, 'm>, bodies: &Bodies<'m>) -> Vec<Row<'m>> {
+    /// `freedoms` are those of the core.
+    fn rows_of_step(
+        &mut self,
+        equations: &Equations<'_, 'm>,
+        bodies: &Bodies<'m>,
+        freedoms: &[Vec<Ex<'m>>],
+    ) -> Vec<Row<'m>> {
+        let mut freedoms = freedoms.iter();
         let mut rows = Vec::new();
         let mut number = 0;
         for place in equations.places() {
             let own = equations.count(place);
             for row in number..number + own {
                 if bodies.rows.contains(&row) {
+                    let by_freedoms = freedoms.next().cloned();
                     let of_link = self.row_of_link(equations, bodies, place);
                     rows.push(of_link.unwrap_or_else(|| Row {
                         residual: equations.residuals[row],
-                        entries: bodies.by_freedoms(&equations.matrix[row]),
+                        entries: by_freedoms.unwrap_or_default(),
                         factor: self.algebra.one(),
                     }));
                 }
@@ -168,7 +182,8 @@ impl<'m> Solver<'_, 'm> {
         let others = bodies.columns.iter().map(|&k| by_unknowns[k]);
         let turns = bodies.all.iter().flat_map(|body| {
             let any = body.by_turns(&by_unknowns);
-            turned_with(body, link, equations.scale, vector, any).0
+            let carried = of_square(body, vector).filter(|own| same(*own, any));
+            carried.unwrap_or(any).0
         });
         Some(Row {
             residual: 0.5 * (vector.square() - length.square()),
@@ -176,29 +191,4 @@ impl<'m> Solver<'_, 'm> {
             factor: length,
         })
     }
-}
-
-/// What half of the square of a link's vector changes by as a body turns: `arm x V` if the body carries the arm as it is, else what its
-/// derivatives say.
-fn turned_with<'m>(
-    body: &Body<'m>,
-    link: &Link<'m>,
-    scale: Ex<'m>,
-    vector: V3<'m>,
-    any: V3<'m>,
-) -> V3<'m> {
-    let zero = scale.number(0.0);
-    let axes = body.axes.iter().flat_map(|axis| axis.0);
-    let symbols = axes.filter_map(|x| match x.node() {
-        Node::Symbol(symbol) => Some(symbol),
-        _ => None,
-    });
-    let nothing = symbols.map(|symbol| (symbol, zero)).collect();
-    let [x, y, z] = substitute(&link.vector.0, &nothing)[..] else {
-        return any;
-    };
-    let arm = (link.vector - Vector([x, y, z])).map(|x| scale * x);
-    let turns = arm.cross(vector);
-    let carried = turns.0.iter().zip(any.0).all(|(&own, any)| agree(own, any));
-    if carried { turns } else { any }
 }

@@ -1,0 +1,105 @@
+//! What the equations of a large core change by as its bodies turn.
+//!
+//! Where a body carries `arm`, a part of a vector, that changes by `turn x arm`. So `V . W` changes by `arm of V x what is not carried of W`, and
+//! the same the other way round, for each turn; a link's `V . V/2` by `arm x V`. The nine components of directions would say the same with several
+//! times the operations. What a row was written as proposes, and the values of its derivatives decide.
+
+use linkage_symbolic::{Ex, Node, V3, Vector, agree, substitute};
+
+use crate::algebra::{Bodies, Body};
+use crate::formulate::Solver;
+use crate::structure::{Block, Link};
+
+use super::equations::Equations;
+
+/// A vector by what a body carries of it.
+struct Parts<'m> {
+    carried: V3<'m>,
+    rest: V3<'m>,
+}
+
+impl<'m> Solver<'_, 'm> {
+    /// The rows of the matrix that are no equations of bodies, by the freedoms.
+    pub(super) fn freedoms(
+        &self,
+        equations: &Equations<'_, 'm>,
+        bodies: &Bodies<'m>,
+    ) -> Vec<Vec<Ex<'m>>> {
+        let places = equations.places();
+        let blocks = places.flat_map(|place| vec![place.block; equations.count(place)]);
+        let blocks: Vec<&Block> = blocks.collect();
+        let rows = bodies.rows.iter().map(|&row| {
+            let entries = &equations.matrix[row];
+            let others = bodies.columns.iter().map(|&k| entries[k]);
+            let turns = bodies.all.iter().flat_map(|body| {
+                let any = body.by_turns(entries);
+                let proposed = proposals(equations, body, blocks[row]).into_iter();
+                let mut same = proposed.filter(|own| same(*own, any));
+                same.next().unwrap_or(any).0
+            });
+            others.chain(turns).collect()
+        });
+        rows.collect()
+    }
+}
+
+/// What a row may change by as a body turns, from how it was written.
+fn proposals<'m>(equations: &Equations<'_, 'm>, body: &Body<'m>, block: &Block<'m>) -> Vec<V3<'m>> {
+    let scale = equations.row_scale(block);
+    if let Some([v, w]) = block.product {
+        let (Some(first), Some(second)) = (parts(body, v), parts(body, w)) else {
+            return Vec::new();
+        };
+        let turns = first.carried.cross(second.rest) + second.carried.cross(first.rest);
+        return vec![scale * turns, -(scale * turns)];
+    }
+    let Some(link) = &block.distance else {
+        return Vec::new();
+    };
+    // Of several links to one point the first is subtracted from the others.
+    let of = |other: &Link<'m>| {
+        let turns = of_square(body, other.vector)?;
+        Some((scale / link.length) * turns)
+    };
+    let Some(own) = of(link) else {
+        return Vec::new();
+    };
+    let others = equations.form.blocks.iter();
+    let others = others.filter_map(|other| of(other.distance.as_ref()?));
+    std::iter::once(own)
+        .chain(others.map(|other| own - other))
+        .collect()
+}
+
+/// What half of the square of a vector changes by as a body turns, if the body carries a part of it as it is.
+pub(super) fn of_square<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<V3<'m>> {
+    Some(parts(body, vector)?.carried.cross(vector))
+}
+
+/// Which of two ways to say what a row changes by is taken: the shorter one, if both say the same.
+pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
+    proposed
+        .0
+        .iter()
+        .zip(any.0)
+        .all(|(&own, any)| agree(own, any))
+}
+
+fn parts<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<Parts<'m>> {
+    let axes = body.axes.iter().flat_map(|axis| axis.0);
+    let symbols = axes.filter_map(|x| match x.node() {
+        Node::Symbol(symbol) => Some(symbol),
+        _ => None,
+    });
+    let nothing = symbols
+        .map(|symbol| (symbol, vector[0].number(0.0)))
+        .collect();
+    let [x, y, z] = substitute(&vector.0, &nothing)[..] else {
+        return None;
+    };
+    let rest = Vector([x, y, z]);
+    Some(Parts {
+        carried: vector - rest,
+        rest,
+    })
+}
