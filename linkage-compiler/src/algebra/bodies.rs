@@ -116,6 +116,14 @@ impl<'m> Bodies<'m> {
         others.chain(turns).collect()
     }
 
+    /// What the equations of the bodies miss.
+    fn missed(&self, right: &[Ex<'m>]) -> Vec<Missed<'m>> {
+        let missed = self.all.iter();
+        missed
+            .map(|body| Missed(body.rows.map(|row| right[row])))
+            .collect()
+    }
+
     /// The unknowns from the freedoms, with what the equations of the bodies miss.
     fn unknowns(&self, freedoms: &[Ex<'m>], missed: &[Missed<'m>]) -> Vec<Ex<'m>> {
         let mut all = vec![None; self.columns.len() + 6 * self.all.len()];
@@ -172,11 +180,7 @@ impl<'m> Algebra<'m> {
         right: &[Ex<'m>],
     ) -> InOrder<'m> {
         let bodies = &scheme.bodies;
-        let missed: Vec<Missed> = bodies
-            .all
-            .iter()
-            .map(|body| Missed(body.rows.map(|row| right[row])))
-            .collect();
+        let missed = bodies.missed(right);
         let known = bodies.rows.iter().map(|&row| {
             let own = bodies.all.iter().zip(&missed);
             own.fold(right[row], |left, (body, missed)| {
@@ -194,6 +198,26 @@ impl<'m> Algebra<'m> {
             solution: bodies.unknowns(&solution, &missed),
             determinant: bodies.sign * determinant,
         }
+    }
+
+    /// Where only what the equations of the bodies miss moves the unknowns, as `right` says it.
+    pub(super) fn shifts_by_scheme(&self, scheme: &Scheme<'m>, right: &[Ex<'m>]) -> Vec<Ex<'m>> {
+        let bodies = &scheme.bodies;
+        let nothing = vec![self.zero(); scheme.freedoms.len()];
+        bodies.unknowns(&nothing, &bodies.missed(right))
+    }
+
+    /// The same system where `left` is what those shifts leave of the right-hand side in the other equations.
+    pub(super) fn solve_left_by_scheme(
+        &self,
+        scheme: &Scheme<'m>,
+        right: &[Ex<'m>],
+        left: &[Ex<'m>],
+    ) -> Vec<Ex<'m>> {
+        let bodies = &scheme.bodies;
+        let left: Vec<Ex> = bodies.rows.iter().map(|&row| left[row]).collect();
+        let freedoms = self.solve_in_order(&scheme.order, &scheme.freedoms, &left);
+        bodies.unknowns(&freedoms.solution, &bodies.missed(right))
     }
 
     /// Solves the transposed system: one number for each equation.

@@ -7,7 +7,7 @@
 
 use linkage_symbolic::unordered::Map;
 
-use linkage_symbolic::{Ex, Graph};
+use linkage_symbolic::{Ex, Graph, SymbolId};
 
 use super::{Algebra, Scheme};
 
@@ -44,23 +44,34 @@ pub(crate) struct PrivateColumn<'m> {
 }
 
 impl<'m> Algebra<'m> {
-    /// The unknowns of `J r = right`, the core first. `determinant` is that of the matrix.
+    /// The unknowns of `J r = right`, the core first: derivatives by some variables.
     pub(super) fn eliminate(
         &mut self,
         group: usize,
         right: &[Ex<'m>],
+        by: &[SymbolId],
         name: &mut dyn FnMut(&mut Self, usize, Ex<'m>) -> Ex<'m>,
     ) -> Vec<Ex<'m>> {
         let solution = self.solutions.groups[group].clone();
         let Some(elimination) = &solution.elimination else {
             unreachable!("closed forms are solved by Cramer's rule");
         };
-        let core: Vec<Ex> = elimination
-            .rows
-            .iter()
-            .map(|row| self.product_sum(&row.factors, &right[row.first..]))
-            .collect();
+        let of_core = |algebra: &Self, right: &[Ex<'m>]| -> Vec<Ex<'m>> {
+            let rows = elimination.rows.iter();
+            rows.map(|row| algebra.product_sum(&row.factors, &right[row.first..]))
+                .collect()
+        };
+        let core = of_core(self, right);
         let quotients = match &elimination.scheme {
+            Some(scheme) if by.len() > 1 && elimination.privates.is_empty() => {
+                // What makes up for what bodies miss is a derivative like others: by the entries of the matrix it takes more.
+                let shifts = self.shifts_by_scheme(scheme, &core);
+                let pairs = elimination.units.iter().zip(&shifts);
+                let held = pairs.map(|(&unit, &shift)| unit * shift).collect();
+                let left = self.right_of_rows(group, by, held);
+                let left = of_core(self, &left);
+                self.solve_left_by_scheme(scheme, &core, &left)
+            }
             Some(scheme) => {
                 self.solve_by_scheme(scheme, &elimination.matrix, &core)
                     .solution
@@ -173,6 +184,33 @@ impl<'m> Algebra<'m> {
             .collect()
     }
 
+    /// Cramer's rule for one right-hand side: what the solution is times the determinant, and that. The right-hand side is a further column, so that
+    /// fewer minors are needed than for several.
+    pub(crate) fn cramer(&self, matrix: &[Vec<Ex<'m>>], right: &[Ex<'m>]) -> (Vec<Ex<'m>>, Ex<'m>) {
+        let size = matrix.len();
+        if size < 3 {
+            // There is nothing to save.
+            let numerators = self.cofactor_products(matrix, right);
+            return (numerators, self.determinant(matrix));
+        }
+        let pairs = matrix.iter().zip(right);
+        let wide: Vec<Vec<Ex>> = pairs
+            .map(|(row, &own)| [&row[..], &[own]].concat())
+            .collect();
+        let mut minors = Minors::of(self.graph, &wide);
+        let (rows, all) = ((1_u32 << size) - 1, (1_u32 << (size + 1)) - 1);
+        let numerators = (0..size).map(|column| {
+            // The last column instead of this one: behind those that it passes.
+            let minor = minors.minor(rows, all & !(1 << column));
+            match (size - 1 - column) % 2 {
+                0 => minor,
+                _ => -minor,
+            }
+        });
+        let numerators = numerators.collect();
+        (numerators, minors.minor(rows, rows))
+    }
+
     pub(crate) fn determinant(&self, matrix: &[Vec<Ex<'m>>]) -> Ex<'m> {
         let all = (1_u32 << matrix.len()) - 1;
         Minors::of(self.graph, matrix).minor(all, all)
@@ -206,7 +244,7 @@ impl<'a, 'm> Minors<'a, 'm> {
         }
         let row = rows.trailing_zeros() as usize;
         let mut sum = self.graph.number(0.0);
-        let among = (0..self.matrix.len()).filter(|&column| columns >> column & 1 == 1);
+        let among = (0..self.matrix[row].len()).filter(|&column| columns >> column & 1 == 1);
         for (place, column) in among.enumerate() {
             let below = self.minor(rows & !(1 << row), columns & !(1 << column));
             let product = self.matrix[row][column] * below;

@@ -177,6 +177,10 @@ impl<'m> Algebra<'m> {
                 .map(|row| self.sum_of_slopes(&solution.terms, row, |a, b| a - b, &mut slope))
                 .collect();
         }
+        if !solution.rows.is_empty() {
+            let nothing = vec![self.zero(); solution.jacobian.len()];
+            return self.right_of_rows(group, by, nothing);
+        }
         let lower = self.rates(group, before.to_vec());
         (0..equations)
             .map(|row| {
@@ -197,7 +201,7 @@ impl<'m> Algebra<'m> {
             return vec![self.zero(); count];
         }
         if solution.elimination.is_some() {
-            return self.eliminate(group, right, &mut |algebra, position, rate| {
+            return self.eliminate(group, right, by, &mut |algebra, position, rate| {
                 algebra.rate_symbol(group, position, by, rate)
             });
         }

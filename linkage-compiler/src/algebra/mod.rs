@@ -26,6 +26,7 @@ mod partial;
 mod parts;
 mod pivots;
 mod reverse;
+mod rows;
 mod scalar;
 mod solutions;
 mod translate;

@@ -181,13 +181,44 @@ pub(super) fn parity(permutation: &[usize]) -> f64 {
     }
 }
 
+/// The solution of a linear system times its determinant, and that.
+type Numerators<'m> = (Vec<Ex<'m>>, Ex<'m>);
+
 impl<'m> Algebra<'m> {
-    /// Solves a linear system in an order.
+    /// Solves a linear system in an order, for one of several right-hand sides: they share the cofactors.
     pub(crate) fn solve_in_order(
         &self,
         order: &Order,
         matrix: &[Vec<Ex<'m>>],
         right: &[Ex<'m>],
+    ) -> InOrder<'m> {
+        self.eliminate_in_order(order, matrix, right, |rest, known| {
+            let determinant = self.determinant(rest);
+            (self.cofactor_products(rest, known), determinant)
+        })
+    }
+
+    /// The same for a right-hand side that is the only one. Of the three unknowns that are left behind pivots all minors are few.
+    pub(crate) fn solve_once_in_order(
+        &self,
+        order: &Order,
+        matrix: &[Vec<Ex<'m>>],
+        right: &[Ex<'m>],
+    ) -> InOrder<'m> {
+        match order.pivots.is_empty() {
+            true => {
+                self.eliminate_in_order(order, matrix, right, |rest, own| self.cramer(rest, own))
+            }
+            false => self.solve_in_order(order, matrix, right),
+        }
+    }
+
+    fn eliminate_in_order(
+        &self,
+        order: &Order,
+        matrix: &[Vec<Ex<'m>>],
+        right: &[Ex<'m>],
+        solve: impl Fn(&[Vec<Ex<'m>>], &[Ex<'m>]) -> Numerators<'m>,
     ) -> InOrder<'m> {
         let mut matrix = matrix.to_vec();
         let mut right = right.to_vec();
@@ -219,13 +250,9 @@ impl<'m> Algebra<'m> {
             .map(|&row| order.columns.iter().map(|&k| matrix[row][k]).collect())
             .collect();
         let known: Vec<Ex> = order.rows.iter().map(|&row| right[row]).collect();
-        let of_rest = self.determinant(&rest);
+        let (numerators, of_rest) = solve(&rest, &known);
         let mut solution = vec![self.zero(); right.len()];
-        for (&column, own) in order
-            .columns
-            .iter()
-            .zip(self.cofactor_products(&rest, &known))
-        {
+        for (&column, own) in order.columns.iter().zip(numerators) {
             solution[column] = own / of_rest;
         }
         for (pivot, &inverse) in order.pivots.iter().zip(&inverses).rev() {

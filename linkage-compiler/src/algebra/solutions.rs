@@ -105,6 +105,8 @@ pub(crate) struct Term<'m> {
 #[derive(Clone, Debug)]
 pub(crate) struct Solution<'m> {
     pub(crate) terms: Vec<Term<'m>>,
+    /// The equations as they were written, for groups of which second derivatives are found from these; no rows for others.
+    pub(crate) rows: Vec<Ex<'m>>,
     /// Columns: the derivatives of the equations by each unknown.
     pub(crate) jacobian: Vec<Vec<Ex<'m>>>,
     pub(crate) determinant: Ex<'m>,

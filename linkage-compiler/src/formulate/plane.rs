@@ -89,6 +89,7 @@ impl<'m> Solver<'_, 'm> {
             elimination: None,
             links: [None; 2],
             rod: None,
+            rows: Vec::new(),
         });
     }
 
@@ -121,6 +122,7 @@ impl<'m> Solver<'_, 'm> {
             elimination: None,
             links: [None; 2],
             rod: None,
+            rows: Vec::new(),
         });
     }
 }

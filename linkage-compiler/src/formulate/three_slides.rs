@@ -51,6 +51,7 @@ impl<'m> Solver<'_, 'm> {
             elimination: Some(elimination),
             links: [None; 2],
             rod: None,
+            rows: Vec::new(),
         });
 
         let largest = guides.into_iter().fold(one, |product, guide| {

@@ -19,6 +19,7 @@ mod form;
 mod frames;
 pub(crate) mod matching;
 mod point;
+mod product;
 mod reach;
 mod repeated;
 pub(crate) mod report;

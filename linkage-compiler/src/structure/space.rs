@@ -15,9 +15,9 @@ pub(super) struct Distance<'m> {
 
 /// Two sides of an equation: what measures a distance, and what is known.
 #[derive(Clone, Copy)]
-struct Sides<'m> {
-    measured: Ex<'m>,
-    given: Ex<'m>,
+pub(super) struct Sides<'m> {
+    pub(super) measured: Ex<'m>,
+    pub(super) given: Ex<'m>,
 }
 
 impl<'m> Analysis<'_, 'm> {
@@ -57,27 +57,8 @@ impl<'m> Analysis<'_, 'm> {
         }
     }
 
-    /// The factors of a row `v . w - c` (or its negative) with a known `c`.
-    pub(super) fn product(
-        &mut self,
-        row: Ex<'m>,
-        coordinates: &[Coordinate],
-    ) -> Option<[V3<'m>; 2]> {
-        let mut sides = Sides {
-            measured: row,
-            given: self.algebra.zero(),
-        };
-        loop {
-            let graph = self.algebra.graph;
-            if let Some(factors) = graph.factors_of_product(sides.measured.id()) {
-                return Some(factors);
-            }
-            sides = self.without_term(sides, coordinates)?;
-        }
-    }
-
     /// Both sides less a known term of the first.
-    fn without_term(
+    pub(super) fn without_term(
         &mut self,
         Sides { measured, given }: Sides<'m>,
         coordinates: &[Coordinate],

@@ -10,6 +10,8 @@ use super::equations::{Coordinate, CoordinateKind, Equation};
 pub(crate) struct Link<'m> {
     pub(crate) vector: V3<'m>,
     pub(crate) length: Ex<'m>,
+    /// The link whose square was subtracted.
+    pub(crate) less: Option<Box<Link<'m>>>,
 }
 
 impl<'m> Analysis<'_, 'm> {
@@ -27,12 +29,19 @@ impl<'m> Analysis<'_, 'm> {
             let Some((vector, length)) = self.space_distance(row, coordinates) else {
                 continue;
             };
-            let link = Link { vector, length };
+            let mut link = Link {
+                vector,
+                length,
+                less: None,
+            };
             let partner = links
                 .iter()
                 .find_map(|other| Some((self.apart(&link, other, coordinates)?, other)));
             let row = match partner {
-                Some(([apart, sum], other)) => difference_of_links(&link, other, apart, sum),
+                Some(([apart, sum], other)) => {
+                    link.less = Some(Box::new(other.clone()));
+                    difference_of_links(&link, other, apart, sum)
+                }
                 None => square_of_link(&link),
             };
             equation.rows = vec![row];

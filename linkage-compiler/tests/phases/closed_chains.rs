@@ -64,3 +64,65 @@ fn double_wishbone() {
     let example = include_str!("../../../examples/double_wishbone.rs");
     assert!(operations(example, "wheel") <= 2200);
 }
+
+/// Rods that share no joint.
+#[test]
+fn five_link_axle() {
+    let example = include_str!("../../../examples/five_link_axle.rs");
+    assert!(operations(example, "wheel") <= 2800);
+    assert!(operations(example, "motion") <= 5600);
+}
+
+/// A wheel carrier with two rods in its ball joint.
+fn carrier(loops: &str) -> Unit {
+    let text = format!(
+        "pub struct Carrier {{
+            unit mm;
+            param front_rod = 346mm; param rear_rod = 447mm; param tie_rod = 350mm;
+            param front = (15mm, 380mm, 215mm); param rear = (-300mm, 400mm, 222mm);
+            param tie = (-130mm, 350mm, 288mm); param top = (-25mm, 580mm, 850mm);
+            input travel = 0mm in -60mm..60mm;
+            unknown body = frame((0mm, 760mm, 310mm), (1, 0, 0), (0, 0, 1));
+            let ball = point_in(body, (5mm, -35mm, -120mm));
+            let strut = top - point_in(body, (-8mm, -108mm, 90mm));
+            loop distance(ball, front) = front_rod;
+            loop distance(ball, rear) = rear_rod;
+            loop dot(strut, body.x + 17 / 450 * body.z) = 0;
+            {loops}
+        }}
+        impl Carrier {{ pub fn place(travel) -> Place {{ body }} }}"
+    );
+    let checked = linkage_compiler::check(text.parse().expect("tokens"));
+    assert!(checked.messages.is_empty(), "{:?}", checked.messages);
+    checked.unit.expect("a mechanism without a mistake")
+}
+
+/// An angle, and all six numbers of the axes, whatever of the origin is known and whatever else is linear in them.
+#[test]
+fn a_body_with_two_rods_in_one_point_has_an_angle_instead_of_an_origin() {
+    let across = "loop dot(strut, body.y + 72 / 450 * body.z) = 0;";
+    let tie = "loop distance(point_in(body, (-140mm, -60mm, -28mm)), tie) = tie_rod;";
+    for loops in [
+        format!("{across} {tie} loop body.origin.z = 310mm + travel;"),
+        format!(
+            "{across} {tie} loop distance(body.origin, (20mm, 760mm, -800mm)) = 1110mm + travel;"
+        ),
+        // No link is left that would say how large it is.
+        format!(
+            "{across} loop dot(body.x, (0.1, 1, 0)) = 0.1; loop body.origin.z = 310mm + travel;"
+        ),
+        format!(
+            "{across} loop dot(body.x, (0.1, 1, 0)) = 0.1; loop dot(strut, (0, 0, 1)) = 450mm - travel;"
+        ),
+    ] {
+        let unit = carrier(&loops);
+        let [coupled] = &unit.coupled[..] else {
+            panic!("one group: {loops}");
+        };
+        assert!(
+            coupled.followed && coupled.size == 8,
+            "{loops}: {}",
+            coupled.size
+        );
+    }
+}

@@ -39,6 +39,12 @@ fn solved(order: &Order, matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) 
             mut solution,
             determinant,
         } = algebra.solve_in_order(order, &rows, &lift(right));
+        let once = algebra.solve_once_in_order(order, &rows, &lift(right));
+        for (own, shared) in once.solution.iter().zip(&solution) {
+            let [own, shared] = [own, shared].map(|x| evaluate(&[*x], |_| f64::NAN)[0]);
+            let both = own.is_nan() && shared.is_nan();
+            assert!(both || (own - shared).abs() <= 1e-9 * shared.abs());
+        }
         solution.push(determinant);
         all = evaluate(&solution, |_| f64::NAN);
     });

@@ -4,7 +4,7 @@ use linkage_symbolic::{Ex, V2};
 
 use crate::algebra::{Elimination, PrivateColumn, Solution, Term};
 use crate::formulate::Solver;
-use crate::structure::Private;
+use crate::structure::{Block, Private};
 
 use super::equations::{Equations, Place};
 
@@ -47,6 +47,10 @@ impl<'m> Solver<'_, 'm> {
         };
         self.push_solution(Solution {
             terms,
+            rows: match form.is_large() {
+                true => form.blocks.iter().flat_map(written).collect(),
+                false => Vec::new(),
+            },
             jacobian,
             determinant,
             elimination: Some(elimination),
@@ -93,6 +97,17 @@ impl<'m> Solver<'_, 'm> {
         });
         terms.collect()
     }
+}
+
+/// The rows of a loop. The difference of two links is that of their squares: as products its derivatives have more terms.
+fn written<'m>(block: &Block<'m>) -> Vec<Ex<'m>> {
+    let link = block.distance.as_ref();
+    let Some((link, less)) = link.and_then(|own| Some((own, own.less.as_ref()?))) else {
+        return block.rows.clone();
+    };
+    let apart = link.vector.square() - less.vector.square();
+    let wanted = link.length.difference_of_squares(less.length);
+    vec![0.5 * ((apart - wanted) / link.length)]
 }
 
 fn square_of_guide(guide: V2) -> Ex {

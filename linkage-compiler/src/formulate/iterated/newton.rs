@@ -122,7 +122,7 @@ impl<'m> Solver<'_, 'm> {
             Some(large) => {
                 let solved = self
                     .algebra
-                    .solve_in_order(&large.order, &matrix, residuals);
+                    .solve_once_in_order(&large.order, &matrix, residuals);
                 let InOrder {
                     solution,
                     determinant,
@@ -131,8 +131,7 @@ impl<'m> Solver<'_, 'm> {
                 (freedoms, large.share * determinant)
             }
             None => {
-                let determinant = self.algebra.determinant(&matrix);
-                let numerators = self.algebra.cofactor_products(&matrix, residuals);
+                let (numerators, determinant) = self.algebra.cramer(&matrix, residuals);
                 let corrections = numerators.into_iter().map(|own| -(own / determinant));
                 (corrections.collect(), determinant)
             }

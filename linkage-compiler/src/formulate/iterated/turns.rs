@@ -8,7 +8,7 @@ use linkage_symbolic::{Ex, Node, V3, Vector, agree, substitute};
 
 use crate::algebra::{Bodies, Body};
 use crate::formulate::Solver;
-use crate::structure::{Block, Link};
+use crate::structure::Block;
 
 use super::equations::Equations;
 
@@ -56,19 +56,15 @@ fn proposals<'m>(equations: &Equations<'_, 'm>, body: &Body<'m>, block: &Block<'
     let Some(link) = &block.distance else {
         return Vec::new();
     };
-    // Of several links to one point the first is subtracted from the others.
-    let of = |other: &Link<'m>| {
-        let turns = of_square(body, other.vector)?;
-        Some((scale / link.length) * turns)
+    let own = of_square(body, link.vector);
+    let turns = match &link.less {
+        Some(less) => own
+            .zip(of_square(body, less.vector))
+            .map(|(own, less)| own - less),
+        None => own,
     };
-    let Some(own) = of(link) else {
-        return Vec::new();
-    };
-    let others = equations.form.blocks.iter();
-    let others = others.filter_map(|other| of(other.distance.as_ref()?));
-    std::iter::once(own)
-        .chain(others.map(|other| own - other))
-        .collect()
+    let turns = turns.map(|turns| (scale / link.length) * turns);
+    turns.into_iter().collect()
 }
 
 /// What half of the square of a vector changes by as a body turns, if the body carries a part of it as it is.

@@ -94,6 +94,7 @@ impl<'m> Solver<'_, 'm> {
             }),
             links: [None; 2],
             rod: None,
+            rows: Vec::new(),
         });
     }
 }
