@@ -9,6 +9,7 @@
 //! With several inputs, or none, the states are prepared on a [`Grid`], and four steps are made from there.
 
 mod cell;
+mod certificate;
 mod estimate;
 mod follow;
 mod grid;
@@ -23,6 +24,7 @@ mod table;
 mod turning;
 mod walk;
 
+pub use certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_FROM_CELL};
 pub use estimate::{Astray, from_estimate};
 pub use grid::{Grid, GridLookup, LeftOut};
 pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};

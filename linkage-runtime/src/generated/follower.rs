@@ -1,6 +1,7 @@
 //! From position to position: coupled groups followed from where they stand, whatever the ranges of the inputs.
 
-use super::settle::{CONTRACTION, CORRECTIONS, FIRST};
+use super::settle::CORRECTIONS;
+use crate::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
 use crate::{Halt, Scalar};
 
 /// Shorter steps, as parts of the way, are not tried: beside a dead point.
@@ -120,7 +121,7 @@ fn settle<T: Scalar, const W: usize>(
 ) -> Result<(), Halt> {
     let floor = group.first + group.size;
     let settled = T::LAST_CORRECTION * T::LAST_CORRECTION;
-    let mut allowed = FIRST * FIRST;
+    let mut allowed = FIRST_CORRECTION * FIRST_CORRECTION;
     let mut begin: Option<T> = None;
     for _ in 0..CORRECTIONS {
         let step = correct(x);
@@ -148,7 +149,7 @@ fn settle<T: Scalar, const W: usize>(
             numbers.for_each(|number| *number = T::from_lanes(|lane| T::lane(*number, lane)));
             return Ok(());
         }
-        allowed = CONTRACTION * CONTRACTION * largest;
+        allowed = ALLOWED_CONTRACTION * ALLOWED_CONTRACTION * largest;
     }
     Err(Halt::Uncertain)
 }

@@ -1,14 +1,8 @@
 //! A small step of a coupled group to other dimensions, certified.
 
-use crate::numeric::continuation::Correction;
+use crate::numeric::continuation::{ALLOWED_CONTRACTION, Correction, FIRST_CORRECTION};
 use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
-
-/// A first correction must not be larger, in radians or scaled lengths.
-pub(super) const FIRST: f64 = 0.05;
-
-/// Each correction is below this part of the one before, as where Newton's method is certain to find the nearest solution.
-pub(super) const CONTRACTION: f64 = 0.25;
 
 /// Corrections of a step, at most, and one that leaves rounding only.
 pub(super) const CORRECTIONS: usize = 8;
@@ -54,7 +48,7 @@ pub(super) fn scaled(variables: &[Variable], state: &[f64], scale: f64) -> Vec<f
 
 /// Corrects a state; the determinant there, which keeps its sign (if it had one).
 fn settle(programs: &mut dyn Correction, x: &[f64], state: &mut [f64], before: f64) -> Option<f64> {
-    let mut allowed = FIRST;
+    let mut allowed = FIRST_CORRECTION;
     for _ in 0..CORRECTIONS {
         let step = programs.correct(x, state);
         let sound =
@@ -65,7 +59,7 @@ fn settle(programs: &mut dyn Correction, x: &[f64], state: &mut [f64], before: f
         if step.size <= SETTLED {
             return Some(step.determinant);
         }
-        allowed = CONTRACTION * step.size;
+        allowed = ALLOWED_CONTRACTION * step.size;
     }
     None
 }

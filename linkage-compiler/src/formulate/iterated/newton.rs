@@ -1,5 +1,6 @@
 //! Newton steps of a core, from a state to the next, and what a solution must stand.
 
+use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_FROM_CELL};
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, substitute};
 
@@ -8,17 +9,6 @@ use crate::formulate::Solver;
 
 use super::equations::Equations;
 use super::state::Part;
-
-/// Newton steps from a state of another position: the runtime divides a grid into cells from whose centres so many are enough.
-const STEPS: usize = 4;
-
-/// The largest first correction for other dimensions, in radians or scaled lengths: what moves the solution by more might lead to
-/// another assembly than a gradual change would.
-const FIRST_CORRECTION: f64 = 0.05;
-
-/// The square of a correction over that of the one before, at most. Where Newton's method is certain to find the nearest solution,
-/// each correction is below a quarter of the one before.
-const CONTRACTION: f64 = 1.0 / 16.0;
 
 /// Steps of the inverse root before the one that each step begins with, for unit vectors that were extrapolated in a cell of a grid. They
 /// bring a length that is off by a quarter to rounding; a length that is off by more than the correction would make the
@@ -48,7 +38,7 @@ impl Plan {
 
     /// From such a table for dimensions, derivatives or digits that it does not know.
     const BESIDE_TABLE: Self = Self {
-        steps: STEPS,
+        steps: STEPS_FROM_CELL,
         first: Some(FIRST_CORRECTION),
         half: false,
         lengths: 0,
@@ -56,7 +46,7 @@ impl Plan {
 
     /// From the nearest of prepared states over several inputs.
     const FROM_GRID: Self = Self {
-        steps: STEPS,
+        steps: STEPS_FROM_CELL,
         first: None,
         half: false,
         lengths: LENGTHS,
@@ -172,7 +162,9 @@ impl<'m> Solver<'_, 'm> {
             };
             let allowed = match before {
                 _ if last => Some(tiny),
-                Some(before) => Some((CONTRACTION * before).max(tiny)),
+                Some(before) => {
+                    Some((ALLOWED_CONTRACTION * ALLOWED_CONTRACTION * before).max(tiny))
+                }
                 None => plan.first.map(|first| tiny.number(first * first)),
             };
             let small = allowed.map(|allowed| allowed - step.size2);

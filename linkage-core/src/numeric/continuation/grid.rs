@@ -15,7 +15,7 @@ use super::cell::Frame;
 use super::follow::Follower;
 use super::scale::Scale;
 use super::shared::Shared;
-use super::{Correction, Range, Refusal};
+use super::{ALLOWED_CONTRACTION, Correction, Range, Refusal, STEPS_FROM_CELL as STEPS};
 use alloc::vec;
 use alloc::vec::Vec;
 use cells::Cell;
@@ -23,7 +23,7 @@ use core::f64::consts::TAU;
 use core::fmt;
 use divide::{Divided, divided};
 use node::Node;
-use walk::{STEPS, Solution};
+use walk::Solution;
 
 pub use lookup::GridLookup;
 pub(super) use lookup::OUTSIDE;
@@ -212,7 +212,8 @@ impl Grid {
         let steps = [(); STEPS].map(|()| correction.correct(x, &mut state));
         let sound = steps.iter().all(|step| step.determinant * floor >= 0.0);
         let mut pairs = steps.windows(2);
-        let smaller = pairs.all(|pair| pair[1].size <= f64::max(QUARTER * pair[0].size, TINY));
+        let smaller =
+            pairs.all(|pair| pair[1].size <= f64::max(ALLOWED_CONTRACTION * pair[0].size, TINY));
         sound && smaller && steps[STEPS - 1].size <= TINY
     }
 
@@ -223,8 +224,7 @@ impl Grid {
     }
 }
 
-/// What evaluators ask of a step: this part of the one before, or less than so much, which is what the last one must be.
-const QUARTER: f64 = 0.25;
+/// What evaluators ask of the last step, and of no other one.
 const TINY: f64 = <f64 as crate::Scalar>::CORRECTION_LIMIT;
 
 /// A range that misses a full turn by this share or less is one: users write 360 degrees.

@@ -1,5 +1,6 @@
 //! Whether ranges can be served at all, and by how small cells: looked at in a few places, before all of them are divided.
 
+use super::super::STEPS_FROM_CELL as STEPS;
 use super::super::cell::Frame;
 use super::super::follow::Follower;
 use super::LeftOut;
@@ -7,7 +8,7 @@ use super::divide::{CELLS, MISSED, longest, scales};
 use super::layout::{Layout, Places};
 use super::node::Node;
 use super::slopes::slopes;
-use super::walk::{CONTRACTION, NEAR, STEPS, Solution};
+use super::walk::{CONTRACTION, NEAR, Solution};
 use super::way::{Way, follow};
 use crate::math;
 use alloc::vec;

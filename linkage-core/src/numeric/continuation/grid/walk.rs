@@ -1,5 +1,6 @@
 //! The cells of a grid, reached one from the other.
 
+use super::super::STEPS_FROM_CELL as STEPS;
 use super::super::follow::Follower;
 use super::super::scale::Scale;
 use super::border::{Border, Joint, Place, agree};
@@ -11,9 +12,6 @@ use super::way::{Way, follow};
 use alloc::collections::VecDeque;
 use alloc::vec;
 use alloc::vec::Vec;
-
-/// Newton steps that evaluators make from a cell's state.
-pub(super) const STEPS: usize = 4;
 
 /// On the border of a cell each step is smaller than the one before by this factor. Evaluators allow a quarter: the difference is for what
 /// lies between the places that are tested.

@@ -5,7 +5,8 @@ use super::slots::Lane;
 use super::{Groups, Place};
 use crate::Scalar;
 use crate::generated::CoupledGroup;
-use crate::generated::settle::{CONTRACTION, CORRECTIONS, FIRST, scaled, scales};
+use crate::generated::settle::{CORRECTIONS, scaled, scales};
+use crate::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
 
 /// Where the way is looked at to see how states change.
 const BESIDE: f64 = 1.0 / 1024.0;
@@ -14,7 +15,7 @@ const BESIDE: f64 = 1.0 / 1024.0;
 const SHORTEST: f64 = 1e-4;
 
 /// The length of a step is chosen so that the first correction will be about this part of the largest one.
-const WANTED: f64 = 0.5 * FIRST;
+const WANTED: f64 = 0.5 * FIRST_CORRECTION;
 
 /// How much shorter or longer the next step may be.
 const SHORTER: f64 = 1.0 / 8.0;
@@ -83,8 +84,8 @@ impl<const R: usize> Traveller<R> {
             looks: false,
             scale: 0,
             rescaled: false,
-            last: FIRST,
-            allowed: FIRST,
+            last: FIRST_CORRECTION,
+            allowed: FIRST_CORRECTION,
             corrections: 0,
             first: 0.0,
             determinant: 0.0,
@@ -172,7 +173,7 @@ impl<const R: usize> Traveller<R> {
     fn try_group(&mut self, group: usize) {
         self.stage = Stage::Group(group);
         self.scale = 0;
-        (self.last, self.allowed, self.corrections) = (FIRST, FIRST, 0);
+        (self.last, self.allowed, self.corrections) = (FIRST_CORRECTION, FIRST_CORRECTION, 0);
     }
 
     /// What a correction of this size, from where the determinant is that, is worth.
@@ -193,7 +194,7 @@ impl<const R: usize> Traveller<R> {
         }
         let next = size * (size / self.last);
         self.corrections += 1;
-        (self.last, self.allowed) = (size, CONTRACTION * size);
+        (self.last, self.allowed) = (size, ALLOWED_CONTRACTION * size);
         match next <= SETTLED || self.looks {
             true => Verdict::Settled,
             false => Verdict::Closer,
