@@ -1,8 +1,6 @@
 //! By how much one event comes after another.
 
 use super::{Cyclogram, Moment, Motion};
-use alloc::format;
-use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -100,21 +98,10 @@ impl Lag<'_> {
     }
 }
 
-/// As in `eye's dwell (top 0.5 mm) begins 12.3000 deg after hook's return ends`.
+/// As in `eye's dwell (top 0.5 mm) begins 12.3000 deg after hook's return begins`.
 impl fmt::Display for Lag<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [from, to] = [&self.from, &self.to].map(happens);
-        write!(f, "{to} {:.4} deg after {from}", self.angle.to_degrees())
+        let degrees = self.angle.to_degrees();
+        write!(f, "{} {degrees:.4} deg after {}", self.to, self.from)
     }
-}
-
-/// What happens: a dwell that begins or ends, or a motion that begins.
-fn happens(moment: &Moment<'_>) -> String {
-    let event = moment.event;
-    let (motion, word) = match (event.begins.is_dwell(), event.ends.is_dwell()) {
-        (false, true) => (event.ends, "ends"),
-        (true, _) | (false, false) => (event.begins, "begins"),
-    };
-    let motion = motion.told(moment.organ.bands(), &moment.organ.unit);
-    format!("{}'s {motion} {word}", moment.organ.name())
 }

@@ -37,7 +37,7 @@ pub struct Cyclogram {
     order: Vec<[usize; 2]>,
 }
 
-/// An event among those of all organs.
+/// An event among those of all organs. Printed, it says what happens: `hook's dwell (top 0.5 mm) begins`.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {
     /// The organ.

@@ -1,6 +1,6 @@
 //! A cyclogram as a table to be read.
 
-use super::{Cyclogram, Moment};
+use super::{Cyclogram, Event, Moment, Motion};
 use crate::words::rounded;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -47,8 +47,20 @@ impl fmt::Display for Cyclogram {
 }
 
 /// A motion of the moment's organ.
-fn told(moment: &Moment<'_>, motion: super::Motion) -> String {
+fn told(moment: &Moment<'_>, motion: Motion) -> String {
     motion
         .told(moment.organ.bands(), &moment.organ.unit)
         .to_string()
+}
+
+/// What happens: a dwell that begins or ends, or a motion that begins. As in `hook's dwell (top 0.5 mm) ends`.
+impl fmt::Display for Moment<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Event { begins, ends, .. } = *self.event;
+        let (motion, word) = match (begins.is_dwell(), ends.is_dwell()) {
+            (false, true) => (ends, "ends"),
+            (true, _) | (false, false) => (begins, "begins"),
+        };
+        write!(f, "{}'s {} {word}", self.organ.name(), told(self, motion))
+    }
 }

@@ -1,6 +1,8 @@
 //! Cyclograms as files: CSV, JSON, and the diagram of bars.
 
 mod bars;
+mod order;
+mod overlaps;
 
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -20,9 +22,7 @@ impl Cyclogram {
     ///
     /// [`ReportError::Mistakes`] if the style cannot tell cells apart.
     pub fn csv(&self, style: &CsvStyle) -> Result<String, ReportError> {
-        if let Some(mistake) = style.mistake() {
-            return Err(ReportError::from(mistake));
-        }
+        checked(style)?;
         let (unit, shown) = style.shown("rad");
         let angles = ["from", "to", "range", "+- from", "+- to"];
         let angles = angles.map(|name| titled(name, unit));
@@ -45,27 +45,19 @@ impl Cyclogram {
     }
 
     /// All of it as JSON, angles in radians: each organ with its limits, bands, intervals and events, these with
-    /// their sensitivities and shifts; and the order of all events.
+    /// their sensitivities and shifts; the order of all events, each with the one that it follows; and the overlaps.
     #[must_use]
     pub fn json(&self) -> String {
         self.value().to_string()
     }
 
     pub(super) fn value(&self) -> Value {
-        let index = |organ: &Organ| self.organs.iter().position(|own| core::ptr::eq(own, organ));
-        let order = self.moments().map(|moment| {
-            json!({
-                "organ": index(moment.organ),
-                "event": moment.index,
-                "at": moment.event.at,
-                "after": moment.after,
-            })
-        });
         json!({
             "from": self.range.0,
             "to": self.range.1,
             "organs": self.organs.iter().map(organ_value).collect::<Vec<_>>(),
-            "order": order.collect::<Vec<_>>(),
+            "order": self.order_value(),
+            "overlaps": self.overlaps().value(),
         })
     }
 
@@ -100,6 +92,12 @@ impl Cyclogram {
     pub fn write(&self, path: impl AsRef<Path>) -> Result<PathBuf, ReportError> {
         super::write::picture(path.as_ref(), &self.svg()?)
     }
+}
+
+fn checked(style: &CsvStyle) -> Result<(), ReportError> {
+    style
+        .mistake()
+        .map_or(Ok(()), |mistake| Err(mistake.into()))
 }
 
 fn organ_value(organ: &Organ) -> Value {

@@ -20,6 +20,7 @@ impl Report {
     /// | `data.json` | all data |
     /// | `FUNCTION.csv` | each table |
     /// | `cyclogram.svg`, `cyclogram.csv` | the [cyclogram](Self::cyclogram), if there is one |
+    /// | `cyclogram-order.csv`, `cyclogram-overlaps.csv` | its events in their order, and what two organs do at once |
     /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
     /// | `drawing.dxf` | the same, true to size, for programs that construct |
     /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | each function's values and derivatives; true velocities and accelerations |
@@ -49,8 +50,14 @@ impl Report {
         if let Some(cyclogram) = &self.cyclogram {
             let hues = self.organ_hues(cyclogram);
             files.push((folder.join("cyclogram.svg"), cyclogram.drawn(&hues)));
-            let csv = cyclogram.csv(&self.csv_style)?;
-            files.push((folder.join("cyclogram.csv"), csv));
+            let style = &self.csv_style;
+            for (name, csv) in [
+                ("cyclogram.csv", cyclogram.csv(style)?),
+                ("cyclogram-order.csv", cyclogram.order_csv(style)?),
+                ("cyclogram-overlaps.csv", cyclogram.overlaps_csv(style)?),
+            ] {
+                files.push((folder.join(name), csv));
+            }
         }
         for (name, plot) in self.all_plots()? {
             files.push((folder.join(format!("plots/{name}.svg")), plot.svg()?));

@@ -27,13 +27,52 @@ fn files() {
          press,advance,,122.704,242.704,120.000,,\r\n\
          press,dwell,top 0.5,242.704,2.70422,120.000,,\r\n"
     );
-    assert!(machine.csv(&CsvStyle::default().separator("1")).is_err());
+    let degrees = CsvStyle::default().degrees(true).digits(6);
+    assert_eq!(
+        machine.order_csv(&degrees).expect("CSV"),
+        "at [deg],+- at [deg],event,after [deg],after what\r\n\
+         2.70422,,press's dwell (top 0.5 mm) ends,62.7042,hook & eye's dwell (top 0.5 mm) begins\r\n\
+         60.0000,,hook & eye's dwell (top 0.5 mm) ends,57.2958,press's dwell (top 0.5 mm) ends\r\n\
+         122.704,,press's advance begins,62.7042,hook & eye's dwell (top 0.5 mm) ends\r\n\
+         180.000,,hook & eye's advance begins,57.2958,press's advance begins\r\n\
+         242.704,,press's dwell (top 0.5 mm) begins,62.7042,hook & eye's advance begins\r\n\
+         300.000,,hook & eye's dwell (top 0.5 mm) begins,57.2958,press's dwell (top 0.5 mm) begins\r\n"
+    );
+    assert_eq!(
+        machine.overlaps_csv(&degrees).expect("CSV"),
+        "organ,motion,band,other organ,its motion,its band,from [deg],to [deg],range [deg]\r\n\
+         hook & eye,return,,press,return,,60.0000,122.704,62.7042\r\n\
+         hook & eye,advance,,press,advance,,180.000,242.704,62.7042\r\n\
+         hook & eye,dwell,top 0.5,press,dwell,top 0.5,300.000,2.70422,62.7042\r\n"
+    );
+    let wrong = CsvStyle::default().separator("1");
+    assert!(machine.csv(&wrong).is_err());
+    assert!(machine.order_csv(&wrong).is_err() && machine.overlaps_csv(&wrong).is_err());
     let json: serde_json::Value = serde_json::from_str(&machine.json()).expect("JSON");
     let at = json["organs"][1]["events"][2]["at"].as_f64();
     assert_eq!(at, Some(machine.organs()[1].events()[2].at));
     let bounds = &json["organs"][0]["bounds"];
     assert_eq!(*bounds, serde_json::json!([["top", 0.5]]));
     assert_eq!(json["order"].as_array().map(Vec::len), Some(6));
+    // The first event of the cycle follows the last one.
+    let follows = &json["order"][0]["follows"];
+    assert_eq!(*follows, serde_json::json!({ "organ": 0, "event": 2 }));
+    let found = machine.overlaps();
+    for (own, overlap) in found.all().iter().enumerate() {
+        let told = &json["overlaps"][own];
+        assert_eq!(told["organs"], serde_json::json!(overlap.organs));
+        assert_eq!(told["from"].as_f64(), Some(overlap.interval.from));
+        assert_eq!(told["range"].as_f64(), Some(overlap.interval.range));
+    }
+    assert_eq!(
+        json["overlaps"][2]["motions"],
+        serde_json::json!(["dwell", "dwell"])
+    );
+    assert_eq!(json["overlaps"][2]["bands"], serde_json::json!([0, 0]));
+    assert_eq!(
+        json["overlaps"].as_array().map(Vec::len),
+        Some(found.all().len())
+    );
     assert_eq!(
         json["organs"][0]["events"][0]["sensitivity"]
             .as_array()

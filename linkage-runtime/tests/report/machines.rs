@@ -214,7 +214,12 @@ fn a_cyclogram_is_written_with_the_colours_of_the_parts() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("report/machine");
     let report = machine().cyclogram(&cyclogram(["eye", "hook"]));
     let files = report.write(&folder).unwrap();
-    for name in ["cyclogram.svg", "cyclogram.csv"] {
+    for name in [
+        "cyclogram.svg",
+        "cyclogram.csv",
+        "cyclogram-order.csv",
+        "cyclogram-overlaps.csv",
+    ] {
         assert!(files.contains(&folder.join(name)), "{files:?}");
     }
     let svg = std::fs::read_to_string(folder.join("cyclogram.svg")).unwrap();

@@ -127,27 +127,6 @@ function startCyclogram() {
   onMove(moveShaft);
 }
 
-// All events in the order of the shaft's angle.
-function cycleTable() {
-  const { organs, order } = report.cyclogram;
-  const motion = (organ, word, k) => {
-    const { band } = organ.intervals[k];
-    return word === "dwell" ? `dwell (${organ.bands[band]})` : word;
-  };
-  const rows = order.map(({ organ: index, event, at, after }) => {
-    const organ = organs[index];
-    const { ends, begins, shift } = organ.events[event];
-    const before = (event + organ.events.length - 1) % organ.events.length;
-    return [organ.stands ? `${organ.name} (as in the report)` : organ.name, motion(organ, ends, before), motion(organ, begins, event), placeButton(at), toDegrees(after),
-      ...(hasShifts() ? [toDegrees(shift)] : [])];
-  });
-  return grid("cyclogram", ["organ", "ends", "begins", `at ${input.name}`, "after, deg", ...(hasShifts() ? ["\u00b1 deg"] : [])], rows);
-}
-
-function hasShifts() {
-  return cycle.organs.some(({ events }) => events.some(({ shift }) => shift !== null));
-}
-
 function cyclogramPage() {
   const { backgroundColor } = getComputedStyle(document.body);
   const [width, height] = ["width", "height"].map((side) => Number(cycle.view.getAttribute(side)));

@@ -37,7 +37,7 @@ function addSheet(title, open, ...children) {
 
 function startTables() {
   if (report.summary?.length) addSheet("Cycle summary", true, summaryTable(report.summary)).id = "summary";
-  if (cycle.organs.length > 0) addSheet("Cyclogram", true, cycleTable()).id = "events";
+  startMoments();
   const facts = [...speedFacts(), ...(report.facts ?? []).map(({ name, text }) => [name, text])];
   if (facts.length > 0) addSheet("Facts", true, grid("facts", [], facts));
   if (report.dimensions?.length) addSheet("Dimensions and tolerances", true, dimensionTable());

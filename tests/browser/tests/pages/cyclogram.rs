@@ -45,6 +45,30 @@ fn assert_same(found: &Value, expected: &Cyclogram, organs: &[usize]) {
     }
 }
 
+/// The same overlaps as Rust finds with these dimensions, those of organs that are not followed left out.
+fn assert_overlaps(found: &Value, expected: &Cyclogram, followed: &[usize]) {
+    let expected: Value = serde_json::from_str(&expected.json()).expect("JSON");
+    let own = |all: &Value| {
+        let all = all["overlaps"].as_array().expect("overlaps").clone();
+        let is_followed = |own: &Value| {
+            let organ = |k: usize| own["organs"][k].as_u64().expect("an organ") as usize;
+            [0, 1].iter().all(|&k| followed.contains(&organ(k)))
+        };
+        all.into_iter().filter(is_followed).collect::<Vec<_>>()
+    };
+    let (found, expected) = (own(found), own(&expected));
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (found, expected) in found.iter().zip(&expected) {
+        for word in ["organs", "motions", "bands"] {
+            assert_eq!(found[word], expected[word]);
+        }
+        for name in ["from", "to", "range"] {
+            let [x, y] = [found, expected].map(|own| own[name].as_f64().expect(name));
+            assert!((x - y).abs() < 2.0 * ROUNDING, "{name}: {x} instead of {y}");
+        }
+    }
+}
+
 fn told(page: &mut Page) -> String {
     page.words("document.querySelector('#cyclogram p').textContent")
 }
@@ -57,7 +81,9 @@ fn cyclograms_follow_changed_dimensions() {
     page.screen(DESKTOP);
     let bars = "[...document.querySelectorAll('#cyclogram [data-organ=\"hook\"] .dwell')].map((b) => b.getAttribute('width')).join(' ')";
     let rows = "[...document.querySelectorAll('[data-table=cyclogram] tbody tr')].map((r) => [...r.cells].map((c) => c.textContent).join(' ')).join('; ')";
+    let both = rows.replace("=cyclogram", "=overlaps");
     let (first_bars, first_rows) = (page.words(bars), page.words(rows));
+    let first_both = page.words(&both);
     assert_eq!(told(&mut page), "");
     for [crank, rod, lead] in [
         [40.0, 130.0, 0.7 + 1e-9],
@@ -68,6 +94,7 @@ fn cyclograms_follow_changed_dimensions() {
         let found = changed(&mut page, &format!("crank={crank}&rod={rod}&lead={lead}"));
         let expected = yokes_cyclogram([crank, rod, lead]);
         assert_same(&found, &expected, &[0, 1]);
+        assert_overlaps(&found, &expected, &[0, 1]);
         // All events of all organs, in order, once round.
         let order = found["order"].as_array().expect("an order");
         let moments: Vec<f64> = order
@@ -78,15 +105,30 @@ fn cyclograms_follow_changed_dimensions() {
         for (after, moment) in moments.iter().zip(expected.moments()) {
             assert!((after - moment.after).abs() < 2.0 * ROUNDING);
         }
+        for (k, moment) in order.iter().enumerate() {
+            let before = &order[(k + order.len() - 1) % order.len()];
+            for word in ["organ", "event"] {
+                assert_eq!(moment["follows"][word], before[word]);
+            }
+        }
         assert_eq!(
             told(&mut page),
             "sinker is as in the report: no table that is computed here has its quantity and the derivative of that."
         );
     }
-    page.shoot("yokes-light");
-    page.dark(true);
-    page.shoot("yokes-dark");
+    for (dark, colours) in [(false, "light"), (true, "dark")] {
+        page.dark(dark);
+        page.shoot(&format!("yokes-{colours}"));
+        page.value("document.querySelector('#overlaps').scrollIntoView({ block: 'center', behavior: 'instant' })");
+        page.shoot(&format!("yokes-overlaps-{colours}"));
+        page.value("scrollTo(0, 0)");
+    }
     assert_ne!(page.words(bars), first_bars);
+    let changed = page.words(&both);
+    assert!(
+        changed != first_both && changed.contains("sinker (as in the report)"),
+        "{changed}"
+    );
     let now = page.words(rows);
     assert!(
         now != first_rows && now.contains("sinker (as in the report)"),
@@ -97,6 +139,7 @@ fn cyclograms_follow_changed_dimensions() {
         (page.words(bars), page.words(rows)),
         (first_bars, first_rows)
     );
+    assert_eq!(page.words(&both), first_both);
     assert_eq!(told(&mut page), "");
     page.assert_quiet();
 }

@@ -108,6 +108,14 @@ fn parts_have_colours_and_are_switched_on_and_off() {
     page.value("document.querySelector('#cyclogram').scrollIntoView({ block: 'center', behavior: 'instant' })");
     page.dark(true);
     page.shoot("machine-phone-dark");
+    for (dark, colours) in [(false, "light"), (true, "dark")] {
+        for screen in [PHONE, DESKTOP] {
+            page.screen(screen);
+            page.dark(dark);
+            page.value("document.querySelector('#overlaps').scrollIntoView({ block: 'center', behavior: 'instant' })");
+            page.shoot(&format!("machine-overlaps-{}-{colours}", screen.name));
+        }
+    }
     page.assert_quiet();
 }
 
@@ -200,6 +208,22 @@ fn a_line_in_the_cyclogram_stands_where_the_shaft_does() {
     let to = (place(&mut page, 201.0), at.1);
     page.drag(at, to);
     assert_eq!(page.row(), 67);
+    // What each event comes after is the one before it, and overlaps lead to where they begin.
+    let follows = page.words(
+        "(() => { const rows = [...document.querySelectorAll('[data-table=cyclogram] tbody tr')]; \
+         const wrong = rows.filter((r, k) => !r.lastChild.textContent.startsWith(rows.at(k - 1).cells[0].textContent + \"'s \")); \
+         return rows.length + ' ' + wrong.length + ' ' + rows[0].lastChild.textContent; })()",
+    );
+    assert_eq!(follows, "8 0 hook.needle's dwell (bottom 4 mm) ends");
+    let overlap = "[...document.querySelectorAll('[data-table=overlaps] tbody tr')].find((r) => r.cells[0].querySelector('small').textContent === 'advance')";
+    let [at, to, long] = [2, 3, 4]
+        .map(|cell| page.number(&format!("parseFloat({overlap}.cells[{cell}].textContent)")));
+    assert!(
+        (to - at - long).rem_euclid(360.0) < 1e-3,
+        "{at} {to} {long}"
+    );
+    page.value(&format!("{overlap}.querySelector('button').click()"));
+    assert_eq!(page.row(), (at / 3.0).round() as usize);
     // The dwell of the needle begins where its lift comes into the band.
     let begins = page.number(
         "(() => { const r = [...document.querySelectorAll('[data-table=cyclogram] tbody tr')].find((r) => r.cells[0].textContent === 'hook.needle' && r.cells[2].textContent.startsWith('dwell (top')); \

@@ -37,7 +37,8 @@ function cyclogramNow() {
   const order = all.flatMap(({ events }, organ) => events.map(({ at }, event) => ({ organ, event, at }))).sort((a, b) => a.at - b.at);
   const width = organs.declared.to - organs.declared.from;
   const after = (k) => (k > 0 ? order[k].at - order[k - 1].at : order[0].at - order.at(-1).at + width);
-  return { ...organs.declared, organs: all, order: order.map((moment, k) => ({ ...moment, after: after(k) })) };
+  const follows = (k) => ({ organ: order.at(k - 1).organ, event: order.at(k - 1).event });
+  return { ...organs.declared, organs: all, order: order.map((moment, k) => ({ ...moment, after: after(k), follows: follows(k) })), overlaps: overlapsNow(all) };
 }
 
 // As it is now; without events and with the reason in `why` where it has no cycle. One whose quantity is not known `stands` as in the report.
@@ -124,5 +125,5 @@ function remakeCyclogram() {
   const told = cycle.organs.map(({ name, why, stands }) => (why ? `${name}: ${why}.` : stands ? `${name} is as in the report: ${stands}.` : ""));
   byId("cyclogram").lastChild.textContent = told.filter((text) => text !== "").join(" ");
   drawCyclogram();
-  byId("events").lastChild.replaceWith(cycleTable());
+  remakeMoments();
 }
