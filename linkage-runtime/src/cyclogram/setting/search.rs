@@ -1,0 +1,234 @@
+//! The search for such values.
+
+use super::{Setting, SettingError, VALUES};
+use crate::cyclogram::{Event, Organ};
+use alloc::string::String;
+use alloc::vec::Vec;
+
+/// Steps to a root: halvings alone leave nothing between two numbers after as many as these.
+const STEPS: usize = 64;
+/// A step that is less than so many roundoffs of the value changes nothing any more.
+const ROUNDOFFS: f64 = 2.0;
+/// An event that is no farther from the wanted angle, in radians, is at it: its own angle has more digits unless it hardly passes its
+/// bound. What jumps is farther.
+const REACHED: f64 = 1e-9;
+/// Roots of one event that are no farther apart than this part of the range are one: each is known to some roundoffs over the slope.
+const SAME: f64 = 1e-9;
+
+/// One event with one value of the parameter.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    value: f64,
+    /// By how much its angle is more than the wanted one, from minus half to half a cycle.
+    off: f64,
+    /// Its angle.
+    at: f64,
+    /// The derivative of its angle by the parameter.
+    slope: f64,
+    event: usize,
+}
+
+pub(super) struct Search<B, W> {
+    pub(super) build: B,
+    pub(super) event: W,
+    pub(super) parameter: usize,
+    pub(super) angle: f64,
+    pub(super) range: (f64, f64),
+    /// Name and cycle of the organ, once it has been built.
+    pub(super) organ: Option<(String, f64)>,
+}
+
+impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
+    pub(super) fn run(mut self) -> Result<Vec<Setting>, SettingError<E>> {
+        let mut looks: Vec<Vec<Place>> = Vec::with_capacity(VALUES);
+        let mut first = None;
+        for value in crate::summary::positions(self.range, VALUES) {
+            match (self.build)(value) {
+                Ok(organ) => looks.push(self.places(value, &organ)?),
+                Err(error) => {
+                    first = first.or(Some(error));
+                    looks.push(Vec::new());
+                }
+            }
+        }
+        let range = self.range;
+        if let (None, Some(error)) = (&self.organ, first) {
+            return Err(SettingError::Unbuilt { range, error });
+        }
+        let (organ, _) = self.organ.clone().unwrap_or_default();
+        let mut nearest: Option<Place> = None;
+        let mut roots: Vec<Place> = Vec::new();
+        let mut take = |place: Place| {
+            if nearest.is_none_or(|own| place.off.abs() < own.off.abs()) {
+                nearest = Some(place);
+            }
+        };
+        for pair in looks.windows(2) {
+            pair.iter().flatten().copied().for_each(&mut take);
+            for &low in &pair[0] {
+                let Some(high) = nearest_to(&pair[1], low) else {
+                    continue;
+                };
+                let stretches = match self.turn(low, high) {
+                    Some(turn) => {
+                        take(turn);
+                        Vec::from([[low, turn], [turn, high]])
+                    }
+                    None => Vec::from([[low, high]]),
+                };
+                for [low, high] in stretches {
+                    roots.extend(self.root(low, high));
+                }
+            }
+        }
+        roots.sort_by(|a, b| a.value.total_cmp(&b.value));
+        // One that ends two stretches is found twice.
+        let near = SAME * (range.1 - range.0).abs();
+        roots.dedup_by(|a, b| (a.value - b.value).abs() <= near && a.event == b.event);
+        match nearest {
+            None => Err(SettingError::NoEvent { range, organ }),
+            Some(nearest) if roots.is_empty() => Err(SettingError::Unreached {
+                organ,
+                wanted: self.angle,
+                nearest: nearest.at,
+                value: nearest.value,
+                range,
+            }),
+            Some(_) => Ok(roots
+                .into_iter()
+                .filter_map(|own| self.setting(own))
+                .collect()),
+        }
+    }
+
+    fn setting(&mut self, place: Place) -> Option<Setting> {
+        let organ = (self.build)(place.value).ok()?;
+        Some(Setting {
+            value: place.value,
+            organ,
+            event: place.event,
+        })
+    }
+
+    /// The events that are meant, with a value of the parameter.
+    fn places(&mut self, value: f64, organ: &Organ) -> Result<Vec<Place>, SettingError<E>> {
+        let (low, high) = organ.range();
+        self.organ
+            .get_or_insert_with(|| (organ.name().into(), high - low));
+        let meant = organ.events().iter().enumerate();
+        let meant = meant.filter(|(_, event)| (self.event)(event));
+        let place = |(event, own): (usize, &Event)| {
+            let all = organ.sensitivity(event);
+            match all.and_then(|all| all.get(self.parameter)) {
+                Some(&slope) => Ok(Place {
+                    value,
+                    off: organ.lead(event, self.angle),
+                    at: own.at,
+                    slope,
+                    event,
+                }),
+                None => Err(SettingError::Parameter {
+                    organ: organ.name().into(),
+                    parameter: self.parameter,
+                    sensitivities: all.map(<[f64]>::len),
+                }),
+            }
+        };
+        meant.map(place).collect()
+    }
+
+    /// The same event with another value; `None` where there is none.
+    fn at(&mut self, value: f64, beside: Place) -> Option<Place> {
+        let organ = (self.build)(value).ok()?;
+        let places = self.places(value, &organ).ok()?;
+        let expected = Place {
+            value,
+            off: beside.off + (value - beside.value) * beside.slope,
+            ..beside
+        };
+        places.into_iter().min_by(|a, b| {
+            (a.off - expected.off)
+                .abs()
+                .total_cmp(&(b.off - expected.off).abs())
+        })
+    }
+
+    /// Between two values, where the angle turns back: its derivative changes its sign there. `None` where it does not.
+    fn turn(&mut self, mut low: Place, mut high: Place) -> Option<Place> {
+        if low.slope * high.slope >= 0.0 || self.is_turned(low, high) {
+            return None;
+        }
+        for _ in 0..STEPS {
+            let middle = 0.5 * (low.value + high.value);
+            if middle <= low.value || middle >= high.value {
+                break;
+            }
+            let next = self.at(middle, low)?;
+            if next.slope * low.slope > 0.0 {
+                low = next;
+            } else {
+                high = next;
+            }
+        }
+        Some(if low.off.abs() < high.off.abs() {
+            low
+        } else {
+            high
+        })
+    }
+
+    /// The root between two values at which the event is on different sides of the wanted angle.
+    fn root(&mut self, mut low: Place, mut high: Place) -> Option<Place> {
+        if low.off * high.off > 0.0 || self.is_turned(low, high) {
+            return None;
+        }
+        let mut best = if low.off.abs() < high.off.abs() {
+            low
+        } else {
+            high
+        };
+        let size = (self.range.1 - self.range.0).abs().max(best.value.abs());
+        let mut halve = false;
+        for _ in 0..STEPS {
+            let middle = 0.5 * (low.value + high.value);
+            if best.off == 0.0 || middle <= low.value || middle >= high.value {
+                break;
+            }
+            let newton = best.value - best.off / best.slope;
+            let inside = newton > low.value && newton < high.value && !halve;
+            let value = if inside { newton } else { middle };
+            if (value - best.value).abs() <= ROUNDOFFS * f64::EPSILON * size {
+                break;
+            }
+            let next = self.at(value, best)?;
+            // Steps that do not even halve what is left: the interval is halved between them.
+            halve = !halve && next.off.abs() > 0.5 * best.off.abs();
+            if next.off * low.off > 0.0 {
+                low = next;
+            } else {
+                high = next;
+            }
+            if next.off.abs() < best.off.abs() {
+                best = next;
+            }
+        }
+        // What jumps across the angle is never at it.
+        (best.off.abs() <= REACHED).then_some(best)
+    }
+
+    /// Whether what changes its sign between two values is the way round the cycle, and not the event.
+    fn is_turned(&self, low: Place, high: Place) -> bool {
+        let cycle = self.organ.as_ref().map_or(0.0, |organ| organ.1);
+        (low.off - high.off).abs() > 0.5 * cycle
+    }
+}
+
+/// Among the events with the next value, which one is the same as this one: that where its derivative leads.
+fn nearest_to(places: &[Place], own: Place) -> Option<Place> {
+    let away = |other: &Place| {
+        let slope = 0.5 * (own.slope + other.slope);
+        (own.off + slope * (other.value - own.value) - other.off).abs()
+    };
+    let found = places.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+    found.copied()
+}
