@@ -1,7 +1,7 @@
 //! Designs side by side.
 
 use linkage_browser::samples::{FourBar, four_bar, page_written, sliders, spatial};
-use linkage_browser::{DESKTOP, Key, Page, SMALL_PHONE};
+use linkage_browser::{DESKTOP, Key, PHONE, Page, SMALL_PHONE};
 use linkage_runtime::report::{Aim, Compared, Comparison, Report};
 
 /// A few four-bars, each with two figures: a front of three, and two that are beaten.
@@ -231,32 +231,71 @@ fn other_mechanisms_are_compared() {
     page.assert_quiet();
 }
 
-/// The page of the example `longer_dwell`, as its test has written it: three drives over each other, each of which is shown alone on a click.
-#[test]
-fn drives_with_longer_dwells() {
+/// The page of an example, as its test has written it; `None` if there is none, or no browser.
+fn example(name: &str) -> Option<Page> {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../target/comparisons/longer_dwell/index.html");
+        .join(format!("../../target/comparisons/{name}/index.html"));
     if !path.is_file() {
-        let advice = "no page: `cargo test --example longer_dwell` writes it";
+        let advice = format!("no page: `cargo test --example {name}` writes it");
         assert!(!linkage_browser::required(), "{advice}");
         eprintln!("skipped: {advice}");
-        return;
+        return None;
     }
-    let Some(mut page) = Page::open(&path) else {
+    Page::open(&path)
+}
+
+/// What it says, on all screens, light and dark; nothing is out of sight on a phone.
+fn says(page: &mut Page, name: &str, designs: f64, parts: &[&str]) {
+    let found = page.number("document.querySelectorAll('#designs [data-design]').length");
+    assert_eq!(found, designs);
+    let text = page.words("document.body.innerText");
+    for part in parts {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    for screen in [DESKTOP, PHONE] {
+        page.screen(screen);
+        for (dark, colours) in [(false, "light"), (true, "dark")] {
+            page.dark(dark);
+            page.shoot(&format!("{name}-{}-{colours}", screen.name));
+        }
+        let wide = page.number("document.documentElement.scrollWidth");
+        assert!(
+            wide <= f64::from(screen.width),
+            "{wide} on a {}",
+            screen.name
+        );
+    }
+    page.assert_quiet();
+}
+
+/// Three drives over each other.
+#[test]
+fn drives_with_longer_dwells() {
+    let Some(mut page) = example("longer_dwell") else {
         return;
     };
-    let designs = page.number("document.querySelectorAll('#designs [data-design]').length");
-    assert_eq!(designs, 3.0);
-    let text = page.words("document.body.innerText");
-    for part in [
+    let parts = [
         "A longer dwell",
         "published",
         "longest as drawn",
         "longest in the worst case",
         "band when it is built",
-    ] {
-        assert!(text.contains(part), "{part}\n{text}");
-    }
-    page.shoot("longer-dwell");
-    page.assert_quiet();
+    ];
+    says(&mut page, "longer-dwell", 3.0, &parts);
+}
+
+/// The press as it was and six compromises, each of which is one of the best but for the first.
+#[test]
+fn a_quiet_press_and_its_compromises() {
+    let Some(mut page) = example("quiet_press") else {
+        return;
+    };
+    let parts = [
+        "A quiet press",
+        "as it was",
+        "guide 40 N",
+        "peak of the torque",
+        "force on the guide",
+    ];
+    says(&mut page, "quiet-press", 7.0, &parts);
 }

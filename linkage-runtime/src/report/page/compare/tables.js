@@ -9,6 +9,14 @@ function part(value, first) {
   return [element("small", {}, `${change > 0 ? "+" : ""}${words} %`)];
 }
 
+// What is less than this part of the largest of its row is the rounding of nothing.
+const NOTHING = 1e-13;
+
+function settled(values) {
+  const largest = Math.max(...values.map(Math.abs));
+  return values.map((value) => (value !== null && Math.abs(value) < NOTHING * largest ? 0 : value));
+}
+
 function table(caption, rows) {
   const columns = shown();
   const head = columns.map((index) => {
@@ -16,7 +24,7 @@ function table(caption, rows) {
     return element("th", { scope: "col" }, swatch(index), " ", page === null ? name : element("a", { href: page }, name));
   });
   const body = rows.map(({ name, unit, values }) => {
-    const own = values.map((value) => plotValue(value, unit));
+    const own = settled(values.map((value) => plotValue(value, unit)));
     const cells = columns.map((index) => element("td", {}, short(own[index]), ...part(own[index], own[columns[0]])));
     return element("tr", {}, element("th", { scope: "row" }, labelled(name, plotUnit(unit))), ...cells);
   });
