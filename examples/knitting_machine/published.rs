@@ -1,10 +1,10 @@
 //! The machine against numbers of 60 digits.
 
-use crate::check::Check;
-use crate::drives::{KnittingMachine, KnittingMachineAssembly};
-use crate::organs;
+use super::check::Check;
+use super::drives::{KnittingMachine, KnittingMachineAssembly};
+use super::organs;
 use linkage::clearance::{BestPhase, Clearance};
-use linkage::cyclogram::{Band, Cyclogram, Motion};
+use linkage::cyclogram::{Band, Cyclogram, Motion, Organ};
 
 /// The lines of `reference.csv` that begin with a word: what else stands in their first cell, and the numbers.
 fn lines(word: &str) -> Vec<(&'static str, Vec<f64>)> {
@@ -69,16 +69,24 @@ pub(crate) fn clearance(
     }
 }
 
-/// Where the dwells of three organs begin and end, each drive at its own angle.
+/// Where the dwells of all organs begin and end, each drive at its own angle.
 pub(crate) fn cyclogram(check: &mut Check, cyclogram: &Cyclogram) {
     let known = lines("dwell");
-    check.holds("six dwells are known", known.len() == 6);
+    let dwells = |organ: &Organ| {
+        organ
+            .intervals()
+            .filter(|(motion, _)| motion.is_dwell())
+            .count()
+    };
+    let all: usize = cyclogram.organs().iter().map(dwells).sum();
+    check.holds("all dwells are known", known.len() == all && all == 8);
     let nominal = KnittingMachine::default();
     for (name, known) in known {
         let (organ, turns, lead) = match name.split(' ').next() {
             Some("hook") => (0, 2.0, 0.0),
             Some("eye") => (1, 1.0, nominal.eye_lead),
-            _ => (2, 1.0, nominal.sinker_lead),
+            Some("sinker") => (2, 1.0, nominal.sinker_lead),
+            _ => (3, 1.0, nominal.press_lead),
         };
         let organ = &cyclogram.organs()[organ];
         let is_meant = |band: &Band| matches!(band, Band::Top(_)) == name.ends_with("top");
