@@ -45,6 +45,14 @@ mod favorit_forces;
     reason = "a program of its own, here a module"
 )]
 mod five_link_axle;
+#[path = "knitting_machine.rs"]
+#[allow(
+    dead_code,
+    unreachable_pub,
+    clippy::duplicate_mod,
+    reason = "a program of its own, here a module"
+)]
+mod knitting_machine;
 #[path = "mcpherson.rs"]
 #[allow(
     dead_code,
@@ -81,7 +89,7 @@ use std::time::Instant;
 /// The folder of a report and what makes it.
 type Job = (&'static str, fn() -> Result<Report, Box<dyn Error>>);
 
-const JOBS: [Job; 8] = [
+const JOBS: [Job; 9] = [
     ("favorit", reports::favorit),
     ("eye_needle", reports::eye_needle),
     ("two_crank_triad", reports::two_crank_triad),
@@ -89,6 +97,7 @@ const JOBS: [Job; 8] = [
     ("five_link_axle", five_link_axle::report),
     ("double_wishbone", double_wishbone::report),
     ("mcpherson", mcpherson::report),
+    ("knitting_machine", knitting_machine::report),
     ("beyond_reach", reports::beyond_reach),
 ];
 

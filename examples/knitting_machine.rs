@@ -26,6 +26,7 @@ mod scene;
 use check::Check;
 use drives::{KnittingMachine, KnittingMachineAssembly};
 use linkage::clearance::Clearance;
+use linkage::report::Report;
 use linkage::tolerance::Tolerances;
 use organs::DIMENSIONS;
 use std::error::Error;
@@ -103,8 +104,17 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     println!("The page:");
     let folder = std::env::args_os().nth(1).filter(|_| !cfg!(test));
     let folder = folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from);
-    page::write(&machine, &told, &folder)?;
+    page::write(&page::report(&machine, &told)?, &folder)?;
     check.finish()
+}
+
+/// Its page, for the gallery.
+#[allow(dead_code, reason = "the gallery asks for it")]
+pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
+    let machine = KnittingMachine::default().assemble()?;
+    let tolerances = Tolerances::<DIMENSIONS>::complete(KnittingMachine::PARAMETERS)?;
+    let cyclogram = organs::with_tolerances(organs::cyclogram(&machine)?, &tolerances)?;
+    page::report(&machine, &cyclogram)
 }
 
 fn print_path(machine: &KnittingMachineAssembly) {

@@ -1,10 +1,10 @@
 //! The machine against its drives alone, against differences, against a dense search.
 
-use crate::check::Check;
-use crate::drives::{
+use super::check::Check;
+use super::drives::{
     EyeNeedle, HookNeedle, KnittingMachine, KnittingMachineAssembly, Press, Sinker,
 };
-use crate::organs::{self, DIMENSIONS};
+use super::organs::{self, DIMENSIONS};
 use linkage::clearance::Clearance;
 use linkage::cyclogram::{Band, Cyclogram, Motion, Organ};
 use linkage::tolerance::Tolerances;

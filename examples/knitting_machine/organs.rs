@@ -1,6 +1,6 @@
 //! What the machine is asked: what its organs do when, and how close its needles come.
 
-use crate::drives::{
+use super::drives::{
     Eye, EyeWay, Hook, KnittingMachine, KnittingMachineAssembly, PressWay, SinkerWay,
 };
 use linkage::Vector2;

@@ -1,7 +1,7 @@
 //! The page of the machine.
 
-use crate::drives::{KnittingMachine, KnittingMachineAssembly};
-use crate::organs::CYCLE;
+use super::drives::{KnittingMachine, KnittingMachineAssembly};
+use super::organs::CYCLE;
 use linkage::cyclogram::Cyclogram;
 use linkage::report::Report;
 use linkage::summary::Course;
@@ -12,19 +12,18 @@ use std::path::Path;
 /// Every degree.
 const POSITIONS: usize = 361;
 
-/// Writes the report into a folder, and a view of the front as `front.svg`.
-pub(crate) fn write(
+/// What it shows: with the shifts by tolerances, if the cyclogram has them.
+pub(crate) fn report(
     machine: &KnittingMachineAssembly,
     cyclogram: &Cyclogram,
-    folder: &Path,
-) -> Result<(), Box<dyn Error>> {
+) -> Result<Report, Box<dyn Error>> {
     let input = KnittingMachine::INPUTS[0];
     let shaft = input.positions(POSITIONS);
     let distance = Course::of(CYCLE, 90, |x| {
         let m = machine.seen(x);
         [m.seen.norm(), m.seen.dot(&m.v) / m.seen.norm()]
     })?;
-    let report = Report::new("Knitting machine", &input, &shaft)
+    Ok(Report::new("Knitting machine", &input, &shaft)
         .about("Hook needle, eye needle, sinkers and press on one shaft.")
         .note("Dimensions are those of the drives' own examples; phases and places are chosen.")
         .structure(KnittingMachine::STRUCTURE)
@@ -37,14 +36,19 @@ pub(crate) fn write(
         .table(&machine.sinker_sweep(&shaft))
         .table(&machine.press_sweep(&shaft))
         .table(&machine.seen_sweep(&shaft))
+        // Along the shafts: x to the right, y upwards.
+        .view(-TAU / 4.0, TAU / 4.0)
         .trace("hook.p10")
         .trace("eye.p8")
         .cyclogram(cyclogram)
-        .course("distance of the needles", "mm", &distance);
+        .course("distance of the needles", "mm", &distance))
+}
+
+/// Writes it into a folder, and a drawing without names as `front.svg`.
+pub(crate) fn write(report: &Report, folder: &Path) -> Result<(), Box<dyn Error>> {
     report.write(folder)?;
-    // Seen along the shafts: x to the right, y upwards.
-    let front = report.drawing()?.view(-TAU / 4.0, TAU / 4.0);
-    let front = front
+    let front = report
+        .drawing()?
         .names(false)
         .trace("eye.p8")
         .write(folder.join("front.svg"))?;

@@ -1,7 +1,7 @@
 //! Parts of the machine in a scene: what is off costs nothing, to the operation.
 
-use crate::check::Check;
-use crate::drives::{
+use super::check::Check;
+use super::drives::{
     EyeNeedle, HookNeedle, KnittingMachine, KnittingMachineAssembly, Press, Sinker,
 };
 use linkage::{Scene, Structure};

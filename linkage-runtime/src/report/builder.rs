@@ -30,6 +30,8 @@ pub struct Report {
     pub(super) dimensions: Vec<Dimension>,
     pub(super) speed: Option<Speed>,
     pub(super) traces: Vec<String>,
+    /// Azimuth and elevation.
+    pub(super) view: Option<[f64; 2]>,
     pub(super) summary: Vec<SummaryRow>,
     pub(super) figures: Vec<Figures>,
     pub(super) facts: Vec<Fact>,
@@ -77,6 +79,7 @@ impl Report {
             dimensions: Vec::new(),
             speed: None,
             traces: Vec::new(),
+            view: None,
             summary: Vec::new(),
             figures: Vec::new(),
             facts: Vec::new(),
@@ -154,6 +157,15 @@ impl Report {
     #[must_use]
     pub fn trace(mut self, point: impl Into<String>) -> Self {
         self.traces.push(point.into());
+        self
+    }
+
+    /// The direction from which a mechanism in space is seen at first, on the page and in [drawings](Self::drawing): the angle about z, from x, and
+    /// that above the plane of x and y, in radians. From -90 and 90 degrees x is to the right and y upwards. It changes nothing in the plane, nor
+    /// does what is not finite.
+    #[must_use]
+    pub fn view(mut self, azimuth: f64, elevation: f64) -> Self {
+        self.view = Some([azimuth, elevation]).filter(|view| view.iter().all(|x| x.is_finite()));
         self
     }
 

@@ -70,6 +70,7 @@ impl Report {
             wanted: String::from("a drawing"),
             functions: self.functions(),
         })?;
+        let view = View::new(shown.picture.dimension);
         Ok(Drawing {
             report: self,
             shown,
@@ -84,7 +85,9 @@ impl Report {
             vectors: Vec::new(),
             enlarged: None,
             seconds: None,
-            view: View::new(shown.picture.dimension),
+            view: self
+                .view
+                .map_or(view, |[azimuth, elevation]| view.from(azimuth, elevation)),
             mistakes: Vec::new(),
         })
     }

@@ -191,6 +191,9 @@ impl Report {
             "traces": self.traced(picture),
         });
         signs::add(&mut value, shown);
+        if let Some(view) = self.view {
+            value["view"] = json!(view);
+        }
         if !picture.parts.is_empty() {
             value["parts"] = json!(list(picture.parts, |part| json!({
                 "name": part.name,

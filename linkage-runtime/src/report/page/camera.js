@@ -16,7 +16,7 @@ const camera = {
   // Pixels by which the picture is moved.
   pan: [0, 0],
   // Of the eye about z and above the x-y plane.
-  turn: VIEWS["3-D"],
+  turn: picture?.view ?? VIEWS["3-D"],
   listeners: [],
 };
 

@@ -13,7 +13,7 @@ const NAMES = {
 };
 // Ways from the point in steps of 22.5 degrees, and how far away a name may be.
 const WAYS = 16;
-const RINGS = [0, 4, 8, 20, 33, 48, 66, 88, 114, 144, 180];
+const RINGS = [0, 4, 8, 20, 33, 48, 66, 88, 114, 144, 180, 222, 270];
 // To the upper right, unless something is there.
 const FIRST_WAY = -Math.PI / 4;
 // What a line to a name costs in pixels of its length if it crosses a joint or another line.
@@ -98,6 +98,7 @@ function stretchesCross([a, b], [c, d]) {
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
+// Null where there is no room: words on words are none.
 function chosenPlace(name, at, radius, scene) {
   const { half } = sizeOfName(name);
   const at0 = (way, ring) => {
@@ -120,7 +121,7 @@ function chosenPlace(name, at, radius, scene) {
       if (price < least) [best, least] = [place, price];
     }
   }
-  return best ?? before ?? at0(ways[0], 0);
+  return best;
 }
 
 // Names of all points that are shown, after everything that they keep clear of has its place.
@@ -129,6 +130,8 @@ function placeNames(tops, shapes) {
   for (const { name, joint } of tops) {
     const place = chosenPlace(name, joint.places[0], joint.half, scene);
     name.choice = place;
+    for (const node of [name.label, name.leader]) node.style.display = place === null ? "none" : "";
+    if (place === null) continue;
     scene.boxes.push(taken([place.box.slice(0, 2), [place.box[2], place.box[1]], place.box.slice(2), [place.box[0], place.box[3]]], 0));
     if (place.leader !== null) scene.leaders.push(taken(place.leader, 0));
     set(name.label, { x: pixel(place.middle[0] + name.size.shift[0]), y: pixel(place.middle[1] + name.size.shift[1]) });
