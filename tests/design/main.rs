@@ -3,6 +3,7 @@
 
 mod derivatives;
 mod evenly;
+mod interruptions;
 mod judge;
 mod known;
 mod messages;

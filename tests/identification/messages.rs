@@ -2,6 +2,7 @@
 
 use super::{FourBar, FourBarAssembly, LENGTHS, Outcome, drawn, inputs, points};
 use linkage::design::{DesignError, Identification, Measured};
+use linkage_random::Random;
 
 #[test]
 fn all_that_is_wrong_is_told() -> Outcome {
@@ -111,5 +112,38 @@ fn numbers_of_the_case_are_told() -> Outcome {
         .run()?;
     assert!((found.mechanism.crank - 50.2).abs() < 1e-12);
     assert!((found.mechanism.rocker - 100.1).abs() < 1e-6, "{found}");
+    Ok(())
+}
+
+/// Readings that have nothing to do with the mechanism pull it to where it falls apart: some fits end nowhere. As the message says, bounds help.
+#[test]
+fn readings_of_something_else_may_have_no_best_fit() -> Outcome {
+    let mut random = Random::new(1);
+    let mut unsettled = 0;
+    for _ in 0..60 {
+        let at = inputs(12);
+        let far = |[x, y]: [f64; 2], random: &mut Random| {
+            [x, y].map(|x| x + random.between(-1000.0, 1000.0))
+        };
+        let read: Vec<[f64; 2]> = points(&at)?
+            .into_iter()
+            .map(|b| far(b, &mut random))
+            .collect();
+        let read = || {
+            let read = Measured::of("b", read.iter().copied()).at(inputs(12));
+            read.computed_by(FourBarAssembly::path_sweep_sets_into)
+        };
+        match drawn()?.unknown(LENGTHS).measured(read()).run() {
+            Ok(_) => continue,
+            Err(DesignError::Unsettled { steps: 1000 }) => unsettled += 1,
+            Err(other) => return Err(other.into()),
+        }
+        let values = [50.0, 120.0, 100.0];
+        let bounded = LENGTHS.iter().zip(values).fold(drawn()?, |fit, (name, x)| {
+            fit.vary(name, 0.98 * x, 1.02 * x)
+        });
+        bounded.measured(read()).run()?;
+    }
+    assert!(unsettled > 0 && unsettled < 30, "{unsettled}");
     Ok(())
 }
