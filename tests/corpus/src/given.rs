@@ -80,10 +80,32 @@ pub fn examples() -> Vec<Given> {
     all.clone()
 }
 
+/// What stands in the first `mechanism!` of a file of the examples.
+pub fn example(file: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../examples")
+        .join(file);
+    let text = fs::read_to_string(path).expect("it can be read");
+    let mut bodies = Vec::new();
+    find(text.parse().expect("Rust"), &mut bodies);
+    bodies.first().expect("it has a mechanism").to_string()
+}
+
 fn texts(folder: &str, end: &str) -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let files = fs::read_dir(folder).expect("there are files");
-    let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
+    let in_it = |folder: &Path| {
+        let files = fs::read_dir(folder).expect("there are files");
+        files
+            .map(|file| file.expect("a file").path())
+            .collect::<Vec<_>>()
+    };
+    let mut paths = in_it(&folder);
+    // An example may be a folder of its own.
+    let folders = paths
+        .clone()
+        .into_iter()
+        .filter(|path| path.join("main.rs").is_file());
+    paths.extend(folders.flat_map(|folder| in_it(&folder)));
     paths.retain(|path| path.extension().is_some_and(|own| own == end));
     paths.sort();
     let texts = paths.iter().map(fs::read_to_string);

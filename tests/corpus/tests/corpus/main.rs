@@ -4,6 +4,7 @@
 //! `UPDATE=1 cargo test -p linkage-corpus --test corpus` writes the corpus anew.
 
 mod oracle;
+mod parts;
 mod slicing;
 
 use std::path::Path;
