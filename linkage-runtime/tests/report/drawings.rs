@@ -216,6 +216,29 @@ fn space_is_seen_to_scale_along_any_direction() {
     assert_eq!(classed(&svg, "axis").len(), 2);
 }
 
+/// On its page and in its drawings; what is not finite changes nothing.
+#[test]
+fn a_report_says_from_where_space_is_seen_at_first() {
+    let phi = PHI.positions(73);
+    let report = || Report::new("RSSR", &PHI, &phi).table(&spatial(&phi));
+    let seen = report().view(-1.5, 0.25);
+    let svg = |report: &Report| report.drawing().unwrap().svg().unwrap();
+    let (plain, from) = (report(), report());
+    let from = from.drawing().unwrap().view(-1.5, 0.25).svg().unwrap();
+    assert!(svg(&seen) == from && svg(&plain) != from);
+    let data = |report: &Report| -> serde_json::Value {
+        serde_json::from_str(&report.json().unwrap()).unwrap()
+    };
+    assert_eq!(
+        data(&seen)["picture"]["view"],
+        serde_json::json!([-1.5, 0.25])
+    );
+    for none in [plain, report().view(f64::NAN, 0.25)] {
+        assert!(data(&none)["picture"].get("view").is_none());
+        assert_ne!(svg(&none), from);
+    }
+}
+
 #[test]
 fn the_reference_position_is_shown_unless_another_one_is_wanted() {
     let drawn = |mechanism: FourBar, at: Option<f64>| {
