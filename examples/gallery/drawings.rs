@@ -20,6 +20,15 @@ struct Solid {
 }
 
 impl Solid {
+    /// Whether its box reaches into an area: most are far from most names.
+    fn near(&self, [left, top, right, bottom]: [f64; 4]) -> bool {
+        let out = |axis: usize, low: f64, high: f64| {
+            let own = || self.corners.iter().map(|corner| corner[axis]);
+            own().all(|x| x < low - self.half) || own().all(|x| x > high + self.half)
+        };
+        !out(0, left, right) && !out(1, top, bottom)
+    }
+
     fn has(&self, place: Place) -> bool {
         let next = self.corners.iter().cycle().skip(1);
         let sides: Vec<(Place, Place)> = self.corners.iter().copied().zip(next.copied()).collect();
@@ -115,7 +124,7 @@ fn covered(svg: &str) -> Result<Vec<String>, Box<dyn Error>> {
         let places: Vec<Place> = steps(left, right)
             .flat_map(|x| steps(top, bottom).map(move |y| [x, y]))
             .collect();
-        for solid in &solids {
+        for solid in solids.iter().filter(|solid| solid.near(*area)) {
             if places.iter().any(|place| solid.has(*place)) {
                 found.push(format!("`{name}` on {}", solid.what));
             }
