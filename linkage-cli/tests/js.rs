@@ -227,8 +227,8 @@ fn size(own: &Function, column: usize, rows: &[Vec<f64>]) -> f64 {
     let columns = &own.columns;
     let alike = (0..columns.len()).filter(|&other| columns[other].unit == columns[column].unit);
     let sizes = alike.flat_map(|other| rows.iter().map(move |row| row[other].abs()));
-    // A number is a quotient of lengths: what it is made of has the size 1.
-    let least = f64::from(columns[column].unit.is_empty());
+    // A number is a quotient of lengths, and so is an angle, as of an axis that is hardly tilted: what they are made of has the size 1.
+    let least = f64::from(["", "rad"].contains(&&columns[column].unit[..]));
     sizes.filter(|x| x.is_finite()).fold(least, f64::max)
 }
 
