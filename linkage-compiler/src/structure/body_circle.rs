@@ -4,7 +4,7 @@
 //! Of fewer, one says where the origin is: an angle instead of its coordinates, and two loops less.
 
 use linkage_symbolic::unordered::Map;
-use linkage_symbolic::{Ex, V3, substitute};
+use linkage_symbolic::{Ex, V3, Vector, substitute};
 
 use super::Analysis;
 use super::body::{Body, Joint};
@@ -106,6 +106,12 @@ impl<'m> Analysis<'_, 'm> {
         let running = self.running(body.origin + arm, [first, second]);
         let origin = running.point - arm;
         let of_origin = body.of_origin();
+        // What is left of the place is no unknown: where it is an expression by now, a row that remembers it would be about itself.
+        let zero = self.algebra.zero();
+        let given = Vector([0, 1, 2].map(|k| match body.open[k] {
+            Some(_) => zero,
+            None => body.origin[k],
+        }));
         let mut known = Map::new();
         let mut rows = Vec::new();
         for (place, open) in body.open.iter().enumerate() {
@@ -114,7 +120,7 @@ impl<'m> Analysis<'_, 'm> {
                 Some(_) => self.make_explicit(symbol, own),
                 None => {
                     known.insert(symbol, own);
-                    rows.push(self.along(place).product(origin - body.origin));
+                    rows.push(self.along(place).product(origin - given));
                 }
             }
         }

@@ -126,3 +126,29 @@ fn a_body_with_two_rods_in_one_point_has_an_angle_instead_of_an_origin() {
         );
     }
 }
+
+/// The fixed ends of both rods lie along x, so that the place along z is known, and the circle says nothing of x.
+#[test]
+fn a_circle_across_an_axis_of_coordinates() {
+    let wheel = "pub struct Wheel {
+        unit mm;
+        input travel = 0mm in -60mm..60mm;
+        unknown carrier = frame((0mm, 760mm, 320mm), (1, 0, 0), (0, 0, 1));
+        let lower = point_in(carrier, (0mm, -60mm, -70mm));
+        let upper = point_in(carrier, (0mm, -70mm, 130mm));
+        let lever = point_in(carrier, (-130mm, -60mm, -70mm));
+        let low = (0mm, 700mm, 250mm);
+        let high = (0mm, 690mm, 450mm);
+        loop distance(lower, (150mm, 400mm, 250mm)) = distance(low, (150mm, 400mm, 250mm));
+        loop distance(lower, (-150mm, 400mm, 250mm)) = distance(low, (-150mm, 400mm, 250mm));
+        loop distance(upper, (120mm, 450mm, 450mm)) = distance(high, (120mm, 450mm, 450mm));
+        loop distance(upper, (-120mm, 450mm, 450mm)) = distance(high, (-120mm, 450mm, 450mm));
+        loop distance(lever, (-130mm, 400mm, 250mm)) = 300mm;
+        loop carrier.origin.z = 320mm + travel;
+    }
+    impl Wheel { pub fn place(travel) -> Place { lower, v: velocity(lower) } }";
+    let checked = linkage_compiler::check(wheel.parse().expect("tokens"));
+    assert!(checked.messages.is_empty(), "{:?}", checked.messages);
+    let unit = checked.unit.expect("a mechanism without a mistake");
+    assert_eq!(unit.coupled.len(), 1);
+}
