@@ -50,6 +50,12 @@ impl Count {
         count.mul = distinct(products);
         count
     }
+
+    /// All of them.
+    #[must_use]
+    pub const fn total(&self) -> u32 {
+        self.add + self.mul + self.div + self.sqrt + self.sin_cos + self.atan2 + self.other
+    }
 }
 
 fn sorted([a, b]: [Value; 2]) -> [Value; 2] {

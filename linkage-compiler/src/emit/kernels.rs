@@ -82,16 +82,14 @@ fn over_sets(
         ..
     } = outline;
     let slots = Slots::of(stages, prepare);
-    let over = Over::Sets {
-        dimensions: outline.scalar_fields().len(),
-        slots: slots.count(),
-    };
     let loops = Loops {
         outline,
         function,
         stages,
         version,
-        over,
+        over: Over::Sets {
+            slots: slots.count(),
+        },
     };
     let modes = (slots.count() > 0).then(|| quote!(let #core { __modes, __turns, .. } = __core;));
     let prepare = modes.is_some().then(|| {

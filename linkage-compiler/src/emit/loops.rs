@@ -24,8 +24,8 @@ pub(super) struct Loops<'a> {
 pub(super) enum Over {
     /// The program's arguments.
     Inputs,
-    /// Dimensions of a mechanism, so many, and the arguments behind them; so many prepared slots are at hand.
-    Sets { dimensions: usize, slots: usize },
+    /// The dimensions of a mechanism, and the arguments behind them; so many prepared slots are at hand.
+    Sets { slots: usize },
 }
 
 impl Loops<'_> {
@@ -37,7 +37,7 @@ impl Loops<'_> {
     fn before(&self) -> usize {
         match self.over {
             Over::Inputs => 0,
-            Over::Sets { dimensions, .. } => dimensions,
+            Over::Sets { .. } => self.outline.scalar_fields().len(),
         }
     }
 
@@ -171,7 +171,7 @@ impl Loops<'_> {
     fn slots(&self) -> Option<usize> {
         match self.over {
             Over::Inputs => None,
-            Over::Sets { slots, .. } => Some(slots),
+            Over::Sets { slots } => Some(slots),
         }
     }
 

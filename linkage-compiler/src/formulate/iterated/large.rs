@@ -141,11 +141,11 @@ impl<'m> Solver<'_, 'm> {
             let own = equations.count(place);
             for row in number..number + own {
                 if bodies.rows.contains(&row) {
-                    let by_freedoms = freedoms.next().cloned();
+                    let by_freedoms = freedoms.next().expect("a row for each of the core");
                     let of_link = self.row_of_link(equations, bodies, place);
                     rows.push(of_link.unwrap_or_else(|| Row {
                         residual: equations.residuals[row],
-                        entries: by_freedoms.unwrap_or_default(),
+                        entries: by_freedoms.clone(),
                         factor: self.algebra.one(),
                     }));
                 }

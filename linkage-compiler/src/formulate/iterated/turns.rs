@@ -72,7 +72,7 @@ pub(super) fn of_square<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<V3<'m>> {
     Some(parts(body, vector)?.carried.cross(vector))
 }
 
-/// Which of two ways to say what a row changes by is taken: the shorter one, if both say the same.
+/// Whether two ways to say what a row changes by say the same: then the shorter one is taken.
 pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
     proposed
         .0
