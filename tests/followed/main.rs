@@ -3,6 +3,7 @@
 
 mod body;
 mod double_wishbone;
+mod driven_arm;
 mod five_link_axle;
 mod hexapod;
 #[path = "../../examples/hexapod/geometry.rs"]

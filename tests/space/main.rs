@@ -12,7 +12,9 @@ mod parallelograms;
 mod platform;
 mod rocking_sleeve;
 mod sarrus;
+mod sleds;
 mod stacked;
+mod swashplate;
 
 use linkage::Vector3;
 

@@ -1,14 +1,16 @@
 //! What positions and derivatives of closed chains cost: the examples of vehicles and robots.
 
 use linkage_compiler::unit::Unit;
-use linkage_corpus::given::{Given, example};
+use linkage_corpus::given::{Given, written};
 
-/// The operations of a function of an example's mechanism.
+/// The operations of a function of one of the mechanisms in a file.
 fn operations(file: &str, function: &str) -> u32 {
-    let unit = Given::text(&example(file)).unit;
-    let mut functions = unit.functions.iter();
-    let own = functions.find(|own| own.name == function);
-    let count = own.expect("the example has the function").called.count;
+    let units = written(file)
+        .into_iter()
+        .map(|text| Given::text(&text).unit);
+    let all = units.flat_map(|unit| unit.functions.into_iter());
+    let mut found = all.filter(|own| own.name == function);
+    let count = found.next().expect("it has the function").called.count;
     println!("{function}: {count:?}");
     count.total()
 }
@@ -16,7 +18,7 @@ fn operations(file: &str, function: &str) -> u32 {
 /// Its lower arm is two rods from one ball joint, its strut two scalar products.
 #[test]
 fn mcpherson_strut() {
-    let example = "mcpherson.rs";
+    let example = "examples/mcpherson.rs";
     assert!(operations(example, "wheel") <= 700);
     assert!(operations(example, "motion") <= 1000);
 }
@@ -24,16 +26,40 @@ fn mcpherson_strut() {
 /// Each of its arms is two rods from one ball joint.
 #[test]
 fn double_wishbone() {
-    let example = "double_wishbone.rs";
+    let example = "examples/double_wishbone.rs";
     assert!(operations(example, "wheel") <= 2200);
 }
 
 /// Rods that share no joint.
 #[test]
 fn five_link_axle() {
-    let example = "five_link_axle.rs";
+    let example = "examples/five_link_axle.rs";
     assert!(operations(example, "wheel") <= 2800);
     assert!(operations(example, "motion") <= 5600);
+}
+
+/// From the pose to the drives every leg is a closed form of its own.
+#[test]
+fn from_a_pose_to_the_drives() {
+    assert!(operations("examples/hexapod.rs", "legs") <= 200);
+    let sleds = "tests/space/sleds.rs";
+    assert!(operations(sleds, "sleds") <= 175);
+    assert!(operations(sleds, "motors") <= 425);
+    assert!(operations("examples/ankle.rs", "motors") <= 120);
+}
+
+/// Three servos, both ways.
+#[test]
+fn swashplate() {
+    let file = "tests/space/swashplate.rs";
+    assert!(operations(file, "servos") <= 180);
+    assert!(operations(file, "plate") <= 960);
+}
+
+/// A wishbone whose arm is driven is solved joint by joint.
+#[test]
+fn double_wishbone_by_an_arm() {
+    assert!(operations("tests/followed/driven_arm.rs", "place") <= 280);
 }
 
 /// A wheel carrier with two rods in its ball joint.

@@ -82,13 +82,20 @@ pub fn examples() -> Vec<Given> {
 
 /// What stands in the first `mechanism!` of a file of the examples.
 pub fn example(file: &str) -> String {
+    let path = format!("examples/{file}");
+    let all = written(&path);
+    all.into_iter().next().expect("it has a mechanism")
+}
+
+/// What stands in each `mechanism!` of a file, whose path begins at the root of the project.
+pub fn written(file: &str) -> Vec<String> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../examples")
+        .join("../..")
         .join(file);
     let text = fs::read_to_string(path).expect("it can be read");
     let mut bodies = Vec::new();
     find(text.parse().expect("Rust"), &mut bodies);
-    bodies.first().expect("it has a mechanism").to_string()
+    bodies.iter().map(ToString::to_string).collect()
 }
 
 fn texts(folder: &str, end: &str) -> Vec<String> {
