@@ -35,6 +35,7 @@ mechanism! {
         }
         pub fn motion(travel) -> Motion {
             v: velocity(carrier.origin), toe: velocity(toe), camber: velocity(camber), bend: acceleration(toe),
+            tilt: acceleration(camber),
             w: omega(carrier), s: velocity(spindle), spindle,
         }
     }
@@ -73,9 +74,11 @@ fn it_is_where_and_moves_as_it_was_computed_with_80_digits() {
         assert!((w.cross(&s) - motion.s).norm() < 1e-16);
         let toe = numbers::<3>(&known["spindle"]);
         close(wheel.toe, toe[0].atan2(toe[1]), 1.0, 1e-14);
+        close(wheel.camber, (-toe[2]).asin(), 1.0, 1e-14);
         close(motion.toe, number(&known["d_dz"]["toe"]), 1e-3, 1e-12);
         close(motion.camber, number(&known["d_dz"]["camber"]), 1e-3, 1e-12);
         close(motion.bend, number(&known["d2_dz2"]["toe"]), 1e-5, 1e-10);
+        close(motion.tilt, number(&known["d2_dz2"]["camber"]), 1e-5, 1e-10);
         for (k, name) in ["x", "y"].into_iter().enumerate() {
             close(motion.v[k], number(&known["d_dz"][name]), 1.0, 1e-13);
         }

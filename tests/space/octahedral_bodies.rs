@@ -1,26 +1,36 @@
-//! Platforms whose six legs meet in three points of it, as one unknown body: all real assemblies and their velocities against those of a published
-//! method, computed with 80 digits.
+//! Platforms whose six legs meet in three points of it, as one unknown body: all real assemblies, and what each of the legs does to each of them,
+//! against those of a published method, computed with 80 digits.
 
 use linkage::{Vector3, mechanism};
+use serde_json::Value;
 
 mechanism! {
     /// The same platform on flat feet as one unknown body.
     pub struct FlatBody {
         unit mm;
+        param leg2 = 355.3487mm;
+        param leg3 = 360.3196mm;
+        param leg4 = 352.8634mm;
+        param leg5 = 340.0531mm;
+        param leg6 = 327.7981mm;
         input leg = 360.5723mm in 356mm..366mm;
         unknown body = frame((10mm, -14mm, 310mm), (1, 0.1, 0.1), (-0.1, -0.1, 1));
         let p1 = point_in(body, (150.0mm, 8.0mm, 0.0mm));
         let p2 = point_in(body, (-80.0mm, 125.0mm, 0.0mm));
         let p3 = point_in(body, (-70.0mm, -135.0mm, 0.0mm));
         loop distance(p1, (300.0mm, -55.0mm, 0.0mm)) = leg;
-        loop distance(p1, (290.0mm, 70.0mm, 0.0mm)) = 355.3487mm;
-        loop distance(p2, (-95.0mm, 285.0mm, 0.0mm)) = 360.3196mm;
-        loop distance(p2, (-205.0mm, 220.0mm, 0.0mm)) = 352.8634mm;
-        loop distance(p3, (-190.0mm, -235.0mm, 0.0mm)) = 340.0531mm;
-        loop distance(p3, (-85.0mm, -290.0mm, 0.0mm)) = 327.7981mm;
+        loop distance(p1, (290.0mm, 70.0mm, 0.0mm)) = leg2;
+        loop distance(p2, (-95.0mm, 285.0mm, 0.0mm)) = leg3;
+        loop distance(p2, (-205.0mm, 220.0mm, 0.0mm)) = leg4;
+        loop distance(p3, (-190.0mm, -235.0mm, 0.0mm)) = leg5;
+        loop distance(p3, (-85.0mm, -290.0mm, 0.0mm)) = leg6;
     }
     impl FlatBody {
-        pub fn pose(leg) -> FlatBodyPose { p1, p2, p3, v1: velocity(p1), v2: velocity(p2), v3: velocity(p3) }
+        pub fn pose(leg) -> FlatBodyPose { p1, p2, p3 }
+        pub fn legs(leg) -> FlatBodyLegs {
+            v1: velocity(p1), v2: velocity(p2), v3: velocity(p3),
+            s1: sensitivity(p1), s2: sensitivity(p2), s3: sensitivity(p3),
+        }
     }
 }
 
@@ -28,356 +38,113 @@ mechanism! {
     /// Three feet, each of two legs.
     pub struct OctahedralBody {
         unit mm;
+        param leg2 = 319.1792mm;
+        param leg3 = 357.1694mm;
+        param leg4 = 378.7893mm;
+        param leg5 = 369.2077mm;
+        param leg6 = 341.5146mm;
         input leg = 383.7916mm in 379mm..388mm;
         unknown body = frame((-8mm, 12mm, 260mm), (1, 0.1, -0.1), (0.1, 0.05, 1));
         let p1 = point_in(body, (75.0mm, 150.0mm, 0.0mm));
         let p2 = point_in(body, (-165.0mm, 5.0mm, 0.0mm));
         let p3 = point_in(body, (80.0mm, -140.0mm, 0.0mm));
         loop distance(p1, (280.0mm, -15.0mm, 0.0mm)) = leg;
-        loop distance(p1, (-150.0mm, 245.0mm, 12.0mm)) = 319.1792mm;
-        loop distance(p2, (-150.0mm, 245.0mm, 12.0mm)) = 357.1694mm;
-        loop distance(p2, (-130.0mm, -250.0mm, -9.0mm)) = 378.7893mm;
-        loop distance(p3, (-130.0mm, -250.0mm, -9.0mm)) = 369.2077mm;
-        loop distance(p3, (280.0mm, -15.0mm, 0.0mm)) = 341.5146mm;
+        loop distance(p1, (-150.0mm, 245.0mm, 12.0mm)) = leg2;
+        loop distance(p2, (-150.0mm, 245.0mm, 12.0mm)) = leg3;
+        loop distance(p2, (-130.0mm, -250.0mm, -9.0mm)) = leg4;
+        loop distance(p3, (-130.0mm, -250.0mm, -9.0mm)) = leg5;
+        loop distance(p3, (280.0mm, -15.0mm, 0.0mm)) = leg6;
     }
     impl OctahedralBody {
-        pub fn pose(leg) -> OctahedralBodyPose { p1, p2, p3, v1: velocity(p1), v2: velocity(p2), v3: velocity(p3) }
+        pub fn pose(leg) -> OctahedralBodyPose { p1, p2, p3 }
+        pub fn legs(leg) -> OctahedralBodyLegs {
+            v1: velocity(p1), v2: velocity(p2), v3: velocity(p3),
+            s1: sensitivity(p1), s2: sensitivity(p2), s3: sensitivity(p3),
+        }
     }
 }
 
-/// The three points of every assembly, and how each moves with the first leg: by the first column of the Jacobian.
-const FLAT_BODY: [[[[f64; 3]; 3]; 2]; 8] = [
-    [
-        [
-            [157.33891256918832, 11.445852747935067, 324.4150833622692],
-            [-84.37340910327474, 100.534730139388, 309.33776672971123],
-            [-42.72076252576791, -155.96251442192056, 296.13850290381635],
-        ],
-        [
-            [-0.22773212598847586, 2.866359829920922, 0.42422831471231814],
-            [-0.8069395764047202, 1.3655900523772189, 0.8420535165858306],
-            [0.9085914792738445, 1.7345837331591578, -0.91482125552774],
-        ],
-    ],
-    [
-        [
-            [162.30317333849302, 11.842993609479441, 326.4720227829086],
-            [-81.10517291954203, 95.00386890537882, 305.8408378448498],
-            [38.098222245977425, -1.6717253122249103, 95.7351975976488],
-        ],
-        [
-            [0.31269421787751633, 2.909593937430201, 0.6406164018850127],
-            [-0.42221000638446987, 0.7145092415737182, 0.4630530296694798],
-            [
-                -0.15337567512900957,
-                -0.29280810706447286,
-                1.0790715626118637,
-            ],
-        ],
-    ],
-    [
-        [
-            [126.78640848541588, 9.00165242123327, 309.69860143252254],
-            [4.236551267966029, -49.42058741194251, 90.25071607279173],
-            [-55.276835356106055, -179.93319891620246, 307.33276289120516],
-        ],
-        [
-            [-1.8793650018126162, 2.734229199854991, -0.45190532980296794],
-            [
-                0.10650879237115392,
-                -0.18024564862810663,
-                -0.7850067457652654,
-            ],
-            [0.3204942475809741, 0.6118526544727687, -0.2501222680509658],
-        ],
-    ],
-    [
-        [
-            [-48.29638222944578, -5.004970835955662, 78.75602016389708],
-            [-85.44899463245756, 102.35495180415894, 310.45092818377606],
-            [-41.49673238693005, -153.6257296114119, 294.89170630347655],
-        ],
-        [
-            [
-                -0.6223615097097648,
-                2.8347894792232187,
-                0.026418996760018656,
-            ],
-            [-0.7305121315871123, 1.2362512996089592, 0.7497877518063011],
-            [0.8402732927195155, 1.6041581042827113, -0.8658111419316571],
-        ],
-    ],
-    [
-        [
-            [-48.29638222944578, -5.004970835955662, -78.75602016389708],
-            [-85.44899463245756, 102.35495180415894, -310.45092818377606],
-            [-41.49673238693005, -153.6257296114119, -294.89170630347655],
-        ],
-        [
-            [
-                -0.6223615097097648,
-                2.8347894792232187,
-                -0.026418996760018656,
-            ],
-            [-0.7305121315871123, 1.2362512996089592, -0.7497877518063011],
-            [0.8402732927195155, 1.6041581042827113, 0.8658111419316571],
-        ],
-    ],
-    [
-        [
-            [126.78640848541588, 9.00165242123327, -309.69860143252254],
-            [4.236551267966029, -49.42058741194251, -90.25071607279173],
-            [
-                -55.276835356106055,
-                -179.93319891620246,
-                -307.33276289120516,
-            ],
-        ],
-        [
-            [-1.8793650018126162, 2.734229199854991, 0.45190532980296794],
-            [
-                0.10650879237115392,
-                -0.18024564862810663,
-                0.7850067457652654,
-            ],
-            [0.3204942475809741, 0.6118526544727687, 0.2501222680509658],
-        ],
-    ],
-    [
-        [
-            [162.30317333849302, 11.842993609479441, -326.4720227829086],
-            [-81.10517291954203, 95.00386890537882, -305.8408378448498],
-            [38.098222245977425, -1.6717253122249103, -95.7351975976488],
-        ],
-        [
-            [0.31269421787751633, 2.909593937430201, -0.6406164018850127],
-            [
-                -0.42221000638446987,
-                0.7145092415737182,
-                -0.4630530296694798,
-            ],
-            [
-                -0.15337567512900957,
-                -0.29280810706447286,
-                -1.0790715626118637,
-            ],
-        ],
-    ],
-    [
-        [
-            [157.33891256918832, 11.445852747935067, -324.4150833622692],
-            [-84.37340910327474, 100.534730139388, -309.33776672971123],
-            [-42.72076252576791, -155.96251442192056, -296.13850290381635],
-        ],
-        [
-            [
-                -0.22773212598847586,
-                2.866359829920922,
-                -0.42422831471231814,
-            ],
-            [-0.8069395764047202, 1.3655900523772189, -0.8420535165858306],
-            [0.9085914792738445, 1.7345837331591578, 0.91482125552774],
-        ],
-    ],
-];
+/// The three points of an assembly, and of each leg how it moves them.
+struct Moving {
+    points: [Vector3<f64>; 3],
+    by_legs: [[Vector3<f64>; 3]; 6],
+}
 
-/// The three points of every assembly, and how each moves with the first leg: by the first column of the Jacobian.
-const OCTAHEDRAL: [[[[f64; 3]; 3]; 2]; 8] = [
-    [
-        [
-            [51.22338119091045, 168.41108328453726, 247.62395975598378],
-            [-172.27983537115418, 0.8049489582126408, 271.6966813012695],
-            [85.60892470480849, -119.2892313715375, 260.706900711648],
-        ],
-        [
-            [-0.643121193054261, 0.3814268578276891, 0.6732086626223838],
-            [
-                -0.42379394164852063,
-                -0.014982832322572867,
-                -0.05044651587127826,
-            ],
-            [
-                -0.22893307030049584,
-                0.39982718057419986,
-                -0.010758734637074796,
-            ],
-        ],
-    ],
-    [
-        [
-            [-99.463189980449, -70.12390432718104, 16.279891036166592],
-            [-209.3776786338839, -0.3944828645974256, 264.6377235410975],
-            [63.60831005184854, -80.72129274905245, 255.90539309271392],
-        ],
-        [
-            [
-                -0.9962968424954465,
-                -0.1624654208508948,
-                -0.1979194043174469,
-            ],
-            [
-                -1.1547666963351144,
-                -0.03375219337745016,
-                -0.30419039070783127,
-            ],
-            [-0.7541117383287381, 1.327053382083371, -0.29685911942328413],
-        ],
-    ],
-    [
-        [
-            [49.297841280001116, 165.2002151491522, 248.19425588174215],
-            [130.2380842298069, 23.704067519208735, 20.044048173943523],
-            [87.20728382477712, -122.0799862092854, 260.76247267649387],
-        ],
-        [
-            [-1.848781028731353, -1.6280894646894575, 1.009918205398096],
-            [
-                -0.04237422927402075,
-                -0.029689302259092436,
-                0.6594628587033495,
-            ],
-            [
-                0.7603484779354236,
-                -1.3272220404306259,
-                0.017144838630374092,
-            ],
-        ],
-    ],
-    [
-        [
-            [92.61691103830854, 238.1777010944036, 219.2820600739779],
-            [-58.70781418932115, 5.844176421231432, 261.07872079852467],
-            [-38.6851360524505, 107.70247127848593, -4.013678430498642],
-        ],
-        [
-            [
-                -0.9244096465249354,
-                -0.10249217362965328,
-                1.0786180948323016,
-            ],
-            [
-                -1.1797042912807036,
-                -0.06342484960696014,
-                0.3714864157062476,
-            ],
-            [
-                -0.007891813037259677,
-                -0.004712101047252913,
-                0.4825541212645447,
-            ],
-        ],
-    ],
-    [
-        [
-            [91.65641039439319, 255.76686913610348, -196.23452056981964],
-            [-59.904973373228536, 27.76715397653551, -256.8173303230785],
-            [-38.6392437342449, 106.8620682013458, 15.839529643238034],
-        ],
-        [
-            [
-                -0.929397489443163,
-                -0.011152300189610742,
-                -1.079143534271775,
-            ],
-            [
-                -1.1814184582273008,
-                -0.032034167397400316,
-                -0.37006934775394557,
-            ],
-            [
-                -0.010119573869824147,
-                0.03608376919908393,
-                -0.48118449723964707,
-            ],
-        ],
-    ],
-    [
-        [
-            [48.19012047569091, 185.4853523780828, -231.0103795662032],
-            [130.154742053952, 25.23027111455174, -16.0101243599558],
-            [85.98503735642247, -99.69759775754066, -267.9864422273505],
-        ],
-        [
-            [-1.853739997207027, -1.5372783544786792, -1.1353522195470847],
-            [
-                -0.0454229124030392,
-                0.026139707541057933,
-                -0.6594101657564029,
-            ],
-            [0.7600019709934401, -1.3208766320555536, -0.1327555082505974],
-        ],
-    ],
-    [
-        [
-            [-99.54504010832179, -68.62502386051062, -19.12881532380059],
-            [-210.59087358960093, 21.82214976197051, -260.19546928106774],
-            [62.41680959599218, -58.901940651182706, -259.542668695984],
-        ],
-        [
-            [
-                -0.9954045798798454,
-                -0.17880497999909048,
-                0.18807712095249995,
-            ],
-            [
-                -1.1533571721368454,
-                -0.05956410525825028,
-                0.30557565048080854,
-            ],
-            [-0.7524744858419936, 1.2970711959198618, 0.4114231282277646],
-        ],
-    ],
-    [
-        [
-            [50.118898935464046, 188.63691458739962, -230.1796659595298],
-            [-173.52576793498042, 23.621089033280832, -267.29893719564865],
-            [84.38749692228927, -96.92183510415437, -267.6878472885916],
-        ],
-        [
-            [-0.6461465906273507, 0.4368294508848953, -0.6355909333194664],
-            [
-                -0.4235595435702005,
-                -0.019275247131810787,
-                0.05095506946868233,
-            ],
-            [
-                -0.22880287118429388,
-                0.3974429092587515,
-                0.04556594552821056,
-            ],
-        ],
-    ],
-];
+/// The assemblies of a platform: a column of the Jacobian has the velocity of the platform's origin and its angular velocity.
+fn known(platform: &str) -> Vec<Moving> {
+    let text = include_str!("octahedral.json");
+    let all: Value = serde_json::from_str(text).expect("JSON");
+    let all = all[platform].as_array().expect("a list");
+    all.iter()
+        .map(|own| {
+            let origin = vector(&own["origin"]);
+            let points = [0, 1, 2].map(|k| vector(&own["points"][k]));
+            let by_legs = std::array::from_fn(|leg| {
+                let column: [f64; 6] =
+                    std::array::from_fn(|row| number(&own["jacobian"][row][leg]));
+                let [v, w] = [0, 3].map(|k| Vector3::new(column[k], column[k + 1], column[k + 2]));
+                points.map(|p| v + w.cross(&(p - origin)))
+            });
+            Moving { points, by_legs }
+        })
+        .collect()
+}
 
-/// Points and their velocities of one assembly.
-type Moving = [[Vector3<f64>; 3]; 2];
+fn number(value: &Value) -> f64 {
+    let digits = value.as_str().expect("a string of digits");
+    digits.parse().expect("a number")
+}
 
-fn compare_moving(found: &[Moving], known: &[[[[f64; 3]; 3]; 2]]) {
-    assert_eq!(found.len(), known.len());
-    for [points, velocities] in known {
-        let apart = |a: &[Vector3<f64>; 3], b: &[[f64; 3]; 3]| {
-            let pairs = a.iter().zip(b);
-            pairs
-                .map(|(a, b)| (a - Vector3::from(*b)).norm())
-                .fold(0.0, f64::max)
-        };
-        let same = found.iter().find(|own| apart(&own[0], points) < 1e-10);
-        let same = same.unwrap_or_else(|| panic!("{points:?} is missing"));
-        assert!(apart(&same[1], velocities) < 1e-11, "{velocities:?}");
+fn vector(value: &Value) -> Vector3<f64> {
+    Vector3::from_fn(|k, _| number(&value[k]))
+}
+
+fn apart(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3]) -> f64 {
+    let pairs = a.iter().zip(b);
+    pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
+}
+
+fn compare(found: &[Moving], platform: &str) {
+    let known = known(platform);
+    assert_eq!((found.len(), known.len()), (8, 8));
+    for known in known {
+        let mut all = found.iter();
+        let same = all.find(|own| apart(&own.points, &known.points) < 1e-10);
+        let same = same.unwrap_or_else(|| panic!("{:?} is missing", known.points));
+        for (leg, (found, known)) in same.by_legs.iter().zip(&known.by_legs).enumerate() {
+            let off = apart(found, known);
+            assert!(off < 1e-11, "leg {}: {off:e}", leg + 1);
+        }
     }
+}
+
+/// What an assembly does at the lengths that are known.
+macro_rules! moving {
+    ($assembly:expr, $leg:expr) => {{
+        let (pose, legs) = ($assembly.pose($leg), $assembly.legs($leg));
+        let others = |k: usize| [legs.s1[k], legs.s2[k], legs.s3[k]];
+        Moving {
+            points: [pose.p1, pose.p2, pose.p3],
+            by_legs: [
+                [legs.v1, legs.v2, legs.v3],
+                others(0),
+                others(1),
+                others(2),
+                others(3),
+                others(4),
+            ],
+        }
+    }};
 }
 
 /// Two rods meet in each of three points of the body, so that three angles remain of its nine unknowns.
 #[test]
 fn a_body_on_pairs_of_legs_has_all_assemblies_of_its_points() {
-    let group = &FlatBody::STRUCTURE.groups[0];
+    let group = &FlatBody::<f64>::STRUCTURE.groups[0];
     assert_eq!((group.kind, group.loops.len()), ("3 loops in space", 6));
     let all = FlatBody::default().assemblies().expect("they are listed");
-    let found = all.iter().map(|own| {
-        let pose = own.pose(360.5723);
-        [[pose.p1, pose.p2, pose.p3], [pose.v1, pose.v2, pose.v3]]
-    });
-    compare_moving(&found.collect::<Vec<_>>(), &FLAT_BODY);
+    let found = all.iter().map(|own| moving!(own, 360.5723));
+    compare(&found.collect::<Vec<_>>(), "flat");
 }
 
 #[test]
@@ -385,9 +152,6 @@ fn a_body_on_three_feet_has_all_assemblies_that_are_known() {
     let all = OctahedralBody::default()
         .assemblies()
         .expect("they are listed");
-    let found = all.iter().map(|own| {
-        let pose = own.pose(383.7916);
-        [[pose.p1, pose.p2, pose.p3], [pose.v1, pose.v2, pose.v3]]
-    });
-    compare_moving(&found.collect::<Vec<_>>(), &OCTAHEDRAL);
+    let found = all.iter().map(|own| moving!(own, 383.7916));
+    compare(&found.collect::<Vec<_>>(), "octahedral");
 }
