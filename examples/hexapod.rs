@@ -3,7 +3,8 @@
 //!
 //! Poses, Jacobian and condition along a path against solutions in 80 digits, computed apart from this project; a path of 10,000 poses there and back; and a slice of
 //! the workspace as a picture, `target/hexapod/workspace.svg`, or in the folder that is given behind `--`. At last all 40 assemblies of the
-//! platform that has the most real ones, each certified; without optimisation that takes long, and is left out but with `LINKAGE_LONG=1`.
+//! platform that has the most real ones, and of this one at both ends of the path, each certified; without optimisation that takes long, and is left out
+//! but with `LINKAGE_LONG=1`.
 
 #[path = "hexapod/assemblies.rs"]
 mod assemblies;

@@ -1,15 +1,37 @@
-//! All assemblies of a platform: the one that P. Dietmaier found in 1998, of which all 40 are real.
+//! All assemblies of platforms: of the one that P. Dietmaier found in 1998 all 40 are real, of the one that is followed here eight at one end of the
+//! path, and six at the other.
 
 use super::check::Check;
+use super::geometry::{FEET, JOINTS};
 use super::numbers;
-use super::platform::{DIETMAIER, LAST_LEG};
+use super::platform::{DIETMAIER, LAST_LEG, Platform};
 use linkage::design::exact::{Solution, solutions_traced};
 use serde_json::Value;
 use std::error::Error;
 
 /// Lists all assemblies and compares them with solutions in 80 digits.
 pub(super) fn show(check: &mut Check) -> Result<(), Box<dyn Error>> {
-    let found = solutions_traced(&DIETMAIER, LAST_LEG)?;
+    let known: Vec<Value> = serde_json::from_str(include_str!("dietmaier.json"))?;
+    check.holds("40 known assemblies, all of them real", known.len() == 40);
+    compare(check, &DIETMAIER, &known, 1.0)?;
+    let ends: Vec<Value> = serde_json::from_str(include_str!("assemblies.json"))?;
+    for (known, real) in ends.iter().zip([8, 6]) {
+        let platform = Platform::of_millimetres(FEET, JOINTS, numbers::<6>(&known["legs"])?);
+        let known = known["poses"].as_array().ok_or("there are known poses")?;
+        check.holds("so many are known to be real", known.len() == real);
+        compare(check, &platform, known, 1000.0)?;
+    }
+    Ok(())
+}
+
+/// `unit` is what the known places count of the unit of the platform's.
+fn compare(
+    check: &mut Check,
+    platform: &Platform,
+    known: &[Value],
+    unit: f64,
+) -> Result<(), Box<dyn Error>> {
+    let found = solutions_traced(platform, LAST_LEG)?;
     let trace = found.trace.ok_or("the test was asked for")?;
     println!(
         "       {} real, {} complex, {} undecided; no more over {} loops; trace test: {} points, their sum linear to {:.0e}",
@@ -20,10 +42,13 @@ pub(super) fn show(check: &mut Check) -> Result<(), Box<dyn Error>> {
         trace.degree,
         trace.miss
     );
-    check.holds("40 assemblies, all of them real", found.real.len() == 40);
+    check.holds(
+        "40 assemblies, real and complex",
+        found.real.len() + found.complex == 40 && found.real.len() == known.len(),
+    );
     check.holds("none is missing", found.is_complete());
-    let known: Vec<Value> = serde_json::from_str(include_str!("dietmaier.json"))?;
-    let known: Vec<[f64; 9]> = known.iter().map(unknowns).collect::<Result<_, _>>()?;
+    let known = known.iter().map(|own| unknowns(own, unit));
+    let known: Vec<[f64; 9]> = known.collect::<Result<_, _>>()?;
     let mut met: Vec<usize> = Vec::new();
     let mut pairs = Vec::new();
     for solution in &found.real {
@@ -45,9 +70,9 @@ pub(super) fn show(check: &mut Check) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn unknowns(known: &Value) -> Result<[f64; 9], Box<dyn Error>> {
+fn unknowns(known: &Value, unit: f64) -> Result<[f64; 9], Box<dyn Error>> {
     let [p, x, y] = ["p", "x", "y"].map(|part| numbers::<3>(&known[part]));
-    let all = [p?, x?, y?].concat();
+    let all = [p?.map(|place| place / unit), x?, y?].concat();
     all.try_into().map_err(|_| "three vectors".into())
 }
 

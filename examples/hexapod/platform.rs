@@ -1,16 +1,21 @@
-//! The platform that P. Dietmaier found in 1998, of whose 40 assemblies all are real, as polynomial equations.
+//! Platforms on six legs as polynomial equations: the one that P. Dietmaier found in 1998, of whose 40 assemblies all are real, and any other.
 
 use linkage::design::exact::{Equations, Number};
 
-/// Six legs from a base to a platform, in millionths of the unit: whole numbers, so that the published digits are exact.
+/// Six legs from a base to a platform, in whole numbers, so that the published digits are exact.
 pub(crate) struct Platform {
+    /// So many of them are the unit of the platform's place.
+    unit: f64,
     base: [[f64; 3]; 6],
     platform: [[f64; 3]; 6],
     legs: [f64; 6],
 }
 
+const MILLION: f64 = 1e6;
+
 /// P. Dietmaier, The Stewart-Gough platform of general geometry can have 40 real postures, Advances in Robot Kinematics, 1998.
 pub(crate) const DIETMAIER: Platform = Platform {
+    unit: MILLION,
     base: [
         [0.0, 0.0, 0.0],
         [1_107_915.0, 0.0, 0.0],
@@ -37,12 +42,29 @@ pub(crate) const DIETMAIER: Platform = Platform {
     ],
 };
 
+impl Platform {
+    /// In millimetres, of which six digits are known; its place is in metres.
+    pub(crate) fn of_millimetres(
+        base: [[f64; 3]; 6],
+        platform: [[f64; 3]; 6],
+        legs: [f64; 6],
+    ) -> Self {
+        let whole = |x: f64| (x * MILLION).round();
+        Self {
+            unit: 1000.0 * MILLION,
+            base: base.map(|own| own.map(whole)),
+            platform: platform.map(|own| own.map(whole)),
+            legs: legs.map(whole),
+        }
+    }
+}
+
 /// Place of the platform, then the first two directions of its frame: the loops of `unknown body = frame(...)`.
 impl Equations<9> for Platform {
     fn values<T: Number>(&self, unknowns: &[T; 9]) -> [T; 9] {
         let [p, x, y] = [0, 3, 6].map(|first| [0, 1, 2].map(|k| unknowns[first + k]));
         let z = cross(x, y);
-        let (million, one) = (T::from(1e6), T::from(1.0));
+        let (unit, one) = (T::from(self.unit), T::from(1.0));
         core::array::from_fn(|i| match i {
             6 => dot(x, x) - one,
             7 => dot(y, y) - one,
@@ -51,10 +73,10 @@ impl Equations<9> for Platform {
                 let [u, v, w] = self.platform[leg].map(T::from);
                 let base = self.base[leg].map(T::from);
                 let link =
-                    [0, 1, 2].map(|k| million * p[k] + u * x[k] + v * y[k] + w * z[k] - base[k]);
+                    [0, 1, 2].map(|k| unit * p[k] + u * x[k] + v * y[k] + w * z[k] - base[k]);
                 let length = T::from(self.legs[leg]);
                 // Values of about 1. The factor is rounded, which moves no solution.
-                T::from(1e-12) * (dot(link, link) - length * length)
+                T::from(1.0 / (self.unit * self.unit)) * (dot(link, link) - length * length)
             }
         })
     }
