@@ -64,7 +64,7 @@ impl<'m> Sketch<'_, 'm> {
         self.lines.push(Line {
             slider: point,
             carrier,
-            through: false,
+            foot: None,
             along,
             name,
         });

@@ -10,6 +10,7 @@ use crate::model::{Expr, ExprKind, JointKind, Name, Type};
 use super::frames::{Frames, Pose};
 use super::marks::{Asked, Line, Mean, Segment, Shape, Spot, Term, Title};
 use super::parts::Turn;
+use super::planes::Plane;
 use super::roles::{Moves, Roles};
 
 /// Points and what lies between them, as they are found; several may be one and the same.
@@ -26,6 +27,8 @@ pub(super) struct Sketch<'a, 'm> {
     pub(super) means: Vec<Mean>,
     /// Guides that are no terms of a chain.
     pub(super) lines: Vec<Line<'m>>,
+    /// In space: planes on which points stay, two of which are a guide.
+    pub(super) planes: Vec<Plane<'m>>,
     /// In space: points and directions of axes.
     pub(super) axes: Vec<(usize, Vn<'m>)>,
     /// In space: what turns the steps that end in points.
@@ -59,6 +62,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
             segments: Vec::new(),
             means: Vec::new(),
             lines: Vec::new(),
+            planes: Vec::new(),
             axes: Vec::new(),
             turns: Vec::new(),
             joints: Vec::new(),

@@ -6,7 +6,7 @@ use linkage_symbolic::program::Source;
 use linkage_symbolic::{SymbolId, Vn};
 
 use crate::algebra::Bound;
-use crate::model::{Loop, Name};
+use crate::model::{Dimension, Expr, Loop, Name};
 use crate::unit::{Drive, DriveOn, Gear, Part, Picture};
 
 use super::chains::Sketch;
@@ -23,6 +23,18 @@ struct Wheel {
 }
 
 impl<'m> Sketch<'_, 'm> {
+    /// The input that is a length in an expression.
+    pub(super) fn driving(&self, expr: &Expr) -> Option<usize> {
+        let mechanism = self.algebra.mechanism;
+        expr.parts().find_map(|part| match part.as_name()? {
+            Name::Input(input) => {
+                let is_length = mechanism.inputs[input].dimension.fits(Dimension::LENGTH);
+                is_length.then_some(input)
+            }
+            name => self.driving(mechanism.value_of(name)?),
+        })
+    }
+
     /// For each input a link that it turns, or the guide that is called after it. Points are those of the picture, `place` tells
     /// which.
     pub(super) fn drives(

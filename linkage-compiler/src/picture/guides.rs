@@ -3,7 +3,7 @@
 use linkage_symbolic::{Ex, NodeId, Vn};
 
 use crate::algebra::Translate;
-use crate::model::{BinaryOp, Dimension, Expr, ExprKind, Function, Name, Type};
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
 
 use super::chains::Sketch;
 use super::free::Track;
@@ -143,7 +143,7 @@ impl<'m> Sketch<'_, 'm> {
                 };
                 (1.0, slide)
             }
-            Shape::Body(_) | Shape::Base(_) => return None,
+            Shape::Body(_) | Shape::Frame(_) | Shape::Base(_) => return None,
         };
         let Slide {
             offset,
@@ -228,18 +228,6 @@ impl<'m> Sketch<'_, 'm> {
         }
     }
 
-    /// The input that is a length in an expression.
-    pub(super) fn driving(&self, expr: &Expr) -> Option<usize> {
-        let mechanism = self.algebra.mechanism;
-        expr.parts().find_map(|part| match part.as_name()? {
-            Name::Input(input) => {
-                let is_length = mechanism.inputs[input].dimension.fits(Dimension::LENGTH);
-                is_length.then_some(input)
-            }
-            name => self.driving(mechanism.value_of(name)?),
-        })
-    }
-
     /// The unit vector along a coordinate axis.
     pub(super) fn axis_of(&self, component: usize) -> Vn<'m> {
         let graph = self.algebra.graph;
@@ -274,10 +262,17 @@ impl<'m> Sketch<'_, 'm> {
             None => self.algebra.graph.zeros(self.dimension),
         };
         let slider = self.points[line.slider].at;
-        let reach = (slider - base).dot(line.along);
-        let origin = match line.carrier.filter(|_| line.through) {
-            Some(carrier) => carrier,
-            None => self.point(slider - reach * line.along),
+        let origin = match (line.carrier, line.foot) {
+            (Some(carrier), Some(foot))
+                if foot.iter().all(|own| own.constant_value() == Some(0.0)) =>
+            {
+                carrier
+            }
+            (_, Some(foot)) => self.point(base + foot),
+            (_, None) => {
+                let reach = (slider - base).dot(line.along);
+                self.point(slider - reach * line.along)
+            }
         };
         Candidate {
             name: line.name,

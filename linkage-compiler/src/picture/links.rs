@@ -20,6 +20,8 @@ pub(super) struct RawLink<'m> {
     asked: bool,
     /// The body that it is.
     pub(super) body: Option<usize>,
+    /// The unknown frame that says where it is.
+    unknown: Option<usize>,
     /// The part of a machine that it belongs to.
     pub(super) part: Option<usize>,
 }
@@ -43,6 +45,7 @@ impl<'m> Links<'m> {
                 frames: frames.collect(),
                 asked: true,
                 body: None,
+                unknown: None,
             });
         }
         for segment in &sketch.segments {
@@ -66,6 +69,10 @@ impl<'m> Links<'m> {
                     asked: false,
                     body: match segment.shape {
                         Shape::Body(body) => body,
+                        _ => None,
+                    },
+                    unknown: match segment.shape {
+                        Shape::Frame(frame) => Some(frame),
                         _ => None,
                     },
                 });
@@ -97,6 +104,7 @@ impl<'m> Links<'m> {
             link.frames.extend(other.frames);
             link.asked |= other.asked;
             link.body = link.body.or(other.body);
+            link.unknown = link.unknown.or(other.unknown);
             link.part = link.part.or(other.part);
             let titles = [link.title.take(), other.title].into_iter().flatten();
             link.title = titles.min_by_key(|title| title.rank);
@@ -171,7 +179,7 @@ pub(super) fn is_rigid(segment: &Segment, seen: &Seen) -> bool {
     let (from, to) = (segment.from, segment.to);
     let written = match segment.shape {
         Shape::Term(..) | Shape::Part(..) => seen.free().follows(&seen.stretching(from, to), &[]),
-        Shape::Distance | Shape::Body(_) | Shape::Base(_) => true,
+        Shape::Distance | Shape::Body(_) | Shape::Frame(_) | Shape::Base(_) => true,
     };
     written && seen.keep_distance(from, to)
 }
@@ -197,6 +205,7 @@ fn are_one(a: &RawLink, b: &RawLink, seen: &Seen, welds: &Welds) -> bool {
     let within = shared.len() == b.points.len() || shared.len() == a.points.len();
     within
         || a.body.is_some() && a.body == b.body
+        || a.unknown.is_some() && a.unknown == b.unknown
         || welds.join(&a.frames, &b.frames, &a.points)
         || welds.join(&b.frames, &a.frames, &b.points)
 }

@@ -1,12 +1,11 @@
 //! What loops, derived names, bodies and joints are made of.
 
-use linkage_symbolic::{Ex, NodeId, Vector};
+use linkage_symbolic::{Ex, NodeId};
 
-use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type};
+use crate::model::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type};
 
 use super::chains::Sketch;
-use super::marks::{Asked, Line, Shape, Term, Title};
+use super::marks::{Asked, Shape, Term, Title};
 
 /// Names in derived quantities stand behind those in loops, and where no loop uses the quantity behind all others.
 const LET: [u8; 2] = [3, 6];
@@ -214,54 +213,6 @@ impl<'m> Sketch<'_, 'm> {
         }
         if let (Some(to), Some(from)) = (self.chain(plus), self.chain(minus)) {
             self.segment(from, to, title, Shape::Distance);
-        }
-    }
-
-    pub(super) fn difference(&self, vector: &'m Expr) -> Option<(&'m Expr, &'m Expr)> {
-        match &vector.kind {
-            ExprKind::Binary(BinaryOp::Sub, a, b) => Some((a, b)),
-            ExprKind::Name(Name::Let(index)) => {
-                self.difference(&self.algebra.mechanism.lets[*index].value)
-            }
-            _ => None,
-        }
-    }
-
-    /// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line.
-    fn look_for_line(&mut self, side: &'m Expr, other: &Expr) {
-        let (is_dot, arguments) = match &side.kind {
-            ExprKind::Call(Function::Dot, arguments) => (true, arguments),
-            ExprKind::Call(Function::Cross, arguments) => (false, arguments),
-            _ => return,
-        };
-        let zero = matches!(other.kind, ExprKind::Number(0.0));
-        if self.dimension != 2 || !zero {
-            return;
-        }
-        for (vector, direction) in [(0, 1), (1, 0)] {
-            let Some((p, q)) = self.difference(&arguments[vector]) else {
-                continue;
-            };
-            let (Some(slider), Some(carrier)) = (self.point_of(p), self.point_of(q)) else {
-                continue;
-            };
-            let value = self.algebra.translate(&arguments[direction]);
-            let unit = self.algebra.vector(&value).unit();
-            let unit = Vector([unit.at(0), unit.at(1)]);
-            // Across what the product is taken with, or along it.
-            let along = if is_dot { unit.perp() } else { unit }.into();
-            let along = self.seen_way(along);
-            let name = self.points[slider].name.as_ref();
-            let name = name.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
-            let carrier = Some(carrier);
-            self.lines.push(Line {
-                slider,
-                carrier,
-                through: true,
-                along,
-                name,
-            });
-            return;
         }
     }
 }

@@ -51,6 +51,8 @@ pub(super) enum Shape<'m> {
     Distance,
     /// Two points of a body, of which declarations have numbers.
     Body(Option<usize>),
+    /// From the origin of an unknown frame, by its derived quantity, to a point of it.
+    Frame(usize),
     /// From the origin of coordinates that move to a point that rests in them: what carries a part, which belongs to a part itself.
     Base(Option<usize>),
 }
@@ -68,8 +70,8 @@ pub(super) struct Line<'m> {
     pub(super) slider: usize,
     /// A point of what carries the line; `None` is the frame.
     pub(super) carrier: Option<usize>,
-    /// Whether the line goes through that point.
-    pub(super) through: bool,
+    /// From that point to the line, if that is known.
+    pub(super) foot: Option<Vn<'m>>,
     pub(super) along: Vn<'m>,
     pub(super) name: String,
 }

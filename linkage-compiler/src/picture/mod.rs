@@ -15,6 +15,7 @@
 //! | `literals`, `parts` | literals and turned sums, taken apart |
 //! | `titles` | what points and links are called in the program |
 //! | `loops`, `bodies` | what loops, bodies and joints are made of |
+//! | `planes` | lines and planes that are scalar products |
 //! | `seen` | the points at several positions and with other dimensions |
 //! | `free` | the points where nothing closes the loops |
 //! | `links` | points that keep their distances |
@@ -41,6 +42,7 @@ mod marks;
 mod names;
 mod owners;
 mod parts;
+mod planes;
 mod roles;
 mod seen;
 mod starts;

@@ -1,9 +1,9 @@
 //! Points that chains begin with.
 
-use crate::model::{Expr, ExprKind, Function};
+use crate::model::{Expr, ExprKind, Function, Name};
 
 use super::chains::Sketch;
-use super::marks::{Mean, Shape};
+use super::marks::{Mean, Shape, Title};
 
 impl<'m> Sketch<'_, 'm> {
     /// A term that is a point.
@@ -18,7 +18,13 @@ impl<'m> Sketch<'_, 'm> {
         if let ExprKind::Call(Function::PointIn, arguments) = &expr.kind
             && let Some((origin, first)) = self.frame_of(&arguments[0])
         {
-            self.segment(origin, point, None, Shape::Body(None));
+            match self.unknown_frame(&arguments[0]) {
+                Some((index, text)) => {
+                    let title = Some(Title { rank: 1, text });
+                    self.segment(origin, point, title, Shape::Frame(index));
+                }
+                None => self.segment(origin, point, None, Shape::Body(None)),
+            }
             // An axis of the frame may be the line from one point of a link to another one.
             let ends = self.difference(first).map(|(to, from)| [from, to]);
             let of = ends.and_then(|ends| {
@@ -42,6 +48,23 @@ impl<'m> Sketch<'_, 'm> {
     fn points_in(&self, expr: &'m Expr) -> Vec<&'m Expr> {
         let names = expr.parts().filter(|part| part.as_name().is_some());
         names.filter(|own| self.weight(own) == Some(1.0)).collect()
+    }
+
+    /// The derived quantity that an unknown frame is, and its name.
+    fn unknown_frame(&self, frame: &'m Expr) -> Option<(usize, String)> {
+        let ExprKind::Name(Name::Let(index)) = frame.kind else {
+            return None;
+        };
+        let own = &self.algebra.mechanism.lets[index];
+        let ExprKind::Call(Function::Frame, parts) = &own.value.kind else {
+            return None;
+        };
+        let Some(Name::Unknown(origin)) = parts[0].as_name() else {
+            return None;
+        };
+        let origin = &self.algebra.mechanism.unknowns[origin].name;
+        let is_unknown = *origin == format!("{}.origin", own.name);
+        is_unknown.then(|| (index, own.name.clone()))
     }
 
     /// The point that a frame has its origin in, and the vector along its first axis.
