@@ -1,4 +1,4 @@
-//! Every function of every example, one position at a time, and their sweeps.
+//! Every function of the small examples, one position at a time, and their sweeps: those of the others are in `larger_examples`.
 //!
 //! The workspace builds this package with optimisation in every profile.
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
@@ -8,54 +8,24 @@
 #[macro_use]
 mod judge;
 
-/// Includes examples as modules, for its mechanisms.
-macro_rules! example {
-    ($($name:ident $path:literal),* $(,)?) => {
-        $(
-            #[path = $path]
-            #[allow(unreachable_pub, dead_code, reason = "a program of its own, here a module")]
-            mod $name;
-        )*
-    };
-}
-
 example! {
     crank_rocker "../../../examples/crank_rocker.rs",
-    delta_robot "../../../examples/delta_robot.rs",
-    double_double "../../../examples/double_double.rs",
     drag_link "../../../examples/drag_link.rs",
     dyads "../../../examples/stability/dyads.rs",
-    eye_needle "../../../examples/eye_needle.rs",
-    favorit "../../../examples/favorit.rs",
-    favorit_forces "../../../examples/favorit_forces.rs",
     geared_five_bar "../../../examples/geared_five_bar.rs",
     gears "../../../examples/gears.rs",
     hydraulic_cylinder "../../../examples/hydraulic_cylinder.rs",
-    machine "../../../examples/machine.rs",
-    needle_drive "../../../examples/needle_drive.rs",
     quick_return "../../../examples/quick_return.rs",
-    spatial_crank_rocker "../../../examples/spatial_crank_rocker.rs",
-    spatial_slider_crank "../../../examples/spatial_slider_crank.rs",
     systems "../../../examples/stability/systems.rs",
     textbook "../../../examples/stability/textbook.rs",
     trammel "../../../examples/trammel.rs",
     two_crank_triad "../../../examples/two_crank_triad.rs",
-    universal_joint "../../../examples/universal_joint.rs",
 }
 
 check!(crank_rocker_: crank_rocker::CrankRocker, crank_rocker::CrankRockerAssembly:
     angles [angles_sweep angles_sweep_sets] (phi),
     motion [motion_sweep motion_sweep_sets] (phi),
     accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
-check!(delta_robot_: delta_robot::Delta, delta_robot::DeltaAssembly:
-    platform [platform_sweep platform_sweep_sets] (phi1, phi2, phi3),
-    motion [motion_sweep motion_sweep_sets] (phi1, phi2, phi3),
-    joints [joints_sweep joints_sweep_sets] (phi1, phi2, phi3),
-    accuracy [accuracy_sweep accuracy_sweep_sets] (phi1, phi2, phi3));
-check!(delta_robot_back: delta_robot::Back, delta_robot::BackAssembly:
-    drives [drives_sweep drives_sweep_sets] (x, y, z));
-check!(double_double_: double_double::CrankRocker, double_double::CrankRockerAssembly:
-    motion [motion_sweep motion_sweep_sets] (phi));
 check!(drag_link_: drag_link::DragLink, drag_link::DragLinkAssembly:
     angles [angles_sweep angles_sweep_sets] (phi),
     rates [rates_sweep rates_sweep_sets] (phi));
@@ -65,25 +35,6 @@ check!(stability_rod_and_guide: dyads::RodAndGuide, dyads::RodAndGuideAssembly:
     place [place_sweep place_sweep_sets] (y));
 check!(stability_turning_guide: dyads::TurningGuide, dyads::TurningGuideAssembly:
     place [place_sweep place_sweep_sets] (y));
-check!(eye_needle_: eye_needle::EyeNeedle, eye_needle::EyeNeedleAssembly:
-    needle [needle_sweep needle_sweep_sets] (phi),
-    motion [motion_sweep motion_sweep_sets] (phi),
-    accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
-    picture [picture_sweep picture_sweep_sets] (phi),
-    rocker [rocker_sweep rocker_sweep_sets] (phi),
-    posture [posture_sweep posture_sweep_sets] (phi));
-check!(favorit_: favorit::Favorit, favorit::FavoritAssembly:
-    needle [needle_sweep needle_sweep_sets] (phi12),
-    height [height_sweep height_sweep_sets] (phi12),
-    transmission [transmission_sweep transmission_sweep_sets] (phi12),
-    picture [picture_sweep picture_sweep_sets] (phi12),
-    motion [motion_sweep motion_sweep_sets] (phi12));
-check!(favorit_forces_: favorit_forces::Favorit, favorit_forces::FavoritAssembly:
-    forces [forces_sweep forces_sweep_sets] (phi12, omega),
-    accelerations [accelerations_sweep accelerations_sweep_sets] (phi12),
-    energy [energy_sweep energy_sweep_sets] (phi12, omega),
-    picture [picture_sweep picture_sweep_sets] (phi12),
-    shaking [shaking_sweep shaking_sweep_sets] (phi12, omega));
 check!(geared_five_bar_: geared_five_bar::GearedFiveBar, geared_five_bar::GearedFiveBarAssembly:
     points [points_sweep points_sweep_sets] (phi, phase),
     motion [motion_sweep motion_sweep_sets] (phi, phase),
@@ -96,36 +47,9 @@ check!(hydraulic_cylinder_: hydraulic_cylinder::Boom, hydraulic_cylinder::BoomAs
     position [position_sweep position_sweep_sets] (stroke),
     motion [motion_sweep motion_sweep_sets] (stroke),
     accuracy [accuracy_sweep accuracy_sweep_sets] (stroke));
-check!(machine_needles: machine::NeedleDrive, machine::NeedleDriveAssembly:
-    needle [needle_sweep needle_sweep_sets] (phi),
-    tongue [tongue_sweep tongue_sweep_sets] (phi),
-    heights [heights_sweep heights_sweep_sets] (phi),
-    motion [motion_sweep motion_sweep_sets] (phi));
-check!(machine_sinkers: machine::SinkerDrive, machine::SinkerDriveAssembly:
-    position [position_sweep position_sweep_sets] (phi));
-check!(machine_press: machine::PressDrive, machine::PressDriveAssembly:
-    position [position_sweep position_sweep_sets] (phi));
-check!(needle_drive_: needle_drive::NeedleDrive, needle_drive::NeedleDriveAssembly:
-    needle [needle_sweep needle_sweep_sets] (phi),
-    motion [motion_sweep motion_sweep_sets] (phi),
-    joints [joints_sweep joints_sweep_sets] (phi),
-    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
 check!(quick_return_: quick_return::QuickReturn, quick_return::QuickReturnAssembly:
     position [position_sweep position_sweep_sets] (phi),
     stroke [stroke_sweep stroke_sweep_sets] (phi));
-check!(spatial_crank_rocker_: spatial_crank_rocker::SpatialCrankRocker, spatial_crank_rocker::SpatialCrankRockerAssembly:
-    motion [motion_sweep motion_sweep_sets] (phi),
-    picture [picture_sweep picture_sweep_sets] (phi),
-    accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
-    pose [pose_sweep pose_sweep_sets] (phi));
-check!(spatial_crank_rocker_published: spatial_crank_rocker::published::Published, spatial_crank_rocker::published::PublishedAssembly:
-    rocker [rocker_sweep rocker_sweep_sets] (theta));
-check!(spatial_crank_rocker_flat: spatial_crank_rocker::published::Flat, spatial_crank_rocker::published::FlatAssembly:
-    rocker [rocker_sweep rocker_sweep_sets] (theta));
-check!(spatial_slider_crank_: spatial_slider_crank::SpatialSlider, spatial_slider_crank::SpatialSliderAssembly:
-    joints [joints_sweep joints_sweep_sets] (phi),
-    stroke [stroke_sweep stroke_sweep_sets] (phi),
-    accuracy [accuracy_sweep accuracy_sweep_sets] (phi));
 check!(trammel_: trammel::Trammel, trammel::TrammelAssembly:
     point [point_sweep point_sweep_sets] (phi));
 check!(trammel_scotch_yoke: trammel::ScotchYoke, trammel::ScotchYokeAssembly:
@@ -135,8 +59,3 @@ check!(two_crank_triad_: two_crank_triad::TwoCranks, two_crank_triad::TwoCranksA
     working_point [working_point_sweep working_point_sweep_sets] (phi),
     picture [picture_sweep picture_sweep_sets] (phi),
     motion [motion_sweep motion_sweep_sets] (phi));
-check!(universal_joint_: universal_joint::Cardan, universal_joint::CardanAssembly:
-    single [single_sweep single_sweep_sets] (phi),
-    double [double_sweep double_sweep_sets] (phi),
-    accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
-    bending [bending_sweep bending_sweep_sets] (phi));

@@ -52,6 +52,18 @@ macro_rules! check {
     (@sweeps $mechanism:path, $assembly:path, [] ()) => { [] };
 }
 
+/// Includes examples as modules, for its mechanisms.
+#[allow(unused_macros, reason = "not every test looks at examples")]
+macro_rules! example {
+    ($($name:ident $path:literal),* $(,)?) => {
+        $(
+            #[path = $path]
+            #[allow(unreachable_pub, dead_code, reason = "a program of its own, here a module")]
+            mod $name;
+        )*
+    };
+}
+
 /// A function's code for the flags of the build. What `like` would return tells which function it is.
 #[inline(always)]
 pub(crate) fn of_the_build<A: Single<f64, R, I>, R, const I: usize>(
