@@ -24,7 +24,7 @@ mod subject;
 
 pub use builder::Unknown;
 pub use case::Case;
-pub use code::code;
+pub use code::{COUNT, Part, code};
 pub use functions::{Entry, Function, Kind, Variable};
 pub use sample::{Sample, sample};
 pub use subject::{Position, Subject, unit};

@@ -11,10 +11,22 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use linkage::{Vector2, Vector3};
-use linkage_corpus::{Case, Kind, code};
+use linkage_corpus::{COUNT, Case, Kind, Part, code};
 use linkage_random::Random;
 
 mod mechanisms;
+#[cfg(feature = "whole")]
+mod more_mechanisms;
+
+/// The mechanisms that are compiled, by their seeds.
+fn compiled() -> Vec<(u64, Results)> {
+    let parts = [
+        mechanisms::ALL,
+        #[cfg(feature = "whole")]
+        more_mechanisms::ALL,
+    ];
+    parts.concat()
+}
 
 /// Assembles with changed parameters and calls all functions at inputs; one list of numbers for each function.
 type Results = fn(changes: &[f64], inputs: &[f64]) -> Vec<Vec<f64>>;
@@ -92,30 +104,32 @@ fn case(seed: u64) -> Result<Arc<Case>, String> {
     }
 }
 
-fn path() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/mechanisms.rs")
-}
-
 #[test]
 fn the_corpus_is_what_the_generator_writes() {
-    let text = code();
-    if std::env::var_os("UPDATE").is_some() {
-        std::fs::write(path(), text).expect("the corpus can be written");
-        return;
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus");
+    for (part, file) in [
+        (Part::Always, "mechanisms.rs"),
+        (Part::Long, "more_mechanisms.rs"),
+    ] {
+        let (text, path) = (code(part), folder.join(file));
+        if std::env::var_os("UPDATE").is_some() {
+            std::fs::write(path, text).expect("the corpus can be written");
+            continue;
+        }
+        let there = std::fs::read_to_string(path).expect("the corpus can be read");
+        assert!(
+            there == text,
+            "the generator has changed: UPDATE=1 writes the corpus anew"
+        );
     }
-    let there = std::fs::read_to_string(path()).expect("the corpus can be read");
-    assert!(
-        there == text,
-        "the generator has changed: UPDATE=1 writes the corpus anew"
-    );
 }
 
 #[test]
 fn generated_code_agrees_with_the_interpreter() {
     let mut worst = 0.0;
-    for (seed, results) in mechanisms::ALL.iter().enumerate() {
-        let case = case(seed as u64).unwrap_or_else(|message| panic!("{message}"));
-        let mut random = Random::new(seed as u64);
+    for (seed, results) in compiled() {
+        let case = case(seed).unwrap_or_else(|message| panic!("{message}"));
+        let mut random = Random::new(seed);
         for round in 0..4 {
             let mut at = case.position(&mut random);
             // Other dimensions than the default ones, too.
@@ -158,7 +172,7 @@ fn generated_code_agrees_with_the_interpreter() {
 
 #[test]
 fn the_corpus_has_all_kinds_of_groups() {
-    let cases = (0..mechanisms::ALL.len()).map(|seed| case(seed as u64).expect("it compiles"));
+    let cases = (0..COUNT).map(|seed| case(seed).expect("it compiles"));
     let mut kinds: Vec<String> = cases
         .flat_map(|case| case.subject.unit.groups.clone())
         .map(|group| group.kind)
