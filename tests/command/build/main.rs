@@ -1,6 +1,8 @@
 //! Writes a module for each mechanism of the examples and of the golden files: the mechanism as the macro takes it, and how its functions
 //! are called with a list of numbers.
 
+mod chosen;
+
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -9,10 +11,19 @@ use linkage_cli::{Found, Source};
 use linkage_compiler::check;
 use linkage_compiler::unit::Unit;
 
+/// A mechanism, where it stands, and what it became.
+struct Entry {
+    name: String,
+    path: PathBuf,
+    number: usize,
+    body: String,
+    title: String,
+    unit: Unit,
+}
+
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let mut text = String::new();
-    let mut names = Vec::new();
+    let mut entries = Vec::new();
     for (folder, ending) in [
         ("examples", "rs"),
         ("linkage-compiler/tests/golden", "mech"),
@@ -24,14 +35,20 @@ fn main() {
                 continue;
             };
             for (number, found) in source.calls().iter().enumerate() {
-                let stem = path.file_stem().expect("a name").to_string_lossy();
-                let name = format!("{ending}_{stem}_{number}");
-                text += &module(&name, &path, number, &source, found);
-                names.push(name);
+                entries.push(entry(ending, &path, number, &source, found));
             }
         }
     }
-    let calls = names.iter().map(|name| format!("    {name}::subject(),\n"));
+    println!("cargo:rerun-if-env-changed=LINKAGE_LONG");
+    let long = env::var_os("LINKAGE_LONG").is_some();
+    let units: Vec<&Unit> = entries.iter().map(|entry| &entry.unit).collect();
+    let chosen = chosen::chosen(&units, long);
+    let chosen = entries.iter().zip(chosen).filter(|(_, own)| *own);
+    let chosen: Vec<&Entry> = chosen.map(|(entry, _)| entry).collect();
+    let mut text: String = chosen.iter().map(|entry| module(entry)).collect();
+    let calls = chosen
+        .iter()
+        .map(|entry| format!("    {}::subject(),\n", entry.name));
     let list = calls.collect::<String>();
     let _ = write!(
         text,
@@ -39,6 +56,22 @@ fn main() {
     );
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo says it"));
     fs::write(out.join("mechanisms.rs"), text).expect("it can be written");
+}
+
+fn entry(ending: &str, path: &Path, number: usize, source: &Source, found: &Found) -> Entry {
+    let checked = check(found.tokens.clone());
+    let tokens: Vec<_> = found.tokens.clone().into_iter().collect();
+    let first = tokens.first().expect("a token").span().byte_range().start;
+    let last = tokens.last().expect("a token").span().byte_range().end;
+    let stem = path.file_stem().expect("a name").to_string_lossy();
+    Entry {
+        name: format!("{ending}_{stem}_{number}"),
+        path: path.canonicalize().expect("it is there"),
+        number,
+        body: source.text()[first..last].to_owned(),
+        title: checked.name.expect("it has a name"),
+        unit: checked.unit.expect("an example has no mistake"),
+    }
 }
 
 fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
@@ -51,17 +84,18 @@ fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     paths
 }
 
-fn module(name: &str, path: &Path, number: usize, source: &Source, found: &Found) -> String {
-    let checked = check(found.tokens.clone());
-    let unit = checked.unit.expect("an example has no mistake");
-    let title = checked.name.expect("it has a name");
-    let tokens: Vec<_> = found.tokens.clone().into_iter().collect();
-    let first = tokens.first().expect("a token").span().byte_range().start;
-    let last = tokens.last().expect("a token").span().byte_range().end;
-    let body = &source.text()[first..last];
+fn module(entry: &Entry) -> String {
+    let Entry {
+        name,
+        path,
+        number,
+        body,
+        title,
+        unit,
+    } = entry;
     let count = unit.scalars().count();
     let calls: String = unit.functions.iter().enumerate().map(call).collect();
-    let circuits = match has_circuits(&unit) {
+    let circuits = match has_circuits(unit) {
         true => {
             "Some(own.circuits().map_or_else(|error| error.to_string(), |all| all.to_string()))"
         }
@@ -75,7 +109,6 @@ fn module(name: &str, path: &Path, number: usize, source: &Source, found: &Found
             format!("{{ let unit = Reference::of({title}::INPUTS); own.assemblies_at({at}) }}")
         }
     };
-    let path = path.canonicalize().expect("it is there");
     format!(
         "
 mod {name} {{
