@@ -1,6 +1,6 @@
 //! Bodies as unknowns: a platform on six rods that meet by three, two and one.
 
-use linkage::{Vector3, mechanism};
+use linkage::{Screw, Vector3, mechanism};
 use nalgebra::Rotation3;
 
 use super::{close, differences, newton};
@@ -24,8 +24,13 @@ mechanism! {
     impl Platform {
         pub fn pose(lift) -> Pose { body, side: point_in(body, side), m: margin() }
         pub fn motion(lift) -> Motion { v: velocity(point_in(body, side)), a: acceleration(body.z) }
+        pub fn origin(lift) -> OriginRate { v: velocity(body.origin) }
         pub fn turning(lift) -> Turning { w: omega(body), e: alpha(body), x: velocity(body.x), z: velocity(body.z) }
         pub fn accuracy(lift) -> Accuracy { s: sensitivity(body.y, [side, rod]) }
+        pub fn screw(lift) -> OwnScrew {
+            point: screw_point(body), direction: screw_direction(body), pitch: screw_pitch(body),
+            moving: velocity(screw_point(body)), growing: velocity(screw_pitch(body)), by_rod: sensitivity(screw_pitch(body), [rod]),
+        }
     }
 }
 
@@ -178,6 +183,47 @@ fn a_body_turns_by_omega() {
     close((wrist.e[1][0] - across).norm(), 0.0, 1e-15);
     let others = [wrist.e[0][0], wrist.e[0][1], wrist.e[1][1]];
     others.into_iter().for_each(|e| close(e.norm(), 0.0, 1e-15));
+}
+
+/// The axis of the rotation and the shift from one pose to another one near it.
+fn between(poses: [linkage::Frame; 2], step: f64) -> Screw {
+    let [before, after] = poses.map(|own| own.isometry());
+    let turn = (after.rotation * before.rotation.inverse()).scaled_axis() / step;
+    let shift = (after.translation.vector - before.translation.vector) / step;
+    let middle = 0.5 * (after.translation.vector + before.translation.vector);
+    Screw::of(turn, shift, middle)
+}
+
+#[test]
+fn the_screw_of_a_body_is_that_between_two_poses() {
+    let platform = Platform::default().assemble().expect("it assembles");
+    for k in 0..=10 {
+        let lift = 190.5 + 1.9 * f64::from(k);
+        let found = platform.screw(lift);
+        let poses = [lift - 1e-3, lift + 1e-3].map(|lift| platform.pose(lift).body);
+        let known = between(poses, 2e-3);
+        close((found.direction - known.direction).norm(), 0.0, 1e-7);
+        // Both are the point nearest to the body's origin.
+        close((found.point - known.point).norm(), 0.0, 1e-5);
+        close(found.pitch, known.pitch(), 1e-6);
+        // It moves along itself only.
+        let (w, v) = (platform.turning(lift).w, platform.origin(lift).v);
+        let own = v + w.cross(&(found.point - platform.pose(lift).body.origin));
+        close((own - found.pitch * w).norm(), 0.0, 1e-14);
+        for axis in 0..3 {
+            let [moving, _] = differences(|x| platform.screw(x).point[axis], lift, 1e-3);
+            close(found.moving[axis], moving, 1e-6);
+        }
+        let [growing, _] = differences(|x| platform.screw(x).pitch, lift, 1e-3);
+        close(found.growing, growing, 1e-6);
+    }
+    let with = |rod: f64| {
+        let mut changed = Platform::default();
+        changed.rod += rod;
+        changed.assemble().expect("it assembles").screw(200.0)
+    };
+    let slope = (with(1e-3).pitch - with(-1e-3).pitch) / 2e-3;
+    close(with(0.0).by_rod[0], slope, 1e-6);
 }
 
 #[test]

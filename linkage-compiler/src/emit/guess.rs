@@ -152,7 +152,10 @@ impl<'a> Guess<'a> {
             MotionWord::Acceleration if inputs > 1 => array(inputs, array(inputs, first())),
             MotionWord::Omega if inputs > 1 => array(inputs, vector(3)),
             MotionWord::Alpha if inputs > 1 => array(inputs, array(inputs, vector(3))),
-            MotionWord::Omega | MotionWord::Alpha => vector(3),
+            MotionWord::Omega
+            | MotionWord::Alpha
+            | MotionWord::ScrewPoint
+            | MotionWord::ScrewDirection => vector(3),
             MotionWord::Derivative
             | MotionWord::Velocity
             | MotionWord::Acceleration
@@ -168,7 +171,7 @@ impl<'a> Guess<'a> {
                 };
                 array(listed, first())
             }
-            MotionWord::Margin => Shape::Scalar,
+            MotionWord::Margin | MotionWord::ScrewPitch => Shape::Scalar,
             // So many that no index is beyond its end.
             MotionWord::Picture => array(MANY_POINTS, vector(self.components)),
         }

@@ -1,4 +1,4 @@
-//! `d`, `velocity`, `acceleration`, `jerk`, `omega`, `alpha`, `sensitivity`, `margin`, `picture`: only in the functions of the `impl` block.
+//! `d`, `velocity`, `acceleration`, `jerk`, `omega`, `alpha`, the screw of a frame, `sensitivity`, `margin`, `picture`: only in the functions of the `impl` block.
 
 use proc_macro2::Ident;
 
@@ -45,6 +45,9 @@ impl Resolver<'_> {
             | MotionWord::Jerk
             | MotionWord::Omega
             | MotionWord::Alpha => self.input_derivative(word, inputs, arguments, context, span),
+            MotionWord::ScrewPoint | MotionWord::ScrewDirection | MotionWord::ScrewPitch => {
+                self.screw(word, inputs, arguments, context, span)
+            }
         }
     }
 
@@ -241,7 +244,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn dimension_of(&self, variable: Variable) -> Option<Dimension> {
+    pub(super) fn dimension_of(&self, variable: Variable) -> Option<Dimension> {
         match variable {
             Variable::Parameter(scalar) => Some(self.scalar_parameters[scalar.0].dimension),
             Variable::Input(input) => {

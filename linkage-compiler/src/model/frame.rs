@@ -18,7 +18,7 @@ pub(super) const PARTS_HELP: &str = "parts of a frame are `.origin`, `.x`, `.y` 
 pub(crate) const PLANE_PARTS: [&str; 4] = ["origin", "x", "y", "angle"];
 
 /// Which of them is its angle, behind so many vectors: as a quantity it is these.
-const ANGLE_PART: usize = 3;
+pub(super) const ANGLE_PART: usize = 3;
 pub(crate) const VECTORS_OF_PLANE: usize = ANGLE_PART;
 
 pub(super) const PLANE_PARTS_HELP: &str =
@@ -205,16 +205,27 @@ impl Resolver<'_> {
         quantity: &syntax::Expr,
         context: Context,
     ) -> Expr {
-        let mut value = self.expression(quantity, context);
-        settle_alone(&mut value);
-        if value.ty == Type::Frame || value.ty.is_error() {
-            return value;
-        }
+        let value = self.moving_frame(word, quantity, context);
         if value.ty == Type::PlaneFrame {
             // It turns by its angle.
             let span = self.origins.span(value.origin);
             let ty = type_of_part(&value.ty, ANGLE_PART);
             return self.make(ExprKind::Index(Box::new(value), ANGLE_PART), ty, span);
+        }
+        value
+    }
+
+    /// A frame of which it is asked how it moves.
+    pub(super) fn moving_frame(
+        &mut self,
+        word: &str,
+        quantity: &syntax::Expr,
+        context: Context,
+    ) -> Expr {
+        let mut value = self.expression(quantity, context);
+        settle_alone(&mut value);
+        if value.ty.is_frame() || value.ty.is_error() {
+            return value;
         }
         let fact = format!(
             "`{word}` is about the turning of a frame, found {}",

@@ -61,6 +61,9 @@ vocabulary! {
         Jerk = "jerk",
         Omega = "omega",
         Alpha = "alpha",
+        ScrewPoint = "screw_point",
+        ScrewDirection = "screw_direction",
+        ScrewPitch = "screw_pitch",
         Sensitivity = "sensitivity",
         Margin = "margin",
         Picture = "picture",
@@ -176,6 +179,9 @@ impl MotionWord {
             MotionWord::Acceleration | MotionWord::Alpha => Some(2),
             MotionWord::Jerk => Some(3),
             MotionWord::Derivative
+            | MotionWord::ScrewPoint
+            | MotionWord::ScrewDirection
+            | MotionWord::ScrewPitch
             | MotionWord::Sensitivity
             | MotionWord::Margin
             | MotionWord::Picture => None,
@@ -191,6 +197,9 @@ impl MotionWord {
             | MotionWord::Jerk
             | MotionWord::Omega
             | MotionWord::Alpha
+            | MotionWord::ScrewPoint
+            | MotionWord::ScrewDirection
+            | MotionWord::ScrewPitch
             | MotionWord::Sensitivity => true,
             MotionWord::Margin | MotionWord::Picture => false,
         }

@@ -37,6 +37,7 @@ mod plane_and_space;
 mod presentation;
 mod rate;
 mod refused;
+mod screw;
 mod shape;
 mod slopes;
 #[cfg(test)]
