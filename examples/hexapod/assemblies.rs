@@ -16,12 +16,23 @@ pub(super) fn show(check: &mut Check) -> Result<(), Box<dyn Error>> {
     compare(check, &DIETMAIER, &known, 1.0)?;
     let ends: Vec<Value> = serde_json::from_str(include_str!("assemblies.json"))?;
     for (known, real) in ends.iter().zip([8, 6]) {
-        let platform = Platform::of_millimetres(FEET, JOINTS, numbers::<6>(&known["legs"])?);
+        let platform = followed(numbers::<6>(&known["legs"])?);
         let known = known["poses"].as_array().ok_or("there are known poses")?;
         check.holds("so many are known to be real", known.len() == real);
         compare(check, &platform, known, 1000.0)?;
     }
     Ok(())
+}
+
+/// The platform that is followed here, in millionths of a millimetre; its place is in metres.
+fn followed(legs: [f64; 6]) -> Platform {
+    let whole = |x: f64| (x * 1e6).round();
+    Platform {
+        unit: 1e9,
+        base: FEET.map(|own| own.map(whole)),
+        platform: JOINTS.map(|own| own.map(whole)),
+        legs: legs.map(whole),
+    }
 }
 
 /// `unit` is what the known places count of the unit of the platform's.

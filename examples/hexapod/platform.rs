@@ -5,17 +5,15 @@ use linkage::design::exact::{Equations, Number};
 /// Six legs from a base to a platform, in whole numbers, so that the published digits are exact.
 pub(crate) struct Platform {
     /// So many of them are the unit of the platform's place.
-    unit: f64,
-    base: [[f64; 3]; 6],
-    platform: [[f64; 3]; 6],
-    legs: [f64; 6],
+    pub(crate) unit: f64,
+    pub(crate) base: [[f64; 3]; 6],
+    pub(crate) platform: [[f64; 3]; 6],
+    pub(crate) legs: [f64; 6],
 }
-
-const MILLION: f64 = 1e6;
 
 /// P. Dietmaier, The Stewart-Gough platform of general geometry can have 40 real postures, Advances in Robot Kinematics, 1998.
 pub(crate) const DIETMAIER: Platform = Platform {
-    unit: MILLION,
+    unit: 1e6,
     base: [
         [0.0, 0.0, 0.0],
         [1_107_915.0, 0.0, 0.0],
@@ -41,23 +39,6 @@ pub(crate) const DIETMAIER: Platform = Platform {
         771_071.0,
     ],
 };
-
-impl Platform {
-    /// In millimetres, of which six digits are known; its place is in metres.
-    pub(crate) fn of_millimetres(
-        base: [[f64; 3]; 6],
-        platform: [[f64; 3]; 6],
-        legs: [f64; 6],
-    ) -> Self {
-        let whole = |x: f64| (x * MILLION).round();
-        Self {
-            unit: 1000.0 * MILLION,
-            base: base.map(|own| own.map(whole)),
-            platform: platform.map(|own| own.map(whole)),
-            legs: legs.map(whole),
-        }
-    }
-}
 
 /// Place of the platform, then the first two directions of its frame: the loops of `unknown body = frame(...)`.
 impl Equations<9> for Platform {
