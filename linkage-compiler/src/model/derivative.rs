@@ -150,35 +150,64 @@ impl Resolver<'_> {
         let Some(inputs) = inputs else {
             return self.failed(span);
         };
-        let drives = inputs.iter().filter(|input| **input < self.input_count);
-        let inputs: Vec<usize> = drives.copied().collect();
-        if inputs.is_empty() {
-            let fact = format!("`{name}` in a function without an input");
-            let help = match self.names_of(|name| matches!(name, Name::Input(_))).first() {
-                Some(input) => format!("list the input: `fn name({input})`"),
-                None => "declare an `input` in the struct block".to_owned(),
-            };
-            self.diagnostics.error_with_help(span, fact, help);
+        let Some(inputs) = self.drives(name, inputs, span) else {
             return self.failed(span);
-        }
+        };
         if word == MotionWord::Jerk && inputs.len() > 1 {
-            let fact = format!(
-                "`{name}` needs one input, the function has {}",
-                inputs.len()
-            );
             let help = "differentiate an entry: `d(acceleration(q)[0][0], x)`";
-            self.diagnostics.error_with_help(span, fact, help);
+            self.needs_one_input(name, inputs.len(), help, span);
             return self.failed(span);
         }
         let entries = inputs.len().pow(u32::from(order));
         if self.too_many_entries(&value.ty, entries, span) {
             return self.failed(span);
         }
-        let by_inputs = |ty| self.by_inputs(ty, &inputs, order);
+        self.derivative_by(value, &inputs, order, span)
+    }
+
+    /// The inputs that a function lists among its arguments; that there is none is a mistake.
+    pub(super) fn drives(
+        &mut self,
+        name: &str,
+        arguments: &[usize],
+        span: SourceSpan,
+    ) -> Option<Vec<usize>> {
+        let drives = arguments.iter().filter(|input| **input < self.input_count);
+        let drives: Vec<usize> = drives.copied().collect();
+        if drives.is_empty() {
+            let fact = format!("`{name}` in a function without an input");
+            let help = match self.names_of(|name| matches!(name, Name::Input(_))).first() {
+                Some(input) => format!("list the input: `fn name({input})`"),
+                None => "declare an `input` in the struct block".to_owned(),
+            };
+            self.diagnostics.error_with_help(span, fact, help);
+            return None;
+        }
+        Some(drives)
+    }
+
+    pub(super) fn needs_one_input(
+        &mut self,
+        name: &str,
+        count: usize,
+        help: &str,
+        span: SourceSpan,
+    ) {
+        let fact = format!("`{name}` needs one input, the function has {count}");
+        self.diagnostics.error_with_help(span, fact, help);
+    }
+
+    /// The derivative by these inputs; of a frame that of the vector by which it turns.
+    pub(super) fn derivative_by(
+        &mut self,
+        value: Expr,
+        inputs: &[usize],
+        order: u8,
+        span: SourceSpan,
+    ) -> Expr {
         let ty = match value.ty {
-            // Of the vector by which it turns.
-            Type::Frame => by_inputs(&Type::Vector(3, Dimension::ANGLE)),
-            _ => by_inputs(&value.ty),
+            Type::Frame => self.by_inputs(&Type::Vector(3, Dimension::ANGLE), inputs, order),
+            _ => self.by_inputs(&value.ty, inputs, order),
         };
         self.finish(ExprKind::InputDerivative(Box::new(value), order), ty, span)
     }
@@ -244,7 +273,7 @@ impl Resolver<'_> {
         }
     }
 
-    pub(super) fn dimension_of(&self, variable: Variable) -> Option<Dimension> {
+    fn dimension_of(&self, variable: Variable) -> Option<Dimension> {
         match variable {
             Variable::Parameter(scalar) => Some(self.scalar_parameters[scalar.0].dimension),
             Variable::Input(input) => {

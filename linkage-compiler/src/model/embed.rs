@@ -148,6 +148,7 @@ impl<'p> Embedding<'p> {
         own.map(|own| Let {
             name: self.text(&own.name),
             value: self.expr(&own.value),
+            is_unknown_frame: own.is_unknown_frame,
         })
     }
 

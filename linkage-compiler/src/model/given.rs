@@ -176,7 +176,11 @@ impl Resolver<'_> {
     ) {
         self.note_let(&value);
         let name = format!("{}.{name}", item.name);
-        mechanism.lets.push(Let { name, value });
+        mechanism.lets.push(Let {
+            name,
+            value,
+            is_unknown_frame: false,
+        });
     }
 
     /// What moves an input of a part gives it speed and acceleration, by the chain rule.

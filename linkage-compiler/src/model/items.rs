@@ -90,7 +90,11 @@ impl Resolver<'_> {
                     let value = self.named(item, name, context);
                     self.note_let(&value);
                     let name = item.name.to_string();
-                    mechanism.lets.push(Let { name, value });
+                    mechanism.lets.push(Let {
+                        name,
+                        value,
+                        is_unknown_frame: false,
+                    });
                 }
                 Definition::Loop(item) => {
                     let own = self.loop_item(item, context);

@@ -1,11 +1,11 @@
 //! `screw_point`, `screw_direction`, `screw_pitch`: the axis about which a body turns and along which it shifts at one moment, as expressions of
 //! its angular velocity and the velocity of its origin, so that they are differentiated like anything else.
 
-use super::frame::type_of_part;
+use super::frame::{ANGLE_PART, type_of_part};
 use super::functions::MotionWord;
 use super::names::Resolver;
 use super::place::Context;
-use super::types::{BinaryOp, Dimension, Expr, ExprKind, Function, Name, Type, Variable};
+use super::types::{BinaryOp, Dimension, Expr, ExprKind, Function, Type};
 use crate::diagnostic::SourceSpan;
 use crate::syntax::{self, Word};
 
@@ -30,20 +30,18 @@ impl Resolver<'_> {
         let Some(inputs) = inputs else {
             return self.failed(span);
         };
-        let drives = inputs.iter().filter(|input| **input < self.input_count);
-        let drives: Vec<usize> = drives.copied().collect();
-        let [input] = drives[..] else {
-            self.not_one_input(name, &drives, span);
+        let Some(inputs) = self.drives(name, inputs, span) else {
             return self.failed(span);
         };
-        let by = self.dimension_of(Variable::Input(input));
-        let rates = by.and_then(|by| {
-            let [turn, way] = [Dimension::ANGLE, Dimension::LENGTH].map(|own| own.over(by));
-            Some((turn?, way?))
-        });
-        match (&body.ty, rates) {
-            (Type::Frame, Some(rates)) => self.screw_in_space(word, &body, rates, span),
-            (Type::PlaneFrame, Some(rates)) => self.pole(word, &body, rates, span),
+        let [input] = inputs[..] else {
+            let help = "with several inputs a body has an axis for each: ask for `omega(body)`, `velocity(body.origin)` and `body.origin`, and give \
+                        an entry of each of the arrays to `linkage::Screw::of`";
+            self.needs_one_input(name, inputs.len(), help, span);
+            return self.failed(span);
+        };
+        match &body.ty {
+            Type::Frame => self.screw_in_space(word, &body, input, span),
+            Type::PlaneFrame => self.pole(word, &body, input, span),
             _ => self.failed(span),
         }
     }
@@ -53,19 +51,17 @@ impl Resolver<'_> {
         &mut self,
         word: MotionWord,
         body: &Expr,
-        (turn, way): (Dimension, Dimension),
+        input: usize,
         span: SourceSpan,
     ) -> Expr {
-        let kind = ExprKind::InputDerivative(Box::new(body.clone()), 1);
-        let w = self.make(kind, Type::Vector(3, turn), span);
-        let origin = self.part_of_body(body, ORIGIN, span);
-        let kind = ExprKind::InputDerivative(Box::new(origin.clone()), 1);
-        let v = self.make(kind, Type::Vector(3, way), span);
+        let w = self.derivative_by(body.clone(), &[input], 1, span);
         if word == MotionWord::ScrewDirection {
             let kind = ExprKind::Call(Function::Unit, vec![w]);
             return self.make(kind, Type::Vector(3, Dimension::NUMBER), span);
         }
-        let (Some(square), Some(product)) = (turn.times(turn), turn.times(way)) else {
+        let origin = self.part_of_body(body, ORIGIN, span);
+        let v = self.derivative_by(origin.clone(), &[input], 1, span);
+        let (Some(square), Some(product)) = (times(&w, &w), times(&w, &v)) else {
             return self.failed(span);
         };
         let kind = ExprKind::Call(Function::Dot, vec![w.clone(), w.clone()]);
@@ -82,25 +78,20 @@ impl Resolver<'_> {
     }
 
     /// In the plane the axis is a point, the pole: `body.origin + (-v.y, v.x) / w`.
-    fn pole(
-        &mut self,
-        word: MotionWord,
-        body: &Expr,
-        (turn, way): (Dimension, Dimension),
-        span: SourceSpan,
-    ) -> Expr {
+    fn pole(&mut self, word: MotionWord, body: &Expr, input: usize, span: SourceSpan) -> Expr {
         if word != MotionWord::ScrewPoint {
             let fact = format!("`{}` is about a frame in space", word.word());
             let help = "in the plane a body turns about a point: `screw_point(body)`";
             self.diagnostics.error_with_help(span, fact, help);
             return self.failed(span);
         }
-        let angle = self.part_of_body(body, super::frame::ANGLE_PART, span);
-        let kind = ExprKind::InputDerivative(Box::new(angle), 1);
-        let w = self.make(kind, Type::Scalar(turn), span);
+        let angle = self.part_of_body(body, ANGLE_PART, span);
+        let w = self.derivative_by(angle, &[input], 1, span);
         let origin = self.part_of_body(body, ORIGIN, span);
-        let kind = ExprKind::InputDerivative(Box::new(origin.clone()), 1);
-        let v = self.make(kind, Type::Vector(2, way), span);
+        let v = self.derivative_by(origin.clone(), &[input], 1, span);
+        let Some(way) = v.ty.dimension() else {
+            return self.failed(span);
+        };
         let [x, y] = [0, 1].map(|k| {
             let kind = ExprKind::Component(Box::new(v.clone()), k);
             self.make(kind, Type::Scalar(way), span)
@@ -127,23 +118,9 @@ impl Resolver<'_> {
         let kind = ExprKind::Binary(BinaryOp::Add, Box::new(point), Box::new(arm));
         self.make(kind, ty, span)
     }
+}
 
-    fn not_one_input(&mut self, name: &str, inputs: &[usize], span: SourceSpan) {
-        let (fact, help) = match inputs.len() {
-            0 => (
-                format!("`{name}` in a function without an input"),
-                match self.names_of(|name| matches!(name, Name::Input(_))).first() {
-                    Some(input) => format!("list the input: `fn name({input})`"),
-                    None => "declare an `input` in the struct block".to_owned(),
-                },
-            ),
-            count => (
-                format!("`{name}` needs one input, the function has {count}"),
-                "with several inputs a body has an axis for each: ask for `omega(body)`, `velocity(body.origin)` and `body.origin`, and give \
-                 an entry of each of the arrays to `linkage::Screw::of`"
-                    .to_owned(),
-            ),
-        };
-        self.diagnostics.error_with_help(span, fact, help);
-    }
+/// The dimension of a product.
+fn times(a: &Expr, b: &Expr) -> Option<Dimension> {
+    a.ty.dimension()?.times(b.ty.dimension()?)
 }

@@ -193,6 +193,8 @@ pub(crate) struct Let {
     pub(crate) name: String,
     /// Uses only names declared before it.
     pub(crate) value: Expr,
+    /// Whether it is an unknown frame, made of unknowns of its own.
+    pub(crate) is_unknown_frame: bool,
 }
 
 /// `left = right`, both of one type: a scalar or a vector of two or three components.

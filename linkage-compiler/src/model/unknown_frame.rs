@@ -103,6 +103,7 @@ impl Resolver<'_> {
             mechanism.lets.push(Let {
                 name: found.name.clone(),
                 value: found.value(),
+                is_unknown_frame: true,
             });
             frames.push(found);
         }

@@ -56,15 +56,7 @@ impl<'m> Sketch<'_, 'm> {
             return None;
         };
         let own = &self.algebra.mechanism.lets[index];
-        let ExprKind::Call(Function::Frame, parts) = &own.value.kind else {
-            return None;
-        };
-        let Some(Name::Unknown(origin)) = parts[0].as_name() else {
-            return None;
-        };
-        let origin = &self.algebra.mechanism.unknowns[origin].name;
-        let is_unknown = *origin == format!("{}.origin", own.name);
-        is_unknown.then(|| (index, own.name.clone()))
+        own.is_unknown_frame.then(|| (index, own.name.clone()))
     }
 
     /// The point that a frame has its origin in, and the vector along its first axis.
