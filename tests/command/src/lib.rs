@@ -1,6 +1,4 @@
 //! All mechanisms of the examples and of the golden files as the macro compiles them, to be compared with the command `linkage`.
-// Examples are linted where they are tests.
-#![allow(clippy::all)]
 
 use linkage::{AssemblyMode, Frame, Input, Vector2, Vector3};
 
