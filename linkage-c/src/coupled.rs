@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use linkage_compiler::unit::{Coupled, Start, Unit};
-use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout};
+use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, degree};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
 use crate::helper::Helper;
@@ -58,8 +58,9 @@ pub(crate) fn look_up(
     declared.concat() + &found.concat()
 }
 
-/// The templates of a group: what looks up a state, and what is made of it.
+/// The templates of a group: the value of a number of the state in a cell, what looks up a state, and what is made of it.
 struct Templates {
+    value: &'static str,
     table: &'static str,
     state: &'static str,
 }
@@ -88,6 +89,7 @@ pub(crate) fn items(writer: &mut Writer) {
                 words.push(("DEGREE", degree.to_string()));
                 words.push(("INPUT", coupled.inputs[0].to_string()));
                 let templates = Templates {
+                    value: "",
                     table: include_str!("templates/table.c"),
                     state: include_str!("templates/table_state.c"),
                 };
@@ -95,12 +97,20 @@ pub(crate) fn items(writer: &mut Writer) {
             }
             Some(Start::Grid(grid)) => {
                 let layout = grid.layout();
+                let axes = layout.axes.len();
                 let words = vec![
                     ("OUTSIDE", surface.real.literal(NodeLayout::OUTSIDE)),
                     ("CELLS", layout.nodes.len().to_string()),
-                    ("AXES", layout.axes.len().to_string()),
+                    ("AXES", axes.to_string()),
+                    ("TERMS", (degree(axes) + 1).to_string()),
+                    ("DEGREE", degree(axes).to_string()),
                 ];
+                let value = match degree(axes) {
+                    1 => include_str!("templates/slopes.c"),
+                    _ => include_str!("templates/polynomials.c"),
+                };
                 let templates = Templates {
+                    value,
                     table: include_str!("templates/grid.c"),
                     state: include_str!("templates/grid_state.c"),
                 };
@@ -118,6 +128,7 @@ pub(crate) fn items(writer: &mut Writer) {
             fill(&template, surface.real, &surface.own, words) + "\n"
         };
         writer.text += &text;
+        writer.text += filled(templates.value).trim_end_matches('\n');
         writer.text += &filled(templates.table);
         writer.correct(number, &coupled.correct);
         writer.text += &filled(include_str!("templates/settle.c"));

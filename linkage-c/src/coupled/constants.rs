@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use linkage_core::numeric::continuation::{GridLayout, TableLayout};
+use linkage_core::numeric::continuation::{GridLayout, TableLayout, degree, terms};
 
 use crate::comment::comment;
 use crate::surface::Surface;
@@ -49,15 +49,21 @@ pub(super) fn grid(surface: &Surface, number: usize, layout: &GridLayout) -> Str
     let name = real.name();
     let coupled = &surface.unit.coupled[number];
     let (size, axes) = (coupled.size, layout.axes.len());
+    let terms = terms(axes);
     let mut text = about(
         surface,
         number,
-        "at the centre of each cell, and how they change along it",
+        match degree(axes) {
+            1 => "at the centre of each cell, and how they change along it",
+            _ => {
+                "polynomials in cells, each of the terms of a degree behind those of the degree before"
+            }
+        },
     );
     let _ = writeln!(
         text,
         "typedef struct {own}axis_{number} {{ int input; {name} middle, length, rate, repeats, slots; }} {own}axis_{number};\n\
-         typedef struct {own}node_{number} {{ {name} state[{size}], slopes[{axes}][{size}], floor; }} {own}node_{number};\n\n\
+         typedef struct {own}node_{number} {{ {name} floor, state[{terms}][{size}]; }} {own}node_{number};\n\n\
          static const {own}axis_{number} {own}axes_{number}[] = {{"
     );
     for (axis, input) in layout.axes.iter().zip(&coupled.inputs) {
@@ -70,17 +76,14 @@ pub(super) fn grid(surface: &Surface, number: usize, layout: &GridLayout) -> Str
         text,
         "}};\n\n/* The first one has no solution. */\nstatic const {own}node_{number} {own}nodes_{number}[] = {{"
     );
-    let nothing = vec![f64::NAN; size];
-    let no_slopes = vec![f64::NAN; size * axes];
-    let nothing = (&nothing[..], &no_slopes[..], f64::NAN);
+    let nothing = vec![f64::NAN; size * terms];
     let reached = layout.nodes.iter().flatten();
-    let reached = reached.map(|own| (own.state, own.slopes, own.floor));
-    for (state, slopes, floor) in std::iter::once(nothing).chain(reached) {
-        let slopes = slopes.chunks(size).map(|row| numbers(surface, row));
-        let slopes: Vec<String> = slopes.collect();
-        let (state, slopes) = (numbers(surface, state), slopes.join(", "));
-        let floor = real.literal(floor);
-        let _ = writeln!(text, "    {{ {state},\n        {{ {slopes} }}, {floor} }},");
+    let reached = reached.map(|own| (own.floor, own.coefficients));
+    for (floor, rows) in std::iter::once((f64::NAN, &nothing[..])).chain(reached) {
+        let rows = rows.chunks(size).map(|row| numbers(surface, row));
+        let rows: Vec<String> = rows.collect();
+        let (floor, rows) = (real.literal(floor), rows.join(",\n        "));
+        let _ = writeln!(text, "    {{ {floor}, {{\n        {rows} }} }},");
     }
     text += "};\n\n/* Which of them belongs to each cell, the last input changing fastest. */\n";
     let mut count = 0;

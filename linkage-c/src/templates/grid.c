@@ -15,10 +15,6 @@ static void own_table_NUMBER(const real *x, real *state)
         outside += own_select(OUTSIDE - fabs(offsets[axis]), 0.0, own_nan());
     }
     node = &own_nodes_NUMBER[own_index_NUMBER[number]];
-    for (k = 0; k < SIZE; k++) {
-        real value = node->state[k];
-        for (axis = 0; axis < AXES; axis++) value += node->slopes[axis][k] * offsets[axis];
-        state[k] = value + outside;
-    }
+    for (k = 0; k < SIZE; k++) state[k] = own_value_NUMBER(node, k, offsets) + outside;
     state[SIZE] = node->floor + outside;
 }

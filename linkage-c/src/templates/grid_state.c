@@ -1,8 +1,8 @@
-/* The state from which the steps begin: those from a grid serve other dimensions, too. */
+/* The state from which the steps begin; those from the middle of a cell serve other dimensions, too. */
 static void own_state_NUMBER(const MECHANISM *m, const real *x, real *state)
 {
-    (void)m;
     own_table_NUMBER(x, state);
+    if (DEGREE > 1 && m->moved) own_settle_NUMBER(m, x, state);
 }
 
 /* Whether Newton steps reach these dimensions from the centres of all cells that have a solution. */

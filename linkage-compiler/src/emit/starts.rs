@@ -7,6 +7,7 @@ mod moving;
 mod preparing;
 mod states;
 
+use linkage_core::numeric::continuation::terms;
 use linkage_symbolic::program::Program;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -60,10 +61,11 @@ pub(super) fn served(outline: &Outline) -> TokenStream {
 /// A table over one input, or a grid over several or none.
 fn start_type(outline: &Outline, start: &Start) -> TokenStream {
     let runtime = &outline.runtime;
-    let [inputs, size] = [start.inputs.len(), start.size].map(literal::index);
-    match start.inputs.len() {
+    let several = start.inputs.len();
+    let [inputs, size, terms] = [several, start.size, terms(several)].map(literal::index);
+    match several {
         1 => quote!(#runtime::Coupled<#size>),
-        _ => quote!(#runtime::CoupledGrid<#inputs, #size>),
+        _ => quote!(#runtime::CoupledGrid<#inputs, #size, #terms>),
     }
 }
 
@@ -146,7 +148,7 @@ fn look_up(
         let places = places(outline, inputs, group);
         let found = match &places[..] {
             [one] => quote!(#starts.#number.at::<T, #fused>(__x[#one])),
-            several => quote!(#starts.#number.at::<T>([#(__x[#several]),*])),
+            several => quote!(#starts.#number.at::<T, #fused>([#(__x[#several]),*])),
         };
         looked_up.extend(quote!(let #name = #found;));
         numbers.extend((0..outline.starts[group].size).map(|k| {

@@ -136,14 +136,28 @@ impl<'m> Prepared<'m> {
         all.collect()
     }
 
-    /// True if calls and sweeps over dimensions take different numbers of steps.
+    /// True if states are prepared as a table over its one input.
     pub(crate) fn has_table(&self) -> bool {
         self.inputs.len() == 1
+    }
+
+    /// True if calls take fewer steps than sweeps over dimensions.
+    pub(crate) fn is_shorter_in_calls(&self) -> bool {
+        matches!(self.inputs.len(), 1 | 2)
     }
 
     /// True if it depends on several inputs: a follower goes from solution to solution.
     pub(crate) fn has_follower(&self) -> bool {
         self.inputs.len() > 1
+    }
+
+    /// How calls find its unknowns, in words.
+    pub(crate) fn method(&self) -> &'static str {
+        match self.inputs.len() {
+            1 => "prepared table over the input, one Newton step, certificate",
+            2 => "prepared polynomials over both inputs, one Newton step, certificate",
+            _ => "prepared states, fixed number of Newton steps, certificate",
+        }
     }
 
     /// Gives the unknowns of the core one of their meanings.
@@ -172,7 +186,7 @@ impl<'m> Solver<'_, 'm> {
         let size = looked_up.iter().flat_map(|part| part.numbers()).count();
         let floor = self.prepared_number(size);
         let plans = Plan::of(inputs.len());
-        let state = plans[0].start(&looked_up);
+        let state = plans[1].start(&looked_up);
         let first = self.step(&equations, &state);
         let next = first.corrected(&first.corrections);
         let numbers = next.into_iter().flat_map(Part::numbers);
@@ -213,10 +227,7 @@ impl<'m> Solver<'_, 'm> {
             called,
             beside,
         };
-        let method = match prepared.has_table() {
-            true => "prepared table over the input, one Newton step, certificate",
-            false => "prepared states, fixed number of Newton steps, certificate",
-        };
+        let method = prepared.method();
         self.prepared = Some(prepared);
         Closed {
             kind: form.kind.clone().into(),

@@ -75,7 +75,7 @@ impl Alone {
                     version,
                 )
             };
-            let beside = other(|own| own.has_table(), Version::Beside);
+            let beside = other(|own| own.is_shorter_in_calls(), Version::Beside);
             let settled = other(|own| own.has_follower(), Version::Raw);
             Self {
                 beside,

@@ -129,10 +129,7 @@ fn method(algebra: &Algebra, solved: &Solved, reference: &Reference) -> String {
     let Some(own) = solved.prepared.as_ref().filter(followed) else {
         return solved.closed.method.to_owned();
     };
-    let how = match own.has_table() {
-        true => "prepared table over the input, one Newton step, certificate",
-        false => "prepared states, fixed number of Newton steps, certificate",
-    };
+    let how = own.method();
     let solutions = Most::of(algebra, &solved.group);
     format!("followed from the estimates; {solutions} not listed; {how}")
 }

@@ -6,7 +6,8 @@
 //! gives the *floor*, half of the smallest determinant near that input: a step that is small while the determinant is not
 //! below the floor cannot have ended on another solution.
 //!
-//! With several inputs, or none, the states are prepared on a [`Grid`], and four steps are made from there.
+//! With several inputs, or none, the states are prepared on a [`Grid`]. Over two inputs it has polynomials and one step is made, as from a table;
+//! over others it has slopes, and four steps are made.
 
 mod cell;
 mod certificate;
@@ -24,9 +25,9 @@ mod table;
 mod turning;
 mod walk;
 
-pub use certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_FROM_CELL};
+pub use certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 pub use estimate::{Astray, from_estimate};
-pub use grid::{Grid, GridLookup, LeftOut};
+pub use grid::{Grid, GridLookup, LeftOut, degree, terms};
 pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};
 pub use lookup::Lookup;
 pub use states::{meeting_states, states};

@@ -3,9 +3,11 @@
 use crate::triads::EyeNeedle;
 use crate::{TURN, range, root};
 use linkage_random::Random;
-use linkage_runtime::numeric::continuation::{Correction, Grid, Range, Refusal, Step};
+use linkage_runtime::numeric::continuation::{
+    Correction, Grid, Range, Refusal, Step, degree, terms,
+};
 
-/// The four steps of evaluators at random places: how many are certified, how many of those are not solutions, how many
+/// The steps of evaluators, one from polynomials, else four, at random places: how many are certified, how many of those are not solutions, how many
 /// are refused.
 fn survey(grid: &Grid, correction: &mut dyn Correction, ranges: &[Range]) -> [usize; 3] {
     let mut random = Random::new(5);
@@ -21,7 +23,7 @@ fn survey(grid: &Grid, correction: &mut dyn Correction, ranges: &[Range]) -> [us
             size: 0.0,
             determinant: 0.0,
         };
-        for _ in 0..4 {
+        for _ in 0..if degree(x.len()) > 1 { 1 } else { 4 } {
             step = correction.correct(&x, &mut state);
         }
         if step.size < 1e-7 && step.determinant * floor >= floor * floor {
@@ -79,14 +81,14 @@ fn a_crank_and_a_leg() {
     let grid = Grid::build(&mut correct, &at, &EyeNeedle::start(), &ranges).unwrap();
     let counts = survey(&grid, &mut correct, &[range(-20.0, 20.0), ranges[1]]);
     assert_eq!(counts, [20_000, 0, 0]);
-    let lookup = grid.lookup::<2, 4>().unwrap();
+    let lookup = grid.lookup::<2, 4, { terms(2) }>().unwrap();
     let mut random = Random::new(2);
     for _ in 0..1000 {
         let x = [random.between(-9.0, 9.0), random.between(250.0, 270.0)];
         let mut state = [0.0; 4];
         let floor = grid.state(&x, &mut state);
         assert_eq!(
-            format!("{:?}", lookup.at(x)),
+            format!("{:?}", lookup.at_with::<false>(x)),
             format!("{:?}", (state, floor))
         );
     }
@@ -97,9 +99,9 @@ fn a_crank_and_a_leg() {
         [1.0, 275.1],
         [f64::NEG_INFINITY, f64::NAN],
     ] {
-        assert!(lookup.at(x).1.is_nan(), "{x:?}");
+        assert!(lookup.at_with::<false>(x).1.is_nan(), "{x:?}");
     }
-    assert!(grid.lookup::<1, 4>().is_none() && grid.lookup::<2, 5>().is_none());
+    assert!(grid.lookup::<1, 4, 2>().is_none() && grid.lookup::<2, 5, { terms(2) }>().is_none());
 }
 
 #[test]
@@ -108,7 +110,7 @@ fn no_input_and_inputs_without_ranges() {
     let mut fixed = |_: &[f64], state: &mut [f64]| { EyeNeedle::MACHINE }.correct(&[0.0], state);
     let grid = Grid::build(&mut fixed, &[], &start, &[]).unwrap();
     assert_eq!((grid.cells(), grid.reached()), (1, 1));
-    let (state, floor) = grid.lookup::<0, 4>().unwrap().at([]);
+    let (state, floor) = grid.lookup::<0, 4, 1>().unwrap().at_with::<false>([]);
     assert!(floor > 0.0);
     for (a, b) in state.iter().zip(&start) {
         assert!((a - b).abs() < 1e-15);
@@ -116,7 +118,7 @@ fn no_input_and_inputs_without_ranges() {
     let one = range(0.0, 0.0);
     let grid = Grid::build(&mut { EyeNeedle::MACHINE }, &[0.0], &start, &[one]).unwrap();
     assert_eq!(grid.cells(), 1);
-    let (near, _) = grid.lookup::<1, 4>().unwrap().at([0.1]);
+    let (near, _) = grid.lookup::<1, 4, 2>().unwrap().at_with::<false>([0.1]);
     assert_eq!(near, state);
 }
 
@@ -174,14 +176,15 @@ fn what_is_served_is_the_part_where_the_solution_exists() {
     let (grid, corrected) = length(|x, y| 1.0 - x * x - y * y, 1.0);
     let grid = grid.unwrap();
     let circle = std::f64::consts::FRAC_PI_4;
+    // One step from polynomials serves to about three cells from the boundary.
     assert!(
-        grid.served() < circle && grid.served() > 0.95 * circle,
+        grid.served() < circle && grid.served() > 0.9 * circle,
         "{}",
         grid.served()
     );
     // The boundary is the mechanism's own.
     assert_eq!(grid.left_out(), None);
-    assert!(corrected < 1_000_000, "{corrected}");
+    assert!(corrected < 2_000_000, "{corrected}");
 
     let (grid, _) = length(|x, y| 3.0 + x + y, 1.0);
     let grid = grid.unwrap();
@@ -202,7 +205,7 @@ fn what_is_left_out_away_from_boundaries_is_told() {
     grid.state(&[x, y], &mut state);
     let off = state[0] - wave(x, y).sqrt();
     assert!(off.is_nan() || off.abs() > 1e-3, "{left_out:?}: {off:e}");
-    assert!(corrected <= 2_000_000, "{corrected}");
+    assert!(corrected <= 6_000_000, "{corrected}");
     // Nothing is known but beside the reference, and that is no dead point.
     let known = |x: f64, _| if x.abs() < 1e-8 { 4.0 + x } else { f64::NAN };
     let (grid, _) = length(known, 1.0);
@@ -254,7 +257,7 @@ fn a_reference_beside_a_boundary_is_enough() {
     let (grid, _) = length(strip, 1.0);
     let grid = grid.unwrap();
     assert!(
-        grid.served() > 0.15 && grid.served() < 0.2,
+        grid.served() > 0.13 && grid.served() < 0.2,
         "{}",
         grid.served()
     );

@@ -59,7 +59,7 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
             },
             several => quote! {
                 #starts.#number
-                    .fill::<T, __LANES, __BLOCK>([#(&__x[#several]),*], __vectors, &mut __states[#from..#to]);
+                    .fill::<T, __FUSED, __LANES, __BLOCK>([#(&__x[#several]),*], __vectors, &mut __states[#from..#to]);
             },
         });
         first = behind;

@@ -1,6 +1,6 @@
 //! Newton steps of a core, from a state to the next, and what a solution must stand.
 
-use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_FROM_CELL};
+use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, substitute};
 
@@ -28,7 +28,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// From a table over one input, whose error is known.
+    /// From a table over one input or polynomials over two, whose error is known.
     const FROM_TABLE: Self = Self {
         steps: 1,
         first: None,
@@ -38,7 +38,7 @@ impl Plan {
 
     /// From such a table for dimensions, derivatives or digits that it does not know.
     const BESIDE_TABLE: Self = Self {
-        steps: STEPS_FROM_CELL,
+        steps: STEPS_BESIDE,
         first: Some(FIRST_CORRECTION),
         half: false,
         lengths: 0,
@@ -46,7 +46,7 @@ impl Plan {
 
     /// From the nearest of prepared states over several inputs.
     const FROM_GRID: Self = Self {
-        steps: STEPS_FROM_CELL,
+        steps: STEPS_BESIDE,
         first: None,
         half: false,
         lengths: LENGTHS,
@@ -56,6 +56,7 @@ impl Plan {
     pub(super) fn of(inputs: usize) -> [Self; 2] {
         match inputs {
             1 => [Self::FROM_TABLE, Self::BESIDE_TABLE],
+            2 => [Self::FROM_TABLE, Self::FROM_GRID],
             _ => [Self::FROM_GRID, Self::FROM_GRID],
         }
     }

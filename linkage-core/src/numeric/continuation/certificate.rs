@@ -8,5 +8,6 @@ pub const FIRST_CORRECTION: f64 = 0.05;
 /// the one before. What prepares states asks for less, so that nothing is refused that lies between them.
 pub const ALLOWED_CONTRACTION: f64 = 0.25;
 
-/// Newton steps from the centre of a cell of a grid.
-pub const STEPS_FROM_CELL: usize = 4;
+/// Newton steps from where the solution is known about: from the centre of a cell of a grid, and from tables for other dimensions, derivatives or
+/// digits than theirs.
+pub const STEPS_BESIDE: usize = 4;

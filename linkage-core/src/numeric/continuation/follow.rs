@@ -2,8 +2,12 @@
 
 use super::{Correction, Step};
 
-/// Steps of this size leave nothing but rounding.
-const SETTLED: f64 = 1e-8;
+/// Steps of this size leave nothing but rounding: half of their square, times what equations bend over what they slope, is less than the rounding that
+/// is inherent in such equations.
+pub(super) const SETTLED: f64 = 1e-8;
+
+/// Steps of this size leave about a hundredth of what polynomials may be off, [`SETTLED`].
+const ABOUT: f64 = 1e-5;
 
 /// A first correction must not be larger: radians, or lengths on the scale of the state.
 const FAR: f64 = 0.25;
@@ -54,6 +58,11 @@ impl<'a> Follower<'a> {
         self.settle_within(x, state, STEPS, CONTRACTION)
     }
 
+    /// The same until what is left is less than polynomials may be off.
+    pub(super) fn settle_about(&mut self, x: &[f64], state: &mut [f64]) -> Option<f64> {
+        self.settle_to(ABOUT, x, state, STEPS, CONTRACTION)
+    }
+
     /// The same in so many steps, each smaller than the one before by this factor.
     pub(super) fn settle_within(
         &mut self,
@@ -62,10 +71,21 @@ impl<'a> Follower<'a> {
         steps: usize,
         contraction: f64,
     ) -> Option<f64> {
+        self.settle_to(SETTLED, x, state, steps, contraction)
+    }
+
+    fn settle_to(
+        &mut self,
+        settled: f64,
+        x: &[f64],
+        state: &mut [f64],
+        steps: usize,
+        contraction: f64,
+    ) -> Option<f64> {
         let mut allowed = FAR;
         for _ in 0..steps {
             let step = self.correct(x, state)?;
-            if step.size <= SETTLED {
+            if step.size <= settled {
                 return Some(step.determinant);
             }
             if step.size > allowed {

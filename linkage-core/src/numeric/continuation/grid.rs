@@ -3,11 +3,14 @@
 mod border;
 mod cells;
 mod divide;
+mod fit;
 mod layout;
 mod lookup;
 mod node;
 mod outlook;
+mod served;
 mod slopes;
+mod terms;
 mod walk;
 mod way;
 
@@ -15,7 +18,7 @@ use super::cell::Frame;
 use super::follow::Follower;
 use super::scale::Scale;
 use super::shared::Shared;
-use super::{ALLOWED_CONTRACTION, Correction, Range, Refusal, STEPS_FROM_CELL as STEPS};
+use super::{Correction, Range, Refusal};
 use alloc::vec;
 use alloc::vec::Vec;
 use cells::Cell;
@@ -27,17 +30,18 @@ use walk::Solution;
 
 pub use lookup::GridLookup;
 pub(super) use lookup::OUTSIDE;
+pub use terms::{degree, terms};
 
-/// Corrections that building a grid may take: less than a second. A grid of all cells takes a million.
-const CORRECTIONS: usize = 2_000_000;
+/// Corrections that building a grid may take, of slopes and of polynomials: less than a second or two. A grid of all cells takes half of them.
+const CORRECTIONS: [usize; 2] = [2_000_000, 6_000_000];
 
 /// Inputs, at most: a cell has two corners for each of them.
 const INPUTS: usize = 8;
 
 /// The state of a group over the ranges of any number of inputs. Cheap to clone.
 ///
-/// The ranges are divided into cells. For each the state at its centre is known, and how it changes with the inputs; four
-/// Newton steps from there reach the solution everywhere in the cell. The states are followed from the given one, cell
+/// The ranges are divided into cells. For each the state at its centre is known, and how it changes with the inputs: over two of them by
+/// polynomials, from which one Newton step reaches the solution everywhere in the cell, else by its slopes, from which four do. The states are followed from the given one, cell
 /// to cell. Where the solution cannot be reached, beyond the mechanism's reach for instance, there is none.
 #[derive(Clone, PartialEq)]
 pub struct Grid {
@@ -116,8 +120,9 @@ impl Grid {
             .filter(|_| !state.is_empty())
             .ok_or(Refusal::NotFinite)?;
         let mut state = state.to_vec();
+        let most = CORRECTIONS[usize::from(degree(at.len()) > 1)];
         let mut follower =
-            Follower::new(correction, at, &mut state, CORRECTIONS).ok_or(Refusal::NotASolution)?;
+            Follower::new(correction, at, &mut state, most).ok_or(Refusal::NotASolution)?;
         let determinant = follower.settle(at, &mut state);
         let reference = Solution {
             at,
@@ -154,7 +159,7 @@ impl Grid {
         self.nodes.iter().flatten().count()
     }
 
-    /// The share of the ranges in which it serves: of the places on the borders of cells, those that four steps reach.
+    /// The share of the ranges in which it serves: of the places on the borders of cells, those that evaluators reach.
     #[must_use]
     pub fn served(&self) -> f64 {
         self.served
@@ -178,12 +183,21 @@ impl Grid {
         self.axes.len()
     }
 
-    /// Writes the state near `x` from which four steps are made, NaN where there is none, and returns the floor.
+    /// Writes the state near `x` from which steps are made, NaN where there is none, and returns the floor.
     ///
     /// # Panics
     ///
     /// If `x` or `state` has another length than [`inputs`](Self::inputs) or [`width`](Self::width).
     pub fn state(&self, x: &[f64], state: &mut [f64]) -> f64 {
+        self.look_up::<false>(x, state)
+    }
+
+    /// The same, to the last bit what [`GridLookup::at_with`] gives. With `FUSED` only on machines with fused multiply-add.
+    ///
+    /// # Panics
+    ///
+    /// As [`state`](Self::state).
+    pub fn look_up<const FUSED: bool>(&self, x: &[f64], state: &mut [f64]) -> f64 {
         assert!(x.len() == self.axes.len() && state.len() == self.width);
         let mut cell = 0;
         let mut offsets = vec![0.0; x.len()];
@@ -193,7 +207,7 @@ impl Grid {
             *offset = within;
         }
         match &self.nodes[cell] {
-            Some(node) => node.state(&offsets, state),
+            Some(node) => node.state::<FUSED>(&offsets, state),
             None => {
                 state.fill(f64::NAN);
                 f64::NAN
@@ -201,7 +215,8 @@ impl Grid {
         }
     }
 
-    /// Whether evaluators give the solution at `x`: four steps, each a quarter of the one before, the last one tiny.
+    /// Whether evaluators give the solution at `x`: of one step, that it is tiny and the determinant above the floor; of four, that each is a quarter
+    /// of the one before and the last one tiny.
     ///
     /// # Panics
     ///
@@ -209,23 +224,17 @@ impl Grid {
     pub fn serves(&self, correction: &mut dyn Correction, x: &[f64]) -> bool {
         let mut state = vec![0.0; self.width];
         let floor = self.state(x, &mut state);
-        let steps = [(); STEPS].map(|()| correction.correct(x, &mut state));
-        let sound = steps.iter().all(|step| step.determinant * floor >= 0.0);
-        let mut pairs = steps.windows(2);
-        let smaller =
-            pairs.all(|pair| pair[1].size <= f64::max(ALLOWED_CONTRACTION * pair[0].size, TINY));
-        sound && smaller && steps[STEPS - 1].size <= TINY
+        served::serves(correction, x, &mut state, floor)
     }
 
     /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are not `I` and `S`.
     #[must_use]
-    pub fn lookup<const I: usize, const S: usize>(&self) -> Option<GridLookup<I, S>> {
+    pub fn lookup<const I: usize, const S: usize, const T: usize>(
+        &self,
+    ) -> Option<GridLookup<I, S, T>> {
         GridLookup::new(self)
     }
 }
-
-/// What evaluators ask of the last step, and of no other one.
-const TINY: f64 = <f64 as crate::Scalar>::CORRECTION_LIMIT;
 
 /// A range that misses a full turn by this share or less is one: users write 360 degrees.
 const TURN: f64 = 1e-9;

@@ -92,10 +92,9 @@ pub struct GridLayout<'a> {
 /// A cell of a grid. There is no state farther from its centre, in cells along any input, than [`OUTSIDE`](Self::OUTSIDE).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeLayout<'a> {
-    /// The state at its centre.
-    pub state: &'a [f64],
-    /// How the state changes along the cell, input by input.
-    pub slopes: &'a [f64],
+    /// Term by term, the numbers of the state side by side. Of degree 1 the state at the centre and its slopes, input by input; of a higher
+    /// [`degree`](super::degree), over two inputs, power by power of the second one, and for each of these power by power of the first.
+    pub coefficients: &'a [f64],
     /// Half of the smallest determinant, with its sign.
     pub floor: f64,
 }
@@ -111,8 +110,7 @@ impl Grid {
     pub fn layout(&self) -> GridLayout<'_> {
         let nodes = self.nodes.iter().map(|node| {
             node.as_ref().map(|node| NodeLayout {
-                state: &node.state,
-                slopes: &node.slopes,
+                coefficients: &node.coefficients,
                 floor: node.floor,
             })
         });

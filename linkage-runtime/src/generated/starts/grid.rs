@@ -8,14 +8,14 @@ use core::hint::black_box;
 
 /// The grid of a group: one for every lane, since each lane has dimensions of its own.
 #[derive(Clone, Debug, PartialEq)]
-pub struct CoupledGrid<const I: usize, const S: usize> {
-    first: GridLookup<I, S>,
-    others: Vec<GridLookup<I, S>>,
+pub struct CoupledGrid<const I: usize, const S: usize, const N: usize> {
+    first: GridLookup<I, S, N>,
+    others: Vec<GridLookup<I, S, N>>,
 }
 
-impl<const I: usize, const S: usize> CoupledGrid<I, S> {
+impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
     /// The look-up of every lane, NaN where there is none.
-    pub(super) fn new<T: Scalar>(lookup: impl Fn(usize) -> Option<GridLookup<I, S>>) -> Self {
+    pub(super) fn new<T: Scalar>(lookup: impl Fn(usize) -> Option<GridLookup<I, S, N>>) -> Self {
         let lookup = |lane| lookup(lane).unwrap_or_else(GridLookup::nothing);
         Self {
             first: lookup(0),
@@ -30,12 +30,12 @@ impl<const I: usize, const S: usize> CoupledGrid<I, S> {
         others.fold(self.first.served(), f64::min)
     }
 
-    /// The state near `x` and the floor, without derivatives.
+    /// The state near `x` and the floor, without derivatives. With `FUSED` only on machines with fused multiply-add.
     #[must_use]
     #[inline(always)]
-    pub fn at<T: Scalar>(&self, x: [T; I]) -> ([T; S], T) {
+    pub fn at<T: Scalar, const FUSED: bool>(&self, x: [T; I]) -> ([T; S], T) {
         if T::LANES == 1 {
-            return constants(self.first.at(x.map(|x| x.lane(0))));
+            return constants(self.first.at_with::<FUSED>(x.map(|x| x.lane(0))));
         }
         by_lane::<T, S>(|lane| {
             let mut inputs = [0.0; I];
@@ -43,8 +43,8 @@ impl<const I: usize, const S: usize> CoupledGrid<I, S> {
                 *input = x.lane(lane);
             }
             match lane {
-                0 => self.first.at(inputs),
-                _ => self.others[lane - 1].at(inputs),
+                0 => self.first.at_with::<FUSED>(inputs),
+                _ => self.others[lane - 1].at_with::<FUSED>(inputs),
             }
         })
     }
@@ -52,7 +52,7 @@ impl<const I: usize, const S: usize> CoupledGrid<I, S> {
     /// What [`at`](Self::at) gives for the first `vectors` times `V` rows of the inputs: the numbers of the state and then the floor, a column
     /// each.
     #[inline(always)]
-    pub fn fill<T: Scalar, const V: usize, const B: usize>(
+    pub fn fill<T: Scalar, const FUSED: bool, const V: usize, const B: usize>(
         &self,
         x: [&[T; B]; I],
         vectors: usize,
@@ -65,7 +65,7 @@ impl<const I: usize, const S: usize> CoupledGrid<I, S> {
             for (input, column) in inputs.iter_mut().zip(x) {
                 *input = column[lane];
             }
-            put(self.at(inputs), lane, columns);
+            put(self.at::<T, FUSED>(inputs), lane, columns);
         }
     }
 }

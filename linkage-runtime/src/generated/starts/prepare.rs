@@ -34,7 +34,7 @@ impl Start {
                 f64::NAN
             }
             Self::Table(table) => table.look_up::<FUSED>(x[0], state),
-            Self::Grid(grid) => grid.state(x, state),
+            Self::Grid(grid) => grid.look_up::<FUSED>(x, state),
         }
     }
 
@@ -73,7 +73,7 @@ impl<const S: usize> Coupled<S> {
     }
 }
 
-impl<const I: usize, const S: usize> CoupledGrid<I, S> {
+impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
     /// The grids of all lanes.
     pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a Start) -> Self {
         Self::new::<T>(|lane| match start(lane) {

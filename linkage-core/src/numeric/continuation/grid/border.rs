@@ -10,9 +10,9 @@ const AGREEMENT: f64 = 1e-6;
 /// What a cell knows of a place on its border.
 #[derive(Clone, Debug)]
 pub(super) enum Place {
-    /// The solution there, which four steps from the centre reach.
+    /// The solution there, which evaluators reach.
     Served(Vec<f64>),
-    /// The solution there, which takes more steps.
+    /// The solution there, which they do not reach.
     Missed(Vec<f64>),
     /// The solution does not exist there.
     Absent,

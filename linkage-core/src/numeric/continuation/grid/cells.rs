@@ -11,7 +11,7 @@ const BESIDE: usize = 2;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cell {
     pub(super) found: Found,
-    /// At how many places on its border four steps from its centre reach the solution,
+    /// At how many places on its border evaluators reach the solution,
     pub(super) served: usize,
     /// at how many they do not, although it exists,
     pub(super) missed: usize,

@@ -7,6 +7,7 @@ use super::LeftOut;
 use super::cells::{Cell, Sum};
 use super::layout::{Layout, Places};
 use super::outlook::{Outlook, outlook};
+use super::terms::degree;
 use super::walk::{Solution, fill};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -17,7 +18,8 @@ pub(super) const CELLS: usize = 1 << 12;
 /// Up to so many cells, which take two milliseconds, nothing is left out and the boundary of the solution is looked at closely.
 const FEW: usize = 64;
 
-/// Before more places than these are looked at, a few cells say whether the ranges can be served at all.
+/// Before more places than these are looked at, a few cells say whether the ranges can be served at all; before any, where a cell takes as long as that
+/// many places.
 const MANY: usize = 256;
 
 /// The share of places on the borders of more cells at which the solution may be left out although it exists: near its boundary it always
@@ -76,7 +78,8 @@ pub(super) fn divided(
     loop {
         let axes = scales(ranges, &counts);
         let layout = Layout(&axes);
-        if !asked && layout.cells() * places.offsets.len() > MANY {
+        let many = layout.cells() * places.offsets.len() > MANY || degree(ranges.len()) > 1;
+        if !asked && many {
             asked = true;
             match outlook(follower, ranges, &counts, &places, reference) {
                 Outlook::From(next) => {

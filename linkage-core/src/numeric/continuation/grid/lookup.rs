@@ -4,47 +4,46 @@ use super::super::cell::Frame;
 use super::super::scale::{Scale, guard};
 use super::super::shared::Shared;
 use super::Grid;
+use super::terms::{terms, values};
 use core::fmt;
 
 /// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
 pub(in super::super) const OUTSIDE: f64 = 1.0;
 
-/// A [`Grid`] of `I` inputs and `S` state numbers. Cheap to clone.
+/// A [`Grid`] of `I` inputs and `S` state numbers, with `T` terms in each cell. Cheap to clone.
 #[derive(Clone, PartialEq)]
-pub struct GridLookup<const I: usize, const S: usize> {
+pub struct GridLookup<const I: usize, const S: usize, const T: usize> {
     axes: [Scale; I],
     /// As many as the axes have cells together.
-    cells: Shared<[Fixed<I, S>]>,
+    cells: Shared<[Fixed<S, T>]>,
     served: f64,
 }
 
-/// A cell with a fixed number of inputs and state numbers.
+/// A cell with a fixed number of state numbers and terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Fixed<const I: usize, const S: usize> {
-    state: [f64; S],
-    slopes: [[f64; S]; I],
+struct Fixed<const S: usize, const T: usize> {
+    coefficients: [[f64; S]; T],
     floor: f64,
 }
 
-impl<const I: usize, const S: usize> Fixed<I, S> {
+impl<const S: usize, const T: usize> Fixed<S, T> {
     const NOTHING: Self = Self {
-        state: [f64::NAN; S],
-        slopes: [[f64::NAN; S]; I],
+        coefficients: [[f64::NAN; S]; T],
         floor: f64::NAN,
     };
 }
 
-impl<const I: usize, const S: usize> GridLookup<I, S> {
+impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
     pub(super) fn new(grid: &Grid) -> Option<Self> {
-        if grid.width() != S {
+        if grid.width() != S || terms(I) != T {
             return None;
         }
         let cells = grid.nodes.iter().map(|node| {
             let mut fixed = Fixed::NOTHING;
             if let Some(node) = node {
-                fixed.state.copy_from_slice(&node.state);
-                for (slopes, values) in fixed.slopes.iter_mut().zip(node.slopes.chunks_exact(S)) {
-                    slopes.copy_from_slice(values);
+                let rows = node.coefficients.chunks_exact(S);
+                for (row, values) in fixed.coefficients.iter_mut().zip(rows) {
+                    row.copy_from_slice(values);
                 }
                 fixed.floor = node.floor;
             }
@@ -74,10 +73,10 @@ impl<const I: usize, const S: usize> GridLookup<I, S> {
         self.served
     }
 
-    /// The state near `x` from which four steps are made, and the floor; NaN where there is none.
+    /// The state near `x` from which steps are made, and the floor; NaN where there is none. With `FUSED` only on machines with fused multiply-add.
     #[must_use]
     #[inline(always)]
-    pub fn at(&self, x: [f64; I]) -> ([f64; S], f64) {
+    pub fn at_with<const FUSED: bool>(&self, x: [f64; I]) -> ([f64; S], f64) {
         let mut number = 0;
         let mut offsets = [0.0; I];
         for ((axis, x), offset) in self.axes.iter().zip(x).zip(&mut offsets) {
@@ -86,14 +85,11 @@ impl<const I: usize, const S: usize> GridLookup<I, S> {
             *offset = within;
         }
         let cell = self.cell(number);
-        let mut state = cell.state;
         let mut outside = 0.0;
-        for (slopes, offset) in cell.slopes.iter().zip(offsets) {
+        for offset in offsets {
             outside += guard(offset, OUTSIDE);
-            for (number, slope) in state.iter_mut().zip(slopes) {
-                *number += slope * offset;
-            }
         }
+        let mut state = values::<FUSED, S>(|term| cell.coefficients[term], &offsets);
         for number in &mut state {
             *number += outside;
         }
@@ -102,14 +98,14 @@ impl<const I: usize, const S: usize> GridLookup<I, S> {
 
     #[allow(unsafe_code, reason = "a bounds check would be a branch")]
     #[inline(always)]
-    fn cell(&self, number: usize) -> &Fixed<I, S> {
+    fn cell(&self, number: usize) -> &Fixed<S, T> {
         // SAFETY: `Scale::cell` gives slots below `Scale::slots`, `Grid::build` makes a cell for every combination of
         // them, and nothing changes the axes or the cells afterwards.
         unsafe { self.cells.get_unchecked(number) }
     }
 }
 
-impl<const I: usize, const S: usize> fmt::Debug for GridLookup<I, S> {
+impl<const I: usize, const S: usize, const T: usize> fmt::Debug for GridLookup<I, S, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("GridLookup")
             .field("cells", &self.cells.len())

@@ -2,31 +2,64 @@
 
 use super::super::scale::guard;
 use super::lookup::OUTSIDE;
+use super::terms::{degree, place, terms, values};
+use alloc::vec;
 use alloc::vec::Vec;
 
 /// The state in a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Node {
-    /// At its centre.
-    pub(in super::super) state: Vec<f64>,
-    /// How the state changes along the cell, input by input.
-    pub(in super::super) slopes: Vec<f64>,
+    /// Term by term, the numbers of the state side by side; first what they are at the centre.
+    pub(in super::super) coefficients: Vec<f64>,
     /// Half of the smallest determinant, with its sign.
     pub(in super::super) floor: f64,
+    width: usize,
 }
 
 impl Node {
-    /// The state at these offsets from the centre, in cells; the floor.
-    pub(super) fn state(&self, offsets: &[f64], state: &mut [f64]) -> f64 {
-        state.copy_from_slice(&self.state);
-        let mut outside = 0.0;
-        for (slopes, &offset) in self.slopes.chunks_exact(state.len()).zip(offsets) {
-            outside += guard(offset, OUTSIDE);
-            for (number, slope) in state.iter_mut().zip(slopes) {
-                *number += slope * offset;
-            }
+    /// With nothing but a state at the centre and slopes, input by input.
+    pub(super) fn with_slopes(state: &[f64], slopes: &[f64], floor: f64) -> Self {
+        let width = state.len();
+        let inputs = slopes.len() / width;
+        let mut coefficients = vec![0.0; terms(inputs) * width];
+        coefficients[..width].copy_from_slice(state);
+        for (input, slopes) in slopes.chunks_exact(width).enumerate() {
+            let first = match (degree(inputs), input) {
+                (1, _) => 1 + input,
+                (_, 0) => place(1, 0),
+                _ => place(0, 1),
+            };
+            coefficients[first * width..][..width].copy_from_slice(slopes);
         }
-        state.iter_mut().for_each(|number| *number += outside);
+        Self {
+            coefficients,
+            floor,
+            width,
+        }
+    }
+
+    /// The state at its centre.
+    pub(super) fn centre(&self) -> &[f64] {
+        &self.coefficients[..self.width]
+    }
+
+    /// The state by the slopes alone, at these offsets of two inputs.
+    pub(super) fn along_slopes(&self, [x, y]: &[f64; 2], state: &mut [f64]) {
+        let row = |number: usize| &self.coefficients[number * self.width..][..self.width];
+        let slopes = row(place(1, 0)).iter().zip(row(place(0, 1)));
+        for ((number, centre), (along, across)) in state.iter_mut().zip(row(0)).zip(slopes) {
+            *number = centre + x * along + y * across;
+        }
+    }
+
+    /// The state at these offsets from the centre, in cells; the floor.
+    pub(super) fn state<const FUSED: bool>(&self, offsets: &[f64], state: &mut [f64]) -> f64 {
+        let guards = offsets.iter().map(|&offset| guard(offset, OUTSIDE));
+        let outside: f64 = guards.sum();
+        for (index, number) in state.iter_mut().enumerate() {
+            let own = |term: usize| [self.coefficients[term * self.width + index]];
+            *number = values::<FUSED, 1>(own, offsets)[0] + outside;
+        }
         self.floor + outside
     }
 }

@@ -1,14 +1,15 @@
 //! Whether ranges can be served at all, and by how small cells: looked at in a few places, before all of them are divided.
 
-use super::super::STEPS_FROM_CELL as STEPS;
 use super::super::cell::Frame;
 use super::super::follow::Follower;
 use super::LeftOut;
 use super::divide::{CELLS, MISSED, longest, scales};
+use super::fit::Fit;
 use super::layout::{Layout, Places};
 use super::node::Node;
+use super::served::served;
 use super::slopes::slopes;
-use super::walk::{CONTRACTION, NEAR, Solution};
+use super::walk::{NEAR, Solution};
 use super::way::{Way, follow};
 use crate::math;
 use alloc::vec;
@@ -42,7 +43,7 @@ struct Known {
 /// The looks at cells of one size.
 #[derive(Default)]
 struct Looks {
-    /// Places on borders, and those that four steps do not reach.
+    /// Places on borders, and those that evaluators do not reach.
     places: usize,
     missed: usize,
     /// The centres of cells of which places are missed, each with the first of these.
@@ -171,6 +172,7 @@ fn look(
     known: &mut [Known],
 ) -> Option<Looks> {
     let before = follower.left();
+    let fit = Fit::new(layout.0.len());
     let mut looks = Looks {
         bends: vec![0.0; layout.0.len()],
         ..Looks::default()
@@ -180,17 +182,14 @@ fn look(
         let (slopes, bends) = slopes(follower, layout, &one.at, &one.state);
         let sums = looks.bends.iter_mut().zip(bends);
         sums.for_each(|(sum, own)| *sum += own);
-        let node = Node {
-            state: one.state.clone(),
-            slopes,
-            floor: one.determinant,
-        };
+        let mut node = Node::with_slopes(&one.state, &slopes, one.determinant);
+        fit.refine(follower, layout, &one.at, &mut node);
         let mut example = None;
         let mut near = one.state.clone();
         for offsets in &places.offsets {
             let x = layout.moved(&one.at, offsets);
-            node.state(offsets, &mut near);
-            let settled = follower.settle_within(&x, &mut near, STEPS, CONTRACTION);
+            node.state::<false>(offsets, &mut near);
+            let settled = served(follower, &x, &mut near);
             if settled.is_none() {
                 looks.missed += 1;
                 example.get_or_insert(x);

@@ -1,21 +1,18 @@
 //! The cells of a grid, reached one from the other.
 
-use super::super::STEPS_FROM_CELL as STEPS;
 use super::super::follow::Follower;
 use super::super::scale::Scale;
 use super::border::{Border, Joint, Place, agree};
 use super::cells::{Cell, Found};
+use super::fit::Fit;
 use super::layout::{Layout, Places};
 use super::node::Node;
+use super::served::served;
 use super::slopes::slopes;
 use super::way::{Way, follow};
 use alloc::collections::VecDeque;
 use alloc::vec;
 use alloc::vec::Vec;
-
-/// On the border of a cell each step is smaller than the one before by this factor. Evaluators allow a quarter: the difference is for what
-/// lies between the places that are tested.
-pub(super) const CONTRACTION: f64 = 0.1;
 
 /// Where the determinant is a smaller share of the one at the reference a dead point is near: its distance goes with the square of it.
 pub(super) const NEAR: f64 = 0.1;
@@ -38,6 +35,7 @@ pub(super) fn fill(
     let mut walk = Walk {
         follower,
         border: Border::new(&layout, places),
+        fit: Fit::new(axes.len()),
         reference: reference.determinant,
         centres: vec![None; layout.cells()],
         cells: vec![Cell::default(); layout.cells()],
@@ -51,6 +49,7 @@ struct Walk<'f, 'c, 'a> {
     follower: &'f mut Follower<'c>,
     layout: Layout<'a>,
     border: Border<'a>,
+    fit: Fit,
     /// The determinant at the reference.
     reference: f64,
     /// State and determinant at the centres that were reached, also of cells that were refused.
@@ -135,11 +134,8 @@ impl Walk<'_, '_, '_> {
         }
         self.centres[number] = Some((state.clone(), determinant));
         let (slopes, bends) = slopes(self.follower, &self.layout, to, &state);
-        let node = Node {
-            state,
-            slopes,
-            floor: determinant,
-        };
+        let mut node = Node::with_slopes(&state, &slopes, determinant);
+        self.fit.refine(self.follower, &self.layout, to, &mut node);
         self.cells[number] = Cell {
             bends,
             ..self.checked(cell, to, node)
@@ -147,7 +143,7 @@ impl Walk<'_, '_, '_> {
         matches!(self.cells[number].found, Found::Filled(_))
     }
 
-    /// The cell with this node: whether four steps reach the solution wherever it exists on the border. Refused if it does not
+    /// The cell with this node: whether evaluators reach the solution wherever it exists on the border. Refused if it does not
     /// continue its neighbours.
     fn checked(&mut self, slots: &[usize], centre: &[f64], mut node: Node) -> Cell {
         let mut cell = Cell::default();
@@ -184,15 +180,12 @@ impl Walk<'_, '_, '_> {
     /// A place on the border of a cell, and the determinant there, as far as it is known.
     fn place(&mut self, centre: &[f64], node: &Node, offsets: &[f64]) -> (Place, f64) {
         let x = self.layout.moved(centre, offsets);
-        let mut state = vec![0.0; node.state.len()];
-        node.state(offsets, &mut state);
-        if let Some(determinant) = self
-            .follower
-            .settle_within(&x, &mut state, STEPS, CONTRACTION)
-        {
+        let mut state = vec![0.0; node.centre().len()];
+        node.state::<false>(offsets, &mut state);
+        if let Some(determinant) = served(self.follower, &x, &mut state) {
             return (Place::Served(state), determinant);
         }
-        state.copy_from_slice(&node.state);
+        state.copy_from_slice(node.centre());
         let determinants = [node.floor, self.reference];
         match follow(self.follower, centre, &x, &mut state, determinants) {
             Way::There(determinant) => (Place::Missed(state), determinant),
