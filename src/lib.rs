@@ -288,8 +288,8 @@ pub mod __private {
     pub use linkage_runtime::generated::{
         Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms,
         CoupledUnknown, Extended, Followed, Moving, Range, Standing, Start, States, Step, Stop,
-        Term, Variable, Wanted, fill_followed, follow, nothing, pairs, placed, put_corrected,
-        put_state, starts, stepped,
+        Term, Terms, Variable, Wanted, fill_followed, follow, nothing, pairs, placed,
+        put_corrected, put_state, starts, stepped,
     };
     pub use linkage_runtime::generated::{
         Sealed, Single, as_in_sweeps, close, explained, finite, inlined, named, single,

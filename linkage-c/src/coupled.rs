@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use linkage_compiler::unit::{Coupled, Start, Unit};
-use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, degree};
+use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, Terms};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
 use crate::helper::Helper;
@@ -102,12 +102,12 @@ pub(crate) fn items(writer: &mut Writer) {
                     ("OUTSIDE", surface.real.literal(NodeLayout::OUTSIDE)),
                     ("CELLS", layout.nodes.len().to_string()),
                     ("AXES", axes.to_string()),
-                    ("TERMS", (degree(axes) + 1).to_string()),
-                    ("DEGREE", degree(axes).to_string()),
+                    ("TERMS", (layout.terms.degree() + 1).to_string()),
+                    ("DEGREE", layout.terms.degree().to_string()),
                 ];
-                let value = match degree(axes) {
-                    1 => include_str!("templates/slopes.c"),
-                    _ => include_str!("templates/polynomials.c"),
+                let value = match layout.terms {
+                    Terms::Slopes => include_str!("templates/slopes.c"),
+                    Terms::Polynomials => include_str!("templates/polynomials.c"),
                 };
                 let templates = Templates {
                     value,

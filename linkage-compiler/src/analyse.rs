@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::Graph;
 
 use crate::algebra::{Algebra, Nominal};
@@ -15,13 +16,31 @@ use crate::unit::Unit;
 use crate::watch::Watch;
 use crate::{close, forces, formulate, lower, request, structure};
 
-/// The middle phases of a resolved mechanism: structure, formulation, checks and lowering. Their order stands here alone.
+/// The middle phases of a resolved mechanism: structure, formulation, checks and lowering.
 pub(crate) fn analyse(
     model: &Model,
     parts: &[Rc<Closed>],
     diagnostics: &mut Diagnostics,
     watch: &mut dyn Watch,
 ) -> (Unit, Option<Closed>) {
+    // Which steps calls make is known when it is known whether polynomials serve the ranges: seldom not.
+    let mut own = Diagnostics::default();
+    let done = analysed(model, parts, &mut own, watch, Terms::Polynomials).unwrap_or_else(|| {
+        own = Diagnostics::default();
+        analysed(model, parts, &mut own, watch, Terms::Slopes).unwrap_or_default()
+    });
+    diagnostics.append(own);
+    done
+}
+
+/// The phases in their order, which stands here alone, with what grids over two inputs know in their cells; `None` if polynomials do not serve.
+fn analysed(
+    model: &Model,
+    parts: &[Rc<Closed>],
+    diagnostics: &mut Diagnostics,
+    watch: &mut dyn Watch,
+    in_cells: Terms,
+) -> Option<(Unit, Option<Closed>)> {
     let Model { mechanism, origins } = model;
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
@@ -34,7 +53,7 @@ pub(crate) fn analyse(
     close::check_directions(mechanism, &nominal, &mut reporter);
     if reporter.errors() > before {
         // What is computed with them would be reported as not finite.
-        return (Unit::default(), None);
+        return Some((Unit::default(), None));
     }
     nominal.check(mechanism, &mut reporter);
     close::check_courses(mechanism, &nominal, &mut reporter);
@@ -50,9 +69,9 @@ pub(crate) fn analyse(
     );
     watch.structure(&algebra, &structure);
     if reporter.errors() > before {
-        return (Unit::default(), None);
+        return Some((Unit::default(), None));
     }
-    let formulation = formulate::formulate(&mut algebra, &nominal, structure);
+    let formulation = formulate::formulate(&mut algebra, &nominal, structure, in_cells);
     close::check_names_of_follower(mechanism, &formulation, &mut reporter);
     watch.formulated(&mut algebra, &formulation, &nominal);
     let closing = lower::closing(&mut algebra, &formulation, &nominal);
@@ -66,6 +85,9 @@ pub(crate) fn analyse(
         inner,
         reporter.reborrow(),
     );
+    if reference.needs_slopes {
+        return None;
+    }
     nominal.complete(&reference.found);
     let at = AtReference {
         reference: &reference,
@@ -111,5 +133,5 @@ pub(crate) fn analyse(
     let closed = reference
         .closed
         .then(|| Closed::new(&algebra, reference, nominal));
-    (unit, closed)
+    Some((unit, closed))
 }

@@ -34,6 +34,8 @@ pub use close::{close, explained, finite};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use follower::{Corrected, Standing, Stop, follow, put_corrected};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_core::numeric::continuation::Terms;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::{Enclosure, Level};
 #[cfg(feature = "nalgebra")]
 pub use named::{Named, named};

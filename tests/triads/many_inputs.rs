@@ -67,6 +67,12 @@ fn six_inputs() {
 fn ranges_that_would_be_left_out_are_refused() {
     let waves = Waves::default().assemble().expect("small waves are served");
     assert!(waves.served() > 0.999);
+    // Polynomials do not follow so many waves: four steps do.
+    let method = Waves::<f64>::STRUCTURE.groups[0].method;
+    assert_eq!(
+        method,
+        "prepared states, fixed number of Newton steps, certificate"
+    );
     let refused = Waves { wave: 15.0 }.assemble();
     let error = refused.expect_err("there are no cells for so many waves");
     let AssemblyError::Coupled(own) = &error else {

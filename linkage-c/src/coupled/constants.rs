@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use linkage_core::numeric::continuation::{GridLayout, TableLayout, degree, terms};
+use linkage_core::numeric::continuation::{GridLayout, TableLayout, Terms};
 
 use crate::comment::comment;
 use crate::surface::Surface;
@@ -49,14 +49,14 @@ pub(super) fn grid(surface: &Surface, number: usize, layout: &GridLayout) -> Str
     let name = real.name();
     let coupled = &surface.unit.coupled[number];
     let (size, axes) = (coupled.size, layout.axes.len());
-    let terms = terms(axes);
+    let terms = layout.terms.count(axes);
     let mut text = about(
         surface,
         number,
-        match degree(axes) {
-            1 => "at the centre of each cell, and how they change along it",
-            _ => {
-                "polynomials in cells, each of the terms of a degree behind those of the degree before"
+        match layout.terms {
+            Terms::Slopes => "at the centre of each cell, and how they change along it",
+            Terms::Polynomials => {
+                "polynomials in cells, power by power of the second input, and for each of these power by power of the first"
             }
         },
     );

@@ -223,6 +223,7 @@ fn group(mechanism: &'static str, unit: &Unit, coupled: &Coupled) -> CoupledGrou
         variables: forever(coupled.variables.as_slice()),
         terms: forever(terms.collect::<Vec<_>>()),
         inputs: forever(inputs.collect::<Vec<_>>()),
+        in_cells: coupled.in_cells,
     }
 }
 

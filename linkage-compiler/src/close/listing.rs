@@ -2,7 +2,7 @@
 //! cannot be listed, `close/followed.rs` goes on.
 
 use linkage_core::numeric::continuation::{
-    Correction, Grid, Range, Refusal, Step, Table, meeting_states, states,
+    Correction, Grid, Range, Refusal, Step, Table, Terms, meeting_states, states,
 };
 use linkage_core::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use linkage_core::numeric::roots::{self, Term, Unlisted};
@@ -178,7 +178,12 @@ impl<'m> Assembly<'_, 'm> {
             self.apart(solved, prepared, &inputs);
             return false;
         }
-        match self.start(prepared, state) {
+        let start = self.start(prepared, state);
+        if prepared.in_cells == Terms::Polynomials && !self.fits(prepared, &start) {
+            self.needs_slopes = true;
+            return false;
+        }
+        match start {
             Ok(start) => {
                 let served = match &start {
                     Start::Grid(grid) => self.is_served(solved, prepared, grid),
@@ -192,6 +197,15 @@ impl<'m> Assembly<'_, 'm> {
                 false
             }
         }
+    }
+
+    /// Whether polynomials serve the ranges.
+    fn fits(&self, prepared: &Prepared<'m>, start: &Result<Start, Refusal>) -> bool {
+        let Ok(Start::Grid(grid)) = start else {
+            return false;
+        };
+        let (mut numbers, reference) = self.numbers(prepared.number);
+        grid.left_out().is_none() && grid.serves(&mut numbers, &reference)
     }
 
     /// A coupled group at the reference inputs, and those of them that are its own.
@@ -272,7 +286,8 @@ impl<'m> Assembly<'_, 'm> {
                 let partial = self.nominal.ranges[prepared.inputs[0]].is_none();
                 Table::build(&mut numbers, at[0], state, *range, partial).map(Start::Table)
             }
-            _ => Grid::build_all(&mut numbers, &at, state, &ranges).map(Start::Grid),
+            _ => Grid::build_all(&mut numbers, &at, state, &ranges, prepared.in_cells)
+                .map(Start::Grid),
         }
     }
 }

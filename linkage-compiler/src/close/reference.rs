@@ -32,6 +32,8 @@ pub(crate) struct Reference {
     pub(crate) longest: f64,
     /// What unknowns without an estimate are at the reference, with their numbers.
     pub(crate) found: Vec<(usize, Vec<f64>)>,
+    /// Whether polynomials over two inputs do not serve the ranges of a group.
+    pub(crate) needs_slopes: bool,
 }
 
 /// Chooses the modes; what does not close, is singular or ambiguous is reported.
@@ -55,6 +57,7 @@ pub(crate) fn assemble_reference<'m>(
         size: largest,
         parts,
         found: Vec::new(),
+        needs_slopes: false,
         values: Vec::new(),
     };
     assembly.centre(None);
@@ -76,6 +79,7 @@ pub(crate) fn assemble_reference<'m>(
         closed,
         longest,
         found: assembly.found,
+        needs_slopes: assembly.needs_slopes,
     }
 }
 
@@ -90,6 +94,8 @@ pub(super) struct Assembly<'a, 'm> {
     pub(super) size: f64,
     /// See [`Reference::found`].
     pub(super) found: Vec<(usize, Vec<f64>)>,
+    /// See [`Reference::needs_slopes`].
+    pub(super) needs_slopes: bool,
     /// Parts of which it is not known yet where they are.
     pub(super) parts: Vec<InnerPart<'m>>,
     values: Vec<f64>,

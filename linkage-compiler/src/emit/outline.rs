@@ -62,6 +62,8 @@ pub(super) struct Start {
     pub size: usize,
     /// Whether its assembly is followed from the estimates.
     pub followed: bool,
+    /// Coefficients in a cell, of a grid.
+    pub coefficients: usize,
 }
 
 pub(super) struct Input<'a> {
@@ -122,6 +124,7 @@ impl<'a> Outline<'a> {
             inputs: group.inputs.clone(),
             size: group.size,
             followed: group.followed,
+            coefficients: group.in_cells.count(group.inputs.len()),
         });
         Self {
             parameters: parameters

@@ -7,7 +7,6 @@ mod moving;
 mod preparing;
 mod states;
 
-use linkage_core::numeric::continuation::terms;
 use linkage_symbolic::program::Program;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -62,7 +61,7 @@ pub(super) fn served(outline: &Outline) -> TokenStream {
 fn start_type(outline: &Outline, start: &Start) -> TokenStream {
     let runtime = &outline.runtime;
     let several = start.inputs.len();
-    let [inputs, size, terms] = [several, start.size, terms(several)].map(literal::index);
+    let [inputs, size, terms] = [several, start.size, start.coefficients].map(literal::index);
     match several {
         1 => quote!(#runtime::Coupled<#size>),
         _ => quote!(#runtime::CoupledGrid<#inputs, #size, #terms>),

@@ -14,6 +14,7 @@ mod state;
 mod system;
 mod turns;
 
+use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn};
 
 use crate::algebra::{Algebra, Nominal};
@@ -35,6 +36,8 @@ pub(crate) struct Prepared<'m> {
     pub(crate) inputs: Vec<usize>,
     /// Numbers in a state.
     pub(crate) size: usize,
+    /// What a grid over its inputs knows in a cell.
+    pub(crate) in_cells: Terms,
     /// Polynomials of which the assemblies are the real roots.
     pub(crate) system: System<'m>,
     /// One step: the new state, the square of the correction, the determinant.
@@ -143,7 +146,7 @@ impl<'m> Prepared<'m> {
 
     /// True if calls take fewer steps than sweeps over dimensions.
     pub(crate) fn is_shorter_in_calls(&self) -> bool {
-        matches!(self.inputs.len(), 1 | 2)
+        self.has_table() || self.in_cells == Terms::Polynomials
     }
 
     /// True if it depends on several inputs: a follower goes from solution to solution.
@@ -153,10 +156,12 @@ impl<'m> Prepared<'m> {
 
     /// How calls find its unknowns, in words.
     pub(crate) fn method(&self) -> &'static str {
-        match self.inputs.len() {
-            1 => "prepared table over the input, one Newton step, certificate",
-            2 => "prepared polynomials over both inputs, one Newton step, certificate",
-            _ => "prepared states, fixed number of Newton steps, certificate",
+        match self.in_cells {
+            _ if self.has_table() => "prepared table over the input, one Newton step, certificate",
+            Terms::Polynomials => {
+                "prepared polynomials over both inputs, one Newton step, certificate"
+            }
+            Terms::Slopes => "prepared states, fixed number of Newton steps, certificate",
         }
     }
 
@@ -185,7 +190,11 @@ impl<'m> Solver<'_, 'm> {
         let looked_up = self.prepared_state(&form.core);
         let size = looked_up.iter().flat_map(|part| part.numbers()).count();
         let floor = self.prepared_number(size);
-        let plans = Plan::of(inputs.len());
+        let in_cells = match inputs.len() {
+            2 => self.in_cells,
+            _ => Terms::Slopes,
+        };
+        let plans = Plan::of(inputs.len(), in_cells);
         let state = plans[1].start(&looked_up);
         let first = self.step(&equations, &state);
         let next = first.corrected(&first.corrections);
@@ -218,6 +227,7 @@ impl<'m> Solver<'_, 'm> {
             number: self.number,
             inputs,
             size,
+            in_cells,
             system,
             step,
             reach: equations.reach,

@@ -24,6 +24,7 @@ mod two_slides;
 
 use std::borrow::Cow;
 
+use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, SymbolId};
@@ -103,6 +104,15 @@ pub(crate) struct Formulation<'m> {
 }
 
 impl<'m> Formulation<'m> {
+    /// What grids over two inputs know in their cells.
+    pub(crate) fn in_cells(&self) -> Terms {
+        let mut over_two = self.prepared().filter(|own| own.inputs.len() == 2);
+        match over_two.any(|own| own.in_cells == Terms::Slopes) {
+            true => Terms::Slopes,
+            false => Terms::Polynomials,
+        }
+    }
+
     pub(crate) fn modes(&self) -> usize {
         self.groups
             .iter()
@@ -148,6 +158,7 @@ pub(crate) fn formulate<'m>(
     algebra: &mut Algebra<'m>,
     nominal: &Nominal,
     structure: Structure<'m>,
+    in_cells: Terms,
 ) -> Formulation<'m> {
     let mut formulation = Formulation {
         mobility: structure.mobility,
@@ -178,6 +189,7 @@ pub(crate) fn formulate<'m>(
             contours: &contours,
             defined: Vec::new(),
             prepared: None,
+            in_cells,
         };
         let mut closed = solver.solve(&group.form);
         let contour = Contour::of(&group.form, &solver);

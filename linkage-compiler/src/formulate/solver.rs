@@ -1,5 +1,6 @@
 //! What the closed forms of all kinds of groups share: giving unknowns their definitions and rules.
 
+use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
@@ -32,6 +33,8 @@ pub(super) struct Solver<'a, 'm> {
     pub(super) defined: Vec<SymbolId>,
     /// For a coupled group.
     pub(super) prepared: Option<Prepared<'m>>,
+    /// What grids over two inputs know in their cells.
+    pub(super) in_cells: Terms,
 }
 
 impl<'m> Solver<'_, 'm> {

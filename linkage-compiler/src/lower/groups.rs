@@ -104,6 +104,7 @@ pub(crate) fn groups<'m>(
             group: index,
             inputs: prepared.inputs.clone(),
             size: prepared.size,
+            in_cells: prepared.in_cells,
             variables: prepared.system.variables.clone(),
             followed: own.followed,
             terms: match own.followed {

@@ -53,7 +53,7 @@ impl<'m> Apart<'m> {
         if !diagnostics.is_empty() {
             return None;
         }
-        let solution = formulate(&mut own, at.written, structure);
+        let solution = formulate(&mut own, at.written, structure, formulation.in_cells());
         let numbers = Numbers::find(
             [&algebra.names.angles, &own.names.angles],
             formulation,

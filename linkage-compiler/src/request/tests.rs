@@ -6,6 +6,7 @@ mod forces;
 mod space;
 mod units;
 
+use linkage_core::numeric::continuation::Terms;
 use linkage_random::Random;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, evaluate};
@@ -52,7 +53,7 @@ fn expect_agreement(items: &str, function: &str) {
         &structure::Scope::all(&mechanism),
         reporter.reborrow(),
     );
-    let formulation = formulate::formulate(&mut algebra, &nominal, structure);
+    let formulation = formulate::formulate(&mut algebra, &nominal, structure, Terms::Polynomials);
     let mut forces = Forces::new(&mut algebra);
     let others = [(false, false), (true, false), (false, true)];
     let ways = others.map(|(other_sides, products)| {

@@ -1,6 +1,6 @@
 //! The groups of a mechanism: what is said of them, and what is prepared of coupled ones.
 
-use linkage_core::numeric::continuation::{Grid, Table};
+use linkage_core::numeric::continuation::{Grid, Table, Terms};
 use linkage_core::numeric::roots::Variable;
 use linkage_symbolic::program::Program;
 
@@ -43,6 +43,8 @@ pub struct Coupled {
     pub inputs: Vec<usize>,
     /// Numbers in a state.
     pub size: usize,
+    /// What a grid over its inputs knows in a cell.
+    pub in_cells: Terms,
     /// What the variables of its polynomials are.
     pub variables: Vec<Variable>,
     /// Whether the assembly is followed from the estimates: its solutions cannot be listed, and `terms` are none.

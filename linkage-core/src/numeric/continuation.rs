@@ -27,7 +27,7 @@ mod walk;
 
 pub use certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 pub use estimate::{Astray, from_estimate};
-pub use grid::{Grid, GridLookup, LeftOut, degree, terms};
+pub use grid::{Grid, GridLookup, LeftOut, Terms};
 pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};
 pub use lookup::Lookup;
 pub use states::{meeting_states, states};

@@ -2,7 +2,7 @@
 
 use super::settle::moved;
 use super::{CoupledGroup, CoupledPrograms, Start};
-use crate::numeric::continuation::{Correction, Grid, Range, Table};
+use crate::numeric::continuation::{Correction, Grid, Range, Table, Terms};
 use crate::numeric::range::first_failure;
 use crate::{AssemblyError, Group};
 use alloc::vec;
@@ -263,7 +263,7 @@ fn here(programs: &mut dyn Correction, x: &[f64], state: &[f64]) -> Option<Start
             .ok(),
         _ => {
             let ranges: Vec<Range> = x.iter().map(range).collect();
-            Grid::build(programs, x, state, &ranges)
+            Grid::build(programs, x, state, &ranges, Terms::Slopes)
                 .map(Start::Grid)
                 .ok()
         }

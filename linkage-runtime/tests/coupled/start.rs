@@ -5,7 +5,7 @@ use linkage_runtime::generated::{
     Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, Start, Wanted, couple,
     list, starts,
 };
-use linkage_runtime::numeric::continuation::{Correction, Range, Step};
+use linkage_runtime::numeric::continuation::{Correction, Range, Step, Terms};
 use linkage_runtime::numeric::roots::{Term, Variable};
 use linkage_runtime::{AssemblyError, CoupledCause, FUSED, Scalar};
 use std::f64::consts::TAU;
@@ -65,6 +65,7 @@ const GROUP: CoupledGroup = CoupledGroup {
             turn: true,
         },
     }],
+    in_cells: Terms::Slopes,
 };
 
 struct Programs(EyeNeedle);

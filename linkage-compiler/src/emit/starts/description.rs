@@ -1,5 +1,6 @@
 //! What the runtime must know of a coupled group to prepare it.
 
+use linkage_core::numeric::continuation::Terms;
 use linkage_core::numeric::roots::Variable;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -52,6 +53,10 @@ pub(super) fn description(outline: &Outline, unit: &Unit, group: &Coupled) -> To
             }
         }
     });
+    let in_cells = match group.in_cells {
+        Terms::Slopes => quote!(Slopes),
+        Terms::Polynomials => quote!(Polynomials),
+    };
     quote! {
         #runtime::CoupledGroup {
             mechanism: #title,
@@ -63,6 +68,7 @@ pub(super) fn description(outline: &Outline, unit: &Unit, group: &Coupled) -> To
             variables: &[#(#variables),*],
             terms: &[#(#terms),*],
             inputs: &[#(#inputs),*],
+            in_cells: #runtime::Terms::#in_cells,
         }
     }
 }

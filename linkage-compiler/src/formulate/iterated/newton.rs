@@ -1,6 +1,8 @@
 //! Newton steps of a core, from a state to the next, and what a solution must stand.
 
-use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
+use linkage_core::numeric::continuation::{
+    ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE, Terms,
+};
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, substitute};
 
@@ -53,11 +55,11 @@ impl Plan {
     };
 
     /// For calls and for sweeps over dimensions, if the group depends on so many inputs.
-    pub(super) fn of(inputs: usize) -> [Self; 2] {
-        match inputs {
-            1 => [Self::FROM_TABLE, Self::BESIDE_TABLE],
-            2 => [Self::FROM_TABLE, Self::FROM_GRID],
-            _ => [Self::FROM_GRID, Self::FROM_GRID],
+    pub(super) fn of(inputs: usize, in_cells: Terms) -> [Self; 2] {
+        match (inputs, in_cells) {
+            (1, _) => [Self::FROM_TABLE, Self::BESIDE_TABLE],
+            (_, Terms::Polynomials) => [Self::FROM_TABLE, Self::FROM_GRID],
+            (_, Terms::Slopes) => [Self::FROM_GRID, Self::FROM_GRID],
         }
     }
 

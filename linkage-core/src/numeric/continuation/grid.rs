@@ -25,15 +25,17 @@ use cells::Cell;
 use core::f64::consts::TAU;
 use core::fmt;
 use divide::{Divided, divided};
+use fit::Fit;
 use node::Node;
 use walk::Solution;
 
 pub use lookup::GridLookup;
 pub(super) use lookup::OUTSIDE;
-pub use terms::{degree, terms};
+pub use terms::Terms;
 
-/// Corrections that building a grid may take, of slopes and of polynomials: less than a second or two. A grid of all cells takes half of them.
-const CORRECTIONS: [usize; 2] = [2_000_000, 6_000_000];
+/// Corrections that building a grid of slopes may take: less than a second. A grid of all cells takes half of them; with polynomials it takes three
+/// times as many.
+const CORRECTIONS: usize = 2_000_000;
 
 /// Inputs, at most: a cell has two corners for each of them.
 const INPUTS: usize = 8;
@@ -48,6 +50,7 @@ pub struct Grid {
     pub(super) axes: Vec<Scale>,
     /// Cell by cell, the last input changing fastest; `None` where the solution cannot be reached.
     pub(super) nodes: Shared<[Option<Node>]>,
+    pub(super) terms: Terms,
     width: usize,
     served: f64,
     left_out: Option<LeftOut>,
@@ -63,7 +66,8 @@ pub struct LeftOut {
 }
 
 impl Grid {
-    /// Follows the solution `state` at the inputs `at` through all ranges. An input whose range is empty stays where it is.
+    /// Follows the solution `state` at the inputs `at` through all ranges. An input whose range is empty stays where it is. With one input, or
+    /// more than two, there are no polynomials.
     ///
     /// # Errors
     ///
@@ -77,8 +81,9 @@ impl Grid {
         at: &[f64],
         state: &[f64],
         ranges: &[Range],
+        terms: Terms,
     ) -> Result<Self, Refusal> {
-        Self::followed(correction, at, state, ranges, false)
+        Self::followed(correction, at, state, ranges, (terms, false))
     }
 
     /// The same for ranges that must be served: where a look at a few places says that much of them would be left out, all of it is, in a
@@ -96,8 +101,9 @@ impl Grid {
         at: &[f64],
         state: &[f64],
         ranges: &[Range],
+        terms: Terms,
     ) -> Result<Self, Refusal> {
-        Self::followed(correction, at, state, ranges, true)
+        Self::followed(correction, at, state, ranges, (terms, true))
     }
 
     fn followed(
@@ -105,9 +111,13 @@ impl Grid {
         at: &[f64],
         state: &[f64],
         ranges: &[Range],
-        all: bool,
+        (terms, all): (Terms, bool),
     ) -> Result<Self, Refusal> {
         assert!(at.len() == ranges.len(), "a range for every input");
+        let terms = match at.len() {
+            2 => terms,
+            _ => Terms::Slopes,
+        };
         if at.len() > INPUTS {
             return Err(Refusal::NotConverging { at: at[0] });
         }
@@ -120,7 +130,10 @@ impl Grid {
             .filter(|_| !state.is_empty())
             .ok_or(Refusal::NotFinite)?;
         let mut state = state.to_vec();
-        let most = CORRECTIONS[usize::from(degree(at.len()) > 1)];
+        let most = match terms {
+            Terms::Slopes => CORRECTIONS,
+            Terms::Polynomials => 3 * CORRECTIONS,
+        };
         let mut follower =
             Follower::new(correction, at, &mut state, most).ok_or(Refusal::NotASolution)?;
         let determinant = follower.settle(at, &mut state);
@@ -129,16 +142,18 @@ impl Grid {
             state: &state,
             determinant: determinant.ok_or(Refusal::NotASolution)?,
         };
-        let divided = divided(&mut follower, &frames, &reference, all);
-        Self::made(divided, &reference)
+        let fit = Fit::new(terms);
+        let divided = divided(&mut follower, &frames, &reference, &fit, all);
+        Self::made(divided, &fit, &reference)
     }
 
-    fn made(divided: Divided, reference: &Solution<'_>) -> Result<Self, Refusal> {
+    fn made(divided: Divided, fit: &Fit, reference: &Solution<'_>) -> Result<Self, Refusal> {
         if divided.sum.served == 0 && divided.sum.boundary {
             let at = reference.at.first().copied().unwrap_or_default();
             return Err(Refusal::NotConverging { at });
         }
         Ok(Self {
+            terms: fit.terms(),
             width: reference.state.len(),
             served: divided.sum.share(divided.sum.served),
             left_out: divided.left_out(),
@@ -224,7 +239,7 @@ impl Grid {
     pub fn serves(&self, correction: &mut dyn Correction, x: &[f64]) -> bool {
         let mut state = vec![0.0; self.width];
         let floor = self.state(x, &mut state);
-        served::serves(correction, x, &mut state, floor)
+        served::serves(correction, self.terms, x, &mut state, floor)
     }
 
     /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are not `I` and `S`.

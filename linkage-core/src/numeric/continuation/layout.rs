@@ -1,6 +1,6 @@
 //! Tables and grids in numbers, for who prints them.
 
-use super::grid::Grid;
+use super::grid::{Grid, Terms};
 use super::scale::Scale;
 use super::table::Table;
 use alloc::vec::Vec;
@@ -87,13 +87,15 @@ pub struct GridLayout<'a> {
     pub axes: Vec<Axis>,
     /// Cell by cell, the last input changing fastest; `None` where the solution cannot be reached.
     pub nodes: Vec<Option<NodeLayout<'a>>>,
+    /// What is known in a cell.
+    pub terms: Terms,
 }
 
 /// A cell of a grid. There is no state farther from its centre, in cells along any input, than [`OUTSIDE`](Self::OUTSIDE).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeLayout<'a> {
-    /// Term by term, the numbers of the state side by side. Of degree 1 the state at the centre and its slopes, input by input; of a higher
-    /// [`degree`](super::degree), over two inputs, power by power of the second one, and for each of these power by power of the first.
+    /// Term by term, the numbers of the state side by side. Of degree 1 the state at the centre and its slopes, input by input; of
+    /// polynomials, over two inputs, power by power of the second one, and for each of these power by power of the first.
     pub coefficients: &'a [f64],
     /// Half of the smallest determinant, with its sign.
     pub floor: f64,
@@ -117,6 +119,7 @@ impl Grid {
         GridLayout {
             axes: self.axes.iter().map(Axis::new).collect(),
             nodes: nodes.collect(),
+            terms: self.terms,
         }
     }
 }

@@ -243,8 +243,8 @@ fn over(
             let partial = every || !input.declared;
             Table::build(programs, x[0], state, ranges[0], partial).map(Start::Table)
         }
-        _ if every => Grid::build(programs, x, state, ranges).map(Start::Grid),
-        _ => Grid::build_all(programs, x, state, ranges).map(Start::Grid),
+        _ if every => Grid::build(programs, x, state, ranges, group.in_cells).map(Start::Grid),
+        _ => Grid::build_all(programs, x, state, ranges, group.in_cells).map(Start::Grid),
     }
 }
 

@@ -1,7 +1,9 @@
 //! The assembly of a group at the reference inputs: all solutions are listed, the one nearest to the start estimates is
 //! taken.
 
-use crate::numeric::continuation::{Correction, LeftOut, Range, Refusal, meeting_states, states};
+use crate::numeric::continuation::{
+    Correction, LeftOut, Range, Refusal, Terms, meeting_states, states,
+};
 use crate::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use crate::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
 use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value};
@@ -32,6 +34,8 @@ pub struct CoupledGroup {
     pub terms: &'static [Term<'static>],
     /// The inputs that it depends on.
     pub inputs: &'static [CoupledInput],
+    /// What a grid over two of them knows in its cells.
+    pub in_cells: Terms,
 }
 
 /// An unknown with a start estimate.

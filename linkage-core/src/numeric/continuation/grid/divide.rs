@@ -5,9 +5,10 @@ use super::super::follow::Follower;
 use super::super::scale::Scale;
 use super::LeftOut;
 use super::cells::{Cell, Sum};
+use super::fit::Fit;
 use super::layout::{Layout, Places};
 use super::outlook::{Outlook, outlook};
-use super::terms::degree;
+use super::terms::Terms;
 use super::walk::{Solution, fill};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -17,6 +18,9 @@ pub(super) const CELLS: usize = 1 << 12;
 
 /// Up to so many cells, which take two milliseconds, nothing is left out and the boundary of the solution is looked at closely.
 const FEW: usize = 64;
+
+/// The same for polynomials, which take ten milliseconds.
+const FEW_POLYNOMIALS: usize = 256;
 
 /// Before more places than these are looked at, a few cells say whether the ranges can be served at all; before any, where a cell takes as long as that
 /// many places.
@@ -56,11 +60,15 @@ impl Divided {
     }
 
     /// Whether smaller cells are wanted.
-    fn is_coarse(&self) -> bool {
+    fn is_coarse(&self, terms: Terms) -> bool {
         let sum = &self.sum;
+        let few = match terms {
+            Terms::Slopes => FEW,
+            Terms::Polynomials => FEW_POLYNOMIALS,
+        };
         sum.served == 0
             || sum.share(sum.left_out) > MISSED
-            || (sum.left_out > 0 || sum.boundary) && self.cells.len() < FEW
+            || (sum.left_out > 0 || sum.boundary) && self.cells.len() < few
     }
 }
 
@@ -70,6 +78,7 @@ pub(super) fn divided(
     follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],
     reference: &Solution<'_>,
+    fit: &Fit,
     all: bool,
 ) -> Divided {
     let places = Places::new(ranges.len());
@@ -78,10 +87,11 @@ pub(super) fn divided(
     loop {
         let axes = scales(ranges, &counts);
         let layout = Layout(&axes);
-        let many = layout.cells() * places.offsets.len() > MANY || degree(ranges.len()) > 1;
+        let many =
+            layout.cells() * places.offsets.len() > MANY || fit.terms() == Terms::Polynomials;
         if !asked && many {
             asked = true;
-            match outlook(follower, ranges, &counts, &places, reference) {
+            match outlook(follower, ranges, &counts, (&places, fit), reference) {
                 Outlook::From(next) => {
                     counts = next;
                     continue;
@@ -99,7 +109,7 @@ pub(super) fn divided(
             }
         }
         let left = follower.left();
-        let cells = fill(follower, &axes, &places, reference);
+        let cells = fill(follower, &axes, (&places, fit), reference);
         let taken = left - follower.left();
         let sum = Sum::new(&cells, &layout, places.offsets.len());
         let divided = Divided {
@@ -110,7 +120,7 @@ pub(super) fn divided(
         };
         let full = 2 * divided.cells.len() > CELLS || GROWTH * taken > follower.left();
         match longest(&divided.sum.bends, &counts) {
-            Some(axis) if divided.is_coarse() && !full => counts[axis] *= 2,
+            Some(axis) if divided.is_coarse(fit.terms()) && !full => counts[axis] *= 2,
             _ => return divided,
         }
     }

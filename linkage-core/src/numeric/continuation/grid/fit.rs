@@ -3,7 +3,7 @@
 use super::super::follow::Follower;
 use super::layout::Layout;
 use super::node::Node;
-use super::terms::{degree, place, terms};
+use super::terms::{Terms, place};
 use crate::Scalar;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -14,16 +14,21 @@ use core::f64::consts::PI;
 pub(super) struct Fit {
     /// As offsets from the centre, in cells, each with what its value adds to all coefficients.
     points: Vec<([f64; 2], Vec<f64>)>,
+    terms: Terms,
 }
 
 impl Fit {
-    /// Nothing is interpolated over other numbers of inputs than two.
-    pub(super) fn new(inputs: usize) -> Self {
-        let points = match degree(inputs) {
-            1 => Vec::new(),
-            degree => points(degree),
+    /// Of slopes nothing is interpolated.
+    pub(super) fn new(terms: Terms) -> Self {
+        let points = match terms {
+            Terms::Slopes => Vec::new(),
+            Terms::Polynomials => points(terms.degree()),
         };
-        Self { points }
+        Self { points, terms }
+    }
+
+    pub(super) fn terms(&self) -> Terms {
+        self.terms
     }
 
     /// Puts polynomials through the solutions around a centre, of which the node knows the slopes. Where they do not all exist it stays as it is.
@@ -76,7 +81,7 @@ fn points(degree: usize) -> Vec<([f64; 2], Vec<f64>)> {
 /// What the value at a point adds to all coefficients.
 fn weights(powers: &[Vec<f64>], degree: usize, at: [f64; 2], weight: f64) -> Vec<f64> {
     let values = at.map(|t| chebyshev(degree, t));
-    let mut all = vec![0.0; terms(2)];
+    let mut all = vec![0.0; Terms::Polynomials.count(2)];
     for p in 0..=degree {
         for q in 0..=degree - p {
             // Those of degree 0 are half as long; the last one of the first input is counted twice by this rule.
@@ -124,10 +129,10 @@ fn powers(degree: usize) -> Vec<Vec<f64>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::terms;
     use super::*;
+    use crate::numeric::continuation::grid::terms::values;
 
-    const WIDTH: usize = terms::terms(2);
+    const WIDTH: usize = Terms::Polynomials.count(2);
 
     /// The product of these powers of offsets from the centre.
     fn product(offsets: [f64; 2], a: usize, b: usize) -> f64 {
@@ -138,7 +143,7 @@ mod tests {
     /// What the interpolation makes of a function.
     fn fitted(function: impl Fn([f64; 2]) -> f64) -> [f64; WIDTH] {
         let mut all = [0.0; WIDTH];
-        for (offsets, weights) in Fit::new(2).points {
+        for (offsets, weights) in Fit::new(Terms::Polynomials).points {
             for (sum, weight) in all.iter_mut().zip(weights) {
                 *sum += weight * function(offsets);
             }
@@ -147,12 +152,12 @@ mod tests {
     }
 
     fn value(all: &[f64; WIDTH], offsets: [f64; 2]) -> f64 {
-        terms::values::<false, 1>(|term| [all[term]], &offsets)[0]
+        values::<false, 1>(Terms::Polynomials, |term| [all[term]], &offsets)[0]
     }
 
     #[test]
     fn products_up_to_the_degree_are_their_own_terms() {
-        let degree = degree(2);
+        let degree = Terms::Polynomials.degree();
         for sum in 0..=degree {
             for b in 0..=sum {
                 let a = sum - b;
@@ -171,8 +176,7 @@ mod tests {
 
     #[test]
     fn there_are_as_many_points_as_terms() {
-        assert_eq!(Fit::new(2).points.len(), WIDTH);
-        assert!(Fit::new(1).points.is_empty() && Fit::new(3).points.is_empty());
+        assert_eq!(Fit::new(Terms::Polynomials).points.len(), WIDTH);
     }
 
     /// Of what no polynomial is, the error goes with the seventh power of the cell.

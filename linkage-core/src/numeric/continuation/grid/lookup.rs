@@ -4,7 +4,7 @@ use super::super::cell::Frame;
 use super::super::scale::{Scale, guard};
 use super::super::shared::Shared;
 use super::Grid;
-use super::terms::{terms, values};
+use super::terms::{Terms, values};
 use core::fmt;
 
 /// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
@@ -34,8 +34,10 @@ impl<const S: usize, const T: usize> Fixed<S, T> {
 }
 
 impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
+    const TERMS: Option<Terms> = Terms::of(I, T);
+
     pub(super) fn new(grid: &Grid) -> Option<Self> {
-        if grid.width() != S || terms(I) != T {
+        if grid.width() != S || Self::TERMS != Some(grid.terms) {
             return None;
         }
         let cells = grid.nodes.iter().map(|node| {
@@ -89,7 +91,8 @@ impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
         for offset in offsets {
             outside += guard(offset, OUTSIDE);
         }
-        let mut state = values::<FUSED, S>(|term| cell.coefficients[term], &offsets);
+        let terms = Self::TERMS.unwrap_or(Terms::Slopes);
+        let mut state = values::<FUSED, S>(terms, |term| cell.coefficients[term], &offsets);
         for number in &mut state {
             *number += outside;
         }

@@ -2,7 +2,7 @@
 
 use super::super::scale::guard;
 use super::lookup::OUTSIDE;
-use super::terms::{degree, place, terms, values};
+use super::terms::{Terms, place, values};
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -14,18 +14,19 @@ pub(in super::super) struct Node {
     /// Half of the smallest determinant, with its sign.
     pub(in super::super) floor: f64,
     width: usize,
+    terms: Terms,
 }
 
 impl Node {
     /// With nothing but a state at the centre and slopes, input by input.
-    pub(super) fn with_slopes(state: &[f64], slopes: &[f64], floor: f64) -> Self {
+    pub(super) fn with_slopes(state: &[f64], slopes: &[f64], floor: f64, terms: Terms) -> Self {
         let width = state.len();
         let inputs = slopes.len() / width;
-        let mut coefficients = vec![0.0; terms(inputs) * width];
+        let mut coefficients = vec![0.0; terms.count(inputs) * width];
         coefficients[..width].copy_from_slice(state);
         for (input, slopes) in slopes.chunks_exact(width).enumerate() {
-            let first = match (degree(inputs), input) {
-                (1, _) => 1 + input,
+            let first = match (terms, input) {
+                (Terms::Slopes, _) => 1 + input,
                 (_, 0) => place(1, 0),
                 _ => place(0, 1),
             };
@@ -35,6 +36,7 @@ impl Node {
             coefficients,
             floor,
             width,
+            terms,
         }
     }
 
@@ -58,7 +60,7 @@ impl Node {
         let outside: f64 = guards.sum();
         for (index, number) in state.iter_mut().enumerate() {
             let own = |term: usize| [self.coefficients[term * self.width + index]];
-            *number = values::<FUSED, 1>(own, offsets)[0] + outside;
+            *number = values::<FUSED, 1>(self.terms, own, offsets)[0] + outside;
         }
         self.floor + outside
     }

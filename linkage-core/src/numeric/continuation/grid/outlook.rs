@@ -68,10 +68,10 @@ pub(super) fn outlook(
     follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],
     counts: &[u32],
-    places: &Places,
+    with: (&Places, &Fit),
     reference: &Solution<'_>,
 ) -> Outlook {
-    looked(follower, ranges, counts.to_vec(), places, reference)
+    looked(follower, ranges, counts.to_vec(), with, reference)
         .unwrap_or_else(|| Outlook::From(counts.to_vec()))
 }
 
@@ -79,14 +79,14 @@ fn looked(
     follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],
     mut counts: Vec<u32>,
-    places: &Places,
+    with: (&Places, &Fit),
     reference: &Solution<'_>,
 ) -> Option<Outlook> {
     let mut known = starts(follower, ranges, reference)?;
     loop {
         let axes = scales(ranges, &counts);
         let layout = Layout(&axes);
-        let looks = look(follower, &layout, places, reference, &mut known)?;
+        let looks = look(follower, &layout, with, reference, &mut known)?;
         let share = looks.missed as f64 / looks.places as f64;
         if share <= COARSE {
             return Some(Outlook::From(counts));
@@ -167,12 +167,11 @@ impl Known {
 fn look(
     follower: &mut Follower<'_>,
     layout: &Layout<'_>,
-    places: &Places,
+    (places, fit): (&Places, &Fit),
     reference: &Solution<'_>,
     known: &mut [Known],
 ) -> Option<Looks> {
     let before = follower.left();
-    let fit = Fit::new(layout.0.len());
     let mut looks = Looks {
         bends: vec![0.0; layout.0.len()],
         ..Looks::default()
@@ -182,14 +181,14 @@ fn look(
         let (slopes, bends) = slopes(follower, layout, &one.at, &one.state);
         let sums = looks.bends.iter_mut().zip(bends);
         sums.for_each(|(sum, own)| *sum += own);
-        let mut node = Node::with_slopes(&one.state, &slopes, one.determinant);
+        let mut node = Node::with_slopes(&one.state, &slopes, one.determinant, fit.terms());
         fit.refine(follower, layout, &one.at, &mut node);
         let mut example = None;
         let mut near = one.state.clone();
         for offsets in &places.offsets {
             let x = layout.moved(&one.at, offsets);
             node.state::<false>(offsets, &mut near);
-            let settled = served(follower, &x, &mut near);
+            let settled = served(follower, fit.terms(), &x, &mut near);
             if settled.is_none() {
                 looks.missed += 1;
                 example.get_or_insert(x);

@@ -2,7 +2,7 @@
 
 use super::super::follow::{Follower, SETTLED};
 use super::super::{ALLOWED_CONTRACTION, Correction, STEPS_BESIDE};
-use super::terms::degree;
+use super::terms::Terms;
 use alloc::vec::Vec;
 
 /// On the border of a cell each step is smaller than the one before by this factor. Evaluators allow a quarter: the difference is for what
@@ -13,8 +13,13 @@ const CONTRACTION: f64 = 0.1;
 const TINY: f64 = <f64 as crate::Scalar>::CORRECTION_LIMIT;
 
 /// Brings a state of a cell to the solution as evaluators do; returns the determinant. `None` unless it gets there with something to spare.
-pub(super) fn served(follower: &mut Follower<'_>, x: &[f64], state: &mut [f64]) -> Option<f64> {
-    if degree(x.len()) == 1 {
+pub(super) fn served(
+    follower: &mut Follower<'_>,
+    terms: Terms,
+    x: &[f64],
+    state: &mut [f64],
+) -> Option<f64> {
+    if terms == Terms::Slopes {
         return follower.settle_within(x, state, STEPS_BESIDE, CONTRACTION);
     }
     let step = follower.correct(x, state)?;
@@ -24,11 +29,12 @@ pub(super) fn served(follower: &mut Follower<'_>, x: &[f64], state: &mut [f64]) 
 /// Whether evaluators give the solution, from a state and its floor.
 pub(super) fn serves(
     correction: &mut dyn Correction,
+    terms: Terms,
     x: &[f64],
     state: &mut [f64],
     floor: f64,
 ) -> bool {
-    if degree(x.len()) > 1 {
+    if terms == Terms::Polynomials {
         let step = correction.correct(x, state);
         return step.size <= TINY && step.determinant * floor >= floor * floor;
     }

@@ -9,18 +9,43 @@ use crate::Scalar;
 /// look a state up.
 const DEGREE: usize = 6;
 
-/// The degree over so many inputs. From polynomials of a higher degree than 1 one Newton step is made.
-#[must_use]
-pub const fn degree(inputs: usize) -> usize {
-    if inputs == 2 { DEGREE } else { 1 }
+/// What is known of the state in a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Terms {
+    /// How it changes along each input: four Newton steps lead to the solution.
+    Slopes,
+    /// Polynomials over two inputs, of which one step leads there.
+    Polynomials,
 }
 
-/// How many coefficients there are over so many inputs.
-#[must_use]
-pub const fn terms(inputs: usize) -> usize {
-    match degree(inputs) {
-        1 => inputs + 1,
-        degree => (degree + 1) * (degree + 2) / 2,
+impl Terms {
+    /// The degree of the polynomials.
+    #[must_use]
+    pub const fn degree(self) -> usize {
+        match self {
+            Self::Slopes => 1,
+            Self::Polynomials => DEGREE,
+        }
+    }
+
+    /// How many coefficients there are over so many inputs; of polynomials over two.
+    #[must_use]
+    pub const fn count(self, inputs: usize) -> usize {
+        match self {
+            Self::Slopes => inputs + 1,
+            Self::Polynomials => (DEGREE + 1) * (DEGREE + 2) / 2,
+        }
+    }
+
+    /// Of which so many coefficients over so many inputs are, if there are such.
+    pub(super) const fn of(inputs: usize, count: usize) -> Option<Self> {
+        if count == Self::Slopes.count(inputs) {
+            Some(Self::Slopes)
+        } else if inputs == 2 && count == Self::Polynomials.count(2) {
+            Some(Self::Polynomials)
+        } else {
+            None
+        }
     }
 }
 
@@ -33,11 +58,12 @@ pub(super) const fn place(first: usize, second: usize) -> usize {
 /// The values of `S` polynomials at these offsets from the centre, in cells: coefficients of a term side by side.
 #[inline(always)]
 pub(super) fn values<const FUSED: bool, const S: usize>(
+    terms: Terms,
     coefficients: impl Fn(usize) -> [f64; S] + Copy,
     offsets: &[f64],
 ) -> [f64; S] {
-    match *offsets {
-        [x, y] => {
+    match (terms, offsets) {
+        (Terms::Polynomials, &[x, y]) => {
             // Row by row, each as long as it is: in a loop they would be calls.
             let rows = [
                 row::<FUSED, S, 7>(coefficients, 0, x),

@@ -28,14 +28,14 @@ pub(super) struct Solution<'a> {
 pub(super) fn fill(
     follower: &mut Follower<'_>,
     axes: &[Scale],
-    places: &Places,
+    (places, fit): (&Places, &Fit),
     reference: &Solution<'_>,
 ) -> Vec<Cell> {
     let layout = Layout(axes);
     let mut walk = Walk {
         follower,
         border: Border::new(&layout, places),
-        fit: Fit::new(axes.len()),
+        fit,
         reference: reference.determinant,
         centres: vec![None; layout.cells()],
         cells: vec![Cell::default(); layout.cells()],
@@ -49,7 +49,7 @@ struct Walk<'f, 'c, 'a> {
     follower: &'f mut Follower<'c>,
     layout: Layout<'a>,
     border: Border<'a>,
-    fit: Fit,
+    fit: &'a Fit,
     /// The determinant at the reference.
     reference: f64,
     /// State and determinant at the centres that were reached, also of cells that were refused.
@@ -134,7 +134,7 @@ impl Walk<'_, '_, '_> {
         }
         self.centres[number] = Some((state.clone(), determinant));
         let (slopes, bends) = slopes(self.follower, &self.layout, to, &state);
-        let mut node = Node::with_slopes(&state, &slopes, determinant);
+        let mut node = Node::with_slopes(&state, &slopes, determinant, self.fit.terms());
         self.fit.refine(self.follower, &self.layout, to, &mut node);
         self.cells[number] = Cell {
             bends,
@@ -182,7 +182,7 @@ impl Walk<'_, '_, '_> {
         let x = self.layout.moved(centre, offsets);
         let mut state = vec![0.0; node.centre().len()];
         node.state::<false>(offsets, &mut state);
-        if let Some(determinant) = served(self.follower, &x, &mut state) {
+        if let Some(determinant) = served(self.follower, self.fit.terms(), &x, &mut state) {
             return (Place::Served(state), determinant);
         }
         state.copy_from_slice(node.centre());
