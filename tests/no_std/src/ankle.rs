@@ -33,8 +33,8 @@ mechanism! {
     pub struct Foot {
         unit mm;
         param crank = 60mm;
-        input left = 5deg in -25deg..35deg;
-        input right = 5deg in -25deg..35deg;
+        input left = 5deg in -40deg..45deg;
+        input right = 5deg in -40deg..45deg;
         unknown pitch = 0deg;
         unknown roll = 0deg;
         const x = (1, 0, 0);
