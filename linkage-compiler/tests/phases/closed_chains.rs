@@ -27,15 +27,21 @@ fn mcpherson_strut() {
 #[test]
 fn double_wishbone() {
     let example = "examples/double_wishbone.rs";
-    assert!(operations(example, "wheel") <= 2200);
+    assert!(operations(example, "wheel") <= 550);
 }
 
 /// Rods that share no joint.
 #[test]
 fn five_link_axle() {
     let example = "examples/five_link_axle.rs";
-    assert!(operations(example, "wheel") <= 2800);
-    assert!(operations(example, "motion") <= 5600);
+    assert!(operations(example, "wheel") <= 800);
+    assert!(operations(example, "motion") <= 3700);
+}
+
+/// A universal joint and two rods, from the motors to the foot.
+#[test]
+fn ankle() {
+    assert!(operations("examples/ankle.rs", "foot") <= 350);
 }
 
 /// From the pose to the drives every leg is a closed form of its own.
