@@ -18,7 +18,9 @@ pub use linkage_runtime::{
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};
 #[cfg(feature = "alloc")]
-pub use linkage_runtime::{Columns, CoupledCause, CoupledError, Placed, Unlisted, Value};
+pub use linkage_runtime::{
+    Columns, CoupledCause, CoupledError, Missed, Placed, Reach, Unlisted, Value,
+};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use linkage_runtime::{Enclosure, Float};
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
@@ -286,7 +288,7 @@ pub mod __private {
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
-        Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms,
+        Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
         CoupledUnknown, Extended, Followed, Moving, Range, Standing, Start, States, Step, Stop,
         Term, Terms, Variable, Wanted, fill_followed, follow, nothing, pairs, placed,
         put_corrected, put_state, starts, stepped,

@@ -7,6 +7,8 @@
 pub mod cholesky;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod continuation;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub mod least;
 pub mod minimum;
 pub mod nearest;
 pub mod range;

@@ -2,6 +2,8 @@
 
 mod not_followed;
 #[cfg(feature = "alloc")]
+mod reach;
+#[cfg(feature = "alloc")]
 mod unprepared;
 
 use crate::words::{join, numbers, rounded};
@@ -9,6 +11,8 @@ use crate::words::{join, numbers, rounded};
 use alloc::boxed::Box;
 use core::fmt;
 pub use not_followed::{Halt, NotFollowed};
+#[cfg(feature = "alloc")]
+pub use reach::{Missed, Reach};
 #[cfg(feature = "alloc")]
 pub use unprepared::{CoupledCause, CoupledError, Placed, Value};
 

@@ -43,9 +43,9 @@ pub use sealed::Sealed;
 pub use single::{Single, as_in_sweeps, inlined, single};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use starts::{
-    Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution,
-    CoupledUnknown, Start, Wanted, Which, couple, list, nothing, pairs, placed, prepared,
-    prepared_over, put_state, starts, starts_of, stepped,
+    Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
+    CoupledSolution, CoupledUnknown, Start, Wanted, Which, couple, list, nothing, pairs, placed,
+    prepared, prepared_over, put_state, starts, starts_of, stepped,
 };
 #[cfg(feature = "alloc")]
 pub use sweep::{

@@ -68,7 +68,7 @@ pub use data::{AssemblyMode, Input, Operations, Parameter};
 pub use dimensions::Dimensions;
 pub use error::{AssemblyError, Halt, NotFollowed};
 #[cfg(feature = "alloc")]
-pub use error::{CoupledCause, CoupledError, Placed, Value};
+pub use error::{CoupledCause, CoupledError, Missed, Placed, Reach, Value};
 #[cfg(feature = "nalgebra")]
 pub use frame::Frame;
 pub use javascript::Programs;

@@ -1,6 +1,6 @@
 //! A wheel carrier on five rods with ball joints, by the travel of the wheel: eight unknowns remain.
 
-use linkage::{AssemblyError, CoupledCause, Unlisted, mechanism};
+use linkage::{AssemblyError, CoupledCause, Missed, Reach, Unlisted, mechanism};
 
 use super::{close, number, numbers, read};
 
@@ -141,17 +141,40 @@ fn what_needs_all_solutions_says_that_they_are_not_listed() {
         panic!("{error}")
     };
     assert_eq!(error.cause, CoupledCause::NotListed(Unlisted::Followed));
-    let short = FiveLinkAxle {
-        l1: 87.0,
-        ..FiveLinkAxle::default()
-    };
+}
+
+#[test]
+fn a_rod_that_is_too_short_is_told_with_what_misses_where_loops_come_nearest_to_closing() {
+    let own = FiveLinkAxle::default();
+    let short = FiveLinkAxle { l1: 87.0, ..own };
     let error = short.assemble().expect_err("out of reach");
-    assert!(
-        error
-            .to_string()
-            .contains("cannot be reached from its estimates"),
-        "{error}"
-    );
+    let text = error.to_string();
+    let AssemblyError::Coupled(error) = error else {
+        panic!("{text}")
+    };
+    let CoupledCause::NotReached {
+        reach: Reach::Misses(missed),
+        ..
+    } = error.cause
+    else {
+        panic!("{text}")
+    };
+    for told in [
+        "FiveLinkAxle: loops 1, 2, 3, 5, 6, 7, 8 and 9 (p, x, y; 8 loops in space) cannot be reached from its estimates",
+        "; where its loops come nearest to closing from there, loop 5 misses by 32.57",
+        " mm, loop 6 by -25.2",
+        "and 2 more by less: there the links do not reach each other",
+    ] {
+        assert!(text.contains(told), "{text}");
+    }
+    let (lengths, plain): (Vec<&Missed>, Vec<&Missed>) =
+        missed.iter().partition(|own| own.number >= 5);
+    assert!(lengths.iter().all(|own| own.unit == "mm"), "{text}");
+    assert!(plain.iter().all(|own| own.unit.is_empty()), "{text}");
+    // Where the wheel is with the longer rod, this one alone misses.
+    let alone = own.l1 - short.l1;
+    let squares = lengths.iter().map(|own| own.by * own.by);
+    assert!(squares.sum::<f64>() < 0.1 * alone * alone, "{text}");
 }
 
 #[test]

@@ -103,6 +103,24 @@ impl Rods {
         }
         Ok(here)
     }
+
+    /// What five rods miss by where their body, at its height, comes nearest to these lengths: by nothing but steepest descent.
+    pub(super) fn nearest(&self, from: &Pose, lengths: &[f64; 6]) -> [f64; 5] {
+        const RATE: f64 = 0.05;
+        let mut here = *from;
+        loop {
+            let mut missed = Vector6::from(self.lengths(&here)) - Vector6::from(*lengths);
+            missed[5] = 0.0;
+            let mut steepest = self.slopes(&here).transpose() * (missed / RADIUS);
+            steepest[2] = 0.0;
+            if steepest.norm() < 1e-10 {
+                return std::array::from_fn(|rod| missed[rod]);
+            }
+            here.p -= RATE * RADIUS * steepest.fixed_rows::<3>(0);
+            let turn = Vector3::new(steepest[3], steepest[4], steepest[5]);
+            here.turn = UnitQuaternion::new(-RATE * turn) * here.turn;
+        }
+    }
 }
 
 impl Pose {

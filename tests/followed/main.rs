@@ -11,6 +11,7 @@ mod hexapod_geometry;
 mod independent;
 mod random_axles;
 mod random_hexapods;
+mod reach;
 mod wishbone_forms;
 
 use hexapod_geometry::{FEET, JOINTS};

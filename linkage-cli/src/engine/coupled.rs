@@ -115,6 +115,13 @@ impl CoupledPrograms for Programs<'_> {
         by_build(program, |source| numbers.load(source))
     }
 
+    fn missed(&mut self, own: &[f64], state: &[f64]) -> Vec<f64> {
+        let states = self.place_with(own, state);
+        let numbers = self.numbers(&states);
+        let program = &self.mechanism.unit.coupled[self.number].missed;
+        by_build(program, |source| numbers.load(source))
+    }
+
     fn placed(&mut self, own: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
         let states = self.place_with(own, state);
         let numbers = self.numbers(&states);

@@ -2,7 +2,7 @@
 
 use linkage_compiler::unit::{Coupled, Function, Meaning, Picture, Shown, Unit};
 use linkage_runtime::generated::{
-    Along, Angle, CoupledGroup, CoupledInput, CoupledUnknown, Range, Term,
+    Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
 };
 use linkage_runtime::{
     Axis, Column, FunctionInfo, Group, Guide, Heading, Input, Operations, Parameter,
@@ -213,6 +213,12 @@ fn group(mechanism: &'static str, unit: &Unit, coupled: &Coupled) -> CoupledGrou
             },
         }
     });
+    let missed = coupled.missed_loops.iter().map(|own| CoupledLoop {
+        number: own.number,
+        rows: own.rows,
+        unit: forever(own.unit.as_str()),
+        scale: own.scale,
+    });
     CoupledGroup {
         mechanism,
         group: coupled.group,
@@ -222,6 +228,7 @@ fn group(mechanism: &'static str, unit: &Unit, coupled: &Coupled) -> CoupledGrou
         unknowns: forever(unknowns.collect::<Vec<_>>()),
         variables: forever(coupled.variables.as_slice()),
         terms: forever(terms.collect::<Vec<_>>()),
+        missed: forever(missed.collect::<Vec<_>>()),
         inputs: forever(inputs.collect::<Vec<_>>()),
         in_cells: coupled.in_cells,
     }

@@ -203,7 +203,11 @@ fn programs(outline: &Outline, unit: &Unit) -> TokenStream {
     };
     let methods = unit.coupled.iter().enumerate().map(|(number, group)| {
         let system = match group.followed {
-            true => program("estimate", number, &group.estimate),
+            true => {
+                let estimate = program("estimate", number, &group.estimate);
+                let missed = program("missed", number, &group.missed);
+                quote!(#estimate #missed)
+            }
             false => program("system", number, &group.system),
         };
         let correct = program("correct", number, &group.correct);

@@ -115,6 +115,8 @@ pub(crate) fn groups<'m>(
             estimate: program(&own.estimate),
             correct: program(&own.correct),
             placed: program(&own.placed),
+            missed: Program::default(),
+            missed_loops: Vec::new(),
             turning: 0,
             start: None,
             reach: nominal.evaluate(&[prepared.reach])[0],

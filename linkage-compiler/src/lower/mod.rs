@@ -4,6 +4,7 @@
 
 mod closing;
 mod groups;
+mod missed;
 mod passes;
 
 use linkage_symbolic::inline::Inliner;
@@ -12,6 +13,7 @@ use linkage_symbolic::{Ex, Graph, NodeId};
 
 pub(crate) use closing::closing;
 pub(crate) use groups::{GroupNodes, find_turning, group_nodes, groups};
+pub(crate) use missed::missed;
 pub(crate) use passes::{Formulas, polish};
 
 /// Expressions without definitions, as nodes of the inliner's plain graph.

@@ -179,6 +179,7 @@ pub(crate) fn unit<'m>(
         picture,
         ..signature::signature(algebra, formulation, at)
     };
+    lower::missed(algebra, formulation, &mut inliner, &mut unit);
     renumber(&mut unit, &angles);
     lower::polish(&mut unit, watch);
     unit

@@ -30,11 +30,13 @@ pub fn dump(unit: &Unit) -> String {
             true => ("estimate", &group.estimate),
             false => ("coefficients", &group.system),
         };
-        for (what, program) in [
+        let missed = group.followed.then_some(("missed", &group.missed));
+        let programs = [
             start,
             ("correction", &group.correct),
             ("unknowns", &group.placed),
-        ] {
+        ];
+        for (what, program) in programs.into_iter().chain(missed) {
             let _ = write!(text, "\n{what} of coupled group {number}\n{program}");
         }
     }

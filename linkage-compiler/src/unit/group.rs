@@ -59,6 +59,10 @@ pub struct Coupled {
     pub correct: Program,
     /// From a state: cosine and sine, or length, of each of `unknowns`, then the reach of the links.
     pub placed: Program,
+    /// From a state: the left side of each of `missed_loops` without the right one, by component; then those of the loops of its frames.
+    pub missed: Program,
+    /// The loops of a group that is followed, without those of its frames; none if they cannot be told from a state.
+    pub missed_loops: Vec<MissedLoop>,
     /// The reach of the default mechanism.
     pub reach: f64,
     /// What its assemblies are told apart by.
@@ -81,9 +85,23 @@ pub enum Start {
 impl Coupled {
     /// Its programs, to be changed.
     pub(super) fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
-        let [system, estimate] = [&mut self.system, &mut self.estimate];
-        [system, estimate, &mut self.correct, &mut self.placed].into_iter()
+        let ends = [&mut self.system, &mut self.estimate, &mut self.missed];
+        let steps = [&mut self.correct, &mut self.placed];
+        ends.into_iter().chain(steps)
     }
+}
+
+/// A loop by which is told how near to closing a group comes.
+#[derive(Clone, Debug)]
+pub struct MissedLoop {
+    /// Its number, the first loop of the mechanism being 1.
+    pub number: usize,
+    /// How many components its sides have.
+    pub rows: usize,
+    /// `mm`; nothing for a number.
+    pub unit: String,
+    /// What misses are compared with: the longest length; 1 for numbers.
+    pub scale: f64,
 }
 
 /// A number that assemblies are told apart by.

@@ -21,7 +21,7 @@ pub use closing::{Closing, Outputs};
 pub use dump::dump;
 pub use function::{Body, Column, Field, Function, Meaning};
 pub use generated::Generated;
-pub use group::{Coupled, Group, Placed, Shown, Start, Surveyed};
+pub use group::{Coupled, Group, MissedLoop, Placed, Shown, Start, Surveyed};
 pub use picture::{
     Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, Joint, JointShape, Link, Member, Part,
     Picture, Point, PointKind,

@@ -26,7 +26,7 @@ mod turning;
 mod walk;
 
 pub use certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
-pub use estimate::{Astray, from_estimate};
+pub use estimate::{Astray, from_estimate, turned};
 pub use grid::{Grid, GridLookup, LeftOut, Terms};
 pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};
 pub use lookup::Lookup;

@@ -1,6 +1,6 @@
 //! Why a group without a closed form has no assembly.
 
-use super::place;
+use super::{Reach, place};
 use crate::numeric::roots::Unlisted;
 use crate::words::rounded;
 use alloc::vec::Vec;
@@ -64,6 +64,8 @@ pub enum CoupledCause {
     NotReached {
         /// The part of what the estimates miss by that is left there.
         left: f64,
+        /// Whether the loops close all the same.
+        reach: Reach,
     },
     /// The assembly is at a dead point at the reference input.
     Singular,
@@ -168,11 +170,10 @@ impl fmt::Display for CoupledCause {
                 "cannot be solved: the solutions at the reference input cannot all be listed: {why}; this is a limit of \
                  linkage, not of the mechanism: {ANOTHER_WAY}"
             ),
-            Self::NotReached { left } => write!(
+            Self::NotReached { left, reach } => write!(
                 f,
-                "cannot be reached from its estimates at the reference input: the way ends where {:.1} % of what they miss by is taken \
-                 back, at a dead point or where a pivot of the elimination becomes small; the links do not reach each other, or the \
-                 estimates are too far off",
+                "cannot be reached from its estimates at the reference input: the way ends where {:.1} % of what they miss by is \
+                 taken back, at a dead point or where a pivot of the elimination becomes small; {reach}",
                 100.0 * (1.0 - left)
             ),
             Self::Singular => {

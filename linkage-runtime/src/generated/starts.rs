@@ -4,6 +4,7 @@ mod estimate;
 mod grid;
 mod lanes;
 mod prepare;
+mod reach;
 mod solve;
 
 pub use grid::CoupledGrid;
@@ -13,5 +14,6 @@ pub use prepare::{
     starts_of, stepped,
 };
 pub use solve::{
-    CoupledGroup, CoupledInput, CoupledPrograms, CoupledSolution, CoupledUnknown, couple, list,
+    CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms, CoupledSolution, CoupledUnknown,
+    couple, list,
 };

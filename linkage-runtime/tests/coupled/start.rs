@@ -54,6 +54,7 @@ const GROUP: CoupledGroup = CoupledGroup {
     unknowns: &[unknown("leg", 1.1), unknown("link", 2.5 + TAU)],
     variables: &[Variable::Unit, Variable::Unit],
     terms: &TERMS,
+    missed: &[],
     inputs: &[CoupledInput {
         name: "phi",
         unit: "",

@@ -39,6 +39,11 @@ pub(super) fn description(outline: &Outline, unit: &Unit, group: &Coupled) -> To
         let exponents = exponents.iter().map(|&e| Literal::i8_unsuffixed(e));
         quote!(#runtime::Term { equation: #equation, exponents: &[#(#exponents),*] })
     });
+    let missed = group.missed_loops.iter().map(|own| {
+        let [number, rows] = [own.number, own.rows].map(literal::index);
+        let (unit, scale) = (&own.unit, literal::float(own.scale));
+        quote!(#runtime::CoupledLoop { number: #number, rows: #rows, unit: #unit, scale: #scale })
+    });
     let inputs = group.inputs.iter().map(|&input| {
         let own = &unit.inputs[input];
         let (name, unit, angle) = (&own.name, &own.unit, own.angle);
@@ -67,6 +72,7 @@ pub(super) fn description(outline: &Outline, unit: &Unit, group: &Coupled) -> To
             unknowns: &[#(#unknowns),*],
             variables: &[#(#variables),*],
             terms: &[#(#terms),*],
+            missed: &[#(#missed),*],
             inputs: &[#(#inputs),*],
             in_cells: #runtime::Terms::#in_cells,
         }

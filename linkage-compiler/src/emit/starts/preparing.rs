@@ -78,15 +78,23 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         let call = call("system", number);
         quote!(let __x = self.__place(__own); #runtime::pairs(&#call))
     });
-    let estimate = unit.coupled.iter().any(|group| group.followed).then(|| {
-        let estimate = arms(&|number, group| {
-            if !group.followed {
-                return quote!(#runtime::Vec::new());
-            }
-            let call = call("estimate", number);
-            quote!(let __x = self.__place(__own); <#runtime::Vec<_> as ::core::convert::From<[_; _]>>::from(#call))
+    let of_followed = unit.coupled.iter().any(|group| group.followed).then(|| {
+        let numbers = |kind: &str, number: usize, placed: TokenStream| {
+            let call = call(kind, number);
+            quote!(#placed <#runtime::Vec<_> as ::core::convert::From<[_; _]>>::from(#call))
+        };
+        let estimate = arms(&|number, group| match group.followed {
+            false => quote!(#runtime::Vec::new()),
+            true => numbers("estimate", number, quote!(let __x = self.__place(__own);)),
         });
-        quote!(fn estimate(&mut self, __own: &[#float]) -> #runtime::Vec<#float> { #estimate })
+        let missed = arms(&|number, group| match group.followed {
+            false => quote!(#runtime::Vec::new()),
+            true => numbers("missed", number, with_state(number)),
+        });
+        quote! {
+            fn estimate(&mut self, __own: &[#float]) -> #runtime::Vec<#float> { #estimate }
+            fn missed(&mut self, __own: &[#float], __state: &[#float]) -> #runtime::Vec<#float> { #missed }
+        }
     });
     let placed = arms(&|number, group| {
         let (with_state, call) = (with_state(number), call("placed", number));
@@ -126,7 +134,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         impl #runtime::CoupledPrograms for #coupled {
             fn system(&mut self, __own: &[#float]) -> #runtime::Vec<[#float; 2]> { #system }
             fn placed(&mut self, __own: &[#float], __state: &[#float]) -> #runtime::Vec<[#float; 2]> { #placed }
-            #estimate
+            #of_followed
         }
         #allow
         impl #assembly<#float> {

@@ -169,7 +169,8 @@ impl Place {
 }
 
 /// A state after changes by unknown.
-fn turned(variables: &[Variable], state: &[f64], way: &[f64]) -> Vec<f64> {
+#[must_use]
+pub fn turned(variables: &[Variable], state: &[f64], way: &[f64]) -> Vec<f64> {
     let mut turned = state.to_vec();
     let mut place = 0;
     for (variable, way) in variables.iter().zip(way) {

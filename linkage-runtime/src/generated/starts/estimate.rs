@@ -26,7 +26,8 @@ impl CoupledGroup {
         match from_estimate(programs, self.variables, x, &estimate) {
             Ok(state) => Ok(self.solution(programs, x, state)),
             Err(Astray::DeadPoint { left, .. }) => {
-                Err(self.error(CoupledCause::NotReached { left }))
+                let reach = self.reach(programs, x, estimate);
+                Err(self.error(CoupledCause::NotReached { left, reach }))
             }
             Err(Astray::Movable(_)) => Err(self.error(CoupledCause::Singular)),
             Err(Astray::NoValue) => Err(self.undefined()),

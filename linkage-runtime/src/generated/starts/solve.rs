@@ -32,6 +32,8 @@ pub struct CoupledGroup {
     pub variables: &'static [Variable],
     /// The terms of its polynomial system; none of a group that is followed from its estimates.
     pub terms: &'static [Term<'static>],
+    /// The loops of a group that is followed from its estimates, in the order of [`CoupledPrograms::missed`]; none if that cannot be told.
+    pub missed: &'static [CoupledLoop],
     /// The inputs that it depends on.
     pub inputs: &'static [CoupledInput],
     /// What a grid over two of them knows in its cells.
@@ -51,6 +53,19 @@ pub struct CoupledUnknown {
     pub unit: &'static str,
     /// Whether it is an angle.
     pub angle: bool,
+}
+
+/// A loop by which is told how near to closing a group comes.
+#[derive(Clone, Copy, Debug)]
+pub struct CoupledLoop {
+    /// Its number, the first loop of the mechanism being 1.
+    pub number: usize,
+    /// How many components its sides have.
+    pub rows: usize,
+    /// Unit of a length; empty for a number.
+    pub unit: &'static str,
+    /// The difference that counts as much as a radian.
+    pub scale: f64,
 }
 
 /// An input that a group depends on.
@@ -79,6 +94,12 @@ pub trait CoupledPrograms: Correction {
 
     /// The state where the unknowns are estimated, of a group that is followed from there.
     fn estimate(&mut self, _x: &[f64]) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// The left sides of the loops without the right ones in a state, by component, of a group that is followed; then those of the loops that
+    /// make its bodies rigid.
+    fn missed(&mut self, _x: &[f64], _state: &[f64]) -> Vec<f64> {
         Vec::new()
     }
 }

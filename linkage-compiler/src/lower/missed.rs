@@ -1,0 +1,85 @@
+//! By how much the loops of a group that is followed from its estimates miss: told where these lead to no assembly.
+
+use linkage_symbolic::Ex;
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::schedule::schedule_whole;
+
+use crate::algebra::Algebra;
+use crate::formulate::{Formulation, Solved, Version};
+use crate::freedoms::difference;
+use crate::model::Mechanism;
+use crate::unit::{MissedLoop, Unit};
+
+use super::{plain, valued_angles};
+
+/// Adds to each group that is followed the program that tells by how much its loops miss in a state.
+pub(crate) fn missed<'m>(
+    algebra: &mut Algebra<'m>,
+    formulation: &Formulation<'m>,
+    inliner: &mut Inliner,
+    unit: &mut Unit,
+) {
+    for (index, solved) in formulation.groups.iter().enumerate() {
+        let Some(prepared) = &solved.prepared else {
+            continue;
+        };
+        if !unit.coupled[prepared.number].followed {
+            continue;
+        }
+        // Where its unknowns are in a given state, not after the steps of a call.
+        prepared.define(algebra.graph, Version::Raw);
+        let (loops, mut sides) = differences(algebra, solved, unit.longest);
+        for frame in loops_of_frames(algebra.mechanism, formulation, index) {
+            sides.extend(difference(algebra, &algebra.mechanism.loops[frame]));
+        }
+        let sides = plain(inliner, &sides);
+        // Values of angles take turns that are not followed to where estimates are.
+        let told = valued_angles(&inliner.target, &sides).is_empty();
+        let group = &mut unit.coupled[prepared.number];
+        if told {
+            group.missed = schedule_whole(&inliner.target, &sides);
+            group.missed_loops = loops;
+        }
+        prepared.define(algebra.graph, Version::Called);
+    }
+}
+
+/// The loops that make frames rigid and can be told when a group is solved, not before; its own are those that are written.
+fn loops_of_frames(mechanism: &Mechanism, formulation: &Formulation, group: usize) -> Vec<usize> {
+    let is_new = |&index: &usize| {
+        let about = mechanism.usage(&[index]).unknowns.into_iter().enumerate();
+        let found = about
+            .filter(|(_, is_used)| *is_used)
+            .map(|(unknown, _)| formulation.last_group_with(unknown));
+        mechanism.is_loop_of_frame(index) && found.max() == Some(Some(group))
+    };
+    (0..mechanism.loops.len()).filter(is_new).collect()
+}
+
+/// The loops of a group, and the differences of their sides.
+fn differences<'m>(
+    algebra: &mut Algebra<'m>,
+    solved: &Solved<'m>,
+    longest: f64,
+) -> (Vec<MissedLoop>, Vec<Ex<'m>>) {
+    let mechanism = algebra.mechanism;
+    let loops = solved.group.loops.iter().copied();
+    let written = loops.filter(|&index| !mechanism.is_loop_of_frame(index));
+    let (mut missed, mut sides) = (Vec::new(), Vec::new());
+    for index in written {
+        let own = &mechanism.loops[index];
+        let difference = difference(algebra, own);
+        // A side that is 0 may be of any dimension.
+        let dimensions = [&own.left.ty, &own.right.ty].into_iter();
+        let dimensions = dimensions.filter_map(|ty| ty.dimension());
+        let dimension = dimensions.max_by_key(|own| own.half_lengths);
+        missed.push(MissedLoop {
+            number: index + 1,
+            rows: difference.len(),
+            unit: dimension.map_or_else(String::new, |own| own.unit(mechanism.unit)),
+            scale: dimension.map_or(1.0, |own| longest.powf(0.5 * f64::from(own.half_lengths))),
+        });
+        sides.extend(difference);
+    }
+    (missed, sides)
+}
