@@ -10,7 +10,7 @@ use serde_json::Value;
 use crate::pages::Live;
 
 /// How many designs of all mechanisms together; `LIVE_COUNT=10000` in the environment takes more.
-const COUNT: usize = 240;
+const COUNT: usize = 60;
 
 /// Designs of one question to the page.
 const AT_ONCE: usize = 20;

@@ -12,7 +12,7 @@ pub mod samples;
 mod sight;
 
 pub use chromium::{find, required};
-pub use gallery::{Entry, entries, folder};
+pub use gallery::{Entry, entries, folder, some};
 pub use input::{Button, Key};
 pub use page::Page;
 pub use sight::{DESKTOP, PHONE, SMALL_PHONE, Screen};

@@ -1,7 +1,11 @@
-//! Random numbers of all tests: the same on every machine, and for ever.
+//! Random numbers of all tests: the same on every machine, and for ever; and how much tests try.
 //!
 //! The corpus of mechanisms, figures of accuracy and many limits hang on the very numbers. Libraries promise the bits of a
 //! generator at most, not the numbers made of them, so the few lines stand here.
+
+mod effort;
+
+pub use effort::{is_long, one_in};
 
 /// A generator (splitmix64): any seed is a good one, neighbours too.
 #[derive(Clone, Debug)]

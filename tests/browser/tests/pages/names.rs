@@ -1,7 +1,7 @@
 //! Names of points keep clear of each other, of links and of joints.
 
 use linkage_browser::samples::{FourBar, four_bar, sliders, spatial, written};
-use linkage_browser::{DESKTOP, PHONE, Page, entries};
+use linkage_browser::{DESKTOP, PHONE, Page, some};
 use serde_json::Value;
 use std::path::Path;
 
@@ -118,7 +118,7 @@ fn are_calm(page: &mut Page, name: &str) {
 
 #[test]
 fn names_are_clear_of_everything_in_the_gallery() {
-    for entry in entries() {
+    for entry in some() {
         let Some(mut page) = named(&entry.page) else {
             return;
         };
