@@ -13,11 +13,29 @@ pub struct Plan {
     pub dead_points: &'static [(usize, f64)],
 }
 
-/// How many times the usual number of cases: 5 for `LINKAGE_LONG=1`, 10 for `LINKAGE_LONG=2`.
-pub(crate) fn effort() -> usize {
-    let long = std::env::var("LINKAGE_LONG").ok();
-    let times = long.and_then(|value| value.parse::<usize>().ok());
-    times.map_or(1, |times| 5 * times.max(1))
+/// How many of so many geometries are tried: a third, since 154 digits take long, but three, so that both assembly modes are among them; for
+/// `LINKAGE_LONG=1` five times as many as there are, ten times for `LINKAGE_LONG=2`.
+pub fn tried(geometries: usize) -> usize {
+    match times() {
+        Some(times) => times * geometries,
+        None => geometries.div_ceil(3).max(geometries.min(3)),
+    }
+}
+
+/// How many positions must be compared at least, of so many that all geometries have.
+pub(crate) fn wanted(positions: usize) -> usize {
+    match times() {
+        Some(_) => positions,
+        // Not a third: of few geometries a larger part may not close.
+        None => positions.div_ceil(4),
+    }
+}
+
+/// How many times all geometries are tried, in long runs.
+fn times() -> Option<usize> {
+    let long = std::env::var("LINKAGE_LONG").ok()?;
+    let times = long.parse::<usize>().ok()?;
+    Some(5 * times.max(1))
 }
 
 /// Positions all over the cycle, of the mechanism as written and of random geometries.
@@ -25,7 +43,7 @@ pub fn cycle_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -
     let mut random = Random::new(seed);
     let inputs = (0..12).map(|k| input_at(system, k as f64 / 12.0)).collect();
     let mut cases = vec![Case::new(system.default_geometry(), inputs)];
-    for _ in 0..geometries * effort() {
+    for _ in 0..tried(geometries) {
         let geometry = (plan.geometry)(&mut random, 6.0);
         let inputs = (0..4)
             .map(|_| input_at(system, random.between(-1.0, 2.0)))
@@ -50,7 +68,7 @@ pub fn dead_point_cases(system: &System, plan: &Plan, geometries: usize, seed: u
     let mut random = Random::new(seed);
     let input = system.reference_input();
     let mut cases = Vec::new();
-    for number in 0..geometries * effort() {
+    for number in 0..tried(geometries) {
         let geometry = (plan.geometry)(&mut random, 4.0);
         for &(changed, factor) in plan.dead_points {
             for decade in (1..=15).skip(number % 2).step_by(2) {
@@ -73,7 +91,7 @@ pub fn proportion_cases(system: &System, plan: &Plan, geometries: usize, seed: u
         let near = input + random.ratio(1e-8, 1.0) * if input == 0.0 { 1.0 } else { input };
         Case::new(geometry, vec![input, near])
     };
-    (0..geometries * effort()).map(&mut case).collect()
+    (0..tried(geometries)).map(&mut case).collect()
 }
 
 /// Random geometries of sizes from 1e-150 to 1e150, for mechanisms whose lengths are all
@@ -96,7 +114,7 @@ fn scaled(
 ) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = Vec::new();
-    for _ in 0..geometries * effort() {
+    for _ in 0..tried(geometries) {
         let geometry = (plan.geometry)(&mut random, spread);
         let size = system.size(&geometry);
         for exponent in exponents {
@@ -116,7 +134,7 @@ fn scaled(
 pub fn far_input_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = vec![Case::new(system.default_geometry(), vec![1e6, -1e6, 1e5])];
-    for _ in 0..geometries * effort() {
+    for _ in 0..tried(geometries) {
         let geometry = (plan.geometry)(&mut random, 6.0);
         let sign = if random.chance(0.5) { 1.0 } else { -1.0 };
         let far = sign * random.ratio(10.0, 1e6);
@@ -138,7 +156,7 @@ pub fn decade_cases(
 ) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = Vec::new();
-    for round in 0..rounds * effort() {
+    for round in 0..tried(rounds) {
         for decade in 1..=15 {
             let geometry = geometry(&mut random, 10f64.powi(-decade));
             let case = Case::new(geometry, vec![system.reference_input()]);
@@ -158,5 +176,5 @@ pub fn nearby_cases(system: &System, geometries: usize, seed: u64) -> Vec<Case> 
         let inputs = (0..3).map(|_| random.angle()).collect();
         Case::new(geometry, inputs)
     };
-    (0..geometries * effort()).map(&mut case).collect()
+    (0..tried(geometries)).map(&mut case).collect()
 }

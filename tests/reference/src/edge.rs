@@ -1,6 +1,6 @@
 //! Both sides of the dead point: values on one, NaN on the other, and no change of mode.
 
-use crate::cases::effort;
+use crate::cases::tried;
 use crate::solve::determinant_at;
 use crate::standing::{GAP_ROUNDINGS, gap_uncertainty};
 use crate::{Big, Form, Plan, ROUNDOFF, Random, System, Variant, approach, default_mode};
@@ -58,7 +58,7 @@ pub fn edge(system: &System, forms: &[Form], plan: &Plan, geometries: usize, see
     let mut seen = Edge::default();
     let mode = default_mode(system);
     let input = system.reference_input();
-    for _ in 0..geometries * effort() {
+    for _ in 0..tried(geometries) {
         let geometry = (plan.geometry)(&mut random, 4.0);
         for &(changed, factor) in plan.dead_points {
             let Some(last) = approach(system, &geometry, input, changed, factor, 0.0) else {

@@ -43,7 +43,7 @@ pub use answers::{Answers, Components, by_column, concatenate, rows};
 pub use big::{BITS, Big};
 pub use cases::{
     Plan, cycle_cases, dead_point_cases, decade_cases, far_input_cases, nearby_cases,
-    proportion_cases, scale_cases, wide_scale_cases,
+    proportion_cases, scale_cases, tried, wide_scale_cases,
 };
 pub use compare::{Case, Depth, Evaluate, Form, Variant, compare};
 pub use edge::{Edge, edge};

@@ -1,6 +1,7 @@
 //! Error statistics and their limits.
 
 use crate::Limits;
+use crate::cases::wanted;
 use core::fmt;
 use std::collections::BTreeMap;
 
@@ -141,17 +142,17 @@ impl Report {
         of_measure.fold(0.0, |largest, (_, s)| f64::max(largest, s.raw_largest))
     }
 
-    /// The report, if that many positions were compared.
+    /// The report, if that many positions were compared, where all geometries are tried.
     ///
     /// # Panics
     ///
     /// If there were fewer.
     #[must_use]
     pub fn at_least(self, positions: usize) -> Self {
-        let compared = self.positions;
+        let (compared, wanted) = (self.positions, wanted(positions));
         assert!(
-            compared >= positions,
-            "{}: {compared} positions",
+            compared >= wanted,
+            "{}: {compared} positions of {wanted}",
             self.system
         );
         self

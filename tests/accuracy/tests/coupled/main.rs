@@ -10,7 +10,7 @@ mod platforms;
 mod triads;
 mod two_cranks;
 
-use linkage_reference::{Case, Kind, Limits, Random, System, rescaled};
+use linkage_reference::{Case, Kind, Limits, Random, System, rescaled, tried};
 
 const LIMITS: Limits = Limits {
     condition: 10.0,
@@ -27,7 +27,7 @@ fn cases(system: &System, part: f64, geometries: usize, seed: u64) -> Vec<Case> 
     let mut random = Random::new(seed);
     let turn = |k: i32| system.reference_input() + f64::from(k) * std::f64::consts::TAU / 12.0;
     let written = Case::new(system.default_geometry(), (0..12).map(turn).collect());
-    let changed = (0..geometries).map(|_| {
+    let changed = (0..tried(geometries)).map(|_| {
         let near = |x: f64| x * random.between(1.0 - part, 1.0 + part);
         let geometry = system.default_geometry().into_iter().map(near).collect();
         Case::new(
