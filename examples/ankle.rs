@@ -59,8 +59,8 @@ mechanism! {
         param rise   = 10mm;
         param rod    = 230mm;
 
-        input left  = 5deg in -40deg..45deg;
-        input right = 5deg in -40deg..45deg;
+        input left  = 5deg in -36deg..43deg;
+        input right = 5deg in -36deg..43deg;
         unknown pitch = 0deg;
         unknown roll  = 0deg;
         const x = (1, 0, 0);
