@@ -12,6 +12,7 @@ mod independent;
 mod random_axles;
 mod random_hexapods;
 mod reach;
+mod turns;
 mod wishbone_forms;
 
 use hexapod_geometry::{FEET, JOINTS};

@@ -210,6 +210,10 @@ impl<'m> Algebra<'m> {
         let solution = self.solutions.groups[system.group].clone();
         if system.by.is_empty() {
             let mut slope = |algebra: &mut Self, x| algebra.partial(x, variable);
+            let written = solution.rows.get(row).and_then(|own| own.links.as_ref());
+            if let Some(links) = written {
+                return self.slope_of_squares(links, &mut slope);
+            }
             // Those of links are found by themselves.
             let links = self.terms_of_links(system.group);
             let terms = &solution.terms[links..];

@@ -116,24 +116,25 @@ impl<'m> Bodies<'m> {
         others.chain(turns).collect()
     }
 
-    /// What the equations of the bodies miss.
-    fn missed(&self, right: &[Ex<'m>]) -> Vec<Missed<'m>> {
-        let missed = self.all.iter();
-        missed
-            .map(|body| Missed(body.rows.map(|row| right[row])))
-            .collect()
+    /// How the directions change to make up for what the equations of the bodies miss.
+    pub(super) fn shifts(&self, right: &[Ex<'m>]) -> Vec<Shifts<'m>> {
+        let shifts = self.all.iter().map(|body| {
+            let ([p, q, r], [u, w]) = (body.rows.map(|row| right[row]), body.axes);
+            let half = 0.5 * r;
+            [p * u + half * w, q * w + half * u]
+        });
+        shifts.collect()
     }
 
-    /// The unknowns from the freedoms, with what the equations of the bodies miss.
-    fn unknowns(&self, freedoms: &[Ex<'m>], missed: &[Missed<'m>]) -> Vec<Ex<'m>> {
+    /// The unknowns from the freedoms, where directions change by `shifts` besides.
+    pub(super) fn unknowns(&self, freedoms: &[Ex<'m>], shifts: &[Shifts<'m>]) -> Vec<Ex<'m>> {
         let mut all = vec![None; self.columns.len() + 6 * self.all.len()];
         let (others, turns) = freedoms.split_at(self.columns.len());
         for (&column, &own) in self.columns.iter().zip(others) {
             all[column] = Some(own);
         }
         let turns = turns.as_chunks::<3>().0.iter();
-        for ((body, &turn), missed) in self.all.iter().zip(turns).zip(missed) {
-            let shifts = missed.shifts(body);
+        for ((body, &turn), shifts) in self.all.iter().zip(turns).zip(shifts) {
             for (k, columns) in body.columns.iter().enumerate() {
                 let turned = Vector(turn).cross(body.axes[k]) + shifts[k];
                 for (&column, own) in columns.iter().zip(turned.components()) {
@@ -159,16 +160,15 @@ impl<'m> Body<'m> {
     }
 }
 
-/// What the equations of a body miss.
-struct Missed<'m>([Ex<'m>; 3]);
+/// How the directions of a body change besides its turn.
+pub(super) type Shifts<'m> = [V3<'m>; 2];
 
-impl<'m> Missed<'m> {
-    /// How the directions change to make up for it.
-    fn shifts(&self, body: &Body<'m>) -> [V3<'m>; 2] {
-        let ([p, q, r], [u, w]) = (self.0, body.axes);
-        let half = 0.5 * r;
-        [p * u + half * w, q * w + half * u]
-    }
+/// The solution of a system by a scheme.
+pub(crate) struct Solved<'m> {
+    pub(crate) solution: Vec<Ex<'m>>,
+    pub(crate) determinant: Ex<'m>,
+    /// Of the bodies, if these do nothing but turn.
+    pub(super) turns: Option<Vec<V3<'m>>>,
 }
 
 impl<'m> Algebra<'m> {
@@ -178,15 +178,14 @@ impl<'m> Algebra<'m> {
         scheme: &Scheme<'m>,
         matrix: &[Vec<Ex<'m>>],
         right: &[Ex<'m>],
-    ) -> InOrder<'m> {
+    ) -> Solved<'m> {
         let bodies = &scheme.bodies;
-        let missed = bodies.missed(right);
+        let shifts = bodies.shifts(right);
         let known = bodies.rows.iter().map(|&row| {
-            let own = bodies.all.iter().zip(&missed);
-            own.fold(right[row], |left, (body, missed)| {
-                let entries = body.entries(&matrix[row]);
-                let pairs = entries.into_iter().zip(missed.shifts(body));
-                pairs.fold(left, |left, (entries, shift)| left - entries.dot(shift))
+            let own = bodies.all.iter().zip(&shifts);
+            own.fold(right[row], |left, (body, shifts)| {
+                let pairs = body.entries(&matrix[row]).into_iter().zip(shifts);
+                pairs.fold(left, |left, (entries, &shift)| left - entries.dot(shift))
             })
         });
         let known: Vec<Ex> = known.collect();
@@ -194,30 +193,27 @@ impl<'m> Algebra<'m> {
             solution,
             determinant,
         } = self.solve_in_order(&scheme.order, &scheme.freedoms, &known);
-        InOrder {
-            solution: bodies.unknowns(&solution, &missed),
+        let still = shifts.iter().flatten().all(|shift| shift.is_zero());
+        let (_, turns) = solution.split_at(bodies.columns.len());
+        let turns = turns.as_chunks::<3>().0.iter().map(|&turn| Vector(turn));
+        Solved {
+            turns: still.then(|| turns.collect()),
+            solution: bodies.unknowns(&solution, &shifts),
             determinant: bodies.sign * determinant,
         }
     }
 
-    /// Where only what the equations of the bodies miss moves the unknowns, as `right` says it.
-    pub(super) fn shifts_by_scheme(&self, scheme: &Scheme<'m>, right: &[Ex<'m>]) -> Vec<Ex<'m>> {
-        let bodies = &scheme.bodies;
-        let nothing = vec![self.zero(); scheme.freedoms.len()];
-        bodies.unknowns(&nothing, &bodies.missed(right))
-    }
-
-    /// The same system where `left` is what those shifts leave of the right-hand side in the other equations.
+    /// The same system where `left` is what shifts of directions leave of the right-hand side in the other equations.
     pub(super) fn solve_left_by_scheme(
         &self,
         scheme: &Scheme<'m>,
-        right: &[Ex<'m>],
+        shifts: &[Shifts<'m>],
         left: &[Ex<'m>],
     ) -> Vec<Ex<'m>> {
         let bodies = &scheme.bodies;
         let left: Vec<Ex> = bodies.rows.iter().map(|&row| left[row]).collect();
         let freedoms = self.solve_in_order(&scheme.order, &scheme.freedoms, &left);
-        bodies.unknowns(&freedoms.solution, &bodies.missed(right))
+        bodies.unknowns(&freedoms.solution, shifts)
     }
 
     /// Solves the transposed system: one number for each equation.

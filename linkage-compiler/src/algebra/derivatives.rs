@@ -2,7 +2,7 @@
 
 use linkage_symbolic::unordered::Map;
 
-use linkage_symbolic::{DerivativeMemo, NodeId, SymbolId};
+use linkage_symbolic::{DerivativeMemo, NodeId, SymbolId, V3};
 
 use super::adjoint::Adjoints;
 use super::dependence::Dependence;
@@ -16,6 +16,8 @@ pub(super) struct Derivatives<'m> {
     pub(super) memo: DerivativeMemo,
     /// By group and variables.
     pub(super) rates: Map<(usize, Vec<SymbolId>), Rates<'m>>,
+    /// By group and variable: the turns of its bodies.
+    pub(super) turns: Map<(usize, SymbolId), Vec<V3<'m>>>,
     /// Whether known products of links could be used in one of them.
     pub(super) has_products: bool,
     pub(super) partials: Partials,

@@ -64,17 +64,27 @@ impl<'m> Algebra<'m> {
         let core = of_core(self, right);
         let quotients = match &elimination.scheme {
             Some(scheme) if by.len() > 1 && elimination.privates.is_empty() => {
-                // What makes up for what bodies miss is a derivative like others: by the entries of the matrix it takes more.
-                let shifts = self.shifts_by_scheme(scheme, &core);
-                let pairs = elimination.units.iter().zip(&shifts);
+                let turns = self.turns_by_both(group, by);
+                let bodies = &scheme.bodies;
+                let shifts = match &turns {
+                    Some(turns) => self.shifts_by_turns(bodies, group, by[1], &turns[0]),
+                    None => bodies.shifts(&core),
+                };
+                // Where bodies are turned no further is a derivative like others: by the entries of the matrix it takes more.
+                let nothing = vec![self.zero(); scheme.freedoms.len()];
+                let held = bodies.unknowns(&nothing, &shifts);
+                let pairs = elimination.units.iter().zip(&held);
                 let held = pairs.map(|(&unit, &shift)| unit * shift).collect();
-                let left = self.right_of_rows(group, by, held);
+                let left = self.right_of_rows(group, by, held, turns.as_ref());
                 let left = of_core(self, &left);
-                self.solve_left_by_scheme(scheme, &core, &left)
+                self.solve_left_by_scheme(scheme, &shifts, &left)
             }
             Some(scheme) => {
-                self.solve_by_scheme(scheme, &elimination.matrix, &core)
-                    .solution
+                let solved = self.solve_by_scheme(scheme, &elimination.matrix, &core);
+                if let (&[variable], Some(turns)) = (by, solved.turns) {
+                    self.derivatives.turns.insert((group, variable), turns);
+                }
+                solved.solution
             }
             None => self.solve_core(&elimination.matrix, &core, solution.determinant),
         };

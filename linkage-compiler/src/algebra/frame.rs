@@ -104,14 +104,14 @@ impl<'m> Algebra<'m> {
         Value::Vector((about_x + about_y + about_z).into())
     }
 
-    fn frame_parts(&self, frame: &Value<'m>) -> [V3<'m>; 4] {
+    pub(super) fn frame_parts(&self, frame: &Value<'m>) -> [V3<'m>; 4] {
         match frame {
             Value::Array(parts) => [0, 1, 2, 3].map(|part| self.space_vector(&parts[part])),
             other => [self.space_vector(other); 4],
         }
     }
 
-    fn space_vector(&self, value: &Value<'m>) -> V3<'m> {
+    pub(super) fn space_vector(&self, value: &Value<'m>) -> V3<'m> {
         let vector = self.vector(value);
         vector.in_space().unwrap_or_else(|| {
             let number = self.number(value);

@@ -173,13 +173,20 @@ impl<'m> Algebra<'m> {
         let equations = solution.jacobian[0].len();
         if before.is_empty() {
             let mut slope = |algebra: &mut Self, x| algebra.slope(x, last);
-            return (0..equations)
-                .map(|row| self.sum_of_slopes(&solution.terms, row, |a, b| a - b, &mut slope))
+            let mut of_links = self.right_of_links(group, last);
+            of_links.resize(equations, None);
+            return of_links
+                .into_iter()
+                .enumerate()
+                .map(|(row, own)| match own {
+                    Some(own) => own,
+                    None => self.sum_of_slopes(&solution.terms, row, |a, b| a - b, &mut slope),
+                })
                 .collect();
         }
         if !solution.rows.is_empty() {
             let nothing = vec![self.zero(); solution.jacobian.len()];
-            return self.right_of_rows(group, by, nothing);
+            return self.right_of_rows(group, by, nothing, None);
         }
         let lower = self.rates(group, before.to_vec());
         (0..equations)

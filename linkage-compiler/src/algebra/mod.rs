@@ -30,6 +30,7 @@ mod rows;
 mod scalar;
 mod solutions;
 mod translate;
+mod turns;
 mod written;
 
 use linkage_symbolic::program::Source;
@@ -52,6 +53,7 @@ pub(crate) use names::{Angle, Bound, Names, StandsFor};
 pub(crate) use nominal::Nominal;
 pub(crate) use other_side::OtherSide;
 pub(crate) use pivots::{InOrder, Order};
+pub(crate) use rows::{Links, OnBody, Written};
 pub(crate) use scalar::{Atom, Scalar};
 pub(crate) use solutions::{AngleRule, Rule, Solution, Solutions, Term, Turning};
 pub(crate) use translate::{Translate, Value};

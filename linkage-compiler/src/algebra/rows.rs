@@ -3,38 +3,157 @@
 //! With some values in place of those derivatives of a group's unknowns, what remains of a loop's derivative is what the linear system must make up
 //! for. It says the same as the columns differentiated term by term, but a link is differentiated as the square of its vector, `V.V'' + V'.V'`, where
 //! columns of directions have four factors in a term.
+//!
+//! A body that turns by `s` and by `t` moves an arm `r` by `t x r`, and that by `s x (t x r)`, if it turns no further. So the second derivative of
+//! half of the square of a link that ends on it contains `V.(s x (t x r)) = (V.t)(s.r) - (V.r)(s.t)`: five scalar products, most of which several
+//! variables share.
 
 use std::mem;
 
-use linkage_symbolic::{Ex, SymbolId};
+use linkage_symbolic::{Ex, SymbolId, V3};
 
 use super::Algebra;
 use super::implicit::{Implicit, Rates};
+use super::turns::Turns;
+
+/// An equation as it was written.
+#[derive(Clone, Debug)]
+pub(crate) struct Written<'m> {
+    pub(crate) row: Ex<'m>,
+    /// If it says how long a link is, or by how much its square differs from that of another one, that ends on a body.
+    pub(crate) links: Option<Links<'m>>,
+}
+
+/// Half of the square of the first vector, less that of others, over a length.
+#[derive(Clone, Debug)]
+pub(crate) struct Links<'m> {
+    pub(crate) first: OnBody<'m>,
+    pub(crate) less: Option<OnBody<'m>>,
+    pub(crate) length: Ex<'m>,
+    /// The length of the link whose square is subtracted.
+    pub(crate) lessened: Option<Ex<'m>>,
+}
+
+/// The vector of a link that ends on a body.
+#[derive(Clone, Debug)]
+pub(crate) struct OnBody<'m> {
+    pub(crate) vector: V3<'m>,
+    /// The body, and what it carries of the vector.
+    pub(crate) body: usize,
+    pub(crate) arm: V3<'m>,
+    pub(crate) rest: V3<'m>,
+    /// What the arm is made of besides the body's directions.
+    pub(crate) dimensions: Vec<SymbolId>,
+}
 
 impl<'m> Algebra<'m> {
-    /// What the derivatives by these variables leave of the right-hand side where those of the unknowns are `held`.
+    /// What the derivatives by these variables leave of the right-hand side where those of the unknowns are `held`: bodies turn by `turns`, if that is
+    /// known, and no further.
     pub(super) fn right_of_rows(
         &mut self,
         group: usize,
         by: &[SymbolId],
         held: Vec<Ex<'m>>,
+        turns: Option<&Turns<'m>>,
     ) -> Vec<Ex<'m>> {
-        let key = (group, by.to_vec());
-        let rows = self.solutions.groups[group].rows.clone();
-        let held = Rates {
+        self.with_rates((group, by.to_vec()), held, |algebra, own| {
+            let by_turns = own.links.zip(turns);
+            let by_turns = by_turns.and_then(|(links, turns)| algebra.of_links(&links, by, turns));
+            let slope = by_turns.unwrap_or_else(|| {
+                by.iter()
+                    .fold(own.row, |x, &variable| algebra.slope(x, variable))
+            });
+            -slope
+        })
+    }
+
+    /// The right-hand sides of the first derivatives by a variable, of equations about links: no term but those that it changes.
+    pub(super) fn right_of_links(
+        &mut self,
+        group: usize,
+        variable: SymbolId,
+    ) -> Vec<Option<Ex<'m>>> {
+        let nothing = vec![self.zero(); self.solutions.groups[group].jacobian.len()];
+        self.with_rates((group, vec![variable]), nothing, |algebra, own| {
+            let links = own.links?;
+            Some(-algebra.slope_of_squares(&links, &mut |algebra, x| algebra.slope(x, variable)))
+        })
+    }
+
+    /// The first derivative of an equation about links, where it holds, by what `slope` finds: no term but those that change.
+    pub(super) fn slope_of_squares(
+        &mut self,
+        links: &Links<'m>,
+        slope: &mut dyn FnMut(&mut Self, Ex<'m>) -> Ex<'m>,
+    ) -> Ex<'m> {
+        let mut of = |vector: V3<'m>, length: Ex<'m>| {
+            let moved = vector.dot(vector.map(|x| slope(self, x)));
+            moved - length * slope(self, length)
+        };
+        let first = of(links.first.vector, links.length);
+        let less = links.less.as_ref().zip(links.lessened);
+        let less = less.map(|(less, length)| of(less.vector, length));
+        less.map_or(first, |less| first - less) / links.length
+    }
+
+    /// Something of each equation of a group where some of its derivatives are given.
+    fn with_rates<R>(
+        &mut self,
+        key: (usize, Vec<SymbolId>),
+        rates: Vec<Ex<'m>>,
+        mut of: impl FnMut(&mut Self, Written<'m>) -> R,
+    ) -> Vec<R> {
+        let rows = self.solutions.groups[key.0].rows.clone();
+        let rates = Rates {
             right: Vec::new(),
-            rates: held,
+            rates,
         };
         // What is made of them must not be found again.
         let memo = mem::take(&mut self.derivatives.memo);
-        self.derivatives.rates.insert(key.clone(), held);
-        let right = rows.into_iter().map(|row| {
-            let slope = by.iter().fold(row, |x, &variable| self.slope(x, variable));
-            -slope
-        });
-        let right = right.collect();
+        self.derivatives.rates.insert(key.clone(), rates);
+        let all = rows.into_iter().map(|own| of(self, own)).collect();
         self.derivatives.rates.remove(&key);
         self.derivatives.memo = memo;
-        right
+        all
+    }
+
+    /// The second derivative, if lengths and arms are not changed by the variables.
+    fn of_links(
+        &mut self,
+        links: &Links<'m>,
+        by: &[SymbolId],
+        turns: &Turns<'m>,
+    ) -> Option<Ex<'m>> {
+        let &[x, y] = by else {
+            return None;
+        };
+        let graph = self.graph;
+        let arms = [Some(&links.first), links.less.as_ref()];
+        let dimensions = arms.into_iter().flatten().flat_map(|own| &own.dimensions);
+        let dimensions = dimensions.map(|&symbol| graph.ex(graph.symbol_node(symbol)));
+        let given: Vec<Ex> = dimensions
+            .chain([links.length])
+            .chain(links.lessened)
+            .collect();
+        let mut is_fixed = |own: Ex<'m>| [x, y].iter().all(|&v| self.slope(own, v).is_zero());
+        if !given.into_iter().all(&mut is_fixed) {
+            return None;
+        }
+        let mut bend = self.bend(&links.first, [x, y], turns);
+        if let Some(less) = &links.less {
+            bend -= self.bend(less, [x, y], turns);
+        }
+        Some(bend / links.length)
+    }
+
+    /// The second derivative of half of the square of a vector.
+    fn bend(&mut self, own: &OnBody<'m>, by: [SymbolId; 2], turns: &Turns<'m>) -> Ex<'m> {
+        let (vector, arm) = (own.vector, own.arm);
+        let [s, t] = [0, 1].map(|k| turns[k][own.body]);
+        let [first, second] = by.map(|variable| own.rest.map(|c| self.slope(c, variable)));
+        let both = first.map(|c| self.slope(c, by[1]));
+        let (first, second) = (first + s.cross(arm), second + t.cross(arm));
+        let turned = vector.dot(t) * s.dot(arm) - vector.dot(arm) * s.dot(t);
+        first.dot(second) + vector.dot(both) + turned
     }
 }

@@ -7,7 +7,7 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2};
 
 use super::partial::Solved;
-use super::{Carrier, Elimination, Link, OtherSide, Rod};
+use super::{Carrier, Elimination, Link, OtherSide, Rod, Written};
 
 /// How a symbol that lives by its definition is differentiated.
 #[derive(Clone, Debug)]
@@ -106,7 +106,7 @@ pub(crate) struct Term<'m> {
 pub(crate) struct Solution<'m> {
     pub(crate) terms: Vec<Term<'m>>,
     /// The equations as they were written, for groups of which second derivatives are found from these; no rows for others.
-    pub(crate) rows: Vec<Ex<'m>>,
+    pub(crate) rows: Vec<Written<'m>>,
     /// Columns: the derivatives of the equations by each unknown.
     pub(crate) jacobian: Vec<Vec<Ex<'m>>>,
     pub(crate) determinant: Ex<'m>,

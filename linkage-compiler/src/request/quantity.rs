@@ -232,7 +232,10 @@ impl<'m> Request<'_, 'm> {
     fn turning(&mut self, frame: &Value<'m>, order: u8) -> Value<'m> {
         self.by_each_input(|request, input| {
             let slope = request.derivative(frame, Variable::Input(input));
-            let turning = request.algebra.turning_of_frame(frame, &slope);
+            let algebra = &mut request.algebra;
+            let turning = algebra.turning_of_frame(frame, &slope);
+            let variable = algebra.variable(Variable::Input(input));
+            let turning = algebra.as_turn_of_body(frame, variable, turning);
             request.by_inputs(&turning, order - 1)
         })
     }

@@ -2,11 +2,12 @@
 
 use linkage_symbolic::{Ex, V2};
 
-use crate::algebra::{Elimination, PrivateColumn, Solution, Term};
+use crate::algebra::{Body, Elimination, Links, PrivateColumn, Solution, Term, Written};
 use crate::formulate::Solver;
-use crate::structure::{Block, Private};
+use crate::structure::{Block, Link, Private};
 
 use super::equations::{Equations, Place};
+use super::turns::on_body;
 
 impl<'m> Solver<'_, 'm> {
     /// Defines the private unknowns and records what differentiation needs.
@@ -47,9 +48,13 @@ impl<'m> Solver<'_, 'm> {
         };
         self.push_solution(Solution {
             terms,
-            rows: match form.is_large() {
-                true => form.blocks.iter().flat_map(written).collect(),
-                false => Vec::new(),
+            rows: match &equations.large {
+                Some(large) => {
+                    let bodies = &large.scheme.bodies.all;
+                    let blocks = form.blocks.iter();
+                    blocks.flat_map(|block| written(block, bodies)).collect()
+                }
+                None => Vec::new(),
             },
             jacobian,
             determinant,
@@ -100,14 +105,38 @@ impl<'m> Solver<'_, 'm> {
 }
 
 /// The rows of a loop. The difference of two links is that of their squares: as products its derivatives have more terms.
-fn written<'m>(block: &Block<'m>) -> Vec<Ex<'m>> {
-    let link = block.distance.as_ref();
-    let Some((link, less)) = link.and_then(|own| Some((own, own.less.as_ref()?))) else {
-        return block.rows.clone();
+fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
+    let row = |&row: &Ex<'m>| Written { row, links: None };
+    let (Some(link), [own]) = (&block.distance, &block.rows[..]) else {
+        return block.rows.iter().map(row).collect();
     };
-    let apart = link.vector.square() - less.vector.square();
-    let wanted = link.length.difference_of_squares(less.length);
-    vec![0.5 * ((apart - wanted) / link.length)]
+    let less = link.less.as_ref();
+    let row = match less {
+        Some(less) => {
+            let apart = link.vector.square() - less.vector.square();
+            let wanted = link.length.difference_of_squares(less.length);
+            0.5 * ((apart - wanted) / link.length)
+        }
+        None => *own,
+    };
+    vec![Written {
+        row,
+        links: links(link, bodies),
+    }]
+}
+
+/// A link that ends on a body, and the one whose square is subtracted.
+fn links<'m>(link: &Link<'m>, bodies: &[Body<'m>]) -> Option<Links<'m>> {
+    let less = match &link.less {
+        Some(less) => Some(on_body(less.vector, bodies)?),
+        None => None,
+    };
+    Some(Links {
+        first: on_body(link.vector, bodies)?,
+        less,
+        length: link.length,
+        lessened: link.less.as_ref().map(|less| less.length),
+    })
 }
 
 fn square_of_guide(guide: V2) -> Ex {

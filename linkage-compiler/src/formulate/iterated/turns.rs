@@ -4,9 +4,9 @@
 //! the same the other way round, for each turn; a link's `V . V/2` by `arm x V`. The nine components of directions would say the same with several
 //! times the operations. What a row was written as proposes, and the values of its derivatives decide.
 
-use linkage_symbolic::{Ex, Node, V3, Vector, agree, substitute};
+use linkage_symbolic::{Ex, Node, SymbolId, V3, Vector, agree, substitute};
 
-use crate::algebra::{Bodies, Body};
+use crate::algebra::{Bodies, Body, OnBody};
 use crate::formulate::Solver;
 use crate::structure::Block;
 
@@ -81,21 +81,70 @@ pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
         .all(|(&own, any)| agree(own, any))
 }
 
-fn parts<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<Parts<'m>> {
+/// A vector of which one of the bodies carries a part.
+pub(super) fn on_body<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<OnBody<'m>> {
+    let graph = vector[0].graph();
+    let parts = bodies.iter().map(|body| parts(body, vector));
+    let mut carried = parts.enumerate().filter_map(|(body, parts)| {
+        let Parts { carried, rest } = parts?;
+        (!carried.is_zero()).then_some((body, carried, rest))
+    });
+    let (body, arm, rest) = carried.next()?;
+    let directions = symbols(&bodies[body]);
+    let mut dimensions = graph.symbols_of(&arm.0.map(|x| x.id()));
+    dimensions.retain(|symbol| !directions.contains(symbol));
+    Some(OnBody {
+        vector,
+        body,
+        arm,
+        rest,
+        dimensions,
+    })
+}
+
+/// The components of a body's directions.
+fn symbols(body: &Body) -> Vec<SymbolId> {
     let axes = body.axes.iter().flat_map(|axis| axis.0);
     let symbols = axes.filter_map(|x| match x.node() {
         Node::Symbol(symbol) => Some(symbol),
         _ => None,
     });
-    let nothing = symbols
-        .map(|symbol| (symbol, vector[0].number(0.0)))
-        .collect();
-    let [x, y, z] = substitute(&vector.0, &nothing)[..] else {
-        return None;
+    symbols.collect()
+}
+
+fn parts<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<Parts<'m>> {
+    let graph = vector[0].graph();
+    let without = |vector: V3<'m>, symbols: &[SymbolId]| {
+        let zero = vector[0].number(0.0);
+        let nothing = symbols.iter().map(|&symbol| (symbol, zero)).collect();
+        let all = substitute(&vector.0, &nothing).try_into();
+        all.ok().map(Vector)
     };
-    let rest = Vector([x, y, z]);
+    let directions = symbols(body);
+    let rest: V3 = without(vector, &directions)?;
+    let difference = vector - rest;
+    // What the difference does not depend on is not seen to cancel out, but may be anything.
+    let mut carried = difference;
+    for symbol in graph.symbols_of(&rest.0.map(|x| x.id())) {
+        let other = without(carried, &[symbol])?;
+        if same(other, carried) {
+            carried = other;
+        }
+    }
+    let count = |own: V3<'m>| {
+        graph
+            .reachable(
+                &[vector.0, own.0]
+                    .concat()
+                    .iter()
+                    .map(|x| x.id())
+                    .collect::<Vec<_>>(),
+            )
+            .len()
+    };
+    let is_shorter = count(carried) <= count(difference);
     Some(Parts {
-        carried: vector - rest,
+        carried: if is_shorter { carried } else { difference },
         rest,
     })
 }
