@@ -34,6 +34,12 @@ impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
     #[must_use]
     #[inline(always)]
     pub fn at<T: Scalar, const FUSED: bool>(&self, x: [T; I]) -> ([T; S], T) {
+        // A state that is in memory once is computed in vectors: where its numbers go apart at once, they are computed one by one.
+        black_box(self.look_up::<T, FUSED>(x))
+    }
+
+    #[inline(always)]
+    fn look_up<T: Scalar, const FUSED: bool>(&self, x: [T; I]) -> ([T; S], T) {
         if T::LANES == 1 {
             return constants(self.first.at_with::<FUSED>(x.map(|x| x.lane(0))));
         }
@@ -65,7 +71,7 @@ impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
             for (input, column) in inputs.iter_mut().zip(x) {
                 *input = column[lane];
             }
-            put(self.at::<T, FUSED>(inputs), lane, columns);
+            put(black_box(self.look_up::<T, FUSED>(inputs)), lane, columns);
         }
     }
 }
