@@ -46,7 +46,7 @@ impl<'m> Algebra<'m> {
             Unit => {
                 let v = vector(0);
                 match v.in_space() {
-                    Some(v) => in_space(v.unit()),
+                    Some(v) => in_space(self.unit_in_space(v)),
                     None => in_plane(plane(v).length_and_unit().1),
                 }
             }

@@ -1,6 +1,6 @@
 //! Frames in space: axes from two directions, points and coordinates in them.
 
-use linkage_symbolic::{Ex, V2, V3, Vector, Vn, agree_within};
+use linkage_symbolic::{Ex, Node, V2, V3, Vector, Vn, agree, agree_within, substitute};
 
 use super::{Algebra, Value};
 
@@ -33,6 +33,41 @@ impl<'m> Algebra<'m> {
         z.mark_unit();
         let parts = [origin, x, y, z].map(|part| Value::Vector(part.into()));
         Value::Array(parts.to_vec())
+    }
+
+    /// The direction of a vector. What an unknown frame carries is as long as its coordinates there are, which the derivatives of its length do not
+    /// know.
+    pub(super) fn unit_in_space(&self, v: V3<'m>) -> V3<'m> {
+        let Some(own) = self.coordinates_on_body(v) else {
+            return v.unit();
+        };
+        let length = Vn::from(own).length();
+        let unit = v.map(|x| x / length);
+        unit.mark_unit();
+        unit
+    }
+
+    /// The coordinates of a vector that one of the unknown frames carries as it is.
+    fn coordinates_on_body(&self, v: V3<'m>) -> Option<V3<'m>> {
+        let bodies = self.mechanism.bodies_of_space().into_iter();
+        let mut own = bodies.filter_map(|(_, parts)| {
+            let axes = [parts[1], parts[2]].map(|axis| self.names.numbers_of(axis));
+            let seen = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+            let pairs = axes.iter().flatten().zip(seen.concat());
+            let symbols = pairs.filter_map(|(axis, seen)| match axis.node() {
+                Node::Symbol(symbol) => Some((symbol, self.graph.number(seen))),
+                _ => None,
+            });
+            let own = substitute(&v.0, &symbols.collect());
+            let own: V3 = Vector(own.try_into().ok()?);
+            let [x, z] = axes.map(|axis| axis.try_into().ok().map(Vector));
+            let [x, z]: [V3; 2] = [x?, z?];
+            let shown = own[0] * x + own[1] * z.cross(x) + own[2] * z;
+            let mut pairs = shown.0.into_iter().zip(v.0);
+            let is_carried = own.is_fixed() && pairs.all(|(shown, own)| agree(shown, own));
+            is_carried.then_some(own)
+        });
+        own.next()
     }
 
     /// Origin and axes of an unknown frame, of which its own loops say that they are perpendicular and of length 1.
