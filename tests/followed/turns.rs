@@ -36,6 +36,30 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// The first rod ends beside the body, in the direction across its own x axis and an axis that is fixed: no body carries that as it is.
+    pub struct Offset {
+        unit mm;
+        input travel = 0mm in -20mm..20mm;
+        unknown carrier = frame((0mm, 760mm, 320mm), (1, 0, 0), (0, 0, 1));
+        loop distance(point_in(carrier, (15mm, -70mm, 135mm)) + 40mm * cross(carrier.x, (0, 0, 1)), (110mm, 420mm, 430mm)) = 250mm;
+        loop distance(point_in(carrier, (-30mm, -75mm, 140mm)), (-85mm, 435mm, 440mm)) = 256.75864152935534645mm;
+        loop distance(point_in(carrier, (40mm, -60mm, -105mm)), (265mm, 480mm, 265mm)) = 318.62987932709637832mm;
+        loop distance(point_in(carrier, (-25mm, -55mm, -120mm)), (-60mm, 255mm, 215mm)) = 451.60823730308551581mm;
+        loop distance(point_in(carrier, (-150mm, -70mm, -58mm)), (-190mm, 316mm, 258mm)) = 376.15422369023054744mm;
+        loop carrier.origin.z = 320mm + travel;
+    }
+
+    impl Offset {
+        pub fn body(travel) -> OffsetBody { p: carrier.origin, x: carrier.x, y: carrier.y }
+        pub fn first(travel) -> OffsetFirst { p: velocity(carrier.origin), x: velocity(carrier.x), y: velocity(carrier.y), w: omega(carrier) }
+        pub fn second(travel) -> OffsetSecond {
+            p: acceleration(carrier.origin), x: acceleration(carrier.x), y: acceleration(carrier.y), a: alpha(carrier),
+        }
+        pub fn third(travel) -> OffsetThird { p: jerk(carrier.origin), x: jerk(carrier.x), y: jerk(carrier.y) }
+    }
+}
+
 /// Steps of inputs and dimensions, in mm.
 const STEP: f64 = 1e-2;
 
@@ -100,5 +124,29 @@ fn sensitivities_are_those_of_other_dimensions() {
                 near(found.x[index][k], a.x[k], b.x[k], 1e-4);
             }
         }
+    }
+}
+
+#[test]
+fn what_no_body_carries_turns_otherwise() {
+    let axle = Offset::default().assemble().expect("it assembles");
+    for travel in [0.0, 13.0, -17.5] {
+        let ends = [travel + STEP, travel - STEP];
+        let first = axle.first(travel);
+        let [after, before] = ends.map(|travel| axle.body(travel));
+        near(first.p, after.p, before.p, 1.0);
+        near(first.x, after.x, before.x, 1e-2);
+        near(first.y, after.y, before.y, 1e-2);
+        let second = axle.second(travel);
+        let [after, before] = ends.map(|travel| axle.first(travel));
+        near(second.p, after.p, before.p, 1e-2);
+        near(second.x, after.x, before.x, 1e-4);
+        near(second.y, after.y, before.y, 1e-4);
+        near(second.a, after.w, before.w, 1e-4);
+        let third = axle.third(travel);
+        let [after, before] = ends.map(|travel| axle.second(travel));
+        near(third.p, after.p, before.p, 1e-4);
+        near(third.x, after.x, before.x, 1e-6);
+        near(third.y, after.y, before.y, 1e-6);
     }
 }

@@ -164,7 +164,7 @@ impl<'m> Body<'m> {
 pub(super) type Shifts<'m> = [V3<'m>; 2];
 
 /// The solution of a system by a scheme.
-pub(crate) struct Solved<'m> {
+pub(crate) struct SolvedByScheme<'m> {
     pub(crate) solution: Vec<Ex<'m>>,
     pub(crate) determinant: Ex<'m>,
     /// Of the bodies, if these do nothing but turn.
@@ -178,7 +178,7 @@ impl<'m> Algebra<'m> {
         scheme: &Scheme<'m>,
         matrix: &[Vec<Ex<'m>>],
         right: &[Ex<'m>],
-    ) -> Solved<'m> {
+    ) -> SolvedByScheme<'m> {
         let bodies = &scheme.bodies;
         let shifts = bodies.shifts(right);
         let known = bodies.rows.iter().map(|&row| {
@@ -196,7 +196,7 @@ impl<'m> Algebra<'m> {
         let still = shifts.iter().flatten().all(|shift| shift.is_zero());
         let (_, turns) = solution.split_at(bodies.columns.len());
         let turns = turns.as_chunks::<3>().0.iter().map(|&turn| Vector(turn));
-        Solved {
+        SolvedByScheme {
             turns: still.then(|| turns.collect()),
             solution: bodies.unknowns(&solution, &shifts),
             determinant: bodies.sign * determinant,

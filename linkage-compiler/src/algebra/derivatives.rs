@@ -2,7 +2,7 @@
 
 use linkage_symbolic::unordered::Map;
 
-use linkage_symbolic::{DerivativeMemo, NodeId, SymbolId, V3};
+use linkage_symbolic::{DerivativeMemo, Ex, NodeId, SymbolId, V3};
 
 use super::adjoint::Adjoints;
 use super::dependence::Dependence;
@@ -18,6 +18,8 @@ pub(super) struct Derivatives<'m> {
     pub(super) rates: Map<(usize, Vec<SymbolId>), Rates<'m>>,
     /// By group and variable: the turns of its bodies.
     pub(super) turns: Map<(usize, SymbolId), Vec<V3<'m>>>,
+    /// The symbols that stand for components of turns.
+    pub(super) turns_as_symbols: Map<NodeId, Ex<'m>>,
     /// Whether known products of links could be used in one of them.
     pub(super) has_products: bool,
     pub(super) partials: Partials,

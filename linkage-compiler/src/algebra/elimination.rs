@@ -67,10 +67,10 @@ impl<'m> Algebra<'m> {
                 let turns = self.turns_by_both(group, by);
                 let bodies = &scheme.bodies;
                 let shifts = match &turns {
-                    Some(turns) => self.shifts_by_turns(bodies, group, by[1], &turns[0]),
+                    Some(turns) => self.shifts_by_turns(bodies, group, turns),
                     None => bodies.shifts(&core),
                 };
-                // Where bodies are turned no further is a derivative like others: by the entries of the matrix it takes more.
+                // What that leaves in the other equations is a derivative like others: by the entries of the matrix it takes more.
                 let nothing = vec![self.zero(); scheme.freedoms.len()];
                 let held = bodies.unknowns(&nothing, &shifts);
                 let pairs = elimination.units.iter().zip(&held);

@@ -1,8 +1,8 @@
 //! Frames in space: axes from two directions, points and coordinates in them.
 
-use linkage_symbolic::{Ex, Node, V2, V3, Vector, Vn, agree, agree_within, substitute};
+use linkage_symbolic::{Ex, V2, V3, Vector, Vn, agree_within};
 
-use super::{Algebra, Value};
+use super::{Algebra, Value, coordinates};
 
 /// What rounding may leave of a product that is zero.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -47,25 +47,16 @@ impl<'m> Algebra<'m> {
         unit
     }
 
-    /// The coordinates of a vector that one of the unknown frames carries as it is.
+    /// The coordinates of a vector that one of the unknown frames carries as it is, if they are dimensions.
     fn coordinates_on_body(&self, v: V3<'m>) -> Option<V3<'m>> {
         let bodies = self.mechanism.bodies_of_space().into_iter();
         let mut own = bodies.filter_map(|(_, parts)| {
-            let axes = [parts[1], parts[2]].map(|axis| self.names.numbers_of(axis));
-            let seen = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
-            let pairs = axes.iter().flatten().zip(seen.concat());
-            let symbols = pairs.filter_map(|(axis, seen)| match axis.node() {
-                Node::Symbol(symbol) => Some((symbol, self.graph.number(seen))),
-                _ => None,
-            });
-            let own = substitute(&v.0, &symbols.collect());
-            let own: V3 = Vector(own.try_into().ok()?);
-            let [x, z] = axes.map(|axis| axis.try_into().ok().map(Vector));
-            let [x, z]: [V3; 2] = [x?, z?];
-            let shown = own[0] * x + own[1] * z.cross(x) + own[2] * z;
-            let mut pairs = shown.0.into_iter().zip(v.0);
-            let is_carried = own.is_fixed() && pairs.all(|(shown, own)| agree(shown, own));
-            is_carried.then_some(own)
+            let axes = [parts[1], parts[2]].map(|axis| self.names.numbers_of(axis).try_into());
+            let [Ok(first), Ok(second)] = axes else {
+                return None;
+            };
+            let own = coordinates(v, [first, second].map(Vector))?;
+            own.is_fixed().then_some(own)
         });
         own.next()
     }

@@ -1,4 +1,4 @@
-//! Right-hand sides of second and further derivatives from the loops as they were written.
+//! Right-hand sides of derivatives from the loops as they were written.
 //!
 //! With some values in place of those derivatives of a group's unknowns, what remains of a loop's derivative is what the linear system must make up
 //! for. It says the same as the columns differentiated term by term, but a link is differentiated as the square of its vector, `V.V'' + V'.V'`, where
@@ -20,29 +20,32 @@ use super::turns::Turns;
 #[derive(Clone, Debug)]
 pub(crate) struct Written<'m> {
     pub(crate) row: Ex<'m>,
-    /// If it says how long a link is, or by how much its square differs from that of another one, that ends on a body.
+    /// If it says how long a link is, or by how much its square differs from that of another one.
     pub(crate) links: Option<Links<'m>>,
 }
 
-/// Half of the square of the first vector, less that of others, over a length.
+/// Half of what the first square of a distance is off by, less the same of another one, over the first length.
 #[derive(Clone, Debug)]
 pub(crate) struct Links<'m> {
-    pub(crate) first: OnBody<'m>,
-    pub(crate) less: Option<OnBody<'m>>,
-    pub(crate) length: Ex<'m>,
-    /// The length of the link whose square is subtracted.
-    pub(crate) lessened: Option<Ex<'m>>,
+    pub(crate) first: Distance<'m>,
+    pub(crate) less: Option<Distance<'m>>,
 }
 
-/// The vector of a link that ends on a body.
+/// A vector and the length that it should have.
 #[derive(Clone, Debug)]
-pub(crate) struct OnBody<'m> {
+pub(crate) struct Distance<'m> {
     pub(crate) vector: V3<'m>,
-    /// The body, and what it carries of the vector.
+    pub(crate) length: Ex<'m>,
+    pub(crate) carried: Option<Carried<'m>>,
+}
+
+/// What a body carries of a vector as it is.
+#[derive(Clone, Debug)]
+pub(crate) struct Carried<'m> {
     pub(crate) body: usize,
     pub(crate) arm: V3<'m>,
     pub(crate) rest: V3<'m>,
-    /// What the arm is made of besides the body's directions.
+    /// What the coordinates of the arm are made of.
     pub(crate) dimensions: Vec<SymbolId>,
 }
 
@@ -58,7 +61,7 @@ impl<'m> Algebra<'m> {
     ) -> Vec<Ex<'m>> {
         self.with_rates((group, by.to_vec()), held, |algebra, own| {
             let by_turns = own.links.zip(turns);
-            let by_turns = by_turns.and_then(|(links, turns)| algebra.of_links(&links, by, turns));
+            let by_turns = by_turns.and_then(|(links, turns)| algebra.of_links(&links, turns));
             let slope = by_turns.unwrap_or_else(|| {
                 by.iter()
                     .fold(own.row, |x, &variable| algebra.slope(x, variable))
@@ -67,7 +70,7 @@ impl<'m> Algebra<'m> {
         })
     }
 
-    /// The right-hand sides of the first derivatives by a variable, of equations about links: no term but those that it changes.
+    /// The right-hand sides of the first derivatives by a variable, of equations about links.
     pub(super) fn right_of_links(
         &mut self,
         group: usize,
@@ -80,20 +83,20 @@ impl<'m> Algebra<'m> {
         })
     }
 
-    /// The first derivative of an equation about links, where it holds, by what `slope` finds: no term but those that change.
+    /// The first derivative of an equation about links, by what `slope` finds: `(V.V' - l l')/l`. As a polynomial it has a multiple of the equation
+    /// itself besides, in all of its terms. Where loops close both are equal, so derivatives along solutions are, too.
     pub(super) fn slope_of_squares(
         &mut self,
         links: &Links<'m>,
         slope: &mut dyn FnMut(&mut Self, Ex<'m>) -> Ex<'m>,
     ) -> Ex<'m> {
-        let mut of = |vector: V3<'m>, length: Ex<'m>| {
-            let moved = vector.dot(vector.map(|x| slope(self, x)));
-            moved - length * slope(self, length)
+        let mut of = |own: &Distance<'m>| {
+            let moved = own.vector.dot(own.vector.map(|x| slope(self, x)));
+            moved - own.length * slope(self, own.length)
         };
-        let first = of(links.first.vector, links.length);
-        let less = links.less.as_ref().zip(links.lessened);
-        let less = less.map(|(less, length)| of(less.vector, length));
-        less.map_or(first, |less| first - less) / links.length
+        let first = of(&links.first);
+        let less = links.less.as_ref().map(of);
+        less.map_or(first, |less| first - less) / links.first.length
     }
 
     /// Something of each equation of a group where some of its derivatives are given.
@@ -118,42 +121,41 @@ impl<'m> Algebra<'m> {
     }
 
     /// The second derivative, if lengths and arms are not changed by the variables.
-    fn of_links(
-        &mut self,
-        links: &Links<'m>,
-        by: &[SymbolId],
-        turns: &Turns<'m>,
-    ) -> Option<Ex<'m>> {
-        let &[x, y] = by else {
-            return None;
-        };
+    fn of_links(&mut self, links: &Links<'m>, turns: &Turns<'m>) -> Option<Ex<'m>> {
         let graph = self.graph;
-        let arms = [Some(&links.first), links.less.as_ref()];
-        let dimensions = arms.into_iter().flatten().flat_map(|own| &own.dimensions);
-        let dimensions = dimensions.map(|&symbol| graph.ex(graph.symbol_node(symbol)));
-        let given: Vec<Ex> = dimensions
-            .chain([links.length])
-            .chain(links.lessened)
-            .collect();
-        let mut is_fixed = |own: Ex<'m>| [x, y].iter().all(|&v| self.slope(own, v).is_zero());
+        let both = [Some(&links.first), links.less.as_ref()];
+        let given = both.into_iter().flatten().flat_map(|own| {
+            let dimensions = own.carried.iter().flat_map(|own| &own.dimensions);
+            let dimensions = dimensions.map(|&symbol| graph.ex(graph.symbol_node(symbol)));
+            dimensions.chain([own.length])
+        });
+        let given: Vec<Ex> = given.collect();
+        let mut is_fixed = |own: Ex<'m>| turns.by.iter().all(|&v| self.slope(own, v).is_zero());
         if !given.into_iter().all(&mut is_fixed) {
             return None;
         }
-        let mut bend = self.bend(&links.first, [x, y], turns);
+        let mut bend = self.bend(&links.first, turns);
         if let Some(less) = &links.less {
-            bend -= self.bend(less, [x, y], turns);
+            bend -= self.bend(less, turns);
         }
-        Some(bend / links.length)
+        Some(bend / links.first.length)
     }
 
     /// The second derivative of half of the square of a vector.
-    fn bend(&mut self, own: &OnBody<'m>, by: [SymbolId; 2], turns: &Turns<'m>) -> Ex<'m> {
-        let (vector, arm) = (own.vector, own.arm);
-        let [s, t] = [0, 1].map(|k| turns[k][own.body]);
-        let [first, second] = by.map(|variable| own.rest.map(|c| self.slope(c, variable)));
-        let both = first.map(|c| self.slope(c, by[1]));
-        let (first, second) = (first + s.cross(arm), second + t.cross(arm));
-        let turned = vector.dot(t) * s.dot(arm) - vector.dot(arm) * s.dot(t);
-        first.dot(second) + vector.dot(both) + turned
+    fn bend(&mut self, own: &Distance<'m>, turns: &Turns<'m>) -> Ex<'m> {
+        let vector = own.vector;
+        let rest = own.carried.as_ref().map_or(vector, |carried| carried.rest);
+        let [mut first, mut second] = turns
+            .by
+            .map(|variable| rest.map(|c| self.slope(c, variable)));
+        let mut bend = vector.dot(first.map(|c| self.slope(c, turns.by[1])));
+        if let Some(carried) = &own.carried {
+            let arm = carried.arm;
+            let [s, t] = [0, 1].map(|k| turns.of_bodies[k][carried.body]);
+            first = first + s.cross(arm);
+            second = second + t.cross(arm);
+            bend += vector.dot(t) * s.dot(arm) - vector.dot(arm) * s.dot(t);
+        }
+        bend + first.dot(second)
     }
 }

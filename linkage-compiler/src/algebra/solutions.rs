@@ -105,7 +105,7 @@ pub(crate) struct Term<'m> {
 #[derive(Clone, Debug)]
 pub(crate) struct Solution<'m> {
     pub(crate) terms: Vec<Term<'m>>,
-    /// The equations as they were written, for groups of which second derivatives are found from these; no rows for others.
+    /// The equations as they were written, for groups whose derivatives are found from these; no rows for others.
     pub(crate) rows: Vec<Written<'m>>,
     /// Columns: the derivatives of the equations by each unknown.
     pub(crate) jacobian: Vec<Vec<Ex<'m>>>,

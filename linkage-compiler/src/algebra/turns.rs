@@ -1,12 +1,16 @@
 //! How the bodies of groups turn: what their linear systems are solved for, by variable.
 
-use linkage_symbolic::{Node, SymbolId, V3, Vector};
+use linkage_symbolic::{Ex, Node, SymbolId, V3, Vector};
 
 use super::bodies::Shifts;
 use super::{Algebra, Bodies, Rule, Value};
 
 /// The turns of the bodies of a group by two variables.
-pub(super) type Turns<'m> = [Vec<V3<'m>>; 2];
+#[derive(Clone, Debug)]
+pub(super) struct Turns<'m> {
+    pub(super) by: [SymbolId; 2],
+    pub(super) of_bodies: [Vec<V3<'m>>; 2],
+}
 
 impl<'m> Algebra<'m> {
     /// The turns of a group's bodies by a variable, if these do nothing but turn.
@@ -20,20 +24,23 @@ impl<'m> Algebra<'m> {
         let &[x, y] = by else {
             return None;
         };
-        Some([self.turns(group, x)?, self.turns(group, y)?])
+        Some(Turns {
+            by: [x, y],
+            of_bodies: [self.turns(group, x)?, self.turns(group, y)?],
+        })
     }
 
-    /// What bodies that turn by one variable, and by that no further, shift the directions by in the second derivatives: the turns times
-    /// what these change by `variable`.
+    /// What the directions of bodies that turn no further change by in the second derivatives: the turns by one variable times what they change
+    /// by the other one.
     pub(super) fn shifts_by_turns(
         &mut self,
         bodies: &Bodies<'m>,
         group: usize,
-        variable: SymbolId,
-        turns: &[V3<'m>],
+        turns: &Turns<'m>,
     ) -> Vec<Shifts<'m>> {
-        let rates = self.rates(group, vec![variable]).rates;
-        let shifts = bodies.all.iter().zip(turns).map(|(body, turn)| {
+        let rates = self.rates(group, vec![turns.by[1]]).rates;
+        let pairs = bodies.all.iter().zip(&turns.of_bodies[0]);
+        let shifts = pairs.map(|(body, turn)| {
             let changes = |columns: [usize; 3]| Vector(columns.map(|k| rates[k]));
             body.columns.map(|columns| turn.cross(changes(columns)))
         });
@@ -51,14 +58,25 @@ impl<'m> Algebra<'m> {
             return turning;
         };
         let equal = self.space_vector(&turning);
-        let own = [0, 1, 2].map(|k| {
-            // Derivatives are those of what the frame's axes say: the turn is a quotient of large sums.
-            let name = format!("turn {k} {variable:?} {:?}", turn[k].id());
-            self.symbol_for_value(name, turn[k], Rule::Follow(equal[k]))
+        let own = [0, 1, 2].map(|k| match turn[k].constant_value() {
+            Some(_) => turn[k],
+            None => self.turn_as_symbol(turn[k], equal[k]),
         });
         Value::Vector(Vector(own).into())
     }
 
+    /// A component of a turn, which is equal to another expression: derivatives are those of that. It is a quotient of large sums itself.
+    fn turn_as_symbol(&mut self, turn: Ex<'m>, equal: Ex<'m>) -> Ex<'m> {
+        if let Some(&known) = self.derivatives.turns_as_symbols.get(&turn.id()) {
+            return known;
+        }
+        let symbol =
+            self.symbol_for_value(format!("turn {:?}", turn.id()), turn, Rule::Follow(equal));
+        self.derivatives.turns_as_symbols.insert(turn.id(), symbol);
+        symbol
+    }
+
+    /// The turn of the body that a frame is.
     fn turn_of_body(&mut self, frame: &Value<'m>, variable: SymbolId) -> Option<V3<'m>> {
         let [_, axes @ ..] = self.frame_parts(frame);
         let places = axes.map(|axis| self.places_of(axis));

@@ -14,7 +14,7 @@ pub struct Plan {
 }
 
 /// How many of so many geometries are tried: a third, since 154 digits take long, but three, so that both assembly modes are among them; for
-/// `LINKAGE_LONG=1` five times as many as there are, ten times for `LINKAGE_LONG=2`.
+/// `LINKAGE_LONG=0` all, for `LINKAGE_LONG=1` five times as many, ten times for `LINKAGE_LONG=2`.
 pub fn tried(geometries: usize) -> usize {
     match times() {
         Some(times) => times * geometries,
@@ -35,13 +35,16 @@ pub(crate) fn wanted(positions: usize) -> usize {
 fn times() -> Option<usize> {
     let long = std::env::var("LINKAGE_LONG").ok()?;
     let times = long.parse::<usize>().ok()?;
-    Some(5 * times.max(1))
+    Some(if times == 0 { 1 } else { 5 * times })
 }
 
 /// Positions all over the cycle, of the mechanism as written and of random geometries.
 pub fn cycle_cases(system: &System, plan: &Plan, geometries: usize, seed: u64) -> Vec<Case> {
     let mut random = Random::new(seed);
-    let inputs = (0..12).map(|k| input_at(system, k as f64 / 12.0)).collect();
+    let steps = linkage_random::one_in(3, 0..12);
+    let inputs = steps
+        .map(|k| input_at(system, f64::from(k) / 12.0))
+        .collect();
     let mut cases = vec![Case::new(system.default_geometry(), inputs)];
     for _ in 0..tried(geometries) {
         let geometry = (plan.geometry)(&mut random, 6.0);

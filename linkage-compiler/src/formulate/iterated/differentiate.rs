@@ -2,12 +2,12 @@
 
 use linkage_symbolic::{Ex, V2};
 
-use crate::algebra::{Body, Elimination, Links, PrivateColumn, Solution, Term, Written};
+use crate::algebra::{Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, Written};
 use crate::formulate::Solver;
 use crate::structure::{Block, Link, Private};
 
 use super::equations::{Equations, Place};
-use super::turns::on_body;
+use super::turns::carried;
 
 impl<'m> Solver<'_, 'm> {
     /// Defines the private unknowns and records what differentiation needs.
@@ -119,24 +119,19 @@ fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
         }
         None => *own,
     };
+    let distance = |own: &Link<'m>| Distance {
+        vector: own.vector,
+        length: own.length,
+        carried: carried(own.vector, bodies),
+    };
+    let links = Links {
+        first: distance(link),
+        less: less.map(|own| distance(own)),
+    };
     vec![Written {
         row,
-        links: links(link, bodies),
+        links: Some(links),
     }]
-}
-
-/// A link that ends on a body, and the one whose square is subtracted.
-fn links<'m>(link: &Link<'m>, bodies: &[Body<'m>]) -> Option<Links<'m>> {
-    let less = match &link.less {
-        Some(less) => Some(on_body(less.vector, bodies)?),
-        None => None,
-    };
-    Some(Links {
-        first: on_body(link.vector, bodies)?,
-        less,
-        length: link.length,
-        lessened: link.less.as_ref().map(|less| less.length),
-    })
 }
 
 fn square_of_guide(guide: V2) -> Ex {

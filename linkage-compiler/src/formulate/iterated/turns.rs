@@ -4,9 +4,9 @@
 //! the same the other way round, for each turn; a link's `V . V/2` by `arm x V`. The nine components of directions would say the same with several
 //! times the operations. What a row was written as proposes, and the values of its derivatives decide.
 
-use linkage_symbolic::{Ex, Node, SymbolId, V3, Vector, agree, substitute};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, substitute};
 
-use crate::algebra::{Bodies, Body, OnBody};
+use crate::algebra::{Bodies, Body, Carried, coordinates, directions};
 use crate::formulate::Solver;
 use crate::structure::Block;
 
@@ -81,70 +81,56 @@ pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
         .all(|(&own, any)| agree(own, any))
 }
 
-/// A vector of which one of the bodies carries a part.
-pub(super) fn on_body<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<OnBody<'m>> {
+/// What one of the bodies carries of a vector as it is.
+pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<Carried<'m>> {
     let graph = vector[0].graph();
-    let parts = bodies.iter().map(|body| parts(body, vector));
-    let mut carried = parts.enumerate().filter_map(|(body, parts)| {
-        let Parts { carried, rest } = parts?;
-        (!carried.is_zero()).then_some((body, carried, rest))
+    let mut all = bodies.iter().enumerate().filter_map(|(index, body)| {
+        let Parts { carried, rest } = parts(body, vector)?;
+        // Of directions alone, but not as they are: a shadow, or a product with a fixed direction, turns otherwise.
+        let own = coordinates(carried, body.axes)?;
+        (!carried.is_zero()).then(|| Carried {
+            body: index,
+            arm: carried,
+            rest,
+            dimensions: graph.symbols_of(&own.0.map(Ex::id)),
+        })
     });
-    let (body, arm, rest) = carried.next()?;
-    let directions = symbols(&bodies[body]);
-    let mut dimensions = graph.symbols_of(&arm.0.map(|x| x.id()));
-    dimensions.retain(|symbol| !directions.contains(symbol));
-    Some(OnBody {
-        vector,
-        body,
-        arm,
-        rest,
-        dimensions,
-    })
-}
-
-/// The components of a body's directions.
-fn symbols(body: &Body) -> Vec<SymbolId> {
-    let axes = body.axes.iter().flat_map(|axis| axis.0);
-    let symbols = axes.filter_map(|x| match x.node() {
-        Node::Symbol(symbol) => Some(symbol),
-        _ => None,
-    });
-    symbols.collect()
+    all.next()
 }
 
 fn parts<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<Parts<'m>> {
-    let graph = vector[0].graph();
-    let without = |vector: V3<'m>, symbols: &[SymbolId]| {
-        let zero = vector[0].number(0.0);
-        let nothing = symbols.iter().map(|&symbol| (symbol, zero)).collect();
-        let all = substitute(&vector.0, &nothing).try_into();
-        all.ok().map(Vector)
-    };
-    let directions = symbols(body);
-    let rest: V3 = without(vector, &directions)?;
+    let rest = without(vector, &directions(body.axes)?)?;
     let difference = vector - rest;
-    // What the difference does not depend on is not seen to cancel out, but may be anything.
-    let mut carried = difference;
-    for symbol in graph.symbols_of(&rest.0.map(|x| x.id())) {
-        let other = without(carried, &[symbol])?;
-        if same(other, carried) {
-            carried = other;
-        }
-    }
-    let count = |own: V3<'m>| {
-        graph
-            .reachable(
-                &[vector.0, own.0]
-                    .concat()
-                    .iter()
-                    .map(|x| x.id())
-                    .collect::<Vec<_>>(),
-            )
-            .len()
-    };
-    let is_shorter = count(carried) <= count(difference);
+    let carried = without_what_cancels(difference, rest)?;
+    let is_shorter = nodes(vector, carried) <= nodes(vector, difference);
     Some(Parts {
         carried: if is_shorter { carried } else { difference },
         rest,
     })
+}
+
+/// A vector where some symbols are 0.
+fn without<'m>(vector: V3<'m>, symbols: &[SymbolId]) -> Option<V3<'m>> {
+    let zero = vector[0].number(0.0);
+    let nothing = symbols.iter().map(|&symbol| (symbol, zero)).collect();
+    let all = substitute(&vector.0, &nothing).try_into();
+    all.ok().map(Vector)
+}
+
+/// The same difference, in which symbols of `rest` may still be written although they cancel: each is set to 0 if that changes no value.
+fn without_what_cancels<'m>(mut difference: V3<'m>, rest: V3<'m>) -> Option<V3<'m>> {
+    let graph = rest[0].graph();
+    for symbol in graph.symbols_of(&rest.0.map(Ex::id)) {
+        let other = without(difference, &[symbol])?;
+        if same(other, difference) {
+            difference = other;
+        }
+    }
+    Some(difference)
+}
+
+/// How many nodes two vectors are made of.
+fn nodes(a: V3, b: V3) -> usize {
+    let roots = [a.0, b.0].concat().into_iter().map(Ex::id);
+    a[0].graph().reachable(&roots.collect::<Vec<_>>()).len()
 }

@@ -34,7 +34,7 @@ impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
     #[must_use]
     #[inline(always)]
     pub fn at<T: Scalar, const FUSED: bool>(&self, x: [T; I]) -> ([T; S], T) {
-        // A state that is in memory once is computed in vectors: where its numbers go apart at once, they are computed one by one.
+        // In memory at once, its numbers are computed as vectors: otherwise the optimiser takes them apart and computes each alone.
         black_box(self.look_up::<T, FUSED>(x))
     }
 
@@ -71,7 +71,7 @@ impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
             for (input, column) in inputs.iter_mut().zip(x) {
                 *input = column[lane];
             }
-            put(black_box(self.look_up::<T, FUSED>(inputs)), lane, columns);
+            put(self.at::<T, FUSED>(inputs), lane, columns);
         }
     }
 }
