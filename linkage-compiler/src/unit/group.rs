@@ -100,7 +100,7 @@ pub struct MissedLoop {
     pub rows: usize,
     /// `mm`; nothing for a number.
     pub unit: String,
-    /// What misses are compared with: the longest length; 1 for numbers.
+    /// What misses are compared with: the longest length, of squares of lengths its square; 1 for numbers.
     pub scale: f64,
 }
 

@@ -27,7 +27,7 @@ pub struct Missed {
     pub number: usize,
     /// Its left side without the right one; of vectors the length of that.
     pub by: f64,
-    /// Unit of a length; empty for a number.
+    /// Its unit; empty for a number.
     pub unit: &'static str,
 }
 

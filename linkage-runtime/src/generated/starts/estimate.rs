@@ -1,6 +1,7 @@
 //! Groups whose solutions cannot be listed: the one to which the estimates lead.
 
-use super::solve::{CoupledGroup, CoupledPrograms, CoupledSolution};
+use super::group::CoupledGroup;
+use super::solve::{CoupledPrograms, CoupledSolution};
 use crate::numeric::continuation::{Astray, from_estimate};
 use crate::numeric::roots::Unlisted;
 use crate::{AssemblyError, CoupledCause};

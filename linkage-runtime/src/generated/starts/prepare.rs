@@ -1,8 +1,9 @@
 //! What is prepared of all coupled groups of a mechanism, one group after the other.
 
 use super::grid::CoupledGrid;
+use super::group::CoupledGroup;
 use super::lanes::Coupled;
-use super::solve::{CoupledGroup, CoupledPrograms, CoupledSolution, couple, list};
+use super::solve::{CoupledPrograms, CoupledSolution, couple, list};
 use crate::numeric::continuation::{Grid, Range, Refusal, Step, Table};
 use crate::{AssemblyError, Scalar};
 use alloc::vec;

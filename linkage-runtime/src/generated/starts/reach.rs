@@ -1,6 +1,7 @@
 //! Where the loops of a group come nearest to closing, and by how much each misses there.
 
-use super::solve::{CoupledGroup, CoupledPrograms};
+use super::group::CoupledGroup;
+use super::solve::CoupledPrograms;
 use crate::numeric::cholesky;
 use crate::numeric::continuation::turned;
 use crate::numeric::least::{CLOSED, Equations, Rows, least};
