@@ -9,6 +9,7 @@ mod nearest;
 mod null;
 mod surplus;
 
+use linkage_core::numeric::least::STEP;
 use linkage_symbolic::Graph;
 
 use crate::algebra::Nominal;
@@ -20,9 +21,6 @@ use crate::words::loop_list;
 use loops::Loops;
 pub(crate) use loops::difference;
 pub(crate) use nearest::Nearest;
-
-/// Differences over twice this step have an error of its square, and as much rounding.
-const STEP: f64 = 1e-5;
 
 /// What can change on its own.
 #[derive(Clone, Debug)]

@@ -13,6 +13,9 @@ const LONGEST: f64 = 0.1;
 /// A slope below this part of the misses is none: differences know no more.
 const LEVEL: f64 = 1e-8;
 
+/// Where derivatives are differences: over twice this step they have an error of its square, and as much rounding.
+pub const STEP: f64 = 1e-5;
+
 /// Smaller misses are none, where lengths are about 1.
 pub const CLOSED: f64 = 1e-9;
 

@@ -4,7 +4,7 @@ use super::group::CoupledGroup;
 use super::solve::CoupledPrograms;
 use crate::numeric::cholesky;
 use crate::numeric::continuation::turned;
-use crate::numeric::least::{CLOSED, Equations, Rows, least};
+use crate::numeric::least::{CLOSED, Equations, Rows, STEP, least};
 use crate::{Missed, Reach};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -12,9 +12,6 @@ use linkage_core::math;
 
 /// Loops that miss by a smaller part of what the farthest misses by hold.
 const LITTLE: f64 = 1e-3;
-
-/// Differences over twice this step have an error of its square, and as much rounding.
-const STEP: f64 = 1e-5;
 
 /// Bodies are rigid but for this.
 const RIGID: f64 = 1e-13;

@@ -253,7 +253,7 @@ fn a_triple_next_to_singular_ones_is_shown() {
 /// All triples of a published problem and of planted ones.
 #[test]
 fn whole_searches() {
-    if std::env::var_os("LINKAGE_LONG").is_none() {
+    if !linkage_random::is_long() {
         return;
     }
     let check = |name: &str, points: &[[f64; 2]; 9]| {

@@ -252,7 +252,7 @@ fn solutions_two_thousand_times_as_far_as_a_platform_is_wide_are_shown() {
 
 #[test]
 fn random_platforms_have_forty_assemblies_and_their_pose_is_among_them() {
-    if std::env::var_os("LINKAGE_LONG").is_none() {
+    if !linkage_random::is_long() {
         return;
     }
     let mut draw = Draw::new(SEED);
