@@ -13,6 +13,7 @@ mod random_axles;
 mod random_hexapods;
 mod reach;
 mod turns;
+mod two_bodies;
 mod wishbone_forms;
 
 use hexapod_geometry::{FEET, JOINTS};

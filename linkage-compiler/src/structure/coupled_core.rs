@@ -15,8 +15,8 @@ use super::{Analysis, Form, Rotor};
 /// Of more core unknowns than this the assemblies are not listed, a work that grows without bound: one is followed from its estimates.
 const MOST_LISTED: usize = 6;
 
-/// More core unknowns than this are refused: a step takes some hundred operations already.
-pub(super) const MOST_CORE: usize = 16;
+/// More core unknowns than this, those of four bodies, are refused: the operations of a step grow with the cube, two bodies on rods take a thousand.
+pub(super) const MOST_CORE: usize = 36;
 
 /// A coupled group.
 #[derive(Clone, Debug)]

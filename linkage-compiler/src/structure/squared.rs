@@ -66,7 +66,9 @@ impl<'m> Analysis<'_, 'm> {
             .into_iter()
             .find(|[apart, _]| {
                 let left = self.lengths_in(*apart, coordinates);
-                left.is_some_and(|left| contained.iter().any(|k| !left.contains(k)))
+                left.is_some_and(|left| {
+                    left.len() < contained.len() && left.iter().all(|k| contained.contains(k))
+                })
             })
     }
 

@@ -18,8 +18,9 @@ impl<'m> Solver<'_, 'm> {
     /// Nothing that the determinant of the core can be is larger.
     pub(super) fn largest_core_determinant(&mut self, equations: &Equations<'_, 'm>) -> Ex<'m> {
         let blocks = &equations.form.blocks;
-        if equations.large.is_some() {
-            return self.product_of_rows(equations);
+        if let Some(large) = &equations.large {
+            // Of the links as they are, whatever was subtracted from them for derivatives.
+            return large.share.abs() * self.product_of_sides(&large.matrix);
         }
         if blocks.iter().all(|block| block.rows.len() == 2) {
             return self.largest_in_plane(equations);
@@ -35,13 +36,24 @@ impl<'m> Solver<'_, 'm> {
         }
     }
 
-    /// Where what the links could do at most is too much to compute: the volume of the rows is at most the product of their lengths.
-    fn product_of_rows(&self, equations: &Equations<'_, 'm>) -> Ex<'m> {
-        let rows = equations.matrix.iter();
-        let squares = rows.map(|row| self.algebra.product_sum(row, row));
-        squares.fold(self.algebra.one(), |product, square| {
-            product * square.sqrt()
-        })
+    /// Where what the links could do at most is too much to compute: a volume is at most the product of the lengths of its rows; and where all
+    /// rows have length 1, at most the product of the lengths of its columns, which is less where bodies are small beside their links.
+    fn product_of_sides(&self, matrix: &[Vec<Ex<'m>>]) -> Ex<'m> {
+        let product = |squares: &[Ex<'m>]| {
+            let lengths = squares.iter().map(|square| square.sqrt());
+            lengths.fold(self.algebra.one(), |product, length| product * length)
+        };
+        let of_rows: Vec<Ex> = matrix
+            .iter()
+            .map(|row| self.algebra.product_sum(row, row))
+            .collect();
+        let columns = (0..matrix.len()).map(|column| {
+            let entries = matrix.iter().zip(&of_rows);
+            let parts = entries.map(|(row, &square)| row[column].square() / square);
+            parts.fold(self.algebra.zero(), |sum, part| sum + part)
+        });
+        let of_columns = product(&columns.collect::<Vec<Ex>>());
+        product(&of_rows) * of_columns.min(of_columns.number(1.0))
     }
 
     /// Loops of three rows: the volume of their columns is at most the product of their lengths.
