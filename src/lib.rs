@@ -289,8 +289,8 @@ pub mod __private {
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
         Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
-        CoupledUnknown, Extended, Followed, Moving, Range, Standing, Start, States, Step, Stop,
-        Term, Terms, Variable, Wanted, fill_followed, follow, nothing, pairs, placed,
+        CoupledUnknown, Extended, Followed, Moving, Range, Residuals, Standing, Start, States,
+        Step, Stop, Term, Terms, Variable, Wanted, fill_followed, follow, nothing, pairs, placed,
         put_corrected, put_state, starts, stepped,
     };
     pub use linkage_runtime::generated::{

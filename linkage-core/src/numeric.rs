@@ -7,6 +7,8 @@
 pub mod cholesky;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod continuation;
+#[cfg(feature = "alloc")]
+pub mod inverse;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod least;
 pub mod minimum;

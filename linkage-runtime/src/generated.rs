@@ -23,7 +23,7 @@ pub use crate::circuits::{
     Bounds, Chosen, Levels, NoPrograms, Searched, SurveyedUnknown, circuits,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use crate::numeric::continuation::{Correction, Range, Step};
+pub use crate::numeric::continuation::{Correction, Range, Residuals, Step};
 #[cfg(feature = "alloc")]
 pub use crate::numeric::roots::{Term, Variable};
 #[cfg(feature = "alloc")]

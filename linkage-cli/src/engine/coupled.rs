@@ -1,12 +1,13 @@
 //! The programs of a coupled group, as the runtime prepares it.
 
 use linkage_runtime::generated::{
-    Correction, CoupledPrograms, Start, Step, pairs, placed, stepped,
+    Correction, CoupledPrograms, Residuals, Start, Step, pairs, placed, stepped,
 };
-use linkage_runtime::{AssemblyError, AssemblyMode};
+use linkage_runtime::{AssemblyError, AssemblyMode, Enclosure, Scalar};
+use linkage_symbolic::program::Source;
 
 use super::numbers::{Numbers, States};
-use super::operations::by_build;
+use super::operations::{by_build, over_states};
 use super::turns::{Turning, Turns};
 use crate::mechanism::Mechanism;
 
@@ -97,6 +98,18 @@ impl Correction for Programs<'_> {
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].correct;
         stepped(state, &by_build(program, |source| numbers.load(source)))
+    }
+}
+
+impl Residuals for Programs<'_> {
+    fn residuals(&mut self, own: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
+        let states = self.place(own);
+        let numbers = self.numbers(&states);
+        let program = &self.mechanism.unit.coupled[self.number].residuals;
+        over_states(program, |source| match source {
+            Source::State(group, component) if group == self.number => state[component],
+            _ => Enclosure::from_f64(numbers.load(source)),
+        })
     }
 }
 

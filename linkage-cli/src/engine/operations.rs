@@ -2,6 +2,7 @@
 
 use linkage_compiler::unit::Generated;
 use linkage_runtime::generated::{Single, inlined, single};
+use linkage_runtime::{Enclosure, FUSED};
 use linkage_symbolic::interpret::run_by;
 use linkage_symbolic::program::{Program, Source};
 
@@ -19,6 +20,11 @@ pub(super) fn by_build(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f
 /// The outputs of a program, with fused multiply-add if the machine has it.
 pub(super) fn by_machine(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
     single(&Run { program, load }, [] as [f64; 0])
+}
+
+/// The outputs of a program over a box.
+pub(super) fn over_states(program: &Program, load: impl Fn(Source) -> Enclosure) -> Vec<Enclosure> {
+    run_by::<Generated<Enclosure, FUSED>>(program, load)
 }
 
 impl<L: Fn(Source) -> f64> Single<f64, Vec<f64>, 0> for Run<'_, L> {

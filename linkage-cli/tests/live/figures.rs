@@ -83,10 +83,8 @@ fn set(page: &mut Page, mechanism: &Mechanism, changes: &[(&str, f64)]) -> Vec<f
     let address = parts.join("&");
     page.value(&format!("location.hash = '{address}'"));
     let (last, value) = changes[changes.len() - 1];
-    // Again where the page has written its own address before it heard of this one.
     page.wait(&format!(
-        "document.querySelector('input[data-dimension=\"{last}\"]').value === '{value}'
-            || (location.hash !== '#{address}' && (location.hash = '{address}'), false)"
+        "document.querySelector('input[data-dimension=\"{last}\"]').value === '{value}'"
     ));
     let mut dimensions = mechanism.dimensions();
     for (name, x) in changes {

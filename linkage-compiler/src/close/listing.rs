@@ -1,8 +1,9 @@
 //! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken. Where they
 //! cannot be listed, `close/followed.rs` goes on.
 
+use linkage_core::Enclosure;
 use linkage_core::numeric::continuation::{
-    Correction, Grid, Range, Refusal, Step, Table, Terms, meeting_states, states,
+    Correction, Grid, Range, Refusal, Residuals, Step, Table, Terms, meeting_states, states,
 };
 use linkage_core::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use linkage_core::numeric::roots::{self, Term, Unlisted};
@@ -68,6 +69,15 @@ impl Correction for Numbers<'_> {
             size: rest[0].sqrt(),
             determinant: rest[1],
         }
+    }
+}
+
+impl Residuals for Numbers<'_> {
+    fn residuals(&mut self, x: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
+        self.at(x);
+        let program = &self.group().residuals;
+        self.machine
+            .run_over(self.number, program, &self.inputs, state)
     }
 }
 

@@ -2,14 +2,14 @@
 
 use linkage_symbolic::unordered::Map;
 
-use linkage_core::Scalar;
-use linkage_symbolic::interpret::{run, run_steps};
+use linkage_core::{Enclosure, Scalar};
+use linkage_symbolic::interpret::{run, run_by, run_steps};
 use linkage_symbolic::program::{Program, Source, Value};
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::formulate::Formulation;
-use crate::unit::{Closing, ContinuousAngle, Coupled, Start};
+use crate::unit::{Closing, ContinuousAngle, Coupled, Generated, Start};
 
 /// The programs with their data.
 #[derive(Clone, Debug)]
@@ -88,6 +88,25 @@ impl Machine {
         let mut states = self.states(inputs);
         states[number] = state.to_vec();
         run(program, |source| self.load(source, inputs, &states))
+    }
+
+    /// The same over a box of states.
+    pub(crate) fn run_over(
+        &self,
+        number: usize,
+        program: &Program,
+        inputs: &[f64],
+        state: &[Enclosure],
+    ) -> Vec<Enclosure> {
+        let states = self.states(inputs);
+        let load = |source| match source {
+            Source::State(group, component) if group == number => state
+                .get(component)
+                .copied()
+                .unwrap_or(Enclosure::from_f64(f64::NAN)),
+            _ => Enclosure::from_f64(self.load(source, inputs, &states)),
+        };
+        run_by::<Generated<Enclosure, false>>(program, load)
     }
 
     /// What is prepared of all coupled groups near some inputs.

@@ -205,8 +205,9 @@ fn programs(outline: &Outline, unit: &Unit) -> TokenStream {
         let system = match group.followed {
             true => {
                 let estimate = program("estimate", number, &group.estimate);
+                let residuals = program("residuals", number, &group.residuals);
                 let missed = program("missed", number, &group.missed);
-                quote!(#estimate #missed)
+                quote!(#estimate #residuals #missed)
             }
             false => program("system", number, &group.system),
         };

@@ -15,7 +15,7 @@ mod system;
 mod turns;
 
 use linkage_core::numeric::continuation::Terms;
-use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn};
+use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn, substitute};
 
 use crate::algebra::{Algebra, Nominal};
 use crate::structure::{Core, Coupled};
@@ -42,6 +42,8 @@ pub(crate) struct Prepared<'m> {
     pub(crate) system: System<'m>,
     /// One step: the new state, the square of the correction, the determinant.
     pub(crate) step: Vec<Ex<'m>>,
+    /// What the equations of the core miss by.
+    equations: Vec<Ex<'m>>,
     /// The sum of the lengths of its links.
     pub(crate) reach: Ex<'m>,
     /// What lengths are multiplied by in states.
@@ -102,6 +104,12 @@ impl<'m> Prepared<'m> {
             }
         });
         numbers.collect()
+    }
+
+    /// What the equations of the core miss by in a state.
+    pub(crate) fn residuals(&self) -> Vec<Ex<'m>> {
+        let meanings = self.raw.iter().map(|own| (own.symbol, own.value));
+        substitute(&self.equations, &meanings.collect())
     }
 
     /// The unknowns of a state.
@@ -230,6 +238,7 @@ impl<'m> Solver<'_, 'm> {
             in_cells,
             system,
             step,
+            equations: equations.residuals,
             reach: equations.reach,
             scale: equations.scale,
             core: form.core.clone(),

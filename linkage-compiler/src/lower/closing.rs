@@ -9,7 +9,7 @@ use crate::algebra::{Algebra, Nominal};
 use crate::formulate::{Formulation, Prepared};
 use crate::unit::{Closing, Outputs};
 
-use super::{find_turning, group_nodes, groups, plain, valued_angles};
+use super::{Found, find_turning, group_nodes, groups, plain, valued_angles};
 
 /// See [`Closing`].
 pub(crate) fn closing<'m>(
@@ -18,8 +18,11 @@ pub(crate) fn closing<'m>(
     nominal: &Nominal,
 ) -> Closing {
     let mut inliner = Inliner::default();
-    let large = |prepared: &Prepared| prepared.system.terms.is_empty();
-    let own = group_nodes(algebra, formulation, nominal, &mut inliner, large);
+    let found = |prepared: &Prepared| match prepared.system.terms.is_empty() {
+        true => Found::Followed,
+        false => Found::ListedOrFollowed,
+    };
+    let own = group_nodes(algebra, formulation, nominal, &mut inliner, found);
     let mut lists: Vec<Vec<NodeId>> = Vec::new();
     let mut all = Vec::new();
     let mut next = 0;

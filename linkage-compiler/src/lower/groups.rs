@@ -10,12 +10,24 @@ use crate::unit::{Coupled, Placed};
 
 use super::{plain, valued_angles};
 
+/// How the assembly of a coupled group is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Found {
+    /// Among all that are listed.
+    Listed,
+    /// So, or from the estimates if they cannot be listed.
+    ListedOrFollowed,
+    /// From the estimates.
+    Followed,
+}
+
 /// The programs of a coupled group before they are scheduled: nodes of a plain graph.
 #[derive(Clone, Debug)]
 pub(crate) struct GroupNodes {
-    followed: bool,
+    found: Found,
     system: Vec<NodeId>,
     estimate: Vec<NodeId>,
+    residuals: Vec<NodeId>,
     correct: Vec<NodeId>,
     placed: Vec<NodeId>,
 }
@@ -25,6 +37,7 @@ impl GroupNodes {
         [
             &self.system[..],
             &self.estimate,
+            &self.residuals,
             &self.correct,
             &self.placed,
         ]
@@ -32,29 +45,31 @@ impl GroupNodes {
     }
 }
 
-/// The programs of all coupled groups as nodes; `followed` says of each whether its assembly is followed from its estimates.
+/// The programs of all coupled groups as nodes; `found` says of each how its assembly is found.
 pub(crate) fn group_nodes<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
     nominal: &Nominal,
     inliner: &mut Inliner,
-    followed: impl Fn(&Prepared<'m>) -> bool,
+    found: impl Fn(&Prepared<'m>) -> Found,
 ) -> Vec<GroupNodes> {
     let mut all: Vec<GroupNodes> = Vec::new();
     for prepared in formulation.prepared() {
-        let followed = followed(prepared);
-        let coefficients = prepared.system.coefficients.iter();
-        let [system, estimate] = match followed {
-            false => [
-                coefficients.flat_map(|x| x.components()).collect(),
-                Vec::new(),
-            ],
-            true => [Vec::new(), prepared.estimate(algebra, nominal)],
-        };
+        let found = found(prepared);
+        let [mut system, mut estimate, mut residuals] = [const { Vec::new() }; 3];
+        if found != Found::Followed {
+            let coefficients = prepared.system.coefficients.iter();
+            system = coefficients.flat_map(|x| x.components()).collect();
+        }
+        if found != Found::Listed {
+            estimate = prepared.estimate(algebra, nominal);
+            residuals = prepared.residuals();
+        }
         all.push(GroupNodes {
-            followed,
+            found,
             system: plain(inliner, &system),
             estimate: plain(inliner, &estimate),
+            residuals: plain(inliner, &residuals),
             correct: plain(inliner, &prepared.step),
             placed: Vec::new(),
         });
@@ -106,13 +121,14 @@ pub(crate) fn groups<'m>(
             size: prepared.size,
             in_cells: prepared.in_cells,
             variables: prepared.system.variables.clone(),
-            followed: own.followed,
-            terms: match own.followed {
-                true => Vec::new(),
-                false => prepared.system.terms.clone(),
+            followed: own.found == Found::Followed,
+            terms: match own.found {
+                Found::Followed => Vec::new(),
+                Found::Listed | Found::ListedOrFollowed => prepared.system.terms.clone(),
             },
             system: program(&own.system),
             estimate: program(&own.estimate),
+            residuals: program(&own.residuals),
             correct: program(&own.correct),
             placed: program(&own.placed),
             missed: Program::default(),

@@ -12,7 +12,7 @@ use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, NodeId};
 
 pub(crate) use closing::closing;
-pub(crate) use groups::{GroupNodes, find_turning, group_nodes, groups};
+pub(crate) use groups::{Found, GroupNodes, find_turning, group_nodes, groups};
 pub(crate) use missed::missed;
 pub(crate) use passes::{Formulas, polish};
 

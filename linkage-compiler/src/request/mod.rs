@@ -26,7 +26,9 @@ use crate::close::Reference;
 use crate::diagnostic::Reporter;
 use crate::forces::Forces;
 use crate::formulate::Formulation;
-use crate::lower::{self, GroupNodes, find_turning, group_nodes, groups, plain, valued_angles};
+use crate::lower::{
+    self, Found, GroupNodes, find_turning, group_nodes, groups, plain, valued_angles,
+};
 use crate::model::EvaluatorDef;
 use crate::structure::Scope;
 use crate::unit::{Function, Surveyed, Unit};
@@ -125,9 +127,16 @@ pub(crate) fn unit<'m>(
     let gaps = plain(&mut inliner, &gaps.collect::<Vec<_>>());
     let survey = plain(&mut inliner, &survey(algebra, formulation));
     let closing = &at.reference.machine.closing;
-    let nodes = group_nodes(algebra, formulation, at.nominal, &mut inliner, |prepared| {
-        closing.coupled[prepared.number].followed
-    });
+    let nodes = group_nodes(
+        algebra,
+        formulation,
+        at.nominal,
+        &mut inliner,
+        |prepared| match closing.coupled[prepared.number].followed {
+            true => Found::Followed,
+            false => Found::Listed,
+        },
+    );
 
     let of_groups = nodes.iter().flat_map(GroupNodes::all);
     let own: Vec<NodeId> = gaps

@@ -30,13 +30,14 @@ pub fn dump(unit: &Unit) -> String {
             true => ("estimate", &group.estimate),
             false => ("coefficients", &group.system),
         };
-        let missed = group.followed.then_some(("missed", &group.missed));
+        let of_followed = [("residuals", &group.residuals), ("missed", &group.missed)];
+        let of_followed = of_followed.into_iter().filter(|_| group.followed);
         let programs = [
             start,
             ("correction", &group.correct),
             ("unknowns", &group.placed),
         ];
-        for (what, program) in programs.into_iter().chain(missed) {
+        for (what, program) in programs.into_iter().chain(of_followed) {
             let _ = write!(text, "\n{what} of coupled group {number}\n{program}");
         }
     }

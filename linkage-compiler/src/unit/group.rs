@@ -55,6 +55,8 @@ pub struct Coupled {
     pub system: Program,
     /// The state where the unknowns are estimated, if it is followed from there: lengths grow with the links.
     pub estimate: Program,
+    /// From a state: what each equation of its core misses by, if it is followed. A solution is proven by them.
+    pub residuals: Program,
     /// From a state: the state after one Newton step, the square of the correction, the determinant before it.
     pub correct: Program,
     /// From a state: cosine and sine, or length, of each of `unknowns`, then the reach of the links.
@@ -86,7 +88,7 @@ impl Coupled {
     /// Its programs, to be changed.
     pub(super) fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
         let ends = [&mut self.system, &mut self.estimate, &mut self.missed];
-        let steps = [&mut self.correct, &mut self.placed];
+        let steps = [&mut self.correct, &mut self.residuals, &mut self.placed];
         ends.into_iter().chain(steps)
     }
 }

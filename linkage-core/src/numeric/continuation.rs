@@ -14,6 +14,7 @@ mod certificate;
 mod estimate;
 mod follow;
 mod grid;
+mod isolation;
 mod layout;
 mod lookup;
 mod polynomial;
@@ -34,6 +35,9 @@ pub use states::{meeting_states, states};
 pub use straight::dead_point;
 pub use table::Table;
 
+use crate::Enclosure;
+use alloc::vec::Vec;
+
 /// A group of equations: what brings a state nearer to the solution.
 pub trait Correction {
     /// One Newton step at the inputs `x`, in place. Where there is none the step's size is NaN.
@@ -43,6 +47,15 @@ pub trait Correction {
 impl<F: FnMut(&[f64], &mut [f64]) -> Step> Correction for F {
     fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step {
         self(x, state)
+    }
+}
+
+/// A group of which a solution can be proven.
+pub trait Residuals: Correction {
+    /// What its equations miss by over a box of states, at the inputs `x`: as many as its unknowns have numbers, less one for each unit vector.
+    /// Of a group of which nothing is proven, nothing.
+    fn residuals(&mut self, _x: &[f64], _state: &[Enclosure]) -> Vec<Enclosure> {
+        Vec::new()
     }
 }
 

@@ -47,6 +47,12 @@ impl Enclosure {
         }
     }
 
+    /// A number that the variable does not change, between two numbers in this order.
+    #[must_use]
+    pub fn between(low: f64, high: f64) -> Self {
+        Self::constant(Bounds::between(low, high))
+    }
+
     /// A number below all values and one above them; NaN where nothing is known.
     #[must_use]
     pub fn range(self) -> [f64; 2] {

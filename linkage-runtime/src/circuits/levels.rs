@@ -1,7 +1,7 @@
 //! A mechanism as the search for circuits sees it: group by group, in the order in which they are solved.
 
 use crate::generated::{CoupledGroup, CoupledPrograms, Start};
-use crate::numeric::continuation::{Correction, Step};
+use crate::numeric::continuation::{Correction, Residuals, Step};
 use crate::{AssemblyError, AssemblyMode};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -103,6 +103,8 @@ impl Correction for NoPrograms {
         match *self {}
     }
 }
+
+impl Residuals for NoPrograms {}
 
 impl CoupledPrograms for NoPrograms {
     fn system(&mut self, _x: &[f64]) -> Vec<[f64; 2]> {

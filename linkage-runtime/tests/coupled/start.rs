@@ -5,7 +5,7 @@ use linkage_runtime::generated::{
     Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, Start, Wanted, couple,
     list, starts,
 };
-use linkage_runtime::numeric::continuation::{Correction, Range, Step, Terms};
+use linkage_runtime::numeric::continuation::{Correction, Range, Residuals, Step, Terms};
 use linkage_runtime::numeric::roots::{Term, Variable};
 use linkage_runtime::{AssemblyError, CoupledCause, FUSED, Scalar};
 use std::f64::consts::TAU;
@@ -77,6 +77,8 @@ impl Correction for Programs {
     }
 }
 
+impl Residuals for Programs {}
+
 impl CoupledPrograms for Programs {
     fn system(&mut self, x: &[f64]) -> Vec<[f64; 2]> {
         self.0.system(x[0])
@@ -139,6 +141,8 @@ impl Correction for Meeting {
         }
     }
 }
+
+impl Residuals for Meeting {}
 
 impl CoupledPrograms for Meeting {
     fn system(&mut self, _: &[f64]) -> Vec<[f64; 2]> {

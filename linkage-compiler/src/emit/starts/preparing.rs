@@ -52,6 +52,31 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         });
         quote!(#(#inputs)*)
     });
+    let enclosure = quote!(#runtime::Enclosure);
+    let residuals = unit.coupled.iter().any(|group| group.followed).then(|| {
+        let residuals = arms(&|number, group| {
+            if !group.followed {
+                return quote!(#runtime::Vec::new());
+            }
+            let first = literal::index(Places::all(outline).state(number, 0));
+            let method = format_ident!("__residuals{number}");
+            quote! {
+                let mut __x = self.__place(__own).map(<#enclosure as #runtime::Scalar>::from_f64);
+                #runtime::put_state(&mut __x, #first, __state);
+                <#runtime::Vec<_> as ::core::convert::From<[_; _]>>::from(
+                    #assembly::<#enclosure>::#method::<{ #runtime::FUSED }>(
+                        &self.__m.cast(),
+                        &self.__modes,
+                        &self.__prepared.map(<#enclosure as #runtime::Scalar>::from_f64),
+                        __x,
+                    ),
+                )
+            }
+        });
+        quote! {
+            fn residuals(&mut self, __own: &[#float], __state: &[#enclosure]) -> #runtime::Vec<#enclosure> { #residuals }
+        }
+    });
     let call = |kind: &str, number: usize| {
         let method = format_ident!("__{kind}{number}");
         quote! {
@@ -130,6 +155,8 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         impl #runtime::Correction for #coupled {
             fn correct(&mut self, __own: &[#float], __state: &mut [#float]) -> #runtime::Step { #correct }
         }
+        #allow
+        impl #runtime::Residuals for #coupled { #residuals }
         #allow
         impl #runtime::CoupledPrograms for #coupled {
             fn system(&mut self, __own: &[#float]) -> #runtime::Vec<[#float; 2]> { #system }

@@ -1,6 +1,7 @@
 //! From an estimate to the solution that is meant by it.
 
-use super::{Correction, Step};
+use super::isolation::isolation;
+use super::{Residuals, Step};
 use crate::math::double;
 use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
@@ -21,7 +22,7 @@ const CORRECTIONS: usize = 1000;
 /// Corrections of this size leave nothing but rounding.
 const SETTLED: f64 = 1e-9;
 
-/// A solution is isolated if a state that is off by this leads back to it, but for a thousandth.
+/// What is not proven to be isolated is singular, or one of many: a state that is off by this leads back to it, but for a thousandth, or not.
 const ASIDE: f64 = 1e-6;
 const BACK: f64 = 1e-3 * ASIDE;
 const STEPS_BACK: usize = 4;
@@ -47,13 +48,13 @@ pub enum Astray {
 /// At the estimate the equations miss by something, as if the links had other lengths. All of that is taken back in the same ratio, in steps
 /// that are short enough to stay on the way: after each step the next correction must be the one before, less the step, but for a quarter,
 /// and the determinant must keep its sign. So what is found is the assembly that the estimate becomes while its links
-/// grow to their lengths, or nothing. It is isolated: states beside it lead back to it.
+/// grow to their lengths, or nothing. It is proven to be a solution, and the only one in a box about it.
 ///
 /// # Errors
 ///
 /// Where the way ends at a dead point, or in a solution that is not isolated.
 pub fn from_estimate(
-    correction: &mut dyn Correction,
+    correction: &mut dyn Residuals,
     variables: &[Variable],
     x: &[f64],
     estimate: &[f64],
@@ -71,7 +72,11 @@ pub fn from_estimate(
     }
     for _ in 0..CORRECTIONS {
         if here.step.size <= SETTLED {
-            return way.isolated(here.corrected);
+            let state = here.corrected;
+            return match isolation(way.correction, variables, x, &state) {
+                Some(_) => Ok(state),
+                None => Err(way.not_isolated(state)),
+            };
         }
         let mut part = (LONGEST / here.step.size).min(1.0);
         let next = loop {
@@ -95,7 +100,7 @@ pub fn from_estimate(
 }
 
 struct Way<'w> {
-    correction: &'w mut dyn Correction,
+    correction: &'w mut dyn Residuals,
     variables: &'w [Variable],
     x: &'w [f64],
 }
@@ -121,8 +126,8 @@ impl Way<'_> {
         }
     }
 
-    /// A state that solves the equations, if those beside it lead back to it.
-    fn isolated(&mut self, state: Vec<f64>) -> Result<Vec<f64>, Astray> {
+    /// What a state is that solves the equations and is not proven to be alone.
+    fn not_isolated(&mut self, state: Vec<f64>) -> Astray {
         let count = self.variables.len();
         // No direction in which a mechanism moves is at right angles to all of these but by chance.
         let signs = |k: usize| [1.0, if k.is_multiple_of(2) { 1.0 } else { -1.0 }];
@@ -136,18 +141,14 @@ impl Way<'_> {
             }
             let off = difference(self.variables, &state, &beside);
             let largest = off.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            if size <= BACK && largest <= BACK {
-                continue;
+            if size <= BACK && largest > BACK {
+                return Astray::Movable([state, beside]);
             }
-            return Err(match size <= BACK {
-                true => Astray::Movable([state, beside]),
-                false => Astray::DeadPoint {
-                    left: 0.0,
-                    at: state,
-                },
-            });
         }
-        Ok(state)
+        Astray::DeadPoint {
+            left: 0.0,
+            at: state,
+        }
     }
 }
 
@@ -215,6 +216,31 @@ fn difference(variables: &[Variable], from: &[f64], to: &[f64]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Enclosure;
+    use crate::numeric::continuation::Correction;
+
+    /// A correction, and what is missed over boxes.
+    struct Group<C, R>(C, R);
+
+    impl<C: FnMut(&[f64], &mut [f64]) -> Step, R> Correction for Group<C, R> {
+        fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step {
+            (self.0)(x, state)
+        }
+    }
+
+    impl<C, R> Residuals for Group<C, R>
+    where
+        C: FnMut(&[f64], &mut [f64]) -> Step,
+        R: FnMut(&[f64], &[Enclosure]) -> Vec<Enclosure>,
+    {
+        fn residuals(&mut self, x: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
+            (self.1)(x, state)
+        }
+    }
+
+    fn number(x: f64) -> Enclosure {
+        Enclosure::between(x, x)
+    }
 
     /// Two links of length 1 from `(0, 0)` and `(d, 0)` meet: the angle of the first, and how far up they meet.
     fn triangle(x: &[f64], state: &mut [f64]) -> Step {
@@ -237,11 +263,19 @@ mod tests {
         }
     }
 
+    /// What it misses by.
+    fn missed(x: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
+        let [cos, sin, height] = [state[0], state[1], state[2]];
+        let away = cos - number(x[0]);
+        Vec::from([away * away + sin * sin - number(1.0), height - sin])
+    }
+
     const VARIABLES: [Variable; 2] = [Variable::Unit, Variable::Length];
 
     fn found(d: f64, angle: f64) -> Result<f64, Astray> {
         let (sin, cos) = angle.sin_cos();
-        let state = from_estimate(&mut triangle, &VARIABLES, &[d], &[cos, sin, 0.0])?;
+        let mut group = Group(triangle, missed);
+        let state = from_estimate(&mut group, &VARIABLES, &[d], &[cos, sin, 0.0])?;
         assert!((state[2] - state[1]).abs() < 1e-12);
         Ok(state[1].atan2(state[0]))
     }
@@ -279,7 +313,7 @@ mod tests {
     #[test]
     fn a_solution_on_a_curve_of_solutions_is_refused_with_another_one() {
         // x^2 + y^2 = 1 twice, a little apart: the correction goes to the circle and stays where it meets it.
-        let mut circle = |_: &[f64], state: &mut [f64]| {
+        let circle = |_: &[f64], state: &mut [f64]| {
             let square = state[0] * state[0] + state[1] * state[1];
             let share = 0.5 * (1.0 - square) / square;
             let correction = [share * state[0], share * state[1]];
@@ -290,8 +324,12 @@ mod tests {
                 determinant: 1e-17,
             }
         };
+        let twice = |_: &[f64], state: &[Enclosure]| {
+            let square = state[0] * state[0] + state[1] * state[1] - number(1.0);
+            Vec::from([square, square])
+        };
         let variables = [Variable::Length; 2];
-        let astray = from_estimate(&mut circle, &variables, &[], &[0.6, 0.9]);
+        let astray = from_estimate(&mut Group(circle, twice), &variables, &[], &[0.6, 0.9]);
         let Err(Astray::Movable([a, b])) = astray else {
             panic!("{astray:?}")
         };

@@ -291,7 +291,7 @@ pub fn nothing<const K: usize>(lanes: usize) -> Vec<[Start; K]> {
 }
 
 /// Puts a state in its place among arguments.
-pub fn put_state(arguments: &mut [f64], first: usize, state: &[f64]) {
+pub fn put_state<T: Copy>(arguments: &mut [T], first: usize, state: &[T]) {
     arguments[first..first + state.len()].copy_from_slice(state);
 }
 

@@ -2,7 +2,7 @@
 //! taken.
 
 use super::group::{CoupledGroup, CoupledInput, CoupledUnknown};
-use crate::numeric::continuation::{Correction, LeftOut, Refusal, meeting_states, states};
+use crate::numeric::continuation::{LeftOut, Refusal, Residuals, meeting_states, states};
 use crate::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use crate::numeric::roots::{Listing, System, Unlisted, solve};
 use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value};
@@ -13,7 +13,7 @@ use core::f64::consts::TAU;
 use linkage_core::math;
 
 /// The programs of a group.
-pub trait CoupledPrograms: Correction {
+pub trait CoupledPrograms: Residuals {
     /// The coefficients of the polynomial system at the inputs `x`, real and imaginary part.
     fn system(&mut self, x: &[f64]) -> Vec<[f64; 2]>;
 

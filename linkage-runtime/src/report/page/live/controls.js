@@ -12,12 +12,14 @@ function startLive() {
   onChange(showChange);
   onChange(showControls);
   if (location.hash === "") showControls();
-  else say(readLink());
+  else say(readLink(location.hash));
   past.last = snapshot();
   document.addEventListener("keydown", onLiveKey);
-  addEventListener("hashchange", () => {
-    if (location.hash.slice(1) === fragment()) return;
-    say(readLink());
+  addEventListener("hashchange", ({ newURL }) => {
+    // The page may have written its own address before it hears of a new one.
+    const { hash } = new URL(newURL);
+    if (hash.slice(1) === fragment()) return;
+    say(readLink(hash));
     keepStep();
   });
   // A page that goes has its last change in its address.

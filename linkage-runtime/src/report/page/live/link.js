@@ -34,9 +34,9 @@ function addressNow() {
   return location.href;
 }
 
-// The report with what the address says; names that there are not, what is no number, and assemblies that do not close are told.
-function readLink() {
-  const parts = location.hash.slice(1).split("&").filter((part) => part !== "");
+// The report with what an address says; names that there are not, what is no number, and assemblies that do not close are told.
+function readLink(hash) {
+  const parts = hash.slice(1).split("&").filter((part) => part !== "");
   const wrong = [];
   const changes = new Map();
   const asked = {};
