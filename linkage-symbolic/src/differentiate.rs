@@ -16,6 +16,10 @@ pub trait Calculus<'g> {
     fn graph(&self) -> &'g Graph;
     /// Derivatives already known under these rules.
     fn memo(&mut self) -> &mut DerivativeMemo;
+    /// The derivative of an operation, if it is known otherwise than by the chain rule.
+    fn known_derivative(&mut self, _node: NodeId, _variable: SymbolId) -> Option<NodeId> {
+        None
+    }
     /// The derivative of one symbol by another.
     fn symbol_derivative(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId;
 }
@@ -30,6 +34,11 @@ pub fn differentiate<'g, C: Calculus<'g> + ?Sized>(
     let mut stack = vec![root];
     while let Some(&id) = stack.last() {
         if calculus.memo().contains_key(&(id, variable)) {
+            stack.pop();
+            continue;
+        }
+        if let Some(known) = calculus.known_derivative(id, variable) {
+            calculus.memo().insert((id, variable), known);
             stack.pop();
             continue;
         }

@@ -126,6 +126,13 @@ impl<'m> Bodies<'m> {
         shifts.collect()
     }
 
+    /// The turns among the freedoms.
+    fn turns(&self, freedoms: &[Ex<'m>]) -> Vec<V3<'m>> {
+        let (_, turns) = freedoms.split_at(self.columns.len());
+        let turns = turns.as_chunks::<3>().0.iter();
+        turns.map(|&turn| Vector(turn)).collect()
+    }
+
     /// The unknowns from the freedoms, where directions change by `shifts` besides.
     pub(super) fn unknowns(&self, freedoms: &[Ex<'m>], shifts: &[Shifts<'m>]) -> Vec<Ex<'m>> {
         let mut all = vec![None; self.columns.len() + 6 * self.all.len()];
@@ -171,6 +178,12 @@ pub(crate) struct SolvedByScheme<'m> {
     pub(super) turns: Option<Vec<V3<'m>>>,
 }
 
+/// The solution where directions of bodies change besides, and the turns that are left.
+pub(super) struct SolvedBeside<'m> {
+    pub(super) solution: Vec<Ex<'m>>,
+    pub(super) turns: Vec<V3<'m>>,
+}
+
 impl<'m> Algebra<'m> {
     /// Solves a linear system by a scheme.
     pub(crate) fn solve_by_scheme(
@@ -194,10 +207,8 @@ impl<'m> Algebra<'m> {
             determinant,
         } = self.solve_in_order(&scheme.order, &scheme.freedoms, &known);
         let still = shifts.iter().flatten().all(|shift| shift.is_zero());
-        let (_, turns) = solution.split_at(bodies.columns.len());
-        let turns = turns.as_chunks::<3>().0.iter().map(|&turn| Vector(turn));
         SolvedByScheme {
-            turns: still.then(|| turns.collect()),
+            turns: still.then(|| bodies.turns(&solution)),
             solution: bodies.unknowns(&solution, &shifts),
             determinant: bodies.sign * determinant,
         }
@@ -209,11 +220,14 @@ impl<'m> Algebra<'m> {
         scheme: &Scheme<'m>,
         shifts: &[Shifts<'m>],
         left: &[Ex<'m>],
-    ) -> Vec<Ex<'m>> {
+    ) -> SolvedBeside<'m> {
         let bodies = &scheme.bodies;
         let left: Vec<Ex> = bodies.rows.iter().map(|&row| left[row]).collect();
         let freedoms = self.solve_in_order(&scheme.order, &scheme.freedoms, &left);
-        bodies.unknowns(&freedoms.solution, shifts)
+        SolvedBeside {
+            solution: bodies.unknowns(&freedoms.solution, shifts),
+            turns: bodies.turns(&freedoms.solution),
+        }
     }
 
     /// Solves the transposed system: one number for each equation.

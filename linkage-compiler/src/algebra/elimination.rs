@@ -9,6 +9,7 @@ use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, Graph, SymbolId};
 
+use super::turns::Turns;
 use super::{Algebra, Scheme};
 
 /// How a group's Jacobian is brought down to its core.
@@ -77,7 +78,13 @@ impl<'m> Algebra<'m> {
                 let held = pairs.map(|(&unit, &shift)| unit * shift).collect();
                 let left = self.right_of_rows(group, by, held, turns.as_ref());
                 let left = of_core(self, &left);
-                self.solve_left_by_scheme(scheme, &shifts, &left)
+                let solved = self.solve_left_by_scheme(scheme, &shifts, &left);
+                if let Some(Turns { by, .. }) = turns {
+                    self.derivatives
+                        .second_turns
+                        .insert((group, by), solved.turns.clone());
+                }
+                solved.solution
             }
             Some(scheme) => {
                 let solved = self.solve_by_scheme(scheme, &elimination.matrix, &core);

@@ -37,34 +37,45 @@ impl<'m> Algebra<'m> {
 
     /// The direction of a vector. What an unknown frame carries is as long as its coordinates there are, which the derivatives of its length do not
     /// know.
-    pub(super) fn unit_in_space(&self, v: V3<'m>) -> V3<'m> {
-        let Some(own) = self.coordinates_on_body(v) else {
+    pub(super) fn unit_in_space(&mut self, v: V3<'m>) -> V3<'m> {
+        let Some((own, axes)) = self.coordinates_on_body(v) else {
             return v.unit();
         };
         let length = Vn::from(own).length();
-        let unit = v.map(|x| x / length);
+        let [unit, own] = [v, own].map(|v| v.map(|x| x / length));
         unit.mark_unit();
+        self.note_aboard(unit, own, axes);
         unit
     }
 
-    /// The coordinates of a vector that one of the unknown frames carries as it is, if they are dimensions.
-    fn coordinates_on_body(&self, v: V3<'m>) -> Option<V3<'m>> {
+    /// Notes that an unknown frame carries a vector, if it does.
+    pub(crate) fn note_if_aboard(&mut self, v: V3<'m>) {
+        if let Some((own, axes)) = self.coordinates_on_body(v) {
+            self.note_aboard(v, own, axes);
+        }
+    }
+
+    /// The coordinates of a vector that one of the unknown frames carries as it is, if they are dimensions, along two of its axes and across these.
+    fn coordinates_on_body(&self, v: V3<'m>) -> Option<(V3<'m>, [V3<'m>; 2])> {
         let bodies = self.mechanism.bodies_of_space().into_iter();
         let mut own = bodies.filter_map(|(_, parts)| {
             let axes = [parts[1], parts[2]].map(|axis| self.names.numbers_of(axis).try_into());
             let [Ok(first), Ok(second)] = axes else {
                 return None;
             };
-            let own = coordinates(v, [first, second].map(Vector))?;
-            own.is_fixed().then_some(own)
+            let axes = [first, second].map(Vector);
+            let own = coordinates(v, axes)?;
+            own.is_fixed().then_some((own, axes))
         });
         own.next()
     }
 
     /// Origin and axes of an unknown frame, of which its own loops say that they are perpendicular and of length 1.
-    fn frame_of_axes(&self, parts: &[Value<'m>]) -> Value<'m> {
+    fn frame_of_axes(&mut self, parts: &[Value<'m>]) -> Value<'m> {
         for axis in &parts[1..] {
-            self.space_vector(axis).mark_unit();
+            let axis = self.space_vector(axis);
+            axis.mark_unit();
+            self.note_if_aboard(axis);
         }
         Value::Array(parts.to_vec())
     }
@@ -93,7 +104,7 @@ impl<'m> Algebra<'m> {
     }
 
     /// `origin + a X + b Y + c Z`
-    pub(super) fn point_in(&self, arguments: &[Value<'m>]) -> Value<'m> {
+    pub(super) fn point_in(&mut self, arguments: &[Value<'m>]) -> Value<'m> {
         if let Some([origin, x, y]) = self.plane_parts(&arguments[0]) {
             let local = self.vector(&arguments[1]);
             let offset = local.at(0) * x + local.at(1) * y;
@@ -101,11 +112,9 @@ impl<'m> Algebra<'m> {
         }
         let [origin, axes @ ..] = self.frame_parts(&arguments[0]);
         let local = self.space_vector(&arguments[1]);
-        let point = [0, 1, 2].map(|k| {
-            let offset = local.dot(Vector(axes.map(|axis| axis[k])));
-            origin[k] + offset
-        });
-        Value::Vector(Vector(point).into())
+        let arm = Vector([0, 1, 2].map(|k| local.dot(Vector(axes.map(|axis| axis[k])))));
+        self.note_if_aboard(arm);
+        Value::Vector((origin + arm).into())
     }
 
     /// The projections of `point - origin` on the axes.

@@ -9,7 +9,7 @@ use linkage_symbolic::{
     Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, Vector, differentiate,
 };
 
-use super::solutions::{Seen, Shown};
+use super::solutions::{Seen, Shown, TurnRule};
 use super::{Algebra, AngleRule, Carrier, Rule, Turning};
 
 /// Derivatives of a group's unknowns by some variables, and the right-hand side that they solve.
@@ -43,6 +43,7 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
         };
         let rate = match rule {
             Rule::Follow(equal) => self.slope(equal, variable),
+            Rule::Turn(own) => self.rate_of_turn(&own, variable),
             Rule::Cosine(rule) => {
                 let rate = self.angle_rate(rule, variable);
                 -(rule.unit[1] * rate)
@@ -67,6 +68,11 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
             } => self.rate(group, position, by, variable),
         };
         rate.id()
+    }
+
+    /// The derivative of a component of a turn.
+    fn rate_of_turn(&mut self, own: &TurnRule<'m>, variable: SymbolId) -> Ex<'m> {
+        self.slope(own.equal, variable)
     }
 
     fn angle_rate(&mut self, rule: AngleRule<'m>, variable: SymbolId) -> Ex<'m> {
@@ -127,6 +133,10 @@ impl<'m> Calculus<'m> for Algebra<'m> {
         &mut self.derivatives.memo
     }
 
+    fn known_derivative(&mut self, node: NodeId, variable: SymbolId) -> Option<NodeId> {
+        self.slope_aboard(node, variable)
+    }
+
     fn symbol_derivative(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
         self.derivative_by_rule(symbol, variable)
     }
@@ -135,6 +145,13 @@ impl<'m> Calculus<'m> for Algebra<'m> {
 impl<'m> Implicit<'m> for Algebra<'m> {
     fn algebra(&mut self) -> &mut Algebra<'m> {
         self
+    }
+
+    fn rate_of_turn(&mut self, own: &TurnRule<'m>, variable: SymbolId) -> Ex<'m> {
+        match self.second_turn(own, variable) {
+            Some(turn) => turn,
+            None => self.slope(own.equal, variable),
+        }
     }
 
     fn rate(

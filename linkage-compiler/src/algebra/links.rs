@@ -8,6 +8,7 @@ use super::Algebra;
 use super::adjoint::Multiplier;
 use super::derivatives::Derivatives;
 use super::implicit::Implicit;
+use super::solutions::Shortcuts;
 
 /// A vector that turns with an unknown: its derivative by that is the unknown's column of the Jacobian.
 #[derive(Clone, Copy, Debug)]
@@ -44,21 +45,21 @@ impl<'m> Link<'m> {
 }
 
 impl<'m> Algebra<'m> {
-    /// Says whether derivatives use the products from here on. If that is new, all that is known of derivatives is forgotten: true then, for those who remember
+    /// Says what derivatives make use of from here on. If that is new, all that is known of derivatives is forgotten: true then, for those who remember
     /// some themselves.
     #[must_use]
-    pub(crate) fn use_products(&mut self, by_products: bool) -> bool {
-        let is_new = self.solutions.by_products != by_products;
+    pub(crate) fn use_shortcuts(&mut self, shortcuts: Shortcuts) -> bool {
+        let is_new = self.solutions.shortcuts != shortcuts;
         if is_new {
-            self.solutions.by_products = by_products;
+            self.solutions.shortcuts = shortcuts;
             self.derivatives = Derivatives::default();
         }
         is_new
     }
 
-    /// Whether that changes a derivative that has been asked for.
-    pub(crate) fn has_products(&self) -> bool {
-        self.derivatives.has_products
+    /// What would change a derivative that has been asked for.
+    pub(crate) fn offered_shortcuts(&self) -> Shortcuts {
+        self.derivatives.offered
     }
 
     /// Second derivatives of a rod's unknown: with `V'` the rod's first derivative, `V . V'' + V' . V' = 0`, where `V` meets what turns in a product that is known.
@@ -75,8 +76,8 @@ impl<'m> Algebra<'m> {
         {
             return None;
         }
-        self.derivatives.has_products = true;
-        if !self.solutions.by_products {
+        self.derivatives.offered.products = true;
+        if !self.solutions.shortcuts.products {
             return None;
         }
         let determinant = self.solutions.groups[group].determinant;
@@ -107,8 +108,8 @@ impl<'m> Algebra<'m> {
         if before.is_empty() {
             return None;
         }
-        self.derivatives.has_products = true;
-        if !self.solutions.by_products {
+        self.derivatives.offered.products = true;
+        if !self.solutions.shortcuts.products {
             return None;
         }
         let determinant = solution.determinant;
@@ -145,8 +146,8 @@ impl<'m> Algebra<'m> {
             if slope.is_zero() {
                 continue;
             }
-            self.derivatives.has_products = true;
-            if !self.solutions.by_products {
+            self.derivatives.offered.products = true;
+            if !self.solutions.shortcuts.products {
                 return sum;
             }
             // By how much it becomes longer, and turns.
@@ -169,7 +170,7 @@ impl<'m> Algebra<'m> {
     /// How many of a group's terms belong to its links: those that [`Self::slope_of_links`] is about.
     pub(super) fn terms_of_links(&self, group: usize) -> usize {
         let links = self.solutions.groups[group].links.iter().flatten();
-        match self.solutions.by_products {
+        match self.solutions.shortcuts.products {
             true => 2 * links.count(),
             false => 0,
         }

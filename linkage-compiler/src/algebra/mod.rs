@@ -3,6 +3,7 @@
 //! Shared by the phases below the model: `structure` looks at the loops as polynomials in the unknowns, `formulate`
 //! gives the unknowns their definitions, `request` differentiates.
 
+mod aboard;
 mod adjoint;
 mod bearing;
 mod bodies;
@@ -57,7 +58,7 @@ pub(crate) use other_side::OtherSide;
 pub(crate) use pivots::{InOrder, Order};
 pub(crate) use rows::{Carried, Distance, Links, Written};
 pub(crate) use scalar::{Atom, Scalar};
-pub(crate) use solutions::{AngleRule, Rule, Solution, Solutions, Term, Turning};
+pub(crate) use solutions::{AngleRule, Rule, Shortcuts, Solution, Solutions, Term, Turning};
 pub(crate) use translate::{Translate, Value};
 
 /// The graph and all that is known about its symbols.

@@ -160,6 +160,7 @@ impl<'m> Algebra<'m> {
         let behind = match self.solutions.rule(symbol).cloned() {
             None => BTreeSet::new(),
             Some(Rule::Follow(equal)) => self.mentioned_in(&[equal]),
+            Some(Rule::Turn(own)) => self.mentioned_in(&[own.equal]),
             Some(Rule::Seen(seen)) => {
                 let mut behind = self.mentioned_in(&seen.vector.0);
                 behind.extend(self.mentioned_in(&[seen.carrier.angle]));

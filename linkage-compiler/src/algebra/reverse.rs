@@ -130,6 +130,7 @@ impl<'m> Algebra<'m> {
         match self.solutions.rule(symbol) {
             None => Vec::new(),
             Some(Rule::Follow(equal)) => vec![Item::Node(equal.id())],
+            Some(Rule::Turn(own)) => vec![Item::Node(own.equal.id())],
             Some(Rule::Turning(turning)) => {
                 let z = turning.z.ids().map(Item::Node);
                 [&z[..], &[system(turning.group, &[])]].concat()
@@ -161,6 +162,7 @@ impl<'m> Algebra<'m> {
         };
         match rule {
             Rule::Follow(equal) => self.add_to_node(weights, equal.id(), weight),
+            Rule::Turn(own) => self.add_to_node(weights, own.equal.id(), weight),
             Rule::Cosine(rule) => self.add_to_angle(weights, rule, -(rule.unit[1] * weight)),
             Rule::Sine(rule) => self.add_to_angle(weights, rule, rule.unit[0] * weight),
             Rule::Value(rule) => self.add_to_angle(weights, rule, weight),

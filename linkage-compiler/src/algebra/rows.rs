@@ -113,9 +113,11 @@ impl<'m> Algebra<'m> {
         };
         // What is made of them must not be found again.
         let memo = mem::take(&mut self.derivatives.memo);
+        self.derivatives.held += 1;
         self.derivatives.rates.insert(key.clone(), rates);
         let all = rows.into_iter().map(|own| of(self, own)).collect();
         self.derivatives.rates.remove(&key);
+        self.derivatives.held -= 1;
         self.derivatives.memo = memo;
         all
     }

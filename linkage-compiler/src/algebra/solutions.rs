@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 
 use linkage_symbolic::unordered::Map;
 
-use linkage_symbolic::{Ex, SymbolId, V2};
+use linkage_symbolic::{Ex, NodeId, SymbolId, V2};
 
+use super::aboard::Aboard;
 use super::partial::Solved;
 use super::{Carrier, Elimination, Link, OtherSide, Rod, Written};
 
@@ -14,6 +15,8 @@ use super::{Carrier, Elimination, Link, OtherSide, Rod, Written};
 pub(crate) enum Rule<'m> {
     /// Like this expression, which is equal to the definition.
     Follow(Ex<'m>),
+    /// A component of the turn of a body.
+    Turn(Box<TurnRule<'m>>),
     /// The cosine, sine or value of an angle that a group solves for.
     Cosine(AngleRule<'m>),
     Sine(AngleRule<'m>),
@@ -37,6 +40,18 @@ pub(crate) enum Rule<'m> {
         position: usize,
         by: Vec<SymbolId>,
     },
+}
+
+/// See [`Rule::Turn`].
+#[derive(Clone, Debug)]
+pub(crate) struct TurnRule<'m> {
+    pub(super) group: usize,
+    pub(super) body: usize,
+    pub(super) component: usize,
+    /// It is the turn by the first one, differentiated by the others.
+    pub(super) by: Vec<SymbolId>,
+    /// The same, of the body's directions and their derivatives: it is a quotient of large sums itself.
+    pub(super) equal: Ex<'m>,
 }
 
 /// An angle that is an unknown of a group.
@@ -118,6 +133,15 @@ pub(crate) struct Solution<'m> {
     pub(crate) rod: Option<Rod<'m>>,
 }
 
+/// What derivatives may make use of: it changes what they cost and not what they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Shortcuts {
+    /// Products that are known of links.
+    pub(crate) products: bool,
+    /// How bodies turn: what they carry turns with them.
+    pub(crate) turns: bool,
+}
+
 /// The groups that are solved, and what follows for symbols.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solutions<'m> {
@@ -126,8 +150,10 @@ pub(crate) struct Solutions<'m> {
     pub(crate) groups: Vec<Solution<'m>>,
     /// Loops with a guide on a link that turns, in order.
     pub(crate) other_sides: Vec<OtherSide<'m>>,
-    /// Whether derivatives use products that are known of links.
-    pub(super) by_products: bool,
+    /// What derivatives make use of.
+    pub(super) shortcuts: Shortcuts,
+    /// What bodies carry, by component.
+    pub(super) aboard: Map<NodeId, Aboard<'m>>,
     /// The places between parameters and the results of a function that all paths of some groups lead through.
     pub(super) narrow: BTreeSet<Solved>,
 }

@@ -3,6 +3,8 @@
 use linkage_symbolic::{Ex, Node, SymbolId, V3, Vector};
 
 use super::bodies::Shifts;
+use super::implicit::Implicit;
+use super::solutions::TurnRule;
 use super::{Algebra, Bodies, Rule, Value};
 
 /// The turns of the bodies of a group by two variables.
@@ -47,47 +49,103 @@ impl<'m> Algebra<'m> {
         shifts.collect()
     }
 
-    /// The vector by which a frame turns, which is equal to `turning`: that of the body that it is, whose system is solved for it.
-    pub(crate) fn as_turn_of_body(
+    /// The vector by which an unknown frame turns, as symbols: its group's system is solved for it.
+    pub(crate) fn turn_of_frame(
         &mut self,
         frame: &Value<'m>,
         variable: SymbolId,
-        turning: Value<'m>,
-    ) -> Value<'m> {
-        let Some(turn) = self.turn_of_body(frame, variable) else {
-            return turning;
-        };
-        let equal = self.space_vector(&turning);
-        let own = [0, 1, 2].map(|k| match turn[k].constant_value() {
-            Some(_) => turn[k],
-            None => self.turn_as_symbol(turn[k], equal[k]),
-        });
-        Value::Vector(Vector(own).into())
+    ) -> Option<Value<'m>> {
+        let [_, axes @ ..] = self.frame_parts(frame);
+        let turn = self.turn_about(&axes, variable)?;
+        Some(Value::Vector(turn.into()))
     }
 
-    /// A component of a turn, which is equal to another expression: derivatives are those of that. It is a quotient of large sums itself.
-    fn turn_as_symbol(&mut self, turn: Ex<'m>, equal: Ex<'m>) -> Ex<'m> {
+    /// The turn of the body that has two of these directions, as symbols.
+    pub(super) fn turn_about(&mut self, axes: &[V3<'m>], variable: SymbolId) -> Option<V3<'m>> {
+        let (group, body, [u, w]) = self.body_with(axes)?;
+        let turn = *self.turns(group, variable)?.get(body)?;
+        let equal = self.turn_of_directions([u, w], variable);
+        let by = vec![variable];
+        let own = [0, 1, 2].map(|component| {
+            let rule = TurnRule {
+                group,
+                body,
+                component,
+                by: by.clone(),
+                equal: equal[component],
+            };
+            self.turn_as_symbol(turn[component], rule)
+        });
+        Some(Vector(own))
+    }
+
+    /// By how much two perpendicular directions turn, from their derivatives: `u x u' + (w' . (u x w)) u`.
+    fn turn_of_directions(&mut self, [u, w]: [V3<'m>; 2], variable: SymbolId) -> V3<'m> {
+        let [u1, w1] = [u, w].map(|axis| axis.map(|x| self.slope(x, variable)));
+        u.cross(u1) + w1.dot(u.cross(w)) * u
+    }
+
+    /// What a component of a turn changes by with a second variable, from the system of second derivatives.
+    pub(super) fn second_turn(&mut self, own: &TurnRule<'m>, variable: SymbolId) -> Option<Ex<'m>> {
+        let &[first] = &own.by[..] else {
+            return None;
+        };
+        if self.derivatives.held > 0 {
+            return None;
+        }
+        self.derivatives.offered.turns = true;
+        if !self.solutions.shortcuts.turns {
+            return None;
+        }
+        let mut by = [first, variable];
+        by.sort_unstable();
+        self.rates(own.group, by.to_vec());
+        let turns = self.derivatives.second_turns.get(&(own.group, by))?;
+        let mut turn = turns[own.body][own.component];
+        if by[0] != first {
+            // Turns by both do not commute: `dt/dx` of the turn by y is `ds/dy` of that by x and `s x t`.
+            let [s, t] = [variable, first].map(|v| self.turns(own.group, v));
+            turn += s?[own.body].cross(t?[own.body])[own.component];
+        }
+        let equal = self.slope(own.equal, variable);
+        let rule = TurnRule {
+            by: vec![first, variable],
+            equal,
+            ..own.clone()
+        };
+        Some(self.turn_as_symbol(turn, rule))
+    }
+
+    /// A component of a turn.
+    fn turn_as_symbol(&mut self, turn: Ex<'m>, rule: TurnRule<'m>) -> Ex<'m> {
+        if turn.constant_value().is_some() {
+            return turn;
+        }
         if let Some(&known) = self.derivatives.turns_as_symbols.get(&turn.id()) {
             return known;
         }
-        let symbol =
-            self.symbol_for_value(format!("turn {:?}", turn.id()), turn, Rule::Follow(equal));
+        let name = format!("turn {:?}", turn.id());
+        let symbol = self.symbol_for_value(name, turn, Rule::Turn(Box::new(rule)));
         self.derivatives.turns_as_symbols.insert(turn.id(), symbol);
         symbol
     }
 
-    /// The turn of the body that a frame is.
-    fn turn_of_body(&mut self, frame: &Value<'m>, variable: SymbolId) -> Option<V3<'m>> {
-        let [_, axes @ ..] = self.frame_parts(frame);
-        let places = axes.map(|axis| self.places_of(axis));
+    /// The body that has two of some directions, by its group and its place there, with them.
+    fn body_with(&self, axes: &[V3<'m>]) -> Option<(usize, usize, [V3<'m>; 2])> {
+        let places: Vec<_> = axes.iter().map(|&axis| self.places_of(axis)).collect();
         let group = places.iter().flatten().map(|(group, _)| *group).next()?;
         let elimination = self.solutions.groups[group].elimination.as_ref()?;
         let bodies = &elimination.scheme.as_ref()?.bodies.all;
-        let is_axis = |columns: &[usize; 3]| places.contains(&Some((group, *columns)));
-        let body = bodies
-            .iter()
-            .position(|body| body.columns.iter().all(is_axis))?;
-        self.turns(group, variable)?.get(body).copied()
+        let place = |columns: &[usize; 3]| {
+            places
+                .iter()
+                .position(|own| *own == Some((group, *columns)))
+        };
+        let mut found = bodies.iter().enumerate().filter_map(|(index, body)| {
+            let [u, w] = body.columns.each_ref().map(place);
+            Some((group, index, [axes[u?], axes[w?]]))
+        });
+        found.next()
     }
 
     /// The places of a direction's components among the unknowns of a group.

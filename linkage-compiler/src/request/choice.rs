@@ -78,11 +78,15 @@ impl<'m> Choice<'m> {
             };
             self.try_way(state, inliner, definition, way, 0.0);
         }
-        if state.algebra.has_products() {
-            let way = Way {
-                products: true,
-                ..self.way
-            };
+        let offered = state.algebra.offered_shortcuts();
+        if offered.turns {
+            let mut way = self.way;
+            way.shortcuts.turns = true;
+            self.try_way(state, inliner, definition, way, 0.0);
+        }
+        if offered.products {
+            let mut way = self.way;
+            way.shortcuts.products = true;
             self.try_way(state, inliner, definition, way, WORTH);
         }
         let formulas = std::mem::take(&mut self.formulas);

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 
-use crate::algebra::{Algebra, Direction, Translate, Value};
+use crate::algebra::{Algebra, Direction, Shortcuts, Translate, Value};
 use crate::forces::Forces;
 use crate::formulate::Formulation;
 use crate::model::{EvaluatorDef, Expr, ExprKind, Type, VECTORS_OF_PLANE, Variable};
@@ -29,8 +29,8 @@ pub(super) struct Way {
     pub(super) direction: Direction,
     /// Whether points at the ends of links are reached by the other sides of the loops that the links close.
     pub(super) other_sides: bool,
-    /// Whether derivatives use products that are known of links.
-    pub(super) products: bool,
+    /// What derivatives make use of.
+    pub(super) shortcuts: Shortcuts,
 }
 
 /// What a function asks for, as expressions.
@@ -39,7 +39,7 @@ pub(super) fn request<'m>(
     definition: &EvaluatorDef,
     way: Way,
 ) -> Requested<'m> {
-    if state.algebra.use_products(way.products) {
+    if state.algebra.use_shortcuts(way.shortcuts) {
         state.forces.forget_derivatives();
     }
     let mut request = Request {
@@ -231,11 +231,14 @@ impl<'m> Request<'_, 'm> {
     /// The turning of a frame by all inputs of the function, and the derivatives of that.
     fn turning(&mut self, frame: &Value<'m>, order: u8) -> Value<'m> {
         self.by_each_input(|request, input| {
-            let slope = request.derivative(frame, Variable::Input(input));
-            let algebra = &mut request.algebra;
-            let turning = algebra.turning_of_frame(frame, &slope);
-            let variable = algebra.variable(Variable::Input(input));
-            let turning = algebra.as_turn_of_body(frame, variable, turning);
+            let variable = request.algebra.variable(Variable::Input(input));
+            let turning = match request.algebra.turn_of_frame(frame, variable) {
+                Some(turn) => turn,
+                None => {
+                    let slope = request.derivative(frame, Variable::Input(input));
+                    request.algebra.turning_of_frame(frame, &slope)
+                }
+            };
             request.by_inputs(&turning, order - 1)
         })
     }

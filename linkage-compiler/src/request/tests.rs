@@ -14,7 +14,7 @@ use proc_macro2::TokenStream;
 
 use super::State;
 use super::quantity::{Way, request};
-use crate::algebra::{Algebra, Direction, Nominal};
+use crate::algebra::{Algebra, Direction, Nominal, Shortcuts};
 use crate::close::{Reference, assemble_reference};
 use crate::diagnostic::{Diagnostics, Reporter};
 use crate::forces::Forces;
@@ -60,7 +60,10 @@ fn expect_agreement(items: &str, function: &str) {
         Direction::ALL.map(|direction| Way {
             direction,
             other_sides,
-            products,
+            shortcuts: Shortcuts {
+                products,
+                turns: false,
+            },
         })
     });
     let results = ways.as_flattened().iter().map(|&way| {
