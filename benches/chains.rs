@@ -81,6 +81,20 @@ impl Rows {
         self.candidates.push(Candidate::new(name, items, run));
     }
 
+    /// Times them in turn, and prints that.
+    fn run(self, time: Duration) {
+        let Self {
+            goals,
+            mut candidates,
+        } = self;
+        candidates.push(clock());
+        let times = interleave(candidates, time);
+        let (clock, times) = times.split_last().expect("the clock is the last one");
+        for (times, goal) in times.iter().zip(goals) {
+            print(times, goal, clock);
+        }
+    }
+
     /// Something that no goal is set for.
     fn beside(&mut self, name: &str, items: usize, run: impl FnMut() + 'static) {
         self.goals.push(None);
@@ -89,28 +103,21 @@ impl Rows {
 }
 
 fn main() {
-    let mut rows = Rows::default();
+    let (mut rows, mut sweeps) = (Rows::default(), Rows::default());
     ankles(&mut rows);
     platform(&mut rows);
-    axle(&mut rows);
+    axle(&mut rows, &mut sweeps);
     assemblies(&mut rows);
-    let time = Duration::from_millis(if only_tested() { 1 } else { 5000 });
-    let Rows {
-        goals,
-        mut candidates,
-    } = rows;
-    candidates.push(clock());
-    let times = interleave(candidates, time);
-    let (clock, times) = times.split_last().expect("the clock is the last one");
     println!(
         "{}; {}. Medians; c = core cycles.",
         environment::processor(),
         environment::build()
     );
     println!("{:<42} {:>12} {:>10} {:>12}", "", "ns", "(c)", "goal");
-    for (times, goal) in times.iter().zip(goals) {
-        print(times, goal, clock);
-    }
+    let time = Duration::from_millis(if only_tested() { 1 } else { 5000 });
+    rows.run(time);
+    // Between other pieces of work a sweep would first have to get back its columns and the cells of its group.
+    sweeps.run(time / 5);
     operations(McPherson::<f64>::STRUCTURE);
 }
 
@@ -198,7 +205,7 @@ fn platform(rows: &mut Rows) {
 }
 
 /// The wheel's angles and place with both derivatives by travel and rack.
-fn axle(rows: &mut Rows) {
+fn axle(rows: &mut Rows, sweeps: &mut Rows) {
     let axle = FiveLinkAxle::default().assemble().expect("it assembles");
     let places = scattered([[-80.0, 80.0], [-15.0, 15.0]]);
     let [travel, rack] = [0, 1].map(|k| places.iter().map(|place| place[k]).collect::<Vec<f64>>());
@@ -221,7 +228,7 @@ fn axle(rows: &mut Rows) {
             }
         },
     );
-    rows.add(
+    sweeps.add(
         "five-link axle, both derivatives, sweep",
         60.0,
         travel.len(),

@@ -64,14 +64,22 @@ impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
         vectors: usize,
         columns: &mut [[T; B]],
     ) {
-        for lane in 0..vectors * V {
-            // Across rows, look-ups would become gathers, which are slow: nothing is moved across this.
-            black_box(());
-            let mut inputs = [T::from_f64(0.0); I];
-            for (input, column) in inputs.iter_mut().zip(x) {
-                *input = column[lane];
+        for first in (0..vectors).map(|vector| vector * V) {
+            let nothing = ([T::from_f64(0.0); S], T::from_f64(0.0));
+            let mut rows = [nothing; V];
+            for (lane, row) in rows.iter_mut().enumerate() {
+                // Across rows, look-ups would become gathers, which are slow: nothing is moved across this.
+                black_box(());
+                let mut inputs = [T::from_f64(0.0); I];
+                for (input, column) in inputs.iter_mut().zip(x) {
+                    *input = column[first + lane];
+                }
+                *row = self.at::<T, FUSED>(inputs);
             }
-            put(self.at::<T, FUSED>(inputs), lane, columns);
+            // A number that is read as soon as its vector is written waits for it.
+            for (lane, row) in rows.into_iter().enumerate() {
+                put(row, first + lane, columns);
+            }
         }
     }
 }
