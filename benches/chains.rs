@@ -82,7 +82,8 @@ impl Rows {
     }
 
     /// Times them in turn, and prints that.
-    fn run(self, time: Duration) {
+    fn run(self) {
+        let time = Duration::from_millis(if only_tested() { 1 } else { 2000 });
         let Self {
             goals,
             mut candidates,
@@ -103,21 +104,18 @@ impl Rows {
 }
 
 fn main() {
-    let (mut rows, mut sweeps) = (Rows::default(), Rows::default());
-    ankles(&mut rows);
-    platform(&mut rows);
-    axle(&mut rows, &mut sweeps);
-    assemblies(&mut rows);
     println!(
         "{}; {}. Medians; c = core cycles.",
         environment::processor(),
         environment::build()
     );
     println!("{:<42} {:>12} {:>10} {:>12}", "", "ns", "(c)", "goal");
-    let time = Duration::from_millis(if only_tested() { 1 } else { 5000 });
-    rows.run(time);
-    // Between other pieces of work a sweep would first have to get back its columns and the cells of its group.
-    sweeps.run(time / 5);
+    // Each mechanism in rounds of its own: after another one its prepared states would have to come back into the cache first.
+    for pieces in [ankles, platform, axle, assemblies] {
+        let mut rows = Rows::default();
+        pieces(&mut rows);
+        rows.run();
+    }
     operations(McPherson::<f64>::STRUCTURE);
 }
 
@@ -205,7 +203,7 @@ fn platform(rows: &mut Rows) {
 }
 
 /// The wheel's angles and place with both derivatives by travel and rack.
-fn axle(rows: &mut Rows, sweeps: &mut Rows) {
+fn axle(rows: &mut Rows) {
     let axle = FiveLinkAxle::default().assemble().expect("it assembles");
     let places = scattered([[-80.0, 80.0], [-15.0, 15.0]]);
     let [travel, rack] = [0, 1].map(|k| places.iter().map(|place| place[k]).collect::<Vec<f64>>());
@@ -228,7 +226,7 @@ fn axle(rows: &mut Rows, sweeps: &mut Rows) {
             }
         },
     );
-    sweeps.add(
+    rows.add(
         "five-link axle, both derivatives, sweep",
         60.0,
         travel.len(),
