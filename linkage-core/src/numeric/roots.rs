@@ -17,6 +17,7 @@ mod past;
 mod path;
 mod place;
 mod polynomial;
+mod precise;
 mod quadratic;
 mod real;
 mod start;
@@ -84,8 +85,8 @@ pub struct Listing {
     /// Number of paths that end in multiple solutions, or in solutions too close together to be
     /// told apart, as next to a turning point. None of these is among `real`.
     pub multiple: usize,
-    /// Number of paths that end where nothing is real, too far out or too close to others for an end that
-    /// is certain: what isolated solutions are there are not counted as `complex`.
+    /// Number of paths that end where nothing is real, too far out or too close to others for coefficients of 16 digits to
+    /// tell the end: what isolated solutions are there are not counted as `complex`.
     pub blurred: usize,
     /// Number of paths followed.
     pub paths: usize,
@@ -110,7 +111,7 @@ pub enum Unlisted {
         /// Most paths that are followed.
         most: u64,
     },
-    /// Some paths could not be followed to their ends without doubt, however small the steps.
+    /// Some paths could not be followed to their ends without doubt, however small the steps and with twice the digits.
     Lost {
         /// Number of paths without a certain end.
         lost: usize,

@@ -1,6 +1,7 @@
 //! Listing all solutions of polynomial systems.
 
 mod counts;
+mod digits;
 mod ends;
 mod extremes;
 mod groups;

@@ -6,12 +6,8 @@ use super::place::Place;
 use alloc::vec::Vec;
 
 /// Number of paths with an uncertain end.
-pub(super) fn count<const N: usize>(
-    traces: &[Trace<N>],
-    roots: &[Root<N>],
-    multiple: &[Place<N>],
-) -> usize {
-    lost(traces) + meetings(traces) + duplicates(roots) + single(multiple)
+pub(super) fn count<const N: usize>(traces: &[Trace<N>], roots: &[Root<N>]) -> usize {
+    lost(traces) + meetings(traces) + duplicates(roots)
 }
 
 fn lost<const N: usize>(traces: &[Trace<N>]) -> usize {
@@ -57,17 +53,21 @@ fn count_equal<const N: usize>(mut places: Vec<(Place<N>, f64)>, largest: f64) -
     equal
 }
 
-/// Number of multiple solutions at which a single path ends.
-fn single<const N: usize>(multiple: &[Place<N>]) -> usize {
+/// Takes ends at multiple solutions for lost where no other path ends: several do at a solution that is one.
+pub(super) fn lose_single<const N: usize>(traces: &mut [Trace<N>]) {
     const NEAR: f64 = 1e-2;
-    let has_twin = |index: usize, place: &Place<N>| {
-        let others = multiple.iter().enumerate();
-        others
-            .filter(|&(other, _)| other != index)
-            .any(|(_, other)| place.distance(other) < NEAR * NEAR)
-    };
-    let places = multiple.iter().enumerate();
-    places
-        .filter(|(index, place)| !has_twin(*index, place))
-        .count()
+    let multiple = traces
+        .iter()
+        .enumerate()
+        .filter_map(|(index, own)| match own.end {
+            End::Multiple(place) => Some((index, place)),
+            _ => None,
+        });
+    let multiple: Vec<(usize, Place<N>)> = multiple.collect();
+    for (index, place) in &multiple {
+        let mut others = multiple.iter().filter(|(other, _)| other != index);
+        if others.all(|(_, other)| place.distance(other) >= NEAR * NEAR) {
+            traces[*index].end = End::Lost;
+        }
+    }
 }

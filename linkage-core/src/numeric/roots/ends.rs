@@ -19,7 +19,7 @@ pub(super) enum End<const N: usize> {
     Outside,
     /// A multiple solution, or one of a continuum.
     Multiple(Place<N>),
-    /// Nothing real; what else it is, numbers of this precision do not tell.
+    /// Nothing real, as far as is known of it; what else it is, the coefficients do not tell.
     Blurred,
     Lost,
 }
@@ -63,11 +63,14 @@ const PRECISE: f64 = 1e-3;
 /// than twice what it is on the circle; and as much again is beside its reflection.
 const CONFINED: f64 = 4.0;
 
-/// The end of a path that has come near it.
-pub(super) fn find<const N: usize>(walker: &mut Walker<'_, N>, most_steps: usize) -> End<N> {
+/// The end of a path that has come near it; `marks` are where it has been on its way there.
+pub(super) fn find<const N: usize>(
+    walker: &mut Walker<'_, N>,
+    most_steps: usize,
+    marks: &mut Vec<(f64, Place<N>)>,
+) -> End<N> {
     let mut next_try = f64::INFINITY;
     let mut rates = Rates::new();
-    let mut marks = Vec::new();
     for _ in 0..most_steps {
         let t = walker.now().t;
         if walker.step() >= t && t <= next_try {
@@ -84,7 +87,7 @@ pub(super) fn find<const N: usize>(walker: &mut Walker<'_, N>, most_steps: usize
         }
         let precise = walker.pivot * way_left(walker) > BLURRED;
         if t < LAST || !precise || walker.step() < SHORT * t {
-            return conclude(walker, &marks);
+            return conclude(walker, marks);
         }
         if rates.are_settled(walker) {
             return End::Outside;
@@ -216,6 +219,7 @@ enum Led<const N: usize> {
 }
 
 /// Leads the path around its end: it ends within that way, so in nothing real if the way is narrower than its middle is away from its reflection.
+/// That holds unless the path meets another one within the way, which is found out where it is followed with more digits.
 fn led_around<const N: usize>(
     walker: &mut Walker<'_, N>,
     marks: &[(f64, Place<N>)],

@@ -11,6 +11,7 @@ use super::homotopy::Homotopy;
 use super::matrix::{Vector, size, solve, sum};
 use super::past::{Knot, Past};
 use super::place::Place;
+use alloc::vec::Vec;
 
 /// How carefully paths are followed.
 #[derive(Clone, Copy)]
@@ -26,6 +27,8 @@ pub(super) struct Trace<const N: usize> {
     /// Where it was at `WAYPOINT`, and the smallest pivot there. There all paths are apart.
     pub(super) waypoint: (Place<N>, f64),
     pub(super) end: End<N>,
+    /// `t` and where it was shortly before its end, where numbers still have digits to spare.
+    pub(super) mark: Option<(f64, Place<N>)>,
 }
 
 /// A path and how far it has been followed.
@@ -55,6 +58,8 @@ const LEAST_EXCESS: f64 = 1e-8;
 const LARGE: f64 = 2.0;
 /// By how much corrections may be longer than what is aimed at.
 const TOO_MUCH: f64 = 4.0;
+/// With more digits paths are followed on from about here.
+const RESUMED: f64 = 1e-7;
 /// Rounding errors of an equation, amply.
 const NOISE: f64 = 1e-14;
 
@@ -70,6 +75,7 @@ pub(super) fn follow<const N: usize>(
     let lost = Trace {
         waypoint: (nowhere, 0.0),
         end: End::Lost,
+        mark: None,
     };
     let Some(mut walker) = Walker::new(homotopy, variables, pace, start) else {
         return lost;
@@ -89,8 +95,14 @@ pub(super) fn follow<const N: usize>(
         }
     }
     let waypoint = (walker.homotopy.place(walker.now().x), walker.pivot);
-    let end = ends::find(&mut walker, MOST_STEPS - steps);
-    Trace { waypoint, end }
+    let mut marks = Vec::new();
+    let end = ends::find(&mut walker, MOST_STEPS - steps, &mut marks);
+    let mark = marks.into_iter().rev().find(|(t, _)| *t > RESUMED);
+    Trace {
+        waypoint,
+        end,
+        mark,
+    }
 }
 
 /// What a Newton step gives.

@@ -7,6 +7,7 @@ use super::homotopy::Homotopy;
 use super::path::{Pace, Trace, follow};
 use super::place::Place;
 use super::polynomial::{self, Polynomial};
+use super::precise;
 use super::real;
 use super::{Listing, Unlisted, Variable};
 use alloc::vec::Vec;
@@ -29,7 +30,7 @@ pub(super) fn list<const N: usize>(
     let mut doubts = paths;
     for attempt in 0..ATTEMPTS {
         let mut homotopy = Homotopy::<N>::new(target, attempt);
-        match listing(&mut homotopy, &variables, Pace::of_attempt(attempt)) {
+        match listing(&mut homotopy, &variables, target, attempt) {
             Outcome::Listed(mut listing) => {
                 for solution in listing.real.iter_mut().chain(&mut listing.meeting) {
                     solution.truncate(count);
@@ -55,19 +56,24 @@ enum Outcome {
 fn listing<const N: usize>(
     homotopy: &mut Homotopy<N>,
     variables: &[Variable],
-    pace: Pace,
+    target: &[Polynomial],
+    attempt: usize,
 ) -> Outcome {
+    let pace = Pace::of_attempt(attempt);
     let starts = homotopy.starts();
-    let traces: Vec<Trace<N>> = starts
+    let mut traces: Vec<Trace<N>> = starts
         .iter()
         .map(|start| follow(homotopy, variables, pace, start))
         .collect();
-    let (roots, multiple) = sorted(&traces);
+    let (_, multiple) = sorted(&traces);
     let mut examined = multiple.iter().take(EXAMINED);
     if examined.any(|place| is_continuum(homotopy, place)) {
         return Outcome::Degenerate;
     }
-    let doubts = doubts::count(&traces, &roots, &multiple);
+    doubts::lose_single(&mut traces);
+    precise::pursue(homotopy, variables, target, attempt, &mut traces);
+    let (roots, multiple) = sorted(&traces);
+    let doubts = doubts::count(&traces, &roots);
     if doubts > 0 {
         return Outcome::Doubtful(doubts);
     }

@@ -1,0 +1,157 @@
+//! Paths that numbers of 16 digits do not lead to a certain end are followed on in numbers of about 32.
+//!
+//! The coefficients have no more than 16 digits, whatever they are computed with. So an end counts only if it hangs on none of their last
+//! places: it must stay where it is, far from all others, when every coefficient is changed by a rounding. Ends that coefficients do not
+//! tell, such as those of paths that meet at infinity but for rounding, stay as uncertain as they were.
+
+mod double;
+mod equations;
+#[cfg(test)]
+mod tests;
+mod walk;
+mod wide;
+
+use super::Variable;
+use super::complex::rough_root;
+use super::ends::{End, Root};
+use super::homotopy::Homotopy;
+use super::path::Trace;
+use super::place::Place;
+use super::polynomial::Polynomial;
+use alloc::vec::Vec;
+use equations::Equations;
+use walk::Reached;
+
+/// An end that roundings of coefficients move by more than this part of its distance from others is not certain.
+const STEADY: f64 = 0.1;
+/// Distances below this are roundings of places.
+const ROUNDING: f64 = 1e-15;
+/// How far a solution reaches, as a part of its distance from others.
+const REACH: f64 = 0.3;
+const LONGEST_REACH: f64 = 0.1;
+/// What is nearer than this to its reflection may be real; far out, as a part of the inverse.
+const NEARLY_REAL: f64 = 0.1;
+
+/// The end of a path, and how far it is moved by roundings of coefficients.
+struct Found<const N: usize> {
+    path: usize,
+    place: Place<N>,
+    moved: f64,
+}
+
+/// Paths of a listing, and what they are followed on with.
+struct Pursuit<'a, const N: usize> {
+    homotopy: &'a mut Homotopy<N>,
+    variables: &'a [Variable],
+    traces: &'a mut [Trace<N>],
+    equations: Equations<N>,
+}
+
+/// Follows the paths without a certain end on: first those that are lost, then those that are blurred. Where ends become known, paths that
+/// seemed to lead to infinity are asked, too: the same numbers have said so.
+pub(super) fn pursue<const N: usize>(
+    homotopy: &mut Homotopy<N>,
+    variables: &[Variable],
+    target: &[Polynomial],
+    attempt: usize,
+    traces: &mut [Trace<N>],
+) {
+    let lost = paths(traces, |end| matches!(end, End::Lost));
+    let blurred = paths(traces, |end| matches!(end, End::Blurred));
+    if lost.is_empty() && blurred.is_empty() {
+        return;
+    }
+    let mut pursuit = Pursuit {
+        homotopy,
+        variables,
+        traces,
+        equations: Equations::new(target, attempt),
+    };
+    if !pursuit.become_known(&lost) {
+        return;
+    }
+    if pursuit.become_known(&blurred) || !lost.is_empty() {
+        for path in paths(pursuit.traces, |end| matches!(end, End::Outside)) {
+            pursuit.become_known(&[path]);
+        }
+    }
+}
+
+/// The paths with such an end.
+fn paths<const N: usize>(traces: &[Trace<N>], such: impl Fn(&End<N>) -> bool) -> Vec<usize> {
+    let all = traces.iter().enumerate();
+    let such = all.filter(|(_, own)| such(&own.end));
+    such.map(|(path, _)| path).collect()
+}
+
+impl<const N: usize> Pursuit<'_, N> {
+    /// Whether the ends of all these paths become known. Otherwise none does: a single one that is uncertain spoils the listing, or the number
+    /// of its solutions.
+    fn become_known(&mut self, paths: &[usize]) -> bool {
+        let mut found = Vec::with_capacity(paths.len());
+        for &path in paths {
+            match self.reached(path) {
+                Some(Reached::End(place, moved)) => found.push(Found { path, place, moved }),
+                Some(Reached::Here(place)) => self.reconsider(path, Some(&place)),
+                None => self.reconsider(path, None),
+            }
+        }
+        if found.len() < paths.len() {
+            return false;
+        }
+        let roots = found.iter().map(|own| own.root(self.traces, &found));
+        let Some(roots) = roots.collect::<Option<Vec<Root<N>>>>() else {
+            for own in &found {
+                self.reconsider(own.path, Some(&own.place));
+            }
+            return false;
+        };
+        for (own, root) in found.iter().zip(roots) {
+            self.traces[own.path].end = End::Regular(root);
+        }
+        true
+    }
+
+    fn reached(&mut self, path: usize) -> Option<Reached<N>> {
+        let (t, place) = self.traces[path].mark.as_ref()?;
+        walk::follow(self.homotopy, &mut self.equations, *t, place)
+    }
+
+    /// A way around an end stays away from what is real, but a path that turns off within it may not: it is lost if it has come near.
+    fn reconsider(&mut self, path: usize, place: Option<&Place<N>>) {
+        let end = &mut self.traces[path].end;
+        let may_be_real = |place: &Place<N>| {
+            let gaps = place.gaps(self.variables);
+            // Of two numbers far out both inverses are near 0.
+            let size = |j: usize| match place.is_outer(j, self.variables) {
+                true => rough_root(place.x[j].square()),
+                false => 1.0,
+            };
+            (0..N).all(|j| gaps[j] < NEARLY_REAL * size(j))
+        };
+        if matches!(end, End::Blurred) && place.is_none_or(may_be_real) {
+            *end = End::Lost;
+        }
+    }
+}
+
+impl<const N: usize> Found<N> {
+    /// The isolated solution, unless it may be one of the others.
+    fn root(&self, traces: &[Trace<N>], found: &[Self]) -> Option<Root<N>> {
+        let known = traces.iter().filter_map(|trace| match &trace.end {
+            End::Regular(root) => Some(&root.place),
+            End::Multiple(place) => Some(place),
+            End::Outside | End::Blurred | End::Lost => None,
+        });
+        let others = found.iter().filter(|other| other.path != self.path);
+        let all = known.chain(others.map(|other| &other.place));
+        let apart = rough_root(
+            all.map(|place| place.distance(&self.place))
+                .fold(1.0, f64::min),
+        );
+        (self.moved.max(ROUNDING) < STEADY * apart).then(|| Root {
+            place: self.place,
+            reach: (REACH * apart).min(LONGEST_REACH),
+        })
+    }
+}
