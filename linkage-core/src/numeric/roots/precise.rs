@@ -117,7 +117,8 @@ impl<const N: usize> Pursuit<'_, N> {
         walk::follow(self.homotopy, &mut self.equations, *t, place)
     }
 
-    /// A way around an end stays away from what is real, but a path that turns off within it may not: it is lost if it has come near.
+    /// A way around an end stays away from what is real, but a path that turns off within it may not, nor one that seemed to lead to infinity:
+    /// it is lost if it has come near.
     fn reconsider(&mut self, path: usize, place: Option<&Place<N>>) {
         let end = &mut self.traces[path].end;
         let may_be_real = |place: &Place<N>| {
@@ -129,7 +130,12 @@ impl<const N: usize> Pursuit<'_, N> {
             };
             (0..N).all(|j| gaps[j] < NEARLY_REAL * size(j))
         };
-        if matches!(end, End::Blurred) && place.is_none_or(may_be_real) {
+        let doubtful = match end {
+            End::Blurred => place.is_none_or(may_be_real),
+            End::Outside => place.is_some_and(may_be_real),
+            End::Regular(_) | End::Multiple(_) | End::Lost => false,
+        };
+        if doubtful {
             *end = End::Lost;
         }
     }

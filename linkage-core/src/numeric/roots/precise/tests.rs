@@ -1,4 +1,7 @@
-use super::super::complex::Complex;
+use super::super::complex::{Complex, ZERO};
+use super::super::path::Trace;
+use super::super::place::Place;
+use super::Found;
 use super::double::Double;
 use super::wide::Wide;
 
@@ -56,4 +59,27 @@ fn complex_numbers_have_them_too() {
     assert_eq!((turned.re, turned.im), (-INVERSE, E));
     assert_eq!(z.scaled(2.0) - z, z);
     assert_eq!(z.rounded(), Complex::new(E.high, INVERSE.high));
+}
+
+#[test]
+fn ends_count_if_roundings_move_them_less_than_they_are_apart() {
+    let place = |re: f64| Place {
+        x: [Complex::new(re, 0.0), ZERO],
+        flipped: [false; 2],
+    };
+    let traces: [Trace<2>; 0] = [];
+    let root = |moved: f64, apart: f64| {
+        let found = [(0, 0.0, moved), (1, apart, 0.0)];
+        let found = found.map(|(path, re, moved)| Found {
+            path,
+            place: place(re),
+            moved,
+        });
+        found[0].root(&traces, &found)
+    };
+    let reach = root(1e-5, 1e-3).expect("it is steady").reach;
+    assert!(reach > 1e-5 && reach < 1e-3);
+    assert!(root(5e-4, 1e-3).is_none());
+    // Two paths to the same place, or to places that numbers hardly tell.
+    assert!(root(0.0, 0.0).is_none() && root(0.0, 1e-15).is_none());
 }
