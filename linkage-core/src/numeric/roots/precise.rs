@@ -85,31 +85,34 @@ fn paths<const N: usize>(traces: &[Trace<N>], such: impl Fn(&End<N>) -> bool) ->
 }
 
 impl<const N: usize> Pursuit<'_, N> {
-    /// Whether the ends of all these paths become known. Otherwise none does: a single one that is uncertain spoils the listing, or the number
-    /// of its solutions.
+    /// Whether the ends of all these paths become known. Otherwise none does: a single one that is uncertain spoils the number of solutions, and
+    /// one that is lost the listing, so that no others are followed.
     fn become_known(&mut self, paths: &[usize]) -> bool {
         let mut found = Vec::with_capacity(paths.len());
         for &path in paths {
-            match self.reached(path) {
-                Some(Reached::End(place, moved)) => found.push(Found { path, place, moved }),
-                Some(Reached::Here(place)) => self.reconsider(path, Some(&place)),
-                None => self.reconsider(path, None),
+            let here = match self.reached(path) {
+                Some(Reached::End(place, moved)) => {
+                    found.push(Found { path, place, moved });
+                    continue;
+                }
+                Some(Reached::Here(place)) => Some(place),
+                None => None,
+            };
+            self.reconsider(path, here.as_ref());
+            if matches!(self.traces[path].end, End::Lost) {
+                return false;
             }
-        }
-        if found.len() < paths.len() {
-            return false;
         }
         let roots = found.iter().map(|own| own.root(self.traces, &found));
-        let Some(roots) = roots.collect::<Option<Vec<Root<N>>>>() else {
-            for own in &found {
-                self.reconsider(own.path, Some(&own.place));
+        let roots = roots.collect::<Option<Vec<Root<N>>>>();
+        let roots = roots.filter(|roots| roots.len() == paths.len());
+        for (index, own) in found.iter().enumerate() {
+            match &roots {
+                Some(roots) => self.traces[own.path].end = End::Regular(roots[index]),
+                None => self.reconsider(own.path, Some(&own.place)),
             }
-            return false;
-        };
-        for (own, root) in found.iter().zip(roots) {
-            self.traces[own.path].end = End::Regular(root);
         }
-        true
+        roots.is_some()
     }
 
     fn reached(&mut self, path: usize) -> Option<Reached<N>> {
