@@ -1,12 +1,15 @@
 //! Two bodies that can only be solved together, since rods stand between them: a wheel carrier by the travel of the wheel, and the cradle that its
 //! inner rods end on, which hangs on rods itself. Positions against an independent solver, derivatives against differences.
 
+mod held;
+
 use linkage::{Dimensions, mechanism};
 use linkage_random::Random;
-use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
+use nalgebra::{UnitQuaternion, Vector3};
 
 use super::independent::Pose;
 use super::{close, long};
+use held::{End, Held};
 
 mechanism! {
     pub struct Cradled {
@@ -77,125 +80,25 @@ mechanism! {
     }
 }
 
-/// Millimetres that count as much as a radian.
-const RADIUS: f64 = 100.0;
-
-/// Where a rod ends: on the ground, or on a body at a place of its own.
-#[derive(Clone, Copy)]
-enum End {
-    Ground(Vector3<f64>),
-    On(usize, Vector3<f64>),
-}
-
-/// The rods of both bodies; the height of the first one is given, too.
-struct Held {
-    rods: Vec<[End; 2]>,
-}
-
-impl Held {
-    fn of(own: &Cradled) -> Self {
-        let [carrier, cradle] = [0, 1].map(|body| move |place| End::On(body, place));
-        let ground = End::Ground;
-        Self {
-            rods: vec![
-                [carrier(own.wheel1), ground(own.body1)],
-                [carrier(own.wheel2), ground(own.body2)],
-                [carrier(own.wheel3), ground(own.body3)],
-                [carrier(own.outer1), cradle(own.inner1)],
-                [carrier(own.outer2), cradle(own.inner2)],
-                [carrier(own.outer3), cradle(own.inner3)],
-                [carrier(own.outer4), cradle(own.inner4)],
-                [cradle(own.below1), ground(own.above1)],
-                [cradle(own.below2), ground(own.above2)],
-                [cradle(own.below3), ground(own.above3)],
-                [cradle(own.below4), ground(own.above4)],
-            ],
-        }
-    }
-
-    /// What each rod reaches over.
-    fn vectors(&self, poses: &[Pose; 2]) -> Vec<Vector3<f64>> {
-        let place = |end| match end {
-            End::Ground(place) => place,
-            End::On(body, own) => {
-                let pose: &Pose = &poses[body];
-                pose.p + pose.turn * own
-            }
-        };
-        let ends = self.rods.iter();
-        ends.map(|&[from, to]| place(from) - place(to)).collect()
-    }
-
-    fn lengths(&self, poses: &[Pose; 2]) -> Vec<f64> {
-        let vectors = self.vectors(poses).into_iter();
-        vectors.map(|vector| vector.norm()).collect()
-    }
-
-    /// What the lengths, and then the height, do when the bodies move: for each body ways in [`RADIUS`], then turns.
-    fn slopes(&self, poses: &[Pose; 2]) -> DMatrix<f64> {
-        let mut slopes = DMatrix::zeros(12, 12);
-        for (row, (ends, vector)) in self.rods.iter().zip(self.vectors(poses)).enumerate() {
-            for (end, way) in ends.iter().zip([vector.normalize(), -vector.normalize()]) {
-                if let &End::On(body, own) = end {
-                    let turn = (poses[body].turn * own).cross(&way) / RADIUS;
-                    for k in 0..3 {
-                        slopes[(row, 6 * body + k)] = way[k];
-                        slopes[(row, 6 * body + 3 + k)] = turn[k];
-                    }
-                }
-            }
-        }
-        slopes[(11, 2)] = 1.0;
-        slopes
-    }
-
-    /// Where the bodies are for these lengths and this height, near where they are.
-    fn near(&self, poses: &[Pose; 2], lengths: &[f64], height: f64) -> Option<[Pose; 2]> {
-        let mut here = *poses;
-        for _ in 0..12 {
-            let missed = self.lengths(&here);
-            let missed = lengths
-                .iter()
-                .zip(&missed)
-                .map(|(wanted, own)| wanted - own);
-            let missed: Vec<f64> = missed.chain([height - here[0].p.z]).collect();
-            let way = self
-                .slopes(&here)
-                .lu()
-                .solve(&(DVector::from(missed) / RADIUS))?;
-            for (body, pose) in here.iter_mut().enumerate() {
-                let own = |k: usize| way[6 * body + k];
-                pose.p += RADIUS * Vector3::new(own(0), own(1), own(2));
-                pose.turn = UnitQuaternion::new(Vector3::new(own(3), own(4), own(5))) * pose.turn;
-            }
-            if way.norm() > 0.05 {
-                return None;
-            }
-            if way.norm() < 1e-14 {
-                break;
-            }
-        }
-        Some(here)
-    }
-
-    /// Where the bodies are after the first one has moved by `travel`, and whether they are held from the same side, and well, all the way.
-    fn go(&self, poses: &[Pose; 2], travel: f64) -> Option<[Pose; 2]> {
-        let (lengths, height) = (self.lengths(poses), poses[0].p.z);
-        let hold = self.slopes(poses).determinant();
-        let mut here = *poses;
-        for step in 1..=40 {
-            here = self.near(&here, &lengths, height + travel * f64::from(step) / 40.0)?;
-            let still = self.slopes(&here).determinant() / hold;
-            if still < DEAD {
-                return None;
-            }
-        }
-        Some(here)
+fn held(own: &Cradled) -> Held {
+    let [carrier, cradle] = [0, 1].map(|body| move |place| End::On(body, place));
+    let ground = End::Ground;
+    Held {
+        rods: vec![
+            [carrier(own.wheel1), ground(own.body1)],
+            [carrier(own.wheel2), ground(own.body2)],
+            [carrier(own.wheel3), ground(own.body3)],
+            [carrier(own.outer1), cradle(own.inner1)],
+            [carrier(own.outer2), cradle(own.inner2)],
+            [carrier(own.outer3), cradle(own.inner3)],
+            [carrier(own.outer4), cradle(own.inner4)],
+            [cradle(own.below1), ground(own.above1)],
+            [cradle(own.below2), ground(own.above2)],
+            [cradle(own.below3), ground(own.above3)],
+            [cradle(own.below4), ground(own.above4)],
+        ],
     }
 }
-
-/// Where less than this is left of the determinant at the reference, a dead point is near.
-const DEAD: f64 = 0.2;
 
 fn estimates() -> [Pose; 2] {
     let at = |p| Pose {
@@ -219,16 +122,16 @@ fn away(poses: &[Pose; 2], found: &Bodies<f64>) -> f64 {
 #[test]
 fn both_are_where_an_independent_solver_puts_them() {
     let own = Cradled::default();
-    let held = Held::of(&own);
+    let rods = held(&own);
     let lengths = [
         own.w1, own.w2, own.w3, own.b1, own.b2, own.b3, own.b4, own.m1, own.m2, own.m3, own.m4,
     ];
-    let reference = held
+    let reference = rods
         .near(&estimates(), &lengths, 320.0)
         .expect("near the estimates");
     let assembly = own.assemble().expect("it assembles");
     for travel in (-8..=8).map(|k| 5.0 * f64::from(k)) {
-        let poses = held.go(&reference, travel).expect("it gets there");
+        let poses = rods.go(&reference, travel).expect("it gets there");
         let away = away(&poses, &assembly.bodies(travel, 0.0));
         assert!(away < APART, "{away:e} at {travel}");
     }
@@ -323,15 +226,15 @@ fn random_ones_travel_as_an_independent_solver_says() {
             .iter_mut()
             .for_each(|x| *x += random.between(-15.0, 15.0));
         other = Cradled::from_values(&values);
-        let held = Held::of(&other);
+        let rods = held(&other);
         let mut planted = estimates().map(|pose| pose.moved(&mut random, 3.0, 0.01));
         planted[0].p.z = 320.0;
-        values[66..].copy_from_slice(&held.lengths(&planted));
+        values[66..].copy_from_slice(&rods.lengths(&planted));
         match Cradled::from_values(&values).assemble() {
             Ok(assembly) => {
                 served += 1;
                 for travel in (-4..=4).map(|k| 10.0 * f64::from(k)) {
-                    let Some(poses) = held.go(&planted, travel) else {
+                    let Some(poses) = rods.go(&planted, travel) else {
                         continue;
                     };
                     let away = away(&poses, &assembly.bodies(travel, 0.0));
@@ -341,7 +244,7 @@ fn random_ones_travel_as_an_independent_solver_says() {
                 }
             }
             Err(error) => {
-                let ends = [-40.0, 40.0].map(|travel| held.go(&planted, travel));
+                let ends = [-40.0, 40.0].map(|travel| rods.go(&planted, travel));
                 match ends.iter().all(Option::is_some) {
                     true => otherwise.push(format!("{number}: {error}")),
                     false => refused += 1,

@@ -221,7 +221,7 @@ fn a_controller_executes_the_same_instructions_at_all_inputs() {
     let mut closed = vec![page::press()];
     // The page has figures of golden mechanisms; examples take as long as all else.
     closed.extend(golden());
-    closed.extend(one_in(4, examples()));
+    closed.extend(one_in(8, examples()));
     closed.retain(|own| own.unit.coupled.is_empty());
     let built = |name, all: &[Given]| {
         let folder = machine::folder(name);

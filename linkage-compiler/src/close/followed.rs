@@ -126,16 +126,19 @@ impl<'m> Assembly<'_, 'm> {
                     100.0 * (1.0 - left),
                 )
             }
-            Astray::NoValue | Astray::DeadPoint { .. } => format!(
+            Astray::NoValue | Astray::DeadPoint { .. } | Astray::Singular(_) => format!(
                 "{loops} ({unknowns}) {are} singular{place} where the estimates {}{}; the assemblies cannot be listed: {why}\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another; or write \
                  estimates, or a reference input, away from a dead point",
                 match astray {
                     Astray::DeadPoint { left, .. } if left < ALL => "lead",
+                    Astray::Singular(_) => "lead",
                     _ => "are",
                 },
                 match astray {
-                    Astray::DeadPoint { ref at, .. } => self.standing(prepared, at),
+                    Astray::DeadPoint { ref at, .. } | Astray::Singular(ref at) => {
+                        self.standing(prepared, at)
+                    }
                     _ => {
                         let estimate = prepared.estimate_of_default(self.algebra, self.nominal);
                         self.standing(prepared, &estimate)

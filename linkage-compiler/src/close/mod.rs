@@ -17,6 +17,7 @@ mod follower;
 mod gap;
 mod listing;
 mod machine;
+mod numbers;
 mod parts;
 mod places;
 mod ranges;

@@ -2,7 +2,7 @@
 
 use linkage_core::numeric::continuation::{Correction, dead_point};
 
-use super::listing::Numbers;
+use super::numbers::Numbers;
 use super::ranges::{Broken, Grid, ROUNDING, Ranges};
 use crate::unit::Start;
 

@@ -30,7 +30,9 @@ impl CoupledGroup {
                 let reach = self.reach(programs, x, estimate);
                 Err(self.error(CoupledCause::NotReached { left, reach }))
             }
-            Err(Astray::Movable(_)) => Err(self.error(CoupledCause::Singular)),
+            Err(Astray::Movable(_) | Astray::Singular(_)) => {
+                Err(self.error(CoupledCause::Singular))
+            }
             Err(Astray::NoValue) => Err(self.undefined()),
         }
     }

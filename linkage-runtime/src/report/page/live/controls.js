@@ -77,7 +77,7 @@ function controlRow(name, unit, [low, high], put) {
   const slider = element("input", { type: "range", min: shown(low), max: shown(high), step: "any", "data-slides": name, "aria-label": name });
   const field = element("input", { type: "number", step: "any", "data-dimension": name, "aria-label": `${name}${unit ? ` in ${plotUnit(unit)}` : ""}` });
   const take = (text) => {
-    if (text !== "" && Number.isFinite(Number(text))) tell(put(fromPlot(Number(text), unit)));
+    if (text !== "" && isFinite(text)) tell(put(fromPlot(+text, unit)));
   };
   slider.addEventListener("input", () => whenDrawn(() => take(slider.value)));
   slider.addEventListener("change", () => { drawNow(); keepStep(); });
