@@ -2,6 +2,7 @@
 //! platform on six legs. Every position against 25 digits of solutions of these geometries that were computed with 80, apart from this project.
 
 mod body;
+mod differences;
 mod double_wishbone;
 mod driven_arm;
 mod five_link_axle;

@@ -2,9 +2,8 @@
 //! derivative against differences of the one before it.
 
 use linkage::mechanism;
-use nalgebra::Vector3;
 
-use super::close;
+use super::differences::{STEP, near};
 
 mechanism! {
     pub struct Shimmed {
@@ -60,20 +59,7 @@ mechanism! {
     }
 }
 
-/// Steps of inputs and dimensions, in mm.
-const STEP: f64 = 1e-2;
-
-/// Differences over such steps are off by this part of the largest number of their kind, at most.
-const OFF: f64 = 1e-6;
-
 const PLACES: [[f64; 2]; 4] = [[0.0, 0.0], [13.0, -2.1], [-17.5, 1.4], [6.0, 2.6]];
-
-#[track_caller]
-fn near(found: Vector3<f64>, after: Vector3<f64>, before: Vector3<f64>, scale: f64) {
-    let expected = (after - before) / (2.0 * STEP);
-    let pairs = found.iter().zip(&expected);
-    pairs.for_each(|(&found, &expected)| close(found, expected, scale, OFF));
-}
 
 #[test]
 fn derivatives_are_those_of_what_is_differentiated() {
@@ -85,18 +71,18 @@ fn derivatives_are_those_of_what_is_differentiated() {
         for (k, [a, b]) in steps.into_iter().enumerate() {
             let ends = [1.0, -1.0].map(|s| (travel + s * a, shim + s * b));
             let [after, before] = ends.map(|(travel, shim)| axle.body(travel, shim));
-            near(first.p[k], after.p, before.p, 1.0);
-            near(first.x[k], after.x, before.x, 1e-2);
-            near(first.y[k], after.y, before.y, 1e-2);
+            near(first.p[k], [after.p, before.p], 1.0);
+            near(first.x[k], [after.x, before.x], 1e-2);
+            near(first.y[k], [after.y, before.y], 1e-2);
             // The body's directions turn by its angular velocity.
             assert!((first.w[k].cross(&body.x) - first.x[k]).norm() < 1e-16);
             assert!((first.w[k].cross(&body.y) - first.y[k]).norm() < 1e-16);
             let [after, before] = ends.map(|(travel, shim)| axle.first(travel, shim));
             for j in 0..2 {
-                near(second.p[j][k], after.p[j], before.p[j], 1e-2);
-                near(second.x[j][k], after.x[j], before.x[j], 1e-4);
-                near(second.y[j][k], after.y[j], before.y[j], 1e-4);
-                near(second.a[j][k], after.w[j], before.w[j], 1e-4);
+                near(second.p[j][k], [after.p[j], before.p[j]], 1e-2);
+                near(second.x[j][k], [after.x[j], before.x[j]], 1e-4);
+                near(second.y[j][k], [after.y[j], before.y[j]], 1e-4);
+                near(second.a[j][k], [after.w[j], before.w[j]], 1e-4);
             }
         }
     }
@@ -117,11 +103,11 @@ fn sensitivities_are_those_of_other_dimensions() {
         for [travel, shim] in PLACES {
             let found = axle.by_dimensions(travel, shim);
             let [a, b] = [&after, &before].map(|axle| axle.body(travel, shim));
-            near(found.p[index], a.p, b.p, 1.0);
+            near(found.p[index], [a.p, b.p], 1.0);
             let [a, b] = [&after, &before].map(|axle| axle.first(travel, shim));
             for k in 0..2 {
-                near(found.w[index][k], a.w[k], b.w[k], 1e-4);
-                near(found.x[index][k], a.x[k], b.x[k], 1e-4);
+                near(found.w[index][k], [a.w[k], b.w[k]], 1e-4);
+                near(found.x[index][k], [a.x[k], b.x[k]], 1e-4);
             }
         }
     }
@@ -134,19 +120,19 @@ fn what_no_body_carries_turns_otherwise() {
         let ends = [travel + STEP, travel - STEP];
         let first = axle.first(travel);
         let [after, before] = ends.map(|travel| axle.body(travel));
-        near(first.p, after.p, before.p, 1.0);
-        near(first.x, after.x, before.x, 1e-2);
-        near(first.y, after.y, before.y, 1e-2);
+        near(first.p, [after.p, before.p], 1.0);
+        near(first.x, [after.x, before.x], 1e-2);
+        near(first.y, [after.y, before.y], 1e-2);
         let second = axle.second(travel);
         let [after, before] = ends.map(|travel| axle.first(travel));
-        near(second.p, after.p, before.p, 1e-2);
-        near(second.x, after.x, before.x, 1e-4);
-        near(second.y, after.y, before.y, 1e-4);
-        near(second.a, after.w, before.w, 1e-4);
+        near(second.p, [after.p, before.p], 1e-2);
+        near(second.x, [after.x, before.x], 1e-4);
+        near(second.y, [after.y, before.y], 1e-4);
+        near(second.a, [after.w, before.w], 1e-4);
         let third = axle.third(travel);
         let [after, before] = ends.map(|travel| axle.second(travel));
-        near(third.p, after.p, before.p, 1e-4);
-        near(third.x, after.x, before.x, 1e-6);
-        near(third.y, after.y, before.y, 1e-6);
+        near(third.p, [after.p, before.p], 1e-4);
+        near(third.x, [after.x, before.x], 1e-6);
+        near(third.y, [after.y, before.y], 1e-6);
     }
 }

@@ -7,8 +7,9 @@ use linkage::{Dimensions, mechanism};
 use linkage_random::Random;
 use nalgebra::{UnitQuaternion, Vector3};
 
+use super::differences::{STEP, near};
 use super::independent::Pose;
-use super::{close, long};
+use super::long;
 use held::{End, Held};
 
 mechanism! {
@@ -137,19 +138,6 @@ fn both_are_where_an_independent_solver_puts_them() {
     }
     let structure = Cradled::<f64>::STRUCTURE.groups[1];
     assert!(structure.method.starts_with("followed from the estimates"));
-}
-
-/// Steps of inputs and dimensions, in mm.
-const STEP: f64 = 1e-2;
-
-/// Differences over such steps are off by this part of the largest number of their kind, at most.
-const OFF: f64 = 1e-6;
-
-#[track_caller]
-fn near(found: Vector3<f64>, [after, before]: [Vector3<f64>; 2], scale: f64) {
-    let expected = (after - before) / (2.0 * STEP);
-    let pairs = found.iter().zip(&expected);
-    pairs.for_each(|(&found, &expected)| close(found, expected, scale, OFF));
 }
 
 const PLACES: [[f64; 2]; 3] = [[0.0, 0.0], [13.0, -2.1], [-27.5, 1.4]];

@@ -80,8 +80,7 @@ fn set(page: &mut Page, mechanism: &Mechanism, changes: &[(&str, f64)]) -> Vec<f
         .iter()
         .map(|(name, x)| format!("{name}={x}"))
         .collect();
-    let address = parts.join("&");
-    page.value(&format!("location.hash = '{address}'"));
+    page.value(&format!("location.hash = '{}'", parts.join("&")));
     let (last, value) = changes[changes.len() - 1];
     page.wait(&format!(
         "document.querySelector('input[data-dimension=\"{last}\"]').value === '{value}'"

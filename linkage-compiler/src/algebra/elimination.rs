@@ -80,9 +80,8 @@ impl<'m> Algebra<'m> {
                 let left = of_core(self, &left);
                 let solved = self.solve_left_by_scheme(scheme, &shifts, &left);
                 if let Some(Turns { by, .. }) = turns {
-                    self.derivatives
-                        .second_turns
-                        .insert((group, by), solved.turns.clone());
+                    let second = &mut self.derivatives.second_turns;
+                    second.insert((group, by), solved.turns);
                 }
                 solved.solution
             }

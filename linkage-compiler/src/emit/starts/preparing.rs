@@ -53,7 +53,8 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         quote!(#(#inputs)*)
     });
     let enclosure = quote!(#runtime::Enclosure);
-    let residuals = unit.coupled.iter().any(|group| group.followed).then(|| {
+    let is_followed = unit.coupled.iter().any(|group| group.followed);
+    let residuals = is_followed.then(|| {
         let residuals = arms(&|number, group| {
             if !group.followed {
                 return quote!(#runtime::Vec::new());
@@ -103,7 +104,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         let call = call("system", number);
         quote!(let __x = self.__place(__own); #runtime::pairs(&#call))
     });
-    let of_followed = unit.coupled.iter().any(|group| group.followed).then(|| {
+    let of_followed = is_followed.then(|| {
         let numbers = |kind: &str, number: usize, placed: TokenStream| {
             let call = call(kind, number);
             quote!(#placed <#runtime::Vec<_> as ::core::convert::From<[_; _]>>::from(#call))
