@@ -1,5 +1,5 @@
-//! Own elementary functions without branch, call or table, so that loops over them become vector
-//! code.
+//! Own elementary functions without branch or call, and but for the sines of single calls without a table, so that loops
+//! over them become vector code.
 //!
 //! `FUSED` says that the surrounding machine code has a fused multiply-add: a constant, since
 //! `cfg!(target_feature)` does not see the features of a single function.
@@ -14,12 +14,13 @@ mod sin_cos_single;
 pub(crate) mod double {
     pub(crate) use super::atan2::double as atan2;
     pub(crate) use super::multiply::double as mul_add;
-    pub(crate) use super::sin_cos::sin_cos;
+    pub(crate) use super::sin_cos::{sin_cos, sin_cos_alone};
 }
 
 /// The functions of `f32`.
 pub(crate) mod single {
     pub(crate) use super::atan2::single as atan2;
     pub(crate) use super::multiply::single as mul_add;
-    pub(crate) use super::sin_cos_single::sin_cos;
+    // Fewer digits need no table.
+    pub(crate) use super::sin_cos_single::{sin_cos, sin_cos as sin_cos_alone};
 }

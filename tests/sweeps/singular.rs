@@ -18,6 +18,18 @@ mechanism! {
     }
 }
 
+/// Sines that are compared are the same ones everywhere.
+#[test]
+fn rows_of_guides_are_single_calls_to_the_last_bit() {
+    let linkage = Guides::default().assemble().expect("closes");
+    let angles: Vec<f64> = (0..1000).map(|i| 0.0017 * f64::from(i)).collect();
+    let rows = linkage.slides_sweep(&angles);
+    let bits = |slides: Slides| [slides.s, slides.t, slides.slope].map(f64::to_bits);
+    for (row, phi) in angles.into_iter().enumerate() {
+        assert_eq!(bits(rows.get(row)), bits(linkage.slides(phi)), "{phi}");
+    }
+}
+
 #[test]
 fn parallel_guides_have_no_position() {
     let angles: Vec<f64> = (1..400).map(|i| 0.004 * f64::from(i)).collect();

@@ -6,7 +6,7 @@ use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 
 use super::coupled::Programs;
 use super::numbers::{Numbers, States};
-use super::operations::{by_build, by_machine};
+use super::operations::{by_build, called};
 use super::turns::{Turning, Turns};
 use crate::mechanism::{Mechanism, forever};
 
@@ -54,7 +54,7 @@ impl Assembly<'_> {
             true => {
                 let states = states.by_machine();
                 let numbers = self.numbers(&inputs, &states);
-                by_machine(program, |source| numbers.load(source))
+                called(program, |source| numbers.load(source))
             }
             false => {
                 let states = states.by_build();

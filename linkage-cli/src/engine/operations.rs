@@ -6,20 +6,28 @@ use linkage_runtime::{Enclosure, FUSED};
 use linkage_symbolic::interpret::run_by;
 use linkage_symbolic::program::{Program, Source};
 
-/// A program and where it finds what it loads.
-struct Run<'a, L> {
+/// A program and where it finds what it loads; of a call whose sines may be rounded in their own way, if it is `ALONE`.
+struct Run<'a, L, const ALONE: bool> {
     program: &'a Program,
     load: L,
 }
 
 /// The outputs of a program, with the instructions of the build.
 pub(super) fn by_build(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
-    inlined(&Run { program, load }, [] as [f64; 0])
+    inlined(&Run::<_, false> { program, load }, [])
 }
 
 /// The outputs of a program, with fused multiply-add if the machine has it.
 pub(super) fn by_machine(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
-    single(&Run { program, load }, [] as [f64; 0])
+    single(&Run::<_, false> { program, load }, [])
+}
+
+/// The outputs of a function's program, as calls compute them.
+pub(super) fn called(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
+    match program.compares_sines() {
+        true => by_machine(program, load),
+        false => single(&Run::<_, true> { program, load }, []),
+    }
 }
 
 /// The outputs of a program over a box.
@@ -27,9 +35,9 @@ pub(super) fn over_states(program: &Program, load: impl Fn(Source) -> Enclosure)
     run_by::<Generated<Enclosure, FUSED>>(program, load)
 }
 
-impl<L: Fn(Source) -> f64> Single<f64, Vec<f64>, 0> for Run<'_, L> {
+impl<L: Fn(Source) -> f64, const ALONE: bool> Single<f64, Vec<f64>, 0> for Run<'_, L, ALONE> {
     #[inline(always)]
     fn at<const FUSED: bool>(&self, []: [f64; 0]) -> Vec<f64> {
-        run_by::<Generated<f64, FUSED>>(self.program, &self.load)
+        run_by::<Generated<f64, FUSED, ALONE>>(self.program, &self.load)
     }
 }

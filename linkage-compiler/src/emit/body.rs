@@ -15,6 +15,8 @@ pub(super) enum Runs {
     Once,
     /// For one position, or where `__ROWS` says so for many side by side.
     InRows,
+    /// As `InRows`, and nothing hangs on the last bit of a sine.
+    InRowsOrAlone,
 }
 
 /// The statements of `program` over the scalar type `T`, where `__FUSED` says whether multiply-adds are fused; `load`
@@ -136,6 +138,7 @@ fn sin_cos(runs: Runs, x: &Ident) -> TokenStream {
     match runs {
         Runs::Once => quote!(T::sin_cos_with::<__FUSED>(#x)),
         Runs::InRows => quote!(T::sin_cos_in_rows::<__FUSED, __ROWS>(#x)),
+        Runs::InRowsOrAlone => quote!(T::sin_cos_alone::<__FUSED, __ROWS>(#x)),
     }
 }
 

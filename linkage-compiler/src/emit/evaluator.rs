@@ -12,6 +12,7 @@ use super::load::{CARRIED, INPUT, loader_by};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
 use super::{attribute, body, debug, home, literal, sealed, starts};
+use crate::unit::Body;
 
 /// The result type.
 pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
@@ -183,17 +184,23 @@ fn kernel_name(function: &Function, version: Version) -> Ident {
 pub(super) fn kernel(
     outline: &Outline,
     function: &Function,
-    stages: &[Stage],
+    body: &Body,
     version: Version,
 ) -> TokenStream {
     let Outline { runtime, core, .. } = outline;
+    let stages = &body.stages;
+    let runs = match body.program.compares_sines() {
+        true => Runs::InRows,
+        false => Runs::InRowsOrAlone,
+    };
     let kernel = kernel_name(function, version);
     let split = attribute::split(function.attributes);
     let everywhere = &split.everywhere;
     let places = function.places(outline);
     let count = literal::index(places.width());
     let width = literal::index(function.width());
-    let methods = (0..stages.len()).map(|index| stage(outline, function, stages, index, version));
+    let methods = (0..stages.len())
+        .map(|index| stage(outline, function, (&stages[index], runs), index, version));
     let calls = (0..stages.len()).map(|index| {
         let method = stage_name(function, index, version);
         let stage = &stages[index];
@@ -270,7 +277,7 @@ fn in_memory(places: &[usize]) -> Vec<Ident> {
 fn stage(
     outline: &Outline,
     function: &Function,
-    stages: &[Stage],
+    (stage, runs): (&Stage, Runs),
     index: usize,
     version: Version,
 ) -> TokenStream {
@@ -279,12 +286,12 @@ fn stage(
         taken,
         kept,
         results,
-    } = &stages[index];
+    } = stage;
     let method = stage_name(function, index, version);
     let places = function.places(outline);
     let input = |place| entry(INPUT, place).into_token_stream();
     let load = loader_by(outline, &places, input);
-    let statements = body::statements(program, Runs::InRows, &load);
+    let statements = body::statements(program, runs, &load);
     let read = places.read(program);
     let inputs: Vec<_> = read.iter().map(|&place| entry(INPUT, place)).collect();
     let (next, finished) = program.outputs.split_at(kept.len());

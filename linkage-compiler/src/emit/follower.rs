@@ -28,8 +28,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     for (function, own) in outline.functions.iter().zip(&unit.functions) {
         let version = match &own.settled {
             Some(settled) => {
-                let stages = &settled.stages;
-                items.extend(kernel(outline, function, stages, Version::Settled));
+                items.extend(kernel(outline, function, settled, Version::Settled));
                 Version::Settled
             }
             None => Version::Called,

@@ -110,22 +110,15 @@ fn function(
     let columns = columns::items(outline, function);
     let mut items = home::with_imports(outline, function, &types, &columns);
     items.extend(evaluator::method(outline, function));
+    let versions = [
+        (Some(&own.called), Version::Called),
+        (own.beside.as_ref(), Version::Beside),
+    ];
+    for (body, version) in versions {
+        items.extend(body.map(|body| evaluator::kernel(outline, function, body, version)));
+    }
     let stages = &own.called.stages;
     let beside = own.beside.as_ref().map(|body| &body.stages[..]);
-    items.extend(evaluator::kernel(
-        outline,
-        function,
-        stages,
-        Version::Called,
-    ));
-    if let Some(beside) = beside {
-        items.extend(evaluator::kernel(
-            outline,
-            function,
-            beside,
-            Version::Beside,
-        ));
-    }
     items.extend(sweeps::items(outline, function));
     items.extend(table::items(outline, function, &own.columns));
     items.extend(kernels::items(outline, function, stages, beside, prepare));

@@ -6,13 +6,14 @@ use linkage_core::Scalar;
 use linkage_symbolic::interpret::Arithmetic;
 use linkage_symbolic::program::{Binary, Fused, Ternary, Unary};
 
-/// The arithmetic of generated code on scalars `T`, with or without fused multiply-adds: [`run_by`](linkage_symbolic::interpret::run_by) with it gives
+/// The arithmetic of generated code on scalars `T`, with or without fused multiply-adds; with `ALONE` that of calls of which no result
+/// hangs on the last bit of a sine ([`Program::compares_sines`](linkage_symbolic::program::Program::compares_sines)): [`run_by`](linkage_symbolic::interpret::run_by) with it gives
 /// the bits of generated code. That of [`run`](linkage_symbolic::interpret::run) takes sines from the standard library, which generated code does
 /// not.
 #[derive(Clone, Copy, Debug)]
-pub struct Generated<T, const FUSED: bool>(PhantomData<T>);
+pub struct Generated<T, const FUSED: bool, const ALONE: bool = false>(PhantomData<T>);
 
-impl<T: Scalar, const FUSED: bool> Arithmetic for Generated<T, FUSED> {
+impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T, FUSED, ALONE> {
     type Number = T;
 
     #[inline(always)]
@@ -26,6 +27,8 @@ impl<T: Scalar, const FUSED: bool> Arithmetic for Generated<T, FUSED> {
             Unary::Neg => -a,
             Unary::Abs => a.abs(),
             Unary::Sqrt => a.sqrt(),
+            Unary::Sin if ALONE => a.sin_cos_alone::<FUSED, false>().0,
+            Unary::Cos if ALONE => a.sin_cos_alone::<FUSED, false>().1,
             Unary::Sin => a.sin_cos_with::<FUSED>().0,
             Unary::Cos => a.sin_cos_with::<FUSED>().1,
             Unary::Tan => a.tan(),

@@ -8,6 +8,8 @@
 //! multiples of a right angle (where both variants round correctly or nearly so), and 0.80
 //! roundoffs (2^-53) up to the limit of 2^30.
 
+mod directions;
+
 use super::multiply::{double as mul_add, one_rounding};
 
 /// Adding this number rounds to an integer, which the low bits then hold.
@@ -28,6 +30,16 @@ pub(crate) fn sin_cos<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64)
         swapped(pair, shifted.to_bits())
     } else {
         turned::<FUSED>(pair, shifted.to_bits())
+    }
+}
+
+/// As [`sin_cos`], but for one position in fewer operations and rounded in their way, where multiply-adds are fused.
+#[inline(always)]
+pub(crate) fn sin_cos_alone<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64) {
+    if !ROWS && one_rounding::<FUSED>() {
+        directions::sin_cos(x)
+    } else {
+        sin_cos::<FUSED, ROWS>(x)
     }
 }
 

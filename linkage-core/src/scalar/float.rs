@@ -86,6 +86,11 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
+            fn sin_cos_alone<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
+                elementary::$functions::sin_cos_alone::<FUSED, ROWS>(self)
+            }
+
+            #[inline(always)]
             fn mul_add<const FUSED: bool>(self, factor: Self, term: Self) -> Self {
                 elementary::$functions::mul_add::<FUSED>(self, factor, term)
             }
@@ -128,11 +133,10 @@ macro_rules! scalar {
                 let size = select_unpredictable(size <= <$float>::MAX, size, 0.0);
                 // Its sign is right however it is rounded, since the product is exact.
                 let reserve = elementary::$functions::mul_add::<FUSED>(size, SLACK, self);
-                // The root does not wait for the tests. Choices beside 0 stay in the registers of floats; a sign bit that is spread out
-                // does not. NaN has no reserve, and -0 is 0.
+                // The root waits for a maximum only, one instruction, not for the test. Choices beside 0 stay in the registers of floats; a
+                // sign bit that is spread out does not. NaN has no reserve, and -0 is 0.
                 let nan = select_unpredictable(reserve >= 0.0, 0.0, <$float>::NAN);
-                let root = math::$functions::sqrt(self);
-                let root = select_unpredictable(self > 0.0, root, 0.0);
+                let root = math::$functions::sqrt(select_unpredictable(self > 0.0, self, 0.0));
                 <$float>::from_bits(root.to_bits() | nan.to_bits())
             }
 

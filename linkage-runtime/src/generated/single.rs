@@ -10,8 +10,9 @@ pub trait Single<T, R, const I: usize> {
 
 /// The function's value, with fused multiply-add where the machine has it.
 ///
-/// A build for machines that all have it inlines that code. Any other for x86-64 asks a flag that is set once, and calls code
-/// that was compiled for AVX2 with FMA. Without the standard library nothing can be asked.
+/// A build for machines that all have it inlines that code. Any other for x86-64 asks a flag that is set once, and jumps into code
+/// that was compiled for AVX2 with FMA; all that the flag leaves to be done stands behind a call, so that it takes no room and no
+/// registers here. Without the standard library nothing can be asked.
 #[inline(always)]
 pub fn single<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> R
 where
@@ -19,14 +20,17 @@ where
     T: Copy,
 {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
-    if !crate::FUSED && avx2::detected() {
-        return avx2::at(assembly, x);
+    if !crate::FUSED {
+        return match choice::found() {
+            true => choice::avx2(assembly, x),
+            false => choice::other(assembly, x),
+        };
     }
     inlined(assembly, x)
 }
 
-/// The function's value to the last bit as sweeps compute it, by code that [`single`] has, too; none on machines without fused
-/// multiply-add, unless the build has code for them alone.
+/// The function's value as sweeps compute it but for the rounding of sines, by code that [`single`] has, too; none on machines without
+/// fused multiply-add, unless the build has code for them alone.
 #[inline(always)]
 pub fn as_in_sweeps<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> Option<R>
 where
@@ -35,8 +39,8 @@ where
 {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
     if !crate::FUSED {
-        return match avx2::detected() {
-            true => Some(avx2::at(assembly, x)),
+        return match choice::found() || choice::detect() {
+            true => Some(choice::avx2(assembly, x)),
             false => None,
         };
     }
@@ -52,11 +56,12 @@ where
     assembly.at::<{ crate::FUSED }>(x)
 }
 
+/// Which code runs on this machine.
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
-mod avx2 {
+mod choice {
     use core::sync::atomic::{AtomicU8, Ordering};
 
-    use super::Single;
+    use super::{Single, inlined};
 
     /// What has been found of the machine: one load and one comparison for each call. (The standard library's own flags are tested one by one.)
     static FOUND: AtomicU8 = AtomicU8::new(UNKNOWN);
@@ -64,65 +69,114 @@ mod avx2 {
     const MISSING: u8 = 1;
     const THERE: u8 = 2;
 
-    /// Whether the machine has AVX2 and FMA.
+    /// Whether AVX2 and FMA have been found.
     #[inline(always)]
-    pub(super) fn detected() -> bool {
-        match FOUND.load(Ordering::Relaxed) {
-            THERE => true,
-            MISSING => false,
-            _ => detect(),
-        }
+    pub(super) fn found() -> bool {
+        FOUND.load(Ordering::Relaxed) == THERE
     }
 
+    /// Whether the machine has AVX2 and FMA; [`found`] knows it from then on.
     #[cold]
-    fn detect() -> bool {
-        let found = std::arch::is_x86_feature_detected!("avx2")
-            && std::arch::is_x86_feature_detected!("fma");
-        FOUND.store(if found { THERE } else { MISSING }, Ordering::Relaxed);
-        found
+    pub(super) fn detect() -> bool {
+        if FOUND.load(Ordering::Relaxed) == UNKNOWN {
+            let there = std::arch::is_x86_feature_detected!("avx2")
+                && std::arch::is_x86_feature_detected!("fma");
+            FOUND.store(if there { THERE } else { MISSING }, Ordering::Relaxed);
+        }
+        found()
     }
 
-    /// The value by code for AVX2 with FMA, which [`detected`] has found. Up to three numbers are handed over in registers: an array
-    /// would go through memory or registers for integers.
+    /// A call by the number of arguments, a constant: of the others no code is made. Up to three numbers are handed over in registers: an
+    /// array would go through memory or registers for integers.
+    macro_rules! by_number {
+        ($calls:ident, $assembly:ident, $x:ident) => {
+            if const { I == 1 } {
+                $calls::one($assembly, $x[0])
+            } else if const { I == 2 } {
+                $calls::two($assembly, $x[0], $x[1])
+            } else if const { I == 3 } {
+                $calls::three($assembly, $x[0], $x[1], $x[2])
+            } else {
+                $calls::many($assembly, &$x)
+            }
+        };
+    }
+    /// The value by code for AVX2 with FMA, which have been found.
     #[allow(unsafe_code, reason = "the instruction set has been asked for")]
     #[inline(always)]
-    pub(super) fn at<A: Single<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, x: [T; I]) -> R {
+    pub(super) fn avx2<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+        assembly: &A,
+        x: [T; I],
+    ) -> R {
         // SAFETY: the machine has the instruction set.
-        unsafe {
-            // Constants: of the others no code is made.
-            if const { I == 1 } {
-                one(assembly, x[0])
-            } else if const { I == 2 } {
-                two(assembly, x[0], x[1])
-            } else if const { I == 3 } {
-                three(assembly, x[0], x[1], x[2])
-            } else {
-                many(assembly, &x)
-            }
+        unsafe { by_number!(fused, assembly, x) }
+    }
+
+    /// The value where they have not been found: for the first time, or on a machine without.
+    #[inline(always)]
+    pub(super) fn other<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+        assembly: &A,
+        x: [T; I],
+    ) -> R {
+        by_number!(rare, assembly, x)
+    }
+
+    /// What [`other`] calls.
+    #[inline(always)]
+    fn detected<A: Single<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, x: [T; I]) -> R {
+        match detect() {
+            true => avx2(assembly, x),
+            false => inlined(assembly, x),
         }
     }
 
-    #[target_feature(enable = "avx2,fma")]
-    fn one<A: Single<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, a: T) -> R {
-        assembly.at::<true>([a; I])
-    }
+    /// Functions of one, two, three and many arguments.
+    macro_rules! calls {
+        ($calls:ident, #[$how:meta], $value:expr) => {
+            mod $calls {
+                use super::Single;
 
-    #[target_feature(enable = "avx2,fma")]
-    fn two<A: Single<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, a: T, b: T) -> R {
-        let mut x = [a; I];
-        x[1] = b;
-        assembly.at::<true>(x)
-    }
+                #[$how]
+                pub(super) fn one<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+                    assembly: &A,
+                    a: T,
+                ) -> R {
+                    $value(assembly, [a; I])
+                }
 
-    #[target_feature(enable = "avx2,fma")]
-    fn three<A: Single<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, a: T, b: T, c: T) -> R {
-        let mut x = [a; I];
-        (x[1], x[2]) = (b, c);
-        assembly.at::<true>(x)
-    }
+                #[$how]
+                pub(super) fn two<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+                    assembly: &A,
+                    a: T,
+                    b: T,
+                ) -> R {
+                    let mut x = [a; I];
+                    x[1] = b;
+                    $value(assembly, x)
+                }
 
-    #[target_feature(enable = "avx2,fma")]
-    fn many<A: Single<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, x: &[T; I]) -> R {
-        assembly.at::<true>(*x)
+                #[$how]
+                pub(super) fn three<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+                    assembly: &A,
+                    a: T,
+                    b: T,
+                    c: T,
+                ) -> R {
+                    let mut x = [a; I];
+                    (x[1], x[2]) = (b, c);
+                    $value(assembly, x)
+                }
+
+                #[$how]
+                pub(super) fn many<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+                    assembly: &A,
+                    x: &[T; I],
+                ) -> R {
+                    $value(assembly, *x)
+                }
+            }
+        };
     }
+    calls!(fused, #[target_feature(enable = "avx2,fma")], A::at::<true>);
+    calls!(rare, #[cold], super::detected);
 }

@@ -109,6 +109,41 @@ fn sine_and_cosine_share_a_call() {
 }
 
 #[test]
+fn sines_of_calls_are_rounded_in_their_own_way_where_no_direction_is_compared() {
+    let ways = |body: TokenStream| {
+        let text = crate::compile(body, |_, _| String::new()).to_string();
+        assert!(!text.contains("compile_error"), "{text}");
+        ["sin_cos_in_rows", "sin_cos_alone"].map(|name| text.contains(name))
+    };
+    let guides = quote! {
+        pub struct Guides {
+            unit mm;
+            param beta = 100deg;
+            param end = (70mm, 30mm);
+            input phi = 10deg in 0deg..90deg;
+            unknown s = 75mm;
+            unknown t = 17mm;
+            loop polar(s, phi) + polar(t, beta) = end;
+        }
+        impl Guides { pub fn slide(phi) -> Slide { s } }
+    };
+    assert_eq!(ways(guides), [true, false]);
+    let four_bar = quote! {
+        pub struct FourBar {
+            unit mm;
+            param frame = 140mm;
+            input phi = 30deg in 0deg..360deg;
+            unknown theta = 40deg;
+            unknown psi = 80deg;
+            loop polar(50mm, phi) + polar(120mm, theta) = (frame, 0mm) + polar(100mm, psi);
+            let pin = polar(50mm, phi) + polar(60mm, theta);
+        }
+        impl FourBar { pub fn path(phi) -> Path { pin } }
+    };
+    assert_eq!(ways(four_bar), [false, true]);
+}
+
+#[test]
 fn literals_read_back_the_same() {
     for x in [
         0.0,

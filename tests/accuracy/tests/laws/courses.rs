@@ -228,7 +228,7 @@ fn dimensions_of_courses_have_exact_sensitivities() {
     assert!(crossed.values(1.9).natural.is_nan() && crossed.values(1.9).spline.is_finite());
 }
 
-/// Rows of sweeps are single calls, to the last bit.
+/// Rows of sweeps are single calls but for the rounding of sines.
 #[test]
 fn sweeps_of_courses_are_single_calls() {
     let linkage = Courses::default().assemble().expect("it has no loop");
@@ -236,9 +236,13 @@ fn sweeps_of_courses_are_single_calls() {
     let rows = linkage.values_sweep(&inputs);
     for (k, &phi) in inputs.iter().enumerate() {
         let single = linkage.values(phi);
-        assert_eq!(
-            (rows.s()[k], rows.spline()[k], rows.again()[k]),
-            (single.s, single.spline, single.again)
-        );
+        let row = [rows.s()[k], rows.spline()[k], rows.again()[k]];
+        for (row, single) in row.into_iter().zip([single.s, single.spline, single.again]) {
+            let apart = (row - single).abs();
+            assert!(
+                apart <= 4.0 * f64::EPSILON * 20.0,
+                "{phi}: {row}, not {single}"
+            );
+        }
     }
 }
