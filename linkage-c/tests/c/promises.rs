@@ -113,7 +113,7 @@ fn no_compiler_warns() {
             // What takes long looks at a part of the others: mechanisms consist of the same lines.
             let slow = optimised || command.contains("++");
             let (texts, others) = files.split_at(TEXTS.len());
-            let others = one_in(if slow { 4 } else { 1 }, others);
+            let others = one_in(if slow { 8 } else { 1 }, others);
             let language = match command.contains("++") {
                 true => ["-x", "c++", "-std=c++11"],
                 false => ["-x", "c", "-std=c99"],

@@ -24,10 +24,10 @@ pub fn folder() -> PathBuf {
     }
 }
 
-/// A third of the reports in the gallery, all of them in long runs: each takes seconds, and they are made of the same parts.
+/// A sixth of the reports in the gallery, all of them in long runs: each takes seconds, and they are made of the same parts.
 #[must_use]
 pub fn some() -> Vec<Entry> {
-    linkage_random::one_in(3, entries()).collect()
+    linkage_random::one_in(6, entries()).collect()
 }
 
 /// The reports in the gallery, by name. Without a gallery none, which is printed.

@@ -106,7 +106,8 @@ pub fn chosen(entry: *const ()) -> Option<*const ()> {
         if let FlowControl::Call | FlowControl::UnconditionalBranch | FlowControl::ConditionalBranch =
             instruction.flow_control()
             && let Some(target) = target(&instruction, &registers).map(destination)
-            && symbols::at(target).is_some_and(|symbol| symbol.name.contains("6single4avx2"))
+            && symbols::at(target)
+                .is_some_and(|symbol| symbol.name.contains("6single6choice5fused"))
         {
             return Some(target as *const ());
         }
