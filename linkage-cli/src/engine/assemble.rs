@@ -49,17 +49,16 @@ impl Assembly<'_> {
             inputs[place] = *x;
         }
         let states = self.states(&inputs);
-        let program = &function.called.program;
         match function.called.is_worth_a_call() {
             true => {
                 let states = states.by_machine();
                 let numbers = self.numbers(&inputs, &states);
-                called(program, |source| numbers.load(source))
+                called(&function.called, |source| numbers.load(source))
             }
             false => {
                 let states = states.by_build();
                 let numbers = self.numbers(&inputs, &states);
-                by_build(program, |source| numbers.load(source))
+                by_build(&function.called.program, |source| numbers.load(source))
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Programs with the arithmetic of generated code.
 
-use linkage_compiler::unit::Generated;
+use linkage_compiler::unit::{Body, Generated};
 use linkage_runtime::generated::{Single, inlined, single};
 use linkage_runtime::{Enclosure, FUSED};
 use linkage_symbolic::interpret::run_by;
@@ -22,9 +22,10 @@ pub(super) fn by_machine(program: &Program, load: impl Fn(Source) -> f64) -> Vec
     single(&Run::<_, false> { program, load }, [])
 }
 
-/// The outputs of a function's program, as calls compute them.
-pub(super) fn called(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
-    match program.compares_sines() {
+/// The outputs of a function, as its calls compute them.
+pub(super) fn called(body: &Body, load: impl Fn(Source) -> f64) -> Vec<f64> {
+    let program = &body.program;
+    match body.compares_sines {
         true => by_machine(program, load),
         false => single(&Run::<_, true> { program, load }, []),
     }

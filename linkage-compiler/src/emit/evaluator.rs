@@ -189,7 +189,7 @@ pub(super) fn kernel(
 ) -> TokenStream {
     let Outline { runtime, core, .. } = outline;
     let stages = &body.stages;
-    let runs = match body.program.compares_sines() {
+    let runs = match body.compares_sines {
         true => Runs::InRows,
         false => Runs::InRowsOrAlone,
     };

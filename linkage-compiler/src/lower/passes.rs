@@ -101,6 +101,7 @@ const OF_FUNCTIONS: [Pass; 2] = [
         run: |unit| {
             for body in unit.bodies_mut() {
                 body.count = Count::of(&body.program);
+                body.compares_sines = body.program.compares_sines();
             }
         },
     },

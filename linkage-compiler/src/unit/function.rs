@@ -60,6 +60,8 @@ pub struct Body {
     pub stages: Vec<Stage>,
     /// What it costs.
     pub count: Count,
+    /// Whether something hangs on the last bit of a sine ([`Program::compares_sines`]), so that calls may not round it in their own way.
+    pub compares_sines: bool,
 }
 
 impl Body {

@@ -101,6 +101,7 @@ mod choice {
             }
         };
     }
+
     /// The value by code for AVX2 with FMA, which have been found.
     #[allow(unsafe_code, reason = "the instruction set has been asked for")]
     #[inline(always)]

@@ -137,6 +137,7 @@ fn function(name: &str, arguments: Vec<usize>, program: Program, fields: Vec<Fie
         called: Body {
             count: Count::of(&program),
             stages: split(&program),
+            compares_sines: program.compares_sines(),
             program,
         },
         beside: None,
