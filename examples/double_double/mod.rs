@@ -69,6 +69,7 @@ impl Neg for DoubleDouble {
 
 impl Scalar for DoubleDouble {
     const LANES: usize = 1;
+    const SLACK: f64 = 8.0 * Self::EPSILON;
 
     fn from_f64(x: f64) -> Self {
         Self(Df64::from(x))
@@ -140,13 +141,13 @@ impl Scalar for DoubleDouble {
         Self::from_f64(self.high().inverse_scale())
     }
 
-    fn root(self, scale: Self) -> Self {
-        let slack = 8.0 * Self::EPSILON * scale.high().abs();
-        if self.high() < 0.0 && -self.high() <= slack && slack.is_finite() {
-            Self::from_f64(0.0)
-        } else {
+    fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self {
+        let root = if self.high() > 0.0 {
             self.sqrt()
-        }
+        } else {
+            Self::from_f64(0.0)
+        };
+        Self::select(slack * size + self, root, Self::NAN)
     }
 
     fn angle_near(y: Self, x: Self, guide: Self) -> Self {

@@ -16,6 +16,7 @@ pub(crate) enum Helper {
     Min,
     Max,
     Sign,
+    Slack,
     InverseScale,
     Root,
     Hypot,
@@ -34,7 +35,7 @@ pub(crate) enum Helper {
 
 impl Helper {
     /// In the order in which they are printed.
-    const ALL: [Self; 21] = [
+    const ALL: [Self; 22] = [
         Self::Bits,
         Self::Nan,
         Self::Pair,
@@ -42,6 +43,7 @@ impl Helper {
         Self::Min,
         Self::Max,
         Self::Sign,
+        Self::Slack,
         Self::InverseScale,
         Self::Root,
         Self::Hypot,
@@ -60,7 +62,7 @@ impl Helper {
 
     fn needs(self) -> &'static [Self] {
         match self {
-            Self::Bits | Self::Pair | Self::Arc | Self::Whole => &[],
+            Self::Bits | Self::Pair | Self::Arc | Self::Whole | Self::Slack => &[],
             Self::Nan
             | Self::Select
             | Self::Min
@@ -87,6 +89,7 @@ impl Helper {
             (Self::Min, _) => include_str!("templates/min.c"),
             (Self::Max, _) => include_str!("templates/max.c"),
             (Self::Sign, _) => include_str!("templates/sign.c"),
+            (Self::Slack, _) => include_str!("templates/slack.c"),
             (Self::InverseScale, _) => include_str!("templates/inverse_scale.c"),
             (Self::Root, _) => include_str!("templates/root.c"),
             (Self::Hypot, _) => include_str!("templates/hypot.c"),

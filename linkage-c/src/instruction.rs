@@ -91,6 +91,7 @@ impl Printer<'_> {
             Unary::Atan => self.call(Helper::Atan, "atan", &[a]),
             Unary::Sign => self.call(Helper::Sign, "sign", &[a]),
             Unary::Whole => self.call(Helper::Whole, "whole", &[a]),
+            Unary::Slack => self.call(Helper::Slack, "slack", &[a]),
             Unary::InverseScale => self.call(Helper::InverseScale, "inverse_scale", &[a]),
         }
     }
@@ -105,13 +106,13 @@ impl Printer<'_> {
             Binary::Hypot => self.call(Helper::Hypot, "hypot", &[a, b]),
             Binary::Min => self.call(Helper::Min, "min", &[a, b]),
             Binary::Max => self.call(Helper::Max, "max", &[a, b]),
-            Binary::Root => self.call(Helper::Root, "root", &[a, b]),
         }
     }
 
     pub(crate) fn ternary(&mut self, op: Ternary, a: &str, b: &str, c: &str) -> String {
         match op {
             Ternary::AngleNear => self.call(Helper::AngleNear, "angle_near", &[a, b, c]),
+            Ternary::Root => self.call(Helper::Root, "root", &[a, b, c]),
             Ternary::Select => self.call(Helper::Select, "select", &[a, b, c]),
         }
     }

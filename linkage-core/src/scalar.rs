@@ -36,7 +36,6 @@ pub const FUSED: bool = cfg!(all(
 
 /// Roundings that the terms of a discriminant may have had, of their size each: a value that is negative by no more is a
 /// root of zero.
-#[cfg(any(feature = "std", feature = "libm"))]
 const ROUNDINGS: f64 = 8.0;
 
 /// A real number, or several side by side (lanes), or one with derivatives (a dual number).
@@ -54,7 +53,8 @@ const ROUNDINGS: f64 = 8.0;
 /// fn third_side<T: Scalar>(a: T, b: T, angle: T) -> T {
 ///     let (_, cos) = angle.sin_cos();
 ///     let scale = a * a + b * b;
-///     T::root(scale - (a + a) * b * cos, scale)
+///     // 0 for equal sides and no angle, also where rounding makes it less.
+///     T::root_with::<false>(scale - (a + a) * b * cos, T::slack(scale), T::from_f64(1.0))
 /// }
 /// assert!((third_side(3.0_f64, 4.0, core::f64::consts::FRAC_PI_2) - 5.0).abs() < 1e-15);
 /// assert!((third_side(3.0_f32, 4.0, core::f32::consts::FRAC_PI_2) - 5.0).abs() < 1e-6);
@@ -75,6 +75,9 @@ pub trait Scalar:
 
     /// Whether loops over this type can become vector code: sweeps are then compiled for several instruction sets.
     const VECTORISES: bool = false;
+
+    /// What a discriminant may be negative by for its terms' rounding, as a part of them: eight times the distance from 1 to the next number.
+    const SLACK: f64 = ROUNDINGS * f64::EPSILON;
 
     /// The largest Newton correction, in radians or scaled lengths, of a prepared solution of a coupled group that is trusted: far
     /// above what a table is wrong by, far below the distance of another assembly.
@@ -159,17 +162,22 @@ pub trait Scalar:
     /// when `|self|` is between 1e-150 and 1e150 (`f32`: 1e-18 and 1e18).
     fn inverse_scale(self) -> Self;
 
-    /// Square root of a discriminant `self` that was computed from terms of the size `scale`.
-    ///
-    /// It is 0 for a negative value that can be rounding only (down to `-8 EPSILON |scale|`), so
-    /// that a position at a dead point has a value, and NaN below that.
-    fn root(self, scale: Self) -> Self;
-
-    /// As [`root`](Self::root), to the last bit, with a fused multiply-add if `FUSED`: where that is an instruction.
+    /// By how much rounding may turn negative what was computed from terms of the size `self`: [`SLACK`](Self::SLACK) times its absolute
+    /// value, derivative zero; NaN for what is infinite.
     #[inline(always)]
-    fn root_with<const FUSED: bool>(self, scale: Self) -> Self {
-        self.root(scale)
+    fn slack(self) -> Self {
+        Self::from_lanes(|lane| {
+            let x = self.lane(lane);
+            Self::SLACK * x.max(-x) + 0.0 * x
+        })
     }
+
+    /// Square root of a discriminant `self`, with a fused multiply-add on the way if `FUSED`: where that is an instruction.
+    ///
+    /// It is 0 for a value that is negative by no more than `slack` times `size`, so that a position at a dead point has a value, and NaN
+    /// below that. `slack` is [that](Self::slack) of a length or an area, `size` a factor, neither of them negative; where one is NaN, so is
+    /// the root.
+    fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self;
 
     /// The angle of the vector (`x`, `y`) that lies nearest to `guide`, turns counted.
     ///

@@ -58,7 +58,11 @@ fn derivatives_pass_through_every_function() {
         check_derivative!(x, |x| Scalar::sin_cos(x).0);
         check_derivative!(x, |x| Scalar::sin_cos(x).1);
         check_derivative!(x.abs(), Scalar::sqrt);
-        check_derivative!(x.abs(), |x| Scalar::root(x, constant(3.0)));
+        check_derivative!(x.abs(), |x| Scalar::root_with::<false>(
+            x,
+            constant(1e-15),
+            constant(3.0)
+        ));
         check_derivative!(x, chosen);
         check_derivative!(x, |x| Scalar::min(x, constant(0.0)));
         check_derivative!(x, |x| Scalar::max(x, constant(0.0)));
@@ -103,7 +107,7 @@ fn an_angle_on_an_axis_has_a_derivative() {
 fn second_derivatives_pass_through_roots_and_angles() {
     let x = Dual(Dual2_64::new(0.6, 1.0, 0.0));
     let one = Dual::<Dual2_64>::from_f64(1.0);
-    let y = (one - x * x).root(one);
+    let y = (one - x * x).root_with::<false>(one.slack(), one);
     // The unit circle: y' = -x / y, y'' = -1 / y^3, and the angle of (x, y) is acos x.
     assert!((y.0.v1 + 0.75).abs() < 1e-15 && (y.0.v2 + 1.0 / 0.512).abs() < 1e-14);
     let (angle, exact) = (Dual::angle_near(y, x, one).0, x.acos().0);
@@ -112,7 +116,9 @@ fn second_derivatives_pass_through_roots_and_angles() {
 
 #[test]
 fn at_a_dead_point_the_value_exists_and_the_derivative_does_not() {
-    let root = variable(-1e-16).root(constant(1.0));
+    let slack = Scalar::slack(variable(1.0));
+    assert_eq!((slack.lane(0), slack.0.eps), (8.0 * f64::EPSILON, 0.0));
+    let root = variable(-1e-16).root_with::<false>(slack, constant(1.0));
     assert_eq!(root.lane(0), 0.0);
     assert!(!root.0.eps.is_finite());
 }
@@ -120,8 +126,8 @@ fn at_a_dead_point_the_value_exists_and_the_derivative_does_not() {
 #[test]
 fn where_nothing_can_be_assembled_everything_is_nan() {
     for nowhere in [
-        variable(-1.0).root(constant(1.0)),
-        variable(f64::NAN).root(constant(1.0)),
+        variable(-1.0).root_with::<false>(constant(1e-15), constant(1.0)),
+        variable(f64::NAN).root_with::<false>(constant(1e-15), constant(1.0)),
         D::select(variable(f64::NAN), constant(1.0), constant(2.0)),
         Scalar::min(variable(f64::NAN), constant(2.0)),
         Scalar::max(constant(2.0), variable(f64::NAN)),

@@ -20,7 +20,7 @@ fn functions<T: Scalar>() -> [Named<T>; 14] {
         }),
         ("root", |x| {
             let square = x * x + T::from_f64(0.1);
-            square.root(square) + square.sqrt()
+            square.root_with::<false>(square.slack(), x) + square.sqrt()
         }),
         ("abs", |x| (x - T::from_f64(0.2)).abs() * x),
         ("min", |x| x.min(x * x) + (x + x).max(T::from_f64(0.5))),
@@ -113,6 +113,6 @@ fn what_is_not_known_is_said() {
     assert_eq!(x.sign().range(), [-1.0, 1.0]);
     assert!(x.atan2(-one).range()[0].is_nan());
     // A root is that of what is not negative; its slope has no bounds beside zero.
-    let root = x.root(one);
+    let root = x.root_with::<false>(one.slack(), one);
     assert!(root.range()[0] == 0.0 && root.slopes()[0].is_nan());
 }

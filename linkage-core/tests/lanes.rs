@@ -50,7 +50,11 @@ macro_rules! compare {
                 same("scale", a.inverse_scale(), &|a, _, _| {
                     Scalar::inverse_scale(a)
                 });
-                same("root", a.root(b), &|a, b, _| Scalar::root(a, b));
+                same("slack", a.slack(), &|a, _, _| Scalar::slack(a));
+                let slack = L::from_f64(1e-6);
+                same("root", a.root_with::<false>(slack, b), &|a, b, _| {
+                    Scalar::root_with::<false>(a, 1e-6, b)
+                });
                 same("unless_negative", L::unless_negative(a, b), &|a, b, _| {
                     Scalar::unless_negative(a, b)
                 });

@@ -16,20 +16,25 @@ macro_rules! special_values {
             #[test]
             fn a_root_forgives_rounding_only() {
                 let tiny = $float::EPSILON;
-                assert_eq!(Scalar::root(4.0 as $float, 100.0), 2.0);
-                assert_eq!(Scalar::root(0.0 as $float, 100.0), 0.0);
-                assert_eq!(Scalar::root(-0.0 as $float, 0.0).to_bits(), 0);
-                assert_eq!(Scalar::root(-7.0 * tiny, 1.0), 0.0);
-                assert_eq!(Scalar::root(-7.0 * tiny, -1.0), 0.0);
-                assert!(Scalar::root(-9.0 * tiny, 1.0).is_nan());
-                assert!(Scalar::root(-1.0 as $float, 0.0).is_nan());
-                assert!(Scalar::root(NAN, 1.0).is_nan());
-                assert!(Scalar::root(-1.0 as $float, NAN).is_nan());
-                assert!(Scalar::root(-1.0 as $float, INF).is_nan());
-                assert!(Scalar::root(-INF, INF).is_nan());
-                assert_eq!(Scalar::root(4.0 as $float, NAN), 2.0);
-                assert_eq!(Scalar::root(4.0 as $float, INF), 2.0);
-                assert_eq!(Scalar::root(INF, 1.0), INF);
+                let slack = |x: $float| Scalar::slack(x);
+                let root = |q: $float, slack, size| Scalar::root_with::<false>(q, slack, size);
+                assert_eq!(slack(-3.0), 24.0 * tiny);
+                assert!(slack(NAN).is_nan() && slack(-INF).is_nan());
+                let one = slack(1.0);
+                assert_eq!(root(4.0, one, 100.0), 2.0);
+                assert_eq!(root(0.0, one, 100.0), 0.0);
+                assert_eq!(root(-0.0, 0.0, 0.0).to_bits(), 0);
+                assert_eq!(root(-7.0 * tiny, one, 1.0), 0.0);
+                assert_eq!(root(-8.0 * tiny, slack(-0.5), 2.0), 0.0);
+                assert!(root(-9.0 * tiny, one, 1.0).is_nan());
+                assert!(root(-1.0, one, 0.0).is_nan());
+                assert!(root(NAN, one, 1.0).is_nan());
+                assert!(root(-1.0, one, NAN).is_nan());
+                assert!(root(4.0, NAN, 1.0).is_nan());
+                assert!(root(-INF, one, INF).is_nan());
+                assert!(root(-INF, one, 1.0).is_nan());
+                assert_eq!(root(4.0, one, INF), 2.0);
+                assert_eq!(root(INF, one, 1.0), INF);
             }
 
             #[test]

@@ -71,6 +71,7 @@ fn unary(op: Unary, a: &str) -> String {
         Unary::Atan => format!("Math.atan({a})"),
         Unary::Sign => format!("signOf({a})"),
         Unary::Whole => format!("whole({a})"),
+        Unary::Slack => format!("slack({a})"),
         Unary::InverseScale => format!("inverseScale({a})"),
     }
 }
@@ -85,13 +86,13 @@ fn binary(op: Binary, a: &str, b: &str) -> String {
         Binary::Hypot => format!("hypot({a}, {b})"),
         Binary::Min => format!("Math.min({a}, {b})"),
         Binary::Max => format!("Math.max({a}, {b})"),
-        Binary::Root => format!("root({a}, {b})"),
     }
 }
 
 fn ternary(op: Ternary, a: &str, b: &str, c: &str) -> String {
     match op {
         Ternary::AngleNear => format!("angleNear({a}, {b}, {c})"),
+        Ternary::Root => format!("root({a}, {b}, {c})"),
         Ternary::Select => format!("select({a}, {b}, {c})"),
     }
 }

@@ -1,5 +1,6 @@
 //! How many operations a program costs, and how long they take.
 
+use crate::graph::Binding;
 use crate::operation::Class;
 use crate::program::{Instruction, Program, Value};
 
@@ -27,8 +28,10 @@ impl Count {
     pub fn of(program: &Program) -> Self {
         let mut count = Self::default();
         let mut products: Vec<[Value; 2]> = Vec::new();
-        for instruction in &program.instructions {
-            let Some(class) = instruction.class() else {
+        for (instruction, binding) in program.instructions.iter().zip(program.bindings()) {
+            // What is made of constants alone the compiler of the machine computes.
+            let class = instruction.class();
+            let Some(class) = class.filter(|_| binding > Binding::Constant) else {
                 continue;
             };
             let mut operands = instruction.operands();

@@ -108,7 +108,7 @@ fn chain_rule<'g>(value: Ex<'g>, rates: &[Ex<'g>]) -> Ex<'g> {
         Node::Binary(op, a, b) => binary_rule(op, value, [a, b].map(ex), [rates[0], rates[1]]),
         Node::Ternary(op, a, b, c) => {
             let rates = [rates[0], rates[1], rates[2]];
-            ternary_rule(op, [a, b, c].map(ex), rates)
+            ternary_rule(op, value, [a, b, c].map(ex), rates)
         }
     }
 }
@@ -125,7 +125,7 @@ fn unary_rule<'g>(op: Unary, y: Ex<'g>, a: Ex<'g>, da: Ex<'g>) -> Ex<'g> {
         Unary::Asin => arc_rule(a, da),
         Unary::Acos => -arc_rule(a, da),
         Unary::Atan => da / (1.0 + a.square()),
-        Unary::Sign | Unary::Whole | Unary::InverseScale => a.number(0.0),
+        Unary::Sign | Unary::Whole | Unary::Slack | Unary::InverseScale => a.number(0.0),
     }
 }
 
@@ -145,15 +145,20 @@ fn binary_rule<'g>(op: Binary, y: Ex<'g>, [a, b]: [Ex<'g>; 2], [da, db]: [Ex<'g>
         Binary::Hypot => (a * da + b * db) / y,
         Binary::Min => (b - a).select(da, db),
         Binary::Max => (a - b).select(da, db),
-        Binary::Root => unary_rule(Unary::Sqrt, y, a, da),
     }
 }
 
-fn ternary_rule<'g>(op: Ternary, [a, b, _]: [Ex<'g>; 3], [da, db, dc]: [Ex<'g>; 3]) -> Ex<'g> {
+fn ternary_rule<'g>(
+    op: Ternary,
+    y: Ex<'g>,
+    [a, b, _]: [Ex<'g>; 3],
+    [da, db, dc]: [Ex<'g>; 3],
+) -> Ex<'g> {
     match op {
         // The number of turns does not change where there is a derivative.
         Ternary::AngleNear => argument_rule([a, b], [da, db]),
         Ternary::Select => a.select(db, dc),
+        Ternary::Root => unary_rule(Unary::Sqrt, y, a, da),
     }
 }
 

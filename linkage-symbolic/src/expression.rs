@@ -122,9 +122,21 @@ impl<'g> Ex<'g> {
         self.binary(Binary::Atan2, x)
     }
 
-    /// The root of a discriminant that was computed from terms of size `scale`: see [`Binary::Root`].
+    /// The root of a discriminant that was computed from terms of the size `scale`: see [`Ternary::Root`].
     pub fn root(self, scale: Self) -> Self {
-        self.binary(Binary::Root, scale)
+        let slack = scale.number(1.0).unary(Unary::Slack);
+        self.ternary(Ternary::Root, slack, scale.abs())
+    }
+
+    /// What is not negative where [`root`](Self::root) is a number: the discriminant with what rounding may have taken.
+    pub fn reserve(self, scale: Self) -> Self {
+        match self.root(scale).node() {
+            Node::Ternary(Ternary::Root, _, slack, size) => {
+                let [slack, size] = [slack, size].map(|id| Self::new(self.graph, id));
+                slack * size + self
+            }
+            _ => self,
+        }
     }
 
     /// `a` where this is 0 or positive, `b` where it is negative, NaN where it is NaN.

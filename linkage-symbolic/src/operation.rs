@@ -113,6 +113,9 @@ table! {
         Sign => Row { latency: 20, splits: true, ..row("sign", |[a]| sign(a)) },
         /// The nearest whole number, of two the even one; right up to `2^51`.
         Whole => Row { latency: 8, size: 2, splits: true, ..row("whole", |[a]| (a + WHOLE) - WHOLE) },
+        /// `slack(x)`: by how much rounding may turn negative what was computed from terms of the size `x`: 8 roundoffs of it, of the
+        /// numbers that a program runs on. No constant for that reason. NaN where `x` is infinite.
+        Slack => Row { size: 2, splits: true, ..row("slack", |[x]| DEAD_POINT * x.abs() + 0.0 * x) },
         /// A power of two near `1/|x|` (1 for 0 and non-finite numbers): scales lengths without rounding.
         InverseScale => Row { latency: 20, size: 6, ..row("inverse_scale", |[a]| inverse_scale(a)) },
     }
@@ -137,9 +140,6 @@ table! {
         Min => Row { latency: 15, size: 3, splits: true, ..row("min", |[a, b]| one_of(a, b, a < b, b < a)) },
         /// NaN if an operand is; of two zeros the negative one.
         Max => Row { latency: 15, size: 3, splits: true, ..row("max", |[a, b]| one_of(a, b, a > b, b > a)) },
-        /// `root(q, scale)`: the square root of `q`; 0 where `q` is negative by no more than 8 roundoffs of `scale`;
-        /// NaN below that. It closes a group up to the dead point and refuses beyond.
-        Root => Row { latency: 15, time: 6, size: 8, class: Class::Root, partial: true, ..row("root", |[q, scale]| root(q, scale)) },
     }
 }
 
@@ -154,6 +154,9 @@ table! {
             splits: true,
             ..arc("angle_near", |[y, x, guide]| angle_near(y, x, guide))
         },
+        /// `root(q, slack, size)`: the square root of `q`; 0 where `q` is negative by no more than `slack` times `size`, neither of them
+        /// negative; NaN below that. An infinite `size` comes with a `q` that is no finite number either. It closes a group up to the dead point and refuses beyond.
+        Root => Row { latency: 15, time: 6, size: 5, class: Class::Root, partial: true, ..row("root", |[q, slack, size]| root(q, slack, size)) },
         /// `select(s, a, b)`: `a` where `s >= 0`, `b` where it is negative, NaN where it is NaN.
         Select => Row { size: 3, splits: true, ..row("select", |[s, a, b]| select(s, a, b)) },
     }
@@ -194,7 +197,7 @@ const fn arc<const ARITY: usize>(name: &'static str, value: fn([f64; ARITY]) -> 
 }
 
 /// Roundoffs of the scale by which a discriminant may be negative at the dead point: what its terms are rounded by.
-pub const DEAD_POINT: f64 = 8.0 * f64::EPSILON;
+const DEAD_POINT: f64 = 8.0 * f64::EPSILON;
 
 /// Added and taken away again, it leaves whole numbers: the numbers beside it have no digits behind the point.
 const WHOLE: f64 = 1.5 / f64::EPSILON;
@@ -233,13 +236,12 @@ fn one_of(a: f64, b: f64, first: bool, second: bool) -> f64 {
     }
 }
 
-fn root(q: f64, scale: f64) -> f64 {
-    if q > 0.0 {
-        q.sqrt()
-    } else if scale.is_finite() && q >= -DEAD_POINT * scale.abs() {
-        0.0
-    } else {
-        f64::NAN
+fn root(q: f64, slack: f64, size: f64) -> f64 {
+    match slack * size + q >= 0.0 {
+        // Not the root of -0.
+        true if q > 0.0 => q.sqrt(),
+        true => 0.0,
+        false => f64::NAN,
     }
 }
 

@@ -6,7 +6,7 @@ use crate::unordered::Map;
 
 use crate::expression::Ex;
 use crate::graph::{Node, NodeId, SymbolId};
-use crate::operation::{Binary, Unary};
+use crate::operation::{Binary, Ternary, Unary};
 
 /// Exponents of the chosen symbols, in their order.
 pub type Monomial = Vec<u8>;
@@ -46,7 +46,9 @@ pub fn obstacle(root: Ex, symbols: &[SymbolId]) -> Option<Obstacle> {
             Node::Binary(Binary::Mul, a, b) => of(a).saturating_add(of(b)),
             Node::Binary(Binary::Div, a, b) if of(b) == 0 => of(a),
             Node::Binary(Binary::Div, ..) => return Some(Obstacle::Division),
-            Node::Unary(Unary::Sqrt, _) | Node::Binary(Binary::Hypot | Binary::Root, ..) => {
+            Node::Unary(Unary::Sqrt, _)
+            | Node::Binary(Binary::Hypot, ..)
+            | Node::Ternary(Ternary::Root, ..) => {
                 return Some(Obstacle::Root);
             }
             _ => return Some(Obstacle::Function),

@@ -5,7 +5,7 @@ use crate::unordered::Map;
 
 use crate::expression::Ex;
 use crate::graph::{Graph, Node, NodeId, SymbolId};
-use crate::operation::Binary;
+use crate::operation::{Binary, Ternary};
 
 /// Places at which both sides must be defined and agree.
 const PLACES: u64 = 4;
@@ -83,7 +83,14 @@ fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: Place, share: f64) -> Op
                 (result, result.abs().max(size))
             }
             Node::Ternary(op, x, y, z) => {
-                sized(op.apply([values[&x].0, values[&y].0, values[&z].0]))
+                let result = op.apply([x, y, z].map(|own| values[&own].0));
+                // A root is known as well as its discriminant.
+                let size = if op == Ternary::Root {
+                    values[&x].1
+                } else {
+                    0.0
+                };
+                (result, result.abs().max(size))
             }
         };
         values.insert(id, known);

@@ -2,7 +2,7 @@
 
 use crate::graph::Binding;
 use crate::operation::Class;
-pub use crate::operation::{Binary, DEAD_POINT, Fused, Ternary, Unary};
+pub use crate::operation::{Binary, Fused, Ternary, Unary};
 
 /// Where a program finds a number that it does not compute itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -4,7 +4,7 @@
 //! time the root is. The same holds for a sum, `x + (y + h z) = (x + y) + h z`. Both round as often as before.
 
 use crate::graph::{Binding, Graph, Node, NodeId};
-use crate::program::{Binary, Unary};
+use crate::program::{Binary, Ternary, Unary};
 use crate::substitute::rebuild_shared;
 use crate::unordered::Map;
 
@@ -64,7 +64,7 @@ impl<'a> View<'a> {
             let node = graph.node(id);
             let own = matches!(
                 node,
-                Node::Binary(Binary::Root, ..) | Node::Unary(Unary::Sqrt, _)
+                Node::Ternary(Ternary::Root, ..) | Node::Unary(Unary::Sqrt, _)
             );
             let before = node.operands().map(|x| view.roots[&x]).max();
             view.roots

@@ -131,6 +131,7 @@ pub fn of_unary(op: Unary) -> &'static [Rule<Unary, 1>] {
         Unary::Sin | Unary::Tan | Unary::Asin | Unary::Atan => functions::ODD,
         Unary::Cos => functions::EVEN,
         Unary::Acos | Unary::Sign | Unary::Whole | Unary::InverseScale => functions::OF_ONE,
+        Unary::Slack => guards::SLACK,
     }
 }
 
@@ -142,7 +143,7 @@ pub fn of_binary(op: Binary) -> &'static [Rule<Binary, 2>] {
         Binary::Mul => products::PRODUCT,
         Binary::Div => quotients::QUOTIENT,
         Binary::Hypot => functions::HYPOT,
-        Binary::Atan2 | Binary::Min | Binary::Max | Binary::Root => functions::OF_TWO,
+        Binary::Atan2 | Binary::Min | Binary::Max => functions::OF_TWO,
     }
 }
 
@@ -151,6 +152,7 @@ pub fn of_ternary(op: Ternary) -> &'static [Rule<Ternary, 3>] {
     match op {
         Ternary::Select => functions::SELECT,
         Ternary::AngleNear => functions::OF_THREE,
+        Ternary::Root => guards::ROOT,
     }
 }
 
@@ -160,9 +162,7 @@ pub fn of_rates(op: Binary) -> &'static [Rule<Binary, 2>] {
         Binary::Add => rates::SUM,
         Binary::Sub => rates::DIFFERENCE,
         Binary::Mul => rates::PRODUCT,
-        Binary::Div | Binary::Hypot | Binary::Atan2 | Binary::Min | Binary::Max | Binary::Root => {
-            &[]
-        }
+        Binary::Div | Binary::Hypot | Binary::Atan2 | Binary::Min | Binary::Max => &[],
     }
 }
 
@@ -170,6 +170,6 @@ pub fn of_rates(op: Binary) -> &'static [Rule<Binary, 2>] {
 pub fn of_inlined(op: Ternary) -> &'static [Rule<Ternary, 3>] {
     match op {
         Ternary::Select => guards::GUARD,
-        Ternary::AngleNear => &[],
+        Ternary::AngleNear | Ternary::Root => &[],
     }
 }

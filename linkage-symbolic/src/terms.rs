@@ -1,7 +1,7 @@
 //! What rules look for in operands: signs, factors, terms.
 
 use crate::graph::{Binding, Node, NodeId, Store};
-use crate::operation::{Binary, Unary};
+use crate::operation::{Binary, Ternary, Unary};
 
 impl Store {
     /// True for the constant 0.
@@ -64,6 +64,28 @@ impl Store {
         }
         let factor = self.negated(factor)?;
         Some(self.mul(factor, x))
+    }
+
+    /// True for what is no negative number, whatever it is computed from; it may be -0, or NaN.
+    pub(crate) fn is_never_negative(&self, id: NodeId) -> bool {
+        match self.node(id) {
+            Node::Constant(bits) => {
+                let number = f64::from_bits(bits);
+                number >= 0.0 || number.is_nan()
+            }
+            Node::Unary(Unary::Abs | Unary::Sqrt | Unary::Slack | Unary::InverseScale, _)
+            | Node::Binary(Binary::Hypot, ..)
+            | Node::Ternary(Ternary::Root, ..) => true,
+            Node::Binary(Binary::Mul, a, b) if a == b => true,
+            // A quotient by -0 would be.
+            Node::Binary(Binary::Add | Binary::Mul, a, b) => {
+                self.is_never_negative(a) && self.is_never_negative(b)
+            }
+            Node::Ternary(Ternary::Select, _, a, b) => {
+                self.is_never_negative(a) && self.is_never_negative(b)
+            }
+            _ => false,
+        }
     }
 
     /// `p`, `q` and `x` of terms `p x` and `q x` with numbers `p` and `q`.

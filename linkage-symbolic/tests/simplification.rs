@@ -171,7 +171,7 @@ fn substitution_simplifies() {
 fn guards_stay_where_the_root_drops_out() {
     let Names { g, x, p, q, .. } = names();
     let (direction, factor) = g.unknown("direction");
-    let root = g.binary(Binary::Root, x, p);
+    let root = g.ternary(Ternary::Root, x, p, p);
     let along = g.mul(factor, root);
     let value = g.add(along, q);
     let guarded = g.ternary(Ternary::Select, root, value, root);
@@ -185,7 +185,7 @@ fn guards_stay_where_the_root_drops_out() {
         let is_guard = |i: &&Instruction| matches!(i, Instruction::Ternary(Ternary::Select, ..));
         assert_eq!(program.instructions.iter().filter(is_guard).count(), guards);
         let load = |source| match source {
-            Source::Input(_) => -1.0,
+            Source::Input(_) => -10.0,
             _ => 2.0,
         };
         assert!(evaluate(&[inliner.target.ex(copy)], load)[0].is_nan());

@@ -163,6 +163,7 @@ fn unary(operation: Unary, runs: Runs, x: &Ident) -> TokenStream {
         Unary::Atan => quote!(T::atan(#x)),
         Unary::Sign => quote!(T::sign(#x)),
         Unary::Whole => quote!(T::whole(#x)),
+        Unary::Slack => quote!(T::slack(#x)),
         Unary::InverseScale => quote!(T::inverse_scale(#x)),
     }
 }
@@ -177,13 +178,13 @@ fn binary(operation: Binary, a: &Ident, b: &Ident) -> TokenStream {
         Binary::Hypot => quote!(T::hypot(#a, #b)),
         Binary::Min => quote!(T::min(#a, #b)),
         Binary::Max => quote!(T::max(#a, #b)),
-        Binary::Root => quote!(T::root_with::<__FUSED>(#a, #b)),
     }
 }
 
 fn ternary(operation: Ternary, a: &Ident, b: &Ident, c: &Ident) -> TokenStream {
     match operation {
         Ternary::AngleNear => quote!(T::angle_near_with::<__FUSED>(#a, #b, #c)),
+        Ternary::Root => quote!(T::root_with::<__FUSED>(#a, #b, #c)),
         Ternary::Select => quote!(T::select(#a, #b, #c)),
     }
 }

@@ -25,7 +25,7 @@ impl<'m> Solver<'_, 'm> {
         let moment = g.cross(known);
         let x = moment.length();
         let q = l.difference_of_squares(x);
-        let noise = l * along.abs() + l.square();
+        let noise = l * (along.abs() + l.abs());
         let h = q.root(noise);
         let hw = w * h;
         self.define_length(slide, (hw - along) / stretch, 0);

@@ -1,6 +1,5 @@
 //! What the closed forms of the plane share: gaps, guards, terms of their equations.
 
-use linkage_symbolic::program::DEAD_POINT;
 use linkage_symbolic::{Ex, V2};
 
 use crate::algebra::{Link, Solution, Term};
@@ -26,7 +25,7 @@ pub(super) fn squarable<'m>(length: Ex<'m>) -> Ex<'m> {
 
 /// 0 where the root of `q` is a number (see [`Ex::root`]), else `miss`, which is then made positive.
 pub(super) fn gap<'m>(q: Ex<'m>, scale: Ex<'m>, miss: Ex<'m>) -> Ex<'m> {
-    let closes = q + DEAD_POINT * scale.abs();
+    let closes = q.reserve(scale);
     let miss = miss.max(q.number(f64::MIN_POSITIVE));
     closes.select(q.number(0.0), miss)
 }

@@ -35,7 +35,7 @@ impl<'m> Solver<'_, 'm> {
         let [along, x] = from_guide.0;
         let q = r.difference_of_squares(x);
         // Rounding in `X` is that of `|C|`, which near the dead point, where `|X| = r`, is less than this sum.
-        let noise = r * along.abs() + r * size;
+        let noise = r * (along.abs() + size);
         let h = q.root(noise);
         let hw = w * h;
         let position = (along - hw) / stretch;

@@ -37,6 +37,7 @@ impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T
             Unary::Atan => a.atan(),
             Unary::Sign => a.sign(),
             Unary::Whole => a.whole(),
+            Unary::Slack => a.slack(),
             Unary::InverseScale => a.inverse_scale(),
         }
     }
@@ -52,7 +53,6 @@ impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T
             Binary::Hypot => a.hypot(b),
             Binary::Min => a.min(b),
             Binary::Max => a.max(b),
-            Binary::Root => a.root_with::<FUSED>(b),
         }
     }
 
@@ -60,6 +60,7 @@ impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T
     fn ternary(op: Ternary, a: T, b: T, c: T) -> T {
         match op {
             Ternary::AngleNear => T::angle_near_with::<FUSED>(a, b, c),
+            Ternary::Root => a.root_with::<FUSED>(b, c),
             Ternary::Select => T::select(a, b, c),
         }
     }

@@ -56,8 +56,6 @@ fn allowed(operation: Instruction, [a, b, _]: [f64; 3], interpreted: f64, rust: 
             true => rust.is_nan(),
             false => places(rust, interpreted) <= 1,
         },
-        // Of a zero it is that zero, whatever the scale: the discriminant of what is not finite is not zero.
-        Instruction::Binary(Binary::Root, ..) => a == 0.0 && !b.is_finite() && rust.to_bits() == 0,
         // A turn in two parts is more exact than the interpreter's product; the sign of a zero angle is lost.
         Instruction::Ternary(Ternary::AngleNear, ..) => {
             let size = f64::max(interpreted.abs(), 1.0);
@@ -74,6 +72,7 @@ fn allowed(operation: Instruction, [a, b, _]: [f64; 3], interpreted: f64, rust: 
             | Unary::Atan
             | Unary::Sign
             | Unary::Whole
+            | Unary::Slack
             | Unary::InverseScale,
             _,
         )
@@ -81,7 +80,7 @@ fn allowed(operation: Instruction, [a, b, _]: [f64; 3], interpreted: f64, rust: 
             Binary::Add | Binary::Sub | Binary::Mul | Binary::Div | Binary::Min | Binary::Max,
             ..,
         )
-        | Instruction::Ternary(Ternary::Select, ..)
+        | Instruction::Ternary(Ternary::Select | Ternary::Root, ..)
         | Instruction::Fused(Fused::MulAdd | Fused::MulSub | Fused::SubMul, ..) => false,
         Instruction::Constant(_)
         | Instruction::Load(_)

@@ -197,7 +197,16 @@ fn names_all(text: &str, name: &str, variants: &BTreeSet<&str>) -> bool {
             .map(|(start, own)| start + own.len());
         ends.any(|end| !text[end..].starts_with(|c: char| c.is_alphanumeric() || c == '_'))
     };
-    text.contains(name) && (imported || variants.iter().all(|variant| names(variant)))
+    is_named(text, name) && (imported || variants.iter().all(|variant| names(variant)))
+}
+
+/// Whether a name stands there as a word, and not as a variant of another enum.
+fn is_named(text: &str, name: &str) -> bool {
+    let of_word = |c: char| c.is_alphanumeric() || c == '_';
+    text.match_indices(name).any(|(start, _)| {
+        let (before, after) = (&text[..start], &text[start + name.len()..]);
+        !before.ends_with("::") && !before.ends_with(of_word) && !after.starts_with(of_word)
+    })
 }
 
 /// The variants of an enum: the first words after its brace and after each comma at that depth.

@@ -16,7 +16,7 @@ use num_dual::DualNum;
 /// // d/dx sqrt(x^2 - 1) = x / sqrt(x^2 - 1)
 /// let x = Dual(Dual64::new(2.0, 1.0));
 /// let square = x * x;
-/// let y = (square - Dual::from_f64(1.0)).root(square);
+/// let y = (square - Dual::from_f64(1.0)).root_with::<false>(square.slack(), Dual::from_f64(1.0));
 /// assert!((y.0.eps - 2.0 / 3.0_f64.sqrt()).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,11 +101,12 @@ impl<D: DualNum<Primitive = f64> + Copy> Scalar for Dual<D> {
 
     /// At the dead point itself the value is 0 and the derivatives are not finite.
     #[inline(always)]
-    fn root(self, scale: Self) -> Self {
-        let q = self.0.re();
-        if q > 0.0 {
+    fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self {
+        let [q, slack, size] = [self, slack, size].map(|own| own.0.re());
+        let root = q.root_with::<FUSED>(slack, size);
+        if root > 0.0 {
             Self(self.0.sqrt())
-        } else if q.root(scale.0.re()) == 0.0 {
+        } else if root == 0.0 {
             Self((self.0 - q).sqrt())
         } else {
             self.nowhere()

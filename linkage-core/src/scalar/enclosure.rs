@@ -205,7 +205,7 @@ impl Scalar for Enclosure {
 
     /// What is negative counts as 0: whoever asks for bounds of what depends on a root looks after its discriminant, too.
     #[inline(never)]
-    fn root(self, _scale: Self) -> Self {
+    fn root_with<const FUSED: bool>(self, _slack: Self, _size: Self) -> Self {
         let positive = |range: Bounds| Bounds::between(range.low.max(0.0), range.high);
         let half = Bounds::exactly(0.5);
         self.by(

@@ -46,6 +46,7 @@ macro_rules! scalar {
             // Single precision rounds more coarsely than tables are wrong.
             const CORRECTION_LIMIT: f64 = if $bits::BITS == 64 { 1e-7 } else { 1e-4 };
             const LAST_CORRECTION: f64 = if $bits::BITS == 64 { 1e-10 } else { 1e-4 };
+            const SLACK: f64 = ROUNDINGS * <$float>::EPSILON as f64;
             const REFINES: bool = false;
 
             #[inline(always)]
@@ -121,22 +122,17 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
-            fn root(self, scale: Self) -> Self {
-                self.root_with::<FUSED>(scale)
+            fn slack(self) -> Self {
+                <$float>::abs(self) * Self::SLACK as $float + 0.0 * self
             }
 
             #[inline(always)]
-            fn root_with<const FUSED: bool>(self, scale: Self) -> Self {
-                const SLACK: $float = ROUNDINGS as $float * <$float>::EPSILON;
-                // What is negative is none of rounding's beside a scale that is no number.
-                let size = <$float>::abs(scale);
-                let size = select_unpredictable(size <= <$float>::MAX, size, 0.0);
-                // Its sign is right however it is rounded, since the product is exact.
-                let reserve = elementary::$functions::mul_add::<FUSED>(size, SLACK, self);
-                // The root waits for a maximum only, one instruction, not for the test. Choices beside 0 stay in the registers of floats; a
-                // sign bit that is spread out does not. NaN has no reserve, and -0 is 0.
-                let nan = select_unpredictable(reserve >= 0.0, 0.0, <$float>::NAN);
+            fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self {
+                let reserve = elementary::$functions::mul_add::<FUSED>(slack, size, self);
+                // The root waits for a maximum only, one instruction, not for the test: -0 becomes 0. NaN has no reserve.
                 let root = math::$functions::sqrt(select_unpredictable(self > 0.0, self, 0.0));
+                // What is chosen is a constant: a root within a choice may be passed by with a branch, or divisors wait for each other.
+                let nan = select_unpredictable(reserve >= 0.0, 0.0, <$float>::NAN);
                 <$float>::from_bits(root.to_bits() | nan.to_bits())
             }
 

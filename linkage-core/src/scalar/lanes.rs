@@ -1,7 +1,7 @@
 //! SIMD types of simba.
 
 use super::operators::operators;
-use super::{Float, ROUNDINGS, Scalar};
+use super::{Float, Scalar};
 use simba::simd::SimdRealField;
 
 /// Several numbers side by side: a SIMD type of simba, such as `WideF64x4` or `AutoF64x4`, as a
@@ -12,7 +12,8 @@ use simba::simd::SimdRealField;
 /// use simba::simd::AutoF64x4;
 ///
 /// let q = Lanes::<AutoF64x4>::from_lanes(|i| i as f64 - 1.0);
-/// let root = q.root(Lanes::from_f64(1.0));
+/// let one = Lanes::from_f64(1.0);
+/// let root = q.root_with::<false>(one.slack(), one);
 /// assert!(root.lane(0).is_nan());
 /// assert_eq!((root.lane(1), root.lane(2)), (0.0, 1.0));
 /// ```
@@ -50,6 +51,7 @@ where
     const LANES: usize = S::LANES;
     const CORRECTION_LIMIT: f64 = <S::Element as Scalar>::CORRECTION_LIMIT;
     const LAST_CORRECTION: f64 = <S::Element as Scalar>::LAST_CORRECTION;
+    const SLACK: f64 = <S::Element as Scalar>::SLACK;
     const REFINES: bool = false;
 
     #[inline(always)]
@@ -91,14 +93,19 @@ where
     }
 
     #[inline(always)]
-    fn root(self, scale: Self) -> Self {
+    fn slack(self) -> Self {
+        let [part, zero] = [Self::SLACK, 0.0].map(|x| S::splat(S::Element::from_f64(x)));
+        Self(self.0.simd_abs() * part + self.0 * zero)
+    }
+
+    #[inline(always)]
+    fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self {
         let q = self.0;
         let zero = S::splat(S::Element::from_f64(0.0));
-        let slack =
-            scale.0.simd_abs() * S::splat(S::Element::from_f64(ROUNDINGS) * S::Element::EPSILON);
-        let positive = q.select(q.simd_gt(zero), zero);
-        let close = (q + slack).simd_ge(slack * zero);
-        Self(positive.select(close, q).simd_sqrt())
+        let reserve = slack.mul_add::<FUSED>(size, self).0;
+        let root = q.select(q.simd_gt(zero), zero).simd_sqrt();
+        let none = S::splat(S::Element::from_f64(f64::NAN));
+        Self(root.select(reserve.simd_ge(zero), none))
     }
 
     #[inline(always)]

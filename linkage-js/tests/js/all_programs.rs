@@ -50,6 +50,7 @@ impl Arithmetic for Simple {
             | Unary::Cos
             | Unary::Sign
             | Unary::Whole
+            | Unary::Slack
             | Unary::InverseScale => Generated::<f64, false>::unary(op, a),
         }
     }

@@ -9,12 +9,16 @@ function tangent(x) {
   return Math.abs(x) < LARGEST_ANGLE ? Math.tan(x) : NaN;
 }
 
-// The square root of a discriminant whose terms have the size of scale: 0 where it is negative by no more than 8 roundoffs of them, so
-// that a group closes up to its dead point, and NaN beyond.
-function root(q, scale) {
-  if (!(q < 0)) return Math.sqrt(q);
-  const slack = EIGHT_ROUNDOFFS * Math.abs(scale);
-  return slack < Infinity && q + slack >= 0 ? 0 : NaN;
+// By how much rounding may turn negative what was computed from terms of the size x; NaN where that is infinite.
+function slack(x) {
+  return EIGHT_ROUNDOFFS * Math.abs(x) + 0 * x;
+}
+
+// The square root of a discriminant: 0 where it is negative by no more than slack times size, so that a group closes up to its dead point,
+// and NaN beyond.
+function root(q, slack, size) {
+  if (!(slack * size + q >= 0)) return NaN;
+  return q > 0 ? Math.sqrt(q) : 0;
 }
 
 // a where s is not negative, b where it is, NaN where it is NaN.

@@ -18,13 +18,14 @@ pub(super) const FOLD_TWO: Rule<Binary, 2> =
     })
     .changes(Changes::SignOfZero);
 
-const FOLD_THREE: Rule<Ternary, 3> = rule("f(k, m, k) is a number", |g, op: Ternary, operands| {
-    let [Some(a), Some(b), Some(c)] = operands.map(|x| g.constant_value(x)) else {
-        return None;
-    };
-    Some(g.constant(op.apply([a, b, c])))
-})
-.changes(Changes::SignOfZero);
+pub(super) const FOLD_THREE: Rule<Ternary, 3> =
+    rule("f(k, m, k) is a number", |g, op: Ternary, operands| {
+        let [Some(a), Some(b), Some(c)] = operands.map(|x| g.constant_value(x)) else {
+            return None;
+        };
+        Some(g.constant(op.apply([a, b, c])))
+    })
+    .changes(Changes::SignOfZero);
 
 pub(super) static OF_ONE: &[Rule<Unary, 1>] = &[FOLD_ONE];
 

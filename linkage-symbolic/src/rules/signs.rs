@@ -2,8 +2,7 @@
 
 use super::functions::FOLD_ONE;
 use super::{Changes, Rule, rule};
-use crate::graph::Node;
-use crate::operation::{Binary, Unary};
+use crate::operation::Unary;
 
 pub(super) static NEGATIVE: &[Rule<Unary, 1>] = &[
     FOLD_ONE,
@@ -28,18 +27,17 @@ pub(super) static ABSOLUTE: &[Rule<Unary, 1>] = &[
     .also(&["abs((-p) x) = abs(p x)", "abs((-k) p) = abs(k p)"]),
     // The root of -0 is -0.
     rule("abs(sqrt(x)) = sqrt(x)", |g, _, [a]| {
-        let never_negative = matches!(
-            g.node(a),
-            Node::Unary(Unary::Abs | Unary::Sqrt | Unary::InverseScale, _)
-                | Node::Binary(Binary::Hypot | Binary::Root, ..)
-        );
-        never_negative.then_some(a)
+        g.is_never_negative(a).then_some(a)
     })
     .also(&[
         "abs(abs(x)) = abs(x)",
+        "abs(slack(x)) = slack(x)",
         "abs(inverse_scale(x)) = inverse_scale(x)",
         "abs(hypot(x, y)) = hypot(x, y)",
-        "abs(root(x, y)) = root(x, y)",
+        "abs(root(x, y, z)) = root(x, y, z)",
+        "abs(x x) = x x",
+        "abs(x x + y y) = x x + y y",
+        "abs(abs(x) sqrt(y)) = abs(x) sqrt(y)",
     ])
     .changes(Changes::SignOfZero),
 ];

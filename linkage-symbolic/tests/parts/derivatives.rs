@@ -12,7 +12,8 @@ use crate::{assert_near, inputs, value, values};
 fn place(random: &mut Random, name: &str) -> [f64; 3] {
     let mut numbers = [0; 3].map(|_| random.ratio(0.2, 3.0) * [1.0, -1.0][random.below(2)]);
     match name {
-        "sqrt" | "root" => numbers[0] = numbers[0].abs(),
+        "sqrt" => numbers[0] = numbers[0].abs(),
+        "root" => numbers = numbers.map(f64::abs),
         "asin" | "acos" => numbers[0] = random.between(-0.9, 0.9),
         // Not where the next power of two begins.
         "inverse_scale" => numbers[0] = random.between(1.1, 1.9) * [0.5, -4.0][random.below(2)],

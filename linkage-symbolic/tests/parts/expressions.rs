@@ -35,6 +35,7 @@ fn expressions_compute_what_numbers_do() {
         is(x.hypot(y), a.hypot(b));
         is(x.atan2(y), a.atan2(b));
         is(x.root(y), a.sqrt());
+        is(y.unary(Unary::Slack), 8.0 * f64::EPSILON * b.abs());
         is(z.select(x, y), if c >= 0.0 { a } else { b });
         is(x.difference_of_squares(y), (a - b) * (a + b));
         let (mut sum, mut difference) = (x, x);
@@ -111,11 +112,13 @@ fn what_is_divided_by_zero_is_infinite() {
 #[test]
 fn operations_of_numbers_are_numbers() {
     let graph = Graph::new();
-    let numbers = [0.75, -0.3, 12.0];
+    let numbers = [0.75, 0.3, 12.0];
     let [a, b, c] = numbers.map(|own| graph.number(own));
-    let unary = Unary::ALL.iter().map(|&op| (a.unary(op), op.apply([0.75])));
+    // How much rounding takes depends on the numbers that a program runs on.
+    let unary = Unary::ALL.iter().filter(|&&op| op != Unary::Slack);
+    let unary = unary.map(|&op| (a.unary(op), op.apply([0.75])));
     let binary = Binary::ALL.iter();
-    let binary = binary.map(|&op| (a.binary(op, b), op.apply([0.75, -0.3])));
+    let binary = binary.map(|&op| (a.binary(op, b), op.apply([0.75, 0.3])));
     let ternary = Ternary::ALL.iter();
     let ternary = ternary.map(|&op| (a.ternary(op, b, c), op.apply(numbers)));
     for (made, expected) in unary.chain(binary).chain(ternary) {

@@ -74,8 +74,8 @@ impl Scalar for Fused {
         Self(self.0.atan2_with::<true>(x.0))
     }
 
-    fn root(self, scale: Self) -> Self {
-        Self(Scalar::root(self.0, scale.0))
+    fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self {
+        Self(self.0.root_with::<true>(slack.0, size.0))
     }
 
     fn angle_near(y: Self, x: Self, guide: Self) -> Self {

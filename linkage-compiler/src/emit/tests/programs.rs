@@ -53,7 +53,9 @@ impl Builder {
         let mode = self.load(Source::Prepared(1));
         let square = self.binary(Binary::Mul, pin_y, pin_y);
         let rest = self.binary(Binary::Sub, rod2, square);
-        let root = self.binary(Binary::Root, rest, rod2);
+        let slack = self.unary(Unary::Slack, rod2);
+        let one = self.push(Instruction::Constant(1.0));
+        let root = self.push(Instruction::Ternary(Ternary::Root, rest, slack, one));
         self.binary(Binary::Mul, mode, root)
     }
 
