@@ -14,8 +14,10 @@ use super::multiply::{double as mul_add, one_rounding};
 
 /// Adding this number rounds to an integer, which the low bits then hold.
 const ROUND: f64 = 6_755_399_441_055_744.0;
-/// Multiplied by this number, 2^30 and above become infinite.
-const LIMIT: f64 = f64::from_bits(0x7E10_0000_0000_0000);
+/// From this angle on a sine is noise: 2^30.
+const LIMIT: f64 = 1_073_741_824.0;
+/// Multiplied by this number, [`LIMIT`] and above become infinite.
+const TO_INFINITY: f64 = f64::from_bits(0x7E10_0000_0000_0000);
 
 /// Sine and cosine of an angle in radians; NaN for one of 2^30 and above in size. The sine of -0
 /// is 0.
@@ -24,7 +26,7 @@ pub(crate) fn sin_cos<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64)
     let shifted = mul_add::<FUSED>(x, core::f64::consts::FRAC_2_PI, ROUND);
     let (high, low) = reduce::<FUSED>(x, shifted - ROUND);
     // Zero, or infinity times zero.
-    let low = mul_add::<FUSED>(x * LIMIT, 0.0, low);
+    let low = mul_add::<FUSED>(x * TO_INFINITY, 0.0, low);
     let pair = reduced::<FUSED>(high, low);
     if ROWS {
         swapped(pair, shifted.to_bits())

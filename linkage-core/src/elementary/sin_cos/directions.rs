@@ -8,9 +8,10 @@
 
 mod table;
 
-use self::table::{DIRECTIONS, TABLE};
+use self::table::{DIRECTIONS, NOWHERE, TABLE};
 use super::super::multiply::double as mul_add;
 use super::{LIMIT, ROUND};
+use core::hint::select_unpredictable;
 
 /// Steps in a radian.
 const STEPS: f64 = 20.371_832_715_762_604;
@@ -23,18 +24,22 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
     const SECOND: f64 = f64::from_bits(0x3C41_A626_3314_0000);
     const THIRD: f64 = f64::from_bits(0x39E7_01B8_39A2_5205);
     let shifted = mul_add::<true>(x, STEPS, ROUND);
-    let [cosine, cosine_rest, sine, sine_rest] = TABLE[shifted.to_bits() as usize % DIRECTIONS];
     let n = shifted - ROUND;
+    // What is compared are whole numbers, for which a processor has units of its own.
+    let size = x.to_bits() & u64::MAX >> 1;
+    let row = shifted.to_bits() as usize % DIRECTIONS;
+    let row = select_unpredictable(size < LIMIT.to_bits(), row, NOWHERE);
+    let [cosine, cosine_rest, sine, sine_rest] = TABLE[row];
+    // Ahead of the remainder, which would wait for one more multiply-add.
+    let second = n * SECOND;
     let rest = mul_add::<true>(-n, FIRST, x);
-    let high = mul_add::<true>(-n, SECOND, rest);
-    let low = mul_add::<true>(-n, THIRD, mul_add::<true>(-n, SECOND, rest - high));
-    // Plus zero, or infinity times zero: what is known early takes no time.
-    let first = mul_add::<true>(x * LIMIT, 0.0, -0.166_666_666_666_666_66);
+    let high = rest - second;
+    let low = mul_add::<true>(-n, THIRD, (rest - high) - second);
     let z = high * high;
     let s = mul_add::<true>(
         mul_add::<true>(-0.000_198_410_207_880_214, z, 0.008_333_333_332_770_617),
         z,
-        first,
+        -0.166_666_666_666_666_66,
     );
     let c = mul_add::<true>(
         mul_add::<true>(-0.001_388_866_474_127_222_8, z, 0.041_666_666_661_602_23),
@@ -42,10 +47,9 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
         -0.5,
     );
     let s = mul_add::<true>(high * z, s, low);
-    let c = c * z;
     // The larger a term, the later it is added, but for what is known last.
-    let of_sine = mul_add::<true>(cosine, s, mul_add::<true>(sine, c, sine_rest));
-    let of_cosine = mul_add::<true>(-sine, s, mul_add::<true>(cosine, c, cosine_rest));
+    let of_sine = mul_add::<true>(cosine, s, mul_add::<true>(sine * z, c, sine_rest));
+    let of_cosine = mul_add::<true>(-sine, s, mul_add::<true>(cosine * z, c, cosine_rest));
     (
         mul_add::<true>(cosine, high, of_sine) + sine,
         mul_add::<true>(-sine, high, of_cosine) + cosine,

@@ -2,19 +2,21 @@
 
 /// Directions in a turn.
 pub(super) const DIRECTIONS: usize = 128;
+/// The row behind them, of NaN.
+pub(super) const NOWHERE: usize = DIRECTIONS;
 /// Of an eighth of a turn, both ends included.
 const EIGHTH: usize = DIRECTIONS / 8 + 1;
 
 /// Cosine and what it lacks, sine and what it lacks.
 type Direction = [f64; 4];
 
-/// From the first axis on, 4 KB.
-pub(super) static TABLE: [Direction; DIRECTIONS] = turn();
+/// From the first axis on, and [`NOWHERE`]; 4 KB.
+pub(super) static TABLE: [Direction; DIRECTIONS + 1] = turn();
 
 /// All directions by those of an eighth.
-const fn turn() -> [Direction; DIRECTIONS] {
+const fn turn() -> [Direction; DIRECTIONS + 1] {
     const RIGHT_ANGLE: usize = DIRECTIONS / 4;
-    let mut turn = [[0.0; 4]; DIRECTIONS];
+    let mut turn = [[f64::NAN; 4]; DIRECTIONS + 1];
     let mut n = 0;
     while n < DIRECTIONS {
         let within = n % RIGHT_ANGLE;
