@@ -67,7 +67,12 @@ impl<'m> Algebra<'m> {
                 _ => sum - angle,
             }
         });
-        let (_, start) = own.arm().length_and_unit();
+        let start = own.arm();
+        if guide.is_unit() {
+            // Turning does not stretch.
+            start.mark_unit();
+        }
+        let (_, start) = start.length_and_unit();
         let carrier = self.carrier(angle, start, axis);
         Some(Carried {
             carrier,

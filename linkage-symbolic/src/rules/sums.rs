@@ -36,6 +36,12 @@ pub(super) static SUM: &[Rule<Binary, 2>] = &[
         Some(g.sub(b, x))
     })
     .also(&["(-k) + x = x - k", "(-p) y + x = x - p y"]),
+    rule("sin(x) sin(x) + cos(x) cos(x) = 1", |g, _, [a, b]| {
+        is_unit(g, a, b).then(|| g.one())
+    })
+    .also(&["cos(x) cos(x) + sin(x) sin(x) = 1"])
+    .changes(Changes::Roundings(-4))
+    .assumes(Assumes::Finite),
     rule("(x - y) + y = x", |g, _, [a, b]| {
         minuend(g, a, b).or_else(|| minuend(g, b, a))
     })
@@ -115,6 +121,22 @@ pub(super) static DIFFERENCE: &[Rule<Binary, 2>] = &[
 fn multiple(g: &mut Store, factor: f64, x: NodeId) -> NodeId {
     let factor = g.constant(factor);
     g.mul(factor, x)
+}
+
+/// Whether two terms are the squares of an angle's sine and cosine.
+fn is_unit(g: &Store, a: NodeId, b: NodeId) -> bool {
+    let squared = |term| {
+        let (x, y) = g.product(term)?;
+        (x == y).then(|| g.node(x))
+    };
+    let (Some(a), Some(b)) = (squared(a), squared(b)) else {
+        return false;
+    };
+    match (a, b) {
+        (Node::Unary(Unary::Sin, x), Node::Unary(Unary::Cos, y))
+        | (Node::Unary(Unary::Cos, x), Node::Unary(Unary::Sin, y)) => x == y,
+        _ => false,
+    }
 }
 
 /// `x` of a difference `x - y`.

@@ -1,5 +1,7 @@
 //! Formulas of the four operations with twice the digits of a number.
 
+use std::f64::consts::FRAC_PI_2;
+
 use linkage_symbolic::program::{Binary, Unary};
 
 use crate::formula::{Formula, Operation};
@@ -42,6 +44,8 @@ pub(crate) fn exact(formula: &Formula, values: &Values) -> Exact {
             let parts: Vec<Exact> = parts.iter().map(|part| exact(part, values)).collect();
             match (operation, &parts[..]) {
                 (Operation::Unary(Unary::Neg), &[a]) => negative(a),
+                (Operation::Unary(Unary::Sin), &[x]) => sine(x, 0),
+                (Operation::Unary(Unary::Cos), &[x]) => sine(x, 1),
                 (Operation::Binary(Binary::Add), &[a, b]) => sum(a, b),
                 (Operation::Binary(Binary::Sub), &[a, b]) => sum(a, negative(b)),
                 (Operation::Binary(Binary::Mul), &[a, b]) => product(a, b),
@@ -49,6 +53,46 @@ pub(crate) fn exact(formula: &Formula, values: &Values) -> Exact {
                 _ => panic!("{operation:?} is rounded in its own way"),
             }
         }
+    }
+}
+
+/// The largest angle that [`sine`] knows.
+pub(crate) const ANGLE: f64 = 10.0;
+
+/// The sine of an angle and some right angles: its series about the nearest multiple of a right angle.
+fn sine(x: Exact, quarters: i32) -> Exact {
+    let right = Exact {
+        high: FRAC_PI_2,
+        low: 6.123_233_995_736_766e-17,
+        size: FRAC_PI_2,
+    };
+    let number = |x: f64| Exact {
+        high: x,
+        low: 0.0,
+        size: x.abs(),
+    };
+    let n = (x.high / FRAC_PI_2).round();
+    let rest = sum(x, product(number(-n), right));
+    let turns = n as i32 + quarters;
+    let first = match turns.rem_euclid(2) {
+        0 => rest,
+        _ => number(1.0),
+    };
+    let square = negative(product(rest, rest));
+    let (mut term, mut total) = (first, first);
+    let mut k = f64::from(1 - turns.rem_euclid(2));
+    for _ in 0..16 {
+        term = quotient(product(term, square), number((k + 1.0) * (k + 2.0)));
+        total = sum(total, term);
+        k += 2.0;
+    }
+    let total = Exact {
+        size: total.high.abs(),
+        ..total
+    };
+    match turns.rem_euclid(4) {
+        0 | 1 => total,
+        _ => negative(total),
     }
 }
 

@@ -7,6 +7,7 @@ use std::str::Chars;
 use linkage_symbolic::program::{Binary, Ternary, Unary};
 use linkage_symbolic::{Graph, NodeId};
 
+use crate::exact::ANGLE;
 use crate::numbers::{Symbols, Values};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,6 +86,18 @@ impl Formula {
         }
     }
 
+    /// Whether it has the sine of an angle that is too large for its exact value to be known here.
+    pub(crate) fn has_large_angle(&self, values: &Values) -> bool {
+        let Self::Of(operation, parts) = self else {
+            return false;
+        };
+        let of_angle = matches!(operation, Operation::Unary(Unary::Sin | Unary::Cos));
+        parts.iter().any(|part| match part {
+            Self::Of(..) => part.has_large_angle(values),
+            _ => of_angle && (ANGLE..f64::INFINITY).contains(&part.leaf(values).abs()),
+        })
+    }
+
     /// How often a value is rounded on its way to the result.
     pub(crate) fn roundings(&self) -> i32 {
         let Self::Of(operation, parts) = self else {
@@ -93,6 +106,7 @@ impl Formula {
         let parts = parts.iter().map(Self::roundings);
         match operation {
             Operation::Unary(Unary::Neg) => parts.sum(),
+            Operation::Unary(Unary::Sin | Unary::Cos) => 1 + parts.sum::<i32>(),
             // Each term has its own.
             Operation::Binary(Binary::Add | Binary::Sub) => 1 + parts.max().unwrap_or(0),
             Operation::Binary(Binary::Mul | Binary::Div) => 1 + parts.sum::<i32>(),
