@@ -14,7 +14,7 @@ mod sin_cos_single;
 pub(crate) mod double {
     pub(crate) use super::atan2::double as atan2;
     pub(crate) use super::multiply::double as mul_add;
-    pub(crate) use super::sin_cos::{sin_cos, sin_cos_alone};
+    pub(crate) use super::sin_cos::{sin_cos, sin_cos_shortest};
 }
 
 /// The functions of `f32`.
@@ -22,5 +22,5 @@ pub(crate) mod single {
     pub(crate) use super::atan2::single as atan2;
     pub(crate) use super::multiply::single as mul_add;
     // Fewer digits need no table.
-    pub(crate) use super::sin_cos_single::{sin_cos, sin_cos as sin_cos_alone};
+    pub(crate) use super::sin_cos_single::{sin_cos, sin_cos as sin_cos_shortest};
 }

@@ -143,10 +143,10 @@ pub trait Scalar:
         self.sin_cos_with::<FUSED>()
     }
 
-    /// As [`sin_cos_in_rows`](Self::sin_cos_in_rows), but without `ROWS` in the way that is shortest for one position, which may round
-    /// another way: where nothing hangs on the sine of an angle being that of the same angle elsewhere to the last bit.
+    /// As [`sin_cos_in_rows`](Self::sin_cos_in_rows), but in the way that is shortest for one position or, with `ROWS`, for many, which
+    /// may round another way: where nothing hangs on the sine of an angle being that of the same angle elsewhere to the last bit.
     #[inline(always)]
-    fn sin_cos_alone<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
+    fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
         self.sin_cos_in_rows::<FUSED, ROWS>()
     }
 

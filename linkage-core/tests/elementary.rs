@@ -11,19 +11,23 @@ macro_rules! special_values {
 
             const INFINITE: $float = $float::INFINITY;
 
-            /// With fused multiply-add and without, and of single calls.
-            fn sine_pairs(x: $float) -> [($float, $float); 3] {
-                let alone = x.sin_cos_alone::<true, false>();
-                [x.sin_cos_with::<true>(), x.sin_cos_with::<false>(), alone]
+            /// With fused multiply-add and without; of single calls, and of rows.
+            fn sine_pairs(x: $float) -> [($float, $float); 4] {
+                [
+                    x.sin_cos_with::<true>(),
+                    x.sin_cos_with::<false>(),
+                    x.sin_cos_shortest::<true, false>(),
+                    x.sin_cos_shortest::<true, true>(),
+                ]
             }
 
             #[test]
             fn the_sine_pair_of_zero_is_exact() {
-                assert_eq!(sine_pairs(0.0), [(0.0, 1.0); 3]);
-                assert_eq!(sine_pairs(-0.0), [(0.0, 1.0); 3]);
+                assert_eq!(sine_pairs(0.0), [(0.0, 1.0); 4]);
+                assert_eq!(sine_pairs(-0.0), [(0.0, 1.0); 4]);
                 let least = $float::from_bits(1);
-                assert_eq!(sine_pairs(least), [(least, 1.0); 3]);
-                assert_eq!(sine_pairs(-least), [(-least, 1.0); 3]);
+                assert_eq!(sine_pairs(least), [(least, 1.0); 4]);
+                assert_eq!(sine_pairs(-least), [(-least, 1.0); 4]);
             }
 
             #[test]
@@ -74,12 +78,16 @@ macro_rules! special_values {
                 let right_angles = (-40..40).map(|k| k as $float * FRAC_PI_2);
                 let large = (0..40).map(|k| $limit / (1.0 + k as $float));
                 for x in turns.chain(right_angles).chain(large).chain(special) {
-                    let [fused, plain, _] = sine_pairs(x).map(bits);
+                    let [fused, plain, ..] = sine_pairs(x).map(bits);
                     assert_eq!(bits(x.sin_cos_in_rows::<true, true>()), fused, "{x:e}");
                     assert_eq!(bits(x.sin_cos_in_rows::<false, true>()), plain, "{x:e}");
                     assert_eq!(bits(x.sin_cos_in_rows::<true, false>()), fused, "{x:e}");
-                    assert_eq!(bits(x.sin_cos_alone::<true, true>()), fused, "{x:e}");
-                    assert_eq!(bits(x.sin_cos_alone::<false, false>()), plain, "{x:e}");
+                    for rows in [
+                        x.sin_cos_shortest::<false, true>(),
+                        x.sin_cos_shortest::<false, false>(),
+                    ] {
+                        assert_eq!(bits(rows), plain, "{x:e}");
+                    }
                 }
             }
 

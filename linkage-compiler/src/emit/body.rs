@@ -138,7 +138,7 @@ fn sin_cos(runs: Runs, x: &Ident) -> TokenStream {
     match runs {
         Runs::Once => quote!(T::sin_cos_with::<__FUSED>(#x)),
         Runs::InRows => quote!(T::sin_cos_in_rows::<__FUSED, __ROWS>(#x)),
-        Runs::InRowsOrAlone => quote!(T::sin_cos_alone::<__FUSED, __ROWS>(#x)),
+        Runs::InRowsOrAlone => quote!(T::sin_cos_shortest::<__FUSED, __ROWS>(#x)),
     }
 }
 

@@ -9,6 +9,7 @@
 //! roundoffs (2^-53) up to the limit of 2^30.
 
 mod directions;
+mod rows;
 
 use super::multiply::{double as mul_add, one_rounding};
 
@@ -18,6 +19,25 @@ const ROUND: f64 = 6_755_399_441_055_744.0;
 const LIMIT: f64 = 1_073_741_824.0;
 /// Multiplied by this number, [`LIMIT`] and above become infinite.
 const TO_INFINITY: f64 = f64::from_bits(0x7E10_0000_0000_0000);
+
+/// `(sin x - x) / x^3` by powers of `x^2`, up to a quarter of pi.
+const SINE: [f64; 6] = [
+    -0.166_666_666_666_666_3,
+    0.008_333_333_333_322_116,
+    -0.000_198_412_698_295_881_27,
+    2.755_731_362_087_826_5e-6,
+    -2.505_074_768_075_582_6e-8,
+    1.589_622_525_371_158_2e-10,
+];
+/// `(cos x - 1 + x^2/2) / x^4`
+const COSINE: [f64; 6] = [
+    0.041_666_666_666_666_595,
+    -0.001_388_888_888_887_305_4,
+    2.480_158_728_885_015_2e-5,
+    -2.755_731_417_883_65e-7,
+    2.087_570_077_787_380_4e-9,
+    -1.135_853_312_522_515_9e-11,
+];
 
 /// Sine and cosine of an angle in radians; NaN for one of 2^30 and above in size. The sine of -0
 /// is 0.
@@ -35,13 +55,14 @@ pub(crate) fn sin_cos<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64)
     }
 }
 
-/// As [`sin_cos`], but for one position in fewer operations and rounded in their way, where multiply-adds are fused.
+/// As [`sin_cos`], but in fewer operations and rounded in their way, where multiply-adds are fused: by a table for one position, in one word
+/// for rows.
 #[inline(always)]
-pub(crate) fn sin_cos_alone<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64) {
-    if !ROWS && one_rounding::<FUSED>() {
-        directions::sin_cos(x)
-    } else {
-        sin_cos::<FUSED, ROWS>(x)
+pub(crate) fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64) {
+    match (one_rounding::<FUSED>(), ROWS) {
+        (true, true) => rows::sin_cos(x),
+        (true, false) => directions::sin_cos(x),
+        (false, _) => sin_cos::<FUSED, ROWS>(x),
     }
 }
 
@@ -75,30 +96,8 @@ fn reduce<const FUSED: bool>(x: f64, n: f64) -> (f64, f64) {
 fn reduced<const FUSED: bool>(high: f64, low: f64) -> [[f64; 2]; 2] {
     let z = high * high;
     let z2 = z * z;
-    let sine = polynomial::<FUSED>(
-        z,
-        z2,
-        [
-            -0.166_666_666_666_666_3,
-            0.008_333_333_333_322_116,
-            -0.000_198_412_698_295_881_27,
-            2.755_731_362_087_826_5e-6,
-            -2.505_074_768_075_582_6e-8,
-            1.589_622_525_371_158_2e-10,
-        ],
-    );
-    let cosine = polynomial::<FUSED>(
-        z,
-        z2,
-        [
-            0.041_666_666_666_666_595,
-            -0.001_388_888_888_887_305_4,
-            2.480_158_728_885_015_2e-5,
-            -2.755_731_417_883_65e-7,
-            2.087_570_077_787_380_4e-9,
-            -1.135_853_312_522_515_9e-11,
-        ],
-    );
+    let sine = polynomial::<FUSED>(z, z2, SINE);
+    let cosine = polynomial::<FUSED>(z, z2, COSINE);
     let half = -0.5 * high;
     let base = mul_add::<FUSED>(half, high, 1.0);
     let s = mul_add::<FUSED>(high * z, sine, low * base);
@@ -142,7 +141,13 @@ fn turned<const FUSED: bool>(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
 #[inline(always)]
 fn swapped(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     let [[high, s], [base, c]] = pair;
-    let [sine, cosine] = [high + s, base + c].map(f64::to_bits);
+    exchanged([high + s, base + c], n)
+}
+
+/// The pair exchanged and negated as `n` right angles do.
+#[inline(always)]
+fn exchanged(pair: [f64; 2], n: u64) -> (f64, f64) {
+    let [sine, cosine] = pair.map(f64::to_bits);
     let odd = (n & 1).wrapping_neg();
     let differing = (sine ^ cosine) & odd;
     let sign_of_sine = n >> 1 << 63;

@@ -87,8 +87,8 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
-            fn sin_cos_alone<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
-                elementary::$functions::sin_cos_alone::<FUSED, ROWS>(self)
+            fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
+                elementary::$functions::sin_cos_shortest::<FUSED, ROWS>(self)
             }
 
             #[inline(always)]

@@ -48,11 +48,15 @@ impl Largest {
     }
 }
 
+/// The sine pairs of rows are allowed so much more.
+const IN_ROWS: f64 = 1.8;
+
 /// Errors of the sine pairs of `f64` in the given units of the exact value, those of single calls among them.
 fn sine_pair(inputs: impl Iterator<Item = f64>, unit: fn(f64) -> f64, limit: f64, what: &str) {
     let mut fused = Largest::default();
     let mut plain = Largest::default();
     let mut alone = Largest::default();
+    let mut rows = Largest::default();
     for x in inputs {
         let (sine, cosine) = Big::from(x).sin_cos();
         let (sine_unit, cosine_unit) = (unit(sine.to_f64()), unit(cosine.to_f64()));
@@ -62,8 +66,15 @@ fn sine_pair(inputs: impl Iterator<Item = f64>, unit: fn(f64) -> f64, limit: f64
         };
         see(&mut fused, x.sin_cos_with::<true>());
         see(&mut plain, x.sin_cos_with::<false>());
-        see(&mut alone, x.sin_cos_alone::<true, false>());
+        see(&mut alone, x.sin_cos_shortest::<true, false>());
+        // What they lose next to a multiple of a right angle is little beside 1.
+        let (s, c) = x.sin_cos_shortest::<true, true>();
+        for (exact, unit, found) in [(&sine, sine_unit, s), (&cosine, cosine_unit, c)] {
+            let coarse = 2f64.powi(-10) * ROUNDOFF;
+            rows.see((exact - found).to_f64().abs() / unit.max(coarse), x);
+        }
     }
+    rows.within(IN_ROWS * limit, &format!("sine pair {what}, rows"));
     alone.within(limit, &format!("sine pair {what}, alone"));
     fused.within(limit, &format!("sine pair {what}, fused"));
     plain.within(limit, &format!("sine pair {what}, plain"));

@@ -113,7 +113,7 @@ fn sines_of_calls_are_rounded_in_their_own_way_where_no_direction_is_compared() 
     let ways = |body: TokenStream| {
         let text = crate::compile(body, |_, _| String::new()).to_string();
         assert!(!text.contains("compile_error"), "{text}");
-        ["sin_cos_in_rows", "sin_cos_alone"].map(|name| text.contains(name))
+        ["sin_cos_in_rows", "sin_cos_shortest"].map(|name| text.contains(name))
     };
     let guides = quote! {
         pub struct Guides {

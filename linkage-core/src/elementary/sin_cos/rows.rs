@@ -1,0 +1,27 @@
+//! Sine and cosine for vectors, with fused multiply-add: what a polynomial is of has one word, which takes 11 operations of 44 less. No
+//! mechanism's error changes by it, since all that is computed of a sine is rounded as much.
+//!
+//! Largest errors found against 512 bits: 1.54 units in the last place up to 1e5, but next to multiples of a right angle, where the error is
+//! that of the remainder; 1.4 roundoffs (2^-53) up to the limit of 2^30.
+
+use super::super::multiply::double as mul_add;
+use super::{COSINE, ROUND, SINE, TO_INFINITY, exchanged, polynomial};
+
+/// Sine and cosine of an angle in radians; NaN for one of 2^30 and above in size.
+#[inline(always)]
+pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
+    // A right angle in two words.
+    const FIRST: f64 = f64::from_bits(0x3FF9_21FB_5444_2D18);
+    const SECOND: f64 = f64::from_bits(0x3C91_A626_3314_5C07);
+    let shifted = mul_add::<true>(x, core::f64::consts::FRAC_2_PI, ROUND);
+    let n = shifted - ROUND;
+    // As it is, or infinity times zero.
+    let x = mul_add::<true>(x * TO_INFINITY, 0.0, x);
+    let x = mul_add::<true>(-n, SECOND, mul_add::<true>(-n, FIRST, x));
+    let z = x * x;
+    let z2 = z * z;
+    let sine = mul_add::<true>(x * z, polynomial::<true>(z, z2, SINE), x);
+    let base = mul_add::<true>(-0.5, z, 1.0);
+    let cosine = mul_add::<true>(z2, polynomial::<true>(z, z2, COSINE), base);
+    exchanged([sine, cosine], shifted.to_bits())
+}
