@@ -17,8 +17,7 @@ function slack(x) {
 // The square root of a discriminant: 0 where it is negative by no more than slack times size, so that a group closes up to its dead point,
 // and NaN beyond.
 function root(q, slack, size) {
-  if (!(slack * size + q >= 0)) return NaN;
-  return q > 0 ? Math.sqrt(q) : 0;
+  return slack * size + q >= 0 ? Math.sqrt(Math.max(q, 0)) : NaN;
 }
 
 // a where s is not negative, b where it is, NaN where it is NaN.
