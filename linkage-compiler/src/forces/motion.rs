@@ -145,9 +145,26 @@ impl<'m> Mechanics<'_, 'm> {
         })
     }
 
+    /// How many factors [`gain`](Self::gain) has: accelerations, and products of two speeds.
+    pub(super) fn factors_of_gain(&self) -> usize {
+        let of = |all: &[Option<usize>]| all.iter().flatten().count();
+        of(&self.speeds.accelerations) + of(&self.speeds.speeds).pow(2)
+    }
+
     /// What a quantity, whose derivatives by the inputs are given, gains in speed: `sum q_ij w_i w_j + sum q_i e_i`.
     pub(super) fn gain(
         &mut self,
+        count: usize,
+        derivative: impl FnMut(&mut Self, By) -> Vn<'m>,
+    ) -> Vn<'m> {
+        let one = self.algebra.one();
+        self.gain_times(one, count, derivative)
+    }
+
+    /// The same times a number, which goes to the speeds.
+    fn gain_times(
+        &mut self,
+        factor: Ex<'m>,
         count: usize,
         mut derivative: impl FnMut(&mut Self, By) -> Vn<'m>,
     ) -> Vn<'m> {
@@ -159,13 +176,13 @@ impl<'m> Mechanics<'_, 'm> {
             }
             let first = derivative(self, By::Input(i));
             if let Some(acceleration) = acceleration {
-                sum = sum + acceleration * first;
+                sum = sum + (factor * acceleration) * first;
             }
             let Some(speed) = speed else { continue };
             for j in 0..self.drives() {
                 let Some(other) = self.speed(j) else { continue };
                 let second = self.moved(first, By::Input(j));
-                sum = sum + (speed * other) * second;
+                sum = sum + (factor * (speed * other)) * second;
             }
         }
         sum
@@ -179,6 +196,12 @@ impl<'m> Mechanics<'_, 'm> {
     /// Its acceleration.
     pub(super) fn point_acceleration(&mut self, point: Vn<'m>) -> Vn<'m> {
         self.gain(point.len(), |mechanics, by| mechanics.moved(point, by))
+    }
+
+    /// What a mass at it gains in momentum.
+    pub(super) fn point_momentum_gain(&mut self, mass: Ex<'m>, point: Vn<'m>) -> Vn<'m> {
+        let moved = |mechanics: &mut Self, by| mechanics.moved(point, by);
+        self.gain_times(mass, point.len(), moved)
     }
 
     /// The angular velocity of a body, in time.
