@@ -142,3 +142,14 @@ macro_rules! special_values {
 
 special_values!(f64, 1_073_741_824.0);
 special_values!(f32, 1_048_576.0);
+
+/// Fewer digits need no other way: in single precision the shortest is that of all.
+#[test]
+fn single_sine_pairs_are_the_same_in_all_ways() {
+    for k in -40_000..40_000 {
+        let x = 0.037 * k as f32;
+        let pair = x.sin_cos_with::<true>();
+        assert_eq!(x.sin_cos_shortest::<true, true>(), pair, "{x:e}");
+        assert_eq!(x.sin_cos_shortest::<true, false>(), pair, "{x:e}");
+    }
+}

@@ -20,7 +20,7 @@ fn functions<T: Scalar>() -> [Named<T>; 14] {
         }),
         ("root", |x| {
             let square = x * x + T::from_f64(0.1);
-            square.root_with::<false>(square.slack(), x) + square.sqrt()
+            square.root_with::<false>(square.slack(), T::from_f64(1.0)) + square.sqrt()
         }),
         ("abs", |x| (x - T::from_f64(0.2)).abs() * x),
         ("min", |x| x.min(x * x) + (x + x).max(T::from_f64(0.5))),

@@ -23,6 +23,8 @@ pub struct Row<const ARITY: usize> {
     pub class: Class,
     /// True for a function that is a different formula on different sides of some value.
     pub splits: bool,
+    /// True if its value is no negative number, whatever the operands are; it may be -0, or NaN.
+    pub never_negative: bool,
     /// True if it has no finite value for some finite operands. What is too large for a number is another matter.
     pub partial: bool,
 }
@@ -51,6 +53,7 @@ const fn row<const ARITY: usize>(name: &'static str, value: fn([f64; ARITY]) -> 
         size: 1,
         class: Class::Other,
         splits: false,
+        never_negative: false,
         partial: false,
     }
 }
@@ -94,9 +97,9 @@ table! {
         /// `-a`
         Neg => Row { latency: 1, ..row("neg", |[a]| -a) },
         /// `|a|`
-        Abs => Row { latency: 1, splits: true, ..row("abs", |[a]| a.abs()) },
+        Abs => Row { latency: 1, splits: true, never_negative: true, ..row("abs", |[a]| a.abs()) },
         /// The square root.
-        Sqrt => Row { latency: 20, time: 6, class: Class::Root, partial: true, ..row("sqrt", |[a]| a.sqrt()) },
+        Sqrt => Row { latency: 20, time: 6, class: Class::Root, never_negative: true, partial: true, ..row("sqrt", |[a]| a.sqrt()) },
         /// The sine. That and the cosine of one operand are computed together.
         Sin => Row { class: Class::SineCosine, ..trigonometric("sin", |[a]| a.sin()) },
         /// The cosine.
@@ -115,9 +118,9 @@ table! {
         Whole => Row { latency: 8, size: 2, splits: true, ..row("whole", |[a]| (a + WHOLE) - WHOLE) },
         /// `slack(x)`: by how much rounding may turn negative what was computed from terms of the size `x`: 8 roundoffs of it, of the
         /// numbers that a program runs on. No constant for that reason. NaN where `x` is infinite.
-        Slack => Row { size: 2, splits: true, ..row("slack", |[x]| DEAD_POINT * x.abs() + 0.0 * x) },
+        Slack => Row { size: 2, splits: true, never_negative: true, ..row("slack", |[x]| DEAD_POINT * x.abs() + 0.0 * x) },
         /// A power of two near `1/|x|` (1 for 0 and non-finite numbers): scales lengths without rounding.
-        InverseScale => Row { latency: 20, size: 6, ..row("inverse_scale", |[a]| inverse_scale(a)) },
+        InverseScale => Row { latency: 20, size: 6, never_negative: true, ..row("inverse_scale", |[a]| inverse_scale(a)) },
     }
 }
 
@@ -135,7 +138,7 @@ table! {
         /// `atan2(y, x)`
         Atan2 => Row { latency: 15, class: Class::ArcTangent, splits: true, ..arc("atan2", |[y, x]| y.atan2(x)) },
         /// `sqrt(x^2 + y^2)` without overflow.
-        Hypot => Row { latency: 15, time: 6, size: 20, class: Class::Root, ..row("hypot", |[a, b]| a.hypot(b)) },
+        Hypot => Row { latency: 15, time: 6, size: 20, class: Class::Root, never_negative: true, ..row("hypot", |[a, b]| a.hypot(b)) },
         /// NaN if an operand is; of two zeros the negative one.
         Min => Row { latency: 15, size: 3, splits: true, ..row("min", |[a, b]| one_of(a, b, a < b, b < a)) },
         /// NaN if an operand is; of two zeros the negative one.
@@ -156,7 +159,15 @@ table! {
         },
         /// `root(q, slack, size)`: the square root of `q`; 0 where `q` is negative by no more than `slack` times `size`, neither of them
         /// negative; NaN below that. An infinite `size` comes with a `q` that is no finite number either. It closes a group up to the dead point and refuses beyond.
-        Root => Row { latency: 15, time: 6, size: 5, class: Class::Root, partial: true, ..row("root", |[q, slack, size]| root(q, slack, size)) },
+        Root => Row {
+            latency: 15,
+            time: 6,
+            size: 5,
+            class: Class::Root,
+            never_negative: true,
+            partial: true,
+            ..row("root", |[q, slack, size]| root(q, slack, size))
+        },
         /// `select(s, a, b)`: `a` where `s >= 0`, `b` where it is negative, NaN where it is NaN.
         Select => Row { size: 3, splits: true, ..row("select", |[s, a, b]| select(s, a, b)) },
     }

@@ -66,25 +66,23 @@ impl Store {
         Some(self.mul(factor, x))
     }
 
-    /// True for what is no negative number, whatever it is computed from; it may be -0, or NaN.
-    pub(crate) fn is_never_negative(&self, id: NodeId) -> bool {
-        match self.node(id) {
+    /// Whether an operation's value is never negative, by its operands' own.
+    pub(crate) fn makes_no_negative(&self, node: Node) -> bool {
+        match node {
             Node::Constant(bits) => {
                 let number = f64::from_bits(bits);
                 number >= 0.0 || number.is_nan()
             }
-            Node::Unary(Unary::Abs | Unary::Sqrt | Unary::Slack | Unary::InverseScale, _)
-            | Node::Binary(Binary::Hypot, ..)
-            | Node::Ternary(Ternary::Root, ..) => true,
+            Node::Symbol(_) => false,
             Node::Binary(Binary::Mul, a, b) if a == b => true,
-            // A quotient by -0 would be.
-            Node::Binary(Binary::Add | Binary::Mul, a, b) => {
+            // A quotient by -0 may be negative.
+            Node::Binary(Binary::Add | Binary::Mul, a, b)
+            | Node::Ternary(Ternary::Select, _, a, b) => {
                 self.is_never_negative(a) && self.is_never_negative(b)
             }
-            Node::Ternary(Ternary::Select, _, a, b) => {
-                self.is_never_negative(a) && self.is_never_negative(b)
-            }
-            _ => false,
+            Node::Unary(op, _) => op.row().never_negative,
+            Node::Binary(op, ..) => op.row().never_negative,
+            Node::Ternary(op, ..) => op.row().never_negative,
         }
     }
 

@@ -74,13 +74,10 @@ impl<'m> Mechanics<'_, 'm> {
         for (mass, point) in self.masses(body) {
             let zero = self.graph().zeros(point.len());
             let gravity = gravity.unwrap_or(zero);
-            let force = match self.moves() {
-                // A mass times the square of a speed is one factor for all components.
-                true if self.factors_of_gain() <= point.len() => {
-                    mass * gravity - self.point_momentum_gain(mass, point)
-                }
-                true => mass * (gravity - self.point_acceleration(point)),
-                false => mass * gravity,
+            // A mass times the square of a speed is one factor for all components.
+            let force = match self.factors_of_gain() <= point.len() {
+                true => mass * gravity - self.point_momentum_gain(mass, point),
+                false => mass * (gravity - self.point_acceleration(point)),
             };
             if !force.is_zero() {
                 loads.forces.push(PointForce {

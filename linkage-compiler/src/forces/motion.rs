@@ -65,11 +65,7 @@ impl<'m> Mechanics<'_, 'm> {
 
     /// Whether anything moves in time.
     pub(super) fn moves(&self) -> bool {
-        let Speeds {
-            speeds,
-            accelerations,
-        } = &self.speeds;
-        speeds.iter().chain(accelerations).any(Option::is_some)
+        self.factors_of_gain() > 0
     }
 
     /// The derivative of a number.

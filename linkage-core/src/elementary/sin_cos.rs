@@ -45,9 +45,7 @@ const COSINE: [f64; 6] = [
 pub(crate) fn sin_cos<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64) {
     let shifted = mul_add::<FUSED>(x, core::f64::consts::FRAC_2_PI, ROUND);
     let (high, low) = reduce::<FUSED>(x, shifted - ROUND);
-    // Zero, or infinity times zero.
-    let low = mul_add::<FUSED>(x * TO_INFINITY, 0.0, low);
-    let pair = reduced::<FUSED>(high, low);
+    let pair = reduced::<FUSED>(high, unless_large::<FUSED>(x, low));
     if ROWS {
         swapped(pair, shifted.to_bits())
     } else {
@@ -64,6 +62,13 @@ pub(crate) fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(x: f64) -> (
         (true, false) => directions::sin_cos(x),
         (false, _) => sin_cos::<FUSED, ROWS>(x),
     }
+}
+
+/// `value`, NaN for an angle `x` of 2^30 and above in size.
+#[inline(always)]
+fn unless_large<const FUSED: bool>(x: f64, value: f64) -> f64 {
+    // Plus zero, or infinity times zero.
+    mul_add::<FUSED>(x * TO_INFINITY, 0.0, value)
 }
 
 /// `x` less `n` right angles, in two words.

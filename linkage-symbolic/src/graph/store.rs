@@ -12,6 +12,8 @@ use super::{Binding, Node, NodeId, Symbol, SymbolId};
 pub(crate) struct Store {
     nodes: Vec<Node>,
     bindings: Vec<Binding>,
+    /// Which nodes are never negative.
+    never_negative: Vec<bool>,
     index: Map<Node, NodeId>,
     symbols: Vec<Symbol>,
     sources: Map<Source, SymbolId>,
@@ -40,6 +42,11 @@ impl Store {
     /// When a node's value is known.
     pub(crate) fn binding(&self, id: NodeId) -> Binding {
         self.bindings[id.index()]
+    }
+
+    /// True for what is no negative number, whatever it is computed from; it may be -0, or NaN.
+    pub(crate) fn is_never_negative(&self, id: NodeId) -> bool {
+        self.never_negative[id.index()]
     }
 
     /// The value of a constant node.
@@ -154,9 +161,11 @@ impl Store {
                 .max()
                 .unwrap_or(Binding::Constant),
         };
+        let never_negative = self.makes_no_negative(node);
         let id = NodeId(self.nodes.len() as u32);
         self.nodes.push(node);
         self.bindings.push(binding);
+        self.never_negative.push(never_negative);
         self.index.insert(node, id);
         id
     }

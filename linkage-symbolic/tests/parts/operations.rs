@@ -62,6 +62,37 @@ fn the_smaller_and_the_larger_of_two() {
     }
 }
 
+/// What the table says of signs.
+#[test]
+fn what_is_never_negative_is_so_of_all_numbers() {
+    let numbers = [
+        f64::NAN,
+        f64::NEG_INFINITY,
+        -1e300,
+        -2.5,
+        -0.0,
+        1e-300,
+        0.7,
+        f64::INFINITY,
+    ];
+    let is_negative = |x: f64| x < 0.0;
+    for a in numbers {
+        for op in Unary::ALL.iter().filter(|op| op.row().never_negative) {
+            assert!(!is_negative(op.apply([a])), "{op:?} {a}");
+        }
+        for b in numbers {
+            for op in Binary::ALL.iter().filter(|op| op.row().never_negative) {
+                assert!(!is_negative(op.apply([a, b])), "{op:?} {a} {b}");
+            }
+            for c in numbers {
+                for op in Ternary::ALL.iter().filter(|op| op.row().never_negative) {
+                    assert!(!is_negative(op.apply([a, b, c])), "{op:?} {a} {b} {c}");
+                }
+            }
+        }
+    }
+}
+
 /// 8 roundoffs of the scale below 0 are the dead point, and no more.
 #[test]
 fn roots_end_at_the_dead_point() {

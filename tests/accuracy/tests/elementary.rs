@@ -60,19 +60,16 @@ fn sine_pair(inputs: impl Iterator<Item = f64>, unit: fn(f64) -> f64, limit: f64
     for x in inputs {
         let (sine, cosine) = Big::from(x).sin_cos();
         let (sine_unit, cosine_unit) = (unit(sine.to_f64()), unit(cosine.to_f64()));
-        let see = |largest: &mut Largest, (s, c): (f64, f64)| {
-            largest.see((&sine - s).to_f64().abs() / sine_unit, x);
-            largest.see((&cosine - c).to_f64().abs() / cosine_unit, x);
+        let see = |largest: &mut Largest, (s, c): (f64, f64), least: f64| {
+            largest.see((&sine - s).to_f64().abs() / sine_unit.max(least), x);
+            largest.see((&cosine - c).to_f64().abs() / cosine_unit.max(least), x);
         };
-        see(&mut fused, x.sin_cos_with::<true>());
-        see(&mut plain, x.sin_cos_with::<false>());
-        see(&mut alone, x.sin_cos_shortest::<true, false>());
-        // What they lose next to a multiple of a right angle is little beside 1.
-        let (s, c) = x.sin_cos_shortest::<true, true>();
-        for (exact, unit, found) in [(&sine, sine_unit, s), (&cosine, cosine_unit, c)] {
-            let coarse = 2f64.powi(-10) * ROUNDOFF;
-            rows.see((exact - found).to_f64().abs() / unit.max(coarse), x);
-        }
+        see(&mut fused, x.sin_cos_with::<true>(), 0.0);
+        see(&mut plain, x.sin_cos_with::<false>(), 0.0);
+        see(&mut alone, x.sin_cos_shortest::<true, false>(), 0.0);
+        // What rows lose next to a multiple of a right angle is little beside 1.
+        let least = 2f64.powi(-10) * ROUNDOFF;
+        see(&mut rows, x.sin_cos_shortest::<true, true>(), least);
     }
     rows.within(IN_ROWS * limit, &format!("sine pair {what}, rows"));
     alone.within(limit, &format!("sine pair {what}, alone"));

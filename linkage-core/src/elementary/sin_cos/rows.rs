@@ -5,19 +5,18 @@
 //! that of the remainder; 1.4 roundoffs (2^-53) up to the limit of 2^30.
 
 use super::super::multiply::double as mul_add;
-use super::{COSINE, ROUND, SINE, TO_INFINITY, exchanged, polynomial};
+use super::{COSINE, ROUND, SINE, exchanged, polynomial, unless_large};
+use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Sine and cosine of an angle in radians; NaN for one of 2^30 and above in size.
 #[inline(always)]
 pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
-    // A right angle in two words.
-    const FIRST: f64 = f64::from_bits(0x3FF9_21FB_5444_2D18);
-    const SECOND: f64 = f64::from_bits(0x3C91_A626_3314_5C07);
-    let shifted = mul_add::<true>(x, core::f64::consts::FRAC_2_PI, ROUND);
+    // What a right angle has beyond 53 bits.
+    const REST: f64 = f64::from_bits(0x3C91_A626_3314_5C07);
+    let shifted = mul_add::<true>(x, FRAC_2_PI, ROUND);
     let n = shifted - ROUND;
-    // As it is, or infinity times zero.
-    let x = mul_add::<true>(x * TO_INFINITY, 0.0, x);
-    let x = mul_add::<true>(-n, SECOND, mul_add::<true>(-n, FIRST, x));
+    let x = unless_large::<true>(x, x);
+    let x = mul_add::<true>(-n, REST, mul_add::<true>(-n, FRAC_PI_2, x));
     let z = x * x;
     let z2 = z * z;
     let sine = mul_add::<true>(x * z, polynomial::<true>(z, z2, SINE), x);
