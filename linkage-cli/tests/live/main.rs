@@ -6,5 +6,6 @@ mod gaps;
 mod hands;
 mod many;
 mod pages;
+mod quotients;
 mod strokes;
 mod values;

@@ -3,3 +3,4 @@
 mod all_programs;
 mod module;
 mod page;
+mod quotients;

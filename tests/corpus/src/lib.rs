@@ -15,6 +15,7 @@ pub mod numbers;
 pub mod operations;
 mod plane;
 pub mod programs;
+pub mod quotients;
 pub mod reference;
 mod sample;
 mod scalars;

@@ -5,6 +5,7 @@
 
 mod oracle;
 mod parts;
+mod quotients;
 mod slicing;
 
 use std::path::Path;
