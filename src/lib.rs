@@ -1,4 +1,6 @@
+#![doc = include_str!("links.md")]
 #![doc = include_str!("../docs/introduction.md")]
+#![doc = include_str!("../docs/features.md")]
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -263,10 +265,15 @@ pub mod cyclogram {
     pub use linkage_runtime::cyclogram::*;
 }
 
-/// The code of the README is a test.
+/// Tests of the programs in the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// Tests of the programs in the overview, a page of the book only.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/overview.md")]
+struct Overview;
 
 /// What generated code names.
 #[doc(hidden)]
