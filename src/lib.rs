@@ -76,7 +76,7 @@ pub mod tutorial {
     #![doc = include_str!("../docs/tutorial.md")]
 }
 
-/// Sixteen tasks with a short program for each, from inverse motion to a counterweight.
+/// Tasks with a short program for each, from inverse motion to a counterweight.
 pub mod cookbook {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cookbook.md")]
@@ -166,7 +166,7 @@ pub mod c {
     #![doc = include_str!("../docs/c.md")]
 }
 
-/// What versions promise: names, digits of results, operation counts, the oldest Rust.
+/// Promises of versions: names, digits of results, operation counts, the oldest Rust.
 pub mod stability {
     #![doc = include_str!("../docs/stability.md")]
 }
