@@ -99,13 +99,13 @@ pub mod language {
         #![doc = include_str!("../docs/language/expressions.md")]
     }
 
-    /// Loops: what is recognised and solved in closed form, in the plane and in space.
+    /// Loops: groups that are recognised and solved in closed form, in the plane and in space.
     pub mod loops {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/loops.md")]
     }
 
-    /// Coupled groups: loops that can only be solved together: class III and more, what is prepared, what is served.
+    /// Coupled groups: loops that can only be solved together, class III and more; their preparation and their ranges.
     pub mod coupled {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/coupled.md")]
@@ -123,13 +123,13 @@ pub mod language {
         #![doc = include_str!("../docs/language/forces.md")]
     }
 
-    /// Pictures: what `picture()` finds in the loops, and what it does not see.
+    /// Pictures: the elements that `picture()` finds in the loops, and its limits.
     pub mod pictures {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/pictures.md")]
     }
 
-    /// What comes out: all generated items; sweeps over positions and over mechanisms.
+    /// Generated items; sweeps over positions and over mechanisms.
     pub mod generated {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/generated.md")]
@@ -141,26 +141,26 @@ pub mod language {
         #![doc = include_str!("../docs/language/machines.md")]
     }
 
-    /// Assemblies: assembly modes, circuits, angles that count their turns, what fails at run time, margins.
+    /// Assemblies: assembly modes, circuits, angles that count their turns, errors at run time, margins.
     pub mod assemblies {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/assemblies.md")]
     }
 
-    /// What the compiler checks: ranges, directions, estimates; what is not supported yet.
+    /// Checks of the compiler: ranges, directions, estimates; unsupported mechanisms.
     pub mod checks {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/checks.md")]
     }
 }
 
-/// Mechanisms on small processors, in single precision: what is called, bytes and instructions.
+/// Mechanisms on small processors, in single precision: called functions, bytes and instructions.
 pub mod controllers {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/controllers.md")]
 }
 
-/// Mechanisms as C99, for controllers: what is printed, a control loop, a block of a PLC.
+/// Mechanisms as C99, for controllers: the printed code, a control loop, a block of a PLC.
 pub mod c {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/c.md")]
@@ -171,7 +171,7 @@ pub mod stability {
     #![doc = include_str!("../docs/stability.md")]
 }
 
-/// Accuracy: what tolerances do, and which tolerances an allowed error needs.
+/// Accuracy: the effect of tolerances, and the tolerances for an allowed error.
 #[cfg(feature = "tolerance")]
 pub mod tolerance {
     #![doc = include_str!("links.md")]
@@ -239,7 +239,7 @@ pub mod balancing {
     pub use linkage_runtime::balancing::*;
 }
 
-/// What a cycle comes to: limits, extreme velocities, dwells, time ratio, transmission angle, margin.
+/// Figures of a cycle: limits, extreme velocities, dwells, time ratio, transmission angle, margin.
 #[cfg(feature = "alloc")]
 pub mod summary {
     #![doc = include_str!("../docs/summary.md")]
@@ -247,7 +247,7 @@ pub mod summary {
     pub use linkage_runtime::summary::*;
 }
 
-/// Clearances: how close two organs come over a cycle, and the phase that makes it largest.
+/// Clearances: the least distance of two working members over a cycle, and the phase that makes it largest.
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod clearance {
     #![doc = include_str!("links.md")]
@@ -256,7 +256,7 @@ pub mod clearance {
     pub use linkage_runtime::clearance::*;
 }
 
-/// Cyclograms: what the organs of a machine do at which angle of the shaft.
+/// Cyclograms: the motions of the working members of a machine over the shaft angle.
 #[cfg(feature = "alloc")]
 pub mod cyclogram {
     #![doc = include_str!("links.md")]
