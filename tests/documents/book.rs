@@ -128,6 +128,19 @@ fn headings_have_an_order_and_one_address_each() {
     assert!(faults_of_headings("# A\n\n```text\n### B\n```\n\n## C\n\n# D\n").is_empty());
 }
 
+/// Whether the documentation tests take a block with this first line as Rust.
+fn is_program(fence: &str) -> bool {
+    let language = fence.trim().trim_start_matches('`');
+    let language = language.split([',', ' ']).next().unwrap_or_default();
+    let rust = ["", "rust", "no_run", "compile_fail", "should_panic"];
+    rust.contains(&language)
+}
+
+fn has_program(text: &str) -> bool {
+    let fences = lines(text).filter(|(_, _, line)| line.trim_start().starts_with("```"));
+    fences.step_by(2).any(|(_, _, fence)| is_program(fence))
+}
+
 /// A program of a page is a test only if the crate includes the page.
 #[test]
 fn pages_with_programs_are_tested() {
@@ -135,7 +148,7 @@ fn pages_with_programs_are_tested() {
     let mut count = 0;
     for page in documents() {
         let text = fs::read_to_string(&page).expect("a page");
-        if lines(&text).any(|(_, _, line)| line.trim_start().starts_with("```rust")) {
+        if has_program(&text) {
             let included = format!("include_str!(\"../{}\")", page.display());
             assert!(
                 source.contains(&included),
@@ -146,4 +159,7 @@ fn pages_with_programs_are_tested() {
         }
     }
     assert!(count > 20, "{count} pages");
+    assert!(has_program("```rust,no_run\n1\n```\n"));
+    assert!(has_program("```text\n1\n```\n\n```\n1\n```\n"));
+    assert!(!has_program("```text\n1\n```\n\n```toml\n1\n```\n"));
 }
