@@ -1,4 +1,4 @@
-//! The table of ARCHITECTURE.md that says which files have to know every kind of a thing, compared with the files that name every kind.
+//! The table of docs/where-to-add.md with the files that have to know every kind of a thing, compared with the files that name every kind.
 //!
 //! A `match` without `_` names all variants of its enum, so the files that name all of them are those that rustc demands when one is
 //! added. A row that lacks such a file, or has one that no longer asks, fails here.
@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const HEADING: &str = "## What rustc demands";
+const HEADING: &str = "## Files that rustc demands";
 
 #[test]
 fn the_table_lists_all_files_that_know_every_kind() {
@@ -120,7 +120,7 @@ struct Row {
 
 /// The rows of the table: what to add, the enum in back-ticks, the files in back-ticks.
 fn rows() -> Vec<Row> {
-    let text = read(&root().join("../ARCHITECTURE.md"));
+    let text = read(&root().join("../docs/where-to-add.md"));
     let section = text.split(HEADING).nth(1).expect("the section is there");
     let section = section.split("\n## ").next().unwrap_or_default();
     let lines = section
