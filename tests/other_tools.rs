@@ -1,4 +1,4 @@
-//! The page `docs/other_tools.md` has the figures that the scripts of `benches/other_tools` measured last.
+//! The page `docs/other_tools.md` has the figures that `benches/other_tools` measured last.
 
 use std::fs;
 

@@ -1,7 +1,9 @@
-//! A position is NaN where the mechanism cannot close, and only there: cases that an interval solver judged.
+//! A position is NaN where the mechanism cannot close, and only there: cases that an interval
+//! solver judged.
 //!
-//! `judged.csv` has random four-bars and slider-cranks, most of them next to the limits of their cranks, each with a
-//! proof by codac that it closes or that it cannot. `benches/other_tools/judge_cases.py` writes it.
+//! `judged.csv` has random four-bars and slider-cranks, half of the positions next to a limit of
+//! the crank, each with a proof by codac that it closes or that it cannot. The script
+//! `benches/other_tools/judge_cases.py` writes it.
 
 use linkage::mechanism;
 
@@ -40,7 +42,7 @@ mechanism! {
     }
 }
 
-/// Roundings of one unit in the last place, of every number of a case, that may decide a case at the very limit.
+/// Roundings of one number of a case, in units of the last place, that may decide it at a limit.
 const ROUNDINGS: f64 = 8.0;
 
 struct Case {
@@ -85,10 +87,11 @@ fn slider_crank(values: &[f64], line: &str) -> bool {
     verdict([found.theta, found.slide], line)
 }
 
-fn ours(case: &Case, values: &[f64]) -> bool {
-    match case.line.starts_with("FourBar") {
-        true => four_bar(values, &case.line),
-        false => slider_crank(values, &case.line),
+fn has_numbers(case: &Case, values: &[f64]) -> bool {
+    if case.line.starts_with("FourBar") {
+        four_bar(values, &case.line)
+    } else {
+        slider_crank(values, &case.line)
     }
 }
 
@@ -115,13 +118,14 @@ fn cases() -> Vec<Case> {
         .collect()
 }
 
-/// Returns whether a change of one number by a few roundings turns the verdict: the case is at the limit itself.
+/// Returns whether a change of one number by a few roundings turns the verdict: the case is at the
+/// limit itself.
 fn is_within_roundings(case: &Case) -> bool {
     (0..case.values.len()).any(|index| {
         [-1.0, 1.0].into_iter().any(|sign| {
             let mut values = case.values.clone();
             values[index] *= 1.0 + sign * ROUNDINGS * f64::EPSILON;
-            ours(case, &values) == case.closes
+            has_numbers(case, &values) == case.closes
         })
     })
 }
@@ -131,7 +135,7 @@ fn numbers_are_missing_where_nothing_closes() {
     let cases = cases();
     let differing: Vec<&Case> = cases
         .iter()
-        .filter(|case| ours(case, &case.values) != case.closes)
+        .filter(|case| has_numbers(case, &case.values) != case.closes)
         .collect();
     for case in &differing {
         assert!(is_within_roundings(case), "{}", case.line);
