@@ -77,6 +77,8 @@ pub mod tutorial {
 }
 
 /// Tasks with a short program for each, from inverse motion to a counterweight.
+///
+/// Its pictures are in the repository's `docs/cookbook.md`.
 pub mod cookbook {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cookbook.md")]
@@ -100,6 +102,8 @@ pub mod language {
     }
 
     /// Loops: groups that are recognised and solved in closed form, in the plane and in space.
+    ///
+    /// Its pictures are in the repository's `docs/language/loops.md`.
     pub mod loops {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/loops.md")]
@@ -118,12 +122,16 @@ pub mod language {
     }
 
     /// Forces: bodies, joints, loads, speeds; reactions, torques, energies; units of force, mass and time.
+    ///
+    /// Its pictures are in the repository's `docs/language/forces.md`.
     pub mod forces {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/forces.md")]
     }
 
     /// Pictures: the elements that `picture()` finds in the loops, and its limits.
+    ///
+    /// Its pictures are in the repository's `docs/language/pictures.md`.
     pub mod pictures {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/pictures.md")]
