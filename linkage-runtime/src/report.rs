@@ -50,3 +50,5 @@ pub use index::Index;
 pub use mistake::Mistake;
 pub use plot::Plot;
 pub use row::SummaryRow;
+#[doc(hidden)]
+pub use whole::Whole;

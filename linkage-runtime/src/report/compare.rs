@@ -11,8 +11,8 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::colour::page_rules;
+use super::error::failed;
 use super::frame::Framed;
-use super::whole::{Whole, failed};
 use super::{Report, ReportError, SummaryRow};
 
 const BODY: &str = include_str!("page/compare/page.html");
@@ -210,6 +210,6 @@ impl<'a> Comparison<'a> {
         let html = self.html()?;
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(failed(folder))?;
-        Whole::new(&folder.join("index.html"), html)?.put()
+        super::write::file(&folder.join("index.html"), html)
     }
 }

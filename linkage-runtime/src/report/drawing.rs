@@ -24,7 +24,6 @@ use std::vec::Vec;
 use super::hues::Hues;
 use super::shown::{Shown, drawn_names, point_named};
 use super::svg::{Element, Svg};
-use super::whole::Whole;
 use super::{Mistake, Report, ReportError};
 use arrows::Vector;
 use sheet::Sheet;
@@ -174,7 +173,7 @@ impl Drawing<'_> {
     pub fn write(&self, path: impl AsRef<Path>) -> Result<PathBuf, ReportError> {
         let path = path.as_ref();
         match path.extension().and_then(|ending| ending.to_str()) {
-            Some("dxf") => Whole::new(path, self.dxf()?)?.put(),
+            Some("dxf") => super::write::file(path, self.dxf()?),
             _ => super::write::picture(path, &self.svg()?),
         }
     }

@@ -3,7 +3,7 @@
 use core::fmt;
 use std::error::Error;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::vec::Vec;
 
 use super::Mistake;
@@ -80,5 +80,14 @@ impl Error for ReportError {
 impl From<Mistake> for ReportError {
     fn from(mistake: Mistake) -> Self {
         Self::Mistakes(Vec::from([mistake]))
+    }
+}
+
+/// What the system says about a file or folder.
+pub(super) fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
+    let path = path.to_path_buf();
+    move |error| ReportError::File {
+        path: path.clone(),
+        error,
     }
 }

@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use std::string::String;
 use std::vec::Vec;
 
+use super::error::failed;
 use super::frame::escaped;
 use super::letters::control;
-use super::whole::{Whole, failed};
+use super::write;
 use super::{Report, ReportError};
 
 const FRAME: &str = include_str!("page/index.html");
@@ -74,7 +75,7 @@ impl Index {
         }
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(failed(folder))?;
-        Whole::new(&folder.join("index.html"), self.html())?.put()
+        write::file(&folder.join("index.html"), self.html())
     }
 
     /// The page.

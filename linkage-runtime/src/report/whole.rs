@@ -1,68 +1,105 @@
 //! Files that are written whole or not at all.
 
-use std::ffi::OsString;
-use std::fs;
-use std::io;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::ReportError;
+mod beside;
 
-/// A file that is complete beside its place. Put there, it takes the place of what was there in one step: who reads meanwhile,
-/// or stops the program, finds the old file or the new one. What is not put there is removed.
-pub(super) struct Whole {
-    path: PathBuf,
-    /// Where the path leads if it is a link.
+/// A file that is written next to its place, under a hidden name. [`put`](Self::put) replaces in one step the file that
+/// is in the place: a reader, or a program that ends early, finds the old file or the new one. A file that is not put
+/// into its place is removed.
+///
+/// The command `linkage` writes its results with it, too.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Whole {
+    /// `None` once it is closed.
+    file: Option<File>,
+    /// The target of a link.
     place: PathBuf,
     beside: PathBuf,
 }
 
 impl Whole {
-    /// Writes it beside its place, which need not be there yet, in a folder that must.
-    pub(super) fn new(path: &Path, content: impl AsRef<[u8]>) -> Result<Self, ReportError> {
+    /// Opens an empty file in the folder of its place, with the mode of the file that it will replace. The name is
+    /// unpredictable, and a file of that name is never opened if something has it already.
+    ///
+    /// Files that earlier programs left there, and that no program holds any more, are removed.
+    ///
+    /// # Errors
+    ///
+    /// If the place is a folder, or the file cannot be made.
+    pub fn new(path: &Path) -> io::Result<Self> {
         let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-        let whole = Self {
-            beside: beside(&place),
-            path: path.to_path_buf(),
-            place,
-        };
-        // A rename would say so, but when other files are in their places already.
-        if whole.place.is_dir() {
-            return Err(failed(path)(io::ErrorKind::IsADirectory.into()));
+        let replaced = fs::metadata(&place).ok();
+        // A rename would report it, but when other files are in their places already.
+        if replaced.as_ref().is_some_and(fs::Metadata::is_dir) {
+            return Err(io::ErrorKind::IsADirectory.into());
         }
-        fs::write(&whole.beside, content).map_err(failed(path))?;
-        Ok(whole)
+        let folder = match place.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        beside::sweep_once(folder);
+        let mut options = OpenOptions::new();
+        options.write(true).create_new(true);
+        if replaced.is_some() {
+            private(&mut options);
+        }
+        let (file, beside) = beside::held(folder, &options)?;
+        let permissions = replaced.map(|replaced| replaced.permissions());
+        let changed = permissions.map_or(Ok(()), |own| file.set_permissions(own));
+        let whole = Self {
+            file: Some(file),
+            place,
+            beside,
+        };
+        changed.map(|()| whole)
     }
 
-    /// Puts it in its place.
-    pub(super) fn put(self) -> Result<PathBuf, ReportError> {
-        fs::rename(&self.beside, &self.place).map_err(failed(&self.path))?;
-        Ok(self.path.clone())
+    /// Closes it. It gives its lock back, which keeps it from sweeps where processes cannot be looked up.
+    pub(super) fn close(&mut self) {
+        self.file = None;
+    }
+
+    /// Puts it into its place.
+    ///
+    /// # Errors
+    ///
+    /// If the system refuses it; the place has the old file then.
+    pub fn put(self) -> io::Result<()> {
+        fs::rename(&self.beside, &self.place)
+    }
+}
+
+impl Write for Whole {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let file = self.file.as_mut();
+        file.map_or(Err(io::ErrorKind::BrokenPipe.into()), |own| {
+            own.write(bytes)
+        })
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.as_mut().map_or(Ok(()), File::flush)
     }
 }
 
 impl Drop for Whole {
     fn drop(&mut self) {
-        // After `put` there is none, and of one that cannot be removed nothing better is known than to leave it.
+        // After `put` there is none, and one that cannot be removed can only be left.
         let _ = fs::remove_file(&self.beside);
     }
 }
 
-/// A hidden name in the same folder: a rename stays within a file system. No two writers share one.
-fn beside(place: &Path) -> PathBuf {
-    static COUNT: AtomicUsize = AtomicUsize::new(0);
-    let count = COUNT.fetch_add(1, Ordering::Relaxed);
-    let mut name = OsString::from(".");
-    name.push(place.file_name().unwrap_or_default());
-    name.push(std::format!(".{}-{count}.part", process::id()));
-    place.with_file_name(name)
+/// Nobody else may read a file before it has the mode of the file that it replaces.
+fn private(options: &mut OpenOptions) {
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(options, 0o600);
+    #[cfg(not(unix))]
+    let _ = options;
 }
 
-pub(super) fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
-    let path = path.to_path_buf();
-    move |error| ReportError::File {
-        path: path.clone(),
-        error,
-    }
-}
+#[cfg(test)]
+mod tests;

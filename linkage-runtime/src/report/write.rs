@@ -2,14 +2,18 @@
 
 use std::format;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::vec::Vec;
 
-use super::whole::{Whole, failed};
-use super::{Report, ReportError};
+use super::error::failed;
+use super::{Report, ReportError, Whole};
 
 /// Further positions in the drawing.
 const GHOSTS: usize = 8;
+
+/// Systems limit the number of files that a program has open, some to 256.
+const MOST_OPEN: usize = 100;
 
 impl Report {
     /// Writes everything into a folder, which is made if it is not there, and returns the files:
@@ -71,9 +75,17 @@ impl Report {
         for (path, text) in &files {
             let folder = path.parent().unwrap_or(folder);
             fs::create_dir_all(folder).map_err(failed(folder))?;
-            written.push(Whole::new(path, text)?);
+            let mut whole = complete(path, text)?;
+            if written.len() >= MOST_OPEN {
+                whole.close();
+            }
+            written.push((path, whole));
         }
-        written.into_iter().map(Whole::put).collect()
+        let put = |(path, whole): (&PathBuf, Whole)| {
+            whole.put().map_err(failed(path))?;
+            Ok(path.clone())
+        };
+        written.into_iter().map(put).collect()
     }
 }
 
@@ -89,5 +101,20 @@ pub(super) fn picture(path: &Path, svg: &str) -> Result<PathBuf, ReportError> {
             });
         }
     };
-    Whole::new(path, content)?.put()
+    file(path, content)
+}
+
+/// Writes a file.
+pub(super) fn file(path: &Path, content: impl AsRef<[u8]>) -> Result<PathBuf, ReportError> {
+    let whole = complete(path, content)?;
+    whole.put().map_err(failed(path))?;
+    Ok(path.to_path_buf())
+}
+
+/// A file with its content, not yet in its place.
+fn complete(path: &Path, content: impl AsRef<[u8]>) -> Result<Whole, ReportError> {
+    let mut whole = Whole::new(path).map_err(failed(path))?;
+    let written = whole.write_all(content.as_ref());
+    written.map_err(failed(path))?;
+    Ok(whole)
 }
