@@ -4,7 +4,9 @@ use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue};
 use clap::{Parser, Subcommand};
+use linkage_compiler::shortened;
 
 mod assemblies;
 mod c;
@@ -12,9 +14,11 @@ mod check;
 mod choose;
 mod course;
 mod js;
+mod memory;
 mod new;
 mod output;
 mod page;
+mod replaced;
 mod sweep;
 mod table;
 mod tolerance;
@@ -60,7 +64,8 @@ enum Command {
 /// Does what the arguments of the process say: exit status 0, 1 for bad input, 2 for wrong usage.
 #[must_use]
 pub fn run() -> ExitCode {
-    let Arguments { command } = Arguments::parse();
+    let parsed = Arguments::try_parse();
+    let Arguments { command } = parsed.unwrap_or_else(|error| brief(error).exit());
     let result = match &command {
         Command::Check { files } => check::run(files),
         Command::Table(options) => table::run(options),
@@ -79,6 +84,22 @@ pub fn run() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Wrong usage, which repeats the arguments that are wrong.
+fn brief(mut error: clap::Error) -> clap::Error {
+    let given = [
+        ContextKind::InvalidArg,
+        ContextKind::InvalidSubcommand,
+        ContextKind::InvalidValue,
+    ];
+    for kind in given {
+        if let Some(ContextValue::String(text)) = error.get(kind) {
+            let short = shortened(text).into_owned();
+            error.insert(kind, ContextValue::String(short));
+        }
+    }
+    error
 }
 
 /// Whether messages are coloured.

@@ -4,6 +4,7 @@ use std::fmt::{self, Display, Formatter};
 use std::io;
 use std::path::Path;
 
+use linkage_compiler::{short_words, shortened};
 use linkage_runtime::AssemblyError;
 
 /// What is told before the command ends with exit status 1.
@@ -26,7 +27,7 @@ impl Failure {
 
 impl From<AssemblyError> for Failure {
     fn from(error: AssemblyError) -> Self {
-        Self::Told(error.to_string())
+        Self::Told(short_words(&error.to_string()))
     }
 }
 
@@ -42,7 +43,8 @@ impl Display for Failure {
 
 /// `a`, `b` and `c`, in back-ticks.
 pub(crate) fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
-    let quoted: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
+    let words = words.into_iter();
+    let quoted: Vec<String> = words.map(|word| format!("`{}`", shortened(word))).collect();
     match &quoted[..] {
         [] => "none".to_owned(),
         [only] => only.clone(),

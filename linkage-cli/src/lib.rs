@@ -33,8 +33,10 @@
 mod command;
 mod engine;
 mod failure;
+mod look_alike;
 mod mechanism;
 mod messages;
+mod normal;
 mod source;
 
 pub use command::run;

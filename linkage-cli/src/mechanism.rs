@@ -54,6 +54,18 @@ impl Mechanism {
         self.unit.scalars().map(|scalar| scalar.nominal).collect()
     }
 
+    /// Another tolerance of a dimension, by its place among the parameters.
+    pub(crate) fn set_tolerance(&mut self, place: usize, tolerance: f64) {
+        let mut parameters = self.parameters.to_vec();
+        parameters[place].tolerance = tolerance;
+        self.parameters = forever(parameters);
+        let parameters = self.unit.parameters.iter_mut();
+        let mut scalars = parameters.flat_map(|own| &mut own.scalars);
+        if let Some(scalar) = scalars.nth(place) {
+            scalar.tolerance = tolerance;
+        }
+    }
+
     /// The reference inputs.
     #[must_use]
     pub fn reference(&self) -> Vec<f64> {

@@ -13,22 +13,36 @@ pub fn rendered(source: &Source, found: &Found, checked: &Checked, coloured: boo
         true => (Level::WARNING, &checked.warnings),
         false => (Level::ERROR, &checked.messages),
     };
-    let renderer = match coloured {
+    let renderer = renderer(coloured);
+    let one = |message: &Message| drawn(&renderer, &level, source, found, message);
+    messages.iter().map(one).collect()
+}
+
+/// With colours for a terminal.
+pub(crate) fn renderer(coloured: bool) -> Renderer {
+    match coloured {
         true => Renderer::styled(),
         false => Renderer::plain(),
+    }
+}
+
+/// A message with the source under it, and a blank line.
+pub(crate) fn drawn(
+    renderer: &Renderer,
+    level: &Level<'_>,
+    source: &Source,
+    found: &Found,
+    message: &Message,
+) -> String {
+    let [first, last] = [message.span.first, message.span.last].map(|own| own.byte_range());
+    // Only what was made up by the compiler begins and ends with the text.
+    let span = match (first.start, last.end) {
+        (0, 0) => found.place.clone(),
+        (start, end) => start..end,
     };
-    let one = |message: &Message| {
-        let [first, last] = [message.span.first, message.span.last].map(|own| own.byte_range());
-        // Only what was made up by the compiler begins and ends with the text.
-        let span = match (first.start, last.end) {
-            (0, 0) => found.place.clone(),
-            (start, end) => start..end,
-        };
-        let snippet = Snippet::source(source.text())
-            .path(source.name())
-            .annotation(AnnotationKind::Primary.span(span));
-        let title = level.clone().primary_title(&message.text);
-        renderer.render(&[title.element(snippet)]) + "\n\n"
-    };
-    messages.iter().map(one).collect()
+    let snippet = Snippet::source(source.text())
+        .path(source.name())
+        .annotation(AnnotationKind::Primary.span(span));
+    let title = level.clone().primary_title(&message.text);
+    renderer.render(&[title.element(snippet)]) + "\n\n"
 }

@@ -8,6 +8,7 @@ use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use proc_macro2::{LexError, TokenStream, TokenTree};
 
 use crate::failure::Failure;
+use crate::normal::normalised;
 
 /// A file and the mechanisms in it.
 #[derive(Clone, Debug)]
@@ -50,6 +51,7 @@ impl Source {
         let tokens: TokenStream = text
             .parse()
             .map_err(|error| Failure::Rendered(no_tokens(name, text, &error)))?;
+        let tokens = normalised(tokens);
         let mut calls = Vec::new();
         collect(tokens.clone(), 0, &mut calls).map_err(|()| {
             Failure::Told(format!(

@@ -98,10 +98,8 @@ pub(crate) struct Diagnostics {
 impl Diagnostics {
     /// Fact first, lower case, names in back-ticks; a second line `help: ...` says what to write.
     pub(crate) fn error(&mut self, span: SourceSpan, message: impl Into<String>) {
-        self.list.push(Message {
-            span,
-            text: message.into(),
-        });
+        let text = text::short_words(&message.into());
+        self.list.push(Message { span, text });
     }
 
     /// As [`error`](Self::error), with the second line given apart.
@@ -121,7 +119,7 @@ impl Diagnostics {
         fact: impl Display,
         help: impl Display,
     ) {
-        let text = format!("{fact}\nhelp: {help}");
+        let text = text::short_words(&format!("{fact}\nhelp: {help}"));
         self.warnings.push(Message { span, text });
     }
 

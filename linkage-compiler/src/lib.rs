@@ -72,13 +72,14 @@ mod vector;
 mod watch;
 mod words;
 
-use proc_macro2::{Group, TokenStream, TokenTree};
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 use quote::quote;
 
 use call::Call;
 use unit::Unit;
 
 pub use call::Checked;
+pub use diagnostic::text::{short_words, shortened};
 pub use diagnostic::{Message, SourceSpan};
 pub use oracle::Oracle;
 
@@ -117,6 +118,23 @@ pub fn check(body: TokenStream) -> Checked {
 /// ```
 pub fn check_all(body: TokenStream) -> Vec<Checked> {
     Call::new(body, &mut ()).checked()
+}
+
+/// Reads a value that is given apart from a mechanism, as on a command line: that of a parameter of this name, with its
+/// tolerance, where lengths are in this unit. The unit has one parameter.
+///
+/// ```
+/// let value = "40mm +- 0.1mm".parse().expect("tokens");
+/// let checked = linkage_compiler::check_value("crank", value, "mm");
+/// let unit = checked.unit.expect("a value without a mistake");
+/// let crank = &unit.parameters[0].scalars[0];
+/// assert_eq!((crank.nominal, crank.tolerance), (40.0, 0.1));
+/// ```
+pub fn check_value(name: &str, value: TokenStream, length: &str) -> Checked {
+    let word = |text: &str| syn::parse_str::<Ident>(text).ok();
+    let name = word(name).unwrap_or_else(|| Ident::new("value", Span::call_site()));
+    let length = word(length).unwrap_or_else(|| Ident::new("m", Span::call_site()));
+    check(quote!(struct Value { unit #length; param #name = (#value); }))
 }
 
 /// The bracketed path that the facade's wrapper puts in front, and the rest.

@@ -1,6 +1,6 @@
 //! Positions, quantities and loops in the words of a message.
 
-use crate::model::{Dimension, Mechanism, Type, significant};
+use crate::model::{Dimension, Mechanism, Type, length, significant};
 
 /// Prints quantities of one mechanism.
 pub(crate) struct Words<'m> {
@@ -112,10 +112,22 @@ impl<'m> Words<'m> {
         }
     }
 
+    /// As [`scalar`](Self::scalar), with all digits if it reads as another number that it is not.
+    pub(crate) fn told_apart(&self, dimension: Dimension, x: f64, other: f64) -> String {
+        let short = self.scalar(dimension, x);
+        if x == other || short != self.scalar(dimension, other) {
+            return short;
+        }
+        match dimension.half_lengths {
+            0 => format!("{}deg", x.to_degrees()),
+            _ => format!("{x}{}", dimension.unit(self.mechanism.unit)),
+        }
+    }
+
     pub(crate) fn scalar(&self, dimension: Dimension, x: f64) -> String {
         match dimension.half_lengths {
             0 => format!("{}deg", significant(x.to_degrees())),
-            2 => format!("{}{}", significant(x), self.mechanism.unit.name()),
+            2 => length(x, self.mechanism.unit),
             _ => significant(x),
         }
     }

@@ -62,14 +62,21 @@ impl Input {
     #[cfg(feature = "alloc")]
     #[must_use]
     pub fn positions(&self, count: usize) -> alloc::vec::Vec<f64> {
+        (0..count)
+            .map(|index| self.position(index, count))
+            .collect()
+    }
+
+    /// The position of this index among `count` [positions](Self::positions): for more of them than memory holds.
+    #[must_use]
+    pub fn position(&self, index: usize, count: usize) -> f64 {
         let (low, high) = self.ends();
         let last = count.saturating_sub(1);
-        let place = |i: usize| match i {
+        match index {
             0 => low,
-            _ if i == last => high,
-            _ => low + (high - low) * (i as f64 / last as f64),
-        };
-        (0..count).map(place).collect()
+            _ if index == last => high,
+            _ => low + (high - low) * (index as f64 / last as f64),
+        }
     }
 }
 

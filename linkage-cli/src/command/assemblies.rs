@@ -1,8 +1,11 @@
 //! `linkage assemblies`, `linkage circuits`: the ways in which the links can be put together.
 
+mod numbers;
+
 use std::fmt::Write;
 
 use clap::Args;
+use linkage_compiler::shortened;
 use linkage_runtime::Input;
 
 use super::choose::Chosen;
@@ -10,6 +13,8 @@ use super::output::print;
 use super::values::{Dimensions, number, parts};
 use crate::failure::{Failure, listed};
 use crate::mechanism::Mechanism;
+use crate::normal::normal;
+use numbers::numbers;
 
 /// Options of `linkage circuits`.
 #[derive(Debug, Args)]
@@ -26,7 +31,7 @@ pub(super) struct AtInputs {
     #[command(flatten)]
     options: Options,
     /// Where the input is, as `phi=45deg`; at its reference by default
-    #[arg(long = "at", value_name = "NAME=VALUE")]
+    #[arg(long = "at", value_name = "NAME=VALUE", value_parser = normal)]
     at: Vec<String>,
 }
 
@@ -90,7 +95,8 @@ pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
         match mechanism.circuits(&dimensions) {
             Some(found) => {
                 let found = found?;
-                print(&format!("{name}\n{found}"))?;
+                let numbers = numbers(&mechanism, &dimensions, &found);
+                print(&format!("{name}\n{}", found.numbered(&numbers)))?;
                 some = true;
             }
             None => without.push(format!(
@@ -114,8 +120,9 @@ fn inputs(mechanism: &Mechanism, given: &[String]) -> Result<Vec<f64>, Failure> 
         let (name, text) = parts("--at", given)?;
         let Some(index) = mechanism.inputs.iter().position(|own| own.name == name) else {
             return Err(Failure::Told(format!(
-                "{} has no input `{name}`; it has {}",
+                "{} has no input `{}`; it has {}",
                 mechanism.name,
+                shortened(name),
                 listed(mechanism.inputs.iter().map(|own| own.name))
             )));
         };
@@ -132,7 +139,7 @@ pub(super) fn placed(input: &Input, x: f64) -> String {
 /// `30 deg`, without the last bits of the conversion.
 pub(super) fn shown(input: &Input, x: f64) -> String {
     match input.unit {
-        "rad" => format!("{} deg", (x.to_degrees() * 1e9).round() / 1e9),
-        unit => format!("{x} {unit}"),
+        "rad" => format!("{} deg", (x.to_degrees() * 1e9).round() / 1e9 + 0.0),
+        unit => format!("{} {unit}", x + 0.0),
     }
 }

@@ -8,6 +8,7 @@ use linkage_c::{Real, Sources, sources};
 
 use super::choose::Chosen;
 use super::output::{print, put};
+use super::replaced::refuse_mechanism;
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
 
@@ -49,6 +50,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         .map(|mechanism| exported(mechanism, real))
         .collect::<Result<_, _>>()?;
     let folder = &options.output;
+    refuse_mechanism(folder, options.chosen.file())?;
     fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;
     for Sources {
         name,
@@ -58,7 +60,9 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     {
         for (ending, text) in [("h", header), ("c", source)] {
             let path = folder.join(format!("{name}.{ending}"));
-            put(text, Some(&path))?;
+            put(Some(&path), options.chosen.file(), |out| {
+                out.write_all(text.as_bytes())
+            })?;
             print(&format!("{}\n", path.display()))?;
         }
     }

@@ -10,6 +10,7 @@ use super::assemblies::{not_listed, placed, shown};
 use super::is_coloured;
 use super::output::print;
 use crate::failure::Failure;
+use crate::look_alike::look_alikes;
 use crate::mechanism::Mechanism;
 use crate::messages::rendered;
 use crate::source::Source;
@@ -36,6 +37,7 @@ fn one(file: &Path) -> Result<bool, Failure> {
     let source = Source::read(file)?;
     let mut sound = true;
     for found in source.calls() {
+        eprint!("{}", look_alikes(&source, found, is_coloured()));
         for checked in check_all(found.tokens.clone()) {
             eprint!("{}", rendered(&source, found, &checked, is_coloured()));
             match Mechanism::new(&checked) {

@@ -3,12 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use linkage_compiler::check_all;
+use linkage_compiler::{check_all, shortened};
 
 use super::is_coloured;
 use crate::failure::{Failure, listed};
+use crate::look_alike::look_alikes;
 use crate::mechanism::Mechanism;
 use crate::messages::rendered;
+use crate::normal::normal;
 use crate::source::Source;
 
 /// A file and, where it holds several, one of its mechanisms.
@@ -17,7 +19,7 @@ pub(super) struct Chosen {
     /// File with what stands between the braces of `mechanism! { ... }`, or a Rust file
     file: PathBuf,
     /// The mechanism, if there are several in the file
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = normal)]
     mechanism: Option<String>,
 }
 
@@ -37,7 +39,8 @@ impl Chosen {
         all.retain(|own| own.name == name);
         match all.is_empty() {
             true => Err(Failure::Told(format!(
-                "there is no mechanism `{name}` in `{}`; there is {}",
+                "there is no mechanism `{}` in `{}`; there is {}",
+                shortened(name),
                 self.file.display(),
                 listed(names)
             ))),
@@ -57,7 +60,8 @@ impl Chosen {
             all.into_iter().partition(|own| number(own).is_some());
         match &with[..] {
             [] => Err(Failure::Told(format!(
-                "there is no function `{name}` in `{}`; there is {}",
+                "there is no function `{}` in `{}`; there is {}",
+                shortened(name),
                 self.file.display(),
                 listed(functions)
             ))),
@@ -65,7 +69,10 @@ impl Chosen {
                 let number = number(only).unwrap_or_default();
                 Ok((with.swap_remove(0), number))
             }
-            several => Err(self.ambiguous(&format!("the function `{name}` is in"), several)),
+            several => Err(self.ambiguous(
+                &format!("the function `{}` is in", shortened(name)),
+                several,
+            )),
         }
     }
 
@@ -84,6 +91,7 @@ fn read(file: &Path) -> Result<Vec<Mechanism>, Failure> {
     let mut all = Vec::new();
     let mut sound = true;
     for found in source.calls() {
+        eprint!("{}", look_alikes(&source, found, is_coloured()));
         for checked in check_all(found.tokens.clone()) {
             eprint!("{}", rendered(&source, found, &checked, is_coloured()));
             match Mechanism::new(&checked) {

@@ -3,9 +3,10 @@
 use clap::Args;
 use linkage_runtime::Input;
 
-use super::sweep::{all_arguments, positions, running, still};
+use super::sweep::{Positions, all_arguments, positions, running, still};
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
+use crate::normal::normal;
 
 /// Options for the arguments of a function.
 #[derive(Debug, Args)]
@@ -17,10 +18,10 @@ pub(super) struct Course {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     to: Option<String>,
     /// The input that runs from one position to the next; the first one of the function by default
-    #[arg(long, value_name = "INPUT")]
+    #[arg(long, value_name = "INPUT", value_parser = normal)]
     over: Option<String>,
     /// Another argument of the function, as `omega=20rad/s`; inputs stand at their reference by default
-    #[arg(long = "at", value_name = "NAME=VALUE")]
+    #[arg(long = "at", value_name = "NAME=VALUE", value_parser = normal)]
     at: Vec<String>,
 }
 
@@ -30,8 +31,8 @@ pub(super) struct Along {
     pub(super) given: Vec<f64>,
     /// The place and the input that runs; `None` for a function without inputs.
     pub(super) running: Option<(usize, &'static Input)>,
-    /// What it runs through; one number that is none if nothing runs.
-    pub(super) positions: Vec<f64>,
+    /// What it runs through.
+    pub(super) positions: Positions,
 }
 
 impl Course {
@@ -50,7 +51,7 @@ impl Course {
                 let ends = [self.from.as_deref(), self.to.as_deref()];
                 positions(mechanism, input, ends, steps)?
             }
-            None => vec![f64::NAN],
+            None => Positions::none(),
         };
         Ok(Along {
             given,

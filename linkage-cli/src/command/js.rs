@@ -8,6 +8,7 @@ use linkage_js::{Module, module};
 
 use super::choose::Chosen;
 use super::output::{print, put};
+use super::replaced::refuse_mechanism;
 use crate::failure::Failure;
 
 /// Options of the command.
@@ -23,13 +24,16 @@ pub(super) struct Options {
 /// Writes a module and its types for each mechanism.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let folder = &options.output;
+    refuse_mechanism(folder, options.chosen.file())?;
     fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;
     for mechanism in options.chosen.all()? {
         let name = mechanism.name;
         let Module { script, types } = module(name, &mechanism.unit);
         for (ending, text) in [("js", &script), ("d.ts", &types)] {
             let path = folder.join(format!("{name}.{ending}"));
-            put(text, Some(&path))?;
+            put(Some(&path), options.chosen.file(), |out| {
+                out.write_all(text.as_bytes())
+            })?;
             print(&format!("{}\n", path.display()))?;
         }
     }

@@ -8,16 +8,19 @@ use std::thread::sleep;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use clap::{Args, value_parser};
+use linkage_compiler::shortened;
 use linkage_js::description;
 use linkage_runtime::Programs;
 use linkage_runtime::report::{Index, Report, ReportError};
 
 use super::choose::Chosen;
 use super::output::print;
+use super::replaced::refuse_page;
 use super::sweep::{Rows, arguments, positions, still};
 use super::values::{Dimensions, parts};
 use crate::failure::{Failure, listed};
 use crate::mechanism::{Mechanism, forever};
+use crate::normal::normal;
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -31,7 +34,7 @@ pub(super) struct Options {
     #[arg(long, default_value_t = 361, value_name = "COUNT", value_parser = value_parser!(u32).range(2..))]
     steps: u32,
     /// Another argument of functions, as `omega=20rad/s`
-    #[arg(long = "at", value_name = "NAME=VALUE")]
+    #[arg(long = "at", value_name = "NAME=VALUE", value_parser = normal)]
     at: Vec<String>,
     #[command(flatten)]
     dimensions: Dimensions,
@@ -42,6 +45,9 @@ pub(super) struct Options {
     #[arg(long)]
     open: bool,
 }
+
+/// What is held for each number, about: the number, and its texts in the page and in all files.
+const BYTES: usize = 400;
 
 /// How often a watched file is looked at.
 const LOOK_EVERY: Duration = Duration::from_millis(200);
@@ -86,7 +92,11 @@ fn changed(file: &Path) -> Option<(SystemTime, u64)> {
 }
 
 fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
-    let all = moving(options.chosen.all()?)?;
+    refuse_page(folder, options.chosen.file())?;
+    let mut all = moving(options.chosen.all()?)?;
+    for mechanism in &mut all {
+        options.dimensions.tolerate(mechanism)?;
+    }
     let reports: Vec<Report> = all
         .iter()
         .map(|mechanism| report(options, mechanism))
@@ -133,6 +143,8 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let dimensions = options.dimensions.of(mechanism)?;
     let assembly = mechanism.assemble(&dimensions)?;
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
+    let columns = mechanism.headings.iter().map(|own| own.columns.len());
+    let positions = positions.held(columns.sum(), BYTES)?;
     let mut report = Report::new(mechanism.name, input, &positions)
         .about(first_paragraph(&mechanism.unit.documentation))
         .structure(mechanism.structure)
@@ -158,14 +170,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
         let why = match (again, place, own.complete()) {
             (false, Some(place), Ok(own)) => {
                 drawn |= heading.picture.is_some();
-                let rows = Rows::new(
-                    mechanism,
-                    &assembly,
-                    function,
-                    &own,
-                    Some(place),
-                    &positions,
-                );
+                let rows = Rows::new(mechanism, &assembly, function, &own, place, &positions);
                 report = report.table(&rows);
                 let beside = heading.arguments.iter().zip(&own);
                 for (&name, &value) in beside.filter(|(name, _)| **name != input.name) {
@@ -192,8 +197,9 @@ fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
         let (name, _) = parts("--at", given)?;
         if !takes.contains(name) {
             return Err(Failure::Told(format!(
-                "no function of {} takes `{name}`; they take {}",
+                "no function of {} takes `{}`; they take {}",
                 mechanism.name,
+                shortened(name),
                 listed(takes)
             )));
         }

@@ -1,7 +1,9 @@
 //! Functions over a range of one input.
 
+use linkage_compiler::shortened;
 use linkage_runtime::{Heading, Input, Table};
 
+use super::memory::Held;
 use super::values::{number, parts};
 use crate::engine::Assembly;
 use crate::failure::{Failure, listed};
@@ -35,16 +37,14 @@ impl Rows {
         assembly: &Assembly<'_>,
         function: usize,
         arguments: &[f64],
-        place: Option<usize>,
+        place: usize,
         positions: &[f64],
     ) -> Self {
         let heading = mechanism.headings[function];
         let mut columns = vec![Vec::with_capacity(positions.len()); heading.columns.len()];
         let mut arguments = arguments.to_vec();
         for &x in positions {
-            if let Some(place) = place {
-                arguments[place] = x;
-            }
+            arguments[place] = x;
             let row = assembly.call(function, &arguments);
             for (column, number) in columns.iter_mut().zip(row) {
                 column.push(number);
@@ -55,12 +55,6 @@ impl Rows {
             rows: positions.len(),
             columns,
         }
-    }
-
-    /// At how many positions a number is not finite.
-    pub(super) fn missing(&self) -> usize {
-        let gap = |row: &usize| self.columns.iter().any(|column| !column[*row].is_finite());
-        (0..self.rows).filter(gap).count()
     }
 }
 
@@ -100,8 +94,9 @@ pub(super) fn arguments(
         let (name, text) = parts("--at", given)?;
         let Some(index) = heading.arguments.iter().position(|own| *own == name) else {
             return Err(Failure::Told(format!(
-                "`{}` does not take `{name}`; it takes {}",
+                "`{}` does not take `{}`; it takes {}",
                 heading.function,
+                shortened(name),
                 listed(heading.arguments.iter().copied())
             )));
         };
@@ -143,8 +138,9 @@ pub(super) fn running(
     match found {
         Some(found) => Ok(Some(found)),
         None => Err(Failure::Told(format!(
-            "`{}` has no input `{name}`; it has {}",
+            "`{}` has no input `{}`; it has {}",
             mechanism.headings[function].function,
+            shortened(name),
             listed(inputs.map(|(_, input)| input.name))
         ))),
     }
@@ -163,13 +159,47 @@ pub(super) fn still(running: &Input, given: &[String]) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Evenly spaced values of an input; a single number that is none if nothing runs.
+#[derive(Clone, Copy)]
+pub(super) struct Positions {
+    input: Option<Input>,
+    pub(super) count: usize,
+}
+
+impl Positions {
+    /// Of a function without inputs.
+    pub(super) fn none() -> Self {
+        Self {
+            input: None,
+            count: 1,
+        }
+    }
+
+    /// One after the other.
+    pub(super) fn iter(self) -> impl Iterator<Item = f64> {
+        let Self { input, count } = self;
+        (0..count).map(move |index| input.map_or(f64::NAN, |own| own.position(index, count)))
+    }
+
+    /// All of them, unless they and what is computed at each of them do not fit into the memory.
+    pub(super) fn held(self, columns: usize, bytes: usize) -> Result<Vec<f64>, Failure> {
+        let held = Held {
+            rows: self.count,
+            columns: columns + 1,
+            bytes,
+        };
+        held.fits()?;
+        Ok(self.iter().collect())
+    }
+}
+
 /// Evenly spaced values over the input's range, or over another one.
 pub(super) fn positions(
     mechanism: &Mechanism,
     input: &Input,
     [from, to]: [Option<&str>; 2],
     steps: u32,
-) -> Result<Vec<f64>, Failure> {
+) -> Result<Positions, Failure> {
     let (mut low, mut high) = input.ends();
     if let Some(from) = from {
         low = number(mechanism, input.name, from, input.unit)?;
@@ -181,5 +211,8 @@ pub(super) fn positions(
         range: Some((low, high)),
         ..*input
     };
-    Ok(over.positions(steps as usize))
+    Ok(Positions {
+        input: Some(over),
+        count: steps as usize,
+    })
 }

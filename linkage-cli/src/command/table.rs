@@ -1,21 +1,20 @@
 //! `linkage table`: a function over a range of its input, for spreadsheets and programs.
 
-use std::borrow::Cow;
+mod streamed;
+
 use std::path::PathBuf;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, value_parser};
-use linkage_runtime::Table;
 use linkage_runtime::report::CsvStyle;
-use serde_json::{Value, json};
 
 use super::choose::Chosen;
-use super::course::{Along, Course};
+use super::course::Course;
 use super::output::put;
-use super::sweep::Rows;
 use super::values::Dimensions;
 use crate::failure::Failure;
-use crate::mechanism::Mechanism;
+use crate::normal::normal;
+use streamed::Streamed;
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -23,6 +22,7 @@ pub(super) struct Options {
     #[command(flatten)]
     chosen: Chosen,
     /// The function
+    #[arg(value_parser = normal)]
     function: String,
     #[command(flatten)]
     course: Course,
@@ -51,13 +51,6 @@ pub(super) struct Options {
     output: Option<PathBuf>,
 }
 
-/// A column with its name and unit.
-struct Column<'a> {
-    name: &'a str,
-    unit: &'a str,
-    values: Vec<f64>,
-}
-
 /// Writes the table.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let style = options.style();
@@ -68,56 +61,20 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
     let dimensions = options.dimensions.of(&mechanism)?;
     let assembly = mechanism.assemble(&dimensions)?;
-    let Along {
-        given,
-        running,
-        positions,
-    } = options.course.of(&mechanism, function, options.steps)?;
-    let place = running.map(|(place, _)| place);
-    let rows = Rows::new(&mechanism, &assembly, function, &given, place, &positions);
-    let missing = rows.missing();
-    if missing > 0 {
-        let count = positions.len();
+    let along = options.course.of(&mechanism, function, options.steps)?;
+    let mut table = Streamed::new(&mechanism, &assembly, function, &along, options.degrees);
+    let input = options.chosen.file();
+    put(options.output.as_deref(), input, |out| match options.json {
+        true => table.in_json(out, &options.function, &dimensions),
+        false => table.in_lines(out, &style),
+    })?;
+    if table.missing > 0 {
         eprintln!(
-            "note: at {missing} of {count} positions a number is missing: the mechanism cannot be assembled there, or stands at a dead point"
+            "note: at {} of {} positions a number is missing: the mechanism cannot be assembled there, or stands at a dead point",
+            table.missing, along.positions.count
         );
     }
-    let input = running.map(|(_, input)| Column {
-        name: input.name,
-        unit: input.unit,
-        values: positions,
-    });
-    let mut columns: Vec<Column> = input.into_iter().collect();
-    let heading = rows.heading().columns.iter().enumerate();
-    columns.extend(heading.map(|(index, own)| Column {
-        name: own.name,
-        unit: own.unit,
-        values: rows.column(index).to_vec(),
-    }));
-    if options.degrees {
-        columns.iter_mut().for_each(Column::show_degrees);
-    }
-    let text = match options.json {
-        true => in_json(&mechanism, &options.function, &dimensions, &columns),
-        false => in_lines(&style, &columns),
-    };
-    put(&text, options.output.as_deref())
-}
-
-impl Column<'_> {
-    fn show_degrees(&mut self) {
-        if self.unit == "rad" {
-            self.unit = "deg";
-            self.values.iter_mut().for_each(|x| *x = x.to_degrees());
-        }
-    }
-
-    fn title(&self) -> String {
-        match self.unit {
-            "" => self.name.to_owned(),
-            unit => format!("{} [{unit}]", self.name),
-        }
-    }
+    Ok(())
 }
 
 impl Options {
@@ -130,38 +87,4 @@ impl Options {
             None => style,
         }
     }
-}
-
-/// A line for each position, names and units in the first one.
-fn in_lines(style: &CsvStyle, columns: &[Column]) -> String {
-    let titles: Vec<String> = columns.iter().map(Column::title).collect();
-    let mut text = style.line(titles.iter().map(|title| style.word(title)));
-    for row in 0..columns.first().map_or(0, |own| own.values.len()) {
-        let cells = columns.iter().map(|own| style.number(own.values[row]));
-        text += &style.line(cells.map(Cow::Owned));
-    }
-    text
-}
-
-fn in_json(
-    mechanism: &Mechanism,
-    function: &str,
-    dimensions: &[f64],
-    columns: &[Column],
-) -> String {
-    let parameters = mechanism.parameters.iter().zip(dimensions);
-    let parameters: Vec<Value> = parameters
-        .map(|(own, value)| json!({ "name": own.name, "unit": own.unit, "value": value }))
-        .collect();
-    let columns: Vec<Value> = columns
-        .iter()
-        .map(|own| json!({ "name": own.name, "unit": own.unit, "values": own.values }))
-        .collect();
-    let all = json!({
-        "mechanism": mechanism.name,
-        "function": function,
-        "dimensions": parameters,
-        "columns": columns,
-    });
-    format!("{all}\n")
 }

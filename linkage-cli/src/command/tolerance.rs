@@ -17,6 +17,7 @@ use super::values::Dimensions;
 use crate::engine::Assembly;
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
+use crate::normal::normal;
 use effects::Figures;
 
 /// Options of the command.
@@ -25,6 +26,7 @@ pub(super) struct Options {
     #[command(flatten)]
     chosen: Chosen,
     /// A function with `sensitivity(...)` among its results
+    #[arg(value_parser = normal)]
     function: String,
     #[command(flatten)]
     course: Course,
@@ -34,6 +36,9 @@ pub(super) struct Options {
     #[command(flatten)]
     dimensions: Dimensions,
 }
+
+/// What is held for each number, about: the number, and its text in the table.
+const BYTES: usize = 64;
 
 /// A quantity with its derivatives by parameters.
 struct Sensitive {
@@ -72,7 +77,8 @@ impl Sensitive {
 
 /// Prints the errors over the range, and at the worst position what each parameter contributes.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
-    let (mechanism, function) = options.chosen.with_function(&options.function)?;
+    let (mut mechanism, function) = options.chosen.with_function(&options.function)?;
+    options.dimensions.tolerate(&mut mechanism)?;
     let all = sensitive(&mechanism, function);
     if all.is_empty() {
         let name = &options.function;
@@ -93,6 +99,8 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         running,
         positions,
     } = options.course.of(&mechanism, function, options.steps)?;
+    let columns = mechanism.headings[function].columns.len();
+    let positions = positions.held(columns, BYTES)?;
     let row = |x: Option<f64>| {
         let mut arguments = given.clone();
         if let (Some((place, _)), Some(x)) = (running, x) {
@@ -209,7 +217,9 @@ impl Position<'_> {
         let figure = |x: f64| at(x).map_or(f64::NAN, |own| own.worst);
         let worst = largest(low..high, positions.len().max(2), figure);
         let worst = worst.map_err(|error| Failure::Told(error.to_string()))?;
-        let place = super::assemblies::placed(input, worst.at);
+        // The place of a largest value is as accurate as the root of roundoff.
+        let is_zero = worst.at.abs() < 1e-7 * (high - low);
+        let place = super::assemblies::placed(input, if is_zero { 0.0 } else { worst.at });
         let _ = writeln!(text, "\nworst at {place}\n{}", at(worst.at)?.text);
         Ok(text)
     }

@@ -1,17 +1,19 @@
 //! Values on the command line: numbers with units, as in a mechanism.
 
 use clap::Args;
-use linkage_compiler::check;
 use linkage_compiler::unit::COMPONENTS;
+use linkage_compiler::{check_value, shortened};
+use proc_macro2::{TokenStream, TokenTree};
 
 use crate::failure::{Failure, listed};
 use crate::mechanism::Mechanism;
+use crate::normal::normal;
 
 /// Dimensions other than those of the file.
 #[derive(Debug, Args)]
 pub(super) struct Dimensions {
-    /// A dimension, as `crank=51mm` or `pivot=(140mm, 0mm)`; may be given several times
-    #[arg(long = "set", value_name = "NAME=VALUE")]
+    /// A dimension, as `crank=51mm`, `crank='51mm +- 0.1mm'` or `pivot=(140mm, 0mm)`; may be given several times
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = normal)]
     set: Vec<String>,
 }
 
@@ -26,10 +28,27 @@ impl Dimensions {
             let units: Vec<&str> = units.collect();
             let numbers = quantity(mechanism, name, text, &units)?;
             for (place, number) in places.into_iter().zip(numbers) {
-                values[place] = number;
+                values[place] = number.value;
             }
         }
         Ok(values)
+    }
+
+    /// Gives the mechanism the tolerances that stand with the dimensions, as `crank=40mm +- 0.1mm`.
+    pub(super) fn tolerate(&self, mechanism: &mut Mechanism) -> Result<(), Failure> {
+        for given in &self.set {
+            let (name, text) = parts("--set", given)?;
+            let places = places(mechanism, name)?;
+            let units = places.iter().map(|&place| mechanism.parameters[place].unit);
+            let units: Vec<&str> = units.collect();
+            let numbers = quantity(mechanism, name, text, &units)?;
+            for (place, number) in places.into_iter().zip(numbers) {
+                if let Some(tolerance) = number.tolerance {
+                    mechanism.set_tolerance(place, tolerance);
+                }
+            }
+        }
+        Ok(())
     }
 }
 
@@ -57,7 +76,8 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
     };
     let of_part: Vec<&str> = names.clone().filter(of_part).collect();
     Err(Failure::Told(format!(
-        "there is no dimension `{name}` in {}; there is {}",
+        "there is no dimension `{}` in {}; there is {}",
+        shortened(name),
         mechanism.name,
         match of_part.is_empty() {
             true => listed(names),
@@ -69,6 +89,7 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
 /// `NAME=VALUE`
 pub(super) fn parts<'a>(option: &str, given: &'a str) -> Result<(&'a str, &'a str), Failure> {
     let pair = given.split_once('=').map(|(a, b)| (a.trim(), b.trim()));
+    let given = shortened(given);
     pair.ok_or_else(|| Failure::Told(format!("`{option} {given}`: write `{option} NAME=VALUE`")))
 }
 
@@ -79,7 +100,21 @@ pub(super) fn number(
     text: &str,
     unit: &str,
 ) -> Result<f64, Failure> {
-    Ok(quantity(mechanism, name, text, &[unit])?[0])
+    let Number { value, tolerance } = quantity(mechanism, name, text, &[unit])?[0];
+    match tolerance {
+        None => Ok(value),
+        Some(_) => Err(wrong(name, text)(
+            "only dimensions have tolerances, by `--set`",
+        )),
+    }
+}
+
+/// A number of the command line.
+#[derive(Clone, Copy)]
+struct Number {
+    value: f64,
+    /// If one is written.
+    tolerance: Option<f64>,
 }
 
 /// The numbers that a text stands for, in these units. It is read as the value of a parameter.
@@ -88,39 +123,78 @@ fn quantity(
     name: &str,
     text: &str,
     units: &[&str],
-) -> Result<Vec<f64>, Failure> {
-    let wrong = |why: &str| Failure::Told(format!("`{name}={text}`: {why}"));
+) -> Result<Vec<Number>, Failure> {
+    let wrong = wrong(name, text);
     let length = mechanism.unit.length;
-    let declaration = format!("struct Value {{ unit {length}; param value = ({text}); }}");
-    let tokens = declaration.parse();
+    let tokens: Result<TokenStream, _> = text.parse();
     let tokens =
         tokens.map_err(|_| wrong("a bracket has no partner, or a character no meaning"))?;
-    let checked = check(tokens);
+    if let Some(word) = name_within(mechanism, tokens.clone()) {
+        return Err(wrong(&format!(
+            "`{}` of {} cannot be used here\nhelp: a value may use numbers with units, functions and constants only",
+            shortened(&word),
+            mechanism.name
+        )));
+    }
+    let last = name.rsplit_once('.').map_or(name, |(_, last)| last);
+    let checked = check_value(last, tokens, length);
     if let Some(message) = checked.messages.first() {
         return Err(wrong(&message.text));
     }
     let unit = checked.unit.unwrap_or_default();
     let found: Vec<_> = unit.scalars().collect();
+    // The sign of a tolerance is no operator elsewhere.
+    let is_tolerated = ["+-", "+/-"].iter().any(|sign| text.contains(sign));
     if found.len() != units.len() {
         let [found, wanted] = [found.len(), units.len()].map(|count| match count {
             1 => "one number".to_owned(),
             count => format!("a vector of {count} numbers"),
         });
-        return Err(wrong(&format!("this is {found}, `{name}` is {wanted}")));
+        return Err(wrong(&format!(
+            "this is {found}, `{}` is {wanted}",
+            shortened(name)
+        )));
     }
     let pairs = found.iter().zip(units);
     pairs
         .map(
-            |(own, &unit)| match own.unit == unit || own.nominal == 0.0 {
-                true => Ok(own.nominal),
+            |(own, &unit)| match own.unit == unit || own.nominal == 0.0 && own.tolerance == 0.0 {
+                true => Ok(Number {
+                    value: own.nominal,
+                    tolerance: is_tolerated.then_some(own.tolerance),
+                }),
                 false => Err(wrong(&format!(
-                    "this is {}, `{name}` is {}",
+                    "this is {}, `{}` is {}",
                     in_words(&own.unit),
+                    shortened(name),
                     in_words(unit)
                 ))),
             },
         )
         .collect()
+}
+
+/// A name of the mechanism in a value.
+fn name_within(mechanism: &Mechanism, tokens: TokenStream) -> Option<String> {
+    tokens.into_iter().find_map(|token| match token {
+        TokenTree::Ident(word) => {
+            let word = word.to_string();
+            let parameters = mechanism.parameters.iter().map(|own| own.name);
+            let inputs = mechanism.inputs.iter().map(|own| own.name);
+            let unknowns = mechanism.unit.unknowns.iter().map(|own| own.name.as_str());
+            let mut names = parameters.chain(inputs).chain(unknowns);
+            names.any(|own| own == word).then_some(word)
+        }
+        TokenTree::Group(group) => name_within(mechanism, group.stream()),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => None,
+    })
+}
+
+/// What is said of a value that cannot be.
+fn wrong(name: &str, text: &str) -> impl Fn(&str) -> Failure {
+    let given = format!("{name}={text}");
+    let given = shortened(&given).into_owned();
+    move |why| Failure::Told(format!("`{given}`: {why}"))
 }
 
 fn in_words(unit: &str) -> String {

@@ -22,7 +22,7 @@ impl Nominal {
             let first = parameter.first_scalar.0;
             let name = &parameter.name;
             let defaults = &self.parameters[first..first + parameter.tolerances.len()];
-            finite(&parameter.nominal, "default", name, defaults);
+            finite(&parameter.nominal, "value", name, defaults);
             for (tolerance, value) in parameter.tolerances.iter().zip(&self.tolerances[first..]) {
                 let Some(tolerance) = tolerance else { continue };
                 finite(tolerance, "tolerance", name, &[*value]);

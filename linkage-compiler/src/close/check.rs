@@ -29,20 +29,9 @@ pub(crate) fn check_ranges<'m>(
             continue;
         };
         let value = nominal.inputs[index];
-        if !(low < high && low <= value && value <= high) {
-            let show = |x| words.scalar(input.dimension, x);
+        if let Some(message) = wrong_range(&words, input, [low, high], value) {
             sound = false;
-            reporter.error_between(
-                range_of(input),
-                format!(
-                    "the range of `{}` from {} to {} does not contain its reference value {}\n\
-                     help: write the lower end first, and a reference value inside the range",
-                    input.name,
-                    show(low),
-                    show(high),
-                    show(value)
-                ),
-            );
+            reporter.error_between(range_of(input), message);
         }
     }
     if !sound {
@@ -81,6 +70,42 @@ pub(crate) fn check_ranges<'m>(
     let asked = machine.outputs_of(algebra, asked);
     if let Some(unfollowed) = follow_angles(algebra, nominal, machine, &asked) {
         report_unfollowed(algebra, unfollowed, reporter);
+    }
+}
+
+/// What is wrong with the ends of a range, or with the reference value.
+fn wrong_range(words: &Words, input: &Input, [low, high]: [f64; 2], value: f64) -> Option<String> {
+    let name = &input.name;
+    let show = |x, other| words.told_apart(input.dimension, x, other);
+    let [from, to] = [show(low, high), show(high, low)];
+    let of_angle = input.dimension.half_lengths == 0;
+    if low == high {
+        return Some(format!(
+            "the range of `{name}` from {from} to {to} is a single position\n\
+             help: write a lower and a higher end, or no range for an input that stays where it is"
+        ));
+    }
+    if low > high {
+        let turn = match of_angle {
+            true => "; an angle may go on beyond a turn, as in `350deg..370deg`",
+            false => "",
+        };
+        return Some(format!(
+            "the range of `{name}` begins at {from}, above its end at {to}\n\
+             help: write the lower end first{turn}"
+        ));
+    }
+    let outside = |end: f64| {
+        let [value, from, to] = [show(value, end), show(low, value), show(high, value)];
+        format!(
+            "the range of `{name}` from {from} to {to} does not contain its reference value {value}\n\
+             help: write a reference value inside the range, or a wider range"
+        )
+    };
+    match value {
+        _ if value < low => Some(outside(low)),
+        _ if value > high => Some(outside(high)),
+        _ => None,
     }
 }
 

@@ -1,6 +1,35 @@
 //! Words of messages that several phases share.
 
+use std::borrow::Cow;
 use std::fmt::Write;
+
+/// A message repeats no more characters than these in one piece of what a user wrote.
+const MOST_REPEATED: usize = 80;
+
+/// A text as a message repeats it: of more than 80 characters the first 79 and an ellipsis.
+#[must_use]
+pub fn shortened(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(MOST_REPEATED) {
+        None => Cow::Borrowed(text),
+        Some(_) => {
+            let mut short: String = text.chars().take(MOST_REPEATED - 1).collect();
+            short.push('…');
+            Cow::Owned(short)
+        }
+    }
+}
+
+/// A message in which every word, name or number is [`shortened`].
+#[must_use]
+pub fn short_words(message: &str) -> String {
+    let ends_word = |c: char| c.is_whitespace() || c == '`';
+    let pieces = message.split_inclusive(ends_word);
+    let short = |piece: &str| {
+        let word = piece.trim_end_matches(ends_word);
+        format!("{}{}", shortened(word), &piece[word.len()..])
+    };
+    pieces.map(short).collect()
+}
 
 /// The candidate nearest to a misspelt word, if any is near: at most a third of the letters differ.
 pub(crate) fn nearest<'a>(
@@ -76,6 +105,17 @@ mod tests {
         ] {
             assert_eq!(edit_distance(left, right), distance, "{left} {right}");
         }
+    }
+
+    #[test]
+    fn long_words_are_cut() {
+        let [fits, long] = [80, 81].map(|count| "ä".repeat(count));
+        let cut = format!("{}…", "ä".repeat(79));
+        assert_eq!(shortened(&fits), fits);
+        assert_eq!(shortened(&long), cut);
+        let message = format!("`{long}` is  no `{fits}`\nhelp: {long}");
+        let expected = format!("`{cut}` is  no `{fits}`\nhelp: {cut}");
+        assert_eq!(short_words(&message), expected);
     }
 
     #[test]

@@ -87,7 +87,7 @@ impl Resolver<'_> {
                 format!("write `1 * {text}^{power}`"),
             ),
             None => {
-                self.unknown_name(name);
+                self.unknown_name(name, None);
                 return self.failed(span);
             }
         };

@@ -200,7 +200,7 @@ impl<'a> Resolver<'a> {
             if text == "PI" {
                 return Some((Name::Pi, Type::NUMBER));
             }
-            self.unknown_name(ident);
+            self.unknown_name(ident, Some(context));
             return None;
         };
         if let Some((fact, help)) = refusal(symbol, context) {

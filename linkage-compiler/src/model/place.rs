@@ -28,37 +28,39 @@ pub(super) struct Context<'a> {
     pub(super) item: usize,
 }
 
+/// What may be used in a place where not all names may.
+pub(super) fn rule(place: Place) -> Option<&'static str> {
+    match place {
+        Place::Constant => Some("a constant may use numbers, functions and constants only"),
+        Place::Parameter => {
+            Some("a value or tolerance may use numbers, functions and constants only")
+        }
+        Place::Input => Some(
+            "the reference and range of an input may use numbers, functions and constants only",
+        ),
+        Place::Argument => {
+            Some("the value of an argument may use numbers, functions and constants only")
+        }
+        Place::Estimate => {
+            Some("an estimate may use numbers, functions, constants and parameters only")
+        }
+        Place::PartParameter => Some(
+            "a parameter of a part is given by numbers, functions, constants and parameters only",
+        ),
+        Place::LetOrLoop | Place::Mechanics | Place::Function(_) => None,
+    }
+}
+
 /// Why a name cannot be used here, and what to do.
 pub(super) fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
     let text = &symbol.text;
     let constant = matches!(symbol.name, Name::Const(_));
     let parameter = matches!(symbol.name, Name::Parameter(_));
-    let (allowed, rule) = match context.place {
-        Place::Constant => (
-            constant,
-            "a constant may use numbers, functions and constants only",
-        ),
-        Place::Parameter => (
-            constant,
-            "a default or tolerance may use numbers, functions and constants only",
-        ),
-        Place::Input => (
-            constant,
-            "the reference and range of an input may use numbers, functions and constants only",
-        ),
-        Place::Argument => (
-            constant,
-            "the value of an argument may use numbers, functions and constants only",
-        ),
-        Place::Estimate => (
-            constant || parameter,
-            "an estimate may use numbers, functions, constants and parameters only",
-        ),
-        Place::PartParameter => (
-            constant || parameter,
-            "a parameter of a part is given by numbers, functions, constants and parameters only",
-        ),
-        Place::LetOrLoop | Place::Mechanics | Place::Function(_) => (true, ""),
+    let rule = rule(context.place).unwrap_or_default();
+    let allowed = match context.place {
+        Place::Constant | Place::Parameter | Place::Input | Place::Argument => constant,
+        Place::Estimate | Place::PartParameter => constant || parameter,
+        Place::LetOrLoop | Place::Mechanics | Place::Function(_) => true,
     };
     if !allowed {
         return Some((

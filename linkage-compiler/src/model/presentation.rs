@@ -49,9 +49,37 @@ impl Dimension {
     }
 }
 
+/// A length: in the unit of the mechanism, or in the other one of inches and millimetres if it is a short number there
+/// and none in the mechanism's. So `3mm` is read as it was written where the unit is `inch`.
+pub(crate) fn length(x: f64, unit: LengthUnit) -> String {
+    let other = match unit {
+        LengthUnit::Inch => LengthUnit::Millimetre,
+        _ => LengthUnit::Inch,
+    };
+    let there = x * unit.in_units_of(other);
+    let text = |x: f64, unit: LengthUnit| format!("{}{}", significant(x), unit.name());
+    match !is_written_by(x, 7) && is_written_by(there, SHORT) {
+        true => text(there, other),
+        false => text(x, unit),
+    }
+}
+
+/// Significant digits of a number that a person writes.
+const SHORT: usize = 5;
+
+/// Whether as many significant digits say all of a number but its rounding.
+fn is_written_by(x: f64, digits: usize) -> bool {
+    let decimals = digits - 1;
+    let rounded: f64 = format!("{x:.decimals$e}").parse().unwrap_or(f64::NAN);
+    (rounded - x).abs() <= 1e-13 * x.abs()
+}
+
 /// Up to seven significant digits, without trailing zeros.
 pub(crate) fn significant(x: f64) -> String {
-    if x == 0.0 || !x.is_finite() {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if !x.is_finite() {
         return format!("{x}");
     }
     let digits = (6 - x.abs().log10().floor() as i32).clamp(0, 17) as usize;
@@ -63,5 +91,30 @@ pub(crate) fn significant(x: f64) -> String {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_as_they_were_written() {
+        for (x, unit, expected) in [
+            (3.0 / 25.4, LengthUnit::Inch, "3mm"),
+            (12.345 / 25.4, LengthUnit::Inch, "12.345mm"),
+            (0.1875, LengthUnit::Inch, "0.1875inch"),
+            (1.1, LengthUnit::Inch, "1.1inch"),
+            (1.0 / 3.0, LengthUnit::Inch, "0.3333333inch"),
+            (25.4, LengthUnit::Millimetre, "25.4mm"),
+            (0.001 * 25.4, LengthUnit::Millimetre, "0.0254mm"),
+            (2.0f64.sqrt(), LengthUnit::Millimetre, "1.414214mm"),
+            (0.0, LengthUnit::Inch, "0inch"),
+            (-0.0, LengthUnit::Metre, "0m"),
+            (-3.0 / 25.4, LengthUnit::Inch, "-3mm"),
+        ] {
+            assert_eq!(length(x, unit), expected);
+        }
+        assert_eq!(significant(-0.0), "0");
     }
 }

@@ -3,7 +3,8 @@
 use proc_macro2::Ident;
 
 use super::functions::is_function;
-use super::names::Resolver;
+use super::names::{Resolver, Symbol};
+use super::place::{Context, refusal, rule};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 use crate::syntax::{is_unit, units_within};
@@ -11,11 +12,16 @@ use crate::syntax::{is_unit, units_within};
 use super::generated::TYPE_PARAMETER;
 
 impl Resolver<'_> {
-    pub(super) fn unknown_name(&mut self, ident: &Ident) {
+    /// `context` is where it stands; `None` where any name may stand.
+    pub(super) fn unknown_name(&mut self, ident: &Ident, context: Option<Context>) {
         let text = ident.to_string();
+        let rule = context.and_then(|context| rule(context.place));
+        let may_stand =
+            |symbol: &&Symbol| context.is_none_or(|context| refusal(symbol, context).is_none());
         let names = self
             .symbols
             .iter()
+            .filter(may_stand)
             .map(|symbol| symbol.text.as_str())
             .chain(["PI"]);
         let fact = format!("unknown name `{text}`");
@@ -31,7 +37,7 @@ impl Resolver<'_> {
                 format!("`{text}` is a function: write `{text}(...)`")
             }
             None => {
-                let help = "declare it in the struct block, for example with `let`";
+                let help = rule.unwrap_or("declare it in the struct block, for example with `let`");
                 match units_within(&text) {
                     Some(units) => format!("{help}; units are written `{units}`"),
                     None => help.to_owned(),

@@ -44,7 +44,9 @@ impl Resolver<'_> {
                 return self.not_a_variable("a constant", expr.span);
             }
             match &expr.kind {
-                syntax::ExprKind::Name(ident) if !self.is_part(&text) => self.unknown_name(ident),
+                syntax::ExprKind::Name(ident) if !self.is_part(&text) => {
+                    self.unknown_name(ident, None)
+                }
                 // It is reported as any other name that a part does not have.
                 _ => drop(self.expression(expr, IN_FUNCTIONS)),
             }

@@ -45,20 +45,21 @@ impl<'m> Analysis<'_, 'm> {
         };
         let whole = self.algebra.mechanism.loops[equations[0].loops[0]].origin;
         let valued = self.valued(equations, coordinates);
+        let body = a_body_by_angles(equations, coordinates);
         let (origin, message) = if let Some((origin, why)) = self.obstacle(equations, coordinates) {
-            let message = format!("{subject}: {why}{check}");
+            let message = format!("{subject}: {why}{check}{body}");
             (origin.unwrap_or(whole), message)
         } else if !valued.is_empty() {
             (
                 whole,
-                format!("{subject}: {}", self.of_values(&valued, rows)),
+                format!("{subject}: {}{body}", self.of_values(&valued, rows)),
             )
         } else {
             let core = self.core_of(equations, coordinates);
             let message = format!(
                 "{subject}: {core} unknowns remain when links between two joints are left out, and {MOST_CORE} are the most that are \
                  solved together; {OURS}\n\
-                 help: check that the loops need to be coupled; an input instead of an unknown may split them"
+                 help: check that the loops need to be coupled; an input instead of an unknown may split them{body}"
             );
             (whole, message)
         };
@@ -152,6 +153,19 @@ impl<'m> Analysis<'_, 'm> {
             .filter_map(|e| self.polynomials(&e.rows, coordinates))
             .collect();
         self.private_and_core(&polynomials, coordinates).1.len()
+    }
+}
+
+/// The form that serves a body in space whose place was written by angles, for the end of a help.
+fn a_body_by_angles(equations: &[Equation], coordinates: &[Coordinate]) -> &'static str {
+    let in_space = |e: &Equation| e.rows.len() == 3 || e.distance.is_some();
+    let is_angle = |c: &&Coordinate| matches!(c.kind, CoordinateKind::Angle(_));
+    match equations.iter().any(in_space) && coordinates.iter().filter(is_angle).count() > 1 {
+        true => {
+            "; the place of a body in space is `unknown body = frame(origin, x, z);` without angles, and its points are \
+             `point_in(body, (x, y, z))`"
+        }
+        false => "",
     }
 }
 

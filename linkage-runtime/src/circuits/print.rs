@@ -11,6 +11,17 @@ use core::fmt;
 /// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the unknowns there.
 impl<A> fmt::Display for Circuits<A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let numbers: Vec<usize> = (1..=self.branches.len()).collect();
+        f.write_str(&self.numbered(&numbers))
+    }
+}
+
+impl<A> Circuits<A> {
+    /// The table with other numbers of the assemblies, one for each of `branches`, and in their order. Circuits are
+    /// numbered as they come.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn numbered(&self, numbers: &[usize]) -> String {
         let titles = ["assembly", "circuit", "from", "to", "least margin", "at"];
         let mut title = titles.map(String::from).to_vec();
         if let Some(first) = self.branches.first() {
@@ -23,16 +34,23 @@ impl<A> fmt::Display for Circuits<A> {
             );
         }
         let mut rows: Vec<Vec<String>> = vec![title];
-        for (index, branch) in self.branches.iter().enumerate() {
+        let mut in_order: Vec<_> = numbers.iter().zip(&self.branches).collect();
+        in_order.sort_by_key(|(number, _)| **number);
+        let mut circuits: Vec<usize> = Vec::new();
+        for (number, branch) in in_order {
+            if !circuits.contains(&branch.circuit) {
+                circuits.push(branch.circuit);
+            }
+            let circuit = circuits.iter().position(|own| *own == branch.circuit);
             let end = |end: BranchEnd| self.end(end, branch.closed);
             let mut row = vec![
-                (index + 1).to_string(),
-                (branch.circuit + 1).to_string(),
+                number.to_string(),
+                circuit.map_or(0, |place| place + 1).to_string(),
                 end(branch.ends[0]),
                 end(branch.ends[1]),
                 rounded(branch.margin).to_string(),
-                input(&self.cycle, branch.at),
-                input(&self.cycle, branch.input),
+                input(&self.cycle, branch.at, FOUND),
+                input(&self.cycle, branch.input, ROUNDOFF),
             ];
             row.extend(branch.unknowns.iter().map(Estimate::value));
             rows.push(row);
@@ -42,20 +60,20 @@ impl<A> fmt::Display for Circuits<A> {
             lengths.max().unwrap_or(0)
         };
         let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
+        let mut text = String::new();
         for row in &rows {
             let mut line = String::new();
             for (cell, width) in row.iter().zip(&widths) {
                 line += &format!("{cell:width$}  ");
             }
-            writeln!(f, "{}", line.trim_end())?;
+            text += line.trim_end();
+            text.push('\n');
         }
-        Ok(())
+        text
     }
-}
 
-impl<A> Circuits<A> {
     fn end(&self, end: BranchEnd, closed: bool) -> String {
-        let x = input(&self.cycle, end.x());
+        let x = input(&self.cycle, end.x(), ROUNDOFF);
         match end {
             BranchEnd::Range(_) if closed => format!("{x} (closed)"),
             BranchEnd::Range(_) => x,
@@ -65,8 +83,18 @@ impl<A> Circuits<A> {
     }
 }
 
-/// An input as it is printed.
-fn input(cycle: &Cycle, x: f64) -> String {
+/// The accuracy of the place of a smallest value, as a share of the range: roundoff there is squared.
+const FOUND: f64 = 1e-7;
+
+/// Roundoff of an input, as a share of the range.
+const ROUNDOFF: f64 = 1e-13;
+
+/// An input as it is printed; 0 if it differs by less than its accuracy.
+fn input(cycle: &Cycle, x: f64, accuracy: f64) -> String {
+    let x = match x.abs() < accuracy * (cycle.high - cycle.low) {
+        true => 0.0,
+        false => x,
+    };
     if cycle.angle {
         format!("{} deg", rounded(x.to_degrees()))
     } else {

@@ -87,7 +87,8 @@ impl CsvStyle {
             return String::new();
         }
         let digits = match self.digits {
-            Some(digits) => significant(x, digits),
+            // Zero has no sign for a reader; all digits of a number are its sign, too.
+            Some(digits) => significant(x + 0.0, digits),
             None => shortest(x),
         };
         match self.decimal {

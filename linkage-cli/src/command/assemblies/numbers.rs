@@ -1,0 +1,65 @@
+//! Numbers of assemblies: those of the list at the reference input, wherever else assemblies are listed.
+
+use linkage_runtime::{Circuits, Estimate};
+
+use crate::engine::Assembly;
+use crate::mechanism::Mechanism;
+
+/// How near an assembly is to itself, computed in two ways; a share of the size of the mechanism.
+const SAME: f64 = 1e-6;
+
+/// For each assembly over the range, its number in the list at the reference input; the next ones for those that do not
+/// reach it.
+pub(super) fn numbers(
+    mechanism: &Mechanism,
+    dimensions: &[f64],
+    circuits: &Circuits<Assembly<'_>>,
+) -> Vec<usize> {
+    let at = mechanism.reference();
+    // Without an assembly at the reference nothing has been numbered.
+    let listed = mechanism.assemblies(dimensions, &at).unwrap_or_default();
+    let mut listed: Vec<Option<Vec<Estimate>>> = listed
+        .iter()
+        .map(|assembly| Some(assembly.unknowns(&at)))
+        .collect();
+    let mut next = listed.len();
+    let branches = circuits.branches.iter();
+    let found: Vec<Option<usize>> = branches
+        .map(|branch| {
+            let [low, high] = branch.ends.map(|end| end.x());
+            let there = (low..=high)
+                .contains(&at[0])
+                .then(|| branch.assembly.unknowns(&at))?;
+            let place = listed.iter().position(|own| {
+                let own = own.as_ref();
+                own.is_some_and(|own| is_same(own, &there))
+            })?;
+            listed[place] = None;
+            Some(place + 1)
+        })
+        .collect();
+    let numbered = found.into_iter().map(|number| {
+        number.unwrap_or_else(|| {
+            next += 1;
+            next
+        })
+    });
+    numbered.collect()
+}
+
+/// Whether all unknowns are in the same places.
+fn is_same(a: &[Estimate], b: &[Estimate]) -> bool {
+    let numbers = |own: &Estimate| own.numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
+    let lengths = a.iter().filter(|own| !own.angle);
+    let size = lengths.map(numbers).fold(0.0, f64::max);
+    a.iter().zip(b).all(|(a, b)| {
+        a.numbers
+            .iter()
+            .zip(&b.numbers)
+            .all(|(x, y)| match a.angle {
+                // Half a turn and minus half a turn are one direction.
+                true => (0.5 * (x - y)).sin().abs() <= SAME,
+                false => (x - y).abs() <= SAME * size,
+            })
+    })
+}

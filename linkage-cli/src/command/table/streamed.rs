@@ -1,0 +1,195 @@
+//! A table that is written row by row as it is computed: any number of rows in the same memory.
+
+use std::borrow::Cow;
+use std::io::{self, Write};
+use std::mem::take;
+
+use linkage_runtime::report::CsvStyle;
+use serde_json::{Value, json};
+
+use super::super::course::Along;
+use crate::engine::Assembly;
+use crate::mechanism::Mechanism;
+
+/// How many numbers of a table in JSON are held, where column stands after column: those of 361 positions always.
+const HELD: usize = 1 << 21;
+
+/// A column with its name and unit.
+struct Column<'a> {
+    name: &'a str,
+    unit: &'a str,
+    /// Radians that are shown in degrees.
+    in_degrees: bool,
+}
+
+/// A function over a course.
+pub(super) struct Streamed<'a> {
+    mechanism: &'a Mechanism,
+    assembly: &'a Assembly<'a>,
+    function: usize,
+    along: &'a Along,
+    /// The input that runs, if one does, and the results.
+    columns: Vec<Column<'a>>,
+    /// At how many positions a number is not finite, of those that have been written.
+    pub(super) missing: usize,
+}
+
+impl<'a> Streamed<'a> {
+    pub(super) fn new(
+        mechanism: &'a Mechanism,
+        assembly: &'a Assembly<'a>,
+        function: usize,
+        along: &'a Along,
+        in_degrees: bool,
+    ) -> Self {
+        let input = along.running.map(|(_, input)| (input.name, input.unit));
+        let results = mechanism.headings[function].columns.iter();
+        let results = results.map(|own| (own.name, own.unit));
+        let columns = input.into_iter().chain(results).map(|(name, unit)| {
+            let in_degrees = in_degrees && unit == "rad";
+            Column {
+                name,
+                unit: if in_degrees { "deg" } else { unit },
+                in_degrees,
+            }
+        });
+        Self {
+            mechanism,
+            assembly,
+            function,
+            along,
+            columns: columns.collect(),
+            missing: 0,
+        }
+    }
+
+    /// Hands over the numbers of each position, in the order of the columns.
+    fn rows(&mut self, mut each: impl FnMut(&[f64]) -> io::Result<()>) -> io::Result<()> {
+        let Along {
+            given,
+            running,
+            positions,
+        } = self.along;
+        let mut arguments = given.clone();
+        let mut row = Vec::with_capacity(self.columns.len());
+        self.missing = 0;
+        for x in positions.iter() {
+            row.clear();
+            if let Some((place, _)) = running {
+                arguments[*place] = x;
+                row.push(x);
+            }
+            let results = self.assembly.call(self.function, &arguments);
+            self.missing += usize::from(!results.iter().all(|x| x.is_finite()));
+            row.extend(results);
+            for (x, column) in row.iter_mut().zip(&self.columns) {
+                *x = column.shown(*x);
+            }
+            each(&row)?;
+        }
+        Ok(())
+    }
+
+    /// A line for each position, names and units in the first one.
+    pub(super) fn in_lines(&mut self, out: &mut dyn Write, style: &CsvStyle) -> io::Result<()> {
+        let titles: Vec<String> = self.columns.iter().map(Column::title).collect();
+        let title = style.line(titles.iter().map(|title| style.word(title)));
+        out.write_all(title.as_bytes())?;
+        self.rows(|row| {
+            let cells = row.iter().map(|x| Cow::Owned(style.number(*x)));
+            out.write_all(style.line(cells).as_bytes())
+        })
+    }
+
+    /// An object with all numbers, column by column.
+    pub(super) fn in_json(
+        &mut self,
+        out: &mut dyn Write,
+        function: &str,
+        dimensions: &[f64],
+    ) -> io::Result<()> {
+        out.write_all(b"{\"columns\":[")?;
+        self.columns_in_json(out)?;
+        let parameters = self.mechanism.parameters.iter().zip(dimensions);
+        let parameters: Vec<Value> = parameters
+            .map(|(own, value)| json!({ "name": own.name, "unit": own.unit, "value": value }))
+            .collect();
+        let [parameters, function, name] = [
+            json!(parameters),
+            json!(function),
+            json!(self.mechanism.name),
+        ];
+        writeln!(
+            out,
+            "],\"dimensions\":{parameters},\"function\":{function},\"mechanism\":{name}}}"
+        )
+    }
+
+    /// All columns. The rows are computed as often as needed: each time the next column is written meanwhile, and as many
+    /// after it as can be held.
+    fn columns_in_json(&mut self, out: &mut dyn Write) -> io::Result<()> {
+        let count = self.columns.len();
+        let rows = self.along.positions.count;
+        let together = 1 + HELD / rows;
+        for first in (0..count).step_by(together) {
+            let last = count.min(first + together);
+            let mut held = vec![Vec::new(); last - first - 1];
+            self.begin_in_json(out, first)?;
+            let mut separator = "";
+            self.rows(|row| {
+                for (column, x) in held.iter_mut().zip(&row[first + 1..last]) {
+                    column.push(*x);
+                }
+                number_in_json(out, take_first(&mut separator), row[first])
+            })?;
+            out.write_all(b"]}")?;
+            for (index, column) in (first + 1..last).zip(held) {
+                self.begin_in_json(out, index)?;
+                let mut separator = "";
+                for x in column {
+                    number_in_json(out, take_first(&mut separator), x)?;
+                }
+                out.write_all(b"]}")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn begin_in_json(&self, out: &mut dyn Write, index: usize) -> io::Result<()> {
+        let Column { name, unit, .. } = self.columns[index];
+        let separator = if index == 0 { "" } else { "," };
+        let [name, unit] = [name, unit].map(|text| json!(text));
+        write!(
+            out,
+            "{separator}{{\"name\":{name},\"unit\":{unit},\"values\":["
+        )
+    }
+}
+
+impl Column<'_> {
+    fn shown(&self, x: f64) -> f64 {
+        match self.in_degrees {
+            true => x.to_degrees(),
+            false => x,
+        }
+    }
+
+    fn title(&self) -> String {
+        match self.unit {
+            "" => self.name.to_owned(),
+            unit => format!("{} [{unit}]", self.name),
+        }
+    }
+}
+
+/// Nothing before the first number, a comma before all others.
+fn take_first(separator: &mut &'static str) -> &'static str {
+    let own = take(separator);
+    *separator = ",";
+    own
+}
+
+/// A number with all digits; `null` if it is not finite.
+fn number_in_json(out: &mut dyn Write, separator: &str, x: f64) -> io::Result<()> {
+    write!(out, "{separator}{}", json!(x))
+}
