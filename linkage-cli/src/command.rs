@@ -96,6 +96,10 @@ fn brief(mut error: clap::Error) -> clap::Error {
     for kind in given {
         if let Some(ContextValue::String(text)) = error.get(kind) {
             let short = shortened(text).into_owned();
+            // Suggestions repeat the argument.
+            if short != *text {
+                error.insert(ContextKind::Suggested, ContextValue::None);
+            }
             error.insert(kind, ContextValue::String(short));
         }
     }

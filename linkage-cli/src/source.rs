@@ -51,7 +51,6 @@ impl Source {
         let tokens: TokenStream = text
             .parse()
             .map_err(|error| Failure::Rendered(no_tokens(name, text, &error)))?;
-        let tokens = normalised(tokens);
         let mut calls = Vec::new();
         collect(tokens.clone(), 0, &mut calls).map_err(|()| {
             Failure::Told(format!(
@@ -71,6 +70,12 @@ impl Source {
             }
             (false, _) => calls,
         };
+        // Not before it is known how deep brackets are.
+        let normal = |found: Found| Found {
+            tokens: normalised(found.tokens),
+            place: found.place,
+        };
+        let calls = calls.into_iter().map(normal).collect();
         Ok(Self {
             name: name.to_owned(),
             text: text.to_owned(),

@@ -112,16 +112,24 @@ impl<'m> Words<'m> {
         }
     }
 
-    /// As [`scalar`](Self::scalar), with all digits if it reads as another number that it is not.
+    /// As [`scalar`](Self::scalar), with as many digits more as it takes not to read as another number.
     pub(crate) fn told_apart(&self, dimension: Dimension, x: f64, other: f64) -> String {
         let short = self.scalar(dimension, x);
         if x == other || short != self.scalar(dimension, other) {
             return short;
         }
-        match dimension.half_lengths {
-            0 => format!("{}deg", x.to_degrees()),
-            _ => format!("{x}{}", dimension.unit(self.mechanism.unit)),
-        }
+        let (unit, [shown, beside]) = match dimension.half_lengths {
+            0 => ("deg".to_owned(), [x, other].map(f64::to_degrees)),
+            _ => (dimension.unit(self.mechanism.unit), [x, other]),
+        };
+        let rounded = |x: f64, decimals: usize| format!("{x:.decimals$e}").parse().unwrap_or(x);
+        // More than 17 digits say nothing more.
+        let mut lengths = 7..17;
+        let differs = |decimals: &usize| rounded(shown, *decimals) != rounded(beside, *decimals);
+        let enough = lengths
+            .find(differs)
+            .map_or(shown, |own| rounded(shown, own));
+        format!("{enough}{unit}")
     }
 
     pub(crate) fn scalar(&self, dimension: Dimension, x: f64) -> String {

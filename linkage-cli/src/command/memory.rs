@@ -29,7 +29,7 @@ impl Held {
             format!(", and {} are free", gigabytes(free.into()))
         });
         Err(Failure::Told(format!(
-            "{rows} rows of {columns} numbers take about {} of memory here{free}\n\
+            "{rows} rows of {columns} columns take about {} of memory here{free}\n\
              help: choose fewer `--steps`, or `linkage table`, which holds no rows",
             gigabytes(needed)
         )))
@@ -88,7 +88,7 @@ mod tests {
         let refused = refused.expect("no memory is as large");
         assert!(
             refused.starts_with(
-                "error: 9223372036854775807 rows of 5 numbers take about 4611686018427.4 GB"
+                "error: 9223372036854775807 rows of 5 columns take about 4611686018427.4 GB"
             ),
             "{refused}"
         );

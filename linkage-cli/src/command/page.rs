@@ -47,7 +47,7 @@ pub(super) struct Options {
 }
 
 /// What is held for each number, about: the number, and its texts in the page and in all files.
-const BYTES: usize = 400;
+const BYTES: usize = 100;
 
 /// How often a watched file is looked at.
 const LOOK_EVERY: Duration = Duration::from_millis(200);

@@ -38,7 +38,7 @@ pub(super) struct Options {
 }
 
 /// What is held for each number, about: the number, and its text in the table.
-const BYTES: usize = 64;
+const BYTES: usize = 120;
 
 /// A quantity with its derivatives by parameters.
 struct Sensitive {

@@ -52,7 +52,7 @@ impl<'m> Analysis<'_, 'm> {
         } else if !valued.is_empty() {
             (
                 whole,
-                format!("{subject}: {}{body}", self.of_values(&valued, rows)),
+                format!("{subject}: {}", self.of_values(&valued, rows)),
             )
         } else {
             let core = self.core_of(equations, coordinates);

@@ -12,7 +12,7 @@ use crate::engine::Assembly;
 use crate::mechanism::Mechanism;
 
 /// How many numbers of a table in JSON are held, where column stands after column: those of 361 positions always.
-const HELD: usize = 1 << 21;
+const HELD: usize = 1 << 18;
 
 /// A column with its name and unit.
 struct Column<'a> {

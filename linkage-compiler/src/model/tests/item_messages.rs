@@ -41,10 +41,10 @@ fn items() {
                 "`l` is a parameter, which cannot be used here\nhelp: a constant may use numbers, functions and constants only",
             ],
         ),
-        ("param one = k;", &["help: a default or tolerance may use"]),
+        ("param one = k;", &["help: a value or tolerance may use"]),
         (
             "param one = 1mm +- k;",
-            &["help: a default or tolerance may use"],
+            &["help: a value or tolerance may use"],
         ),
         (
             "input one = l;",

@@ -181,7 +181,7 @@ fn dimensions_of_mechanics_in_messages() {
     check(
         "struct A { param m = 3kg +- 1N*s^2/m; let a = 3kg*m/s^2 + 1N; }",
         &[
-            "`m` is a parameter, which cannot be used here\nhelp: a default or tolerance may use numbers, functions and constants only; the name hides the unit `m`",
+            "`m` is a parameter, which cannot be used here\nhelp: a value or tolerance may use numbers, functions and constants only; the name hides the unit `m`",
             "cannot add a force^2*length^-2*time^2 and a force\nhelp: `m` is a parameter here, not the unit",
         ],
     );
