@@ -37,6 +37,15 @@ fn separated(
     Ok(())
 }
 
+/// A position, 0 if it differs from it by less than its accuracy, a share of the width of its range.
+pub(crate) fn settled(x: f64, accuracy: f64, width: f64) -> f64 {
+    if x.abs() < accuracy * width.abs() {
+        0.0
+    } else {
+        x
+    }
+}
+
 /// A number rounded to six significant digits, printed as short as possible.
 pub(crate) fn rounded(x: f64) -> impl fmt::Display {
     printed(move |f| {
@@ -55,4 +64,16 @@ pub(crate) fn rounded(x: f64) -> impl fmt::Display {
         const ROUND: f64 = 6_755_399_441_055_744.0;
         write!(f, "{}", ((x * power + ROUND) - ROUND) / power)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::settled;
+
+    #[test]
+    fn positions_at_zero_but_for_their_accuracy_are_zero() {
+        for (x, expected) in [(-1.6e-8, 0.0), (1.6e-8, 0.0), (1e-6, 1e-6), (-3.0, -3.0)] {
+            assert_eq!(settled(x, 1e-7, 6.0).to_bits(), f64::to_bits(expected));
+        }
+    }
 }

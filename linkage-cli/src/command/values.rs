@@ -144,7 +144,8 @@ fn quantity(
     let unit = checked.unit.unwrap_or_default();
     let found: Vec<_> = unit.scalars().collect();
     // The sign of a tolerance is no operator elsewhere.
-    let is_tolerated = ["+-", "+/-"].iter().any(|sign| text.contains(sign));
+    let dense: String = text.split_whitespace().collect();
+    let is_tolerated = ["+-", "+/-"].iter().any(|sign| dense.contains(sign));
     if found.len() != units.len() {
         let [found, wanted] = [found.len(), units.len()].map(|count| match count {
             1 => "one number".to_owned(),

@@ -42,7 +42,7 @@ fn tolerances_are_set() {
     assert_eq!(three[3..5], [3.0, 0.02]);
     // Without a tolerance that of the file stays; 0 is none.
     assert_eq!(figures(&["--set", "crank=40mm"])[3], 0.01);
-    assert_eq!(figures(&["--set", "crank=40mm +- 0mm"])[1], 0.02);
+    assert_eq!(figures(&["--set", "crank=40mm + - 0mm"])[1], 0.02);
     // The page has it, too.
     printed(
         &folder,

@@ -1,7 +1,7 @@
 //! Circuits as a table.
 
 use super::{BranchEnd, Circuits, Cycle, Estimate};
-use crate::words::rounded;
+use crate::words::{rounded, settled};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
@@ -91,10 +91,7 @@ const ROUNDOFF: f64 = 1e-13;
 
 /// An input as it is printed; 0 if it differs by less than its accuracy.
 fn input(cycle: &Cycle, x: f64, accuracy: f64) -> String {
-    let x = match x.abs() < accuracy * (cycle.high - cycle.low) {
-        true => 0.0,
-        false => x,
-    };
+    let x = settled(x, accuracy, cycle.high - cycle.low);
     if cycle.angle {
         format!("{} deg", rounded(x.to_degrees()))
     } else {

@@ -3,8 +3,11 @@
 use super::course::Course;
 use super::extremes::{Extreme, Extremes};
 use super::interval::Interval;
-use crate::words::{printed, rounded};
+use crate::words::{printed, rounded, settled};
 use core::fmt;
+
+/// Roundoff of a position, as a share of the range.
+const ROUNDOFF: f64 = 1e-12;
 
 /// A unit that numbers are printed in.
 #[derive(Clone, Copy)]
@@ -49,8 +52,11 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
 
     fn print(&self, f: &mut fmt::Formatter<'_>, unit: Unit<'_>, input: Unit<'_>) -> fmt::Result {
         let position = self.position();
+        let (low, high) = self.range();
+        let width = high - low;
         for (name, extreme) in [("lowest", position.lowest), ("highest", position.highest)] {
-            let (value, at) = (unit.print(extreme.value), input.print(extreme.at));
+            let at = settled(extreme.at, ROUNDOFF, width);
+            let (value, at) = (unit.print(extreme.value), input.print(at));
             writeln!(f, "{name:14}  {value} at {at}")?;
         }
         writeln!(f, "{:14}  {}", "stroke", unit.print(position.stroke()))?;
@@ -62,10 +68,10 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
             })
         };
         if let Some(velocity) = self.extremes_of(1) {
-            extremes(f, "velocity", velocity, &per(""), input)?;
+            extremes(f, "velocity", velocity, &per(""), (input, width))?;
         }
         if let Some(acceleration) = self.extremes_of(2) {
-            extremes(f, "accel.", acceleration, &per("^2"), input)?;
+            extremes(f, "accel.", acceleration, &per("^2"), (input, width))?;
         }
         if let Some(time) = self.time_ratio() {
             let (rise, fall) = (input.print(time.rise), input.print(time.fall));
@@ -92,12 +98,13 @@ fn extremes(
     name: &str,
     extremes: &Extremes,
     unit: &impl fmt::Display,
-    input: Unit<'_>,
+    (input, range): (Unit<'_>, f64),
 ) -> fmt::Result {
     for (which, Extreme { at, value, .. }) in
         [("least", extremes.lowest), ("most", extremes.highest)]
     {
         let width = 13 - which.len();
+        let at = settled(at, ROUNDOFF, range);
         let (value, at) = (rounded(value), input.print(at));
         writeln!(f, "{which} {name:width$}  {value} {unit} at {at}")?;
     }

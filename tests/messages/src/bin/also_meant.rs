@@ -21,10 +21,13 @@ mechanism! {
         param angles = 1deg + 1rad + 1arcmin + 1arcsec + 1turn;
         param zero = 0mm;
         param negative = -3mm;
+        // One name in two spellings: with a letter that has an accent, and with an accent of its own.
+        param réglé = 7mm;
         input phi = 30deg;
         let free = phi + PI / 2 + 2 * phi + 0.3;
         let shifted = vector + 0;
         let list = triangle_angle(3, 4, 5) + acos(0.5) + atan2(1mm, 2mm) + angle((1, 1)) + min(1, 2) + max(1, 2) + abs(-1);
+        let règle = réglé * 2;
         let turned_once = turn(turned, (0, 0, 1), phi);
     }
 
