@@ -1,5 +1,6 @@
 //! `linkage tolerance`: what the tolerances of the declaration do to the results of a function.
 
+mod aligned;
 mod effects;
 
 use std::fmt::Write;
@@ -18,6 +19,7 @@ use crate::engine::Assembly;
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
 use crate::normal::normal;
+use aligned::aligned;
 use effects::Figures;
 
 /// Options of the command.
@@ -223,21 +225,6 @@ impl Position<'_> {
         let _ = writeln!(text, "\nworst at {place}\n{}", at(worst.at)?.text);
         Ok(text)
     }
-}
-
-/// Rows of cells below each other.
-fn aligned(rows: &[Vec<String>]) -> String {
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
-    let columns = rows.first().map_or(0, Vec::len);
-    let widths: Vec<usize> = (0..columns).filter_map(width).collect();
-    let line = |row: &Vec<String>| {
-        let cells = row.iter().zip(&widths);
-        let cells: Vec<String> = cells
-            .map(|(cell, &width)| format!("{cell:>width$}"))
-            .collect();
-        cells.join("  ") + "\n"
-    };
-    rows.iter().map(line).collect()
 }
 
 /// The fields of a function that are arrays over parameters; where an entry is no number or vector, each number of it by itself.
