@@ -7,6 +7,8 @@ use std::path::Path;
 use linkage_compiler::{short_words, shortened};
 use linkage_runtime::AssemblyError;
 
+use crate::look_alike::{letters, look_alike};
+
 /// What is told before the command ends with exit status 1.
 #[derive(Clone, Debug)]
 pub enum Failure {
@@ -39,6 +41,21 @@ impl Display for Failure {
             Self::Silent => Ok(()),
         }
     }
+}
+
+/// The names that there are instead of an unknown one, and which of them looks like it.
+pub(crate) fn known_names<'a>(name: &str, words: impl IntoIterator<Item = &'a str>) -> String {
+    let words: Vec<&str> = words.into_iter().collect();
+    let alike = words.iter().find(|word| look_alike(name, word));
+    let help = alike.map_or_else(String::new, |word| {
+        format!(
+            "\nhelp: `{}` looks like `{}`, and is another name: {}",
+            shortened(name),
+            shortened(word),
+            letters(name, word)
+        )
+    });
+    listed(words) + &help
 }
 
 /// `a`, `b` and `c`, in back-ticks.

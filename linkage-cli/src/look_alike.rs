@@ -28,8 +28,7 @@ pub(crate) fn look_alikes(source: &Source, found: &Found, coloured: bool) -> Str
             None => {
                 looks.insert(look, name);
             }
-            // Letters of ASCII that look alike, as `l` and `1`, are known to everybody.
-            Some(first) if first.is_ascii() && name.is_ascii() => {}
+            Some(first) if !look_alike(&name, first) => {}
             Some(first) => {
                 let message = Message {
                     span: SourceSpan {
@@ -60,6 +59,23 @@ fn collect(tokens: TokenStream, names: &mut BTreeMap<String, Span>) {
 }
 
 fn warning(name: &str, first: &str) -> String {
+    format!(
+        "`{}` looks like `{}`, and is another name: {}\n\
+         help: write both with the same letters if one name is meant, else choose another name",
+        shortened(name),
+        shortened(first),
+        letters(name, first)
+    )
+}
+
+/// Whether two names look alike and are different. Letters of ASCII that look alike, as `l` and `1`, are known to
+/// everybody.
+pub(crate) fn look_alike(name: &str, other: &str) -> bool {
+    name != other && !(name.is_ascii() && other.is_ascii()) && skeleton(name).eq(skeleton(other))
+}
+
+/// `U+0430 instead of U+0061`: the letters that one of two names has and the other one has not.
+pub(crate) fn letters(name: &str, other: &str) -> String {
     let foreign = |own: &str, other: &str| {
         let mut letters: Vec<String> = Vec::new();
         for letter in own.chars().filter(|letter| !other.contains(*letter)) {
@@ -70,11 +86,10 @@ fn warning(name: &str, first: &str) -> String {
         }
         letters.join(" ")
     };
-    let [own, other] = [foreign(name, first), foreign(first, name)];
-    let [name, first] = [name, first].map(shortened);
     format!(
-        "`{name}` looks like `{first}`, and is another name: {own} instead of {other}\n\
-         help: write both with the same letters if one name is meant, else choose another name"
+        "{} instead of {}",
+        foreign(name, other),
+        foreign(other, name)
     )
 }
 

@@ -11,7 +11,7 @@ use linkage_runtime::Input;
 use super::choose::Chosen;
 use super::output::print;
 use super::values::{Dimensions, number, parts};
-use crate::failure::{Failure, listed};
+use crate::failure::{Failure, known_names};
 use crate::mechanism::Mechanism;
 use crate::normal::normal;
 use numbers::numbers;
@@ -123,7 +123,7 @@ fn inputs(mechanism: &Mechanism, given: &[String]) -> Result<Vec<f64>, Failure> 
                 "{} has no input `{}`; it has {}",
                 mechanism.name,
                 shortened(name),
-                listed(mechanism.inputs.iter().map(|own| own.name))
+                known_names(name, mechanism.inputs.iter().map(|own| own.name))
             )));
         };
         at[index] = number(mechanism, name, text, mechanism.inputs[index].unit)?;

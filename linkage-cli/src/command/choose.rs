@@ -6,7 +6,7 @@ use clap::Args;
 use linkage_compiler::{check_all, shortened};
 
 use super::is_coloured;
-use crate::failure::{Failure, listed};
+use crate::failure::{Failure, known_names, listed};
 use crate::look_alike::look_alikes;
 use crate::mechanism::Mechanism;
 use crate::messages::rendered;
@@ -42,7 +42,7 @@ impl Chosen {
                 "there is no mechanism `{}` in `{}`; there is {}",
                 shortened(name),
                 self.file.display(),
-                listed(names)
+                known_names(name, names)
             ))),
             false => Ok(all),
         }
@@ -63,7 +63,7 @@ impl Chosen {
                 "there is no function `{}` in `{}`; there is {}",
                 shortened(name),
                 self.file.display(),
-                listed(functions)
+                known_names(name, functions)
             ))),
             [only] => {
                 let number = number(only).unwrap_or_default();

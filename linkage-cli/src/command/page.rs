@@ -18,7 +18,7 @@ use super::output::print;
 use super::replaced::refuse_page;
 use super::sweep::{Rows, arguments, positions, still};
 use super::values::{Dimensions, parts};
-use crate::failure::{Failure, listed};
+use crate::failure::{Failure, known_names};
 use crate::mechanism::{Mechanism, forever};
 use crate::normal::normal;
 
@@ -200,7 +200,7 @@ fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
                 "no function of {} takes `{}`; they take {}",
                 mechanism.name,
                 shortened(name),
-                listed(takes)
+                known_names(name, takes)
             )));
         }
     }

@@ -6,7 +6,7 @@ use linkage_runtime::{Heading, Input, Table};
 use super::memory::Held;
 use super::values::{number, parts};
 use crate::engine::Assembly;
-use crate::failure::{Failure, listed};
+use crate::failure::{Failure, known_names};
 use crate::mechanism::Mechanism;
 
 /// The results of a function over positions, column by column.
@@ -97,7 +97,7 @@ pub(super) fn arguments(
                 "`{}` does not take `{}`; it takes {}",
                 heading.function,
                 shortened(name),
-                listed(heading.arguments.iter().copied())
+                known_names(name, heading.arguments.iter().copied())
             )));
         };
         let (_, unit) = mechanism.argument(places[index]);
@@ -141,7 +141,7 @@ pub(super) fn running(
             "`{}` has no input `{}`; it has {}",
             mechanism.headings[function].function,
             shortened(name),
-            listed(inputs.map(|(_, input)| input.name))
+            known_names(name, inputs.map(|(_, input)| input.name))
         ))),
     }
 }

@@ -5,7 +5,7 @@ use linkage_compiler::unit::COMPONENTS;
 use linkage_compiler::{check_value, shortened};
 use proc_macro2::{TokenStream, TokenTree};
 
-use crate::failure::{Failure, listed};
+use crate::failure::{Failure, known_names};
 use crate::mechanism::Mechanism;
 use crate::normal::normal;
 
@@ -80,8 +80,8 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
         shortened(name),
         mechanism.name,
         match of_part.is_empty() {
-            true => listed(names),
-            false => listed(of_part),
+            true => known_names(name, names),
+            false => known_names(name, of_part),
         }
     )))
 }

@@ -39,7 +39,16 @@ fn letters_that_look_alike_are_warned_of() {
             "{said}"
         );
     }
-    // It explains a mistake.
+    // It explains a mistake, on the command line, too.
+    let set = ["table", "own.mech", "f", "--set", "\u{430}\u{430}=3mm"];
+    let plain = text.replace('\u{430}', "aa");
+    fs::write(folder.join("plain.mech"), plain).expect("written");
+    let said = refused(&folder, &[&["table", "plain.mech"], &set[2..]].concat(), 1);
+    assert_eq!(
+        said,
+        "error: there is no dimension `\u{430}\u{430}` in S; there is `a` and `aa`\n\
+         help: `\u{430}\u{430}` looks like `aa`, and is another name: U+0430 instead of U+0061\n"
+    );
     fs::write(
         folder.join("own.mech"),
         text.replace("param \u{430} = 4mm;", ""),
