@@ -26,10 +26,11 @@ fn programs() -> Vec<PathBuf> {
 }
 
 /// What rustc says beside the messages: about names outside the macro, which nobody else knows, about lints, about what is no token.
-const OF_RUSTC: [&str; 4] = [
+const OF_RUSTC: [&str; 5] = [
     "error[E",
     "the lint level is defined here",
     "unknown start of token",
+    "identifiers, which look alike",
     "this error originates in the macro",
 ];
 
