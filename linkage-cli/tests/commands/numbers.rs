@@ -181,7 +181,7 @@ fn zero_is_printed_without_sign_and_noise() {
     ];
     let text = printed(&folder, &[&table[..], &mirrored].concat());
     assert!(text.contains("\r\n0.00000,160.000,0.00000,"), "{text}");
-    // Two slides of which the least margin is at 0 deg, found as the place of a smallest value.
+    // The least margin is at 0 deg, found as the place of a smallest value.
     fs::write(folder.join("least.mech"), LEAST).expect("written");
     let text = printed(&folder, &["circuits", "least.mech"]);
     for row in &rows(&text)[2..] {
@@ -192,6 +192,6 @@ fn zero_is_printed_without_sign_and_noise() {
 
 /// A four-bar whose transmission angle is worst where the crank lies on the frame, amid its range.
 const LEAST: &str = "pub struct S { unit mm; param ground = 100mm; param crank = 30mm; param rod = 80mm; \
-    param rocker = 70mm; input phi = 30deg in -60deg..60deg; unknown theta = 50deg; unknown psi = 100deg; \
+    param rocker = 70mm; input phi = 30deg in -50deg..60deg; unknown theta = 50deg; unknown psi = 100deg; \
     loop polar(crank, phi) + polar(rod, theta) = (ground, 0) + polar(rocker, psi); } \
     impl S { pub fn f(phi) -> F { theta, psi } }";
