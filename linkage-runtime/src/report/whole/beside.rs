@@ -101,7 +101,6 @@ fn remove_left(path: &Path) {
 #[cfg(test)]
 mod tests {
     use super::{is_name, name};
-    use std::string::ToString;
 
     #[test]
     fn names_are_recognised_and_no_others() {
@@ -118,7 +117,7 @@ mod tests {
             ".linkage-12-0123456789abcdef.parts",
             ".t.csv.12.part",
         ] {
-            assert!(!is_name(&foreign.to_string()), "{foreign}");
+            assert!(!is_name(foreign), "{foreign}");
         }
     }
 }
