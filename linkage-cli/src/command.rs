@@ -15,6 +15,7 @@ mod js;
 mod new;
 mod output;
 mod page;
+mod range;
 mod sweep;
 mod table;
 mod tolerance;
@@ -40,6 +41,8 @@ enum Command {
         /// Files with mechanisms
         #[arg(required = true)]
         files: Vec<PathBuf>,
+        #[command(flatten)]
+        dimensions: values::Dimensions,
     },
     /// A function over a range of its input, as CSV or JSON
     Table(table::Options),
@@ -62,7 +65,7 @@ enum Command {
 pub fn run() -> ExitCode {
     let Arguments { command } = Arguments::parse();
     let result = match &command {
-        Command::Check { files } => check::run(files),
+        Command::Check { files, dimensions } => check::run(files, dimensions),
         Command::Table(options) => table::run(options),
         Command::New { file } => new::run(file),
         Command::Page(options) => page::run(options),

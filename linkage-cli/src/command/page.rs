@@ -14,6 +14,7 @@ use linkage_runtime::report::{Index, Report, ReportError};
 
 use super::choose::Chosen;
 use super::output::print;
+use super::range;
 use super::sweep::{Rows, arguments, positions, still};
 use super::values::{Dimensions, parts};
 use crate::failure::{Failure, listed};
@@ -132,6 +133,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let input = &mechanism.inputs[0];
     let dimensions = options.dimensions.of(mechanism)?;
     let assembly = mechanism.assemble(&dimensions)?;
+    range::warn(&options.dimensions, &assembly);
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
     let mut report = Report::new(mechanism.name, input, &positions)
         .about(first_paragraph(&mechanism.unit.documentation))

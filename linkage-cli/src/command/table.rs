@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use super::choose::Chosen;
 use super::course::{Along, Course};
 use super::output::put;
+use super::range;
 use super::sweep::Rows;
 use super::values::Dimensions;
 use crate::failure::Failure;
@@ -68,6 +69,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
     let dimensions = options.dimensions.of(&mechanism)?;
     let assembly = mechanism.assemble(&dimensions)?;
+    range::warn(&options.dimensions, &assembly);
     let Along {
         given,
         running,

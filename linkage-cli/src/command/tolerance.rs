@@ -13,6 +13,7 @@ use linkage_runtime::tolerance::largest;
 use super::choose::Chosen;
 use super::course::{Along, Course};
 use super::output::print;
+use super::range;
 use super::values::Dimensions;
 use crate::engine::Assembly;
 use crate::failure::Failure;
@@ -88,6 +89,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     }
     let dimensions = options.dimensions.of(&mechanism)?;
     let assembly = mechanism.assemble(&dimensions)?;
+    range::warn(&options.dimensions, &assembly);
     let Along {
         given,
         running,

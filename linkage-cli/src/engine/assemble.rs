@@ -92,11 +92,20 @@ impl Assembly<'_> {
         by_build(&self.mechanism.unit.survey, |source| numbers.load(source))
     }
 
-    /// Whether all groups close at these inputs.
-    fn close(&self, inputs: &[f64]) -> Result<(), AssemblyError> {
+    /// By how much each group misses closing at these inputs.
+    pub(super) fn gaps(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
-        let gaps = by_build(&self.mechanism.unit.gaps, |source| numbers.load(source));
+        by_build(&self.mechanism.unit.gaps, |source| numbers.load(source))
+    }
+
+    pub(super) fn mechanism(&self) -> &Mechanism {
+        self.mechanism
+    }
+
+    /// Whether all groups close at these inputs.
+    fn close(&self, inputs: &[f64]) -> Result<(), AssemblyError> {
+        let gaps = self.gaps(inputs);
         let Mechanism {
             name,
             structure,

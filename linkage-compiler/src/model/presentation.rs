@@ -48,20 +48,3 @@ impl Dimension {
         }
     }
 }
-
-/// Up to seven significant digits, without trailing zeros.
-pub(crate) fn significant(x: f64) -> String {
-    if x == 0.0 || !x.is_finite() {
-        return format!("{x}");
-    }
-    let digits = (6 - x.abs().log10().floor() as i32).clamp(0, 17) as usize;
-    if !(1e-6..1e12).contains(&x.abs()) {
-        return format!("{x:.6e}");
-    }
-    let text = format!("{x:.digits$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
-}

@@ -110,6 +110,18 @@ impl Unit {
         self.groups.iter().map(level).collect()
     }
 
+    /// Whether whole turns of an angle are alike: nothing is prepared over a range, and no group depends on the value of an angle.
+    pub fn repeats(&self) -> bool {
+        self.coupled.is_empty() && self.surveying == 0
+    }
+
+    /// The slack of each group, without the rest of the survey.
+    pub fn slacks(&self) -> Program {
+        let mut slacks = self.survey.clone();
+        slacks.outputs = slacks.outputs.drain(1..).take(self.groups.len()).collect();
+        slacks.without_unused()
+    }
+
     /// How many slots `assemble()` prepares.
     pub fn slots(&self) -> usize {
         self.prepare.outputs.len()
