@@ -3,13 +3,14 @@
 
 /// The parts of the engine; a later one uses those before it. The function `mechanismOf` of the last one makes of a description what other people's
 /// programs use.
-pub const ENGINE: [&str; 7] = [
+pub const ENGINE: [&str; 8] = [
     include_str!("javascript/elementary.js"),
     include_str!("javascript/numbers.js"),
     include_str!("javascript/follow.js"),
     include_str!("javascript/turns.js"),
     include_str!("javascript/coupled.js"),
     include_str!("javascript/assemble.js"),
+    include_str!("javascript/range.js"),
     include_str!("javascript/mechanism.js"),
 ];
 

@@ -14,6 +14,8 @@ mod signature;
 mod words;
 
 use linkage_core::Level;
+use std::f64::consts::PI;
+
 use linkage_symbolic::program::Program;
 
 pub use crate::model::{COMPONENTS, Shape};
@@ -115,11 +117,30 @@ impl Unit {
         self.coupled.is_empty() && self.surveying == 0
     }
 
-    /// The slack of each group, without the rest of the survey.
+    /// The least margin of all groups and the slack of each, without the rest of the survey.
     pub fn slacks(&self) -> Program {
         let mut slacks = self.survey.clone();
-        slacks.outputs = slacks.outputs.drain(1..).take(self.groups.len()).collect();
+        slacks.outputs.truncate(1 + self.groups.len());
         slacks.without_unused()
+    }
+
+    /// The input whose range is checked at run time, and the range: the only one that is declared, or a turn about the reference of the only
+    /// input if that is an angle and nothing is prepared over ranges. `None` if nothing is checked.
+    pub fn checked(&self) -> Option<(usize, (f64, f64))> {
+        if self.groups.is_empty() {
+            return None;
+        }
+        let declared = self.inputs.iter().enumerate();
+        let declared: Vec<_> = declared
+            .filter_map(|(k, own)| Some((k, own.range?)))
+            .collect();
+        match (&declared[..], &self.inputs[..]) {
+            (&[one], _) => Some(one),
+            ([], [one]) if one.angle && self.coupled.is_empty() => {
+                Some((0, (one.reference - PI, one.reference + PI)))
+            }
+            _ => None,
+        }
     }
 
     /// How many slots `assemble()` prepares.
