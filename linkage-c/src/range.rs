@@ -140,9 +140,9 @@ pub(crate) fn items(writer: &mut Writer) {
     let off = surface.constant("without_range_check");
     let _ = writeln!(writer.text, "#ifndef {off}");
     writer.plain(
-        "range_survey",
+        "range_slacks",
         &unit.slacks(),
-        "The least margin of all groups, then how far each is from its dead point.",
+        "How far each group is from its dead point.",
     );
     let own_input = &unit.inputs[input];
     let reference = own_input.reference;

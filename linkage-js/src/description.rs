@@ -59,7 +59,7 @@ pub(crate) fn description(name: &str, unit: &Unit) -> String {
         )
         .with("directions", program(&unit.directions))
         .with("gaps", program(&unit.gaps))
-        .with("survey", program(&unit.slacks()))
+        .with("slacks", program(&unit.slacks()))
         .text()
 }
 

@@ -12,30 +12,24 @@ typedef struct own_range_search {
     int group;
 } own_range_search;
 
-/* The slacks of all groups at a position of the input. That of a group with a table is NaN where nothing is prepared, else 1. */
+/* The slacks of all groups at a position of the input. That of a group with a table is 1, NaN where nothing is prepared. */
 static void own_range_slacks_at(own_range_search *s, real at, real *slacks)
 {
     static const int tables[] = TABLES;
     const real first = LOW + END * (HIGH - LOW), last = HIGH - END * (HIGH - LOW);
-    real all[GROUPS + 1];
-    int k, defined = 1, closed = 1, table = -1;
+    int k, defined = 1;
     s->x[INPUT] = at;
-    own_range_survey(s->m, s->x, all);
-    for (k = 0; k <= GROUPS; k++) defined = defined && all[k] == all[k];
+    own_range_slacks(s->m, s->x, slacks);
+    for (k = 0; k < GROUPS; k++) defined = defined && slacks[k] == slacks[k];
     if (!defined && !(at > first && at < last)) {
         /* An arc function may reach the end of its range at that of the input's, apart from rounding. */
         s->x[INPUT] = at > first ? last : first;
-        own_range_survey(s->m, s->x, all);
+        own_range_slacks(s->m, s->x, slacks);
     }
-    defined = 1;
     for (k = 0; k < GROUPS; k++) {
-        slacks[k] = all[k + 1] / s->scale[k];
-        defined = defined && slacks[k] == slacks[k];
-        closed = closed && (tables[k] || slacks[k] >= -ROUNDING);
-        if (defined && tables[k]) table = k;
+        if (!tables[k]) slacks[k] /= s->scale[k];
+        else if (slacks[k] == slacks[k]) slacks[k] = 1.0;
     }
-    /* No number although all groups close: nothing is prepared of the last table before. */
-    if (table >= 0 && all[0] != all[0] && (closed || !defined)) slacks[table] = all[0];
 }
 
 static own_range_level own_range_level_at(own_range_search *s, real at)

@@ -16,7 +16,7 @@ mod words;
 use linkage_core::Level;
 use std::f64::consts::PI;
 
-use linkage_symbolic::program::Program;
+use linkage_symbolic::program::{Instruction, Program, Source};
 
 pub use crate::model::{COMPONENTS, Shape};
 pub use closing::{Closing, Outputs};
@@ -117,10 +117,16 @@ impl Unit {
         self.coupled.is_empty() && self.surveying == 0
     }
 
-    /// The least margin of all groups and the slack of each, without the rest of the survey.
+    /// The slack of each group, without the rest of the survey. Of a coupled group, the first number of its state, which is none where nothing
+    /// is prepared.
     pub fn slacks(&self) -> Program {
         let mut slacks = self.survey.clone();
-        slacks.outputs.truncate(1 + self.groups.len());
+        slacks.outputs = slacks.outputs[1..].to_vec();
+        slacks.outputs.truncate(self.groups.len());
+        for (number, own) in self.coupled.iter().enumerate() {
+            let state = Instruction::Load(Source::State(number, 0));
+            slacks.outputs[own.group] = slacks.push(state);
+        }
         slacks.without_unused()
     }
 

@@ -45,33 +45,23 @@ function isInside({ low, high }, x) {
   return Math.min(x - low, high - x) > END * (high - low);
 }
 
-function surveyAt({ own, input, x }, at) {
+function computedAt({ own, input, x }, at) {
   x[input] = at;
-  const out = new Float64Array(1 + own.unit.groups.length);
-  own.unit.survey(own, x, own.statesAt(x), out);
+  const out = new Float64Array(own.unit.groups.length);
+  own.unit.slacks(own, x, own.statesAt(x), out);
   return out;
 }
 
-// The slacks of all groups. That of a group without a closed form is NaN where nothing is prepared of it, else 1.
+// The slacks of all groups. That of a group without a closed form is 1, NaN where nothing is prepared of it.
 function slacksAt(search, at) {
   const { own, low, high, scales } = search;
-  const { groups } = own.unit;
-  let all = surveyAt(search, at);
+  let all = computedAt(search, at);
   if (all.some(Number.isNaN) && !isInside(search, at)) {
     // An arc function may reach the end of its range at that of the input's, apart from rounding.
     const step = END * (high - low);
-    all = surveyAt(search, Math.min(Math.max(at, low + step), high - step));
+    all = computedAt(search, Math.min(Math.max(at, low + step), high - step));
   }
-  const slacks = [...all.subarray(1)].map((slack, k) => slack / scales[k]);
-  const isPrepared = (k) => groups[k].slack === "prepared";
-  const closed = slacks.every((slack, k) => isPrepared(k) || slack >= -SLACK_ROUNDING);
-  const first = slacks.findIndex(Number.isNaN);
-  if (Number.isNaN(all[0]) && (closed || first >= 0)) {
-    const before = first < 0 ? slacks.length : first;
-    const last = groups.slice(0, before).findLastIndex((_, k) => isPrepared(k));
-    if (last >= 0) slacks[last] = NaN;
-  }
-  return slacks;
+  return own.unit.groups.map(({ slack }, k) => (slack === "prepared" ? 1 + 0 * all[k] : all[k] / scales[k]));
 }
 
 // What slacks are compared with: of some groups their largest value, with the sign that it has at the reference where there is one assembly.
