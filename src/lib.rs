@@ -17,8 +17,8 @@ pub use linkage_runtime::{
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{
-    Branch, BranchEnd, Circuits, Cycle, Estimate, RangeFinding, RangeFindingKind, RangeMessage,
-    RangeReport, Unchecked,
+    Branch, BranchEnd, Circuits, Cycle, Estimate, Meeting, RangeFinding, RangeFindingKind,
+    RangeMessage, RangeReport, Unchecked,
 };
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{

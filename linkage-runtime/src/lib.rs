@@ -63,7 +63,7 @@ pub mod tolerance;
 mod words;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use circuits::{Branch, BranchEnd, Circuits, Estimate};
+pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
 #[cfg(feature = "alloc")]
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};

@@ -84,8 +84,7 @@ fn set(mechanism: &mut Mechanism, given: &Dimensions) -> Result<(), Failure> {
             mechanism.name
         )));
     }
-    let dimensions = given.of(mechanism)?;
-    range::warn(given, &mechanism.assemble(&dimensions)?);
+    let dimensions = range::assembled(given, mechanism)?.dimensions().to_vec();
     let parameters = mechanism.unit.parameters.iter_mut();
     let scalars = parameters.flat_map(|own| &mut own.scalars);
     for (scalar, value) in scalars.zip(dimensions) {

@@ -131,9 +131,7 @@ fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
 /// All functions over the range of the first input.
 fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let input = &mechanism.inputs[0];
-    let dimensions = options.dimensions.of(mechanism)?;
-    let assembly = mechanism.assemble(&dimensions)?;
-    range::warn(&options.dimensions, &assembly);
+    let assembly = range::assembled(&options.dimensions, mechanism)?;
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
     let mut report = Report::new(mechanism.name, input, &positions)
         .about(first_paragraph(&mechanism.unit.documentation))

@@ -6,15 +6,23 @@ use linkage_runtime::RangeReport;
 use super::is_coloured;
 use super::values::Dimensions;
 use crate::engine::Assembly;
+use crate::failure::Failure;
+use crate::mechanism::Mechanism;
 
-/// Warns of change points, dead points and gaps in the range. The compiler has checked the dimensions of the file.
-pub(super) fn warn(given: &Dimensions, assembly: &Assembly) {
+/// Assembles a mechanism with other dimensions than those of the file, and warns of change points, dead points and gaps in the range. The
+/// compiler has checked the dimensions of the file.
+pub(super) fn assembled<'m>(
+    given: &Dimensions,
+    mechanism: &'m Mechanism,
+) -> Result<Assembly<'m>, Failure> {
+    let assembly = mechanism.assemble(&given.of(mechanism)?)?;
     if given.are_given() {
         eprint!(
             "{}",
             rendered(&Level::WARNING, given, &assembly.check_range())
         );
     }
+    Ok(assembly)
 }
 
 /// All messages of a report, with the options that set the dimensions under each.

@@ -67,9 +67,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         command.error(ErrorKind::ArgumentConflict, mistake).exit();
     }
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
-    let dimensions = options.dimensions.of(&mechanism)?;
-    let assembly = mechanism.assemble(&dimensions)?;
-    range::warn(&options.dimensions, &assembly);
+    let assembly = range::assembled(&options.dimensions, &mechanism)?;
     let Along {
         given,
         running,
@@ -100,7 +98,12 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         columns.iter_mut().for_each(Column::show_degrees);
     }
     let text = match options.json {
-        true => in_json(&mechanism, &options.function, &dimensions, &columns),
+        true => in_json(
+            &mechanism,
+            &options.function,
+            assembly.dimensions(),
+            &columns,
+        ),
         false => in_lines(&style, &columns),
     };
     put(&text, options.output.as_deref())

@@ -87,9 +87,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             "no dimension of {name} has a tolerance: declare it as `param crank = 40mm +- 10um;`"
         )));
     }
-    let dimensions = options.dimensions.of(&mechanism)?;
-    let assembly = mechanism.assemble(&dimensions)?;
-    range::warn(&options.dimensions, &assembly);
+    let assembly = range::assembled(&options.dimensions, &mechanism)?;
     let Along {
         given,
         running,

@@ -85,6 +85,13 @@ impl Assembly<'_> {
         unit.surveyed.iter().map(estimate).collect()
     }
 
+    /// What tells assemblies apart at these inputs: cosine and sine, or length, of every unknown.
+    #[must_use]
+    pub fn places(&self, inputs: &[f64]) -> Vec<f64> {
+        self.survey(inputs)
+            .split_off(1 + self.mechanism.unit.groups.len())
+    }
+
     /// The least margin of all groups, the slack of every group, the numbers of the unknowns.
     pub(super) fn survey(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();

@@ -1,14 +1,16 @@
 //! Circuits as a table.
 
-use super::{BranchEnd, Circuits, Cycle, Estimate};
+use super::{BranchEnd, Circuits, Cycle, Estimate, Meeting};
 use crate::words::rounded;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::range_check::listed;
 
-/// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the unknowns there.
+/// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the unknowns there. Then one for each pair that meets
+/// in change points.
 impl<A> fmt::Display for Circuits<A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let titles = ["assembly", "circuit", "from", "to", "least margin", "at"];
@@ -49,11 +51,29 @@ impl<A> fmt::Display for Circuits<A> {
             }
             writeln!(f, "{}", line.trim_end())?;
         }
-        Ok(())
+        self.meetings
+            .iter()
+            .try_for_each(|own| writeln!(f, "{}", self.meeting(own)))
     }
 }
 
 impl<A> Circuits<A> {
+    /// `circuits 1 and 2 meet at phi = 0 deg and 180 deg (change points): assemblies 1 and 2`
+    fn meeting(&self, own: &Meeting) -> String {
+        let places: Vec<String> = own.at.iter().map(|&x| input(&self.cycle, x)).collect();
+        let points = match places.len() {
+            1 => "change point",
+            _ => "change points",
+        };
+        let at = format!("meet at {} = {} ({points})", self.input, listed(&places));
+        let [one, other] = own.branches.map(|k| k + 1);
+        let [first, second] = own.branches.map(|k| self.branches[k].circuit + 1);
+        match first == second {
+            true => format!("assemblies {one} and {other} of circuit {first} {at}"),
+            false => format!("circuits {first} and {second} {at}: assemblies {one} and {other}"),
+        }
+    }
+
     fn end(&self, end: BranchEnd, closed: bool) -> String {
         let x = input(&self.cycle, end.x());
         match end {

@@ -2,7 +2,7 @@
 
 use crate::numeric::minimum::{Point, descend};
 use alloc::vec::Vec;
-use linkage_core::range_check::{DEAD, ROUNDING};
+use linkage_core::range_check::{DEAD, END, ROUNDING};
 
 /// Halvings until the end of a stretch is known to the last digit.
 const HALVINGS: usize = 64;
@@ -71,13 +71,14 @@ pub(crate) fn stretches(
     found
 }
 
-/// The inputs between `low` and `high` where a slack of about 1 touches zero and is positive on both sides.
+/// The inputs between `low` and `high` where a slack of about 1 touches zero and is positive on both sides; at an end, on its side.
 pub(crate) fn touches(
     [low, high]: [f64; 2],
     samples: usize,
     slack: &mut dyn FnMut(f64) -> f64,
 ) -> Vec<f64> {
-    let mut level = |x: f64| Some(slack(x) - DEAD);
+    let inside = |x: f64| (x - low).min(high - x) > END * (high - low);
+    let mut level = |x: f64| Some(slack(x) - if inside(x) { DEAD } else { 0.0 });
     let at = |k: usize| match k == samples {
         true => high,
         false => low + (high - low) * (k as f64 / samples as f64),
