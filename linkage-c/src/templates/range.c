@@ -137,12 +137,17 @@ static int own_range_add(own_range_search *s, FINDING *findings, int room, int c
 {
     static const int single[] = SINGLE;
     const real step = (to - from) / 180.0;
-    real at = from, low, high;
+    const real low = from - (to - from) < LOW ? LOW : from - (to - from);
+    const real high = to + (to - from) > HIGH ? HIGH : to + (to - from);
+    const real lowest = own_range_lowest(s, 0, low, high);
+    const int touches = own_range_level_at(s, lowest).level > -2.0 * DEAD;
+    real at = from;
     FINDING own;
     int k;
     own.group = s->group;
-    own.miss = own_range_miss(s, from);
-    for (k = 1; k <= 180; k++) {
+    own.miss = 0.0;
+    /* A slack that is negative by no more than rounding touches zero. */
+    for (k = 0; k <= 180 && !touches; k++) {
         const real next = from + step * (real)k, miss = own_range_miss(s, next);
         if (miss > own.miss) {
             own.miss = miss;
@@ -156,14 +161,8 @@ static int own_range_add(own_range_search *s, FINDING *findings, int room, int c
     if (!finite) own.kind = UNDEFINED;
     else if (own.miss > 0.0) own.kind = works ? GAP : DEAD_POINT;
     else own.kind = single[s->group] ? DEAD_POINT : CHANGE_POINT;
-    if (own.kind == CHANGE_POINT) {
-        low = from - (to - from) < LOW ? LOW : from - (to - from);
-        high = to + (to - from) > HIGH ? HIGH : to + (to - from);
-        from = own_range_lowest(s, 0, low, high);
-        to = from;
-    } else if (finite && !(own.miss > 0.0)) {
-        to = from;
-    }
+    if (own.kind == CHANGE_POINT) from = lowest;
+    if (finite && !(own.miss > 0.0)) to = from;
     own.from = own_range_snapped(from);
     own.to = own_range_snapped(to);
     /* Without a range, to end at a dead point is no mistake, and the ends of a turn are one position. */

@@ -170,17 +170,18 @@ function between(samples, k, level) {
 function findingOf(search, group, { from, to, works, finite }) {
   const { low, high } = search;
   const snapped = (x) => [low, high].find((end) => Math.abs(x - end) < AT_RANGE_END * (high - low)) ?? x;
-  const miss = largestMiss(search, group, from, to);
+  const slack = (at) => slacksAt(search, at)[group];
+  const width = to - from;
+  const lowest = lowestBetween(slack, Math.max(from - width, low), Math.min(to + width, high));
+  // A slack that is negative by no more than rounding touches zero.
+  const miss = Math.abs(slack(lowest)) < DEAD ? 0 : largestMiss(search, group, from, to);
   const single = search.own.unit.groups[group].slack === "signed";
   const open = works ? "gap" : "dead point";
   const closed = single ? "dead point" : "change point";
   const kind = !finite ? "undefined" : miss > 0 ? open : closed;
   const ends = [from, to];
-  if (kind === "change point") {
-    const width = to - from;
-    const slack = (at) => slacksAt(search, at)[group];
-    ends.fill(lowestBetween(slack, Math.max(from - width, low), Math.min(to + width, high)));
-  } else if (finite && !(miss > 0)) ends[1] = from;
+  if (kind === "change point") ends.fill(lowest);
+  else if (finite && !(miss > 0)) ends[1] = from;
   return { kind, group, from: snapped(ends[0]), to: snapped(ends[1]), miss };
 }
 

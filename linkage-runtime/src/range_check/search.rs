@@ -168,23 +168,20 @@ impl<'a> Search<'a> {
     }
 
     fn finding(&mut self, group: usize, own: &Stretch) -> RangeFinding {
-        let miss = self.largest_miss(group, own);
-        let single = self.ranged.slacks[group] == Slack::Signed;
-        let kind = match (own.finite, miss > 0.0, own.works) {
-            (false, ..) => RangeFindingKind::Undefined,
-            (true, true, [true, true]) => RangeFindingKind::Gap,
-            (true, true, _) => RangeFindingKind::DeadPoint,
-            (true, false, _) if single => RangeFindingKind::DeadPoint,
-            (true, false, _) => RangeFindingKind::ChangePoint,
+        let range = self.range;
+        let (at, least) = lowest(own, range, &mut |x| self.slacks(x)[group]);
+        // A slack that is negative by no more than rounding touches zero.
+        let miss = match least.abs() < DEAD {
+            true => 0.0,
+            false => self.largest_miss(group, own),
         };
-        let [from, to] = match kind {
-            RangeFindingKind::ChangePoint => {
-                let range = self.range;
-                let (at, _) = lowest(own, range, &mut |x| self.slacks(x)[group]);
-                [at; 2]
-            }
-            _ if single && own.finite && miss == 0.0 => [own.from; 2],
-            _ => [own.from, own.to],
+        let single = self.ranged.slacks[group] == Slack::Signed;
+        let (kind, from, to) = match (own.finite, miss > 0.0, own.works) {
+            (false, ..) => (RangeFindingKind::Undefined, own.from, own.to),
+            (true, true, [true, true]) => (RangeFindingKind::Gap, own.from, own.to),
+            (true, true, _) => (RangeFindingKind::DeadPoint, own.from, own.to),
+            (true, false, _) if single => (RangeFindingKind::DeadPoint, own.from, own.from),
+            (true, false, _) => (RangeFindingKind::ChangePoint, at, at),
         };
         let [from, to] = [from, to].map(|x| self.snapped(x));
         RangeFinding {
