@@ -12,4 +12,5 @@ mod mechanisms;
 mod operations;
 mod page;
 mod promises;
+mod ranges;
 mod refusals;

@@ -8,6 +8,7 @@ mod files;
 mod js;
 mod machines;
 mod pages;
+mod ranges;
 mod start;
 mod tables;
 mod time;
