@@ -112,7 +112,7 @@ fn a_check_of_other_dimensions_is_one_of_a_file() {
     );
     let output = linkage(&folder, &["check", "four.mech", "--set", "crank=90mm"]);
     let said = String::from_utf8(output.stderr).expect("text");
-    let dead = "reaches a dead point at `phi = 145.0848deg`, beyond which it misses by up to 10mm; it closes again at `phi = 214.9152deg`";
+    let dead = "reaches a dead point at `phi = 145.2281deg`, beyond which it misses by up to 10mm; it closes again at `phi = 214.7719deg`";
     assert!(
         output.status.code() == Some(1) && said.contains(dead),
         "{said}"
