@@ -7,7 +7,7 @@ use linkage_browser::Page;
 use linkage_cli::{Assembly, Mechanism};
 use linkage_compiler::Checked;
 use linkage_corpus::given::{Given, exported};
-use linkage_random::Random;
+use linkage_random::{Random, one_in};
 use linkage_runtime::RangeFindingKind;
 
 /// How far places are apart at most, relative to the range: a place where a slack touches zero is known to half of its digits.
@@ -101,7 +101,7 @@ fn exported_mechanisms_have_the_findings_of_the_command() {
     };
     let mut random = Random::new(3);
     let (mut closed, mut count) = (0, 0);
-    for given in exported() {
+    for given in one_in(3, exported()) {
         let mechanism = load(given, &mut page);
         for part in [0.0, 0.3, 0.4] {
             let own = mechanism.dimensions().into_iter();
@@ -119,7 +119,7 @@ fn exported_mechanisms_have_the_findings_of_the_command() {
         }
     }
     println!("{closed} assemblies, {count} findings");
-    assert!(closed > 60 && count > 5, "{closed} {count}");
+    assert!(closed > 20 && count > 0, "{closed} {count}");
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn four_bars_at_change_points_have_the_findings_of_the_command() {
     let mechanism = load(Given::text(FOUR_BAR), &mut page);
     let mut random = Random::new(5);
     let mut counts = [0; 3];
-    for round in 0..240 {
+    for round in 0..90 {
         let [a, b, c] = [0; 3].map(|_| random.between(20.0, 200.0));
         let mut lengths = match random.below(4) {
             0 => [a, b, a, b],
@@ -147,7 +147,7 @@ fn four_bars_at_change_points_have_the_findings_of_the_command() {
             counts[found.min(2)] += 1;
         }
     }
-    assert!(counts.iter().all(|own| *own > 10), "{counts:?}");
+    assert!(counts.iter().all(|own| *own > 4), "{counts:?}");
     // At a change point rates are no numbers, and not infinite.
     let text = page.words(
         "(() => { const at = mechanism.assemble({ coupler: 140, rocker: 50 }).motion(Math.PI); \

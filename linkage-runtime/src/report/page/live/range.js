@@ -3,6 +3,7 @@
 // The criterion of the compiler for a slack that only touches zero, at samples of a degree or two and at dips between them.
 const DEAD = 2e-12;
 const END = 1e-9;
+const AT_END = 1e-6;
 const SAMPLES = 256;
 const DIP_SHARE = 0.618;
 const DIP_SECTIONS = 50;
@@ -38,8 +39,9 @@ function touches(number, group) {
   const places = all.flatMap((here, k) => {
     const [before, after] = [all[Math.max(k - 1, 0)], all[Math.min(k + 1, SAMPLES)]];
     if (!(before >= here && after >= here && before + after > 2 * here && here > -dead)) return [];
-    const place = Math.min(Math.max(lowest(slack, at(k - 1), at(k + 1)), low + inside), high - inside);
-    return Math.abs(slack(place)) < dead ? [place] : [];
+    const place = lowest(slack, at(k - 1), at(k + 1));
+    if (!(Math.abs(slack(Math.min(Math.max(place, low + inside), high - inside))) < dead)) return [];
+    return [[low, high].find((end) => Math.abs(place - end) < AT_END * (high - low)) ?? place];
   });
   return places.filter((place, k) => k === 0 || place - places[k - 1] > (high - low) / SAMPLES);
 }
