@@ -18,7 +18,10 @@ pub use linkage_runtime::{
     Vector2, Vector3, true_acceleration, true_jerk, true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use linkage_runtime::{Branch, BranchEnd, Circuits, Cycle, Estimate};
+pub use linkage_runtime::{
+    Branch, BranchEnd, Circuits, Cycle, Estimate, Meeting, RangeFinding, RangeFindingKind,
+    RangeMessage, RangeReport, Unchecked,
+};
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{
     Columns, CoupledCause, CoupledError, Missed, Placed, Reach, Unlisted, Value,
@@ -298,8 +301,8 @@ pub mod __private {
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
-        Bounds, Chosen, Enclosure, Level, Levels, NoPrograms, Searched, SurveyedUnknown, Way,
-        circuits, follow_way, prepared_over,
+        Bounds, Chosen, Enclosure, Level, Levels, NoPrograms, Ranged, Searched, Slack,
+        SurveyedUnknown, Way, check_range, circuits, follow_way, prepared_over,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::generated::{
@@ -321,5 +324,5 @@ pub mod __private {
         Vector2, Vector3, if_alloc, if_rayon, if_report,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-    pub use linkage_runtime::{Circuits, Cycle};
+    pub use linkage_runtime::{Circuits, Cycle, RangeReport};
 }

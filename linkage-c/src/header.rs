@@ -6,6 +6,7 @@ use linkage_compiler::unit::in_degrees;
 use linkage_symbolic::count::Count;
 
 use crate::comment::comment;
+use crate::range;
 use crate::surface::{Evaluator, Surface};
 
 /// The text of the header.
@@ -57,6 +58,7 @@ pub(crate) fn header(surface: &Surface) -> String {
     );
     text += &comment("", "What a number from assembling means, in words.");
     let _ = writeln!(text, "const char *{error}(int code);\n");
+    text += &range::declared(surface);
     for own in &surface.functions {
         text += &evaluator(surface, own);
     }

@@ -8,6 +8,7 @@ use crate::assemble::{assemble, close, error};
 use crate::comment::comment;
 use crate::coupled;
 use crate::instruction::{Printed, Printer};
+use crate::range;
 use crate::surface::{Evaluator, Surface, places};
 use crate::winding;
 
@@ -25,6 +26,7 @@ pub(crate) fn source(surface: &Surface) -> String {
     writer.plumbing();
     assemble(&mut writer);
     error(&mut writer);
+    range::items(&mut writer);
     for own in &surface.functions {
         writer.evaluator(own);
     }

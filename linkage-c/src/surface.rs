@@ -4,7 +4,9 @@ use linkage_compiler::unit::{COMPONENTS, Column, Function, Shape, Unit, in_degre
 
 use crate::Real;
 use crate::names::{Names, Place, plain, snake};
+use crate::range;
 use crate::refusal::{Code, Why, codes};
+use crate::shape::innermost;
 
 /// The names and types of a mechanism in C.
 #[derive(Debug)]
@@ -25,6 +27,7 @@ pub(crate) struct Surface<'a> {
     pub(crate) codes: Vec<Code>,
     pub(crate) assemble: String,
     pub(crate) error: String,
+    pub(crate) range: range::Names,
     pub(crate) dimensions_type: String,
     vectors: [String; 4],
 }
@@ -76,6 +79,8 @@ impl<'a> Surface<'a> {
         let functions = unit.functions.iter();
         let functions = functions.map(|own| evaluator(unit, own, &mut global));
         let functions = functions.collect();
+        // After the functions: a user's function of one of these names keeps it.
+        let range = range::Names::new(&mut global);
         let own = names.unused_beginning(&format!("{prefix}_own_"));
         let mut fields = Names::new(Place::Struct, &[]);
         let dimensions: Vec<Dimension<'a>> = unit
@@ -108,6 +113,7 @@ impl<'a> Surface<'a> {
             functions,
             assemble,
             error,
+            range,
             dimensions_type,
             vectors,
             prefix,
@@ -170,13 +176,6 @@ impl<'a> Surface<'a> {
     /// The name of a constant or a macro.
     pub(crate) fn constant(&self, name: &str) -> String {
         format!("{}_{}", self.prefix, plain(name)).to_uppercase()
-    }
-}
-
-fn innermost(shape: &Shape) -> &Shape {
-    match shape {
-        Shape::Array(_, entry) => innermost(entry),
-        Shape::Scalar | Shape::Vector(_) | Shape::Frame | Shape::PlaneFrame => shape,
     }
 }
 

@@ -18,6 +18,7 @@ mod memory;
 mod new;
 mod output;
 mod page;
+mod range;
 mod replaced;
 mod sweep;
 mod table;
@@ -44,6 +45,8 @@ enum Command {
         /// Files with mechanisms
         #[arg(required = true)]
         files: Vec<PathBuf>,
+        #[command(flatten)]
+        dimensions: values::Dimensions,
     },
     /// A function over a range of its input, as CSV or JSON
     Table(table::Options),
@@ -67,7 +70,7 @@ pub fn run() -> ExitCode {
     let parsed = Arguments::try_parse();
     let Arguments { command } = parsed.unwrap_or_else(|error| brief(error).exit());
     let result = match &command {
-        Command::Check { files } => check::run(files),
+        Command::Check { files, dimensions } => check::run(files, dimensions),
         Command::Table(options) => table::run(options),
         Command::New { file } => new::run(file),
         Command::Page(options) => page::run(options),

@@ -5,6 +5,7 @@ mod circuits;
 mod coupled;
 mod numbers;
 mod operations;
+mod range_check;
 mod turns;
 
 pub use assemble::Assembly;

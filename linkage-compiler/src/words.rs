@@ -1,6 +1,8 @@
 //! Positions, quantities and loops in the words of a message.
 
-use crate::model::{Dimension, Mechanism, Type, length, significant};
+use linkage_core::range_check::{self, significant};
+
+use crate::model::{Dimension, Mechanism, Type};
 
 /// Prints quantities of one mechanism.
 pub(crate) struct Words<'m> {
@@ -99,17 +101,7 @@ impl<'m> Words<'m> {
 
     /// A multiple of `step`, without the digits behind it.
     pub(crate) fn rounded_to(&self, dimension: Dimension, x: f64, step: f64) -> String {
-        let [shown, step] = [x, step].map(|x| match dimension.half_lengths {
-            0 => x.to_degrees(),
-            _ => x,
-        });
-        let digits = (-step.log10().round()).clamp(0.0, 17.0) as usize;
-        let text = format!("{shown:.digits$}");
-        let rounded = text.parse().unwrap_or(shown);
-        match dimension.half_lengths {
-            0 => format!("{}deg", significant(rounded)),
-            _ => self.scalar(dimension, rounded),
-        }
+        range_check::rounded_to(x, step, dimension.half_lengths == 0, self.suffix(dimension))
     }
 
     /// As [`scalar`](Self::scalar), with as many digits more as it takes not to read as another number.
@@ -133,10 +125,14 @@ impl<'m> Words<'m> {
     }
 
     pub(crate) fn scalar(&self, dimension: Dimension, x: f64) -> String {
+        range_check::place(x, dimension.half_lengths == 0, self.suffix(dimension))
+    }
+
+    /// The unit of a length; nothing for other scalars.
+    fn suffix(&self, dimension: Dimension) -> &'static str {
         match dimension.half_lengths {
-            0 => format!("{}deg", significant(x.to_degrees())),
-            2 => length(x, self.mechanism.unit),
-            _ => significant(x),
+            2 => self.mechanism.unit.name(),
+            _ => "",
         }
     }
 }
@@ -162,13 +158,13 @@ fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
 
 /// `loop 2`, `loops 2 and 3`, `loops 1, 2 and 3`
 pub(crate) fn loop_list<'a>(loops: impl IntoIterator<Item = &'a usize>) -> String {
+    range_check::loop_list(&loop_numbers(loops))
+}
+
+/// The numbers of loops as they are printed: the first loop of the mechanism is 1.
+pub(crate) fn loop_numbers<'a>(loops: impl IntoIterator<Item = &'a usize>) -> Vec<usize> {
     let mut numbers: Vec<usize> = loops.into_iter().map(|k| k + 1).collect();
     numbers.sort_unstable();
     numbers.dedup();
-    let words: Vec<String> = numbers.iter().map(usize::to_string).collect();
-    match &words[..] {
-        [one] => format!("loop {one}"),
-        [before @ .., last] => format!("loops {} and {last}", before.join(", ")),
-        [] => "no loop".to_owned(),
-    }
+    numbers
 }

@@ -22,6 +22,9 @@ mod meaning;
 #[doc(hidden)]
 pub mod numeric;
 mod picture;
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub mod range_check;
 mod scalar;
 mod survey;
 

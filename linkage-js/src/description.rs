@@ -3,6 +3,7 @@
 use linkage_compiler::unit::{Coupled, Function, Input, Shape, Start, Unit, plain};
 use linkage_core::numeric::continuation::Axis;
 use linkage_core::numeric::roots::Variable;
+use linkage_core::range_check::Slack;
 use linkage_symbolic::program::Program;
 
 use crate::instruction::{function, literal};
@@ -58,6 +59,7 @@ pub(crate) fn description(name: &str, unit: &Unit) -> String {
         )
         .with("directions", program(&unit.directions))
         .with("gaps", program(&unit.gaps))
+        .with("slacks", program(&unit.slacks()))
         .text()
 }
 
@@ -95,12 +97,22 @@ fn groups(unit: &Unit) -> String {
                 list(own.unknowns.iter().map(|name| text(plain(name)))),
             )
             .with("unit", text(&own.gap_unit))
+            .with("slack", text(slack(own.slack)))
             .with(
                 "dimensions",
                 list(own.parameters.iter().map(usize::to_string)),
             )
             .text()
     }))
+}
+
+fn slack(own: Slack) -> &'static str {
+    match own {
+        Slack::Number => "number",
+        Slack::Relative => "relative",
+        Slack::Signed => "signed",
+        Slack::Prepared => "prepared",
+    }
 }
 
 fn angles(unit: &Unit) -> String {

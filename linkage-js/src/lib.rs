@@ -33,6 +33,8 @@ mod object;
 mod types;
 
 use linkage_compiler::unit::Unit;
+#[cfg(feature = "module")]
+use linkage_runtime::javascript::{ENGINE, MODULE};
 
 /// A mechanism as JavaScript.
 #[cfg(feature = "module")]
@@ -49,7 +51,7 @@ pub struct Module {
 /// The module exports the mechanism by this name, and `AssemblyError`, which its `assemble` throws.
 #[cfg(feature = "module")]
 pub fn module(name: &str, unit: &Unit) -> Module {
-    let engine = linkage_runtime::javascript::ENGINE.join("\n");
+    let engine = [&ENGINE[..], &MODULE].concat().join("\n");
     let description = description(name, unit);
     // In a function: no name of the engine, or of the browser, meets that of the mechanism.
     let script = format!(

@@ -5,6 +5,7 @@ mod curve;
 mod join;
 mod levels;
 mod margins;
+mod meetings;
 mod parts;
 mod print;
 mod search;
@@ -33,6 +34,17 @@ pub struct Circuits<A> {
     pub input: &'static str,
     /// The assemblies, in the order of the inputs where they begin.
     pub branches: Vec<Branch<A>>,
+    /// Which of them meet in change points.
+    pub meetings: Vec<Meeting>,
+}
+
+/// Two assemblies that meet, and both go on: from a change point the mechanism can go on in either.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meeting {
+    /// Their places among the branches.
+    pub branches: [usize; 2],
+    /// The inputs at which they meet; of a turn that begins at one, its end is none.
+    pub at: Vec<f64>,
 }
 
 /// An assembly and how far it reaches.
@@ -153,6 +165,8 @@ pub fn circuits<M: Levels>(
         .map(|(leaf, (assembly, _))| leaf.inputs.map(|x| numbers(mechanism, assembly, x)))
         .collect();
     let (circuits, closed) = join::circuits(&leaves, &seams, cycle.turn().is_some());
+    let own: Vec<M::Assembly> = assemblies.iter().map(|(own, _)| own.clone()).collect();
+    let meetings = meetings::meetings(mechanism, &cycle, &leaves, &own);
     let branches = leaves.iter().zip(assemblies).zip(circuits).zip(closed);
     let branches = branches.map(|(((leaf, (assembly, input)), circuit), closed)| {
         let mut ends = leaf.branch_ends();
@@ -175,6 +189,7 @@ pub fn circuits<M: Levels>(
         cycle: *cycle,
         input: mechanism.searched().input,
         branches: branches.collect(),
+        meetings,
     })
 }
 

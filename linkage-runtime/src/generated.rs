@@ -26,6 +26,8 @@ pub use crate::circuits::{
 pub use crate::numeric::continuation::{Correction, Range, Residuals, Step};
 #[cfg(feature = "alloc")]
 pub use crate::numeric::roots::{Term, Variable};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use crate::range_check::{Ranged, check_range};
 #[cfg(feature = "alloc")]
 pub use alloc::{boxed::Box, vec::Vec};
 #[cfg(feature = "alloc")]
@@ -35,6 +37,8 @@ pub use close::{close, explained, finite};
 pub use follower::{Corrected, Standing, Stop, follow, put_corrected};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::numeric::continuation::Terms;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_core::range_check::Slack;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::{Enclosure, Level};
 #[cfg(feature = "nalgebra")]

@@ -46,6 +46,8 @@ mod motion;
 pub mod pins;
 #[cfg(feature = "nalgebra")]
 mod plane_frame;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod range_check;
 #[cfg(feature = "report")]
 pub mod report;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
@@ -61,7 +63,7 @@ pub mod tolerance;
 mod words;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use circuits::{Branch, BranchEnd, Circuits, Estimate};
+pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
 #[cfg(feature = "alloc")]
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};
@@ -93,6 +95,8 @@ pub use nalgebra::{self, Vector2, Vector3};
 pub use numeric::roots::Unlisted;
 #[cfg(feature = "nalgebra")]
 pub use plane_frame::PlaneFrame;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use range_check::{RangeFinding, RangeFindingKind, RangeMessage, RangeReport, Unchecked};
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use scene::{Handle, Handles, Scene};
 #[cfg(feature = "nalgebra")]

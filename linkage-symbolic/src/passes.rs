@@ -4,6 +4,7 @@ pub mod contract;
 pub mod double_angles;
 pub mod reciprocals;
 pub mod sine_pairs;
+pub mod singular;
 pub mod stages;
 
 use crate::program::Program;
@@ -30,6 +31,10 @@ pub const PASSES: &[Pass] = &[
     Pass {
         name: "double angles",
         run: double_angles::share,
+    },
+    Pass {
+        name: "singular",
+        run: singular::mark,
     },
     // Last: the others look at products and sums.
     Pass {

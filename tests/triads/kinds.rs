@@ -161,7 +161,7 @@ macro_rules! kinds {
                         unknowns: branch.unknowns,
                     });
                     let input = found.input;
-                    Ok(Circuits { cycle: found.cycle, input, branches: branches.collect() })
+                    Ok(Circuits { cycle: found.cycle, input, branches: branches.collect(), meetings: found.meetings })
                 },
             };
         })*

@@ -13,4 +13,5 @@ mod operations;
 mod page;
 mod promises;
 mod quotients;
+mod ranges;
 mod refusals;

@@ -11,6 +11,7 @@ use linkage_runtime::Input;
 use super::choose::Chosen;
 use super::output::print;
 use super::values::{Dimensions, number, parts};
+use crate::engine::Assembly;
 use crate::failure::{Failure, known_names};
 use crate::mechanism::Mechanism;
 use crate::normal::normal;
@@ -63,12 +64,63 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
             let unknowns: Vec<String> = unknowns.map(|own| own.to_string()).collect();
             let _ = writeln!(text, "{}  {modes}{}", index + 1, unknowns.join(", "));
         }
+        for meeting in meeting(&mechanism, &all, &at) {
+            let _ = writeln!(text, "{meeting}");
+        }
         if let Some(left_out) = not_listed(&mechanism) {
             let _ = writeln!(text, "{left_out}");
         }
         print(&text)?;
     }
     Ok(())
+}
+
+/// Two assemblies are one here if their unknowns differ by less, compared with the largest: at a dead point a place is known to half of its digits.
+const SAME: f64 = 1e-6;
+
+/// So far aside, in radians or as a part of the range, two assemblies that meet in a change point exist on both sides.
+const ASIDE: f64 = 1e-3;
+
+/// A line for each pair of assemblies that are one at these inputs.
+fn meeting(mechanism: &Mechanism, all: &[Assembly], at: &[f64]) -> Vec<String> {
+    let numbers: Vec<Vec<f64>> = all.iter().map(|own| own.places(at)).collect();
+    let same = |a: &[f64], b: &[f64]| {
+        let size = a
+            .iter()
+            .chain(b)
+            .fold(0.0, |size: f64, x| size.max(x.abs()));
+        a.iter().zip(b).all(|(x, y)| (x - y).abs() <= SAME * size)
+    };
+    let goes_on = |assembly: &Assembly| match mechanism.inputs {
+        [input] => {
+            let step = match input.range {
+                Some((low, high)) if input.unit != "rad" => ASIDE * (high - low),
+                _ => ASIDE,
+            };
+            let closes = |x: f64| assembly.places(&[x]).iter().all(|own| own.is_finite());
+            Some(closes(at[0] - step) && closes(at[0] + step))
+        }
+        _ => None,
+    };
+    let mut lines = Vec::new();
+    for (one, first) in numbers.iter().enumerate() {
+        for (other, second) in numbers.iter().enumerate().skip(one + 1) {
+            if !same(first, second) {
+                continue;
+            }
+            let [a, b] = [one + 1, other + 1];
+            lines.push(match goes_on(&all[one]) {
+                Some(true) => format!(
+                    "{a} and {b} are equal: they meet here in a change point, from which the mechanism can go on in either"
+                ),
+                Some(false) => {
+                    format!("{a} and {b} are equal: they meet here in a dead point, where both end")
+                }
+                None => format!("{a} and {b} are equal: they meet here"),
+            });
+        }
+    }
+    lines
 }
 
 /// Which groups may have other assemblies than those that are found, in words.

@@ -8,7 +8,9 @@ use linkage_c::{Real, Sources, sources};
 
 use super::choose::Chosen;
 use super::output::{print, put};
+use super::range;
 use super::replaced::refuse_mechanism;
+use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
 
@@ -17,6 +19,8 @@ use crate::mechanism::Mechanism;
 pub(super) struct Options {
     #[command(flatten)]
     chosen: Chosen,
+    #[command(flatten)]
+    dimensions: Dimensions,
     /// The folder; by default the one at hand
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
@@ -43,9 +47,15 @@ impl Scalar {
 /// Writes a header and a source for each mechanism; none of them if one cannot be printed.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let real = options.scalar.real();
-    let all: Vec<Sources> = options
-        .chosen
-        .all()?
+    let mut mechanisms = options.chosen.all()?;
+    options.dimensions.known_to_any(&mechanisms)?;
+    for mechanism in &mut mechanisms {
+        let own = options.dimensions.known_to(mechanism);
+        if own.are_given() {
+            set(mechanism, &own)?;
+        }
+    }
+    let all: Vec<Sources> = mechanisms
         .iter()
         .map(|mechanism| exported(mechanism, real))
         .collect::<Result<_, _>>()?;
@@ -65,6 +75,24 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             })?;
             print(&format!("{}\n", path.display()))?;
         }
+    }
+    Ok(())
+}
+
+/// Makes other dimensions the defaults of a mechanism.
+fn set(mechanism: &mut Mechanism, given: &Dimensions) -> Result<(), Failure> {
+    if !mechanism.unit.coupled.is_empty() {
+        return Err(Failure::Told(format!(
+            "{}: `--set` cannot change the tables of its coupled groups: write the dimensions into the file, or set them when the program \
+             runs",
+            mechanism.name
+        )));
+    }
+    let dimensions = range::assembled(given, mechanism)?.dimensions().to_vec();
+    let parameters = mechanism.unit.parameters.iter_mut();
+    let scalars = parameters.flat_map(|own| &mut own.scalars);
+    for (scalar, value) in scalars.zip(dimensions) {
+        scalar.nominal = value;
     }
     Ok(())
 }

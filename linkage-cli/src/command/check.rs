@@ -3,12 +3,15 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+use annotate_snippets::Level;
 use linkage_compiler::check_all;
 use linkage_runtime::Input;
 
 use super::assemblies::{not_listed, placed, shown};
 use super::is_coloured;
 use super::output::print;
+use super::range;
+use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::look_alike::look_alikes;
 use crate::mechanism::Mechanism;
@@ -16,10 +19,10 @@ use crate::messages::rendered;
 use crate::source::Source;
 
 /// Checks files; mistakes go to the standard error, what is known of mechanisms without one to the standard output.
-pub(super) fn run(files: &[PathBuf]) -> Result<(), Failure> {
+pub(super) fn run(files: &[PathBuf], given: &Dimensions) -> Result<(), Failure> {
     let mut sound = true;
     for file in files {
-        match one(file) {
+        match one(file, given) {
             Ok(own) => sound &= own,
             Err(failure) => {
                 eprintln!("{failure}");
@@ -33,29 +36,54 @@ pub(super) fn run(files: &[PathBuf]) -> Result<(), Failure> {
     }
 }
 
-fn one(file: &Path) -> Result<bool, Failure> {
+fn one(file: &Path, given: &Dimensions) -> Result<bool, Failure> {
     let source = Source::read(file)?;
     let mut sound = true;
+    let mut all = Vec::new();
     for found in source.calls() {
         eprint!("{}", look_alikes(&source, found, is_coloured()));
         for checked in check_all(found.tokens.clone()) {
             eprint!("{}", rendered(&source, found, &checked, is_coloured()));
             match Mechanism::new(&checked) {
-                Some(mechanism) => print(&known(&mechanism))?,
+                Some(mechanism) => all.push(mechanism),
                 None => sound = false,
             }
+        }
+    }
+    if sound {
+        given.known_to_any(&all)?;
+    }
+    for mechanism in &all {
+        let own = given.known_to(mechanism);
+        let dimensions = own.of(mechanism)?;
+        print(&known(mechanism, &dimensions))?;
+        if own.are_given() {
+            sound &= works(mechanism, &dimensions, &own)?;
         }
     }
     Ok(sound)
 }
 
+/// Whether a mechanism closes with other dimensions, and runs through its range.
+fn works(mechanism: &Mechanism, dimensions: &[f64], given: &Dimensions) -> Result<bool, Failure> {
+    let report = mechanism.assemble(dimensions)?.check_range();
+    // Without a range, the compiler warns.
+    let is_declared = report.input.is_some_and(|own| own.range.is_some());
+    let level = match is_declared {
+        true => Level::ERROR,
+        false => Level::WARNING,
+    };
+    eprint!("{}", range::rendered(&level, given, &report));
+    Ok(report.is_sound() || !is_declared)
+}
+
 /// Structure, assemblies, ranges, operation counts.
-fn known(mechanism: &Mechanism) -> String {
+fn known(mechanism: &Mechanism, dimensions: &[f64]) -> String {
     let mut text = format!("{}: {}", mechanism.name, mechanism.structure);
     for input in mechanism.inputs {
-        let _ = writeln!(text, "{}", range(input));
+        let _ = writeln!(text, "{}", declared(input));
     }
-    let assemblies = match mechanism.assemblies(&mechanism.dimensions(), &mechanism.reference()) {
+    let assemblies = match mechanism.assemblies(dimensions, &mechanism.reference()) {
         Ok(all) => match not_listed(mechanism) {
             None => format!("assemblies at the reference: {}", all.len()),
             Some(left_out) => format!(
@@ -70,7 +98,7 @@ fn known(mechanism: &Mechanism) -> String {
 }
 
 /// `input phi = 30 deg, in 0 deg .. 360 deg`
-fn range(input: &Input) -> String {
+fn declared(input: &Input) -> String {
     let reference = placed(input, input.reference);
     match input.range {
         Some((low, high)) => {

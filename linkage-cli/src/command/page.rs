@@ -15,6 +15,7 @@ use linkage_runtime::report::{Index, Report, ReportError};
 
 use super::choose::Chosen;
 use super::output::print;
+use super::range;
 use super::replaced::refuse_page;
 use super::sweep::{Rows, arguments, positions, still};
 use super::values::{Dimensions, parts};
@@ -140,8 +141,7 @@ fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
 /// All functions over the range of the first input.
 fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let input = &mechanism.inputs[0];
-    let dimensions = options.dimensions.of(mechanism)?;
-    let assembly = mechanism.assemble(&dimensions)?;
+    let assembly = range::assembled(&options.dimensions, mechanism)?;
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
     let columns = mechanism.headings.iter().map(|own| own.columns.len());
     let positions = positions.held(columns.sum(), BYTES)?;

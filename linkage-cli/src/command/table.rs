@@ -11,6 +11,7 @@ use linkage_runtime::report::CsvStyle;
 use super::choose::Chosen;
 use super::course::Course;
 use super::output::put;
+use super::range;
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::normal::normal;
@@ -59,13 +60,12 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         command.error(ErrorKind::ArgumentConflict, mistake).exit();
     }
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
-    let dimensions = options.dimensions.of(&mechanism)?;
-    let assembly = mechanism.assemble(&dimensions)?;
+    let assembly = range::assembled(&options.dimensions, &mechanism)?;
     let along = options.course.of(&mechanism, function, options.steps)?;
     let mut table = Streamed::new(&mechanism, &assembly, function, &along, options.degrees);
     let input = options.chosen.file();
     put(options.output.as_deref(), input, |out| match options.json {
-        true => table.in_json(out, &options.function, &dimensions),
+        true => table.in_json(out, &options.function, assembly.dimensions()),
         false => table.in_lines(out, &style),
     })?;
     if table.missing > 0 {

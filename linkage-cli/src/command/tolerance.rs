@@ -14,6 +14,7 @@ use linkage_runtime::tolerance::largest;
 use super::choose::Chosen;
 use super::course::{Along, Course};
 use super::output::print;
+use super::range;
 use super::values::Dimensions;
 use crate::engine::Assembly;
 use crate::failure::Failure;
@@ -94,8 +95,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             "no dimension of {name} has a tolerance: declare it as `param crank = 40mm +- 10um;`"
         )));
     }
-    let dimensions = options.dimensions.of(&mechanism)?;
-    let assembly = mechanism.assemble(&dimensions)?;
+    let assembly = range::assembled(&options.dimensions, &mechanism)?;
     let Along {
         given,
         running,

@@ -18,6 +18,42 @@ pub(super) struct Dimensions {
 }
 
 impl Dimensions {
+    /// Whether there are other dimensions than those of the file.
+    pub(super) fn are_given(&self) -> bool {
+        !self.set.is_empty()
+    }
+
+    /// The options as they are written.
+    pub(super) fn options(&self) -> String {
+        let options: Vec<String> = self.set.iter().map(|own| format!("--set {own}")).collect();
+        options.join(" ")
+    }
+
+    /// Those of the options whose dimension a mechanism has.
+    pub(super) fn known_to(&self, mechanism: &Mechanism) -> Self {
+        let known = |given: &&String| {
+            let own = parts("--set", given);
+            own.is_ok_and(|(name, _)| places(mechanism, name).is_ok())
+        };
+        Self {
+            set: self.set.iter().filter(known).cloned().collect(),
+        }
+    }
+
+    /// Fails at the first option that none of the mechanisms knows.
+    pub(super) fn known_to_any(&self, all: &[Mechanism]) -> Result<(), Failure> {
+        for given in &self.set {
+            let (name, _) = parts("--set", given)?;
+            let mut found = all.iter().map(|own| places(own, name));
+            if let Some(Err(unknown)) = found.next()
+                && found.all(|own| own.is_err())
+            {
+                return Err(unknown);
+            }
+        }
+        Ok(())
+    }
+
     /// All dimensions of the mechanism, in the order of its parameters.
     pub(super) fn of(&self, mechanism: &Mechanism) -> Result<Vec<f64>, Failure> {
         let mut values = mechanism.dimensions();

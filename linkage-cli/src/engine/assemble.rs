@@ -85,6 +85,13 @@ impl Assembly<'_> {
         unit.surveyed.iter().map(estimate).collect()
     }
 
+    /// What tells assemblies apart at these inputs: cosine and sine, or length, of every unknown.
+    #[must_use]
+    pub fn places(&self, inputs: &[f64]) -> Vec<f64> {
+        self.survey(inputs)
+            .split_off(1 + self.mechanism.unit.groups.len())
+    }
+
     /// The least margin of all groups, the slack of every group, the numbers of the unknowns.
     pub(super) fn survey(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();
@@ -92,11 +99,20 @@ impl Assembly<'_> {
         by_build(&self.mechanism.unit.survey, |source| numbers.load(source))
     }
 
-    /// Whether all groups close at these inputs.
-    fn close(&self, inputs: &[f64]) -> Result<(), AssemblyError> {
+    /// By how much each group misses closing at these inputs.
+    pub(super) fn gaps(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
-        let gaps = by_build(&self.mechanism.unit.gaps, |source| numbers.load(source));
+        by_build(&self.mechanism.unit.gaps, |source| numbers.load(source))
+    }
+
+    pub(super) fn mechanism(&self) -> &Mechanism {
+        self.mechanism
+    }
+
+    /// Whether all groups close at these inputs.
+    fn close(&self, inputs: &[f64]) -> Result<(), AssemblyError> {
+        let gaps = self.gaps(inputs);
         let Mechanism {
             name,
             structure,

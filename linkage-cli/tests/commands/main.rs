@@ -13,6 +13,7 @@ mod names;
 mod numbers;
 mod pages;
 mod quoted;
+mod ranges;
 mod start;
 mod tables;
 mod time;

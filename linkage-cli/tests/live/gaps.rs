@@ -54,6 +54,28 @@ fn the_length_that_is_too_short_is_named() {
     live.page.assert_quiet();
 }
 
+/// Rows exist on both sides of a change point, and next to it: only the warning says that the mechanism may go on in another assembly.
+#[test]
+fn a_change_point_is_told_with_its_places() {
+    let Some(mut live) = Live::golden_as("crank_rocker.mech", "change_points") else {
+        return;
+    };
+    let said = |live: &mut Live, address: &str| {
+        live.page.value(&format!(
+            "new Promise((done) => {{ addEventListener('hashchange', () => setTimeout(done), {{ once: true }}); location.hash = '{address}'; }})"
+        ));
+        live.page
+            .words("document.getElementById('gaps').textContent")
+    };
+    let words = said(&mut live, "coupler=140&rocker=50");
+    let expected = "At phi = 0 deg, 180 deg, 360 deg the mechanism passes through a change point: from there loop 1 (theta, psi) can go \
+                    on in another assembly.";
+    assert!(words.ends_with(expected), "{words}");
+    let words = said(&mut live, "coupler=140&rocker=50.01");
+    assert!(!words.contains("change point"), "{words}");
+    live.page.assert_quiet();
+}
+
 /// Of a group without a closed form the page knows where its solution ends: there Rust's rows end, too.
 #[test]
 fn the_end_of_a_coupled_group_is_told() {

@@ -1,7 +1,7 @@
 //! Angles that turn evenly with an input.
 
 use super::{Algebra, Atom};
-use crate::model::significant;
+use linkage_core::range_check::significant;
 
 /// Angles that differ by less turn alike.
 pub(crate) const ALIKE: f64 = 1e-9;

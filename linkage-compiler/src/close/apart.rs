@@ -2,21 +2,18 @@
 
 use std::f64::consts::TAU;
 
+use linkage_core::range_check::{self, Comes, Reaches, not_finite, rounded_inwards};
 use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{ALIKE, Algebra, Bound, Even};
 use crate::diagnostic::OriginId;
-use crate::formulate::Solved;
 use crate::model::Mechanism;
-use crate::words::loop_list;
+use crate::words::loop_numbers;
 
 use super::check::range_of;
 use super::dead_point::DeadPoint;
 use super::ranges::{Break, Broken, GRID, Ranges};
 use crate::words::Words;
-
-/// Ends of a range that are proposed are this share of it inside the dead point, rounded to a power of ten.
-const INSIDE: f64 = 1e-4;
 
 /// Positions between the reference and a change point at which angles are compared.
 const COMPARED: usize = 8;
@@ -35,10 +32,16 @@ impl<'m> Ranges<'_, 'm> {
         let solved = &self.formulation.groups[at.place.group];
         let concerned = algebra.inputs_below(&[solved.closed.slack]);
         let place = words.inputs(&at.place.inputs, &concerned);
+        let loops = loop_numbers(&solved.group.loops);
+        let unknowns = words.unknowns(&solved.group.unknowns);
+        let group = Comes {
+            loops: &loops,
+            unknowns: &unknowns,
+        };
         if !at.place.finite {
             return Apart {
                 origins: range_of(input),
-                message: not_finite(&words, solved, &place, ""),
+                message: with_help(&not_finite(group, &place, "")),
             };
         }
         let miss = self.largest_miss(&at);
@@ -47,8 +50,16 @@ impl<'m> Ranges<'_, 'm> {
             false => None,
         };
         let works = self.works(algebra, &words, &at);
+        let reaches = |picture| Reaches {
+            group,
+            change: miss == 0.0,
+            place: &place,
+            picture,
+            works: works.fact.each_ref().map(String::as_str),
+            range: works.range.each_ref().map(String::as_str),
+        };
         let message = match even {
-            Some(even) => parallelogram(algebra.mechanism, &words, &at, solved, &even, &works),
+            Some(even) => parallelogram(algebra.mechanism, &words, &at, &even, &reaches("")),
             None => {
                 let picture = DeadPoint {
                     algebra,
@@ -61,23 +72,8 @@ impl<'m> Ranges<'_, 'm> {
                 }
                 .picture();
                 let picture = picture.map_or_else(String::new, |picture| format!(", {picture}"));
-                let (point, beyond, other) = match miss == 0.0 {
-                    true => (
-                        "change",
-                        "; there two of its assemblies meet, and it may go on in either",
-                        "change a length so that they do not meet",
-                    ),
-                    false => (
-                        "dead",
-                        "",
-                        "change the lengths so that the links reach each other all the way",
-                    ),
-                };
-                let Works { fact, range } = works;
-                format!(
-                    "{} a {point} point at {place}{picture}{beyond}; {fact}\nhelp: {range}, or {other}",
-                    comes_apart(&words, solved),
-                )
+                let reaches = reaches(&picture);
+                with_help(&[reaches.fact(), reaches.help()])
             }
         };
         Apart {
@@ -96,6 +92,12 @@ impl<'m> Ranges<'_, 'm> {
         let words = Words::new(algebra.mechanism);
         let solved = &self.formulation.groups[at.group];
         let concerned = algebra.inputs_below(&[solved.closed.slack]);
+        let loops = loop_numbers(&solved.group.loops);
+        let unknowns = words.unknowns(&solved.group.unknowns);
+        let group = Comes {
+            loops: &loops,
+            unknowns: &unknowns,
+        };
         let mut declared = declared.iter();
         let input = declared.clone().find(|k| concerned.contains(k));
         let input = input.or_else(|| declared.next());
@@ -106,9 +108,9 @@ impl<'m> Ranges<'_, 'm> {
             true => format!(
                 "{} a dead point at {place}{how}\n\
                  help: restrict the range, or change the lengths so that the links reach each other all the way",
-                comes_apart(&words, solved),
+                group.apart(),
             ),
-            false => not_finite(&words, solved, &place, &how),
+            false => with_help(&not_finite(group, &place, &how)),
         };
         Apart {
             origins: input.map_or([origin; 2], |&k| range_of(&algebra.mechanism.inputs[k])),
@@ -131,25 +133,12 @@ impl<'m> Ranges<'_, 'm> {
             false => (low, high),
         };
         let [from, to] = [from, to].map(|end| self.reach(at.input, input.dimension, end));
-        let unit = match input.dimension.half_lengths {
-            0 => 1.0_f64.to_radians(),
-            _ => 1.0,
-        };
-        let step = unit * 10.0_f64.powf(((to - from) * INSIDE / unit).log10().floor());
-        let inside = |x: f64, towards: f64, end: f64| match x == end {
-            true => x,
-            false if towards < x => (x / step).floor() * step,
-            false => (x / step).ceil() * step,
-        };
-        let [a, b] = [inside(from, reference, low), inside(to, reference, high)];
+        let angle = input.dimension.half_lengths == 0;
+        let ([a, b], step) = rounded_inwards([from, to], reference, [low, high], angle);
         let show = |x| words.rounded_to(input.dimension, x, step);
         Works {
-            fact: format!(
-                "around the reference it works from {} to {}",
-                show(a),
-                show(b)
-            ),
-            range: format!("write `in {}..{}`", show(a.max(low)), show(b.min(high))),
+            fact: [a, b].map(show),
+            range: [a.max(low), b.min(high)].map(show),
         }
     }
 
@@ -197,32 +186,15 @@ impl<'m> Ranges<'_, 'm> {
     }
 }
 
-/// A stretch of an input in which the mechanism works, as a fact and as what to write.
+/// A stretch of an input in which the mechanism works: as far as it reaches, and as what to write.
 struct Works {
-    fact: String,
-    range: String,
+    fact: [String; 2],
+    range: [String; 2],
 }
 
-/// `the mechanism comes apart in this range: loop 1 (`theta`, `psi`) reaches`
-fn comes_apart(words: &Words, solved: &Solved) -> String {
-    let reach = match solved.group.loops.len() {
-        1 => "reaches",
-        _ => "reach",
-    };
-    format!(
-        "the mechanism comes apart in this range: {} ({}) {reach}",
-        loop_list(&solved.group.loops),
-        words.unknowns(&solved.group.unknowns),
-    )
-}
-
-/// A group whose equations have no finite value at a place.
-fn not_finite(words: &Words, solved: &Solved, place: &str, how: &str) -> String {
-    format!(
-        "{} a division by zero, or a root or an arc function out of its range at {place}{how}\n\
-         help: restrict the range, or change what is not a finite number beyond it",
-        comes_apart(words, solved),
-    )
+/// A message of what happens and of what to do instead.
+fn with_help([fact, help]: &[String; 2]) -> String {
+    format!("{fact}\nhelp: {help}")
 }
 
 /// Links that stay parallel to others as far as the change point: relations say so without a second assembly.
@@ -230,9 +202,8 @@ fn parallelogram(
     mechanism: &Mechanism,
     words: &Words,
     at: &Break,
-    solved: &Solved,
     even: &[Even],
-    works: &Works,
+    reaches: &Reaches,
 ) -> String {
     let input = &mechanism.inputs[at.input].name;
     let relations: Vec<String> = even
@@ -242,8 +213,8 @@ fn parallelogram(
             format!("`let {name} = {};`", own.relation(input))
         })
         .collect();
-    let loops = loop_list(&solved.group.loops);
-    let is = match solved.group.loops.len() {
+    let loops = range_check::loop_list(reaches.group.loops);
+    let is = match reaches.group.loops.len() {
         1 => "is",
         _ => "are",
     };
@@ -255,10 +226,10 @@ fn parallelogram(
         "the mechanism comes apart in this range: {loops} ({}) {is} a parallelogram, and at {} it reaches its change point, where all links lie in \
          line and it may go on as a crossed one; {}\n\
          help: if it stays a parallelogram, write {} instead of the {instead} and leave {loops} out; else {}",
-        words.unknowns(&solved.group.unknowns),
+        reaches.group.unknowns,
         words.inputs(&at.place.inputs, &[at.input]),
-        works.fact,
+        reaches.works(),
         relations.join(" and "),
-        works.range,
+        reaches.range(),
     )
 }

@@ -1,11 +1,13 @@
 //! The range check: can the declared ranges be run through in the chosen assembly?
 
+use linkage_core::range_check::{Comes, PASSES_HELP, passes};
+
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::formulate::Formulation;
 use crate::model::Input;
 use crate::unit::ContinuousAngle;
-use crate::words::loop_list;
+use crate::words::loop_numbers;
 
 use super::Reference;
 use super::follow::{Unfollowed, follow_angles};
@@ -123,14 +125,14 @@ fn warn_of_change_point(algebra: &mut Algebra, ranges: &mut Ranges, reporter: &m
     };
     let words = Words::new(algebra.mechanism);
     let group = &formulation.groups[group].group;
-    let loops = loop_list(&group.loops);
-    let unknowns = words.unknowns(&group.unknowns);
     let place = words.inputs(&inputs, &[0]);
-    reporter.warning_with_help(
-        input.origin,
-        format!("at {place} the mechanism passes through a change point: from there {loops} ({unknowns}) can go on in another assembly"),
-        "give the input the range in which it is driven, `in LOW..HIGH`, or change a length",
-    );
+    let loops = loop_numbers(&group.loops);
+    let unknowns = words.unknowns(&group.unknowns);
+    let group = Comes {
+        loops: &loops,
+        unknowns: &unknowns,
+    };
+    reporter.warning_with_help(input.origin, passes(group, &place), PASSES_HELP);
 }
 
 /// Says that an angle cannot be followed over the range of an input.

@@ -1,7 +1,8 @@
 //! By how much the links of a group miss each other, in words.
 
 use crate::formulate::Solved;
-use crate::model::significant;
+use linkage_core::range_check::significant;
+
 use crate::words::Words;
 
 impl Words<'_> {

@@ -3,29 +3,13 @@
 use std::f64::consts::PI;
 
 use linkage_core::numeric::range::{Failure, first_failure, minimum};
+use linkage_core::range_check::{AT_END, DEAD, END, FOUND, SAMPLES, samples};
 
 use crate::algebra::Nominal;
 use crate::formulate::Formulation;
 use crate::model::Dimension;
 
 use super::Reference;
-
-/// Samples for each turn of an input angle (or for a whole range of lengths); what lies between is found by searching for
-/// dips.
-const SAMPLES: f64 = 180.0;
-
-/// A slack this small inside a range is a dead point: beyond it the mechanism may run on in its mirror image, even where
-/// the slack only touches zero (a parallelogram stretched out). The search takes -1e-12 for rounding.
-const DEAD: f64 = 2e-12;
-
-/// The share of a range at its ends where a dead point is allowed: a range may end at one.
-const END: f64 = 1e-9;
-
-/// A slack that is negative by less is 0 but for rounding.
-pub(super) const ROUNDING: f64 = 1e-12;
-
-/// Where a slack touches zero as a square does, [`DEAD`] is reached so far from there, in radians: what is finer is not known.
-const FOUND: f64 = 2e-6;
 
 /// So far beside a change point, in radians, the slack is positive on both sides.
 const BESIDE: f64 = 1e-3;
@@ -91,7 +75,7 @@ impl Ranges<'_, '_> {
         let mut inputs = self.nominal.inputs.clone();
         let start = inputs[input];
         let step = (high - low) * END;
-        let samples = samples(high - low, dimension);
+        let samples = samples(high - low, dimension.half_lengths == 0);
         let failure = first_failure(low, high, start, samples, |x| {
             inputs[input] = x;
             let inside = (x - low).min(high - x) > END * (high - low);
@@ -123,7 +107,7 @@ impl Ranges<'_, '_> {
         let start = inputs[input];
         let sign = (end - start).signum();
         let length = (end - start).abs();
-        let samples = samples(length, dimension);
+        let samples = samples(length, dimension.half_lengths == 0);
         let failure = first_failure(0.0, length, 0.0, samples, |along| {
             inputs[input] = start + sign * along;
             self.slack(&inputs).0 - DEAD
@@ -195,7 +179,7 @@ impl Ranges<'_, '_> {
     /// touches zero and returns, else the failure itself.
     fn dead_point(&mut self, input: usize, failure: Failure) -> f64 {
         let (low, high) = self.nominal.ranges[input].unwrap_or((failure.at, failure.at));
-        let near = |end: &f64| (failure.at - *end).abs() < 1e-6 * (high - low);
+        let near = |end: &f64| (failure.at - *end).abs() < AT_END * (high - low);
         if let Some(end) = [low, high].into_iter().find(near) {
             return end;
         }
@@ -215,15 +199,6 @@ impl Ranges<'_, '_> {
             failure.at
         }
     }
-}
-
-/// Samples for a stretch of an input.
-fn samples(length: f64, dimension: Dimension) -> usize {
-    let samples = match dimension.half_lengths {
-        0 => (SAMPLES * length / std::f64::consts::TAU).clamp(64.0, 4000.0),
-        _ => SAMPLES,
-    };
-    samples as usize
 }
 
 /// A grid over the ranges of several inputs, of bounded size.

@@ -1,9 +1,10 @@
 //! The check over the ranges of several inputs.
 
 use linkage_core::numeric::continuation::{Correction, dead_point};
+use linkage_core::range_check::ROUNDING;
 
 use super::numbers::Numbers;
-use super::ranges::{Broken, Grid, ROUNDING, Ranges};
+use super::ranges::{Broken, Grid, Ranges};
 use crate::unit::Start;
 
 impl Ranges<'_, '_> {

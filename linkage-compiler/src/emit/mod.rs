@@ -30,6 +30,7 @@ mod mechanism;
 mod outline;
 mod picture;
 mod prepare;
+mod range_check;
 mod sealed;
 mod shape;
 mod skeleton;
@@ -82,6 +83,7 @@ pub(crate) fn emit(
     assembled.extend(winding::items(&outline, unit));
     assembled.extend(survey::items(&outline, unit));
     assembled.extend(circuits::items(&outline, unit));
+    assembled.extend(range_check::items(&outline, unit));
     assembled.extend(way::items(&outline, unit));
     assembled.extend(follower::items(&outline, unit));
     for (function, own) in outline.functions.iter().zip(&unit.functions) {

@@ -11,7 +11,7 @@ use quote::format_ident;
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
     assembly, circuits, columns, dimensions, evaluator, follower, guess::Guess, home, mechanism,
-    picture, structure, sweeps, table, way,
+    picture, range_check, structure, sweeps, table, way,
 };
 use crate::model::{
     ASSEMBLY, COLUMNS, COMPONENTS, Mechanism, MotionWord, Shape, Sweep, TYPE_PARAMETER,
@@ -44,6 +44,7 @@ pub(crate) fn skeleton(
     }
     if has_loop {
         items.extend(follower::skeleton(&outline));
+        items.extend(range_check::skeleton(&outline));
     }
     items.extend(way::skeleton(&outline));
     for function in &outline.functions {

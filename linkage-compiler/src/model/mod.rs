@@ -60,7 +60,6 @@ pub(crate) use generated::{
 };
 pub(crate) use library::{Library, Model, resolve};
 pub use parameter::COMPONENTS;
-pub(crate) use presentation::{length, significant};
 pub use shape::Shape;
 pub(crate) use types::*;
 pub(crate) use usage::AskedPicture;

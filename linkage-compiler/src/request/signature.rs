@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use linkage_core::range_check::Slack;
 use linkage_symbolic::Ex;
 use linkage_symbolic::program::Source;
 
@@ -154,6 +155,18 @@ fn group(
         plus: solved.mode.is_none_or(|mode| modes[mode] > 0.0),
         method: method(algebra, solved, reference),
         gap_unit: solved.gap_dimension(mechanism).unit(mechanism.unit),
+        slack: slack(solved),
         parameters,
+    }
+}
+
+/// What the slack of a group is.
+fn slack(solved: &Solved) -> Slack {
+    let closed = &solved.closed;
+    match solved.prepared {
+        Some(_) => Slack::Prepared,
+        None if !closed.two_modes => Slack::Signed,
+        None if closed.slack_scale.constant_value() == Some(1.0) => Slack::Number,
+        None => Slack::Relative,
     }
 }

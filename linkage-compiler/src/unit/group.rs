@@ -2,6 +2,7 @@
 
 use linkage_core::numeric::continuation::{Grid, Table, Terms};
 use linkage_core::numeric::roots::Variable;
+use linkage_core::range_check::Slack;
 use linkage_symbolic::program::Program;
 
 use super::Unit;
@@ -30,6 +31,8 @@ pub struct Group {
     pub method: String,
     /// `mm`, `rad`: what the group's gap is measured in.
     pub gap_unit: String,
+    /// What its slack in the survey is.
+    pub slack: Slack,
     /// The scalars of parameters that its solution needs and no earlier group.
     pub parameters: Vec<usize>,
 }

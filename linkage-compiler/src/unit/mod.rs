@@ -14,7 +14,9 @@ mod signature;
 mod words;
 
 use linkage_core::Level;
-use linkage_symbolic::program::Program;
+use std::f64::consts::PI;
+
+use linkage_symbolic::program::{Instruction, Program, Source};
 
 pub use crate::model::{COMPONENTS, Shape};
 pub use closing::{Closing, Outputs};
@@ -108,6 +110,43 @@ impl Unit {
             (None, false) => Level::Single,
         };
         self.groups.iter().map(level).collect()
+    }
+
+    /// Whether whole turns of an angle are alike: nothing is prepared over a range, and no group depends on the value of an angle.
+    pub fn repeats(&self) -> bool {
+        self.coupled.is_empty() && self.surveying == 0
+    }
+
+    /// The slack of each group, without the rest of the survey. Of a coupled group, the first number of its state, which is none where nothing
+    /// is prepared.
+    pub fn slacks(&self) -> Program {
+        let mut slacks = self.survey.clone();
+        slacks.outputs = slacks.outputs[1..].to_vec();
+        slacks.outputs.truncate(self.groups.len());
+        for (number, own) in self.coupled.iter().enumerate() {
+            let state = Instruction::Load(Source::State(number, 0));
+            slacks.outputs[own.group] = slacks.push(state);
+        }
+        slacks.without_unused()
+    }
+
+    /// The input whose range is checked at run time, and the range: the only one that is declared, or a turn about the reference of the only
+    /// input if that is an angle and nothing is prepared over ranges. `None` if nothing is checked.
+    pub fn checked(&self) -> Option<(usize, (f64, f64))> {
+        if self.groups.is_empty() {
+            return None;
+        }
+        let declared = self.inputs.iter().enumerate();
+        let declared: Vec<_> = declared
+            .filter_map(|(k, own)| Some((k, own.range?)))
+            .collect();
+        match (&declared[..], &self.inputs[..]) {
+            (&[one], _) => Some(one),
+            ([], [one]) if one.angle && self.coupled.is_empty() => {
+                Some((0, (one.reference - PI, one.reference + PI)))
+            }
+            _ => None,
+        }
     }
 
     /// How many slots `assemble()` prepares.

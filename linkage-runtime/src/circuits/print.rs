@@ -1,14 +1,16 @@
 //! Circuits as a table.
 
-use super::{BranchEnd, Circuits, Cycle, Estimate};
+use super::{BranchEnd, Circuits, Cycle, Estimate, Meeting};
 use crate::words::{rounded, settled};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::range_check::listed;
 
-/// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the unknowns there.
+/// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the unknowns there. Then one for each pair that meets
+/// in change points.
 impl<A> fmt::Display for Circuits<A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let numbers: Vec<usize> = (1..=self.branches.len()).collect();
@@ -69,7 +71,38 @@ impl<A> Circuits<A> {
             text += line.trim_end();
             text.push('\n');
         }
+        let circuit = |own: usize| circuits.iter().position(|other| *other == own);
+        for own in &self.meetings {
+            text += &self.meeting(own, numbers, &|own| {
+                circuit(own).map_or(0, |place| place + 1)
+            });
+            text.push('\n');
+        }
         text
+    }
+
+    /// `circuits 1 and 2 meet at phi = 0 deg and 180 deg (change points): assemblies 1 and 2`
+    fn meeting(
+        &self,
+        own: &Meeting,
+        numbers: &[usize],
+        circuit: &dyn Fn(usize) -> usize,
+    ) -> String {
+        let places = own.at.iter().map(|&x| input(&self.cycle, x, FOUND));
+        let places: Vec<String> = places.collect();
+        let points = match places.len() {
+            1 => "change point",
+            _ => "change points",
+        };
+        let at = format!("meet at {} = {} ({points})", self.input, listed(&places));
+        let mut branches = own.branches;
+        branches.sort_by_key(|&k| numbers[k]);
+        let [one, other] = branches.map(|k| numbers[k]);
+        let [first, second] = branches.map(|k| circuit(self.branches[k].circuit));
+        match first == second {
+            true => format!("assemblies {one} and {other} of circuit {first} {at}"),
+            false => format!("circuits {first} and {second} {at}: assemblies {one} and {other}"),
+        }
     }
 
     fn end(&self, end: BranchEnd, closed: bool) -> String {

@@ -35,7 +35,7 @@ pub(super) enum End {
 }
 
 /// How a group is assembled.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Way {
     Mode(AssemblyMode),
     /// The states of a coupled group at both ends.

@@ -18,6 +18,7 @@ function mechanismOf(unit) {
       const own = numbersBehind(assembly);
       return Object.fromEntries(dimensions.map(({ name }, k) => [name, own.dimensions[k]]));
     },
+    checkRange: (assembly) => rangeOf(numbersBehind(assembly)),
     gaps: (assembly, ...x) => gapsAt(numbersBehind(assembly), Float64Array.from(x)),
     columns: (assembly, name, ...given) => columnsOf(numbersBehind(assembly), functionOf(unit, name), given),
   };

@@ -65,10 +65,11 @@ const START: usize = SCRIPTS.len() - 1;
 
 /// Of a page that computes: they stand before the last one of the others.
 const LIVE_STYLE: &str = include_str!("page/live/live.css");
-const LIVE: [&str; 14] = [
+const LIVE: [&str; 15] = [
     include_str!("page/live/model.js"),
     include_str!("page/live/derived.js"),
     include_str!("page/live/reason.js"),
+    include_str!("page/live/range.js"),
     include_str!("page/live/summary.js"),
     include_str!("page/live/course.js"),
     include_str!("page/live/dwell.js"),
@@ -165,6 +166,7 @@ impl Report {
 mod tests {
     use super::super::frame::bare;
     use super::*;
+    use crate::javascript::MODULE;
     use std::collections::BTreeSet;
 
     /// What a page takes to compute, beside the programs, which are 78,000 bytes for the largest mechanism of the gallery: the two may have 150 KiB, 153,600 bytes.
@@ -187,6 +189,7 @@ mod tests {
             .iter()
             .chain(&LIVE)
             .chain(&ENGINE)
+            .chain(&MODULE)
             .chain(&LIVE_CYCLE)
             .chain([&OTHERS]);
         for line in all.flat_map(|own| own.lines()) {

@@ -1,5 +1,6 @@
 //! A slider-crank, written by hand in every form that emission reads.
 
+use linkage_core::range_check::Slack;
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -312,6 +313,7 @@ fn unit() -> Unit {
             plus: true,
             method: "closed form".to_owned(),
             gap_unit: "mm".to_owned(),
+            slack: Slack::Number,
             parameters: vec![0],
         }],
         mobility: 1,

@@ -3,16 +3,20 @@
 // So many gaps are told one by one; plots show all of them.
 const GAPS_TOLD = 4;
 
+// What is wrong with the values: where there are none, and where the mechanism may go on in another assembly.
 function sayGaps() {
-  const gaps = report.gaps ?? [];
-  byId("gaps").hidden = gaps.length === 0;
-  byId("gaps").textContent = "";
-  if (gaps.length === 0) return;
+  const told = [gapWords(report.gaps ?? []), report.changePoints ?? null].filter((words) => words !== null);
+  byId("gaps").hidden = told.length === 0;
+  byId("gaps").textContent = told.join(" ");
+}
+
+function gapWords(gaps) {
+  if (gaps.length === 0) return null;
   const ranges = gaps.slice(0, GAPS_TOLD)
     .map(({ from, to }) => (from === to ? inputShort(from) : `${inputShort(from)} to ${inputShort(to)}`));
   if (gaps.length > GAPS_TOLD) ranges.push(`and ${gaps.length - GAPS_TOLD} more`);
   const reason = report.reason ?? "the mechanism cannot be assembled there, or stands at a dead point";
-  byId("gaps").textContent = `Some values do not exist at ${input.name} = ${ranges.join(", ")}: ${reason}. Plots have gaps, tables say none.`;
+  return `Some values do not exist at ${input.name} = ${ranges.join(", ")}: ${reason}. Plots have gaps, tables say none.`;
 }
 
 function start() {

@@ -15,11 +15,12 @@ const live = {
   assemblies: [],
   firstAssemblies: [],
   tables: [],
-  // Figures, errors, gaps with their reason, and numbers of the report.
+  // Figures, errors, gaps with their reason, change points, and numbers of the report.
   summary: report.summary,
   accuracy: report.accuracy,
   gaps: report.gaps,
   reason: null,
+  changePoints: null,
   numbers: new Map(allNumbers().map((numbers) => [numbers, [...numbers]])),
   listeners: [],
   // What begins with the numbers of the report, of what not every page has.
@@ -173,7 +174,7 @@ function give(name, value) {
 function fillTables() {
   if (!isChanged()) {
     for (const [numbers, declared] of live.numbers) declared.forEach((value, row) => (numbers[row] = value));
-    Object.assign(report, { accuracy: live.accuracy, gaps: live.gaps, reason: live.reason });
+    Object.assign(report, { accuracy: live.accuracy, gaps: live.gaps, reason: live.reason, changePoints: live.changePoints });
     return;
   }
   for (const own of live.tables) if (own.why === null) fillTable(own);
@@ -182,6 +183,7 @@ function fillTables() {
   report.accuracy = live.accuracy.map(accuracyNow);
   report.gaps = gapsNow();
   report.reason = reasonOfGap();
+  report.changePoints = changePointWords();
 }
 
 function fillTable({ table, number, fn, names }) {
@@ -204,6 +206,7 @@ function startModel() {
   live.firstAssemblies = live.assemblies = assembledWith(live.dimensions, []);
   live.tables = report.tables.map(bind);
   report.reason = live.reason = reasonOfGap();
+  report.changePoints = live.changePoints = changePointWords();
   startDwells();
   for (const start of live.starts) start();
   startSaving();

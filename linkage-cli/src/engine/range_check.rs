@@ -1,0 +1,27 @@
+//! The check of the declared range.
+
+use linkage_runtime::RangeReport;
+use linkage_runtime::generated::{Ranged, check_range};
+
+use super::Assembly;
+
+impl Assembly<'_> {
+    /// What is found in the declared range. Of a mechanism without groups, nothing can be found.
+    ///
+    /// As the method `check_range` of the macro's assembly.
+    #[must_use]
+    pub fn check_range(&self) -> RangeReport {
+        let mechanism = self.mechanism();
+        let groups = mechanism.unit.groups.iter();
+        let slacks: Vec<_> = groups.map(|own| own.slack).collect();
+        let ranged = Ranged {
+            mechanism: mechanism.name,
+            inputs: mechanism.inputs,
+            groups: mechanism.structure.groups,
+            slacks: &slacks,
+            units: &mechanism.gap_units,
+            repeats: mechanism.unit.repeats(),
+        };
+        check_range(&ranged, &|x| self.survey(x), &|x| self.gaps(x))
+    }
+}

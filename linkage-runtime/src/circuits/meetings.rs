@@ -1,0 +1,101 @@
+//! Where two assemblies meet and both go on: change points, at which a group has one solution instead of two.
+
+use super::search::{Leaf, Way};
+use super::{Levels, Meeting, near, numbers, size};
+use crate::range_check::touches;
+use alloc::vec::Vec;
+use linkage_core::range_check::{AT_END, samples};
+use linkage_core::{Cycle, Level};
+
+/// How close the places of two assemblies are where they meet, relative to their size: there a place is known to half of its digits, and later
+/// groups may enlarge what is missing.
+const SAME: f64 = 1e-5;
+
+/// The places where a group with two solutions has one, for what is chosen of the groups before it over a stretch of the input.
+struct Touched<'a> {
+    group: usize,
+    before: &'a [(usize, Way)],
+    inputs: [f64; 2],
+    places: Vec<f64>,
+}
+
+/// All pairs of assemblies that meet inside a range. `assemblies` are those of the leaves.
+pub(super) fn meetings<M: Levels>(
+    mechanism: &M,
+    cycle: &Cycle,
+    leaves: &[Leaf],
+    assemblies: &[M::Assembly],
+) -> Vec<Meeting> {
+    let levels = mechanism.searched().levels;
+    let mut known: Vec<Touched<'_>> = Vec::new();
+    let mut found: Vec<Meeting> = Vec::new();
+    for (one, leaf) in leaves.iter().enumerate() {
+        for (place, (group, way)) in leaf.ways.iter().enumerate() {
+            if !matches!(levels[*group], Level::Modes(_)) {
+                continue;
+            }
+            let before = &leaf.ways[..place];
+            let same = |own: &Touched<'_>| {
+                own.group == *group && own.before == before && own.inputs == leaf.inputs
+            };
+            let index = known.iter().position(same).unwrap_or_else(|| {
+                let slack = |x: f64| mechanism.survey(&assemblies[one], x).as_ref()[1 + group];
+                known.push(Touched {
+                    group: *group,
+                    before,
+                    inputs: leaf.inputs,
+                    places: change_points(cycle, leaf.inputs, &slack),
+                });
+                known.len() - 1
+            });
+            for (other, second) in leaves.iter().enumerate().skip(one + 1) {
+                let turned = second.ways.get(place).is_some_and(|(_, own)| own != way);
+                if !turned || second.ways[..place] != *before {
+                    continue;
+                }
+                let at: Vec<f64> = known[index]
+                    .places
+                    .iter()
+                    .copied()
+                    .filter(|&x| {
+                        let [low, high] = second.inputs;
+                        let [here, there] =
+                            [one, other].map(|k| numbers(mechanism, &assemblies[k], x));
+                        let size = size(&here).max(size(&there));
+                        low <= x && x <= high && near(&here, &there, size, SAME)
+                    })
+                    .collect();
+                if !at.is_empty() {
+                    found.push(Meeting {
+                        branches: [one, other],
+                        at,
+                    });
+                }
+            }
+        }
+    }
+    found.sort_by_key(|own| own.branches);
+    found
+}
+
+/// Where a slack touches zero between two inputs; the ends of a turn are one place.
+fn change_points(cycle: &Cycle, [low, high]: [f64; 2], slack: &dyn Fn(f64) -> f64) -> Vec<f64> {
+    let count = samples(high - low, cycle.angle);
+    let at = |k: usize| low + (high - low) * (k as f64 / count as f64);
+    let sizes = (0..=count).map(|k| slack(at(k)).abs());
+    let largest = sizes.fold(0.0, |most: f64, size| if size > most { size } else { most });
+    if largest == 0.0 {
+        return Vec::new();
+    }
+    let near = |x: f64, end: f64| (x - end).abs() < AT_END * (cycle.high - cycle.low);
+    let snapped = |x: f64| {
+        let ends = [cycle.low, cycle.high];
+        ends.into_iter().find(|&end| near(x, end)).unwrap_or(x)
+    };
+    let places = touches([low, high], count, &mut |x| slack(x) / largest);
+    let mut places: Vec<f64> = places.into_iter().map(snapped).collect();
+    if cycle.turn().is_some() && places.first() == Some(&cycle.low) {
+        places.retain(|&x| x != cycle.high);
+    }
+    places
+}

@@ -1,0 +1,135 @@
+//! Reports in the words of the compiler.
+
+use super::{RangeFinding, RangeFindingKind, RangeReport, Unchecked};
+use crate::{Group, Input};
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::fmt;
+use linkage_core::range_check::{
+    Comes, PASSES_HELP, Reaches, listed, not_finite, passes, place, rounded_inwards, rounded_to,
+    significant, with_apostrophes,
+};
+
+/// What a check of a range reports.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RangeMessage {
+    /// What happens.
+    pub fact: String,
+    /// What to do instead.
+    pub help: String,
+}
+
+impl RangeReport {
+    /// One message for the change points of each group, and one for everything else that was found, in the order of the inputs.
+    #[must_use]
+    pub fn messages(&self) -> Vec<RangeMessage> {
+        let Some(input) = self.input else {
+            return Vec::new();
+        };
+        let mut found: Vec<Vec<&RangeFinding>> = Vec::new();
+        for own in &self.findings {
+            let change = RangeFindingKind::ChangePoint;
+            let alike = |other: &&mut Vec<&RangeFinding>| {
+                own.kind == change && other[0].kind == change && other[0].group == own.group
+            };
+            match found.iter_mut().find(alike) {
+                Some(others) => others.push(own),
+                None => found.push(Vec::from([own])),
+            }
+        }
+        found.iter().map(|own| self.message(&input, own)).collect()
+    }
+
+    fn message(&self, input: &Input, all: &[&RangeFinding]) -> RangeMessage {
+        let own = all[0];
+        let Group {
+            loops, unknowns, ..
+        } = self.groups[own.group];
+        let unknowns = with_apostrophes(unknowns);
+        let group = Comes {
+            loops,
+            unknowns: &unknowns,
+        };
+        let angle = input.unit == "rad";
+        let at = |x: f64| format!("`{} = {}`", input.name, place(x, angle, input.unit));
+        let places: Vec<String> = all.iter().map(|own| at(own.from)).collect();
+        let places = listed(&places);
+        let change = own.kind == RangeFindingKind::ChangePoint;
+        if own.kind == RangeFindingKind::Undefined {
+            let [fact, help] = not_finite(group, &places, "");
+            return RangeMessage { fact, help };
+        }
+        if input.range.is_none() {
+            return RangeMessage {
+                fact: passes(group, &places),
+                help: PASSES_HELP.to_string(),
+            };
+        }
+        let unit = self.units[own.group];
+        let miss = significant(own.miss);
+        let picture = match own.kind {
+            _ if own.miss == 0.0 => String::new(),
+            RangeFindingKind::Gap => format!(
+                ", beyond which it misses by up to {miss}{unit}; it closes again at {}",
+                at(own.to)
+            ),
+            _ => format!(", beyond which it misses by up to {miss}{unit}"),
+        };
+        let ([low, high], step) = rounded_inwards(self.works, input.reference, self.range, angle);
+        let show = |x: f64| rounded_to(x, step, angle, input.unit);
+        let works = [low, high].map(show);
+        let range = [low.max(self.range[0]), high.min(self.range[1])].map(show);
+        let reaches = Reaches {
+            group,
+            change,
+            place: &places,
+            picture: &picture,
+            works: works.each_ref().map(String::as_str),
+            range: range.each_ref().map(String::as_str),
+        };
+        RangeMessage {
+            fact: reaches.fact(),
+            help: reaches.help(),
+        }
+    }
+}
+
+/// Each message with its help, after the name of the mechanism.
+impl fmt::Display for RangeReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = self.mechanism;
+        if let Some(why) = self.unchecked {
+            return write!(f, "{name}: {why}");
+        }
+        let messages = self.messages();
+        if let (Some(input), true) = (self.input, messages.is_empty()) {
+            let [low, high] = self
+                .range
+                .map(|x| place(x, input.unit == "rad", input.unit));
+            return write!(
+                f,
+                "{name}: no change point and no dead point for `{}` in {low}..{high}",
+                input.name
+            );
+        }
+        for (index, RangeMessage { fact, help }) in messages.iter().enumerate() {
+            let between = if index == 0 { "" } else { "\n" };
+            write!(f, "{between}{name}: {fact}\nhelp: {help}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Unchecked {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::SeveralRanges => {
+                "the ranges are not checked: several inputs have one, and only the range of a single input is searched"
+            }
+            Self::NoRange => {
+                "there is no range to check: no input has one, and the mechanism is not driven by a single angle"
+            }
+        })
+    }
+}

@@ -1,0 +1,100 @@
+//! Quotients by the root of a discriminant have no value where the root is 0: NaN instead of an infinity.
+//!
+//! A rate of a group is such a quotient. At a dead point it does not exist. At a change point its limits are finite, but the dividend is 0 apart
+//! from rounding, and so would be the sign of an infinity. `x + 0 x` is `x` for every number, and NaN for an infinite one.
+
+use crate::program::{Binary, Instruction, Program, Ternary, Unary, Value};
+
+/// Adds a product with 0 to each quotient whose divisor has a root of a discriminant as a factor.
+pub fn mark(program: Program) -> Program {
+    let of_root = factors(&program);
+    let divides_by_root = |own: &Instruction| matches!(*own, Instruction::Binary(Binary::Div, _, divisor) if of_root[divisor.0]);
+    if !program.instructions.iter().any(divides_by_root) {
+        return program;
+    }
+    let mut marked = Program::default();
+    let mut zero = None;
+    let mut places: Vec<Value> = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        let own = marked.push(instruction.with_operands(|x| places[x.0]));
+        places.push(match divides_by_root(instruction) {
+            true => {
+                let zero = *zero.get_or_insert_with(|| marked.push(Instruction::Constant(0.0)));
+                let nothing = marked.push(Instruction::Binary(Binary::Mul, own, zero));
+                marked.push(Instruction::Binary(Binary::Add, own, nothing))
+            }
+            false => own,
+        });
+    }
+    marked.outputs = program.outputs.iter().map(|x| places[x.0]).collect();
+    marked.without_unused()
+}
+
+/// Which values have a root of a discriminant as a factor.
+fn factors(program: &Program) -> Vec<bool> {
+    let mut of_root = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        let is = |x: Value| -> bool { of_root[x.0] };
+        let own = match *instruction {
+            Instruction::Ternary(Ternary::Root, ..) => true,
+            Instruction::Unary(Unary::Neg | Unary::Abs, x) => is(x),
+            Instruction::Binary(Binary::Mul, a, b) => is(a) || is(b),
+            Instruction::Binary(Binary::Div, a, _) => is(a),
+            _ => false,
+        };
+        of_root.push(own);
+    }
+    of_root
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interpret::run;
+    use crate::program::Source;
+
+    /// `x1 / (2 root(x0))`, `x1 / x0`
+    fn quotients() -> Program {
+        let mut program = Program::default();
+        let [q, x] = [0, 1].map(|k| program.push(Instruction::Load(Source::Input(k))));
+        let [one, two, slack] = [1.0, 2.0, 1e-15].map(|x| program.push(Instruction::Constant(x)));
+        let root = program.push(Instruction::Ternary(Ternary::Root, q, slack, one));
+        let divisor = program.push(Instruction::Binary(Binary::Mul, two, root));
+        let rate = program.push(Instruction::Binary(Binary::Div, x, divisor));
+        let plain = program.push(Instruction::Binary(Binary::Div, x, q));
+        program.outputs = vec![rate, plain];
+        program
+    }
+
+    #[test]
+    fn a_quotient_by_a_root_that_is_zero_is_no_number() {
+        let (written, marked) = (quotients(), mark(quotients()));
+        assert_eq!(marked.mistake(), None);
+        let at = |program: &Program, q: f64, x: f64| {
+            run(program, |source| match source {
+                Source::Input(0) => q,
+                _ => x,
+            })
+        };
+        for x in [1.0, -3.5, 0.0, -0.0, 1e100, f64::MIN_POSITIVE] {
+            for q in [1.0, 0.3, 1e-300, 2e-16] {
+                let [old, new] = [&written, &marked].map(|own| at(own, q, x));
+                assert_eq!(old[0].to_bits(), new[0].to_bits(), "{x} {q}");
+            }
+            for q in [0.0, -1e-16] {
+                assert!(at(&marked, q, x)[0].is_nan(), "{x} {q}");
+            }
+            // Other divisors are as they were.
+            let [old, new] = [&written, &marked].map(|own| at(own, 0.0, x)[1]);
+            assert!(old.to_bits() == new.to_bits() || old.is_nan() && new.is_nan());
+        }
+    }
+
+    #[test]
+    fn what_divides_by_no_root_stays() {
+        let mut program = quotients();
+        program.outputs.remove(0);
+        let program = program.without_unused();
+        assert_eq!(mark(program.clone()), program);
+    }
+}
