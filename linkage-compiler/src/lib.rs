@@ -81,6 +81,8 @@ use unit::Unit;
 pub use call::Checked;
 pub use diagnostic::text::{short_words, shortened};
 pub use diagnostic::{Message, SourceSpan};
+#[doc(inline)]
+pub use linkage_core::range_check::length_as_written;
 pub use oracle::Oracle;
 
 /// Compiles the macro's input: the path of the facade in brackets, then one or several mechanisms. Mistakes become `compile_error!`s

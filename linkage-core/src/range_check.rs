@@ -4,7 +4,7 @@
 mod numbers;
 mod words;
 
-pub use numbers::{place, rounded_inwards, rounded_to, significant};
+pub use numbers::{length_as_written, place, rounded_inwards, rounded_to, significant};
 pub use words::{
     Comes, PASSES_HELP, Reaches, listed, loop_list, not_finite, passes, with_apostrophes,
 };

@@ -5,7 +5,7 @@ mod numbers;
 use std::fmt::Write;
 
 use clap::Args;
-use linkage_compiler::shortened;
+use linkage_compiler::{length_as_written, shortened};
 use linkage_runtime::Input;
 
 use super::choose::Chosen;
@@ -192,6 +192,9 @@ pub(super) fn placed(input: &Input, x: f64) -> String {
 pub(super) fn shown(input: &Input, x: f64) -> String {
     match input.unit {
         "rad" => format!("{} deg", (x.to_degrees() * 1e9).round() / 1e9 + 0.0),
-        unit => format!("{} {unit}", x + 0.0),
+        unit => {
+            let (x, unit) = length_as_written(x + 0.0, unit);
+            format!("{x} {unit}")
+        }
     }
 }

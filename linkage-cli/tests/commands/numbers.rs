@@ -195,3 +195,21 @@ const LEAST: &str = "pub struct S { unit mm; param ground = 100mm; param crank =
     param rocker = 70mm; input phi = 30deg in -50deg..60deg; unknown theta = 50deg; unknown psi = 100deg; \
     loop polar(crank, phi) + polar(rod, theta) = (ground, 0) + polar(rocker, psi); } \
     impl S { pub fn f(phi) -> F { theta, psi } }";
+
+#[test]
+fn lengths_are_printed_in_the_unit_that_they_were_written_in() {
+    let folder = folder("written_units");
+    let text = "pub struct S { unit inch; input s = 3mm in 2mm..0.5inch; let p = (s, 1inch); } \
+        impl S { pub fn f(s) -> F { p } }";
+    fs::write(folder.join("own.mech"), text).expect("written");
+    let known = printed(&folder, &["check", "own.mech"]);
+    assert!(
+        known.contains("input s = 3 mm, in 2 mm .. 0.5 inch\n"),
+        "{known}"
+    );
+    fs::write(folder.join("own.mech"), text.replace("2mm..", "4mm..")).expect("written");
+    let said = refused(&folder, &["check", "own.mech"], 1);
+    let expected =
+        "error: the range of `s` from 4mm to 0.5inch does not contain its reference value 3mm\n";
+    assert!(said.starts_with(expected), "{said}");
+}

@@ -26,29 +26,44 @@ const UNITS: [(&str, f64); 6] = [
     ("inch", 0.0254),
 ];
 
+/// Significant digits that are printed of a number.
+const MOST_PRINTED: usize = 7;
+
 /// Significant digits of a number that a person writes.
 const SHORT: usize = 5;
 
-/// A length: in this unit, or in the other one of inches and millimetres if the number has few digits there and many in this unit. So `3mm` is
-/// printed as it was written where the unit is `inch`.
 fn length(x: f64, unit: &str) -> String {
+    let (x, unit) = length_as_written(x, unit);
+    format!("{}{unit}", significant(x))
+}
+
+/// A length as a person has written it, probably: in this unit, or in the other one of inches and millimetres if it is a short number there and
+/// none here.
+///
+/// ```
+/// use linkage_core::range_check::length_as_written;
+///
+/// assert_eq!(length_as_written(3.0 / 25.4, "inch"), (3.0, "mm"));
+/// assert_eq!(length_as_written(0.5, "inch"), (0.5, "inch"));
+/// ```
+#[must_use]
+pub fn length_as_written(x: f64, unit: &str) -> (f64, &str) {
     let metres = |name: &str| UNITS.iter().find(|own| own.0 == name).map(|own| own.1);
     let other = if unit == "inch" { "mm" } else { "inch" };
-    let there = match (metres(unit), metres(other)) {
-        (Some(own), Some(other)) => x * (own / other),
-        _ => f64::NAN,
+    let (Some(own), Some(of_other)) = (metres(unit), metres(other)) else {
+        return (x, unit);
     };
-    match !is_written_by(x, 7) && is_written_by(there, SHORT) {
-        true => format!("{}{other}", significant(there)),
-        false => format!("{}{unit}", significant(x)),
+    match rounded(x * (own / of_other), SHORT) {
+        Some(there) if rounded(x, MOST_PRINTED).is_none() => (there, other),
+        _ => (x, unit),
     }
 }
 
-/// Whether so many significant digits are all of a number except its rounding.
-fn is_written_by(x: f64, digits: usize) -> bool {
+/// A number of so many significant digits if it is one except for rounding.
+fn rounded(x: f64, digits: usize) -> Option<f64> {
     let decimals = digits - 1;
-    let rounded: f64 = format!("{x:.decimals$e}").parse().unwrap_or(f64::NAN);
-    (rounded - x).abs() <= 1e-13 * x.abs()
+    let rounded: f64 = format!("{x:.decimals$e}").parse().ok()?;
+    ((rounded - x).abs() <= 1e-13 * x.abs()).then_some(rounded)
 }
 
 /// The ends of a stretch that works, moved to round numbers inside of it, and the step of these numbers. An end that is that of the range
