@@ -4,12 +4,11 @@ use std::fs;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use linkage_c::{Real, Sources, sources};
+use linkage_c::{Real, Sources, all_sources};
 
 use super::choose::Chosen;
 use super::output::{print, put};
 use crate::failure::Failure;
-use crate::mechanism::Mechanism;
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -39,21 +38,19 @@ impl Scalar {
     }
 }
 
-/// Writes a header and a source for each mechanism; none of them if one cannot be printed.
+/// Writes a header and a source for each mechanism; none of them if one cannot be printed. Names that C has otherwise are reported.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
-    let real = options.scalar.real();
-    let all: Vec<Sources> = options
-        .chosen
-        .all()?
-        .iter()
-        .map(|mechanism| exported(mechanism, real))
-        .collect::<Result<_, _>>()?;
+    let mechanisms = options.chosen.all()?;
+    let named: Vec<_> = mechanisms.iter().map(|own| (own.name, &own.unit)).collect();
+    let all = all_sources(&named, options.scalar.real())
+        .map_err(|refused| Failure::Told(refused.to_string()))?;
     let folder = &options.output;
     fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;
     for Sources {
         name,
         header,
         source,
+        renamed,
     } in &all
     {
         for (ending, text) in [("h", header), ("c", source)] {
@@ -61,11 +58,9 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             put(text, Some(&path))?;
             print(&format!("{}\n", path.display()))?;
         }
+        for own in renamed {
+            eprintln!("note: {name}.h: {own}");
+        }
     }
     Ok(())
-}
-
-fn exported(mechanism: &Mechanism, real: Real) -> Result<Sources, Failure> {
-    sources(mechanism.name, &mechanism.unit, real)
-        .map_err(|refused| Failure::Told(format!("{}: {refused}", mechanism.name)))
 }
