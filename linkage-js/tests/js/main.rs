@@ -2,4 +2,5 @@
 
 mod all_programs;
 mod module;
+mod names;
 mod page;
