@@ -108,9 +108,7 @@ pub(crate) fn assemble(writer: &mut Writer) {
         );
     }
     let coupled = !unit.coupled.is_empty();
-    if coupled || !unit.angles.is_empty() {
-        declared += "    int code;\n";
-    }
+    declared += "    int code;\n";
     let (turn, prepared) = match unit.angles.is_empty() {
         true => (String::new(), format!("    {own}prepare(m);\n")),
         false => {
@@ -140,12 +138,14 @@ pub(crate) fn assemble(writer: &mut Writer) {
         ),
         false => (String::new(), String::new()),
     };
+    // What the test of the arithmetic reads.
+    writer.printer.helpers.need(Helper::Bits);
     let finite = finite(writer);
     let zero = real.literal(0.0);
     let _ = writeln!(
         writer.text,
         "int {assemble}({prefix} *m, const {dimensions_type} *dimensions)\n{{\n{declared}    m->dimensions = *dimensions;\n    \
-         m->miss = {zero};\n{moved}{finite}{turn}{prepared}{reached}    return {closed};\n}}\n"
+         m->miss = {zero};\n    code = {own}arithmetic();\n    if (code != 0) return code;\n{moved}{finite}{turn}{prepared}{reached}    return {closed};\n}}\n"
     );
 }
 

@@ -5,8 +5,11 @@ use std::fmt::Write;
 use linkage_compiler::unit::in_degrees;
 use linkage_symbolic::count::Count;
 
+use crate::checks;
 use crate::comment::comment;
 use crate::range;
+use crate::refusal::Code;
+use crate::renamed::listed;
 use crate::surface::{Evaluator, Surface};
 
 /// The text of the header.
@@ -24,7 +27,7 @@ pub(crate) fn header(surface: &Surface) -> String {
     );
     let last = format!(
         "All numbers are {}s; angles are radians{length}. A result that does not exist, because links do not reach each other, is NaN.\n\
-         Not for -ffast-math, which takes it that there is no NaN.",
+         Not for -ffast-math, which takes it that there is no NaN. Numbers are rounded to nearest: assembling and functions need that mode.",
         real.name()
     );
     let about = [&first[..], surface.unit.documentation.trim(), &last];
@@ -32,8 +35,11 @@ pub(crate) fn header(surface: &Surface) -> String {
     let mut text = comment("", &about.collect::<Vec<_>>().join("\n"));
     let _ = write!(
         text,
-        "#ifndef {guard}\n#define {guard}\n\n#include <stddef.h>\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n"
+        "#ifndef {guard}\n#define {guard}\n\n#include <float.h>\n#include <stddef.h>\n\n"
     );
+    text += &listed(&surface.renamed);
+    text += &checks::of_header(surface);
+    text += "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n";
     for own in surface.vector_types() {
         text += &own;
         text.push('\n');
@@ -44,6 +50,7 @@ pub(crate) fn header(surface: &Surface) -> String {
     let Surface {
         assemble,
         error,
+        ok,
         dimensions_type,
         ..
     } = surface;
@@ -58,6 +65,11 @@ pub(crate) fn header(surface: &Surface) -> String {
     );
     text += &comment("", "What a number from assembling means, in words.");
     let _ = writeln!(text, "const char *{error}(int code);\n");
+    text += &comment(
+        "",
+        "1 for a number that exists and is finite, else 0. It looks at the bits: compilers keep this test where NaN is taken for impossible.",
+    );
+    let _ = writeln!(text, "int {ok}({} number);\n", real.name());
     text += &range::declared(surface);
     for own in &surface.functions {
         text += &evaluator(surface, own);
@@ -150,8 +162,11 @@ fn codes(surface: &Surface) -> String {
     let mut text = comment("", "What assembling may return.");
     text += "enum {\n";
     let _ = write!(text, "    {} = 0", surface.constant("ok"));
-    for (index, code) in surface.codes.iter().enumerate() {
-        let _ = write!(text, ",\n    {} = {}", code.name, index + 1);
+    // Those that all mechanisms have stand first, whatever their numbers.
+    let mut codes: Vec<(usize, &Code)> = (1..).zip(&surface.codes).collect();
+    codes.sort_by_key(|(_, code)| !code.why.is_of_arithmetic());
+    for (number, code) in codes {
+        let _ = write!(text, ",\n    {} = {number}", code.name);
     }
     text + "\n};\n\n"
 }

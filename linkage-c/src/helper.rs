@@ -122,6 +122,11 @@ impl Helpers {
         }
     }
 
+    /// Whether one is needed.
+    pub(crate) fn has(&self, helper: Helper) -> bool {
+        self.0.contains(&helper)
+    }
+
     /// All of them as C.
     pub(crate) fn text(&self, real: Real, own: &str) -> String {
         let needed = Helper::ALL.iter().filter(|own| self.0.contains(own));

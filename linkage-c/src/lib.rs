@@ -29,7 +29,10 @@
 //! # Ok::<(), linkage_c::Refused>(())
 //! ```
 
+mod arithmetic;
 mod assemble;
+mod checks;
+mod clash;
 mod comment;
 mod coupled;
 mod header;
@@ -39,6 +42,7 @@ mod names;
 mod range;
 mod real;
 mod refusal;
+mod renamed;
 mod shape;
 mod source;
 mod surface;
@@ -51,6 +55,7 @@ use std::fmt::{self, Display, Formatter};
 use linkage_compiler::unit::{Coupled, Unit};
 
 pub use real::Real;
+pub use renamed::Renamed;
 
 /// A mechanism as C.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,6 +66,8 @@ pub struct Sources {
     pub header: String,
     /// The text of the source, which includes the header by its name.
     pub source: String,
+    /// Names of the declaration that have another form in C, in the order in which the header has them.
+    pub renamed: Vec<Renamed>,
 }
 
 /// Why a mechanism is not printed.
@@ -80,12 +87,33 @@ impl Error for Refused {}
 /// Prints a mechanism that is called `name` in its declaration.
 ///
 /// Names of C are those of the user, in small letters at the beginning: `favorit_needle` of the function `needle` of `Favorit`. A name that
-/// C has itself gets an underscore behind it.
+/// C, C++ or their libraries have gets an underscore behind it; [`Sources::renamed`] lists such names.
 ///
 /// # Errors
 ///
 /// For what exported C cannot do, which is a limit of ours: the message says what.
 pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> {
+    exported(name, unit, real).map(|(sources, _)| sources)
+}
+
+/// Prints mechanisms that one program may use: each by its name in the declaration, with its unit.
+///
+/// # Errors
+///
+/// Those of [`sources`], and for two mechanisms that would have a name of C in common, as `SliderCrank` and `Slider_Crank`.
+pub fn all_sources(mechanisms: &[(&str, &Unit)], real: Real) -> Result<Vec<Sources>, Refused> {
+    let exported = mechanisms
+        .iter()
+        .map(|(name, unit)| exported(name, unit, real));
+    let (sources, names): (Vec<Sources>, Vec<Vec<String>>) =
+        exported.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+    let titles = mechanisms.iter().map(|(name, _)| *name);
+    clash::check(titles.zip(names))?;
+    Ok(sources)
+}
+
+/// The files of a mechanism, and the names that they give to other files.
+fn exported(name: &str, unit: &Unit, real: Real) -> Result<(Sources, Vec<String>), Refused> {
     let mut coupled = unit.coupled.iter();
     let without = |own: &&Coupled| own.inputs.is_empty() || own.start.is_none();
     if let Some(own) = coupled.find(without) {
@@ -99,9 +127,12 @@ pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> 
         });
     }
     let surface = surface::Surface::new(name, unit, real);
-    Ok(Sources {
+    let names = surface.names();
+    let sources = Sources {
         header: header::header(&surface),
         source: source::source(&surface),
-        name: surface.prefix.clone(),
-    })
+        name: surface.prefix,
+        renamed: surface.renamed,
+    };
+    Ok((sources, names))
 }

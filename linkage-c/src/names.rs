@@ -1,200 +1,11 @@
 //! Names of the user as names of C.
 
+mod reserved;
+
 use std::collections::BTreeSet;
 
-/// What no name may be: words of C and of C++, and macros that stand for something alone.
-const WORDS: &[&str] = &[
-    "alignas",
-    "alignof",
-    "and",
-    "and_eq",
-    "asm",
-    "auto",
-    "bitand",
-    "bitor",
-    "bool",
-    "break",
-    "case",
-    "catch",
-    "char",
-    "char16_t",
-    "char32_t",
-    "char8_t",
-    "class",
-    "co_await",
-    "co_return",
-    "co_yield",
-    "compl",
-    "concept",
-    "const",
-    "const_cast",
-    "consteval",
-    "constexpr",
-    "constinit",
-    "continue",
-    "decltype",
-    "default",
-    "delete",
-    "do",
-    "double",
-    "dynamic_cast",
-    "else",
-    "enum",
-    "explicit",
-    "export",
-    "extern",
-    "false",
-    "float",
-    "for",
-    "friend",
-    "goto",
-    "if",
-    "inline",
-    "int",
-    "long",
-    "mutable",
-    "namespace",
-    "new",
-    "noexcept",
-    "not",
-    "not_eq",
-    "nullptr",
-    "operator",
-    "or",
-    "or_eq",
-    "private",
-    "protected",
-    "public",
-    "register",
-    "reinterpret_cast",
-    "requires",
-    "restrict",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "static_assert",
-    "static_cast",
-    "struct",
-    "switch",
-    "template",
-    "this",
-    "thread_local",
-    "throw",
-    "true",
-    "try",
-    "typedef",
-    "typeid",
-    "typename",
-    "typeof",
-    "union",
-    "unsigned",
-    "using",
-    "virtual",
-    "void",
-    "volatile",
-    "wchar_t",
-    "while",
-    "xor",
-    "xor_eq",
-    "linux",
-    "unix",
-    "EOF",
-    "FILE",
-    "HUGE_VAL",
-    "I",
-    "INFINITY",
-    "NAN",
-    "NULL",
-    "complex",
-    "errno",
-    "stderr",
-    "stdin",
-    "stdout",
-];
-
-/// What a name of a file or of a function must not be: what `math.h`, `stdint.h` and `stddef.h` declare.
-const LIBRARY: &[&str] = &[
-    "acos",
-    "acosh",
-    "asin",
-    "asinh",
-    "atan",
-    "atan2",
-    "atanh",
-    "cbrt",
-    "ceil",
-    "copysign",
-    "cos",
-    "cosh",
-    "erf",
-    "erfc",
-    "exp",
-    "exp2",
-    "expm1",
-    "fabs",
-    "fabsf",
-    "fdim",
-    "floor",
-    "fma",
-    "fmax",
-    "fmin",
-    "fmod",
-    "frexp",
-    "gamma",
-    "hypot",
-    "ilogb",
-    "isfinite",
-    "isinf",
-    "isnan",
-    "isnormal",
-    "j0",
-    "j1",
-    "jn",
-    "ldexp",
-    "lgamma",
-    "llrint",
-    "llround",
-    "log",
-    "log10",
-    "log1p",
-    "log2",
-    "logb",
-    "lrint",
-    "lround",
-    "modf",
-    "nan",
-    "nearbyint",
-    "nextafter",
-    "nexttoward",
-    "pow",
-    "remainder",
-    "remquo",
-    "rint",
-    "round",
-    "scalb",
-    "scalbln",
-    "scalbn",
-    "signbit",
-    "significand",
-    "signgam",
-    "sin",
-    "sinh",
-    "sqrt",
-    "sqrtf",
-    "tan",
-    "tanh",
-    "tgamma",
-    "trunc",
-    "y0",
-    "y1",
-    "yn",
-    "size_t",
-    "ptrdiff_t",
-    "float_t",
-    "double_t",
-];
+pub(crate) use reserved::is_macro;
+use reserved::{is_declared, is_for_compilers, is_header, is_keyword, is_mathematics};
 
 /// Where names stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -221,9 +32,13 @@ impl Names {
         Self { place, taken }
     }
 
-    /// The name for something of the user: as it is written if C can have it, else with underscores behind it.
+    /// Returns the name in C of something of the user, which nothing else in this place gets. It is the user's own name if C can have it.
+    /// Otherwise underscores follow it; names that are left to compilers begin with an `x`.
     pub(crate) fn take(&mut self, wanted: &str) -> String {
         let mut name = plain(wanted);
+        if is_for_compilers(&name, self.place == Place::File) {
+            name.insert(0, 'x');
+        }
         while self.is_taken(&name) {
             name.push('_');
         }
@@ -232,24 +47,42 @@ impl Names {
     }
 
     fn is_taken(&self, name: &str) -> bool {
-        let declared = LIBRARY.contains(&name);
-        WORDS.contains(&name)
+        is_keyword(name)
+            || is_macro(name)
             || self.taken.contains(name)
             || match self.place {
                 Place::Struct => false,
-                Place::File => declared,
-                Place::Function => declared || is_temporary(name),
+                Place::File => is_declared(name),
+                Place::Function => is_mathematics(name) || is_temporary(name),
             }
     }
 
-    /// A beginning that no name has.
-    pub(crate) fn unused_beginning(&self, wanted: &str) -> String {
+    /// Returns a beginning that no name of this place has, and none of the others.
+    pub(crate) fn unused_beginning<'a>(
+        &'a self,
+        wanted: &str,
+        others: impl Iterator<Item = &'a String> + Clone,
+    ) -> String {
         let mut beginning = wanted.to_owned();
-        while self.taken.iter().any(|name| name.starts_with(&beginning)) {
+        let names = self.taken.iter().chain(others);
+        while names.clone().any(|name| name.starts_with(&beginning)) {
             beginning.push('x');
         }
         beginning
     }
+}
+
+/// Returns the beginning of all names of a mechanism, which is also the name of its files. `constants` returns the names of its
+/// constants for a beginning.
+pub(crate) fn prefix(title: &str, constants: impl Fn(&str) -> Vec<String>) -> String {
+    let mut prefix = Names::new(Place::File, &[]).take(&snake(title));
+    while is_header(&prefix)
+        || is_declared(&prefix)
+        || constants(&prefix).iter().any(|name| is_macro(name))
+    {
+        prefix.push('_');
+    }
+    prefix
 }
 
 /// Programs call their values `v17`, and states `state_0`.
@@ -272,9 +105,13 @@ pub(crate) fn plain(name: &str) -> String {
     plain
 }
 
+fn snake(name: &str) -> String {
+    snake_letters(&plain(name))
+}
+
 /// `SliderCrank` as `slider_crank`, `RSSR` as `rssr`.
-pub(crate) fn snake(name: &str) -> String {
-    let letters: Vec<char> = plain(name).chars().collect();
+pub(crate) fn snake_letters(name: &str) -> String {
+    let letters: Vec<char> = name.chars().collect();
     let mut snake = String::new();
     for (index, letter) in letters.iter().enumerate() {
         let before = index.checked_sub(1).map(|k| letters[k]);

@@ -14,6 +14,9 @@ use crate::template::fill;
 /// The kinds of findings, in the order of their numbers from 1 on.
 const KINDS: [&str; 4] = ["CHANGE_POINT", "DEAD_POINT", "GAP", "UNDEFINED"];
 
+/// The end of the macro without which the check is compiled.
+pub(crate) const OFF: &str = "without_range_check";
+
 /// The names that users see.
 #[derive(Debug)]
 pub(crate) struct Names {
@@ -29,6 +32,13 @@ impl Names {
             check_range,
             finding,
         }
+    }
+
+    /// All of them, with the kinds of findings.
+    pub(crate) fn all(&self, surface: &Surface) -> Vec<String> {
+        let kinds = KINDS.iter().map(|kind| constant(surface, kind));
+        let functions = [self.check_range.clone(), self.finding.clone()];
+        functions.into_iter().chain(kinds).collect()
     }
 }
 
@@ -137,7 +147,7 @@ pub(crate) fn items(writer: &mut Writer) {
     let Some((input, (low, high))) = unit.checked() else {
         return;
     };
-    let off = surface.constant("without_range_check");
+    let off = surface.constant(OFF);
     let _ = writeln!(writer.text, "#ifndef {off}");
     writer.plain(
         "range_slacks",

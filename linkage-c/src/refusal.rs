@@ -28,7 +28,41 @@ pub(crate) enum Why {
     NoTurns(usize),
     /// The table of a coupled group, by its number among them, does not serve these dimensions.
     TooFar(usize),
+    /// Numbers are not rounded to nearest.
+    Rounding,
+    /// Numbers have more or fewer digits than their type.
+    Digits,
+    /// Sums are computed in another order.
+    Reordered,
 }
+
+impl Why {
+    /// Whether the test of the arithmetic finds it.
+    pub(crate) fn is_of_arithmetic(self) -> bool {
+        OF_ARITHMETIC.iter().any(|(why, ..)| *why == self)
+    }
+}
+
+/// What the test of the arithmetic may find.
+const OF_ARITHMETIC: [(Why, &str, &str); 3] = [
+    (
+        Why::Rounding,
+        "rounding",
+        "numbers are not rounded to nearest here: call fesetround(FE_TONEAREST) before assembling, and leave it so while functions are called",
+    ),
+    (
+        Why::Digits,
+        "digits",
+        "numbers are computed with more or fewer digits than their type has: compile without -fsingle-precision-constant, for an x86 of 32 bits \
+         with -msse2 -mfpmath=sse; where a double has 32 bits, export with --scalar float",
+    ),
+    (
+        Why::Reordered,
+        "reordered",
+        "the compiler computes sums in another order, which makes positions wrong: compile without -funsafe-math-optimizations, \
+         -fassociative-math and -ffast-math",
+    ),
+];
 
 /// All that may happen to a mechanism, in the order of their numbers.
 pub(crate) fn codes(title: &str, prefix: &str, unit: &Unit) -> Vec<Code> {
@@ -97,6 +131,9 @@ pub(crate) fn codes(title: &str, prefix: &str, unit: &Unit) -> Vec<Code> {
              a limit of exported C. Export it with these dimensions as defaults"
         );
         add(Why::TooFar(number), &format!("{name}_too_far"), text);
+    }
+    for (why, name, text) in OF_ARITHMETIC {
+        add(why, name, text.to_owned());
     }
     codes
 }

@@ -4,7 +4,9 @@ use std::fmt::Write;
 
 use linkage_symbolic::program::{Program, Source};
 
+use crate::arithmetic::{arithmetic, ok};
 use crate::assemble::{assemble, close, error};
+use crate::checks;
 use crate::comment::comment;
 use crate::coupled;
 use crate::instruction::{Printed, Printer};
@@ -26,12 +28,15 @@ pub(crate) fn source(surface: &Surface) -> String {
     writer.plumbing();
     assemble(&mut writer);
     error(&mut writer);
+    ok(&mut writer);
     range::items(&mut writer);
     for own in &surface.functions {
         writer.evaluator(own);
     }
     let Writer { printer, text, .. } = writer;
-    head(surface) + &printer.helpers.text(surface.real, &surface.own) + "\n" + &text
+    let helpers = printer.helpers.text(surface.real, &surface.own);
+    let arithmetic = arithmetic(surface, &printer.helpers);
+    head(surface) + &helpers + "\n" + &arithmetic + &text
 }
 
 fn head(surface: &Surface) -> String {
@@ -44,11 +49,9 @@ fn head(surface: &Surface) -> String {
     );
     let _ = write!(
         text,
-        "#include \"{}.h\"\n\n#include <float.h>\n#include <math.h>\n#include <stdint.h>\n\n\
-         #ifdef __FAST_MATH__\n#error \"NaN says that a position does not exist, and -ffast-math takes it that there is none.\"\n#endif\n\
-         #if defined FLT_EVAL_METHOD && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16\n\
-         #error \"Numbers must not be computed with more digits than they have: for an x86 of 32 bits, say -msse2 -mfpmath=sse.\"\n#endif\n\n",
-        surface.prefix
+        "#include \"{}.h\"\n\n#include <float.h>\n#include <math.h>\n#include <stdint.h>\n\n{}",
+        surface.prefix,
+        checks::of_source(surface.real)
     );
     text
 }
@@ -222,10 +225,11 @@ pub(crate) fn written(printed: &Printed) -> String {
     body
 }
 
-/// A body with a line for each parameter that it does not read: compilers warn of these.
+/// A body with a line for each parameter that it does not read: compilers warn of these. A member of a struct may have the name of a parameter.
 pub(crate) fn used(parameters: &[&str], body: String) -> String {
     let of_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let words: Vec<&str> = body.split(|c| !of_name(c)).collect();
+    let words = body.split(|c| !of_name(c) && c != '.');
+    let words: Vec<&str> = words.filter_map(|word| word.split('.').next()).collect();
     let unused = parameters.iter().filter(|own| !words.contains(own));
     let unused: String = unused.map(|own| format!("    (void){own};\n")).collect();
     body + &unused

@@ -1,12 +1,18 @@
 //! What users of the C see: names, types, comments.
 
-use linkage_compiler::unit::{COMPONENTS, Column, Function, Shape, Unit, in_degrees};
+mod evaluator;
+mod notes;
 
+use linkage_compiler::unit::{COMPONENTS, Function, Shape, Unit};
+
+use self::evaluator::{Scope, evaluator};
+use self::notes::dimension_note;
 use crate::Real;
-use crate::names::{Names, Place, plain, snake};
-use crate::range;
+use crate::checks::{CONSTANTS, FINITE_MATH};
+use crate::names::{self, Names, Place, plain, snake_letters};
 use crate::refusal::{Code, Why, codes};
-use crate::shape::innermost;
+use crate::renamed::{Log, Renamed};
+use crate::{range, shape::innermost};
 
 /// The names and types of a mechanism in C.
 #[derive(Debug)]
@@ -28,7 +34,13 @@ pub(crate) struct Surface<'a> {
     pub(crate) assemble: String,
     pub(crate) error: String,
     pub(crate) range: range::Names,
+    /// The function that checks a number.
+    pub(crate) ok: String,
+    /// A type that exists where constants have all their digits.
+    pub(crate) constants: String,
     pub(crate) dimensions_type: String,
+    /// Names of the declaration that have another form.
+    pub(crate) renamed: Vec<Renamed>,
     vectors: [String; 4],
 }
 
@@ -65,32 +77,58 @@ pub(crate) struct Field<'a> {
     pub(crate) note: String,
 }
 
+/// The ends of constants and macros that each mechanism has.
+const CONSTANTS_OF_ALL: [&str; 5] = ["ok", "defaults", "h", FINITE_MATH, range::OFF];
+
 /// Components of frames.
 const OF_FRAME: [&str; 4] = ["origin", "x", "y", "z"];
 
 impl<'a> Surface<'a> {
     pub(crate) fn new(title: &str, unit: &'a Unit, real: Real) -> Self {
-        let prefix = Names::new(Place::File, &[]).take(&snake(title));
+        let prefix = names::prefix(title, |prefix| {
+            let codes = codes(title, prefix, unit).into_iter().map(|own| own.name);
+            let others = CONSTANTS_OF_ALL.map(|name| constant(prefix, name));
+            codes.chain(others).collect()
+        });
+        let mut renamed = Log::default();
+        let usual = snake_letters(title);
+        renamed.note(|| format!("the mechanism `{title}`"), &usual, &prefix);
         let mut names = Names::new(Place::File, &[&prefix]);
         let mut global = |name: &str| names.take(&format!("{prefix}_{name}"));
-        let [dimensions_type, assemble, error] =
-            ["dimensions", "assemble", "error"].map(&mut global);
+        let [dimensions_type, assemble, error, ok, constants] =
+            ["dimensions", "assemble", "error", "ok", CONSTANTS].map(&mut global);
         let vectors = ["xy", "xyz", "frame", "plane_frame"].map(&mut global);
+        // A member of C++ is not called like the type of another one.
+        let types: Vec<&str> = vectors.iter().map(String::as_str).collect();
         let functions = unit.functions.iter();
-        let functions = functions.map(|own| evaluator(unit, own, &mut global));
-        let functions = functions.collect();
+        let functions = functions.map(|own| {
+            let scope = Scope {
+                unit,
+                prefix: &prefix,
+                types: &types,
+            };
+            evaluator(scope, own, &mut global, &mut renamed)
+        });
+        let functions: Vec<Evaluator<'a>> = functions.collect();
         // After the functions: a user's function of one of these names keeps it.
         let range = range::Names::new(&mut global);
-        let own = names.unused_beginning(&format!("{prefix}_own_"));
-        let mut fields = Names::new(Place::Struct, &[]);
+        let arguments = functions.iter().flat_map(|own| &own.arguments);
+        let own = names.unused_beginning(&format!("{prefix}_own_"), arguments);
+        let mut fields = Names::new(Place::Struct, &types);
         let dimensions: Vec<Dimension<'a>> = unit
             .parameters
             .iter()
             .map(|parameter| {
                 // Of a part's parameter: `hook_crank`.
-                let name = parameter.name.replace('.', "_");
+                let usual = parameter.name.replace('.', "_");
+                let name = fields.take(&usual);
+                renamed.note(
+                    || format!("the parameter `{}`", parameter.name),
+                    &usual,
+                    &name,
+                );
                 Dimension {
-                    name: fields.take(&name),
+                    name,
                     documentation: &parameter.documentation,
                     shape: parameter.shape.clone(),
                     note: dimension_note(&parameter.scalars),
@@ -114,7 +152,10 @@ impl<'a> Surface<'a> {
             assemble,
             error,
             range,
+            ok,
+            constants,
             dimensions_type,
+            renamed: renamed.0,
             vectors,
             prefix,
         }
@@ -167,6 +208,31 @@ impl<'a> Surface<'a> {
         types
     }
 
+    /// All names that other files see.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let of_functions = self.functions.iter().flat_map(|own| {
+            let both = [&own.name, &own.result].into_iter();
+            both.chain(&own.sweep).cloned()
+        });
+        let constants = CONSTANTS_OF_ALL.map(|name| self.constant(name));
+        let others = [
+            &self.prefix,
+            &self.dimensions_type,
+            &self.assemble,
+            &self.error,
+            &self.ok,
+            &self.constants,
+        ];
+        let others = others.into_iter().chain(&self.vectors).cloned();
+        let codes = self.codes.iter().map(|own| own.name.clone());
+        others
+            .chain(self.range.all(self))
+            .chain(of_functions)
+            .chain(codes)
+            .chain(constants)
+            .collect()
+    }
+
     /// The number for a reason.
     pub(crate) fn code(&self, why: Why) -> usize {
         let place = self.codes.iter().position(|own| own.why == why);
@@ -175,8 +241,12 @@ impl<'a> Surface<'a> {
 
     /// The name of a constant or a macro.
     pub(crate) fn constant(&self, name: &str) -> String {
-        format!("{}_{}", self.prefix, plain(name)).to_uppercase()
+        constant(&self.prefix, name)
     }
+}
+
+fn constant(prefix: &str, name: &str) -> String {
+    format!("{prefix}_{}", plain(name)).to_uppercase()
 }
 
 /// Expressions of all scalars of something, in the order in which programs count them.
@@ -203,96 +273,5 @@ pub(crate) fn places(name: &str, shape: &Shape) -> Vec<String> {
                 vectors.flat_map(|own| places(&format!("{name}.{own}"), &Shape::Vector(2)));
             vectors.collect()
         }
-    }
-}
-
-fn evaluator<'a>(
-    unit: &Unit,
-    function: &'a Function,
-    global: &mut dyn FnMut(&str) -> String,
-) -> Evaluator<'a> {
-    let name = plain(&function.name);
-    // What else the function has in scope.
-    let mut scope = Names::new(
-        Place::Function,
-        &["m", "count", "results", "result", "k", "inputs"],
-    );
-    let mut arguments = Vec::new();
-    let mut argument_notes = Vec::new();
-    for &place in &function.arguments {
-        let (name, note) = match place.checked_sub(unit.inputs.len()) {
-            None => (&unit.inputs[place].name, input_note(unit, place)),
-            Some(place) => {
-                let own = &unit.arguments[place];
-                (&own.name, own.unit.clone())
-            }
-        };
-        arguments.push(scope.take(name));
-        argument_notes.push(note);
-    }
-    let mut names = Names::new(Place::Struct, &[]);
-    let mut columns = &function.columns[..];
-    let fields = function.fields.iter().map(|field| {
-        let (own, rest) = columns.split_at(field.shape.width());
-        columns = rest;
-        Field {
-            name: names.take(&field.name),
-            documentation: &field.documentation,
-            note: field_note(field, own),
-            shape: field.shape.clone(),
-        }
-    });
-    Evaluator {
-        fields: fields.collect(),
-        result: global(&format!("{name}_result")),
-        sweep: (!arguments.is_empty()).then(|| global(&format!("{name}_sweep"))),
-        name: global(&name),
-        function,
-        arguments,
-        argument_notes,
-    }
-}
-
-/// `rad, from -90 deg to 630 deg`
-fn input_note(unit: &Unit, place: usize) -> String {
-    let input = &unit.inputs[place];
-    let words = if input.angle { "rad" } else { &input.unit };
-    match input.range {
-        Some((low, high)) => {
-            let [low, high] = [low, high].map(|end| in_degrees(end, words));
-            format!("{words}, from {low} to {high}")
-        }
-        None => words.to_owned(),
-    }
-}
-
-fn dimension_note(scalars: &[linkage_compiler::unit::Scalar]) -> String {
-    let unit = match &scalars[0].unit[..] {
-        "" => "a number",
-        unit => unit,
-    };
-    let tolerances: Vec<String> = scalars
-        .iter()
-        .map(|own| in_degrees(own.tolerance, &own.unit))
-        .collect();
-    match scalars.iter().any(|own| own.tolerance != 0.0) {
-        true => format!("{unit}; tolerance {}", tolerances.join(", ")),
-        false => unit.to_owned(),
-    }
-}
-
-/// What it is with its unit, and what the entries of an array are.
-fn field_note(field: &linkage_compiler::unit::Field, columns: &[Column]) -> String {
-    let about = match &field.told()[..] {
-        "" => "a number".to_owned(),
-        // In C there is no mark for names.
-        about => about.strip_prefix("in ").unwrap_or(about).replace('`', ""),
-    };
-    match field.shape {
-        Shape::Array(..) => {
-            let names: Vec<&str> = columns.iter().map(|own| &own.name[..]).collect();
-            format!("{about}: {}", names.join(", "))
-        }
-        Shape::Scalar | Shape::Vector(_) | Shape::Frame | Shape::PlaneFrame => about,
     }
 }

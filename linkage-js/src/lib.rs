@@ -28,42 +28,18 @@
 
 mod description;
 mod instruction;
+#[cfg(feature = "module")]
+mod module;
+#[cfg(feature = "module")]
+mod names;
 mod object;
 #[cfg(feature = "module")]
 mod types;
 
 use linkage_compiler::unit::Unit;
-#[cfg(feature = "module")]
-use linkage_runtime::javascript::{ENGINE, MODULE};
 
-/// A mechanism as JavaScript.
 #[cfg(feature = "module")]
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Module {
-    /// The text of a module, which exports the mechanism and the error that assembling throws.
-    pub script: String,
-    /// Its types, the text of a `.d.ts` file.
-    pub types: String,
-}
-
-/// Prints a mechanism that is called `name` in its declaration.
-///
-/// The module exports the mechanism by this name, and `AssemblyError`, which its `assemble` throws.
-#[cfg(feature = "module")]
-pub fn module(name: &str, unit: &Unit) -> Module {
-    let engine = [&ENGINE[..], &MODULE].concat().join("\n");
-    let description = description(name, unit);
-    // In a function: no name of the engine, or of the browser, meets that of the mechanism.
-    let script = format!(
-        "// {name}. Written by linkage; not to be changed by hand.\n\nconst own = (() => {{\n{engine}\n\
-         return {{ mechanism: mechanismOf({description}), AssemblyError }};\n}})();\n\
-         const {{ mechanism, AssemblyError }} = own;\nexport {{ mechanism as {name}, AssemblyError }};\n"
-    );
-    Module {
-        script,
-        types: types::types(name, unit),
-    }
-}
+pub use module::{Clash, Module, module, modules};
 
 /// What the engine of `linkage-runtime` knows of a mechanism: an object of JavaScript, its programs among it. Pages of reports have it beside the engine.
 pub fn description(name: &str, unit: &Unit) -> String {

@@ -4,16 +4,18 @@ use std::fmt::Write;
 
 use linkage_compiler::unit::{Function, Shape, Unit, plain};
 
+use crate::names::arguments as named;
+
 /// What is the same for all mechanisms.
 const COMMON: &str = include_str!("common.d.ts");
 
-/// The text of the `.d.ts` file beside the module.
-pub(crate) fn types(name: &str, unit: &Unit) -> String {
+/// The text of the `.d.ts` file beside the module, which exports the mechanism `title` by a name of JavaScript.
+pub(crate) fn types(title: &str, name: &str, unit: &Unit) -> String {
     let mut text =
-        format!("// {name}. Written by linkage; not to be changed by hand.\n\n{COMMON}\n");
+        format!("// {title}. Written by linkage; not to be changed by hand.\n\n{COMMON}\n");
     let _ = writeln!(
         text,
-        "/** Dimensions of {name} by name. */\nexport interface Dimensions {{"
+        "/** Dimensions of {title} by name. */\nexport interface Dimensions {{"
     );
     for own in unit.scalars() {
         let _ = writeln!(
@@ -32,7 +34,7 @@ pub(crate) fn types(name: &str, unit: &Unit) -> String {
         let _ = writeln!(
             text,
             "  {}({}): {};",
-            plain(&own.name),
+            method(plain(&own.name)),
             arguments(unit, own),
             result(own)
         );
@@ -47,17 +49,24 @@ pub(crate) fn types(name: &str, unit: &Unit) -> String {
 }
 
 fn arguments(unit: &Unit, own: &Function) -> String {
-    let names = own
-        .arguments
-        .iter()
-        .map(|&place| match place.checked_sub(unit.inputs.len()) {
-            None => plain(&unit.inputs[place].name),
-            Some(place) => plain(&unit.arguments[place].name),
-        });
-    let arguments: Vec<String> = names
-        .map(|name| format!("{}: number", identifier(name)))
-        .collect();
+    let names = own.arguments.iter().map(|&place| {
+        let name = match place.checked_sub(unit.inputs.len()) {
+            None => &unit.inputs[place].name,
+            Some(place) => &unit.arguments[place].name,
+        };
+        plain(name)
+    });
+    let arguments = named(names).into_iter();
+    let arguments: Vec<String> = arguments.map(|name| format!("{name}: number")).collect();
     arguments.join(", ")
+}
+
+/// The name of a method: `new` alone would make an assembly a constructor.
+fn method(name: &str) -> String {
+    match name {
+        "new" => "\"new\"".to_owned(),
+        name => name.to_owned(),
+    }
 }
 
 /// The function's doc comment, then what its results are.
@@ -106,62 +115,6 @@ fn key(name: &str) -> String {
     } else {
         format!("\"{name}\"")
     }
-}
-
-/// A name of an argument: words that JavaScript has itself get a `_` behind them.
-fn identifier(name: &str) -> String {
-    const WORDS: [&str; 48] = [
-        "arguments",
-        "await",
-        "break",
-        "case",
-        "catch",
-        "class",
-        "const",
-        "continue",
-        "debugger",
-        "default",
-        "delete",
-        "do",
-        "else",
-        "enum",
-        "eval",
-        "export",
-        "extends",
-        "false",
-        "finally",
-        "for",
-        "function",
-        "if",
-        "implements",
-        "import",
-        "in",
-        "instanceof",
-        "interface",
-        "let",
-        "new",
-        "null",
-        "package",
-        "private",
-        "protected",
-        "public",
-        "return",
-        "static",
-        "super",
-        "switch",
-        "this",
-        "throw",
-        "true",
-        "try",
-        "typeof",
-        "var",
-        "void",
-        "while",
-        "with",
-        "yield",
-    ];
-    let taken = if WORDS.contains(&name) { "_" } else { "" };
-    format!("{name}{taken}")
 }
 
 /// A doc comment; what would end it is taken apart.

@@ -55,6 +55,10 @@ impl Number for f32 {
 /// A compiled program.
 pub(crate) struct Batch {
     program: PathBuf,
+    /// What runs it, if it is for another processor.
+    emulator: Option<&'static str>,
+    /// Whether that stores the first byte of a number last.
+    is_swapped: bool,
     /// Of each mechanism, the number of its first function among all.
     first: Vec<usize>,
 }
@@ -121,7 +125,18 @@ impl Batch {
         compiler.run(&folder, &all);
         Self {
             program: folder.join("program"),
+            emulator: None,
+            is_swapped: false,
             first,
+        }
+    }
+
+    /// The same program, for another processor.
+    pub(crate) fn under(self, emulator: &'static str, is_swapped: bool) -> Self {
+        Self {
+            emulator: Some(emulator),
+            is_swapped,
+            ..self
         }
     }
 
@@ -131,14 +146,24 @@ impl Batch {
         given: &[Given],
         requests: &[Request<T>],
     ) -> Vec<(usize, Vec<T>)> {
+        let ordered = |mut bytes: Vec<u8>| {
+            if self.is_swapped {
+                bytes.reverse();
+            }
+            bytes
+        };
         let mut bytes = Vec::new();
         for own in requests {
             let number = self.first[own.mechanism] + own.function;
-            bytes.extend((number as u64).to_ne_bytes());
+            bytes.extend(ordered((number as u64).to_ne_bytes().to_vec()));
             let numbers = own.dimensions.iter().chain(&own.arguments);
-            bytes.extend(numbers.flat_map(|x| x.bytes()));
+            bytes.extend(numbers.flat_map(|x| ordered(x.bytes())));
         }
-        let results = T::all(&machine::run(&self.program, &bytes));
+        let mut printed = machine::run(self.emulator, &self.program, &bytes);
+        if self.is_swapped {
+            printed.chunks_mut(size_of::<T>()).for_each(<[u8]>::reverse);
+        }
+        let results = T::all(&printed);
         let mut rest = &results[..];
         let results = requests.iter().map(|own| {
             let function = &given[own.mechanism].unit.functions[own.function];

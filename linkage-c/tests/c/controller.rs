@@ -19,7 +19,7 @@ use linkage_corpus::given::{Given, examples, golden};
 use linkage_corpus::reference::Assembled;
 
 /// The page that has figures.
-const PAGE: &str = include_str!("../../../docs/c.md");
+pub(crate) const PAGE: &str = include_str!("../../../docs/c.md");
 
 /// Functions that the page has figures of.
 const FIGURES: [&str; 6] = [
@@ -35,7 +35,7 @@ const FIGURES: [&str; 6] = [
 const SPECIAL: [f32; 6] = [0.0, -0.0, 1e7, -1e30, f32::INFINITY, f32::NAN];
 
 /// A function and its positions.
-struct Asked<'a> {
+pub(crate) struct Asked<'a> {
     given: &'a Given,
     mechanism: usize,
     index: usize,
@@ -45,7 +45,7 @@ struct Asked<'a> {
 }
 
 /// Of each function its results at each position.
-type Results = Vec<Vec<Vec<f32>>>;
+pub(crate) type Results = Vec<Vec<Vec<f32>>>;
 
 /// All functions, of dimensions that are larger than the defaults by a part of them.
 fn asked(all: &[Given], part: f64) -> Vec<Asked<'_>> {
@@ -88,7 +88,7 @@ fn dimensions(given: &Given, part: f64) -> Vec<f32> {
         .collect()
 }
 
-fn by_rust(asked: &[Asked]) -> Results {
+pub(crate) fn by_rust(asked: &[Asked]) -> Results {
     let one = |own: &Asked| {
         let assembled = Assembled::new(&own.given.unit, &own.dimensions);
         let assembled = assembled.expect("it is assembled");
@@ -115,14 +115,14 @@ fn by_c(batch: &Batch, all: &[Given], asked: &[Asked]) -> Results {
     asked.iter().map(one).collect()
 }
 
-/// Compares results to the last bit; the number of instructions of each function, which is the same in all positions.
-fn counts(asked: &[Asked], expected: &Results, mut words: &[u32]) -> Vec<u32> {
+/// Compares results to the last bit; the least and the largest number of instructions of each function.
+fn counts(asked: &[Asked], expected: &Results, mut words: &[u32]) -> Vec<[u32; 2]> {
     let mut take = |count: usize| {
         let (own, rest) = words.split_at(count);
         words = rest;
         own
     };
-    let (mut counts, mut uneven, mut finite) = (Vec::new(), String::new(), 0);
+    let (mut counts, mut finite) = (Vec::new(), 0);
     for (asked, expected) in asked.iter().zip(expected) {
         let name = format!("{}::{}", asked.given.name, asked.function.name);
         assert_eq!(
@@ -140,15 +140,12 @@ fn counts(asked: &[Asked], expected: &Results, mut words: &[u32]) -> Vec<u32> {
                 finite += usize::from(c.is_finite());
             }
         }
-        let (least, most) = (own.iter().min(), own.iter().max());
-        if least != most {
-            let _ = writeln!(uneven, "{name}: {own:?}");
-        }
-        counts.push(own[0]);
+        let least = own.iter().fold(u32::MAX, |least, one| least.min(*one));
+        let most = own.iter().fold(0, |most, one| most.max(*one));
+        counts.push([least, most]);
     }
     assert!(words.is_empty(), "no result is left");
     assert!(finite > 20 * asked.len(), "{finite} finite results");
-    assert!(uneven.is_empty(), "instructions differ:\n{uneven}");
     counts
 }
 
@@ -170,15 +167,22 @@ fn bytes(compiler: &Compiler, sources: &Sources, function: &str) -> u32 {
     first.and_then(|x| x.parse().ok()).expect("a number")
 }
 
+/// A compiler with its version, as the page calls it.
+pub(crate) fn version(compiler: &str) -> String {
+    let version = printed(compiler, Path::new("."), &["-dumpfullversion"]);
+    format!("`{compiler}` {}", version.trim())
+}
+
 /// What a call of a function takes, and its sources.
-struct Figure {
-    call: String,
-    instructions: u32,
+pub(crate) struct Figure {
+    pub(crate) call: String,
+    /// The least and the largest number over all positions.
+    pub(crate) instructions: [u32; 2],
     sources: Sources,
 }
 
 /// Figures of all functions of the program in a folder, whose results must be those expected.
-fn measure(
+pub(crate) fn measure(
     folder: &Path,
     all: &[Given],
     part: f64,
@@ -187,7 +191,7 @@ fn measure(
     let asked = asked(all, part);
     let words = emulate(folder, &requests(&asked));
     let counts = counts(&asked, &expected(&asked), &words);
-    let figure = |(own, instructions): (&Asked, u32)| {
+    let figure = |(own, instructions): (&Asked, [u32; 2])| {
         let sources = sources(&own.given.name, &own.given.unit, Real::Single);
         let sources = sources.expect("it can be exported");
         let call = format!("{}_{}", sources.name, own.function.name);
@@ -207,7 +211,7 @@ fn table(compiler: &Compiler, figures: &[Figure]) -> String {
         let own = figures.iter().find(|own| own.call == call);
         let own = own.expect("it was asked for");
         let bytes = bytes(compiler, &own.sources, call);
-        let instructions = own.instructions;
+        let [instructions, _] = own.instructions;
         let _ = writeln!(table, "| `{call}` | {instructions} | {bytes} |");
     }
     table
@@ -225,7 +229,7 @@ fn a_controller_executes_the_same_instructions_at_all_inputs() {
     closed.retain(|own| own.unit.coupled.is_empty());
     let built = |name, all: &[Given]| {
         let folder = machine::folder(name);
-        build(&compiler, &folder, all);
+        build(&compiler, &FLAGS, &folder, all);
         folder
     };
     let mut figures = measure(&built("controller", &closed), &closed, 0.0, by_rust);
@@ -240,10 +244,14 @@ fn a_controller_executes_the_same_instructions_at_all_inputs() {
         }));
     }
     for own in &figures {
-        println!("{}: {}", own.call, own.instructions);
+        println!("{}: {}", own.call, own.instructions[0]);
     }
-    let version = printed(COMPILER, Path::new("."), &["-dumpfullversion"]);
-    let version = format!("`{COMPILER}` {}", version.trim());
+    let uneven = figures
+        .iter()
+        .filter(|own| own.instructions[0] != own.instructions[1]);
+    let uneven: Vec<_> = uneven.map(|own| (&own.call, own.instructions)).collect();
+    assert!(uneven.is_empty(), "instructions differ: {uneven:?}");
+    let version = version(COMPILER);
     let table = table(&compiler, &figures);
     println!("\n{version}:\n{table}");
     // Another version has figures of its own.

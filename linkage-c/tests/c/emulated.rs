@@ -53,7 +53,7 @@ pub(crate) fn printed(tool: &str, folder: &Path, arguments: &[&str]) -> String {
 }
 
 /// Writes the program, compiles it and links it: for memory from 0 on, as the board has it.
-pub(crate) fn build(compiler: &Compiler, folder: &Path, all: &[Given]) {
+pub(crate) fn build(compiler: &Compiler, flags: &[&str], folder: &Path, all: &[Given]) {
     let [mut includes, mut functions, mut table] = [const { String::new() }; 3];
     let mut files = vec!["main.c".to_owned()];
     let mut count = 0;
@@ -95,13 +95,15 @@ pub(crate) fn build(compiler: &Compiler, folder: &Path, all: &[Given]) {
         .replace("/* FUNCTIONS */", &functions)
         .replace("/* TABLE */", &table);
     fs::write(folder.join("main.c"), main).expect("C can be written");
-    let mut all = FLAGS.to_vec();
+    let mut all = flags.to_vec();
     all.extend(files.iter().map(String::as_str));
     all.extend(["-nostartfiles", "-Wl,-e,start", "-o", "program"]);
     all.extend([
         "-Wl,--section-start=.vectors=0",
         "-Wl,-Ttext=0x400",
         "-Wl,-Tdata=0x20000000",
+        // Roots, where the processor has none.
+        "-lm",
     ]);
     compiler.run(folder, &all);
 }

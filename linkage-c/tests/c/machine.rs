@@ -42,17 +42,43 @@ impl Compiler {
 
     /// Runs it in a folder; it must succeed.
     pub(crate) fn run(&self, folder: &Path, arguments: &[&str]) {
+        let tried = self.attempt(folder, arguments);
+        assert!(
+            tried.is_ok(),
+            "{} in {}:\n{}",
+            self.0,
+            folder.display(),
+            tried.unwrap_err()
+        );
+    }
+
+    /// Runs it in a folder; its messages if it fails.
+    pub(crate) fn attempt(&self, folder: &Path, arguments: &[&str]) -> Result<(), String> {
         let mut command = Command::new(&self.0);
         let output = command.current_dir(folder).args(arguments).output();
         let output = output.expect("the compiler runs");
-        let messages = String::from_utf8_lossy(&output.stderr);
-        assert!(
-            output.status.success(),
-            "{} in {}:\n{messages}",
-            self.0,
-            folder.display()
-        );
+        match output.status.success() {
+            true => Ok(()),
+            false => Err(String::from_utf8_lossy(&output.stderr).into_owned()),
+        }
     }
+}
+
+/// Compilers of C and C++ that are here, by their commands: the system's, and versions that it may have beside them.
+pub(crate) fn compilers() -> Vec<(&'static str, Compiler)> {
+    let commands = [
+        "gcc",
+        "clang",
+        "clang-14",
+        "clang-19",
+        "g++",
+        "clang++",
+        "clang++-14",
+        "clang++-19",
+    ];
+    let here = commands.into_iter();
+    here.filter_map(|own| Some((own, Compiler::named(own)?)))
+        .collect()
 }
 
 /// A new folder for the files of a test.
@@ -72,12 +98,17 @@ pub(crate) fn write(folder: &Path, sources: &Sources) {
     fs::write(file("c"), &sources.source).expect("a source can be written");
 }
 
-/// Runs a compiled program with numbers at its input; what it writes.
-pub(crate) fn run(program: &Path, input: &[u8]) -> Vec<u8> {
+/// Runs a compiled program with numbers at its input, under an emulator if there is one; what it writes.
+pub(crate) fn run(emulator: Option<&str>, program: &Path, input: &[u8]) -> Vec<u8> {
     let path = program.with_extension("in");
     fs::write(&path, input).expect("numbers can be written");
     let input = fs::File::open(path).expect("they are there");
-    let output = Command::new(program).stdin(input).output();
+    let mut command = match emulator {
+        Some(emulator) => Command::new(emulator),
+        None => Command::new(program),
+    };
+    command.args(emulator.map(|_| program));
+    let output = command.stdin(input).output();
     let output = output.expect("the program runs");
     assert!(output.status.success(), "{}", output.status);
     output.stdout

@@ -2,16 +2,25 @@
 //! and for what it promises: no warning, no call, no double in single precision.
 
 mod all_programs;
+mod arithmetic;
 mod batch;
 mod controller;
 mod coupled;
 mod emulated;
 mod favorit;
+mod finite;
+mod foreign;
+mod headers;
 mod machine;
 mod mechanisms;
+mod names;
 mod operations;
 mod page;
+mod preprocessor;
 mod promises;
 mod quotients;
 mod ranges;
 mod refusals;
+mod soft_float;
+mod turns;
+mod users;

@@ -96,6 +96,15 @@ fn same<T: Number>(name: &str, given: &[Given]) {
         return;
     };
     let batch = Batch::new::<T>(&compiler, name, given, &["-O1", "-ffp-contract=off"]);
+    let (count, finite) = compare::<T>(name, given, &batch);
+    assert!(
+        count > 500 * given.len() && finite > count / 2 && finite < count,
+        "{finite} of {count}"
+    );
+}
+
+/// The same for any program. Returns how many results there are, and how many of them are finite.
+pub(crate) fn compare<T: Number>(name: &str, given: &[Given], batch: &Batch) -> (usize, usize) {
     let (requests, expected) = asked::<T>(given);
     let results = batch.run(given, &requests);
     let (mut count, mut finite) = (0, 0);
@@ -118,10 +127,7 @@ fn same<T: Number>(name: &str, given: &[Given]) {
         "{name}: {} mechanisms, {count} results, {finite} of them finite",
         given.len()
     );
-    assert!(
-        count > 500 * given.len() && finite > count / 2 && finite < count,
-        "{finite} of {count}"
-    );
+    (count, finite)
 }
 
 #[test]

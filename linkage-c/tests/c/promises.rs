@@ -96,11 +96,7 @@ fn written(folder: &Path, given: &[Given], real: Real) -> Vec<Sources> {
 #[test]
 fn no_compiler_warns() {
     let given = all();
-    let commands = ["gcc", "clang", "g++", "clang++"];
-    let compilers = commands
-        .iter()
-        .filter_map(|own| Some((own, Compiler::named(own)?)));
-    let compilers: Vec<_> = compilers.collect();
+    let compilers = machine::compilers();
     for real in REALS {
         let folder = machine::folder(&format!("warnings_{}", real.name()));
         let sources = written(&folder, &given, real);
@@ -109,7 +105,7 @@ fn no_compiler_warns() {
             .map(|own| format!("{}.c", own.name))
             .collect();
         for (command, compiler) in &compilers {
-            let optimised = (**command, real) == ("gcc", Real::Double);
+            let optimised = (*command, real) == ("gcc", Real::Double);
             // What takes long looks at a part of the others: mechanisms consist of the same lines.
             let slow = optimised || command.contains("++");
             let (texts, others) = files.split_at(TEXTS.len());

@@ -146,7 +146,7 @@ fn found(program: &PathBuf, cases: &[[f64; 4]]) -> Vec<(i32, Vec<Finding>, Strin
     for own in cases {
         let _ = writeln!(input, "{:?} {:?} {:?} {:?}", own[0], own[1], own[2], own[3]);
     }
-    let output = String::from_utf8(machine::run(program, input.as_bytes())).expect("text");
+    let output = String::from_utf8(machine::run(None, program, input.as_bytes())).expect("text");
     let lines: Vec<&str> = output.lines().collect();
     assert_eq!(lines.len(), 2 * cases.len());
     let one = |pair: &[&str]| {

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use linkage_c::{Real, Sources, sources};
+use linkage_c::{Real, Sources, all_sources};
 
 use super::choose::Chosen;
 use super::output::{print, put};
@@ -44,9 +44,8 @@ impl Scalar {
     }
 }
 
-/// Writes a header and a source for each mechanism; none of them if one cannot be printed.
+/// Writes a header and a source for each mechanism; none of them if one cannot be printed. Names that C has otherwise are reported.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
-    let real = options.scalar.real();
     let mut mechanisms = options.chosen.all()?;
     options.dimensions.known_to_any(&mechanisms)?;
     for mechanism in &mut mechanisms {
@@ -55,10 +54,9 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             set(mechanism, &own)?;
         }
     }
-    let all: Vec<Sources> = mechanisms
-        .iter()
-        .map(|mechanism| exported(mechanism, real))
-        .collect::<Result<_, _>>()?;
+    let named: Vec<_> = mechanisms.iter().map(|own| (own.name, &own.unit)).collect();
+    let all = all_sources(&named, options.scalar.real())
+        .map_err(|refused| Failure::Told(refused.to_string()))?;
     let folder = &options.output;
     refuse_mechanism(folder, options.chosen.file())?;
     fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;
@@ -66,6 +64,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         name,
         header,
         source,
+        renamed,
     } in &all
     {
         for (ending, text) in [("h", header), ("c", source)] {
@@ -74,6 +73,9 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
                 out.write_all(text.as_bytes())
             })?;
             print(&format!("{}\n", path.display()))?;
+        }
+        for own in renamed {
+            eprintln!("note: {name}.h: {own}");
         }
     }
     Ok(())
@@ -95,9 +97,4 @@ fn set(mechanism: &mut Mechanism, given: &Dimensions) -> Result<(), Failure> {
         scalar.nominal = value;
     }
     Ok(())
-}
-
-fn exported(mechanism: &Mechanism, real: Real) -> Result<Sources, Failure> {
-    sources(mechanism.name, &mechanism.unit, real)
-        .map_err(|refused| Failure::Told(format!("{}: {refused}", mechanism.name)))
 }

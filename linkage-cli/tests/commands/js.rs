@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::{folder, printed, refused};
+use crate::{folder, linkage, printed, refused};
 
 #[test]
 fn both_files_are_those_of_the_library() {
@@ -28,4 +28,37 @@ fn a_folder_that_cannot_be_made_is_told() {
         said.starts_with("error: cannot make `own.mech/out`: "),
         "{said}"
     );
+}
+
+/// Names that JavaScript has itself are others, and the command reports them; those that are one file are refused.
+#[test]
+fn names_of_javascript_are_reported_or_refused() {
+    let folder = folder("js_names");
+    let one = |name: &str| {
+        format!(
+            "pub struct {name} {{ unit mm; param a = 3mm; input phi = 30deg; let h = a * sin(phi); }}\nimpl {name} {{ pub fn f(phi) -> F{name} {{ h }} }}\n"
+        )
+    };
+    fs::write(folder.join("class.mech"), one("class")).expect("a file");
+    let output = linkage(&folder, &["js", "class.mech"]);
+    assert!(output.status.success());
+    assert_eq!(
+        String::from_utf8_lossy(&output.stdout),
+        "./class_.js\n./class_.d.ts\n"
+    );
+    assert_eq!(
+        String::from_utf8_lossy(&output.stderr),
+        "note: class_.js: the mechanism `class` is called `class_` in JavaScript\n"
+    );
+    fs::write(
+        folder.join("both.mech"),
+        one("SliderCrank") + &one("SLIDERCRANK"),
+    )
+    .expect("a file");
+    let said = refused(&folder, &["js", "both.mech"], 1);
+    assert!(
+        said.starts_with("error: `SliderCrank` and `SLIDERCRANK` would have the files `SliderCrank.js` and `SLIDERCRANK.js`, which are one"),
+        "{said}"
+    );
+    assert!(!folder.join("SliderCrank.js").exists());
 }

@@ -2,5 +2,6 @@
 
 mod all_programs;
 mod module;
+mod names;
 mod page;
 mod quotients;

@@ -1,0 +1,48 @@
+//! A test of the arithmetic that results depend on, which `assemble` makes; and the test of a number.
+
+use std::fmt::Write;
+
+use crate::comment::comment;
+use crate::helper::{Helper, Helpers};
+use crate::real::Real;
+use crate::refusal::Why;
+use crate::source::Writer;
+use crate::surface::Surface;
+use crate::template::fill;
+
+/// Returns the function that tests rounding, digits and the order of sums; the sine, if the mechanism has one, is tested with them.
+pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
+    let Surface { own, real, .. } = surface;
+    let word = |word: &str| {
+        Some(match word {
+            "ROUNDING" => surface.code(Why::Rounding).to_string(),
+            "DIGITS" => surface.code(Why::Digits).to_string(),
+            "REORDERED" => surface.code(Why::Reordered).to_string(),
+            "ROUNDOFF" => real.literal(real.roundoff()),
+            "HALF_ROUNDOFF" => real.literal(0.5 * real.roundoff()),
+            "THIRD" => match real {
+                Real::Double => format!("0x{:016x}u", (1.0_f64 / 3.0).to_bits()),
+                Real::Single => format!("0x{:08x}u", (1.0_f32 / 3.0).to_bits()),
+            },
+            _ => return None,
+        })
+    };
+    let filled = |template: &str| fill(template, *real, own, word);
+    let sine = match helpers.has(Helper::SinCos) {
+        true => filled(include_str!("templates/arithmetic_sine.c")),
+        false => String::new(),
+    };
+    filled(include_str!("templates/arithmetic.c")).replace("/* SINE */\n", &sine) + "\n"
+}
+
+/// The function that tests a number.
+pub(crate) fn ok(writer: &mut Writer) {
+    let Surface { own, ok, real, .. } = writer.surface;
+    writer.printer.helpers.need(Helper::Infinite);
+    writer.text += &comment("", "Whether a number exists and is finite.");
+    let _ = writeln!(
+        writer.text,
+        "int {ok}({} number)\n{{\n    return !{own}infinite(number);\n}}\n",
+        real.name()
+    );
+}

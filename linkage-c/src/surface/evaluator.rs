@@ -1,0 +1,89 @@
+//! Names of a function, of its arguments and of its results.
+
+use linkage_compiler::unit::{Function, Unit};
+
+use super::notes::{field_note, input_note};
+use super::{Evaluator, Field};
+use crate::names::{Names, Place};
+use crate::renamed::Log;
+
+/// What the names of a function's arguments and results must differ from.
+pub(super) struct Scope<'a> {
+    pub(super) unit: &'a Unit,
+    pub(super) prefix: &'a str,
+    pub(super) types: &'a [&'a str],
+}
+
+pub(super) fn evaluator<'a>(
+    Scope {
+        unit,
+        prefix,
+        types,
+    }: Scope,
+    function: &'a Function,
+    global: &mut dyn FnMut(&str) -> String,
+    renamed: &mut Log,
+) -> Evaluator<'a> {
+    let declared = &function.name;
+    let mut of_function = |end: &str, kind: &str| {
+        let name = global(&format!("{declared}{end}"));
+        let usual = format!("{prefix}_{declared}{end}");
+        renamed.note(|| format!("{kind} `{declared}`"), &usual, &name);
+        name
+    };
+    let result = of_function("_result", "the result of the function");
+    let sweep = (!function.arguments.is_empty())
+        .then(|| of_function("_sweep", "the sweep of the function"));
+    let name = of_function("", "the function");
+    // What else the function has in scope.
+    let others = ["m", "count", "results", "result", "k", "inputs"];
+    let others = [&others[..], &[prefix, &name, &result]].concat();
+    let mut scope = Names::new(Place::Function, &others);
+    let mut arguments = Vec::new();
+    let mut argument_notes = Vec::new();
+    for &place in &function.arguments {
+        let (usual, note) = match place.checked_sub(unit.inputs.len()) {
+            None => (&unit.inputs[place].name, input_note(unit, place)),
+            Some(place) => {
+                let own = &unit.arguments[place];
+                (&own.name, own.unit.clone())
+            }
+        };
+        let own = scope.take(usual);
+        renamed.note(
+            || format!("the argument `{usual}` of `{declared}`"),
+            usual,
+            &own,
+        );
+        arguments.push(own);
+        argument_notes.push(note);
+    }
+    let mut names = Names::new(Place::Struct, types);
+    let mut columns = &function.columns[..];
+    let fields = function.fields.iter().map(|field| {
+        let (own, rest) = columns.split_at(field.shape.width());
+        columns = rest;
+        let usual = &field.name;
+        let name = names.take(usual);
+        renamed.note(
+            || format!("the result `{usual}` of `{declared}`"),
+            usual,
+            &name,
+        );
+        Field {
+            name,
+            documentation: &field.documentation,
+            note: field_note(field, own),
+            shape: field.shape.clone(),
+        }
+    });
+    Evaluator {
+        fields: fields.collect(),
+        result,
+        sweep,
+        name,
+        function,
+        arguments,
+        argument_notes,
+    }
+}

@@ -1,0 +1,47 @@
+//! What comments say of arguments, dimensions and results.
+
+use linkage_compiler::unit::{Column, Shape, Unit, in_degrees};
+
+/// `rad, from -90 deg to 630 deg`
+pub(super) fn input_note(unit: &Unit, place: usize) -> String {
+    let input = &unit.inputs[place];
+    let words = if input.angle { "rad" } else { &input.unit };
+    match input.range {
+        Some((low, high)) => {
+            let [low, high] = [low, high].map(|end| in_degrees(end, words));
+            format!("{words}, from {low} to {high}")
+        }
+        None => words.to_owned(),
+    }
+}
+
+pub(super) fn dimension_note(scalars: &[linkage_compiler::unit::Scalar]) -> String {
+    let unit = match &scalars[0].unit[..] {
+        "" => "a number",
+        unit => unit,
+    };
+    let tolerances: Vec<String> = scalars
+        .iter()
+        .map(|own| in_degrees(own.tolerance, &own.unit))
+        .collect();
+    match scalars.iter().any(|own| own.tolerance != 0.0) {
+        true => format!("{unit}; tolerance {}", tolerances.join(", ")),
+        false => unit.to_owned(),
+    }
+}
+
+/// What it is with its unit, and what the entries of an array are.
+pub(super) fn field_note(field: &linkage_compiler::unit::Field, columns: &[Column]) -> String {
+    let about = match &field.told()[..] {
+        "" => "a number".to_owned(),
+        // In C there is no mark for names.
+        about => about.strip_prefix("in ").unwrap_or(about).replace('`', ""),
+    };
+    match field.shape {
+        Shape::Array(..) => {
+            let names: Vec<&str> = columns.iter().map(|own| &own.name[..]).collect();
+            format!("{about}: {}", names.join(", "))
+        }
+        Shape::Scalar | Shape::Vector(_) | Shape::Frame | Shape::PlaneFrame => about,
+    }
+}
