@@ -144,6 +144,7 @@ pub fn of_binary(op: Binary) -> &'static [Rule<Binary, 2>] {
         Binary::Div => quotients::QUOTIENT,
         Binary::Hypot => functions::HYPOT,
         Binary::Atan2 | Binary::Min | Binary::Max => functions::OF_TWO,
+        Binary::Quotient => &[],
     }
 }
 
@@ -162,7 +163,12 @@ pub fn of_rates(op: Binary) -> &'static [Rule<Binary, 2>] {
         Binary::Add => rates::SUM,
         Binary::Sub => rates::DIFFERENCE,
         Binary::Mul => rates::PRODUCT,
-        Binary::Div | Binary::Hypot | Binary::Atan2 | Binary::Min | Binary::Max => &[],
+        Binary::Div
+        | Binary::Quotient
+        | Binary::Hypot
+        | Binary::Atan2
+        | Binary::Min
+        | Binary::Max => &[],
     }
 }
 
