@@ -36,7 +36,7 @@ pub(crate) enum Helper {
 
 impl Helper {
     /// In the order in which they are printed.
-    const ALL: [Self; 22] = [
+    const ALL: [Self; 23] = [
         Self::Bits,
         Self::Nan,
         Self::Pair,

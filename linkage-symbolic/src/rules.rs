@@ -143,8 +143,7 @@ pub fn of_binary(op: Binary) -> &'static [Rule<Binary, 2>] {
         Binary::Mul => products::PRODUCT,
         Binary::Div => quotients::QUOTIENT,
         Binary::Hypot => functions::HYPOT,
-        Binary::Atan2 | Binary::Min | Binary::Max => functions::OF_TWO,
-        Binary::Quotient => &[],
+        Binary::Quotient | Binary::Atan2 | Binary::Min | Binary::Max => functions::OF_TWO,
     }
 }
 
