@@ -17,6 +17,7 @@ pub(crate) enum Helper {
     Max,
     Sign,
     Slack,
+    Quotient,
     InverseScale,
     Root,
     Hypot,
@@ -35,7 +36,7 @@ pub(crate) enum Helper {
 
 impl Helper {
     /// In the order in which they are printed.
-    const ALL: [Self; 22] = [
+    const ALL: [Self; 23] = [
         Self::Bits,
         Self::Nan,
         Self::Pair,
@@ -44,6 +45,7 @@ impl Helper {
         Self::Max,
         Self::Sign,
         Self::Slack,
+        Self::Quotient,
         Self::InverseScale,
         Self::Root,
         Self::Hypot,
@@ -62,7 +64,7 @@ impl Helper {
 
     fn needs(self) -> &'static [Self] {
         match self {
-            Self::Bits | Self::Pair | Self::Arc | Self::Whole | Self::Slack => &[],
+            Self::Bits | Self::Pair | Self::Arc | Self::Whole | Self::Slack | Self::Quotient => &[],
             Self::Nan
             | Self::Select
             | Self::Min
@@ -90,6 +92,7 @@ impl Helper {
             (Self::Max, _) => include_str!("templates/max.c"),
             (Self::Sign, _) => include_str!("templates/sign.c"),
             (Self::Slack, _) => include_str!("templates/slack.c"),
+            (Self::Quotient, _) => include_str!("templates/quotient.c"),
             (Self::InverseScale, _) => include_str!("templates/inverse_scale.c"),
             (Self::Root, _) => include_str!("templates/root.c"),
             (Self::Hypot, _) => include_str!("templates/hypot.c"),

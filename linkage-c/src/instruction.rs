@@ -102,6 +102,7 @@ impl Printer<'_> {
             Binary::Sub => format!("{a} - {b}"),
             Binary::Mul => format!("{a} * {b}"),
             Binary::Div => format!("{a} / {b}"),
+            Binary::Quotient => self.call(Helper::Quotient, "quotient", &[a, b]),
             Binary::Atan2 => self.call(Helper::Atan2, "atan2", &[a, b]),
             Binary::Hypot => self.call(Helper::Hypot, "hypot", &[a, b]),
             Binary::Min => self.call(Helper::Min, "min", &[a, b]),

@@ -150,6 +150,14 @@ pub trait Scalar:
         self.sin_cos_in_rows::<FUSED, ROWS>()
     }
 
+    /// `self / divisor`, NaN where that is infinite: a rate at a dead point or a change point, where the root of a discriminant is 0. For the
+    /// machines that [`mul_add`](Self::mul_add) speaks of.
+    #[inline(always)]
+    fn quotient_with<const FUSED: bool>(self, divisor: Self) -> Self {
+        let quotient = self / divisor;
+        quotient.mul_add::<FUSED>(Self::from_f64(0.0), quotient)
+    }
+
     /// As [`atan2`](Self::atan2), for the machines that [`mul_add`](Self::mul_add) speaks of.
     #[inline(always)]
     fn atan2_with<const FUSED: bool>(self, x: Self) -> Self {

@@ -82,6 +82,7 @@ fn binary(op: Binary, a: &str, b: &str) -> String {
         Binary::Sub => format!("{a} - {b}"),
         Binary::Mul => format!("{a} * {b}"),
         Binary::Div => format!("{a} / {b}"),
+        Binary::Quotient => format!("quotient({a}, {b})"),
         Binary::Atan2 => format!("angleOf({a}, {b})"),
         Binary::Hypot => format!("hypot({a}, {b})"),
         Binary::Min => format!("Math.min({a}, {b})"),

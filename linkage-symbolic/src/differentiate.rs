@@ -140,7 +140,7 @@ fn binary_rule<'g>(op: Binary, y: Ex<'g>, [a, b]: [Ex<'g>; 2], [da, db]: [Ex<'g>
     match op {
         Binary::Add | Binary::Sub => of_rates(op, da, db),
         Binary::Mul => of_rates(op, b, da) + of_rates(op, a, db),
-        Binary::Div => (da - y * db) / b,
+        Binary::Div | Binary::Quotient => (da - y * db) / b,
         Binary::Atan2 => argument_rule([a, b], [da, db]),
         Binary::Hypot => (a * da + b * db) / y,
         Binary::Min => (b - a).select(da, db),

@@ -135,6 +135,15 @@ table! {
         Mul => Row { class: Class::Multiplication, ..row("*", |[a, b]| a * b) },
         /// `a / b`
         Div => Row { latency: 15, time: 5, class: Class::Division, partial: true, ..row("/", |[a, b]| a / b) },
+        /// `a / b`, NaN where that is infinite: a quotient by the root of a discriminant. Only programs have it.
+        Quotient => Row {
+            latency: 19,
+            time: 6,
+            size: 2,
+            class: Class::Division,
+            partial: true,
+            ..row("quotient", |[a, b]| a / b + 0.0 * (a / b))
+        },
         /// `atan2(y, x)`
         Atan2 => Row { latency: 15, class: Class::ArcTangent, splits: true, ..arc("atan2", |[y, x]| y.atan2(x)) },
         /// `sqrt(x^2 + y^2)` without overflow.

@@ -32,14 +32,14 @@ pub const PASSES: &[Pass] = &[
         name: "double angles",
         run: double_angles::share,
     },
-    Pass {
-        name: "singular",
-        run: singular::mark,
-    },
-    // Last: the others look at products and sums.
+    // The others look at products, sums and quotients.
     Pass {
         name: "contract",
         run: contract::contract,
+    },
+    Pass {
+        name: "singular",
+        run: singular::mark,
     },
 ];
 

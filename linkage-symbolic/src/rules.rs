@@ -143,7 +143,7 @@ pub fn of_binary(op: Binary) -> &'static [Rule<Binary, 2>] {
         Binary::Mul => products::PRODUCT,
         Binary::Div => quotients::QUOTIENT,
         Binary::Hypot => functions::HYPOT,
-        Binary::Atan2 | Binary::Min | Binary::Max => functions::OF_TWO,
+        Binary::Quotient | Binary::Atan2 | Binary::Min | Binary::Max => functions::OF_TWO,
     }
 }
 
@@ -162,7 +162,12 @@ pub fn of_rates(op: Binary) -> &'static [Rule<Binary, 2>] {
         Binary::Add => rates::SUM,
         Binary::Sub => rates::DIFFERENCE,
         Binary::Mul => rates::PRODUCT,
-        Binary::Div | Binary::Hypot | Binary::Atan2 | Binary::Min | Binary::Max => &[],
+        Binary::Div
+        | Binary::Quotient
+        | Binary::Hypot
+        | Binary::Atan2
+        | Binary::Min
+        | Binary::Max => &[],
     }
 }
 

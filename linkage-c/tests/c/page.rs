@@ -1,5 +1,6 @@
 //! The programs of the page on C, and of the cookbook's recipe: compiled and run.
 
+use std::f64::consts::PI;
 use std::fs;
 use std::process::Command;
 
@@ -98,8 +99,21 @@ fn the_control_loop_prints_what_the_page_says() {
 }
 
 #[test]
+fn the_check_of_a_range_finds_what_the_page_says() {
+    let program = blocks(PAGE, "c")[1];
+    let Some(printed) = printed("page_range", &press(), program, Real::Single) else {
+        return;
+    };
+    assert_eq!(printed, blocks(PAGE, "text")[2]);
+    // The crank's pin is farther from the guide than the rod is long, by 5 mm at worst.
+    let end = PI + f64::asin((45.0 - OFFSET) / CRANK);
+    let expected = format!("3: {:.2} to {:.2} rad, 5.0 mm\n", end, 3.0 * PI - end);
+    assert_eq!(printed, expected);
+}
+
+#[test]
 fn the_block_of_a_plc_follows_its_variables() {
-    let program = blocks(PAGE, "c")[1].to_owned() + CYCLES;
+    let program = blocks(PAGE, "c")[2].to_owned() + CYCLES;
     let Some(printed) = printed("page_block", &press(), &program, Real::Double) else {
         return;
     };

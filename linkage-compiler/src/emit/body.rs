@@ -174,6 +174,7 @@ fn binary(operation: Binary, a: &Ident, b: &Ident) -> TokenStream {
         Binary::Sub => quote!(#a - #b),
         Binary::Mul => quote!(#a * #b),
         Binary::Div => quote!(#a / #b),
+        Binary::Quotient => quote!(T::quotient_with::<__FUSED>(#a, #b)),
         Binary::Atan2 => quote!(T::atan2_with::<__FUSED>(#a, #b)),
         Binary::Hypot => quote!(T::hypot(#a, #b)),
         Binary::Min => quote!(T::min(#a, #b)),

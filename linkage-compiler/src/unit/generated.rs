@@ -49,6 +49,7 @@ impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T
             Binary::Sub => a - b,
             Binary::Mul => a * b,
             Binary::Div => a / b,
+            Binary::Quotient => a.quotient_with::<FUSED>(b),
             Binary::Atan2 => a.atan2_with::<FUSED>(b),
             Binary::Hypot => a.hypot(b),
             Binary::Min => a.min(b),

@@ -77,7 +77,13 @@ fn allowed(operation: Instruction, [a, b, _]: [f64; 3], interpreted: f64, rust: 
             _,
         )
         | Instruction::Binary(
-            Binary::Add | Binary::Sub | Binary::Mul | Binary::Div | Binary::Min | Binary::Max,
+            Binary::Add
+            | Binary::Sub
+            | Binary::Mul
+            | Binary::Div
+            | Binary::Quotient
+            | Binary::Min
+            | Binary::Max,
             ..,
         )
         | Instruction::Ternary(Ternary::Select | Ternary::Root, ..)

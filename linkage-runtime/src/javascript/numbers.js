@@ -20,6 +20,11 @@ function root(q, slack, size) {
   return slack * size + q >= 0 ? Math.sqrt(Math.max(q, 0)) : NaN;
 }
 
+// a / b, and no number where that is infinite: a rate where the root of a discriminant is 0.
+function quotient(a, b) {
+  return a / b + 0 * (a / b);
+}
+
 // a where s is not negative, b where it is, NaN where it is NaN.
 function select(s, a, b) {
   if (s >= 0) return a;

@@ -1,33 +1,21 @@
 //! Quotients by the root of a discriminant have no value where the root is 0: NaN instead of an infinity.
 //!
 //! A rate of a group is such a quotient. At a dead point it does not exist. At a change point its limits are finite, but the dividend is 0 apart
-//! from rounding, and so would be the sign of an infinity. `x + 0 x` is `x` for every number, and NaN for an infinite one.
+//! from rounding, and so would be the sign of an infinity.
 
 use crate::program::{Binary, Instruction, Program, Ternary, Unary, Value};
 
-/// Adds a product with 0 to each quotient whose divisor has a root of a discriminant as a factor.
-pub fn mark(program: Program) -> Program {
+/// Marks each quotient whose divisor has a root of a discriminant as a factor.
+pub fn mark(mut program: Program) -> Program {
     let of_root = factors(&program);
-    let divides_by_root = |own: &Instruction| matches!(*own, Instruction::Binary(Binary::Div, _, divisor) if of_root[divisor.0]);
-    if !program.instructions.iter().any(divides_by_root) {
-        return program;
+    for instruction in &mut program.instructions {
+        if let Instruction::Binary(operation @ Binary::Div, _, divisor) = instruction
+            && of_root[divisor.0]
+        {
+            *operation = Binary::Quotient;
+        }
     }
-    let mut marked = Program::default();
-    let mut zero = None;
-    let mut places: Vec<Value> = Vec::with_capacity(program.instructions.len());
-    for instruction in &program.instructions {
-        let own = marked.push(instruction.with_operands(|x| places[x.0]));
-        places.push(match divides_by_root(instruction) {
-            true => {
-                let zero = *zero.get_or_insert_with(|| marked.push(Instruction::Constant(0.0)));
-                let nothing = marked.push(Instruction::Binary(Binary::Mul, own, zero));
-                marked.push(Instruction::Binary(Binary::Add, own, nothing))
-            }
-            false => own,
-        });
-    }
-    marked.outputs = program.outputs.iter().map(|x| places[x.0]).collect();
-    marked.without_unused()
+    program
 }
 
 /// Which values have a root of a discriminant as a factor.
