@@ -47,14 +47,23 @@ impl<'a> Halves<'a> {
             Node::Binary(Binary::Mul, k, x) => graph.constant_value(k).map(|k| (k, x)),
             _ => None,
         };
+        // By angle: the last place in the list, and that of the last half of it with its factor.
+        let mut places: Map<NodeId, usize> = Map::new();
+        let mut halved: Map<NodeId, (usize, f64)> = Map::new();
+        for (place, &half) in angles.iter().enumerate() {
+            places.insert(half, place);
+            if let Some((k, angle)) = multiple(half).filter(|(k, _)| k.abs() == 0.5) {
+                halved.insert(angle, (place, k));
+            }
+        }
         let mut halves: Map<NodeId, (NodeId, bool)> = Map::new();
         for &angle in &angles {
-            for &half in &angles {
-                let by_half = multiple(half).filter(|&(k, x)| x == angle && k.abs() == 0.5);
-                let by_double = multiple(angle).filter(|&(k, x)| x == half && k.abs() == 2.0);
-                if let Some((k, _)) = by_half.or(by_double) {
-                    halves.insert(angle, (half, k < 0.0));
-                }
+            let by_half = halved.get(&angle).copied();
+            let by_double = multiple(angle).filter(|(k, _)| k.abs() == 2.0);
+            let by_double = by_double.and_then(|(k, half)| Some((*places.get(&half)?, k)));
+            let found = by_double.into_iter().chain(by_half);
+            if let Some((place, k)) = found.max_by_key(|(place, _)| *place) {
+                halves.insert(angle, (angles[place], k < 0.0));
             }
         }
         // Halves are not halved again.

@@ -36,8 +36,8 @@ pub fn share_multiples(graph: &Graph, outputs: &[NodeId]) -> Vec<NodeId> {
     }
     let mut multiples: Map<NodeId, (NodeId, Factors)> = Map::new();
     for group in members.values() {
+        let least = group.iter().min_by_key(|(_, other)| other.nodes.len());
         for (id, common) in group {
-            let least = group.iter().min_by_key(|(_, other)| other.nodes.len());
             if let Some((first, divisor)) = least
                 && first != id
                 && let Some(ratio) = common.over(divisor)

@@ -7,12 +7,15 @@
 //! forward needs no sweep for each result. [`Direction`] names the ways, lowering takes the cheapest.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, NodeId, SymbolId, V2, Vector};
 
+use super::acting::ByParameter;
 use super::implicit::Implicit;
+use super::narrow::Through;
 use super::partial::{Solved, System};
 use super::{Algebra, Rule};
 
@@ -50,10 +53,7 @@ impl Direction {
     }
 }
 
-/// The multipliers of the equations of each system that something depends on.
-pub(super) type Multipliers<'m> = Vec<Multiplier<'m>>;
-
-/// Those of one system.
+/// The multipliers of the equations of one system.
 #[derive(Clone, Debug)]
 pub(super) struct Multiplier<'m> {
     pub(super) system: System,
@@ -66,19 +66,21 @@ pub(super) struct Multiplier<'m> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Flow<'m> {
     /// Of all systems that it visited.
-    pub(super) multipliers: Multipliers<'m>,
-    /// The derivatives by unknowns and rates at which it ended.
+    pub(super) multipliers: Vec<Multiplier<'m>>,
+    /// The places of multipliers whose equations mention a parameter: each parameter visits its own, not all of them.
+    pub(super) acting: ByParameter,
+    /// The derivatives with respect to unknowns and rates at which it ended.
     pub(super) ends: BTreeMap<Solved, Ex<'m>>,
 }
 
 /// Multipliers found already.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Adjoints<'m> {
-    of_nodes: Map<NodeId, Multipliers<'m>>,
+    of_nodes: Map<NodeId, Rc<Flow<'m>>>,
     /// Of numbers, with the ends at all narrow places.
-    pub(super) flows: Map<NodeId, Flow<'m>>,
+    pub(super) flows: Map<NodeId, Rc<Through<'m>>>,
     /// Of narrow places.
-    pub(super) of_places: Map<Solved, Flow<'m>>,
+    pub(super) of_places: Map<Solved, Rc<Flow<'m>>>,
     /// Derivatives of these, without what passes others before them.
     pub(super) between: Map<(Solved, SymbolId), Ex<'m>>,
 }
@@ -95,23 +97,23 @@ impl<'m> Algebra<'m> {
             Direction::Forward => self.slope(x, parameter),
             Direction::Gradient => self.gradient_by(x, parameter),
             Direction::FromResults => {
-                let multipliers = self.multipliers_of(x);
+                let flow = self.flow_to(x);
                 let start = self.partial(x, parameter);
-                self.minus_slopes(start, &multipliers, parameter)
+                self.minus_slopes(start, &flow, parameter)
             }
             Direction::FromUnknowns => self.derivative_through(x, parameter),
         }
     }
 
-    fn multipliers_of(&mut self, x: Ex<'m>) -> Multipliers<'m> {
+    fn flow_to(&mut self, x: Ex<'m>) -> Rc<Flow<'m>> {
         if let Some(known) = self.derivatives.adjoints.of_nodes.get(&x.id()) {
-            return known.clone();
+            return Rc::clone(known);
         }
         let weights = self.weights_of(x);
-        let multipliers = self.sweep(weights, |_, _| false).multipliers;
+        let flow = Rc::new(self.sweep(weights, |_, _| false));
         let all = &mut self.derivatives.adjoints.of_nodes;
-        all.insert(x.id(), multipliers.clone());
-        multipliers
+        all.insert(x.id(), Rc::clone(&flow));
+        flow
     }
 
     /// The derivatives by the unknowns and rates in an expression.
@@ -124,19 +126,25 @@ impl<'m> Algebra<'m> {
         weights.collect()
     }
 
-    /// `start` minus the sum of multiplier times slope.
+    /// `start` minus the sum of multiplier times slope by a parameter.
     pub(super) fn minus_slopes(
         &mut self,
         start: Ex<'m>,
-        multipliers: &Multipliers<'m>,
-        variable: SymbolId,
+        flow: &Flow<'m>,
+        parameter: SymbolId,
     ) -> Ex<'m> {
-        multipliers.iter().fold(start, |sum, own| {
-            let sum = sum - self.slope_of_links(own, variable);
-            let rows = own.factors.iter().enumerate();
-            rows.fold(sum, |sum, (row, &factor)| {
-                sum - factor * self.slope_of_row(&own.system, row, variable)
-            })
+        let acting = flow.acting.of(parameter).iter();
+        acting.fold(start, |sum, &place| {
+            self.minus_slope(sum, &flow.multipliers[place], parameter)
+        })
+    }
+
+    /// `sum` minus the multipliers of one system times the slopes of its equations.
+    fn minus_slope(&mut self, sum: Ex<'m>, own: &Multiplier<'m>, variable: SymbolId) -> Ex<'m> {
+        let sum = sum - self.slope_of_links(own, variable);
+        let rows = own.factors.iter().enumerate();
+        rows.fold(sum, |sum, (row, &factor)| {
+            sum - factor * self.slope_of_row(&own.system, row, variable)
         })
     }
 
@@ -164,17 +172,20 @@ impl<'m> Algebra<'m> {
             if factors.iter().all(|factor| factor.is_zero()) {
                 continue;
             }
-            let found = vec![Multiplier {
+            let found = Multiplier {
                 system,
                 weights,
                 factors,
-            }];
-            for solved in self.mentioned_by(&found[0].system) {
+            };
+            for solved in self.mentioned_by(&found.system) {
                 let variable = self.symbol_for(&solved);
-                let weight = self.minus_slopes(zero, &found, variable);
+                let weight = self.minus_slope(zero, &found, variable);
                 add(self, &mut open, solved, weight);
             }
-            flow.multipliers.extend(found);
+            flow.multipliers.push(found);
+        }
+        for (place, own) in flow.multipliers.iter().enumerate() {
+            flow.acting.add(place, &self.acting_on_system(&own.system));
         }
         flow
     }

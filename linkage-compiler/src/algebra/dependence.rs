@@ -19,18 +19,30 @@ pub(super) struct Dependence {
 impl<'m> Algebra<'m> {
     /// All symbols that nodes are computed from.
     pub(crate) fn symbols_below(&self, all: &[Ex<'m>]) -> BTreeSet<SymbolId> {
-        let mut found: BTreeSet<SymbolId> = BTreeSet::new();
+        let mut found = BTreeSet::new();
+        self.add_symbols_below(all, &mut found);
+        found
+    }
+
+    /// Adds all symbols that nodes are computed from; returns those that were not there, whose own were not followed again.
+    pub(crate) fn add_symbols_below(
+        &self,
+        all: &[Ex<'m>],
+        found: &mut BTreeSet<SymbolId>,
+    ) -> Vec<SymbolId> {
+        let mut new = Vec::new();
         let mut open: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
         while !open.is_empty() {
             let mut next = Vec::new();
             for symbol in self.graph.symbols_of(&open) {
                 if found.insert(symbol) {
+                    new.push(symbol);
                     next.extend(self.graph.symbol(symbol).definition);
                 }
             }
             open = next;
         }
-        found
+        new
     }
 
     /// The inputs that expressions depend on, in order.

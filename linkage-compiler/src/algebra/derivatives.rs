@@ -1,14 +1,16 @@
 //! What is known of derivatives already.
 
+use std::rc::Rc;
+
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{DerivativeMemo, Ex, NodeId, SymbolId, V3};
 
 use super::adjoint::Adjoints;
 use super::dependence::Dependence;
+use super::gradient::Gradient;
 use super::implicit::Rates;
 use super::partial::Partials;
-use super::reverse::Gradient;
 use super::solutions::Shortcuts;
 
 /// Derivatives found already: total ones, those of the unknowns of groups, and what the sweeps backwards left.
@@ -29,6 +31,6 @@ pub(super) struct Derivatives<'m> {
     pub(super) offered: Shortcuts,
     pub(super) partials: Partials,
     pub(super) adjoints: Adjoints<'m>,
-    pub(super) gradients: Map<NodeId, Gradient<'m>>,
+    pub(super) gradients: Map<NodeId, Rc<Gradient<'m>>>,
     pub(super) dependence: Dependence,
 }

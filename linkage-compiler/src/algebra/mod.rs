@@ -4,6 +4,7 @@
 //! gives the unknowns their definitions, `request` differentiates.
 
 mod aboard;
+mod acting;
 mod adjoint;
 mod bearing;
 mod bodies;
@@ -17,6 +18,7 @@ mod derivatives;
 mod elimination;
 mod even;
 mod frame;
+mod gradient;
 mod implicit;
 mod law;
 mod links;

@@ -5,10 +5,12 @@
 //! do for each number is done once for all of them.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use linkage_symbolic::{Ex, SymbolId};
 
 use super::Algebra;
+use super::acting::ByParameter;
 use super::adjoint::Flow;
 use super::partial::{Solved, System};
 
@@ -17,6 +19,17 @@ use super::partial::{Solved, System};
 enum Behind {
     Result(usize),
     Place(Solved),
+}
+
+/// The way from a number backwards through all narrow places.
+#[derive(Clone, Debug)]
+pub(super) struct Through<'m> {
+    /// To the first ones.
+    flow: Flow<'m>,
+    /// All of them in order, with the derivatives of the number with respect to each.
+    places: Vec<(Solved, Ex<'m>)>,
+    /// The narrow places between which and those before a parameter acts.
+    acting: ByParameter,
 }
 
 impl<'m> Algebra<'m> {
@@ -73,32 +86,45 @@ impl<'m> Algebra<'m> {
     /// The derivative by a parameter through the narrow places.
     pub(super) fn derivative_through(&mut self, x: Ex<'m>, parameter: SymbolId) -> Ex<'m> {
         let known = self.derivatives.adjoints.flows.get(&x.id()).cloned();
-        let flow = known.unwrap_or_else(|| {
-            let flow = self.whole_flow(x);
+        let through = known.unwrap_or_else(|| {
+            let through = Rc::new(self.way_through(x));
             let all = &mut self.derivatives.adjoints.flows;
-            all.insert(x.id(), flow.clone());
-            flow
+            all.insert(x.id(), Rc::clone(&through));
+            through
         });
         let start = self.partial(x, parameter);
-        let direct = self.minus_slopes(start, &flow.multipliers, parameter);
-        flow.ends.iter().fold(direct, |sum, (place, &weight)| {
-            sum + weight * self.rate_between(place, parameter)
+        let direct = self.minus_slopes(start, &through.flow, parameter);
+        let acting = through.acting.of(parameter).iter();
+        acting.fold(direct, |sum, &index| {
+            let (place, weight) = &through.places[index];
+            sum + *weight * self.rate_between(place, parameter)
         })
     }
 
     /// From a number backwards, with its derivatives by all narrow places, also by those before others.
-    fn whole_flow(&mut self, x: Ex<'m>) -> Flow<'m> {
+    fn way_through(&mut self, x: Ex<'m>) -> Through<'m> {
         let zero = self.zero();
         let weights = self.weights_of(x);
         let mut flow = self.sweep(weights, |own, solved| own.is_narrow(solved));
         let mut open = std::mem::take(&mut flow.ends);
+        let mut places = BTreeMap::new();
         while let Some((place, weight)) = open.pop_last() {
-            for (earlier, own) in self.flow_of(&place).ends {
-                *open.entry(earlier).or_insert(zero) += weight * own;
+            for (earlier, own) in &self.flow_of(&place).ends {
+                *open.entry(earlier.clone()).or_insert(zero) += weight * *own;
             }
-            flow.ends.insert(place, weight);
+            places.insert(place, weight);
         }
-        flow
+        let mut acting = ByParameter::default();
+        for (index, place) in places.keys().enumerate() {
+            for own in &self.flow_of(place).multipliers {
+                acting.add(index, &self.acting_on_system(&own.system));
+            }
+        }
+        Through {
+            flow,
+            places: places.into_iter().collect(),
+            acting,
+        }
     }
 
     fn is_narrow(&self, solved: &Solved) -> bool {
@@ -106,17 +132,17 @@ impl<'m> Algebra<'m> {
     }
 
     /// From a narrow place to those of earlier groups.
-    fn flow_of(&mut self, place: &Solved) -> Flow<'m> {
+    fn flow_of(&mut self, place: &Solved) -> Rc<Flow<'m>> {
         if let Some(known) = self.derivatives.adjoints.of_places.get(place) {
-            return known.clone();
+            return Rc::clone(known);
         }
         let group = place.system.group;
         let weights = vec![(place.clone(), self.one())];
-        let flow = self.sweep(weights, |own, solved| {
+        let flow = Rc::new(self.sweep(weights, |own, solved| {
             solved.system.group < group && own.is_narrow(solved)
-        });
+        }));
         let all = &mut self.derivatives.adjoints.of_places;
-        all.insert(place.clone(), flow.clone());
+        all.insert(place.clone(), Rc::clone(&flow));
         flow
     }
 
@@ -128,7 +154,7 @@ impl<'m> Algebra<'m> {
         }
         let flow = self.flow_of(place);
         let zero = self.zero();
-        let rate = self.minus_slopes(zero, &flow.multipliers, parameter);
+        let rate = self.minus_slopes(zero, &flow, parameter);
         self.derivatives.adjoints.between.insert(key, rate);
         rate
     }

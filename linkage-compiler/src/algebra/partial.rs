@@ -6,6 +6,7 @@ use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, Node, NodeId, SymbolId};
 
+use super::acting::Acting;
 use super::implicit::Implicit;
 use super::{Algebra, Rule, Term};
 
@@ -43,6 +44,7 @@ pub(super) struct Partials {
     /// Symbols that stand for unknowns of groups as variables.
     unknowns: Map<(usize, usize), SymbolId>,
     mentioned: Map<SymbolId, BTreeSet<Solved>>,
+    pub(super) acting: Acting,
 }
 
 struct Partial<'a, 'm>(&'a mut Algebra<'m>);

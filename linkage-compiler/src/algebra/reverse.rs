@@ -18,9 +18,6 @@ enum Item {
     System(System),
 }
 
-/// Derivatives of a number by nodes at which a sweep ends: what is known before the input, and inputs.
-pub(super) type Gradient<'m> = Vec<(Ex<'m>, Ex<'m>)>;
-
 /// Weights during a sweep.
 #[derive(Default)]
 struct Weights<'m> {
@@ -29,26 +26,12 @@ struct Weights<'m> {
 }
 
 impl<'m> Algebra<'m> {
-    /// The derivative of a number by a parameter, from the gradient of the number.
-    pub(super) fn gradient_by(&mut self, x: Ex<'m>, parameter: SymbolId) -> Ex<'m> {
-        let known = self.derivatives.gradients.get(&x.id()).cloned();
-        let gradient = known.unwrap_or_else(|| {
-            let gradient = self.gradient(x);
-            let all = &mut self.derivatives.gradients;
-            all.insert(x.id(), gradient.clone());
-            gradient
-        });
-        let zero = self.zero();
-        gradient.into_iter().fold(zero, |sum, (end, weight)| {
-            sum + self.partial(end, parameter) * weight
-        })
-    }
-
-    fn gradient(&mut self, root: Ex<'m>) -> Gradient<'m> {
+    /// The derivatives of a number by nodes at which a sweep ends: what is known before the input, and inputs.
+    pub(super) fn gradient(&mut self, root: Ex<'m>) -> Vec<(Ex<'m>, Ex<'m>)> {
         let one = self.one();
         let mut weights = Weights::default();
         weights.nodes.insert(root.id(), one);
-        let mut gradient = Gradient::new();
+        let mut gradient = Vec::new();
         for item in self.order_below(root).into_iter().rev() {
             match item {
                 Item::Node(id) => {

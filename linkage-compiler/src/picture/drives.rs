@@ -3,12 +3,14 @@
 use std::collections::BTreeSet;
 
 use linkage_symbolic::program::Source;
+use linkage_symbolic::unordered::{Map, Set};
 use linkage_symbolic::{SymbolId, Vn};
 
 use crate::algebra::Bound;
 use crate::model::{Dimension, Expr, Loop, Name};
 use crate::unit::{Drive, DriveOn, Gear, Part, Picture};
 
+use super::by_point::ByPoint;
 use super::chains::Sketch;
 use super::free::relates_angles;
 use super::marks::{Segment, Shape};
@@ -42,33 +44,37 @@ impl<'m> Sketch<'_, 'm> {
         picture: &Picture,
         place: &dyn Fn(usize) -> Option<usize>,
     ) -> Vec<Drive> {
+        let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
+        // What turns each step, and the steps that each symbol turns.
+        let steps = self.segments.iter().filter_map(|own| {
+            let ends = ends(own, picture, links, place)?;
+            Some((self.turning(own.step), ends))
+        });
+        let steps: Vec<(BTreeSet<SymbolId>, [usize; 2])> = steps.collect();
+        let mut turned: Map<SymbolId, Vec<usize>> = Map::new();
+        for (index, (angle, _)) in steps.iter().enumerate() {
+            for &symbol in angle {
+                turned.entry(symbol).or_default().push(index);
+            }
+        }
+        // The ends of the step that fewest others turn, too.
+        let turned_by = |input: usize| {
+            let symbol = self.algebra.graph.find_source(Source::Input(input))?;
+            let all = turned.get(&symbol)?.iter().map(|&index| &steps[index]);
+            let (_, ends) = all.min_by_key(|(angle, _)| angle.len())?;
+            Some(*ends)
+        };
         let inputs = self.algebra.mechanism.inputs.iter().enumerate();
         let drives = inputs.filter_map(|(input, own)| {
             let mut guides = picture.guides.iter();
             let slides = guides.position(|guide| guide.name == own.name);
             let on = match slides {
                 Some(guide) => DriveOn::Slide(guide),
-                None => DriveOn::Turn(self.turned_by(Source::Input(input), picture, place)?),
+                None => DriveOn::Turn(turned_by(input)?),
             };
             Some(Drive { input, on })
         });
         drives.collect()
-    }
-
-    /// The ends of a step that this turns: if there is one, that nothing else turns.
-    fn turned_by(
-        &self,
-        source: Source,
-        picture: &Picture,
-        place: &dyn Fn(usize) -> Option<usize>,
-    ) -> Option<[usize; 2]> {
-        let symbol = self.algebra.graph.find_source(source)?;
-        let all = self.segments.iter().filter_map(|own| {
-            let angle = self.turning(own.step);
-            let turns = angle.contains(&symbol);
-            Some((angle.len(), ends(own, picture, place)?)).filter(|_| turns)
-        });
-        all.min_by_key(|(count, _)| *count).map(|(_, ends)| ends)
     }
 
     /// Wheels that turn by one angle, or by angles with a relation between them. The first one of several turns the others.
@@ -78,18 +84,58 @@ impl<'m> Sketch<'_, 'm> {
         place: &dyn Fn(usize) -> Option<usize>,
         seen: &Seen,
     ) -> Vec<Gear> {
+        let wheels = self.wheels(picture, place, seen);
+        let loops = self.algebra.mechanism.loops.iter();
+        let relations: Vec<BTreeSet<SymbolId>> = loops
+            .filter(|own| relates_angles(own))
+            .map(|own| self.related(own))
+            .collect();
+        let belong = |a: &Wheel, b: &Wheel| {
+            // Links that turn alike are held together by something else than wheels.
+            let differ = a.angle == b.angle && !seen.turn_alike(a.segment, b.segment);
+            // Parts on one shaft are each driven by it.
+            let differ = differ && !are_of_two_parts(picture, a.end, b.end);
+            let has_both =
+                |own: &BTreeSet<SymbolId>| a.angle.is_subset(own) && b.angle.is_subset(own);
+            differ || relations.iter().any(has_both)
+        };
+        let mut candidates = Candidates::new(&relations);
+        let mut gears = Vec::new();
+        for (index, own) in wheels.iter().enumerate() {
+            let mut before = candidates.before(&own.angle).into_iter();
+            let turning = before.find(|&other| belong(&wheels[other], own));
+            candidates.add(index, &own.angle);
+            let turning = turning.map(|other| &wheels[other]);
+            gears.extend(turning.map(|other| Gear {
+                centres: [other.centre, own.centre],
+                ends: [other.end, own.end],
+            }));
+        }
+        gears
+    }
+
+    /// The links that turn about points of the frame, one for each point.
+    fn wheels(
+        &self,
+        picture: &Picture,
+        place: &dyn Fn(usize) -> Option<usize>,
+        seen: &Seen,
+    ) -> Vec<Wheel> {
+        let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
         let mut wheels: Vec<Wheel> = Vec::new();
+        let mut centres: Set<usize> = Set::new();
         for segment in self.segments.iter() {
             // A distance does not say what turns it.
             let is_step = matches!(segment.shape, Shape::Term(..) | Shape::Part(..));
             if !is_step || !seen.is_fixed(segment.from) {
                 continue;
             }
-            let Some([centre, end]) = ends(segment, picture, place) else {
+            let Some([centre, end]) = ends(segment, picture, links, place) else {
                 continue;
             };
             let angle = self.turning(segment.step);
-            if self.is_one_angle(&angle) && wheels.iter().all(|own| own.centre != centre) {
+            if !centres.contains(&centre) && self.is_one_angle(&angle) {
+                centres.insert(centre);
                 wheels.push(Wheel {
                     centre,
                     end,
@@ -98,28 +144,7 @@ impl<'m> Sketch<'_, 'm> {
                 });
             }
         }
-        let loops = self.algebra.mechanism.loops.iter();
-        let relations: Vec<BTreeSet<SymbolId>> = loops
-            .filter(|own| relates_angles(own))
-            .map(|own| self.related(own))
-            .collect();
-        let belong = |a: &Wheel, b: &Wheel| {
-            let both: BTreeSet<SymbolId> = a.angle.union(&b.angle).copied().collect();
-            // Links that turn alike are held together by something else than wheels.
-            let differ = a.angle == b.angle && !seen.turn_alike(a.segment, b.segment);
-            // Parts on one shaft are each driven by it.
-            let differ = differ && !are_of_two_parts(picture, a.end, b.end);
-            differ || relations.iter().any(|own| both.is_subset(own))
-        };
-        let mut gears = Vec::new();
-        for (index, own) in wheels.iter().enumerate() {
-            let turning = wheels[..index].iter().find(|other| belong(other, own));
-            gears.extend(turning.map(|other| Gear {
-                centres: [other.centre, own.centre],
-                ends: [other.end, own.end],
-            }));
-        }
-        gears
+        wheels
     }
 
     /// What a step turns by.
@@ -134,9 +159,10 @@ impl<'m> Sketch<'_, 'm> {
     }
 
     fn is_one_angle(&self, all: &BTreeSet<SymbolId>) -> bool {
-        let names = &self.algebra.names;
-        let mut angles = names.angles.iter().map(|own| own.symbols());
-        let is_unknown = angles.any(|own| all.iter().all(|symbol| own.contains(symbol)));
+        // An angle has three symbols.
+        let few = all.len() <= 3;
+        let mut angles = self.algebra.names.angles.iter().map(|own| own.symbols());
+        let is_unknown = few && angles.any(|own| all.iter().all(|symbol| own.contains(symbol)));
         let graph = self.algebra.graph;
         let mut sources = all.iter().map(|own| graph.symbol(*own).source);
         let is_input = all.len() == 1 && sources.all(|own| matches!(own, Some(Source::Input(_))));
@@ -168,14 +194,55 @@ impl<'m> Sketch<'_, 'm> {
 fn ends(
     segment: &Segment,
     picture: &Picture,
+    links: &ByPoint,
     place: &dyn Fn(usize) -> Option<usize>,
 ) -> Option<[usize; 2]> {
     let (from, to) = (place(segment.from)?, place(segment.to)?);
-    let has_both = |points: &[usize]| points.contains(&from) && points.contains(&to);
-    let mut links = picture.links.iter();
+    let mut links = links.of(from).iter().map(|&link| &picture.links[link]);
     links
-        .any(|link| has_both(&link.points))
+        .any(|link| link.points.contains(&to))
         .then_some([from, to])
+}
+
+/// Wheels that may belong together, by the symbols that they turn by.
+struct Candidates<'a> {
+    relations: &'a [BTreeSet<SymbolId>],
+    /// By symbol: the relations that it is in.
+    related: Map<SymbolId, Vec<usize>>,
+    /// By symbol: the wheels that turn by it.
+    turning: Map<SymbolId, Vec<usize>>,
+}
+
+impl<'a> Candidates<'a> {
+    fn new(relations: &'a [BTreeSet<SymbolId>]) -> Self {
+        let mut related: Map<SymbolId, Vec<usize>> = Map::new();
+        for (index, symbols) in relations.iter().enumerate() {
+            for &symbol in symbols {
+                related.entry(symbol).or_default().push(index);
+            }
+        }
+        Self {
+            relations,
+            related,
+            turning: Map::new(),
+        }
+    }
+
+    fn add(&mut self, wheel: usize, angle: &BTreeSet<SymbolId>) {
+        for &symbol in angle {
+            self.turning.entry(symbol).or_default().push(wheel);
+        }
+    }
+
+    /// The wheels that turn by this angle, or by one that has a relation with it, in order.
+    fn before(&self, angle: &BTreeSet<SymbolId>) -> BTreeSet<usize> {
+        let related = angle.iter().filter_map(|symbol| self.related.get(symbol));
+        let related: BTreeSet<usize> = related.flatten().copied().collect();
+        let others = related.into_iter().flat_map(|own| &self.relations[own]);
+        let wheels = angle.iter().chain(others);
+        let wheels = wheels.filter_map(|symbol| self.turning.get(symbol));
+        wheels.flatten().copied().collect()
+    }
 }
 
 /// Whether each of two points belongs to a part, and none to both.

@@ -67,10 +67,10 @@ impl<'m> Guides<'m> {
         guides
     }
 
-    /// Whether a point slides or lies on a guide.
-    pub(super) fn have(&self, point: usize) -> bool {
-        let mut guides = self.all.iter();
-        guides.any(|guide| guide.slider == point || guide.origin == point)
+    /// The points that slide, and those at which guides begin.
+    pub(super) fn ends(&self) -> impl Iterator<Item = usize> {
+        let guides = self.all.iter();
+        guides.flat_map(|guide| [guide.slider, guide.origin])
     }
 
     /// Adds a guide unless it is known.

@@ -3,6 +3,7 @@
 use crate::model::JointKind;
 use crate::unit::{GuideOn, GuideShape, Joint, JointShape, Member, Picture, PointKind};
 
+use super::by_point::ByPoint;
 use super::free::Track;
 use super::seen::Seen;
 
@@ -16,22 +17,42 @@ pub(super) struct Turning<'a, 's> {
     pub(super) declared: Vec<(usize, JointKind)>,
 }
 
+/// What a picture has at each of its points.
+struct Here {
+    links: ByPoint,
+    sliders: ByPoint,
+    origins: ByPoint,
+    axes: ByPoint,
+}
+
+impl Here {
+    fn new(picture: &Picture) -> Self {
+        let guides = || picture.guides.iter().enumerate();
+        let axes = picture.axes.iter().enumerate();
+        Self {
+            links: ByPoint::of_lists(picture.links.iter().map(|link| &link.points)),
+            sliders: ByPoint::new(guides().map(|(index, own)| (own.slider, index))),
+            origins: ByPoint::new(guides().map(|(index, own)| (own.origin, index))),
+            axes: ByPoint::new(axes.map(|(index, (point, _))| (*point, index))),
+        }
+    }
+}
+
 impl Turning<'_, '_> {
     pub(super) fn joints(&self, picture: &Picture) -> Vec<Joint> {
+        let here = &Here::new(picture);
         let mut joints = Vec::new();
         for (point, own) in picture.points.iter().enumerate() {
             if matches!(own.kind, PointKind::Construction | PointKind::Loose) {
                 continue;
             }
-            let sliders = picture.guides.iter().enumerate();
-            let sliders = sliders.filter(|(_, guide)| guide.slider == point);
-            let sliders: Vec<usize> = sliders.map(|(index, _)| index).collect();
-            joints.extend(self.turning(picture, point, &sliders));
-            joints.extend(sliders.into_iter().map(|guide| Joint {
+            joints.extend(self.turning(picture, point, here));
+            let sliders = here.sliders.of(point).iter().copied();
+            joints.extend(sliders.map(|guide| Joint {
                 point,
                 shape: self.declared_at(point).map_or(JointShape::Slide, sliding),
                 between: vec![
-                    self.sliding(picture, guide),
+                    self.sliding(picture, guide, here),
                     match picture.guides[guide].on {
                         GuideOn::Frame => Member::Frame,
                         GuideOn::Link(link) => Member::Link(link),
@@ -44,20 +65,19 @@ impl Turning<'_, '_> {
     }
 
     /// What turns against each other in a point.
-    fn turning(&self, picture: &Picture, point: usize, sliders: &[usize]) -> Option<Joint> {
+    fn turning(&self, picture: &Picture, point: usize, here: &Here) -> Option<Joint> {
         let mut between = Vec::new();
         if picture.points[point].kind == PointKind::Ground {
             between.push(Member::Frame);
         }
-        let links = picture.links.iter().enumerate();
-        let links = links.filter(|(_, link)| link.points.contains(&point));
-        between.extend(links.map(|(link, _)| Member::Link(link)));
-        let rails = picture.guides.iter().enumerate();
-        let rails = rails.filter(|(_, own)| own.origin == point && own.on == GuideOn::Itself);
-        between.extend(rails.map(|(guide, _)| Member::Rail(guide)));
+        let links = here.links.of(point).iter();
+        between.extend(links.map(|&link| Member::Link(link)));
+        let rails = here.origins.of(point).iter().copied();
+        let rails = rails.filter(|&own| picture.guides[own].on == GuideOn::Itself);
+        between.extend(rails.map(Member::Rail));
         let mut ways: Vec<usize> = Vec::new();
-        for &guide in sliders {
-            let own = self.sliding(picture, guide);
+        for &guide in here.sliders.of(point) {
+            let own = self.sliding(picture, guide, here);
             let way = picture.guides[guide].direction;
             // Two blocks that keep their angle are one.
             let is_known = ways.iter().any(|other| self.keep_angle(*other, way));
@@ -71,14 +91,14 @@ impl Turning<'_, '_> {
             point,
             shape: match hinged {
                 true => JointShape::Pin,
-                false => self.shape(picture, point),
+                false => self.shape(picture, point, here),
             },
             between,
         })
     }
 
     /// What slides along a guide: a link or another guide that does not turn against it, or a block that others turn on.
-    fn sliding(&self, picture: &Picture, guide: usize) -> Member {
+    fn sliding(&self, picture: &Picture, guide: usize, here: &Here) -> Member {
         let own = &picture.guides[guide];
         let way = &self.ways[own.direction];
         if own.shape == GuideShape::Cylinder {
@@ -88,19 +108,20 @@ impl Turning<'_, '_> {
             self.seen
                 .carries(self.points[end], self.points[own.slider], way)
         };
-        let mut links = picture.links.iter();
-        let link = links.position(|link| {
-            link.points.contains(&own.slider) && link.points.iter().all(|&end| is_carried(end, way))
+        let mut links = here.links.of(own.slider).iter().copied();
+        let link = links.find(|&link| {
+            let mut points = picture.links[link].points.iter();
+            points.all(|&end| is_carried(end, way))
         });
-        let mut others = picture.guides.iter().enumerate();
-        let other = others.find(|(_, other)| {
-            let begins = other.origin == own.slider && other.on == GuideOn::Itself;
-            let is_slot = other.shape == GuideShape::Slot;
-            begins && is_slot && self.keep_angle(other.direction, own.direction)
+        let mut others = here.origins.of(own.slider).iter().copied();
+        let other = others.find(|&other| {
+            let other = &picture.guides[other];
+            let is_slot = other.on == GuideOn::Itself && other.shape == GuideShape::Slot;
+            is_slot && self.keep_angle(other.direction, own.direction)
         });
         match (link, other) {
             (Some(link), _) => Member::Link(link),
-            (None, Some((other, _))) => Member::Rail(other),
+            (None, Some(other)) => Member::Rail(other),
             (None, None) => Member::Block(guide),
         }
     }
@@ -113,14 +134,14 @@ impl Turning<'_, '_> {
     }
 
     /// In the plane all joints are pins; in space the axes tell, or the program.
-    fn shape(&self, picture: &Picture, point: usize) -> JointShape {
+    fn shape(&self, picture: &Picture, point: usize, here: &Here) -> JointShape {
         if picture.dimension == 2 {
             return JointShape::Pin;
         }
         if let Some(shape) = self.declared_at(point).and_then(turning) {
             return shape;
         }
-        match picture.axes.iter().filter(|(at, _)| *at == point).count() {
+        match here.axes.of(point).len() {
             1 => JointShape::Pin,
             2 => JointShape::Universal,
             _ => JointShape::Ball,

@@ -1,6 +1,11 @@
 //! Segments that are written as one link are one.
 
+use std::collections::BTreeSet;
+
+use linkage_symbolic::unordered::{Map, Set};
+
 use super::chains::Sketch;
+use super::joining::Joining;
 use super::marks::{Segment, Shape, Title};
 use super::owners::Owners;
 use super::seen::Seen;
@@ -89,53 +94,45 @@ impl<'m> Links<'m> {
 
     /// Joins links that have a point in common and are written to turn together, until none is left.
     fn join(&mut self, seen: &Seen, welds: &Welds) {
-        let mut next = 0;
-        while next < self.all.len() {
-            let joined =
-                (0..next).find(|&known| are_one(&self.all[known], &self.all[next], seen, welds));
-            let Some(known) = joined else {
-                next += 1;
-                continue;
-            };
-            let other = self.all.remove(next);
-            let link = &mut self.all[known];
-            let points = link.points.iter().chain(&other.points).copied();
-            link.points = distinct(points);
-            link.frames.extend(other.frames);
-            link.asked |= other.asked;
-            link.body = link.body.or(other.body);
-            link.unknown = link.unknown.or(other.unknown);
-            link.part = link.part.or(other.part);
-            let titles = [link.title.take(), other.title].into_iter().flatten();
-            link.title = titles.min_by_key(|title| title.rank);
-            // It has grown: what did not fit before may fit now.
-            next = known;
-        }
+        let joining = Joining::new(std::mem::take(&mut self.all));
+        self.all = joining.joined(|a, b| are_one(a, b, seen, welds));
     }
 
     /// What is computed from points of a link belongs to it.
     fn take_means(&mut self, sketch: &Sketch, seen: &Seen) {
+        let mut at: Map<usize, BTreeSet<usize>> = Map::new();
+        for (index, link) in self.all.iter().enumerate() {
+            for &point in &link.points {
+                at.entry(point).or_default().insert(index);
+            }
+        }
         for mean in &sketch.means {
             let point = seen.same[mean.point];
             let of: Vec<usize> = mean.of.iter().map(|&own| seen.same[own]).collect();
-            let has_all = |link: &&mut RawLink<'m>| {
-                of.iter().all(|own| link.points.contains(own))
+            let has_all = |index: &&usize| {
+                let points = &self.all[**index].points;
+                of.iter().all(|own| points.contains(own))
                     && of.iter().all(|&own| seen.keep_distance(point, own))
             };
-            if let Some(link) = self.all.iter_mut().find(has_all)
-                && !link.points.contains(&point)
+            let candidates = of.first().and_then(|first| at.get(first));
+            let found = candidates.and_then(|all| all.iter().find(has_all)).copied();
+            if let Some(index) = found
+                && !self.all[index].points.contains(&point)
             {
-                link.points.push(point);
+                self.all[index].points.push(point);
+                at.entry(point).or_default().insert(index);
             }
         }
     }
 
     /// Named points that move with a link belong to it.
     fn attach(&mut self, sketch: &Sketch, seen: &Seen, owners: &Owners) {
+        let points = self.all.iter().flat_map(|link| &link.points);
+        let mut taken: Set<usize> = points.copied().collect();
         for (index, spot) in sketch.points.iter().enumerate() {
             let point = seen.same[index];
-            let free = !self.all.iter().any(|link| link.points.contains(&point));
-            if !spot.wanted || spot.name.is_none() || !free || seen.is_fixed(point) {
+            if !spot.wanted || spot.name.is_none() || taken.contains(&point) || seen.is_fixed(point)
+            {
                 continue;
             }
             let rigid = |link: &&mut RawLink<'m>| {
@@ -145,31 +142,40 @@ impl<'m> Links<'m> {
             };
             if let Some(link) = self.all.iter_mut().find(rigid) {
                 link.points.push(point);
+                taken.insert(point);
             }
         }
     }
 
     /// Leaves out corners on the way along a link.
     pub(super) fn drop_corners(&mut self, is_needed: impl Fn(usize) -> bool) {
-        for index in 0..self.all.len() {
-            let points = self.all[index].points.clone();
-            let alone = |point: usize| self.at(point).count() == 1;
-            let kept = points
-                .iter()
-                .copied()
-                .filter(|&point| !alone(point) || is_needed(point));
+        let mut counts: Map<usize, usize> = Map::new();
+        for &point in self.all.iter().flat_map(|link| &link.points) {
+            *counts.entry(point).or_insert(0) += 1;
+        }
+        for link in &mut self.all {
+            let points = link.points.iter().copied();
+            let kept = points.filter(|point| counts[point] > 1 || is_needed(*point));
             let kept: Vec<usize> = kept.collect();
             if kept.len() > 1 {
-                self.all[index].points = kept;
+                link.points = kept;
             }
         }
     }
+}
 
-    /// The links that have a point.
-    pub(super) fn at(&self, point: usize) -> impl Iterator<Item = &RawLink<'m>> {
-        self.all
-            .iter()
-            .filter(move |link| link.points.contains(&point))
+impl<'m> RawLink<'m> {
+    /// Becomes one with another link.
+    pub(super) fn take_in(&mut self, other: Self) {
+        let points = self.points.iter().chain(&other.points).copied();
+        self.points = distinct(points);
+        self.frames.extend(other.frames);
+        self.asked |= other.asked;
+        self.body = self.body.or(other.body);
+        self.unknown = self.unknown.or(other.unknown);
+        self.part = self.part.or(other.part);
+        let titles = [self.title.take(), other.title].into_iter().flatten();
+        self.title = titles.min_by_key(|title| title.rank);
     }
 }
 

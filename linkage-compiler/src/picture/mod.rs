@@ -18,7 +18,10 @@
 //! | `planes` | lines and planes that are scalar products |
 //! | `seen` | the points at several positions and with other dimensions |
 //! | `free` | the points where nothing closes the loops |
+//! | `cells` | which points may coincide |
 //! | `links` | points that keep their distances |
+//! | `joining` | links that are one |
+//! | `by_point` | what meets in a point |
 //! | `welded` | which of them are written as one link |
 //! | `guides` | lines along which points slide, and what carries them |
 //! | `drives` | what inputs move, and wheels |
@@ -28,12 +31,15 @@
 //! | `check` | links that the user added must be rigid |
 
 mod bodies;
+mod by_point;
+mod cells;
 mod chains;
 mod check;
 mod drives;
 mod frames;
 mod free;
 mod guides;
+mod joining;
 mod joints;
 mod links;
 mod literals;
@@ -54,6 +60,7 @@ mod views;
 mod welded;
 
 use linkage_symbolic::Vn;
+use linkage_symbolic::unordered::Set;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::close::Reference;
@@ -99,17 +106,12 @@ pub(crate) fn find<'m>(
     let owners = Owners::new(&sketch, &seen);
     let mut links = Links::find(&sketch, &seen, &owners);
     let guides = Guides::find(&mut sketch, &mut seen, &links);
+    let axes = sketch.axes.iter().map(|(at, _)| seen.same[*at]);
+    let needed = axes.chain(guides.ends());
+    let needed: Set<usize> = needed.collect();
     links.drop_corners(|point| {
-        let mut own = sketch
-            .points
-            .iter()
-            .zip(&seen.same)
-            .filter(|(_, first)| **first == point);
-        let mut axes = sketch.axes.iter().map(|(at, _)| seen.same[*at]);
-        own.any(|(spot, _)| spot.wanted)
-            || seen.is_fixed(point)
-            || guides.have(point)
-            || axes.any(|at| at == point)
+        let mut own = seen.aliases(point);
+        own.any(|own| sketch.points[own].wanted) || seen.is_fixed(point) || needed.contains(&point)
     });
     if links.all.is_empty() && guides.all.is_empty() {
         reporter.error_with_help(

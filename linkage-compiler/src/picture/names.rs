@@ -1,10 +1,12 @@
 //! The picture with names for everything, without what is not needed.
 
 use linkage_symbolic::Vn;
+use linkage_symbolic::unordered::Map;
 
 use crate::unit::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
 
 use super::Found;
+use super::by_point::{Meeting, Names};
 use super::chains::Sketch;
 use super::guides::Guides;
 use super::joints::Turning;
@@ -19,22 +21,28 @@ pub(super) fn named<'m>(
     guides: &Guides<'m>,
     owners: &Owners,
 ) -> Found<'m> {
+    let axes = sketch.axes.iter().map(|(at, _)| seen.same[*at]);
     let namer = Namer {
         sketch,
         seen,
-        links,
         guides,
         link_names: link_names(links),
+        meeting: Meeting::new(links, guides, axes.collect()),
     };
     let kept: Vec<(usize, PointKind)> = (0..sketch.points.len())
         .filter(|&point| seen.same[point] == point)
         .filter_map(|point| Some((point, namer.kind(point)?)))
         .collect();
     // Points that are nowhere are left out, and what hangs on them.
-    let place = |point: usize| kept.iter().position(|(own, _)| *own == seen.same[point]);
-    let mut names = Vec::new();
+    let places = kept
+        .iter()
+        .enumerate()
+        .map(|(place, (own, _))| (*own, place));
+    let places: Map<usize, usize> = places.collect();
+    let place = |point: usize| places.get(&seen.same[point]).copied();
+    let mut names = Names::default();
     let points = kept.iter().map(|&(point, kind)| {
-        let name = unique(namer.name(point), &mut names);
+        let name = names.unique(namer.name(point));
         Point { name, kind }
     });
     let mut picture = Picture {
@@ -60,7 +68,7 @@ pub(super) fn named<'m>(
         let (Some(origin), Some(slider)) = (place(guide.origin), place(guide.slider)) else {
             continue;
         };
-        let name = unique(format!("along {}", guide.name), &mut names);
+        let name = names.unique(format!("along {}", guide.name));
         picture.directions.push(name);
         directions.push(guide.along);
         picture.guides.push(Guide {
@@ -82,7 +90,7 @@ pub(super) fn named<'m>(
         let known = directions.iter().position(|own| own == along);
         let direction = known.unwrap_or_else(|| {
             let name = format!("axis at {}", picture.points[point].name);
-            let name = unique(name, &mut names);
+            let name = names.unique(name);
             picture.directions.push(name);
             directions.push(*along);
             directions.len() - 1
@@ -114,27 +122,23 @@ pub(super) fn named<'m>(
 struct Namer<'a, 'b, 'm> {
     sketch: &'a Sketch<'b, 'm>,
     seen: &'a Seen<'a>,
-    links: &'a Links<'m>,
     guides: &'a Guides<'m>,
     link_names: Vec<String>,
+    meeting: Meeting,
 }
 
 impl Namer<'_, '_, '_> {
     /// What becomes of a point; `None` if nothing needs it.
     fn kind(&self, point: usize) -> Option<PointKind> {
-        let links = self.links.at(point).count();
-        let slides = self.guides.all.iter().any(|guide| guide.slider == point);
-        let turns = |guide: &&super::guides::RawGuide| guide.on == GuideOn::Itself;
-        let mut guides = self.guides.all.iter().filter(|guide| guide.origin == point);
-        let has_guide = guides.clone().next().is_some();
-        let pivots = guides.any(|guide| turns(&guide));
-        let has_axis = self
-            .sketch
-            .axes
-            .iter()
-            .any(|(at, _)| self.seen.same[*at] == point);
-        let wanted = (0..self.seen.same.len())
-            .any(|other| self.seen.same[other] == point && self.sketch.points[other].wanted);
+        let links = self.meeting.links.of(point).len();
+        let slides = !self.meeting.sliders.of(point).is_empty();
+        let guides = self.meeting.origins.of(point);
+        let has_guide = !guides.is_empty();
+        let mut guides = guides.iter().map(|&own| &self.guides.all[own]);
+        let pivots = guides.any(|guide| guide.on == GuideOn::Itself);
+        let has_axis = self.meeting.axes.contains(&point);
+        let mut all = self.seen.aliases(point);
+        let wanted = all.any(|other| self.sketch.points[other].wanted);
         if !self.seen.is_known(point) {
             return None;
         }
@@ -156,34 +160,34 @@ impl Namer<'_, '_, '_> {
 
     /// Whether it is a point of the frame, or of a guide that is.
     fn is_fixed(&self, point: usize) -> bool {
-        let mut guides = self.guides.all.iter();
-        let begins = guides.any(|guide| guide.on == GuideOn::Frame && guide.origin == point);
-        begins || self.seen.is_fixed(point)
+        let guides = self.meeting.origins.of(point).iter();
+        let mut guides = guides.map(|&own| &self.guides.all[own]);
+        guides.any(|guide| guide.on == GuideOn::Frame) || self.seen.is_fixed(point)
     }
 
     fn has_name(&self, point: usize) -> bool {
-        let mut own = self.sketch.points.iter().zip(&self.seen.same);
-        own.any(|(spot, &first)| first == point && spot.name.is_some())
+        let mut own = self.seen.aliases(point);
+        own.any(|own| self.sketch.points[own].name.is_some())
     }
 
     /// The best name among those of points that coincide; otherwise what meets there.
     fn name(&self, point: usize) -> String {
-        let all = (0..self.seen.same.len()).filter(|&other| self.seen.same[other] == point);
+        let all = self.seen.aliases(point);
         let titles = all.filter_map(|other| self.sketch.points[other].name.as_ref());
         if let Some(title) = titles.min_by_key(|title| title.rank) {
             return title.text.clone();
         }
-        let links = self.links.all.iter().zip(&self.link_names);
-        let here = links.filter(|(link, _)| link.points.contains(&point));
-        let mut parts: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
+        let here = self.meeting.links.of(point).iter();
+        let mut parts: Vec<&str> = here.map(|&own| self.link_names[own].as_str()).collect();
         let (fixed, kind) = (self.is_fixed(point), self.kind(point));
-        let mut guides = self.guides.all.iter();
-        let is_here = |guide: &&super::guides::RawGuide| {
-            let begins = guide.on == GuideOn::Itself || kind == Some(PointKind::Construction);
-            guide.slider == point || guide.origin == point && begins
+        let begins = |index: &&usize| {
+            let guide = &self.guides.all[**index];
+            guide.on == GuideOn::Itself || kind == Some(PointKind::Construction)
         };
-        let guide = guides.find(is_here);
-        if let Some(guide) = guide {
+        let slider = self.meeting.sliders.of(point).first();
+        let begun = self.meeting.origins.of(point).iter().find(begins);
+        if let Some(&guide) = slider.into_iter().chain(begun).min() {
+            let guide = &self.guides.all[guide];
             match kind {
                 Some(PointKind::Construction) => return format!("guide of {}", guide.name),
                 _ if parts.len() < 2 => parts.push(&guide.name),
@@ -203,24 +207,11 @@ impl Namer<'_, '_, '_> {
 
 /// A link without a name is called by its number.
 fn link_names(links: &Links) -> Vec<String> {
-    let mut names = Vec::new();
+    let mut names = Names::default();
     let each = links.all.iter().enumerate();
     each.map(|(index, link)| {
         let title = link.title.as_ref().map(|title| title.text.clone());
-        unique(
-            title.unwrap_or_else(|| format!("link {}", index + 1)),
-            &mut names,
-        )
+        names.unique(title.unwrap_or_else(|| format!("link {}", index + 1)))
     })
     .collect()
-}
-
-/// The name, with a number behind it if it is taken.
-fn unique(name: String, taken: &mut Vec<String>) -> String {
-    let numbered = (2..).map(|number| format!("{name} {number}"));
-    let mut candidates = std::iter::once(name.clone()).chain(numbered);
-    let free = candidates.find(|candidate| !taken.contains(candidate));
-    let free = free.unwrap_or(name);
-    taken.push(free.clone());
-    free
 }

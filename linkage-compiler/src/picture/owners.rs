@@ -17,10 +17,9 @@ impl Owners {
     pub(super) fn new(sketch: &Sketch, seen: &Seen) -> Self {
         let parts = sketch.algebra.mechanism.parts.iter();
         let parts: Vec<String> = parts.map(|part| part.name.clone()).collect();
-        let of_points = seen.same.iter().map(|first| {
-            let spots = sketch.points.iter().zip(&seen.same);
-            let here = spots.filter(|(_, other)| *other == first);
-            let titles = here.filter_map(|(spot, _)| spot.name.as_ref());
+        let of_points = (0..seen.same.len()).map(|point| {
+            let here = seen.aliases(point);
+            let titles = here.filter_map(|own| sketch.points[own].name.as_ref());
             titles.map(|title| owner(&parts, &title.text)).collect()
         });
         // Where there are no parts, nobody asks.

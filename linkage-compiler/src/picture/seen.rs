@@ -5,6 +5,7 @@ use linkage_symbolic::{Ex, Vn};
 use crate::algebra::{Algebra, Nominal};
 use crate::close::{Machine, Reference};
 
+use super::cells::Cells;
 use super::free::{Free, Rate, Track};
 use super::marks::Spot;
 use super::views::{View, views};
@@ -29,6 +30,8 @@ pub(super) struct Seen<'a> {
     courses: Vec<Track>,
     /// By point: the first that is always at the same place.
     pub(super) same: Vec<usize>,
+    /// By point that is the first: all that are always at its place.
+    alike: Vec<Vec<usize>>,
     /// By point: whether it says of itself that it does not move.
     fixed: Vec<bool>,
     /// The extent of the picture.
@@ -51,6 +54,7 @@ impl<'a> Seen<'a> {
             tracks: Vec::new(),
             courses: Vec::new(),
             same: Vec::new(),
+            alike: Vec::new(),
             fixed: Vec::new(),
             size: 0.0,
         };
@@ -80,11 +84,18 @@ impl<'a> Seen<'a> {
             self.fixed.push(self.free.rests(&course, size));
             self.courses.push(course);
         }
-        for index in self.same.len()..self.tracks.len() {
-            let first = (0..index).find(|&other| self.coincide(other, index));
-            let first = first.unwrap_or(index);
-            self.same.push(first);
-            self.fixed[first] |= self.fixed[index];
+        let mut cells = Cells::new(EQUAL * self.size);
+        for index in 0..self.tracks.len() {
+            if index >= self.same.len() {
+                let mut near = cells.near(&self.tracks[index]).into_iter();
+                let first = near.find(|&other| self.coincide(other, index));
+                let first = first.unwrap_or(index);
+                self.same.push(first);
+                self.alike.push(Vec::new());
+                self.alike[first].push(index);
+                self.fixed[first] |= self.fixed[index];
+            }
+            cells.add(index, &self.tracks[index]);
         }
     }
 
@@ -131,8 +142,7 @@ impl<'a> Seen<'a> {
 
     /// All points that are always where this one is.
     pub(super) fn aliases(&self, point: usize) -> impl Iterator<Item = usize> {
-        let first = self.same[point];
-        (first..self.same.len()).filter(move |&other| self.same[other] == first)
+        self.alike[self.same[point]].iter().copied()
     }
 
     /// Whether a point has a place wherever the mechanism closes.
@@ -160,7 +170,16 @@ impl<'a> Seen<'a> {
 
     /// Whether two points keep their distance, with other dimensions, too.
     pub(super) fn keep_distance(&self, a: usize, b: usize) -> bool {
-        self.steady(&self.all_distances(a, b))
+        let [a, b] = [&self.tracks[a], &self.tracks[b]];
+        // Most pairs that are asked for do not, which the first places show.
+        self.views.iter().all(|view| {
+            let mut own = view.own.clone().map(|place| distance(&a[place], &b[place]));
+            let first = own.next();
+            first.is_none_or(|first| {
+                let mut all = std::iter::once(first).chain(own);
+                all.all(|length| self.near(length - first))
+            })
+        })
     }
 
     /// Whether two steps of the plane turn by the same angle from place to place.
@@ -195,17 +214,12 @@ impl<'a> Seen<'a> {
         self.steady(&distances.collect::<Vec<_>>())
     }
 
-    fn all_distances(&self, a: usize, b: usize) -> Vec<f64> {
-        let pairs = self.tracks[a].iter().zip(&self.tracks[b]);
-        pairs.map(|(a, b)| distance(a, b)).collect()
-    }
-
     fn coincide(&self, a: usize, b: usize) -> bool {
-        let apart = self.all_distances(a, b);
+        let apart = self.tracks[a].iter().zip(&self.tracks[b]);
+        let mut apart = apart.map(|(a, b)| distance(a, b));
         let open = self.without_loops[a].iter().zip(&self.without_loops[b]);
         let mut open = open.map(|(a, b)| distance(a, b));
-        apart.into_iter().all(|apart| self.near(apart))
-            && open.all(|apart| apart.is_nan() || self.near(apart))
+        apart.all(|apart| self.near(apart)) && open.all(|apart| apart.is_nan() || self.near(apart))
     }
 
     fn steady(&self, lengths: &[f64]) -> bool {

@@ -16,7 +16,7 @@ use crate::watch::Watch;
 
 use super::choice::Choice;
 use super::quantity::Way;
-use super::{AtReference, State, columns, fields, needs, quantity};
+use super::{AtReference, State, columns, effort, fields, needs, quantity};
 
 /// A function before it is scheduled.
 #[derive(Debug)]
@@ -57,14 +57,19 @@ impl Alone {
                 own.drawn = found.vectors;
                 found.picture
             });
-            let requested = quantity::request(own, definition, Way::default());
+            let directions = effort::directions(own.algebra, formulation, definition);
+            let first = Way {
+                direction: directions[0],
+                ..Way::default()
+            };
+            let requested = quantity::request(own, definition, first);
             // What a picture needs that could not be found is not known.
             if asked.is_none() || !own.drawn.is_empty() {
                 needs::check_inputs(own.algebra, definition, &requested, reporter);
             }
             let mut inliner = inliner.clone();
-            let mut choice = Choice::forward(&mut inliner, requested);
-            choice.improve(own, &mut inliner, definition);
+            let mut choice = Choice::first(&mut inliner, requested, first);
+            choice.improve(own, &mut inliner, definition, &directions);
             let mut other = |asks: fn(&Prepared) -> bool, version| {
                 other(
                     own.algebra,

@@ -31,12 +31,12 @@ pub(super) struct Choice<'m> {
 const WORTH: f64 = 0.02;
 
 impl<'m> Choice<'m> {
-    /// What was requested, forward.
-    pub(super) fn forward(inliner: &mut Inliner, requested: Requested<'m>) -> Self {
+    /// What was requested, in the way in which it was.
+    pub(super) fn first(inliner: &mut Inliner, requested: Requested<'m>, way: Way) -> Self {
         Self {
             formulas: Formulas::new(inliner, &requested.scalars),
             scalars: requested.scalars,
-            way: Way::default(),
+            way,
             sensed: requested.sensed,
             time: None,
         }
@@ -59,11 +59,12 @@ impl<'m> Choice<'m> {
         state: &mut State<'_, 'm>,
         inliner: &mut Inliner,
         definition: &EvaluatorDef,
+        directions: &[Direction],
     ) {
         // One after the other: each choice is made with those before.
         if !self.sensed.is_empty() {
             state.algebra.find_narrow_places(&self.sensed);
-            for direction in Direction::ALL {
+            for &direction in directions {
                 let way = Way {
                     direction,
                     ..self.way

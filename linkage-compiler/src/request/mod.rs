@@ -5,6 +5,7 @@ mod alone;
 mod apart;
 mod choice;
 mod columns;
+mod effort;
 mod fields;
 mod needs;
 mod quantity;

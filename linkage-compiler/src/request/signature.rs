@@ -98,7 +98,7 @@ fn role(mechanism: &Mechanism, argument: usize) -> Role {
 
 /// See [`Group::parameters`].
 fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize>> {
-    let mut known = BTreeSet::new();
+    let (mut known, mut seen) = (BTreeSet::new(), BTreeSet::new());
     let groups = formulation.groups.iter().map(|solved| {
         let unknowns = solved.group.unknowns.iter();
         let mut needs: Vec<Ex> = unknowns
@@ -109,7 +109,8 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
             let coefficients = prepared.system.coefficients.iter();
             needs.extend(coefficients.flat_map(|x| x.components()));
         }
-        let symbols = algebra.symbols_below(&needs).into_iter();
+        // What groups before are made of has been looked at.
+        let symbols = algebra.add_symbols_below(&needs, &mut seen).into_iter();
         let mut parameters: Vec<usize> = symbols
             .filter_map(|symbol| match algebra.graph.symbol(symbol).source {
                 Some(Source::Parameter(index)) => Some(index),

@@ -55,6 +55,71 @@ fn time_grows_linearly_with_the_number_of_groups() {
     );
 }
 
+/// A chain with one quantity, with `END` for the last point.
+fn asking(groups: usize, field: &str) -> String {
+    let field = field.replace("END", &format!("p{groups}"));
+    let function = format!("pub fn motion(phi) -> Motion {{ it: {field} }}");
+    chain(groups, &function)
+}
+
+/// What grows with the square of the number of dyads would take nine times as long for three times as many.
+#[test]
+fn time_of_sensitivities_and_pictures_grows_linearly() {
+    for field in ["sensitivity(END)", "picture()"] {
+        let [small, large] = [40, 120].map(|groups| time(&asking(groups, field), 2));
+        let ratio = large.as_secs_f64() / small.as_secs_f64();
+        println!("{field}: 40 groups {small:?}, 120 groups {large:?}: {ratio:.1} times");
+        assert!(
+            ratio < 5.5,
+            "{field}: 40 groups {small:?}, 120 groups {large:?}: {ratio:.1} times"
+        );
+    }
+}
+
+/// The same of long chains, each twice as long as the one before.
+#[test]
+fn long_chains_take_twice_as_long_as_half_of_them() {
+    if !linkage_random::is_long() {
+        return;
+    }
+    for field in ["END", "acceleration(END)", "sensitivity(END)", "picture()"] {
+        let times = [200, 400, 800].map(|groups| time(&asking(groups, field), 3));
+        println!("{field}: 200, 400, 800 groups {times:?}");
+        for pair in times.windows(2) {
+            let ratio = pair[1].as_secs_f64() / pair[0].as_secs_f64();
+            assert!(ratio < 2.8, "{field}: {times:?}");
+        }
+        assert!(times[2].as_secs_f64() < 8.0, "{field}: {times:?}");
+    }
+}
+
+/// A direction that grows with the square is not built, but the one that costs least is, as where all are built.
+#[test]
+fn long_chains_take_the_direction_of_short_ones() {
+    let direction = |groups: usize, field: &str| {
+        let checked = check(asking(groups, field).parse().expect("tokens"));
+        let unit = checked.unit.expect("it has no mistake");
+        let called = unit.functions[0].called.count.total() as usize;
+        (unit.functions[0].sensitivities, called)
+    };
+    let ((short, few), (long, many)) = (
+        direction(30, "sensitivity(END)"),
+        direction(70, "sensitivity(END)"),
+    );
+    assert_eq!(short, long);
+    // So many operations for each dyad.
+    let each = (many - few) as f64 / 40.0;
+    let expected = few as f64 / 30.0;
+    assert!((each / expected - 1.0).abs() < 0.1, "{few}, {many}");
+    // Many results, few parameters.
+    let points = (1..=70).map(|k| format!("e{k}: sensitivity(p{k}, [rod1, arm1])"));
+    let function = points.collect::<Vec<_>>().join(", ");
+    let function = format!("pub fn motion(phi) -> Motion {{ {function} }}");
+    let checked = check(chain(70, &function).parse().expect("tokens"));
+    let unit = checked.unit.expect("it has no mistake");
+    assert_eq!(unit.functions[0].sensitivities, Some("forward"));
+}
+
 pub(super) fn count(tokens: TokenStream) -> usize {
     let one = |tree| match tree {
         TokenTree::Group(group) => 2 + count(group.stream()),
@@ -63,13 +128,9 @@ pub(super) fn count(tokens: TokenStream) -> usize {
     tokens.into_iter().map(one).sum()
 }
 
-/// What rustc gets for one field of a function, with `END` for the last point.
+/// What rustc gets for one field of a function.
 fn tokens(groups: usize, field: &str) -> usize {
-    let field = field.replace("END", &format!("p{groups}"));
-    let text = chain(
-        groups,
-        &format!("pub fn motion(phi) -> Motion {{ it: {field} }}"),
-    );
+    let text = asking(groups, field);
     let output = compiled(text.parse().expect("tokens"));
     assert!(!output.to_string().contains("compile_error !"), "{output}");
     count(output)

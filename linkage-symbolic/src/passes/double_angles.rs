@@ -1,6 +1,6 @@
 //! One sine pair for an angle and its double, such as a crank and one that is geared to half its speed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::program::{Binary, Instruction, Program, Value};
 
@@ -48,19 +48,25 @@ fn halves(program: &Program) -> Halves {
         },
         _ => None,
     };
-    let mut halves = Halves::new();
-    for &angle in &angles {
-        let doubled = angles.iter().find_map(|&half| {
-            let by_half = multiple(half).filter(|&(k, x)| x == angle && k.abs() == 0.5);
-            let by_double = multiple(angle).filter(|&(k, x)| x == half && k.abs() == 2.0);
-            let (k, _) = by_half.or(by_double)?;
-            Some((k.signum(), half))
-        });
-        if let Some(half) = doubled {
-            halves.insert(angle, half);
+    // The first half of each angle, with its factor.
+    let mut halved: BTreeMap<Value, (Value, f64)> = BTreeMap::new();
+    for &half in &angles {
+        if let Some((k, angle)) = multiple(half).filter(|(k, _)| k.abs() == 0.5) {
+            halved.entry(angle).or_insert((half, k));
         }
     }
-    let doubles: Vec<Value> = halves.keys().copied().collect();
+    let mut halves = Halves::new();
+    for &angle in &angles {
+        let by_half = halved.get(&angle).copied();
+        let by_double = multiple(angle).filter(|(k, _)| k.abs() == 2.0);
+        let by_double = by_double.filter(|(_, half)| angles.binary_search(half).is_ok());
+        let by_double = by_double.map(|(k, half)| (half, k));
+        let found = by_half.into_iter().chain(by_double);
+        if let Some((half, k)) = found.min_by_key(|(half, _)| *half) {
+            halves.insert(angle, (k.signum(), half));
+        }
+    }
+    let doubles: BTreeSet<Value> = halves.keys().copied().collect();
     halves.retain(|_, (_, half)| !doubles.contains(half));
     halves
 }

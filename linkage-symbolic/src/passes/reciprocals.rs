@@ -1,6 +1,6 @@
 //! One reciprocal for many divisions by one divisor. A quotient then is rounded once more than by a division.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::Binding;
 use crate::program::{Binary, Instruction, Program, Value};
@@ -45,7 +45,7 @@ pub fn share(program: Program) -> Program {
 }
 
 /// Divisors with enough divisions.
-fn shared_divisors(program: &Program) -> Vec<Value> {
+fn shared_divisors(program: &Program) -> BTreeSet<Value> {
     let bindings = program.bindings();
     let mut divisions: BTreeMap<Value, usize> = BTreeMap::new();
     for instruction in &program.instructions {
@@ -66,6 +66,8 @@ struct Rewriter {
     places: Vec<Value>,
     /// By divisor of the whole program.
     reciprocals: BTreeMap<Value, Value>,
+    /// The constant 1, once it is asked for.
+    one: Option<Value>,
 }
 
 impl Rewriter {
@@ -73,9 +75,12 @@ impl Rewriter {
         if let Some(&known) = self.reciprocals.get(&divisor) {
             return known;
         }
-        let is_one = |own: &Instruction| *own == Instruction::Constant(1.0);
-        let one = self.program.instructions.iter().position(is_one);
-        let one = one.map_or_else(|| self.program.push(Instruction::Constant(1.0)), Value);
+        let one = self.one.unwrap_or_else(|| {
+            let is_one = |own: &Instruction| *own == Instruction::Constant(1.0);
+            let known = self.program.instructions.iter().position(is_one);
+            known.map_or_else(|| self.program.push(Instruction::Constant(1.0)), Value)
+        });
+        self.one = Some(one);
         let divided = Instruction::Binary(Binary::Div, one, self.places[divisor.0]);
         let reciprocal = self.program.push(divided);
         self.reciprocals.insert(divisor, reciprocal);

@@ -24,6 +24,24 @@ pub enum Unsolved {
         /// Below which we take them for dependent.
         least: f64,
     },
+    /// So many points are on a circle that it would be a part of the coupler curve: infinitely many four-bars pass them, or none.
+    OnCircle {
+        /// How many points are on it.
+        count: usize,
+        /// Its centre.
+        centre: [f64; 2],
+        /// Its radius.
+        radius: f64,
+        /// The largest distance of these points from it.
+        off: f64,
+    },
+    /// So many points are on a line that it would be a part of the coupler curve, which has none.
+    OnLine {
+        /// How many points are on it.
+        count: usize,
+        /// The largest distance of these points from it.
+        off: f64,
+    },
     /// What is asked for is at infinity, as the pole of poses that are only shifted against each other.
     AtInfinity,
     /// Whoever was told of the progress asked to stop.
@@ -60,6 +78,27 @@ impl fmt::Display for Unsolved {
                 "the conditions depend on each other (smallest singular value {rank:.1e} of the largest, \
                  below our limit of {least:.0e}), which leaves infinitely many mechanisms; move one of them"
             ),
+            Self::OnCircle {
+                count,
+                centre,
+                radius,
+                off,
+            } => write!(
+                f,
+                "{count} points are on a circle about ({}, {}) with radius {} (off it by {off:.0e} at most); a \
+                 coupler curve meets a circle in six points at most unless it contains the circle, so that infinitely \
+                 many mechanisms meet these points, or none; use a crank of that radius about that centre, or move \
+                 all but six points off the circle",
+                rounded(centre[0], radius),
+                rounded(centre[1], radius),
+                rounded(radius, radius)
+            ),
+            Self::OnLine { count, off } => write!(
+                f,
+                "{count} points are on a line (off it by {off:.0e} at most); a coupler curve meets a line in six points \
+                 at most, so that no four-bar meets these points exactly; use a slider, search an approximate line with \
+                 `linkage::design`, or move all but six points off the line"
+            ),
             Self::AtInfinity => f.write_str(
                 "what is asked for is at infinity, as for poses that are only shifted against each other; turn \
                  a pose, or move the joint",
@@ -82,6 +121,21 @@ impl fmt::Display for Unsolved {
 }
 
 impl Error for Unsolved {}
+
+/// A coordinate to a millionth of a length.
+fn rounded(x: f64, length: f64) -> f64 {
+    let digit = (length.abs().log10().floor() - 6.0) as i32;
+    match digit < 0 {
+        true => {
+            let scale = 10_f64.powi(-digit);
+            (x * scale).round() / scale + 0.0
+        }
+        false => {
+            let unit = 10_f64.powi(digit);
+            (x / unit).round() * unit + 0.0
+        }
+    }
+}
 
 /// All numbers are finite, no two conditions are equal.
 pub(super) fn check<const K: usize>(conditions: &[[f64; K]]) -> Result<(), Unsolved> {

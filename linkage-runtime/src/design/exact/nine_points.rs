@@ -5,6 +5,7 @@
 //! changed into the given ones.
 
 mod cognates;
+mod curve;
 mod equations;
 mod path;
 mod search;
@@ -81,7 +82,7 @@ struct Task {
 ///
 /// # Errors
 ///
-/// `NotFinite`; `Equal` points.
+/// `NotFinite`; `Equal` points; `OnCircle` or `OnLine` for more than six points on a circle or a line.
 pub fn nine_points(points: &[[f64; 2]; 9]) -> Result<NinePoints, Unsolved> {
     nine_points_reporting(points, |_| true)
 }
@@ -121,6 +122,7 @@ pub fn nine_points_reporting(
 impl Task {
     fn new(points: &[[f64; 2]; 9]) -> Result<Self, Unsolved> {
         error::check(points)?;
+        curve::check(points)?;
         let [first, others @ ..] = *points;
         let shifts = others.map(|point| Shift::between(first, point));
         let unit = task::unit(shifts.iter().map(|shift| shift.narrow()));

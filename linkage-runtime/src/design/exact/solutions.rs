@@ -77,7 +77,8 @@ pub fn solutions<const N: usize>(equations: &impl Equations<N>) -> Result<Soluti
 }
 
 /// As [`solutions`], with the trace test, along equation `row`: its constant is what the curve has as a coordinate that the test
-/// sums up. The degree of that curve, which takes most of the time, may depend on the choice.
+/// sums up. The degree of that curve, which takes most of the time, may depend on the choice. Where the test leaves a point open
+/// along that equation, it is made along the next ones, four at most: `trace` names the equation.
 ///
 /// # Errors
 ///
@@ -102,7 +103,7 @@ fn found<E: Equations<N>, const N: usize>(
     let mut random = Random::new();
     let mut general = Fibre::find(&given, &mut random)?;
     let trace = row
-        .map(|row| Trace::test(&mut general, row, &mut random))
+        .map(|row| Trace::test_rows(&mut general, row, &mut random))
         .transpose()?;
     let found = ends(&general, given);
     let mut real: Vec<Solution<N>> = found.iter().filter_map(Solution::of).collect();

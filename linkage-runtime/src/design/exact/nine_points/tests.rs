@@ -1,5 +1,6 @@
 //! Paths and certificates in parts; whole searches, which are for optimised code, with `LINKAGE_LONG`.
 
+mod curves;
 mod generator;
 
 use super::super::complex::{Complex, ONE};

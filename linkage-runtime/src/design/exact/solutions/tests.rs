@@ -1,5 +1,8 @@
 //! Against systems whose solutions are known; random platforms, which are for optimised code, with `LINKAGE_LONG`.
 
+mod axle;
+mod steep;
+
 use super::super::error::Unsolved;
 use super::family::Member;
 use super::monodromy::{Fibre, Random};

@@ -17,6 +17,8 @@ use alloc::vec::Vec;
 /// What the trace test has shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trace {
+    /// The equation along which the curve goes.
+    pub row: usize,
     /// The degree of the curve: points of it on a hyperplane.
     pub degree: usize,
     /// By how much the sum of the points misses a linear function, as a part of what one of them misses it by.
@@ -42,6 +44,29 @@ impl Trace {
     #[must_use]
     pub fn passed(&self) -> bool {
         self.miss <= LINEAR && self.open == 0
+    }
+
+    /// The test along equation `row` and, where it is not passed, along the next ones, as long as it is not; of several tests
+    /// that are not passed the one that leaves fewest points open.
+    pub(super) fn test_rows<E: Equations<N>, const N: usize>(
+        general: &mut Fibre<'_, E, N>,
+        row: usize,
+        random: &mut Random,
+    ) -> Result<Self, Unsolved> {
+        let mut best = Self::test(general, row, random)?;
+        for other in 1..N.min(ROWS) {
+            if best.passed() {
+                break;
+            }
+            let Ok(next) = Self::test(general, (row + other) % N, random) else {
+                break;
+            };
+            let doubt = |own: &Self| (!own.passed(), own.miss > LINEAR, own.open);
+            if doubt(&next) < doubt(&best) {
+                best = next;
+            }
+        }
+        Ok(best)
     }
 
     /// The test with the curve along equation `row`; solutions that it finds besides are added to `general`.
@@ -86,6 +111,7 @@ impl Trace {
             .into_iter()
             .for_each(|end| general.place(end));
         Ok(Self {
+            row,
             degree: section.found.len(),
             miss,
             outside,
@@ -94,6 +120,8 @@ impl Trace {
     }
 }
 
+/// Equations along which the test is made, until it is passed along one: each takes as long as the first.
+const ROWS: usize = 4;
 /// Ways on which the form is taken away, until one leaves no point open.
 const WAYS: usize = 3;
 
