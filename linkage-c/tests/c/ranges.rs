@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use linkage_c::{Real, sources};
 use linkage_corpus::given::Given;
@@ -141,7 +141,7 @@ fn program(compiler: &Compiler, real: Real, test: &str) -> PathBuf {
 }
 
 /// For each line: what assembling returns, the findings in order, and what is printed of the motion.
-fn found(program: &PathBuf, cases: &[[f64; 4]]) -> Vec<(i32, Vec<Finding>, String)> {
+fn found(program: &Path, cases: &[[f64; 4]]) -> Vec<(i32, Vec<Finding>, String)> {
     let mut input = String::new();
     for own in cases {
         let _ = writeln!(input, "{:?} {:?} {:?} {:?}", own[0], own[1], own[2], own[3]);
