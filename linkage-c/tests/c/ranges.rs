@@ -76,7 +76,7 @@ fn expected([crank, coupler, rocker, frame]: [f64; 4]) -> Option<Vec<Finding>> {
         let cosine = (crank * crank + frame * frame - distance * distance) / (2.0 * crank * frame);
         cosine.clamp(-1.0, 1.0).acos()
     };
-    if !same(inner, near) && inner.max(near) < 1e-4 * outer {
+    if !same(inner, near) && inner.max(near) < 3e-3 * outer {
         return None;
     }
     if inner > far || same(inner, far) || outer < near || same(outer, near) {
