@@ -100,8 +100,9 @@ fn expected(crank: f64, coupler: f64, rocker: f64, frame: f64) -> Option<Vec<Exp
         let cosine = (crank * crank + frame * frame - distance * distance) / (2.0 * crank * frame);
         cosine.clamp(-1.0, 1.0).acos()
     };
-    // Where both links nearly fold onto a diagonal that nearly vanishes, the slack is below what counts as a dead point on both sides.
-    if !same(inner, near) && inner.max(near) < 1e-4 * outer {
+    // Where both links nearly fold onto a diagonal that nearly vanishes, the slack is near what counts as a dead point over a stretch, and the
+    // ends of a gap are as uncertain.
+    if !same(inner, near) && inner.max(near) < 3e-3 * outer {
         return None;
     }
     if inner > far || same(inner, far) || outer < near || same(outer, near) {

@@ -166,7 +166,7 @@ pub fn circuits<M: Levels>(
         .collect();
     let (circuits, closed) = join::circuits(&leaves, &seams, cycle.turn().is_some());
     let own: Vec<M::Assembly> = assemblies.iter().map(|(own, _)| own.clone()).collect();
-    let meetings = meetings::meetings(mechanism, &cycle, &leaves, &own);
+    let meetings = meetings::meetings(mechanism, cycle, &leaves, &own);
     let branches = leaves.iter().zip(assemblies).zip(circuits).zip(closed);
     let branches = branches.map(|(((leaf, (assembly, input)), circuit), closed)| {
         let mut ends = leaf.branch_ends();

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use linkage_c::{Real, sources};
 use linkage_corpus::given::Given;
@@ -76,7 +76,7 @@ fn expected([crank, coupler, rocker, frame]: [f64; 4]) -> Option<Vec<Finding>> {
         let cosine = (crank * crank + frame * frame - distance * distance) / (2.0 * crank * frame);
         cosine.clamp(-1.0, 1.0).acos()
     };
-    if !same(inner, near) && inner.max(near) < 1e-4 * outer {
+    if !same(inner, near) && inner.max(near) < 3e-3 * outer {
         return None;
     }
     if inner > far || same(inner, far) || outer < near || same(outer, near) {
@@ -141,7 +141,7 @@ fn program(compiler: &Compiler, real: Real, test: &str) -> PathBuf {
 }
 
 /// For each line: what assembling returns, the findings in order, and what is printed of the motion.
-fn found(program: &PathBuf, cases: &[[f64; 4]]) -> Vec<(i32, Vec<Finding>, String)> {
+fn found(program: &Path, cases: &[[f64; 4]]) -> Vec<(i32, Vec<Finding>, String)> {
     let mut input = String::new();
     for own in cases {
         let _ = writeln!(input, "{:?} {:?} {:?} {:?}", own[0], own[1], own[2], own[3]);

@@ -50,10 +50,10 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
                     units: &[#(#units),*],
                     repeats: #repeats,
                 },
-                &|__x| #runtime::Vec::from(self.__survey::<{ #runtime::FUSED }>(#inputs)),
+                &|__x| ::core::convert::From::from(self.__survey::<{ #runtime::FUSED }>(#inputs)),
                 &|__x| {
                     let #core { __mechanism: __m, __modes, __prepared, .. } = #own;
-                    #runtime::Vec::from(Self::__gaps::<{ #runtime::FUSED }>(__m, __modes, __prepared, #x))
+                    ::core::convert::From::from(Self::__gaps::<{ #runtime::FUSED }>(__m, __modes, __prepared, #x))
                 },
             )
         },

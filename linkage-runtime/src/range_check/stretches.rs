@@ -88,7 +88,7 @@ pub(crate) fn touches(
     let mut lowest = |own: &Stretch| lowest(own, [low, high], &mut |x| slack(x));
     found
         .iter()
-        .map(|own| lowest(own))
+        .map(&mut lowest)
         .filter(|(_, slack)| slack.abs() < DEAD)
         .map(|(x, _)| x)
         .collect()
