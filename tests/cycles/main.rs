@@ -2,6 +2,7 @@
 
 mod assemblies;
 mod derivatives;
+mod drives;
 mod dwells;
 mod errors;
 mod fit;
@@ -13,6 +14,7 @@ mod optima;
 mod relations;
 mod seeds;
 mod starts;
+mod verified;
 mod whole;
 
 use linkage::Dimensions;
