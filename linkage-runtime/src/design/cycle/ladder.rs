@@ -1,12 +1,13 @@
 //! The ladder of bounds: searches within narrower bounds, of which the best result counts.
 //!
 //! A search within wide bounds may lose its way where one within narrower bounds does not: it leaves the valley that it began in, or comes near
-//! to a place where the mechanism ceases to exist. So the bounds are halved until they are narrow, and on each rung, from the narrowest
-//! one up, a search begins with the first mechanism, and one with the best result of the rungs below. If the second one does not
-//! converge, or its result is worse, the bounds widen in shorter steps, each search from the result of the step before.
+//! to a place where the mechanism ceases to exist. So there are rungs from narrow bounds to the full ones, each twice as wide as the rung below,
+//! and on each rung a search begins with the first mechanism, and another one with the best result of the rungs below. If both do not
+//! converge, the bounds widen in four shorter steps, each search from the last result that did.
 //!
-//! The results of all rungs are kept. So the best one is never worse than the first mechanism, if that holds all conditions, nor than the result
-//! within a half, a quarter and further halves of the bounds, which has the same rungs.
+//! The results of all rungs are kept. So the best one is never worse than the first mechanism, if that holds all conditions. The widths of
+//! rungs and steps do not depend on the full bounds: searches within wider bounds of the same shape have all rungs and steps of those
+//! within narrower ones.
 
 use alloc::vec::Vec;
 
@@ -17,19 +18,27 @@ use super::descents::Descents;
 use super::problem::Start;
 use crate::Dimensions;
 
-/// Bounds are narrow if they are no further apart than this part of each parameter.
+/// The width of the narrowest rung: of the parameter whose bounds are widest, as a part of its value.
 const NARROW: f64 = 0.05;
+/// Steps between two rungs.
+const STEPS: i32 = 4;
+/// Rungs below the narrowest one, with steps only.
+const BELOW: i32 = 3;
 /// The most rungs: bounds that are a million times as wide as narrow ones.
-const RUNGS: usize = 20;
-/// The shortest step between two rungs, as a part of the bounds of the upper one.
-const SHORTEST: f64 = 0.01;
+const RUNGS: i32 = 20;
+/// The most steps of a rung where no search has any result.
+const HOPELESS: usize = 2;
+/// Bounds that differ by less than this part are the same.
+const SAME: f64 = 1e-6;
 /// Results that differ by less than this part are equal.
 const EQUAL: f64 = 1e-6;
-/// The most searches between two rungs.
-const SEARCHES: usize = 16;
 
-/// The most of them where no search has any result.
-const HOPELESS: usize = 2;
+/// A rung: parts of the full bounds.
+struct Rung {
+    /// The steps between the rung below and this one.
+    steps: Vec<f64>,
+    part: f64,
+}
 
 /// The results on a ladder.
 struct Ladder {
@@ -46,11 +55,15 @@ impl Ladder {
             .map_or(f64::INFINITY, |best| self.results[best].least)
     }
 
-    fn keep(&mut self, result: Ended) {
+    /// Keeps a result within a part of the bounds. It is an optimum within the full ones only if that part is all of them.
+    fn keep(&mut self, result: Result<Ended, DesignError>, part: f64) -> Result<(), DesignError> {
+        let mut result = result?;
+        result.converged &= part == 1.0;
         if result.least < self.least() {
             self.best = Some(self.results.len());
         }
         self.results.push(result);
+        Ok(())
     }
 
     /// Whether a search has found something better than the first mechanism.
@@ -99,81 +112,81 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             best: None,
         };
         ladder.best = ladder.results.first().map(|_| 0);
-        let rungs = if self.widening {
-            self.rungs(&ladder.origin)
-        } else {
-            1
-        };
-        for rung in (1..rungs).rev() {
-            if !(self.stopped)() {
-                let _ = self.climb(&mut ladder, 0.5_f64.powi(rung as i32));
+        let mut error = None;
+        for rung in self.rungs(&ladder.origin) {
+            // The search within the full bounds is always begun.
+            if rung.part == 1.0 || !(self.stopped)() {
+                error = self.climb(&mut ladder, &rung).err();
             }
         }
-        let error = self.climb(&mut ladder, 1.0).err();
         match error {
             Some(error) if ladder.results.is_empty() => Err(error),
             _ => Ok(ladder.sorted()),
         }
     }
 
-    /// The number of rungs from the full bounds to narrow ones.
-    fn rungs(&self, origin: &[f64]) -> usize {
+    /// The rungs, the full bounds last.
+    fn rungs(&self, origin: &[f64]) -> Vec<Rung> {
         let limits = &self.problem.limits;
         let bounds = limits.lower.iter().zip(&limits.upper).zip(origin);
         let parts = bounds.map(|((low, high), x)| (high - low) / x.abs());
         // A parameter that is zero has no size to compare with.
         let widest = parts.filter(|part| part.is_finite()).fold(0.0, f64::max);
-        let halvings = (widest / NARROW).log2().ceil();
-        1 + (halvings.max(0.0) as usize).min(RUNGS)
+        let part = |step: i32| NARROW * 2_f64.powf(f64::from(step) / f64::from(STEPS)) / widest;
+        let narrower = (-BELOW * STEPS..RUNGS * STEPS).take_while(|step| part(*step) < 1.0 - SAME);
+        let (mut rungs, mut steps) = (Vec::new(), Vec::new());
+        for step in narrower.filter(|_| self.widening && widest > 0.0) {
+            if step >= 0 && step % STEPS == 0 {
+                let steps = core::mem::take(&mut steps);
+                rungs.push(Rung {
+                    steps,
+                    part: part(step),
+                });
+            } else if step > 0 || step % 2 == 0 {
+                steps.push(part(step));
+            }
+        }
+        rungs.push(Rung { steps, part: 1.0 });
+        rungs
     }
 
-    /// Searches within this part of the bounds: from the first mechanism, and in shorter steps from the best result where that is not enough.
-    fn climb(&self, ladder: &mut Ladder, part: f64) -> Result<(), DesignError> {
-        // Only a search that converged is where the next one begins: others end anywhere.
+    /// Searches within the bounds of a rung, and in steps to it where that is not enough.
+    fn climb(&self, ladder: &mut Ladder, rung: &Rung) -> Result<(), DesignError> {
         let (mut near, mut least) = (ladder.near(), ladder.least());
         let climbed = ladder.has_climbed();
-        let direct = self.within(ladder, part, ladder.origin.clone());
-        let error = match direct {
-            Ok(result) => {
-                // Where nothing was found on the rung below there is nowhere else to begin.
-                let enough = result.converged && result.least <= least && !climbed;
-                ladder.keep(of_part(result, part));
-                if enough {
-                    return Ok(());
-                }
-                None
-            }
-            Err(error) => Some(error),
-        };
-        let (mut reached, mut step) = (if climbed { 0.5 } else { 0.0 }, 0.5);
-        for search in 0..SEARCHES {
-            let hopeless = search >= HOPELESS && ladder.results.is_empty();
-            if hopeless || reached >= 1.0 || step < SHORTEST || (self.stopped)() {
+        let direct = self.within(ladder, rung.part, ladder.origin.clone());
+        let mut enough = direct
+            .as_ref()
+            .is_ok_and(|result| result.converged && result.least <= least);
+        let error = ladder.keep(direct, rung.part);
+        if climbed {
+            let result = self.within(ladder, rung.part, near.clone());
+            enough |= result.as_ref().is_ok_and(|result| result.converged);
+            let _ = ladder.keep(result, rung.part);
+        }
+        if enough {
+            return Ok(());
+        }
+        for (k, &part) in rung.steps.iter().enumerate() {
+            let hopeless = k >= HOPELESS && ladder.results.is_empty();
+            if hopeless || (self.stopped)() {
                 break;
             }
-            let next = f64::min(reached + step, 1.0);
-            let result = self.within(ladder, next * part, near.clone());
-            let better = |result: &Ended| result.converged && result.least <= least;
-            if result.as_ref().is_ok_and(better) {
-                reached = next;
-                step *= 2.0;
-            } else {
-                step *= 0.5;
+            let result = self.within(ladder, part, near.clone());
+            // Only a search that converged is where the next one begins: others end anywhere.
+            if let Some(result) = result.as_ref().ok().filter(|result| result.converged)
+                && result.least <= least
+            {
+                near = result.at.x[..near.len()].to_vec();
+                least = result.least;
             }
-            if let Ok(result) = result {
-                if reached == next {
-                    near = result.at.x[..near.len()].to_vec();
-                    least = result.least;
-                }
-                ladder.keep(of_part(result, next * part));
-            }
+            let _ = ladder.keep(result, part);
         }
-        if reached < 1.0 && !(self.stopped)() {
-            if let Ok(result) = self.within(ladder, part, ladder.near()) {
-                ladder.keep(of_part(result, part));
-            }
+        if ladder.has_climbed() && !(self.stopped)() {
+            let result = self.within(ladder, rung.part, ladder.near());
+            let _ = ladder.keep(result, rung.part);
         }
-        error.map_or(Ok(()), Err)
+        error
     }
 
     /// Searches within a part of the bounds from a place.
@@ -192,14 +205,6 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             evaluations: 1,
             converged: false,
         })
-    }
-}
-
-/// The result within a part of the bounds, which is an optimum within the full ones only if that part is all of them.
-fn of_part(result: Ended, part: f64) -> Ended {
-    Ended {
-        converged: result.converged && part == 1.0,
-        ..result
     }
 }
 
