@@ -8,6 +8,7 @@ mod errors;
 mod fit;
 mod forces;
 mod front;
+mod judged;
 mod length;
 mod messages;
 mod optima;

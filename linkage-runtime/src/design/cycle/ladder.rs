@@ -3,7 +3,7 @@
 //! A search within wide bounds may lose its way where one within narrower bounds does not: it leaves the valley that it began in, or comes near
 //! to a place where the mechanism ceases to exist. So there are rungs from narrow bounds to the full ones, each twice as wide as the rung below,
 //! and on each rung a search begins with the first mechanism, and another one with the best result of the rungs below. If both do not
-//! converge, the bounds widen in four shorter steps, each search from the last result that did.
+//! converge, the bounds widen in four shorter steps, with the same two searches on each.
 //!
 //! The results of all rungs are kept. So the best one is never worse than the first mechanism, if that holds all conditions. The widths of
 //! rungs and steps do not depend on the full bounds: searches within wider bounds of the same shape have all rungs and steps of those
@@ -172,6 +172,13 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             if hopeless || (self.stopped)() {
                 break;
             }
+            let direct = self.within(ladder, part, ladder.origin.clone());
+            if let Some(direct) = direct.as_ref().ok().filter(|direct| direct.converged)
+                && direct.least <= least
+            {
+                near = direct.at.x[..near.len()].to_vec();
+            }
+            let _ = ladder.keep(direct, part);
             let result = self.within(ladder, part, near.clone());
             // Only a search that converged is where the next one begins: others end anywhere.
             if let Some(result) = result.as_ref().ok().filter(|result| result.converged)

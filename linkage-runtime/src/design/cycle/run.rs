@@ -34,6 +34,8 @@ where
 {
     /// Searches for the best mechanism.
     ///
+    /// The result is verified by the assembled mechanism, and not worse than the first mechanism, if that holds all conditions.
+    ///
     /// # Errors
     ///
     /// All mistakes of the problem at once; `StartNotWhole` or `NoStart` if the search has nowhere to begin; `OutOfReach` with the condition that
