@@ -44,9 +44,9 @@ mod wish;
 pub use builder::Design;
 pub use certificate::{Interrupted, Interruption};
 pub use cycle::{
-    BestCycle, Candidate, Chosen, Compromise, Conditions, Curve, CycleDesign, CycleWish, Demand,
-    Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place,
-    RootMeanSquare, Stroke, TimeRatio,
+    BestCycle, Candidate, Check, Chosen, Compromise, Conditions, Curve, CycleDesign, CycleWish,
+    Demand, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place,
+    RootMeanSquare, Stroke, TimeRatio, Verdict,
 };
 pub use error::DesignError;
 pub use found::{Found, Search};

@@ -2,17 +2,20 @@
 
 mod assemblies;
 mod derivatives;
+mod drives;
 mod dwells;
 mod errors;
 mod fit;
 mod forces;
 mod front;
+mod judged;
 mod length;
 mod messages;
 mod optima;
 mod relations;
 mod seeds;
 mod starts;
+mod verified;
 mod whole;
 
 use linkage::Dimensions;

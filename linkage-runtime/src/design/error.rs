@@ -171,12 +171,16 @@ pub enum DesignError {
         wish: String,
         /// By how much it is missed, in its unit.
         by: f64,
+        /// The parameters that vary, in the mechanism that comes nearest, in SI angles and the unit of length of the mechanism.
+        nearest: Vec<(&'static str, f64)>,
         /// The parameters that are at a bound.
         at_bound: Vec<String>,
         /// How many equations must hold: figures that must have a value, and relations between parameters.
         equations: usize,
         /// How many variables the search has.
         variables: usize,
+        /// Whether the search ended where no step makes the violation smaller.
+        settled: bool,
     },
     /// Near the optimum there are no values of the catalogues with which all conditions hold.
     NoValues {
@@ -203,6 +207,14 @@ pub enum DesignError {
 }
 
 impl DesignError {
+    /// The error of a search that ended where steps might make the violation smaller, if it did.
+    pub(crate) fn unsettled(mut self, open: bool) -> Self {
+        if let Self::OutOfReach { settled, .. } = &mut self {
+            *settled = !open;
+        }
+        self
+    }
+
     /// One error of some; `Ok` if there are none.
     pub(crate) fn all(mut errors: Vec<Self>) -> Result<(), Self> {
         match errors.len() {

@@ -71,6 +71,20 @@ impl Limits {
         bounds && self.relations.iter().all(|relation| relation.holds(x))
     }
 
+    /// By how much the worst relation is missed beyond rounding; `None` if all hold.
+    pub(crate) fn missed(&self, x: &[f64]) -> Option<f64> {
+        let missed = |relation: &Linear| {
+            let slack = relation.slack(x);
+            let by = if relation.equality {
+                slack.abs()
+            } else {
+                -slack
+            };
+            (by > ACTIVE * relation.scale(x)).then_some(by)
+        };
+        self.relations.iter().filter_map(missed).reduce(f64::max)
+    }
+
     /// The numbers of the relations that do not hold.
     pub(crate) fn broken(&self, x: &[f64]) -> Vec<usize> {
         let relations = self.relations.iter().enumerate();

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use linkage_core::Cycle;
 
 use super::super::DesignError;
+use super::Verdict;
 use crate::Parameter;
 
 /// How a mechanism is assembled in the modes of the first one.
@@ -183,6 +184,15 @@ pub trait CycleWish<M, A, const N: usize>: Send + Sync {
         candidate: &Candidate<'_, M, A>,
         chosen: Chosen<'_>,
     ) -> Option<Conditions<N>>;
+
+    /// Computes goal and conditions of a result without the search, before it is returned; `None` where the mechanism does not assemble over
+    /// the range.
+    ///
+    /// The candidate has four times the intervals of the search, from which limits are found. A result whose verdict breaks a condition is
+    /// discarded, and the goal of the verdict is the goal of the result.
+    fn verify(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Verdict> {
+        Some(Verdict::of(&self.evaluate(candidate, chosen)?))
+    }
 
     /// Numbers by which the assembly is known again among the others of the same mechanism; they are compared as parts of the
     /// largest. Here all slopes: values are near their limits, and may count whole turns.

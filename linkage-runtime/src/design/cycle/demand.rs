@@ -5,7 +5,7 @@ use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Candidate, Chosen, Conditions, CycleWish, Motion, Piece};
+use super::{Candidate, Check, Chosen, Conditions, CycleWish, Motion, Piece, Verdict};
 use crate::words::rounded;
 
 /// The pieces that a figure is made of.
@@ -164,6 +164,23 @@ impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleWish<M, A, N> for
             conditions,
             ..Conditions::default()
         })
+    }
+
+    /// The figure alone, from a finer course.
+    fn verify(&self, candidate: &Candidate<'_, M, A>, _: Chosen<'_>) -> Option<Verdict> {
+        let value = self.value(&candidate.motion)?;
+        let check = |by: f64, limit: f64| {
+            let size = Some(limit.abs()).filter(|limit| *limit > 0.0);
+            Vec::from([Check { by, size }])
+        };
+        let (goal, conditions) = match self.sense {
+            Sense::Least => (Some(value), Vec::new()),
+            Sense::Greatest => (Some(-value), Vec::new()),
+            Sense::AtMost(limit) => (None, check(value - limit, limit)),
+            Sense::AtLeast(limit) => (None, check(limit - value, limit)),
+            Sense::Equal(limit) => (None, check((value - limit).abs(), limit)),
+        };
+        Some(Verdict { goal, conditions })
     }
 }
 

@@ -4,26 +4,16 @@ use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::super::catalogue::{self, Local};
+use super::super::catalogue;
 use super::super::limits::Limits;
-use super::super::minimax::{Search, minimise};
 use super::super::refusals::{Fate, Tally};
 use super::super::starts::unit;
-use super::super::{DesignError, Refusals};
+use super::super::{DesignError, Interruption, Refusals};
+use super::descent::Ended;
 use super::found::BestCycle;
-use super::problem::{Problem, Start};
+use super::problem::Problem;
+use super::verify::Scales;
 use crate::Dimensions;
-
-/// Where steps promise less than this part of what the goal can change by in a first step, the search looks whether it is at an optimum.
-const PRECISION: f64 = 1e-6;
-/// It is at one where, to first order, no step as long as the first one gains more than this part of it.
-const SLOPE: f64 = 1e-5;
-/// A condition that is broken by less than this part of what it can change by in a first step holds.
-const TOLERANCE: f64 = 1e-9;
-/// One that is broken by more than this part of it at the end is out of reach; what is between is what a search leaves that is ended early.
-const HOLDS: f64 = 1e-7;
-/// How often wishes may add conditions.
-const REFINEMENTS: usize = 40;
 
 /// Optima whose dimensions differ by less than this part of the width of their bounds are one: in a flat valley searches end some way from each
 /// other.
@@ -32,31 +22,15 @@ const DISTINCT: f64 = 0.02;
 /// Searches of one problem, which depend on the number of their start alone.
 pub(super) struct Descents<'d, M, A, const N: usize> {
     pub(super) problem: Problem<'d, M, A, N>,
+    /// The change of each condition in a first step from the first mechanism.
+    pub(super) reference: Option<Scales>,
+    /// Whether searches from the first mechanism begin within narrower bounds.
+    pub(super) widening: bool,
     pub(super) seed: u64,
     pub(super) steps: usize,
     pub(super) stopped: &'d (dyn Fn() -> bool + Sync),
     /// In the modes of which assembly of the first mechanism.
     pub(super) assembly: usize,
-}
-
-/// A local optimum that holds all conditions, not yet certified.
-struct Ended {
-    at: Start,
-    /// What the search makes least.
-    least: f64,
-    steps: usize,
-    evaluations: usize,
-    converged: bool,
-}
-
-impl Local for Ended {
-    fn place(&self) -> &[f64] {
-        &self.at.x
-    }
-
-    fn least(&self) -> f64 {
-        self.least
-    }
 }
 
 /// A certified optimum.
@@ -92,8 +66,41 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
                 .map(|((low, high), part)| low + part * (high - low));
             parts.collect()
         };
-        let ended = self.descend(problem.start(limits, place)?)?;
-        self.certified(self.rounded(ended)?)
+        let start = problem.start(limits, place)?;
+        if index > 0 {
+            let ended = self.descend(start)?;
+            return self.certified(self.rounded(ended)?);
+        }
+        self.best_of(self.ladder(start)?)
+    }
+
+    /// The best of some results that is certified.
+    ///
+    /// An optimum at a dead point is an error: there is none short of it.
+    fn best_of(&self, results: Vec<Ended>) -> Result<Optimum<M, A>, DesignError> {
+        let mut best: Option<Optimum<M, A>> = None;
+        let mut first = None;
+        for result in results {
+            let settled = result.converged;
+            let catalogues = !self.problem.catalogues.is_empty();
+            match self.rounded(result).and_then(|ended| self.certified(ended)) {
+                Ok(optimum) if best.as_ref().is_none_or(|best| optimum.least < best.least) => {
+                    best = Some(optimum);
+                }
+                Err(error @ DesignError::NotWhole(Interruption::DeadPoint(_)))
+                    if settled && best.is_none() && first.is_none() =>
+                {
+                    return Err(error);
+                }
+                Err(error) => first = first.or(Some(error)),
+                Ok(_) => {}
+            }
+            // The others come after the best one; values of catalogues may change that.
+            if best.is_some() && !catalogues {
+                break;
+            }
+        }
+        best.ok_or_else(|| first.unwrap_or(DesignError::NotWhole(Interruption::Apart)))
     }
 
     /// Whether an assembly of the first mechanism is the one that these searches are in the modes of.
@@ -131,48 +138,6 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             steps,
             evaluations,
             ..best
-        })
-    }
-
-    fn descend(&self, mut start: Start) -> Result<Ended, DesignError> {
-        let problem = &self.problem;
-        let mut sizes = problem
-            .sizes(&start)
-            .ok_or_else(|| problem.refused(&start))?;
-        let search = Search {
-            reach: start.reach.clone(),
-            precision: PRECISION,
-            slope: SLOPE,
-            tolerance: TOLERANCE,
-            rounds: self.steps,
-        };
-        let (mut steps, mut evaluations, mut converged) = (0, 0, false);
-        for _ in 0..REFINEMENTS {
-            let groups = |x: &[f64]| problem.groups(&start, x, &sizes);
-            let found = minimise(&start.x, &start.limits, &search, groups, self.stopped)
-                .ok_or_else(|| problem.not_whole(&start.x))?;
-            steps += found.rounds;
-            evaluations += found.evaluations;
-            start.x = found.x;
-            let refined = !(self.stopped)() && problem.refine(&mut start);
-            converged = found.converged && !refined;
-            sizes = problem
-                .sizes(&start)
-                .ok_or_else(|| problem.not_whole(&start.x))?;
-            if !refined {
-                break;
-            }
-        }
-        problem.held(&start, &sizes, HOLDS)?;
-        let least = problem
-            .groups(&start, &start.x, &sizes)
-            .map_or(f64::NAN, |groups| sizes.goal * groups.value());
-        Ok(Ended {
-            at: start,
-            least,
-            steps,
-            evaluations,
-            converged,
         })
     }
 

@@ -9,7 +9,8 @@ use linkage_core::Cycle;
 use super::super::DesignError;
 use super::corners::{Corner, Corners};
 use super::interval::ranges;
-use super::{Candidate, Chosen, Conditions, Curve, CycleWish, Own, Piece, Place};
+use super::steady::Claim;
+use super::{Candidate, Chosen, Conditions, Curve, CycleWish, Own, Piece, Place, Verdict};
 use crate::tolerance::Tolerances;
 use crate::words::rounded;
 use crate::{Dimensions, Parameter};
@@ -264,6 +265,26 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
 
     /// Corners of the tolerances in which the quantity leaves the band.
     fn refine(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Vec<Vec<f64>> {
+        self.further(candidate, chosen)
+    }
+
+    fn verify(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Verdict> {
+        let goal = match self.asked {
+            Asked::Longest(_) => Some(Claim::Length),
+            Asked::Narrowest(_) => Some(Claim::Band),
+            Asked::AtLeast { .. } => None,
+        };
+        self.verdict(candidate, chosen, goal)
+    }
+}
+
+impl<A, const N: usize> Dwell<'_, A, N> {
+    /// Corners of the tolerances that leave the band, without those that were added.
+    pub(super) fn further<M: Dimensions<N>>(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+        chosen: Chosen<'_>,
+    ) -> Vec<Vec<f64>> {
         let (Some(corners), &[from, length, _, band]) = (&self.corners, chosen.own) else {
             return Vec::new();
         };

@@ -12,7 +12,7 @@ pub struct BestCycle<M, A> {
     pub mechanism: M,
     /// Assembled on the circuit that runs through the whole range.
     pub assembly: A,
-    /// The value of the goal, such as the longest dwell or the least peak.
+    /// The value of the goal, such as the longest dwell or the least peak, verified by the mechanism.
     pub goal: f64,
     /// The variables that each wish has for itself, in the order of the wishes: where a dwell begins and others.
     pub own: Vec<Vec<f64>>,
@@ -27,7 +27,8 @@ pub struct BestCycle<M, A> {
     /// Mechanisms that were tried.
     pub evaluations: usize,
     /// Whether the first-order conditions hold: no step as long as the first one gains, to first order, more than 1e-5 of what such a step changes
-    /// the goal by. Not if steps, time limit or cancellation ended the search, or if it found no step although slopes promise one.
+    /// the goal by. Not if steps, time limit or cancellation ended the search, if it found no step although slopes promise one, or if the best
+    /// result is that of narrower bounds.
     pub converged: bool,
     /// How many starts led here.
     pub hits: usize,

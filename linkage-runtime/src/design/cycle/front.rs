@@ -55,7 +55,7 @@ where
         let starts = self.settings.starts.max(1);
         let mut search = |goal: &dyn CycleWish<M, A, N>,
                           limit: Option<&dyn CycleWish<M, A, N>>,
-                          first: (&M, usize)| {
+                          first: (&M, usize, bool)| {
             let own = self.wishes.iter().map(Box::as_ref);
             let wishes: Vec<_> = own.chain([goal]).chain(limit).collect();
             let checked = self.checked(&wishes)?;
@@ -72,8 +72,8 @@ where
             Ok::<_, DesignError>(Compromise { best, other })
         };
         let [sense, other_sense] = [sense::<M, A, N>(&goal), sense::<M, A, N>(&other)];
-        let first = search(&goal, None, (&self.nominal, starts))?;
-        let last = search(&other, None, (&self.nominal, starts))?;
+        let first = search(&goal, None, (&self.nominal, starts, true))?;
+        let last = search(&other, None, (&self.nominal, starts, true))?;
         let span = last.other - first.other;
         let limit = |k: usize| {
             let part = k as f64 / (compromises - 1) as f64;
@@ -83,14 +83,14 @@ where
         let mut near = first.best.mechanism;
         for k in 1..compromises {
             let limited = other.within(limit(k));
-            let found = search(&goal, Some(&limited), (&near, 1)).ok();
+            let found = search(&goal, Some(&limited), (&near, 1, false)).ok();
             near = found.as_ref().map_or(near, |found| found.best.mechanism);
             between.push(found);
         }
         near = last.best.mechanism;
         for (k, kept) in (1..compromises).zip(&mut between).rev() {
             let limited = other.within(limit(k));
-            let found = search(&goal, Some(&limited), (&near, 1)).ok();
+            let found = search(&goal, Some(&limited), (&near, 1, false)).ok();
             let better = |a: &Compromise<M, A>, b: &Compromise<M, A>| {
                 sense * a.best.goal < sense * b.best.goal
             };

@@ -12,14 +12,20 @@ const POSITIONS: usize = 24;
 
 impl<A, const N: usize> Dwell<'_, A, N> {
     /// The quantity over the range, and beyond it across the seam.
-    fn jet(&self, motion: &Motion<'_, A>, assembly: &A, input: f64, advance: f64) -> [f64; 3] {
+    pub(super) fn jet(
+        &self,
+        motion: &Motion<'_, A>,
+        assembly: &A,
+        input: f64,
+        advance: f64,
+    ) -> [f64; 3] {
         let (place, turns) = motion.in_range(input);
         let [value, v, a] = self.curve.jet(assembly, place);
         [value + turns * advance, v, a]
     }
 
     /// What the quantity advances by over a turn.
-    fn advance(&self, motion: &Motion<'_, A>, assembly: &A) -> f64 {
+    pub(super) fn advance(&self, motion: &Motion<'_, A>, assembly: &A) -> f64 {
         let (low, high) = motion.range;
         let at = |input: f64| self.curve.jet(assembly, input)[0];
         if motion.in_range(high + 1.0).1 > 0.0 {

@@ -173,7 +173,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         all.then_some(groups)
     }
 
-    fn row(&self, piece: &Piece<N>, own: &Range<usize>, variables: usize) -> Row {
+    pub(super) fn row(&self, piece: &Piece<N>, own: &Range<usize>, variables: usize) -> Row {
         let mut slopes = vec![0.0; variables];
         for (slope, &index) in slopes.iter_mut().zip(&self.varied) {
             *slope = piece.parameters[index];

@@ -43,18 +43,27 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
                 .filter(|&k| missed[k] > tolerance * sizes.conditions[k])
                 .map(|k| missed[k]);
             if let Some(by) = worst.max_by(f64::total_cmp) {
-                let at_bound = self.at_bound(x);
-                let (equations, variables) = self.freedom(start);
-                return Err(DesignError::OutOfReach {
-                    wish: wish.title(),
-                    by,
-                    at_bound: at_bound.iter().map(|(name, _)| name.to_string()).collect(),
-                    equations,
-                    variables,
-                });
+                return Err(self.out_of_reach(start, wish.title(), by));
             }
         }
         Ok(())
+    }
+
+    /// That a condition is missed by so much where a search is.
+    pub(super) fn out_of_reach(&self, start: &Start, wish: String, by: f64) -> DesignError {
+        let at_bound = self.at_bound(&start.x);
+        let (equations, variables) = self.freedom(start);
+        let values = self.mechanism(&start.x).values();
+        let value = |&index: &usize| (M::PARAMETERS[index].name, values[index]);
+        DesignError::OutOfReach {
+            wish,
+            by,
+            nearest: self.varied.iter().map(value).collect(),
+            at_bound: at_bound.iter().map(|(name, _)| name.to_string()).collect(),
+            equations,
+            variables,
+            settled: true,
+        }
     }
 
     /// How many equations must hold, of figures and between parameters, and how many variables there are for them.

@@ -34,6 +34,8 @@ where
 {
     /// Searches for the best mechanism.
     ///
+    /// The result is verified by the assembled mechanism, and not worse than the first mechanism, if that holds all conditions.
+    ///
     /// # Errors
     ///
     /// All mistakes of the problem at once; `StartNotWhole` or `NoStart` if the search has nowhere to begin; `OutOfReach` with the condition that
@@ -59,18 +61,18 @@ where
         self.searched(
             &checked,
             &wishes,
-            (&self.nominal, starts),
+            (&self.nominal, starts, true),
             &end,
             &mut report,
         )
     }
 
-    /// Searches for what is wanted from a mechanism, which is the first of so many starts.
+    /// Searches for what is wanted from a mechanism, which is the first of so many starts; `widening` begins within narrower bounds there.
     pub(super) fn searched(
         &self,
         checked: &Checked<A>,
         wishes: &Wishes<'_, M, A, N>,
-        (first, starts): (&M, usize),
+        (first, starts, widening): (&M, usize, bool),
         end: &End<'_>,
         report: &mut Option<Report<'a>>,
     ) -> Result<Vec<BestCycle<M, A>>, DesignError> {
@@ -78,12 +80,18 @@ where
         let (assembled, own) = (&*self.assemble, &self.assembly);
         let assemble = |near: &A, mechanism: &M| assembled(mechanism, near);
         let own = |mechanism: &M| assemble(own, mechanism);
-        let descents = |assembly: usize, assemble| Descents {
-            problem: self.problem(checked, wishes, first, assemble),
-            seed: self.settings.seed,
-            steps: self.settings.steps,
-            stopped: &stopped,
-            assembly,
+        let descents = |assembly: usize, assemble| {
+            let problem = self.problem(checked, wishes, first, assemble);
+            let start = problem.start(&problem.limits, problem.first());
+            Descents {
+                reference: start.ok().and_then(|start| problem.scales(&start)),
+                widening,
+                seed: self.settings.seed,
+                steps: self.settings.steps,
+                stopped: &stopped,
+                assembly,
+                problem,
+            }
         };
         let mut all = vec![descents(0, &own as &Assemble<'_, M, A>)];
         // The assembly that is there is among the branches, if it runs through the whole range.

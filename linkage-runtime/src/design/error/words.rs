@@ -153,9 +153,11 @@ impl fmt::Display for DesignError {
             Self::OutOfReach {
                 wish,
                 by,
+                nearest,
                 at_bound,
                 equations,
                 variables,
+                settled,
             } => {
                 write!(
                     f,
@@ -167,6 +169,15 @@ impl fmt::Display for DesignError {
                         f,
                         "; {equations} equations must hold, and what varies is {variables}; make limits of some, or vary more"
                     );
+                }
+                if !settled {
+                    // The search lost its way: wider bounds would make it worse.
+                    f.write_str(", where the search did not converge (")?;
+                    for (k, (name, value)) in nearest.iter().enumerate() {
+                        let comma = if k > 0 { ", " } else { "" };
+                        write!(f, "{comma}{name} {}", rounded(*value))?;
+                    }
+                    return f.write_str("); narrow the bounds, begin with a mechanism that holds the conditions, or take more starts");
                 }
                 match at_bound.is_empty() {
                     true => f.write_str(", with no parameter at a bound; ask for less, or begin with another mechanism"),

@@ -1,0 +1,186 @@
+//! One search, and the best of its steps that holds.
+
+use alloc::vec::Vec;
+
+use super::super::DesignError;
+use super::super::catalogue::Local;
+use super::super::minimax::{Groups, Search, minimise};
+use super::descents::Descents;
+use super::problem::{Sizes, Start};
+use super::verify::Scales;
+use crate::Dimensions;
+
+/// Where steps promise less than this part of what the goal can change by in a first step, the search looks whether it is at an optimum.
+const PRECISION: f64 = 1e-6;
+/// It is at one where, to first order, no step as long as the first one gains more than this part of it.
+const SLOPE: f64 = 1e-5;
+/// A condition that is broken by less than this part of what it can change by in a first step holds.
+pub(super) const TOLERANCE: f64 = 1e-9;
+/// One that is broken by more than this part of it at the end is out of reach; what is between is what a search leaves that is ended early.
+const HOLDS: f64 = 1e-7;
+/// How often wishes may add conditions.
+const REFINEMENTS: usize = 40;
+
+/// A result of a search that is verified, not yet certified.
+#[derive(Clone)]
+pub(super) struct Ended {
+    pub(super) at: Start,
+    /// The value that the search makes least.
+    pub(super) least: f64,
+    pub(super) steps: usize,
+    pub(super) evaluations: usize,
+    pub(super) converged: bool,
+}
+
+impl Local for Ended {
+    fn place(&self) -> &[f64] {
+        &self.at.x
+    }
+
+    fn least(&self) -> f64 {
+        self.least
+    }
+}
+
+impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
+    /// Searches from a start, and returns the verified result: where the search ended, or the best of its steps, if the end does not hold.
+    pub(super) fn descend(&self, mut start: Start) -> Result<Ended, DesignError> {
+        let problem = &self.problem;
+        let mut sizes = problem
+            .sizes(&start)
+            .ok_or_else(|| problem.refused(&start))?;
+        let scales = problem.scales(&start);
+        let search = Search {
+            reach: start.reach.clone(),
+            precision: PRECISION,
+            slope: SLOPE,
+            tolerance: TOLERANCE,
+            rounds: self.steps,
+        };
+        let (mut steps, mut evaluations, mut converged) = (0, 0, false);
+        let begun = start.x.clone();
+        let mut held = None;
+        for _ in 0..REFINEMENTS {
+            // Further conditions make nothing of what held before.
+            let mut best = Best::new(&sizes, self.reference.as_ref());
+            let groups = |x: &[f64]| {
+                let groups = problem.groups(&start, x, &sizes)?;
+                best.see(x, &groups);
+                Some(groups)
+            };
+            let found = minimise(&start.x, &start.limits, &search, groups, self.stopped)
+                .ok_or_else(|| problem.not_whole(&start.x))?;
+            steps += found.rounds;
+            evaluations += found.evaluations;
+            start.x = found.x;
+            held = best.x;
+            let refined = !(self.stopped)() && problem.refine(&mut start);
+            converged = found.converged && !refined;
+            sizes = problem
+                .sizes(&start)
+                .ok_or_else(|| problem.not_whole(&start.x))?;
+            if !refined {
+                break;
+            }
+        }
+        let claimed = |at: &Start| {
+            let groups = problem.groups(at, &at.x, &sizes);
+            groups.map_or(f64::NAN, |groups| sizes.goal * groups.value())
+        };
+        let ended = |at: Start, least: f64, converged: bool| Ended {
+            at,
+            least,
+            steps,
+            evaluations,
+            converged,
+        };
+        let last = problem
+            .held(&start, &sizes, HOLDS)
+            .and_then(|()| self.settled(&start, claimed(&start), scales.as_ref()));
+        let mut missed = None;
+        let mut best = match last {
+            // With another interval than that of the search it is no longer where the search ended.
+            Ok((at, least)) => Some((converged && at.x == start.x, at, least)),
+            Err(error) => {
+                missed = Some(error.unsettled(!converged));
+                None
+            }
+        };
+        for x in held.into_iter().chain([begun]) {
+            let at = Start { x, ..start.clone() };
+            let value = claimed(&at);
+            let gains = |least: f64| value < least - PRECISION * least.abs();
+            if best.as_ref().is_none_or(|(_, _, least)| gains(*least)) {
+                let other = self.settled(&at, value, scales.as_ref()).ok();
+                let better = other.filter(|(_, other)| {
+                    best.as_ref()
+                        .is_none_or(|(_, _, least)| *other < least - PRECISION * least.abs())
+                });
+                best = better.map(|(at, least)| (false, at, least)).or(best);
+            }
+        }
+        match (best, missed) {
+            (Some((converged, at, least)), _) => Ok(ended(at, least, converged)),
+            (None, Some(missed)) => Err(missed),
+            (None, None) => Err(problem.not_whole(&start.x)),
+        }
+    }
+
+    /// The verified place with its goal: with the variables that wishes have for themselves, or, where their claim does not hold, with those
+    /// that suit the mechanism there.
+    pub(super) fn settled(
+        &self,
+        start: &Start,
+        claimed: f64,
+        scales: Option<&Scales>,
+    ) -> Result<(Start, f64), DesignError> {
+        let problem = &self.problem;
+        let both = [self.reference.as_ref(), scales];
+        let missed = match problem.verified(start, claimed, &both) {
+            Ok(least) => return Ok((start.clone(), least)),
+            Err(missed) => missed,
+        };
+        let place = start.x[..problem.varied.len()].to_vec();
+        let Ok(mut suited) = problem.start(&problem.limits, place) else {
+            return Err(missed);
+        };
+        suited.added.clone_from(&start.added);
+        match problem.verified(&suited, f64::NAN, &both) {
+            Ok(least) => Ok((suited, least)),
+            Err(_) => Err(missed),
+        }
+    }
+}
+
+/// The best place of a search that holds all conditions.
+struct Best {
+    x: Option<Vec<f64>>,
+    value: f64,
+    /// The violation of each condition that is none, in its size: as small in that of the first mechanism.
+    tolerances: Vec<f64>,
+}
+
+impl Best {
+    fn new(sizes: &Sizes, reference: Option<&Scales>) -> Self {
+        let sizes = &sizes.conditions;
+        let first: Vec<f64> = reference.into_iter().flatten().flatten().copied().collect();
+        let tolerance = |(k, size): (usize, &f64)| {
+            // Conditions that a search added have none there.
+            let first = first.get(k).filter(|_| first.len() == sizes.len());
+            HOLDS * first.map_or(1.0, |first| (first / size).min(1.0))
+        };
+        Self {
+            x: None,
+            value: f64::INFINITY,
+            tolerances: sizes.iter().enumerate().map(tolerance).collect(),
+        }
+    }
+
+    fn see(&mut self, x: &[f64], groups: &Groups) {
+        let mut excesses = groups.excesses().zip(&self.tolerances);
+        if groups.value() < self.value && excesses.all(|(excess, most)| excess <= *most) {
+            self.x = Some(x.to_vec());
+            self.value = groups.value();
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! The ladder of bounds: searches within narrower bounds, of which the best result counts.
+//!
+//! A search within wide bounds may lose its way where one within narrower bounds does not: it leaves the valley that it began in, or comes near
+//! to a place where the mechanism ceases to exist. So there are rungs from narrow bounds to the full ones, each twice as wide as the rung below,
+//! and on each rung a search begins with the first mechanism, and another one with the best result of the rungs below. If both do not
+//! converge, the bounds widen in four shorter steps, with the same two searches on each.
+//!
+//! The results of all rungs are kept. So the best one is never worse than the first mechanism, if that holds all conditions. The widths of
+//! rungs and steps do not depend on the full bounds: searches within wider bounds of the same shape have all rungs and steps of those
+//! within narrower ones.
+
+use alloc::vec::Vec;
+
+use super::super::DesignError;
+use super::super::limits::Limits;
+use super::descent::Ended;
+use super::descents::Descents;
+use super::problem::Start;
+use crate::Dimensions;
+
+/// The width of the narrowest rung: of the parameter whose bounds are widest, as a part of its value.
+const NARROW: f64 = 0.05;
+/// Steps between two rungs.
+const STEPS: i32 = 4;
+/// Rungs below the narrowest one, with steps only.
+const BELOW: i32 = 3;
+/// The most rungs: bounds that are a million times as wide as narrow ones.
+const RUNGS: i32 = 20;
+/// The most steps of a rung where no search has any result.
+const HOPELESS: usize = 2;
+/// Bounds that differ by less than this part are the same.
+const SAME: f64 = 1e-6;
+/// Results that differ by less than this part are equal.
+const EQUAL: f64 = 1e-6;
+
+/// A rung: parts of the full bounds.
+struct Rung {
+    /// The steps between the rung below and this one.
+    steps: Vec<f64>,
+    part: f64,
+}
+
+/// The results on a ladder.
+struct Ladder {
+    /// The parameters of the first mechanism.
+    origin: Vec<f64>,
+    results: Vec<Ended>,
+    /// The number of the best one.
+    best: Option<usize>,
+}
+
+impl Ladder {
+    fn least(&self) -> f64 {
+        self.best
+            .map_or(f64::INFINITY, |best| self.results[best].least)
+    }
+
+    /// Keeps a result within a part of the bounds. It is an optimum within the full ones only if that part is all of them.
+    fn keep(&mut self, result: Result<Ended, DesignError>, part: f64) -> Result<(), DesignError> {
+        let mut result = result?;
+        result.converged &= part == 1.0;
+        if result.least < self.least() {
+            self.best = Some(self.results.len());
+        }
+        self.results.push(result);
+        Ok(())
+    }
+
+    /// Whether a search has found something better than the first mechanism.
+    fn has_climbed(&self) -> bool {
+        self.best.is_some_and(|best| self.results[best].steps > 0)
+    }
+
+    /// The parameters of the best result, or of the first mechanism.
+    fn near(&self) -> Vec<f64> {
+        let best = self.best.map(|best| &self.results[best].at.x);
+        best.map_or(&self.origin, |x| x)[..self.origin.len()].to_vec()
+    }
+
+    /// All results, the best first, each with the steps and evaluations of all.
+    fn sorted(mut self) -> Vec<Ended> {
+        let steps = self.results.iter().map(|result| result.steps).sum();
+        let evaluations = self.results.iter().map(|result| result.evaluations).sum();
+        let least = self.least();
+        // An optimum within the full bounds comes before one that is better by less than the precision of a search.
+        let rank = |result: &Ended| {
+            let equal = result.converged && result.least <= least + EQUAL * least.abs();
+            if equal { least } else { result.least }
+        };
+        let order = |a: &Ended, b: &Ended| {
+            let optima = b.converged.cmp(&a.converged);
+            rank(a).total_cmp(&rank(b)).then(optima)
+        };
+        self.results.sort_by(order);
+        for result in &mut self.results {
+            (result.steps, result.evaluations) = (steps, evaluations);
+        }
+        self.results
+    }
+}
+
+impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
+    /// All results from the first mechanism, the best first.
+    ///
+    /// # Errors
+    ///
+    /// The error of the search within the full bounds, if no search has a result.
+    pub(super) fn ladder(&self, first: Start) -> Result<Vec<Ended>, DesignError> {
+        let mut ladder = Ladder {
+            origin: first.x[..self.problem.varied.len()].to_vec(),
+            results: self.standing(&first).into_iter().collect(),
+            best: None,
+        };
+        ladder.best = ladder.results.first().map(|_| 0);
+        let mut error = None;
+        for rung in self.rungs(&ladder.origin) {
+            // The search within the full bounds is always begun.
+            if rung.part == 1.0 || !(self.stopped)() {
+                error = self.climb(&mut ladder, &rung).err();
+            }
+        }
+        match error {
+            Some(error) if ladder.results.is_empty() => Err(error),
+            _ => Ok(ladder.sorted()),
+        }
+    }
+
+    /// The rungs, the full bounds last.
+    fn rungs(&self, origin: &[f64]) -> Vec<Rung> {
+        let limits = &self.problem.limits;
+        let bounds = limits.lower.iter().zip(&limits.upper).zip(origin);
+        let parts = bounds.map(|((low, high), x)| (high - low) / x.abs());
+        // A parameter that is zero has no size to compare with.
+        let widest = parts.filter(|part| part.is_finite()).fold(0.0, f64::max);
+        let part = |step: i32| NARROW * 2_f64.powf(f64::from(step) / f64::from(STEPS)) / widest;
+        let narrower = (-BELOW * STEPS..RUNGS * STEPS).take_while(|step| part(*step) < 1.0 - SAME);
+        let (mut rungs, mut steps) = (Vec::new(), Vec::new());
+        for step in narrower.filter(|_| self.widening && widest > 0.0) {
+            if step >= 0 && step % STEPS == 0 {
+                let steps = core::mem::take(&mut steps);
+                rungs.push(Rung {
+                    steps,
+                    part: part(step),
+                });
+            } else if step > 0 || step % 2 == 0 {
+                steps.push(part(step));
+            }
+        }
+        rungs.push(Rung { steps, part: 1.0 });
+        rungs
+    }
+
+    /// Searches within the bounds of a rung, and in steps to it where that is not enough.
+    fn climb(&self, ladder: &mut Ladder, rung: &Rung) -> Result<(), DesignError> {
+        let (mut near, mut least) = (ladder.near(), ladder.least());
+        let climbed = ladder.has_climbed();
+        let direct = self.within(ladder, rung.part, ladder.origin.clone());
+        let mut enough = direct
+            .as_ref()
+            .is_ok_and(|result| result.converged && result.least <= least);
+        let error = ladder.keep(direct, rung.part);
+        if climbed {
+            let result = self.within(ladder, rung.part, near.clone());
+            enough |= result.as_ref().is_ok_and(|result| result.converged);
+            let _ = ladder.keep(result, rung.part);
+        }
+        if enough {
+            return Ok(());
+        }
+        for (k, &part) in rung.steps.iter().enumerate() {
+            let hopeless = k >= HOPELESS && ladder.results.is_empty();
+            if hopeless || (self.stopped)() {
+                break;
+            }
+            let direct = self.within(ladder, part, ladder.origin.clone());
+            if let Some(direct) = direct.as_ref().ok().filter(|direct| direct.converged)
+                && direct.least <= least
+            {
+                near = direct.at.x[..near.len()].to_vec();
+            }
+            let _ = ladder.keep(direct, part);
+            let result = self.within(ladder, part, near.clone());
+            // Only a search that converged is where the next one begins: others end anywhere.
+            if let Some(result) = result.as_ref().ok().filter(|result| result.converged)
+                && result.least <= least
+            {
+                near = result.at.x[..near.len()].to_vec();
+                least = result.least;
+            }
+            let _ = ladder.keep(result, part);
+        }
+        if ladder.has_climbed() && !(self.stopped)() {
+            let result = self.within(ladder, rung.part, ladder.near());
+            let _ = ladder.keep(result, rung.part);
+        }
+        error
+    }
+
+    /// Searches within a part of the bounds from a place.
+    fn within(&self, ladder: &Ladder, part: f64, place: Vec<f64>) -> Result<Ended, DesignError> {
+        let limits = narrowed(&self.problem.limits, &ladder.origin, part);
+        self.descend(self.problem.start(&limits, place)?)
+    }
+
+    /// The first mechanism itself, if it holds all conditions.
+    fn standing(&self, first: &Start) -> Option<Ended> {
+        let (at, least) = self.settled(first, f64::NAN, None).ok()?;
+        Some(Ended {
+            at,
+            least,
+            steps: 0,
+            evaluations: 1,
+            converged: false,
+        })
+    }
+}
+
+/// The limits with a part of the way from a place to each bound.
+fn narrowed(limits: &Limits, origin: &[f64], part: f64) -> Limits {
+    let mut narrowed = limits.clone();
+    if part < 1.0 {
+        for bounds in [&mut narrowed.lower, &mut narrowed.upper] {
+            for (bound, x) in bounds.iter_mut().zip(origin) {
+                *bound = x + part * (*bound - x);
+            }
+        }
+    }
+    narrowed
+}

@@ -1,0 +1,108 @@
+//! The verification of results: goal and conditions are computed from the assembled mechanism, whatever the search claims.
+//!
+//! A search sees a mechanism through the rows of its working set, each measured by the change in a first step. Near a place where
+//! the mechanism ceases to exist, such as a flat triangle, derivatives grow without limit, and a violation of any size
+//! becomes a small part of such a change. So a verdict has sizes of its own: the band of a dwell, the limit of a figure.
+
+use alloc::string::ToString;
+use alloc::vec::Vec;
+
+use super::super::DesignError;
+use super::descent::TOLERANCE;
+use super::problem::{Problem, Start};
+use super::{Candidate, Check, Motion, Piece, Verdict};
+use crate::Dimensions;
+
+/// A violation that is smaller than this part of the size of its condition is none.
+const VERIFIED: f64 = 1e-6;
+/// A violation of the size that a search leaves is none, up to this part of the size of its condition.
+const LARGEST: f64 = 1e-3;
+/// A claim that differs from the verdict by less than this part of both is confirmed, and returned to the last digit.
+const CONFIRMED: f64 = 1e-6;
+/// The verdict looks for limits from this many times the intervals of the search.
+const FINER: usize = 4;
+
+/// The change of each condition of each wish in a first step.
+pub(super) type Scales = Vec<Vec<f64>>;
+
+impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
+    /// The change of each condition in a first step from a place; `None` where the mechanism does not assemble.
+    pub(super) fn scales(&self, start: &Start) -> Option<Scales> {
+        let x = &start.x;
+        let change = |k: usize, piece: &Piece<N>| {
+            let row = self.row(piece, &start.own[k], x.len());
+            let parts = row.slopes.iter().zip(&start.reach);
+            parts.map(|(slope, reach)| (slope * reach).abs()).sum()
+        };
+        let of = |candidate: &Candidate<'_, M, A>| {
+            let scales = self.wishes.iter().enumerate().map(|(k, wish)| {
+                let asked = wish.evaluate(candidate, start.chosen(k, x))?;
+                let largest = |pieces: &Vec<Piece<N>>| {
+                    let changes = pieces.iter().map(|piece| change(k, piece));
+                    changes.fold(f64::MIN_POSITIVE, f64::max)
+                };
+                Some(asked.conditions.iter().map(largest).collect())
+            });
+            scales.collect()
+        };
+        self.tried(x, of)
+    }
+
+    /// The goal as the search makes it least, if all conditions hold.
+    ///
+    /// `claimed` is the goal of the search, and `scales` are those of the first mechanism and of the place where the search began.
+    pub(super) fn verified(
+        &self,
+        start: &Start,
+        claimed: f64,
+        scales: &[Option<&Scales>],
+    ) -> Result<f64, DesignError> {
+        let x = &start.x;
+        let verdicts = self
+            .tried(x, |candidate| self.verdicts(start, candidate))
+            .ok_or_else(|| self.not_whole(x))?;
+        let ends = self.scales(start);
+        for (k, (wish, verdict)) in self.wishes.iter().zip(&verdicts).enumerate() {
+            let change = |nth: usize| {
+                let all = scales.iter().copied().chain([ends.as_ref()]).flatten();
+                let changes = all.filter_map(|scales| scales[k].get(nth).copied());
+                changes.reduce(f64::min).unwrap_or(0.0)
+            };
+            let broken = |(nth, check): (usize, &Check)| {
+                let tolerance = match check.size {
+                    Some(size) => {
+                        (VERIFIED * size).max((TOLERANCE * change(nth)).min(LARGEST * size))
+                    }
+                    None => VERIFIED * change(nth),
+                };
+                let holds = check.by <= tolerance;
+                (!holds).then_some(check.by)
+            };
+            let broken = verdict.conditions.iter().enumerate().filter_map(broken);
+            if let Some(by) = broken.max_by(f64::total_cmp) {
+                return Err(self.out_of_reach(start, wish.title(), by));
+            }
+        }
+        if let Some(by) = start.limits.missed(x) {
+            let wish = "relations between the parameters".to_string();
+            return Err(self.out_of_reach(start, wish, by));
+        }
+        let goal = verdicts.iter().find_map(|verdict| verdict.goal);
+        let goal = goal.filter(|goal| goal.is_finite());
+        let goal = goal.ok_or_else(|| self.not_whole(x))?;
+        let confirmed = (goal - claimed).abs() <= CONFIRMED * goal.abs().max(claimed.abs());
+        Ok(if confirmed { claimed } else { goal })
+    }
+
+    fn verdicts(&self, start: &Start, candidate: &Candidate<'_, M, A>) -> Option<Vec<Verdict>> {
+        let motion = Motion {
+            positions: FINER * (candidate.motion.positions - 1) + 1,
+            ..candidate.motion
+        };
+        let finer = Candidate::new(candidate.mechanism, motion, candidate.assemble);
+        let wishes = self.wishes.iter().enumerate();
+        wishes
+            .map(|(k, wish)| wish.verify(&finer, start.chosen(k, &start.x)))
+            .collect()
+    }
+}
