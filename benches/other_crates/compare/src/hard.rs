@@ -9,20 +9,22 @@ use crate::evaluators::{Crate, Dimensions, all};
 const U: f64 = 25.0 * PI / 180.0;
 
 /// A crank that is too long to turn fully.
-const ROCKING: Dimensions = [200.0, 120.0, 100.0, 140.0, 0.0, 70.0, U];
+pub(crate) const ROCKING: Dimensions = [200.0, 120.0, 100.0, 140.0, 0.0, 70.0, U];
 const PARALLELOGRAM: Dimensions = [50.0, 140.0, 50.0, 140.0, 0.0, 70.0, U];
 /// Its rocker is upright at one angle of the crank.
-const UPRIGHT: Dimensions = [60.0, 120.0, 100.0, 140.0, 0.0, 70.0, U];
+pub(crate) const UPRIGHT: Dimensions = [60.0, 120.0, 100.0, 140.0, 0.0, 70.0, U];
 
-/// The angle of the crank at which the distance of its pin from the rocker's pivot is `distance`.
-fn crank_angle([a, _, _, dx, ..]: Dimensions, distance: f64) -> f64 {
-    ((a * a + dx * dx - distance * distance) / (2.0 * a * dx)).acos()
+/// The angle of the crank at which coupler and rocker of [`ROCKING`] are in line.
+pub(crate) fn dead_point() -> f64 {
+    let [a, b, c, dx, ..] = ROCKING;
+    ((a * a + dx * dx - (b + c) * (b + c)) / (2.0 * a * dx)).acos()
 }
 
-/// The angle of the crank at which the rocker is upright.
-fn upright([a, b, c, dx, ..]: Dimensions) -> f64 {
+/// The angles of the crank at which the crank and the rocker of [`UPRIGHT`] are upright.
+pub(crate) fn upright_angles() -> [f64; 2] {
+    let [a, b, c, dx, ..] = UPRIGHT;
     let part = (a * a + dx * dx + c * c - b * b) / (2.0 * a);
-    c.atan2(dx) + (part / dx.hypot(c)).acos()
+    [PI / 2.0, c.atan2(dx) + (part / dx.hypot(c)).acos()]
 }
 
 fn show(title: &str, phi: f64, crates: &[Crate]) {
@@ -63,14 +65,19 @@ pub(crate) fn print() {
             Err(error) => println!("linkage does not assemble the {name} mechanism: {error}"),
         }
     }
-    let dead = crank_angle(ROCKING, 220.0);
+    let dead = dead_point();
     let rocking = all(ROCKING);
     show("1e-6 rad before a dead point", dead - 1e-6, &rocking);
     show("dead point", dead, &rocking);
     show("one roundoff beyond", dead.next_up(), &rocking);
     show("out of reach", PI, &rocking);
-    show("upright crank", PI / 2.0, &all(UPRIGHT));
-    show("upright rocker", upright(UPRIGHT), &all(UPRIGHT));
+    let upright = all(UPRIGHT);
+    for (title, phi) in ["upright crank", "upright rocker"]
+        .into_iter()
+        .zip(upright_angles())
+    {
+        show(title, phi, &upright);
+    }
     let parallel = all(PARALLELOGRAM);
     for degrees in [179.0, 180.0, 181.0] {
         show("parallelogram", f64::to_radians(degrees), &parallel);

@@ -1,5 +1,8 @@
 //! The four-bar with the gradients of symdiff: `x` has the angle of the crank and seven dimensions.
 
+// Of the generated gradients.
+#![allow(missing_docs)]
+
 use symdiff::gradient;
 
 /// The tracer point along the frame; `x_gradient` has its derivatives.
