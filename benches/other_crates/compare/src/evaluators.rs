@@ -8,12 +8,15 @@ use with_linkage::FourBar;
 /// Dimensions `a, b, c, dx, dy, p, u`: lengths in millimetres and an angle in radians.
 pub(crate) type Dimensions = [f64; 7];
 
+/// Computes values at all angles, one after the other.
+type Pass = Box<dyn Fn(&[f64])>;
+
 /// A function of the angle of the crank.
 pub(crate) struct Evaluator {
     /// The values at one angle.
     pub values: Box<dyn Fn(f64) -> Vec<f64>>,
     /// Computes the values at all angles, one after the other.
-    pub pass: Box<dyn Fn(&[f64])>,
+    pub pass: Pass,
 }
 
 fn evaluator<const N: usize>(function: impl Fn(f64) -> [f64; N] + 'static) -> Option<Evaluator> {
