@@ -175,3 +175,52 @@ fn the_recipe_of_the_cookbook_prints_a_table() {
         assert_eq!(cells.collect::<Vec<_>>(), expected);
     }
 }
+
+#[test]
+fn the_recipe_of_the_cookbook_runs_from_python() {
+    let Some(compiler) = Compiler::find() else {
+        return;
+    };
+    if Compiler::named("python3").is_none() {
+        println!("skipped: there is no `python3`");
+        return;
+    }
+    let folder = machine::folder("cookbook_python");
+    let press = Given::text(blocks(COOKBOOK, "text")[0]);
+    machine::write(
+        &folder,
+        &sources(&press.name, &press.unit, Real::Double).expect("it can be exported"),
+    );
+    fs::write(folder.join("table.c"), blocks(COOKBOOK, "c")[1]).expect("C can be written");
+    let program = blocks(COOKBOOK, "python")
+        .into_iter()
+        .find(|program| program.contains("ctypes"))
+        .expect("a program that loads a library");
+    fs::write(folder.join("main.py"), program).expect("Python can be written");
+    let command = "-std=c99 -O2 -shared -fPIC press.c table.c -o libpress.so -lm";
+    assert!(COOKBOOK.contains(command), "the page has another command");
+    let mut arguments: Vec<&str> = command.split(' ').collect();
+    arguments.extend(WARNINGS);
+    compiler.run(&folder, &arguments);
+    let output = Command::new("python3")
+        .current_dir(&folder)
+        .arg("main.py")
+        .output()
+        .expect("Python runs");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{errors}");
+    let printed = String::from_utf8(output.stdout).expect("a text");
+    let lines: Vec<&str> = printed.lines().collect();
+    let [dead, square, folded, error] = lines[..] else {
+        panic!("three rows and an error: {printed}");
+    };
+    // In line, square, folded: 125 + 40, the root of 125^2 - 40^2, 125 - 40; square, the slide is as fast as the crank's pin.
+    let expected = [[165.0, 0.0], [118.427, -40.0], [85.0, 0.0]];
+    for (line, expected) in [dead, square, folded].into_iter().zip(expected) {
+        let cells = line
+            .split(' ')
+            .map(|cell| cell.parse::<f64>().expect("a number"));
+        assert_eq!(cells.collect::<Vec<_>>(), expected);
+    }
+    assert!(error.contains("cannot close"), "{error}");
+}
