@@ -19,6 +19,8 @@ const VERIFIED: f64 = 1e-6;
 const LARGEST: f64 = 1e-3;
 /// A claim that differs from the verdict by less than this part of both is confirmed, and returned to the last digit.
 const CONFIRMED: f64 = 1e-6;
+/// Values that differ by less than this part differ by rounding.
+const ROUNDING: f64 = 1e-12;
 /// The verdict looks for limits from this many times the intervals of the search.
 const FINER: usize = 4;
 
@@ -90,7 +92,10 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         let goal = verdicts.iter().find_map(|verdict| verdict.goal);
         let goal = goal.filter(|goal| goal.is_finite());
         let goal = goal.ok_or_else(|| self.not_whole(x))?;
-        let confirmed = (goal - claimed).abs() <= CONFIRMED * goal.abs().max(claimed.abs());
+        // A claim is never better than the verdict, apart from rounding.
+        let modest = claimed >= goal - ROUNDING * goal.abs();
+        let near = (goal - claimed).abs() <= CONFIRMED * goal.abs().max(claimed.abs());
+        let confirmed = modest && near;
         Ok(if confirmed { claimed } else { goal })
     }
 
