@@ -43,7 +43,6 @@ const NOT_YET: &[&str] = &[
     "docs/c.md",
     "docs/command.md",
     "docs/controllers.md",
-    "docs/design.md",
     "docs/js.md",
     "docs/language/checks.md",
 ];
