@@ -38,14 +38,6 @@ enum Size {
     Bytes(usize),
 }
 
-/// Documents that are not in plain English yet. The list shrinks: a document on it that passes is a failure.
-const NOT_YET: &[&str] = &[
-    "docs/design.md",
-    "docs/exact.md",
-    "docs/language/assemblies.md",
-    "docs/report.md",
-];
-
 /// Notes are dated and never change.
 fn is_note(page: &Path) -> bool {
     page.starts_with("docs/notes")
@@ -95,23 +87,10 @@ fn documents_are_in_plain_english() {
     for page in pages.iter().filter(|page| !is_note(page)) {
         let text = fs::read_to_string(page).expect("a page");
         let faults = faults(page, &text);
-        match NOT_YET.iter().any(|name| page == Path::new(name)) {
-            true if faults.is_empty() => {
-                failures.push(format!(
-                    "{}: passes, remove it from NOT_YET",
-                    page.display()
-                ));
-            }
-            true => {}
-            false => failures.extend(
-                faults
-                    .iter()
-                    .map(|own| format!("{}: {own}", page.display())),
-            ),
-        }
-    }
-    for name in NOT_YET.iter().filter(|name| !pages.contains(&name.into())) {
-        failures.push(format!("{name} in NOT_YET is no document"));
+        let named = faults
+            .iter()
+            .map(|own| format!("{}: {own}", page.display()));
+        failures.extend(named);
     }
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
