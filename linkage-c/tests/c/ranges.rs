@@ -67,7 +67,7 @@ const GAP: i32 = 3;
 /// Kind, begin and end.
 type Finding = (i32, f64, f64);
 
-/// As `tests/ranges.rs` has it for generated Rust.
+/// As `tests/ranges` has it for generated Rust.
 fn expected([crank, coupler, rocker, frame]: [f64; 4]) -> Option<Vec<Finding>> {
     let (inner, outer) = ((frame - crank).abs(), frame + crank);
     let (near, far) = ((coupler - rocker).abs(), coupler + rocker);

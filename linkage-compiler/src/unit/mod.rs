@@ -121,11 +121,14 @@ impl Unit {
     /// is prepared.
     pub fn slacks(&self) -> Program {
         let mut slacks = self.survey.clone();
-        slacks.outputs = slacks.outputs[1..].to_vec();
-        slacks.outputs.truncate(self.groups.len());
+        let outputs = self.survey.outputs.iter().skip(1).copied();
+        slacks.outputs = outputs.take(self.groups.len()).collect();
         for (number, own) in self.coupled.iter().enumerate() {
-            let state = Instruction::Load(Source::State(number, 0));
-            slacks.outputs[own.group] = slacks.push(state);
+            let state = slacks.push(Instruction::Load(Source::State(number, 0)));
+            // A unit of single programs has no survey.
+            if let Some(output) = slacks.outputs.get_mut(own.group) {
+                *output = state;
+            }
         }
         slacks.without_unused()
     }
