@@ -68,7 +68,7 @@ pub(crate) fn of_source(real: Real) -> String {
     };
     format!(
         "#if {IS_FINITE}\n\
-         #error \"NaN says that a position does not exist, and -ffast-math and -ffinite-math-only take it that there is none.\"\n#endif\n\
+         #error \"NaN says that a position does not exist, and -ffast-math and -ffinite-math-only take it that there is none. Compile this file without them; only files that include its header may have them.\"\n#endif\n\
          #ifdef __ASSOCIATIVE_MATH__\n\
          #error \"Sums must be computed in their order: compile without -funsafe-math-optimizations and -fassociative-math.\"\n#endif\n\
          {format}\n"

@@ -272,7 +272,7 @@ fn as_many_targets_as_can_be_met() {
     assert!(
         found
             .to_string()
-            .contains("2 residuals, 4 variables: no more than can be met exactly"),
+            .contains("2 residuals, 4 variables: all can be met exactly"),
         "{found}"
     );
 }

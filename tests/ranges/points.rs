@@ -101,7 +101,8 @@ fn circuits_that_cross_say_where() {
     let all = four_bar([50.0, 140.0, 50.0, 140.0])
         .circuits()
         .expect("it closes");
-    let said = "assemblies 1 and 2 of circuit 1 meet at phi = 0 deg and 180 deg (change points)\n";
+    let said =
+        "circuits 1 and 2 meet at phi = 0 deg and 180 deg (change points): assemblies 1 and 2\n";
     assert!(all.to_string().ends_with(said), "{all}");
     // Turning points, where two assemblies of one circuit end, are none.
     assert!(

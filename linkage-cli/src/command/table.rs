@@ -70,7 +70,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     })?;
     if table.missing > 0 {
         eprintln!(
-            "note: at {} of {} positions a number is missing: the mechanism cannot be assembled there, or stands at a dead point",
+            "note: at {} of {} positions a number is missing: the mechanism cannot be assembled there, or stands at a dead point or a change point",
             table.missing, along.positions.count
         );
     }

@@ -163,8 +163,11 @@ fn quantity(
     let wrong = wrong(name, text);
     let length = mechanism.unit.length;
     let tokens: Result<TokenStream, _> = text.parse();
-    let tokens =
-        tokens.map_err(|_| wrong("a bracket has no partner, or a character no meaning"))?;
+    let tokens = tokens.map_err(|_| {
+        wrong(
+            "a bracket has no partner, or a character no meaning\nhelp: write a tolerance as `+-`",
+        )
+    })?;
     if let Some(word) = name_within(mechanism, tokens.clone()) {
         return Err(wrong(&format!(
             "`{}` of {} cannot be used here\nhelp: a value may use numbers with units, functions and constants only",

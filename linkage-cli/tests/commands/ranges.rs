@@ -167,3 +167,22 @@ fn equal_assemblies_and_circuits_that_meet_are_told() {
     let said = "1 and 2 are equal: they meet here in a dead point, where both end\n";
     assert!(printed(&folder, &dead).ends_with(said));
 }
+
+/// The circuits of a turn do not depend on where it begins: at a change point, or beside it.
+#[test]
+fn circuits_do_not_depend_on_the_beginning_of_a_turn() {
+    let folder = four_bar("range_beginnings");
+    let file = folder.join("four.mech");
+    let text = fs::read_to_string(&file).expect("written");
+    let parallel = ["--set", "coupler=140mm", "--set", "rocker=50mm"];
+    for range in ["0deg..360deg", "-90deg..270deg", "20deg..380deg"] {
+        fs::write(&file, text.replace("0deg..360deg", range)).expect("written");
+        let all = printed(&folder, &[&["circuits", "four.mech"], &parallel[..]].concat());
+        let said = all.lines().last().expect("a line");
+        assert!(
+            said.starts_with("circuits 1 and 2 meet at phi = ")
+                && said.ends_with(" (change points): assemblies 1 and 2"),
+            "{range}\n{all}"
+        );
+    }
+}

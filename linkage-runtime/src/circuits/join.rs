@@ -29,14 +29,10 @@ pub(super) fn circuits(
         unite(one, other);
     }
     let mut closed = alloc::vec![false; leaves.len()];
-    for (one, first) in leaves.iter().enumerate() {
-        for (other, second) in leaves.iter().enumerate() {
-            let seam = turn && first.ends[1] == End::Range && second.ends[0] == End::Range;
-            let (here, there) = (&seams[one][1], &seams[other][0]);
-            if seam && near(here, there, size(here).max(size(there)), SAME) {
-                unite(one, other);
-                closed[one] |= one == other;
-            }
+    for one in 0..leaves.len() {
+        for other in continuing(leaves, seams, one, turn) {
+            unite(one, other);
+            closed[one] |= one == other;
         }
     }
     let mut order: Vec<usize> = Vec::new();
@@ -48,6 +44,31 @@ pub(super) fn circuits(
         });
     }
     (numbers, closed)
+}
+
+/// The leaves that continue one in the next turn: their unknowns are where its own end.
+///
+/// At a change point several begin in one place. There the leaf continues that is assembled in the same way, wherever the turn begins.
+fn continuing(leaves: &[Leaf], seams: &[[Vec<f64>; 2]], one: usize, turn: bool) -> Vec<usize> {
+    let here = &seams[one][1];
+    let is_near = |&other: &usize| {
+        let ends = [leaves[one].ends[1], leaves[other].ends[0]];
+        let there = &seams[other][0];
+        turn && ends == [End::Range; 2] && near(here, there, size(here).max(size(there)), SAME)
+    };
+    let all: Vec<usize> = (0..leaves.len()).filter(is_near).collect();
+    let alike = |other: &usize| {
+        let mut pairs = leaves[one].ways.iter().zip(&leaves[*other].ways);
+        pairs.all(|((_, here), (_, there))| match (here, there) {
+            (Way::Mode(a), Way::Mode(b)) => a == b,
+            _ => true,
+        })
+    };
+    let same: Vec<usize> = all.iter().copied().filter(alike).collect();
+    match same.is_empty() || all.len() == 1 {
+        true => all,
+        false => same,
+    }
 }
 
 /// Pairs of leaves that meet at a turning point: of those that end there, two in which the group that turns back is assembled

@@ -140,7 +140,7 @@ impl<M, A> fmt::Display for Search<M, A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let freedom = match self.residuals > self.variables {
             true => "more than can be met exactly: the least sum of squares is found",
-            false => "no more than can be met exactly, if bounds and relations allow it",
+            false => "all can be met exactly, if bounds and relations allow it",
         };
         writeln!(
             f,

@@ -233,7 +233,8 @@ impl<const N: usize, const K: usize> fmt::Display for Effects<N, K> {
         for part in self.contributions() {
             row(f, part.name, &part.effect, part.modulus)?;
             let shares = [part.share_of_worst_case, part.share_of_variance];
-            let [worst, variance] = shares.map(|share| 100.0 * share);
+            // The sum makes a zero positive.
+            let [worst, variance] = shares.map(|share| 100.0 * share + 0.0);
             writeln!(f, " {worst:>10.1} % {variance:>10.1} %")?;
         }
         Ok(())

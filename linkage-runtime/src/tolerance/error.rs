@@ -205,7 +205,7 @@ impl fmt::Display for ToleranceError {
             }
             Self::Nothing { what } => write!(f, "nothing to analyse: {what}"),
             Self::NotAssembled => f.write_str(
-                "the figure is NaN at every position: the mechanism cannot be assembled there",
+                "the figure is NaN at every position: the mechanism cannot be assembled there, or stands at a dead point or a change point",
             ),
             Self::NotFinite {
                 position,

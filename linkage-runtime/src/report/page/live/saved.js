@@ -12,8 +12,8 @@ function staysAsItWas(file) {
 
 // As `data.json`, without references between columns; `changed` has what is not as in the report, `stands` is true where nothing computes.
 function dataNow() {
-  // The reason of gaps is the page's own.
-  const { reason, ...data } = report;
+  // These words are the page's own.
+  const { reason, changePoints, ...data } = report;
   const modes = areOtherModes() ? { modes: live.modes } : {};
   const states = live.choice === 0 ? {} : { states: statesNow() };
   return {
