@@ -7,6 +7,8 @@
 //!
 //! for the angles `i` of the crank and `o` of the rocker.
 
+mod verified;
+
 use super::Pose;
 use super::burmester::{Dyads, Pivots};
 use super::complex::Complex;
@@ -47,7 +49,8 @@ pub struct Functions {
     pub four_bars: Vec<FunctionFourBar>,
     /// How many are complex, or have an imaginary length.
     pub complex: usize,
-    /// How many are at infinity (their frame is nothing beside the links), or too close to others to say what they are.
+    /// How many are at infinity (their frame is nothing beside the links), too close to others to say what they are, or do not
+    /// close at all pairs with the lengths that rounding leaves.
     pub undecided: usize,
     /// Whether the count is shown: as of [`Dyads`] for five pairs; for fewer, roots of a linear or quadratic equation that
     /// are clear of rounding.
@@ -76,6 +79,9 @@ impl Pair {
     }
 }
 
+/// Both joints of the frame are at 0 as seen from the crank: a link whose joints are not so near is another one.
+const FRAME: f64 = 1e-6;
+
 /// Below this part of the largest singular value or coefficient, rounding decides.
 const LEAST: f64 = 1e-12;
 
@@ -99,7 +105,7 @@ impl Functions {
         let solved = svd.solve(&right, 0.0).ok().filter(|_| rank > LEAST);
         let k = solved.ok_or(Unsolved::Dependent { rank, least: LEAST })?;
         let found = FunctionFourBar::of_ratios([k[0], k[1], k[2]], [input_start, output_start]);
-        Ok(Self::of([found].into_iter().collect(), true))
+        Ok(Self::of([found].into_iter().collect(), pairs, true))
     }
 
     /// Four pairs, one start given: at most two four-bars.
@@ -141,12 +147,13 @@ impl Functions {
             let numbers = [link.fixed, link.moving].into_iter().flatten();
             numbers.map(f64::abs).fold(0.0, f64::max)
         };
-        let frame = (0..links.len()).min_by(|&a, &b| far(&links[a]).total_cmp(&far(&links[b])));
+        let near = (0..links.len()).filter(|&k| far(&links[k]) < FRAME);
+        let frame = near.min_by(|&a, &b| far(&links[a]).total_cmp(&far(&links[b])));
         let sliders = dyads.real.len() - links.len();
         if let Some(frame) = frame {
             links.remove(frame);
         }
-        Ok(Self {
+        let found = Self {
             four_bars: links
                 .iter()
                 .map(|link| FunctionFourBar::of_link(link, &poses[0]))
@@ -154,7 +161,8 @@ impl Functions {
             complex: dyads.complex,
             undecided: dyads.undecided + sliders,
             certified: dyads.certified,
-        })
+        };
+        Ok(found.verified(pairs))
     }
 
     fn with_input_start(pairs: &[Pair; 4], start: f64) -> Result<Self, Unsolved> {
@@ -200,18 +208,19 @@ impl Functions {
             let ratios = ratios(&at(turn))?;
             FunctionFourBar::of_ratios(ratios, [start, turn])
         });
-        Ok(Self::of(found.into_iter().collect(), clear))
+        Ok(Self::of(found.into_iter().collect(), pairs, clear))
     }
 
-    fn of(found: Vec<Option<FunctionFourBar>>, certified: bool) -> Self {
+    fn of(found: Vec<Option<FunctionFourBar>>, pairs: &[Pair], certified: bool) -> Self {
         let count = found.len();
         let four_bars: Vec<_> = found.into_iter().flatten().collect();
-        Self {
+        let found = Self {
             complex: count - four_bars.len(),
             four_bars,
             undecided: 0,
             certified,
-        }
+        };
+        found.verified(pairs)
     }
 }
 
