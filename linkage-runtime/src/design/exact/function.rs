@@ -7,6 +7,7 @@
 //!
 //! for the angles `i` of the crank and `o` of the rocker.
 
+mod ratios;
 mod verified;
 
 use super::Pose;
@@ -17,6 +18,7 @@ use super::four_bar::{FourBar, Passage};
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::{Matrix3, Matrix4, SVD};
+use ratios::{ratios, row};
 
 /// Turns of both links that belong together, rad, from starts that are free or given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -122,7 +124,7 @@ impl Functions {
                 for four_bar in &mut found.four_bars {
                     *four_bar = four_bar.mirrored();
                 }
-                Ok(found)
+                Ok(found.verified(pairs))
             }
         }
     }
@@ -292,16 +294,4 @@ impl FunctionFourBar {
 fn checked(pairs: &[Pair]) -> Result<(), Unsolved> {
     let numbers: Vec<[f64; 2]> = pairs.iter().map(|pair| [pair.input, pair.output]).collect();
     error::check(&numbers)
-}
-
-/// Factors of the ratios, and the left side.
-fn row(input: f64, output: f64) -> [f64; 4] {
-    [output.cos(), -input.cos(), 1.0, (input - output).cos()]
-}
-
-/// The ratios to which four rows belong that depend on each other.
-fn ratios(rows: &[[f64; 4]; 4]) -> Option<[f64; 3]> {
-    let svd = SVD::new(Matrix4::from_fn(|i, j| rows[i][j]), false, true);
-    let vectors = svd.v_t?;
-    Some([0, 1, 2].map(|j| -vectors[(3, j)] / vectors[(3, 3)]))
 }

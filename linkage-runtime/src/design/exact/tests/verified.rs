@@ -50,6 +50,7 @@ fn pairs_close_also_where_they_nearly_depend_on_each_other() {
             }
         }
     }
+    std::println!("{returned} close, {left_out} do not and are left out");
     assert!(
         left_out > 0 && returned > left_out,
         "{left_out} of {returned}"
