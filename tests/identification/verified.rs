@@ -12,7 +12,8 @@ fn sum_of(mechanism: FourBar, read: &[[f64; 2]], at: &[f64], deviation: f64) -> 
         let b = linkage.path(*phi).b;
         ((b.x - x) / deviation).powi(2) + ((b.y - y) / deviation).powi(2)
     };
-    Some(at.iter().zip(read).map(square).sum())
+    let sum: f64 = at.iter().zip(read).map(square).sum();
+    sum.is_finite().then_some(sum)
 }
 
 /// Readings beyond the place where coupler and rocker are in line: the fit ends there, and errors from its slopes would be nearly 0.
@@ -70,7 +71,7 @@ fn beside_a_flat_triangle_there_are_no_standard_errors() -> Outcome {
 fn estimates_are_stationary_and_not_worse_than_the_start() -> Outcome {
     let long = std::env::var_os("LINKAGE_LONG").is_some();
     let mut random = Random::new(5);
-    let mut counts = [0; 3];
+    let (mut counts, mut at_the_edge) = ([0; 3], 0);
     let at = inputs(12);
     let good = points(&at)?;
     for _ in 0..if long { 10_000 } else { 40 } {
@@ -105,6 +106,8 @@ fn estimates_are_stationary_and_not_worse_than_the_start() -> Outcome {
                 "{found}"
             );
         }
+        // Within a few millimetres the readings are those of a mechanism that is not at its end.
+        assert!(found.converged || off > 3.0, "{off} {found}");
         counts[usize::from(found.converged)] += 1;
         if !found.converged {
             continue;
@@ -121,16 +124,21 @@ fn estimates_are_stationary_and_not_worse_than_the_start() -> Outcome {
                 sum_of(FourBar::from_values(&values), &read, &at, 1.0)
             };
             let step = (1e-3 * own.standard_error).min(1e-4);
-            if let (Some(more), Some(less)) = (moved(step), moved(-step)) {
-                let curvature = (more + less - 2.0 * sum) / (step * step);
-                let slope = (more - less) / (2.0 * step);
-                let alone = found.deviation * (2.0 / curvature.max(1e-9)).sqrt();
-                let length = slope * alone / (2.0 * found.deviation * found.deviation);
-                assert!(length.abs() < 0.2 || curvature <= 0.0, "{length} {found}");
-            }
+            let (Some(more), Some(less)) = (moved(step), moved(-step)) else {
+                at_the_edge += 1;
+                continue;
+            };
+            let curvature = (more + less - 2.0 * sum) / (step * step);
+            let slope = (more - less) / (2.0 * step);
+            let alone = found.deviation * (2.0 / curvature.max(1e-9)).sqrt();
+            let length = slope * alone / (2.0 * found.deviation * found.deviation);
+            assert!(length.abs() < 0.02 || curvature <= 0.0, "{length} {found}");
         }
     }
-    println!("{counts:?} not converged, converged, without a least sum");
+    println!(
+        "{counts:?} not converged, converged, without a least sum; {at_the_edge} estimates of these fall apart beside themselves"
+    );
+    assert!(100 * at_the_edge <= counts[1], "{at_the_edge}");
     assert!(counts[1] > 20, "{counts:?}");
     Ok(())
 }

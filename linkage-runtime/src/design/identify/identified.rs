@@ -30,7 +30,7 @@ pub struct Identified<M, const N: usize> {
     /// The standard deviation of readings: 1 if they were given; otherwise that of all, from their scatter, NaN if
     /// there are no more readings than unknowns.
     pub deviation: f64,
-    /// Whether the sum of squares is least here: a step that would make it smaller is shorter than a tenth of its standard error.
+    /// Whether the sum of squares is least here: a step that would make it smaller is shorter than a thousandth of its standard error.
     /// Otherwise, as where the mechanism falls apart beyond the estimate, there are no standard errors: they are NaN.
     pub converged: bool,
     covariance: [[f64; N]; N],

@@ -13,7 +13,7 @@ use crate::Dimensions;
 use crate::design::limits::Limits;
 
 /// An estimate is settled that is off by less than this part of its standard errors.
-const SETTLED: f64 = 0.1;
+const SETTLED: f64 = 1e-3;
 
 /// The step to the least sum of squares of the linearised readings.
 struct Step {
