@@ -16,6 +16,7 @@ mod columns;
 mod condition;
 mod contradiction;
 mod cycle;
+mod declared;
 mod error;
 pub mod exact;
 mod found;

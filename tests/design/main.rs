@@ -11,6 +11,7 @@ mod reach;
 mod reproducible;
 mod seeds;
 mod space;
+mod verified;
 mod whole;
 
 use linkage::design::{Design, Relation};

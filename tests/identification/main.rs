@@ -4,6 +4,7 @@
 mod estimates;
 mod messages;
 mod undetermined;
+mod verified;
 
 use linkage::design::Identification;
 use linkage::mechanism;

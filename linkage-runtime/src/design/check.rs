@@ -44,7 +44,7 @@ where
         let names: Vec<_> = names.collect();
         self.freedom.consistent(&limits, &names)?;
         let free = self.wishes.iter().map(|wish| wish.free(&cycle)).collect();
-        Ok(Problem::new(
+        let problem = Problem::new(
             Given {
                 nominal: values,
                 varied,
@@ -54,6 +54,7 @@ where
             },
             &self.wishes,
             free,
-        ))
+        );
+        Ok(problem.measured(&self.assemblies, self.settings.seed))
     }
 }

@@ -19,6 +19,7 @@ mod solutions;
 mod task;
 #[cfg(test)]
 mod tests;
+mod verify;
 
 pub use burmester::{CentreCurve, CentrePoint, Dyad, Dyads, Pivots};
 pub use error::Unsolved;

@@ -39,9 +39,9 @@ pub struct Found<M, A> {
     pub active_relations: Vec<String>,
     /// The conditions that are in the way, by their titles.
     pub active_conditions: Vec<String>,
-    /// Whether it is a local optimum; `false` where the descent had used up its steps.
+    /// Whether it is a local optimum; `false` where the descent had used up its steps, or led to nothing better that holds what must hold.
     pub converged: bool,
-    /// The start that led here.
+    /// The start that led here; that after the last one is the declared mechanism, where no start leads to a smaller sum.
     pub start: usize,
     /// How many starts led here.
     pub hits: usize,
@@ -62,6 +62,8 @@ pub struct Search<M, A> {
     pub broken: usize,
     /// Distinct optima that were refused since they do not run through the whole range on one circuit.
     pub not_whole: usize,
+    /// Distinct optima that violate a condition or a relation in the assembly that would be returned.
+    pub unverified: usize,
     /// Distinct optima that are not listed, although some of them may run through the range: the list was full, or the search was to end. Their
     /// sums are not less than those of the designs.
     pub left_out: usize,
@@ -158,6 +160,13 @@ impl<M, A> fmt::Display for Search<M, A> {
             "{} optima that do not run through the range",
             self.not_whole
         )?;
+        if self.unverified > 0 {
+            writeln!(
+                f,
+                "{} optima that violate what must hold once they are assembled",
+                self.unverified
+            )?;
+        }
         if self.left_out > 0 {
             writeln!(f, "{} optima with larger sums are left out", self.left_out)?;
         }

@@ -7,6 +7,7 @@ mod identified;
 mod print;
 mod reading;
 mod scale;
+mod settled;
 mod words;
 
 use alloc::boxed::Box;
@@ -126,6 +127,9 @@ where
 
     /// The estimate, with all that can be told of it.
     ///
+    /// It is verified without the descent: its sum of squares is not larger than that of the start, and it has standard errors where
+    /// no step within the bounds makes the sum smaller; see [`converged`](Identified::converged).
+    ///
     /// # Errors
     ///
     /// All that is wrong with what was given, together; `StartOpen` if the mechanism does not assemble at an input,
@@ -149,8 +153,16 @@ where
                 *x = *start;
             }
         }
+        let of = |x: &[f64]| {
+            let rows = self.rows(x, &unknown);
+            Determined::new(&rows, &ranges, self.estimates_deviations())
+        };
+        let (mut found, first) = (of(&x), of(&start));
+        if found.sum > first.sum {
+            (x, found) = (start.clone(), first);
+        }
+        let converged = self.settle(&limits, &mut x, &ranges, &unknown, &mut found);
         let rows = self.rows(&x, &unknown);
-        let found = Determined::new(&rows, &ranges, self.estimates_deviations());
         let parameters = self.start.parameters();
         let mechanism = self.mechanism(&x, &unknown);
         let named = words::Named {
@@ -170,6 +182,7 @@ where
             &rows,
             &found,
             undetermined,
+            converged,
         ))
     }
 

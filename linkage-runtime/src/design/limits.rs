@@ -66,9 +66,7 @@ impl Limits {
 
     /// Whether bounds and relations hold.
     pub(crate) fn hold(&self, x: &[f64]) -> bool {
-        let within = |(x, (low, high)): (&f64, (&f64, &f64))| (low..=high).contains(&x);
-        let bounds = x.iter().zip(self.lower.iter().zip(&self.upper)).all(within);
-        bounds && self.relations.iter().all(|relation| relation.holds(x))
+        self.bound(x) && self.relations.iter().all(|relation| relation.holds(x))
     }
 
     /// By how much the worst relation is missed beyond rounding; `None` if all hold.
@@ -83,6 +81,30 @@ impl Limits {
             (by > ACTIVE * relation.scale(x)).then_some(by)
         };
         self.relations.iter().filter_map(missed).reduce(f64::max)
+    }
+
+    /// The relation that is missed most, by its number, and by how much, unless by a part of its terms or of what the bounds' widths do to it.
+    pub(crate) fn worst(&self, x: &[f64]) -> Option<(usize, f64)> {
+        let missed = |(k, relation): (usize, &Linear)| {
+            let slack = relation.slack(x);
+            let by = if relation.equality {
+                slack.abs()
+            } else {
+                -slack
+            };
+            let width = |&(j, a): &(usize, f64)| (a * (self.upper[j] - self.lower[j])).abs();
+            let widths: f64 = relation.terms.iter().map(width).sum();
+            let holds = by <= ACTIVE * relation.scale(x).max(widths);
+            (!holds).then_some((k, by))
+        };
+        let missed = self.relations.iter().enumerate().filter_map(missed);
+        missed.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Whether all variables are within their bounds.
+    pub(crate) fn bound(&self, x: &[f64]) -> bool {
+        let within = |(x, (low, high)): (&f64, (&f64, &f64))| (low..=high).contains(&x);
+        x.iter().zip(self.lower.iter().zip(&self.upper)).all(within)
     }
 
     /// The numbers of the relations that do not hold.

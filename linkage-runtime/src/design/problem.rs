@@ -1,6 +1,7 @@
 //! A checked design problem: variables as a list of numbers, and what they do.
 
 mod conditions;
+mod sizes;
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -8,6 +9,8 @@ use core::f64::consts::TAU;
 use core::marker::PhantomData;
 use core::ops::Range;
 use linkage_core::Cycle;
+
+pub(crate) use conditions::Violation;
 
 use super::limits::{Limits, Linear};
 use super::normal::Normal;
@@ -46,6 +49,8 @@ pub(crate) struct Problem<'a, M, A, const N: usize> {
     pub(crate) cycle: Cycle,
     pub(crate) wishes: &'a [Box<dyn Wish<M, A> + 'a>],
     free: Vec<Option<Free>>,
+    /// The size of each row of a condition, from its own numbers; see [`measured`](Self::measured).
+    sizes: Vec<f64>,
     of: PhantomData<fn(&M)>,
 }
 
@@ -85,6 +90,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
             cycle: given.cycle,
             wishes,
             free,
+            sizes: Vec::new(),
             of: PhantomData,
         }
     }
@@ -111,8 +117,8 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
         first..first + count(&self.free[wish])
     }
 
-    /// A start from numbers between 0 and 1, on all equalities; or the relations that it contradicts.
-    pub(crate) fn start(&self, unit: &[f64]) -> Result<Vec<f64>, Vec<usize>> {
+    /// A place within the bounds from numbers between 0 and 1.
+    fn place(&self, unit: &[f64]) -> Vec<f64> {
         let place = |(u, &(low, high)): (&f64, &(f64, f64))| match low > 0.0 && high > WIDE * low {
             true => low * (high / low).powf(*u),
             false => low + (high - low) * u,
@@ -123,6 +129,12 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
                 x.extend(free.start(&unit[self.inputs(wish)]));
             }
         }
+        x
+    }
+
+    /// A start from numbers between 0 and 1, on all equalities; or the relations that it contradicts.
+    pub(crate) fn start(&self, unit: &[f64]) -> Result<Vec<f64>, Vec<usize>> {
+        let x = self.place(unit);
         let Some(x) = self.limits.on_equalities(x.clone()) else {
             return Err(self.limits.broken(&x));
         };

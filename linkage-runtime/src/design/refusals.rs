@@ -7,6 +7,8 @@ use core::fmt;
 
 use super::DesignError;
 use super::certificate::Interrupted;
+use super::problem::Violation;
+use crate::words::rounded;
 
 /// Why no start led to a mechanism that holds what must hold. Each start counts once: as `refused`, `open`, `broken` or `ended`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,6 +25,8 @@ pub struct Refusals {
     pub broken: usize,
     /// These conditions, with how many starts end where each does not hold.
     pub conditions: Vec<(String, usize)>,
+    /// Of the ends that violate conditions the one that comes nearest: its condition that is missed most, and by how much.
+    pub missed: Option<(String, f64)>,
     /// Starts that end at local optima which hold all conditions; they are refused for what follows.
     pub ended: usize,
     /// Distinct optima near which no values of catalogues hold all conditions.
@@ -31,6 +35,10 @@ pub struct Refusals {
     pub not_whole: usize,
     /// That of them with the least sum of squares, and why it does not.
     pub nearest: Option<Interrupted>,
+    /// Distinct optima that violate a condition or a relation in the assembly that would be returned.
+    pub unverified: usize,
+    /// That of them with the least sum of squares: the condition or relation that is missed most, and by how much.
+    pub violated: Option<(String, f64)>,
     /// What refused the first start of a search that has one of its own, with its numbers.
     pub first: Option<Box<DesignError>>,
 }
@@ -43,6 +51,8 @@ pub(crate) struct Tally {
     pub(crate) broken: usize,
     relations: Vec<usize>,
     conditions: Vec<usize>,
+    /// The worst condition of the end that comes nearest.
+    nearest: Option<Violation>,
 }
 
 /// What became of a start in the modes of all assemblies, the best last.
@@ -66,6 +76,18 @@ impl Tally {
             .for_each(|&k| count(&mut self.relations, k, 1));
     }
 
+    /// A start ends where these conditions do not hold.
+    pub(crate) fn missed(&mut self, conditions: &[Violation]) {
+        let parts = conditions.iter().copied();
+        let worst = parts.max_by(|a, b| a.part.total_cmp(&b.part));
+        self.nearer(worst);
+    }
+
+    fn nearer(&mut self, other: Option<Violation>) {
+        let both = self.nearest.into_iter().chain(other);
+        self.nearest = both.min_by(|a, b| a.part.total_cmp(&b.part));
+    }
+
     pub(crate) fn begun(&mut self, fate: &Fate) {
         match fate {
             Fate::Open => self.open += 1,
@@ -83,6 +105,7 @@ impl Tally {
         self.refused += other.refused;
         self.open += other.open;
         self.broken += other.broken;
+        self.nearer(other.nearest);
         let pairs = [
             (&mut self.relations, &other.relations),
             (&mut self.conditions, &other.conditions),
@@ -104,7 +127,11 @@ impl Tally {
             let pairs = names.into_iter().zip(counts.iter().copied());
             pairs.filter(|(_, count)| *count > 0).collect()
         };
+        let missed = self
+            .nearest
+            .and_then(|own| Some((conditions.get(own.wish)?.clone(), own.by)));
         Refusals {
+            missed,
             starts,
             refused: self.refused,
             relations: named(relations, &self.relations),
@@ -171,6 +198,15 @@ impl fmt::Display for Refusals {
             "of these optima do not run through the range",
             &[],
         )?;
+        tell(
+            f,
+            self.unverified,
+            "of these optima violate what must hold once they are assembled",
+            &[],
+        )?;
+        for (name, by) in self.violated.iter().chain(&self.missed) {
+            write!(f, "; the nearest misses `{name}` by {}", rounded(*by))?;
+        }
         if let Some(nearest) = &self.nearest {
             write!(f, "; {nearest}")?;
         }

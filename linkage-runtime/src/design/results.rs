@@ -1,5 +1,6 @@
 //! From local optima to designs: rounded to values of catalogues, then certified over the whole range, on all threads.
 
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::Found;
@@ -7,6 +8,7 @@ use super::builder::CircuitsOf;
 use super::catalogue::rounded;
 use super::certificate::{Interrupted, Interruption};
 use super::limits::Limits;
+use super::normal::Normal;
 use super::parallel::in_parallel;
 use super::problem::{Evaluator, Problem};
 use super::search::{Optimum, distinct};
@@ -24,6 +26,14 @@ pub(super) struct Results<'d, M, A, const N: usize> {
     pub(super) steps: usize,
     /// The most designs that are listed.
     pub(super) listed: usize,
+}
+
+/// Why an optimum is no design.
+pub(super) enum Refused {
+    /// It does not run through its whole range.
+    NotWhole(Interruption),
+    /// In the assembly that would be returned this is missed, by so much.
+    Violates(String, f64),
 }
 
 /// Optima that are certified side by side.
@@ -45,6 +55,10 @@ pub(super) struct Certified<M, A> {
     pub(super) not_whole: usize,
     /// The one with the least sum that is not whole.
     pub(super) nearest: Option<Interrupted>,
+    /// Optima that violate what must hold in the assembly that would be returned.
+    pub(super) unverified: usize,
+    /// The one with the least sum that does: what it misses most, and by how much.
+    pub(super) violated: Option<(String, f64)>,
     /// Optima that were not looked at.
     pub(super) left_out: usize,
     /// Whether this is because the search was to end.
@@ -57,8 +71,21 @@ impl<M, A> Default for Certified<M, A> {
             designs: Vec::new(),
             not_whole: 0,
             nearest: None,
+            unverified: 0,
+            violated: None,
             left_out: 0,
             ended: false,
+        }
+    }
+}
+
+impl<M, A> Certified<M, A> {
+    /// Adds a design that is better than all others, in a list of so many.
+    pub(super) fn add(&mut self, better: Option<Found<M, A>>, listed: usize) {
+        if let Some(better) = better.filter(|_| listed > 0) {
+            self.designs.insert(0, better);
+            self.left_out += self.designs.len().saturating_sub(listed);
+            self.designs.truncate(listed);
         }
     }
 }
@@ -122,7 +149,11 @@ where
                 seen += 1;
                 match found {
                     Ok(found) => certified.designs.push(found),
-                    Err(why) => {
+                    Err(Refused::Violates(what, by)) => {
+                        certified.unverified += 1;
+                        certified.violated.get_or_insert((what, by));
+                    }
+                    Err(Refused::NotWhole(why)) => {
                         certified.not_whole += 1;
                         let sum = optimum.sum;
                         // The least one comes first.
@@ -132,21 +163,64 @@ where
             }
         }
         certified.left_out = optima.len() - seen;
+        // By the sums of the assemblies that are returned, whatever the descents claim.
+        certified.designs.sort_by(|a, b| a.sum.total_cmp(&b.sum));
         certified
     }
 
-    fn found(
+    /// The design of an optimum, with directions within their bounds where relations and conditions allow it.
+    pub(super) fn found(
         &self,
         evaluator: &mut Evaluator<'_, M, A, N>,
         optimum: &Optimum,
-    ) -> Result<Found<M, A>, Interruption> {
+    ) -> Result<Found<M, A>, Refused> {
+        let wrapped = self.problem.wrapped(optimum);
+        match self.verified(evaluator, &wrapped) {
+            // A relation between angles need not be the same after a turn of one of them.
+            Err(Refused::Violates(..)) if wrapped.x != optimum.x => {
+                self.verified(evaluator, optimum)
+            }
+            result => result,
+        }
+    }
+
+    /// Whether bounds, relations and conditions hold; otherwise what is missed most.
+    fn must_hold(&self, x: &[f64], at: &Normal) -> Result<(), Refused> {
+        let problem = self.problem;
+        let limits = &problem.limits;
+        if let Some((k, by)) = limits.worst(x) {
+            let relation = self.freedom.relations().into_iter().nth(k);
+            let order = || "the order of the inputs".to_string();
+            return Err(Refused::Violates(relation.unwrap_or_else(order), by));
+        }
+        if !limits.bound(x) || !at.sum.is_finite() {
+            return Err(Refused::NotWhole(Interruption::Apart));
+        }
+        let violations = problem.violations(at).into_iter();
+        match violations.max_by(|a, b| a.part.total_cmp(&b.part)) {
+            Some(worst) => Err(Refused::Violates(
+                problem.wishes[worst.wish].title(),
+                worst.by,
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// The design, if it is there over the whole range and holds all that must hold: computed from its assembly, without the descent.
+    fn verified(
+        &self,
+        evaluator: &mut Evaluator<'_, M, A, N>,
+        optimum: &Optimum,
+    ) -> Result<Found<M, A>, Refused> {
         let problem = self.problem;
         let assembly = &self.assemblies[optimum.assembly];
-        let optimum = &problem.wrapped(optimum);
-        let branch = problem.certify(evaluator, assembly, optimum, self.circuits)?;
+        let branch = problem
+            .certify(evaluator, assembly, optimum, self.circuits)
+            .map_err(Refused::NotWhole)?;
         evaluator.evaluate(&branch.assembly, core::iter::once(&optimum.x[..]));
-        let mut normal = super::normal::Normal::new(problem.limits.len());
+        let mut normal = Normal::new(problem.limits.len());
         evaluator.normal(0, &mut normal);
+        self.must_hold(&optimum.x, &normal)?;
         let wishes = 0..problem.wishes.len();
         let rows = |wish: usize| {
             let rows = evaluator.rows(wish);

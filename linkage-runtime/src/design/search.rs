@@ -71,6 +71,8 @@ impl Optimum {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block {
     pub(crate) optima: Vec<Optimum>,
+    /// Starts that hold all conditions, where descents end at nothing that holds them and has a smaller sum.
+    pub(crate) feasible: Vec<Optimum>,
     pub(crate) tally: Tally,
     pub(crate) evaluations: usize,
 }
@@ -100,6 +102,8 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
             .enumerate()
             .map(|(place, (_, x))| (place, Descent::new(x.clone(), most)));
         let mut running: Vec<(usize, Descent)> = descents.collect();
+        // The sums of starts that hold all conditions.
+        let mut first = alloc::vec![None; begun.len()];
         let mut there = Normal::new(count);
         while !running.is_empty() {
             evaluator.evaluate(
@@ -112,13 +116,28 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
                 evaluator.normal(place, &mut there);
                 place += 1;
                 let state = descent.advance(&problem.limits, &mut there);
+                if descent.count == 1 && problem.meets(&descent.here) {
+                    first[*start] = Some(descent.here.sum).filter(|sum| sum.is_finite());
+                }
                 if state == State::Running {
                     return true;
                 }
                 if !descent.here.sum.is_finite() {
                     return false;
                 }
-                let broken = problem.broken(&descent.here);
+                let broken = problem.violations(&descent.here);
+                let smaller = |sum: &f64| !broken.is_empty() || descent.here.sum > *sum;
+                if let Some(sum) = first[*start].filter(smaller) {
+                    block.feasible.push(Optimum {
+                        x: begun[*start].1.clone(),
+                        sum,
+                        assembly: number,
+                        start: begun[*start].0,
+                        hits: 1,
+                        converged: false,
+                        zero: false,
+                    });
+                }
                 if broken.is_empty() {
                     fates[*start] = Fate::Ended;
                     block.optima.push(Optimum {
@@ -131,7 +150,8 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
                         zero: descent.is_zero(),
                     });
                 } else if !matches!(fates[*start], Fate::Ended) {
-                    fates[*start] = Fate::Broken(broken);
+                    block.tally.missed(&broken);
+                    fates[*start] = Fate::Broken(broken.iter().map(|own| own.wish).collect());
                 }
                 false
             });

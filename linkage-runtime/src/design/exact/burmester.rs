@@ -61,7 +61,8 @@ pub struct Dyads {
     pub real: Vec<Dyad>,
     /// How many are complex: no mechanisms.
     pub complex: usize,
-    /// How many are too close to others, or to infinity, to say whether they are real.
+    /// How many are too close to others, or to infinity, to say whether they are real, or do not lead the body through all poses
+    /// with the joints that rounding leaves.
     pub undecided: usize,
     /// Whether the count is shown: four links, each shown to exist (Krawczyk's test with discs, rounding included), to be
     /// real or complex, and to differ from the others. There are no more than four, if finitely many. It is not shown if

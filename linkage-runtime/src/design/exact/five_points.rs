@@ -11,6 +11,7 @@ use super::error::{self, Unsolved};
 use super::four_bar::FourBar;
 use super::long::Long;
 use super::task::{self, Shift};
+use super::verify;
 use crate::numeric::roots::{self, Term, Variable};
 use alloc::vec::Vec;
 
@@ -22,7 +23,7 @@ pub struct FivePoints {
     pub four_bars: Vec<(FourBar, [Pose; 5])>,
     /// How many are complex.
     pub complex: usize,
-    /// How many are multiple, or too close to others to say whether they are real.
+    /// How many are multiple, too close to others to say whether they are real, or do not close with the joints that rounding leaves.
     pub undecided: usize,
     /// Number of paths of the homotopy, each of which has been followed to its end without doubt. That they meet all
     /// solutions is certain with probability one: the start system is random.
@@ -126,14 +127,15 @@ impl Task {
         for (i, own) in certificates.iter().enumerate() {
             let before = certificates[..i].iter().flatten();
             let own = own.as_ref().filter(|own| own.real == Some(true));
-            match own.filter(|own| before.clone().all(|other| own.is_apart_from(other))) {
-                Some(own) => {
+            let own = own.filter(|own| before.clone().all(|other| own.is_apart_from(other)));
+            let four_bar = own.map(|own| (own, self.four_bar(&own.discs.map(|disc| disc.middle))));
+            // Shown to exist; that it is the one that is returned its own joints show.
+            match four_bar.filter(|(_, (four_bar, poses))| verify::closes(four_bar, poses)) {
+                Some((own, four_bar)) => {
                     let joints = own.discs[..4].iter().map(|disc| disc.radius);
                     found.error =
                         joints.fold(found.error, |most, radius| most.max(radius * self.unit));
-                    found
-                        .four_bars
-                        .push(self.four_bar(&own.discs.map(|disc| disc.middle)));
+                    found.four_bars.push(four_bar);
                 }
                 None => found.undecided += 1,
             }

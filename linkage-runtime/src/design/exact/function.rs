@@ -7,6 +7,9 @@
 //!
 //! for the angles `i` of the crank and `o` of the rocker.
 
+mod ratios;
+mod verified;
+
 use super::Pose;
 use super::burmester::{Dyads, Pivots};
 use super::complex::Complex;
@@ -15,6 +18,7 @@ use super::four_bar::{FourBar, Passage};
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::{Matrix3, Matrix4, SVD};
+use ratios::{ratios, row};
 
 /// Turns of both links that belong together, rad, from starts that are free or given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -47,7 +51,8 @@ pub struct Functions {
     pub four_bars: Vec<FunctionFourBar>,
     /// How many are complex, or have an imaginary length.
     pub complex: usize,
-    /// How many are at infinity (their frame is nothing beside the links), or too close to others to say what they are.
+    /// How many are at infinity (their frame is nothing beside the links), too close to others to say what they are, or do not
+    /// close at all pairs with the lengths that rounding leaves.
     pub undecided: usize,
     /// Whether the count is shown: as of [`Dyads`] for five pairs; for fewer, roots of a linear or quadratic equation that
     /// are clear of rounding.
@@ -76,6 +81,9 @@ impl Pair {
     }
 }
 
+/// Both joints of the frame are at 0 as seen from the crank: a link whose joints are not so near is another one.
+const FRAME: f64 = 1e-6;
+
 /// Below this part of the largest singular value or coefficient, rounding decides.
 const LEAST: f64 = 1e-12;
 
@@ -99,7 +107,7 @@ impl Functions {
         let solved = svd.solve(&right, 0.0).ok().filter(|_| rank > LEAST);
         let k = solved.ok_or(Unsolved::Dependent { rank, least: LEAST })?;
         let found = FunctionFourBar::of_ratios([k[0], k[1], k[2]], [input_start, output_start]);
-        Ok(Self::of([found].into_iter().collect(), true))
+        Ok(Self::of([found].into_iter().collect(), pairs, true))
     }
 
     /// Four pairs, one start given: at most two four-bars.
@@ -116,7 +124,7 @@ impl Functions {
                 for four_bar in &mut found.four_bars {
                     *four_bar = four_bar.mirrored();
                 }
-                Ok(found)
+                Ok(found.verified(pairs))
             }
         }
     }
@@ -141,12 +149,13 @@ impl Functions {
             let numbers = [link.fixed, link.moving].into_iter().flatten();
             numbers.map(f64::abs).fold(0.0, f64::max)
         };
-        let frame = (0..links.len()).min_by(|&a, &b| far(&links[a]).total_cmp(&far(&links[b])));
+        let near = (0..links.len()).filter(|&k| far(&links[k]) < FRAME);
+        let frame = near.min_by(|&a, &b| far(&links[a]).total_cmp(&far(&links[b])));
         let sliders = dyads.real.len() - links.len();
         if let Some(frame) = frame {
             links.remove(frame);
         }
-        Ok(Self {
+        let found = Self {
             four_bars: links
                 .iter()
                 .map(|link| FunctionFourBar::of_link(link, &poses[0]))
@@ -154,7 +163,8 @@ impl Functions {
             complex: dyads.complex,
             undecided: dyads.undecided + sliders,
             certified: dyads.certified,
-        })
+        };
+        Ok(found.verified(pairs))
     }
 
     fn with_input_start(pairs: &[Pair; 4], start: f64) -> Result<Self, Unsolved> {
@@ -200,18 +210,19 @@ impl Functions {
             let ratios = ratios(&at(turn))?;
             FunctionFourBar::of_ratios(ratios, [start, turn])
         });
-        Ok(Self::of(found.into_iter().collect(), clear))
+        Ok(Self::of(found.into_iter().collect(), pairs, clear))
     }
 
-    fn of(found: Vec<Option<FunctionFourBar>>, certified: bool) -> Self {
+    fn of(found: Vec<Option<FunctionFourBar>>, pairs: &[Pair], certified: bool) -> Self {
         let count = found.len();
         let four_bars: Vec<_> = found.into_iter().flatten().collect();
-        Self {
+        let found = Self {
             complex: count - four_bars.len(),
             four_bars,
             undecided: 0,
             certified,
-        }
+        };
+        found.verified(pairs)
     }
 }
 
@@ -283,16 +294,4 @@ impl FunctionFourBar {
 fn checked(pairs: &[Pair]) -> Result<(), Unsolved> {
     let numbers: Vec<[f64; 2]> = pairs.iter().map(|pair| [pair.input, pair.output]).collect();
     error::check(&numbers)
-}
-
-/// Factors of the ratios, and the left side.
-fn row(input: f64, output: f64) -> [f64; 4] {
-    [output.cos(), -input.cos(), 1.0, (input - output).cos()]
-}
-
-/// The ratios to which four rows belong that depend on each other.
-fn ratios(rows: &[[f64; 4]; 4]) -> Option<[f64; 3]> {
-    let svd = SVD::new(Matrix4::from_fn(|i, j| rows[i][j]), false, true);
-    let vectors = svd.v_t?;
-    Some([0, 1, 2].map(|j| -vectors[(3, j)] / vectors[(3, 3)]))
 }

@@ -18,6 +18,7 @@ use super::complex::Complex;
 use super::error::{self, Unsolved};
 use super::four_bar::{FourBar, Passage};
 use super::task::{self, Shift};
+use super::verify;
 use crate::design::Progress;
 use alloc::vec::Vec;
 use search::Search;
@@ -35,7 +36,8 @@ pub struct NinePoints {
     pub triples: Vec<Triple>,
     /// How many triples are complex: no mechanisms.
     pub complex: usize,
-    /// Paths without an end of their own: at points with a symmetry or next to others with double solutions.
+    /// Paths without an end of their own: at points with a symmetry or next to others with double solutions. Also triples of which a
+    /// cognate does not close at all points with the joints that rounding leaves.
     pub undecided: usize,
 }
 
@@ -56,6 +58,14 @@ pub struct Triple {
     pub four_bars: [PathFourBar; 3],
     /// Bound of the errors of the joints of the first one, in units of the points.
     pub error: f64,
+}
+
+impl Triple {
+    /// Whether both links of each cognate keep their lengths at all points.
+    fn closes(&self) -> bool {
+        let mut cognates = self.four_bars.iter();
+        cognates.all(|own| verify::closes(&own.four_bar, &own.poses))
+    }
 }
 
 /// A four-bar and how it passes the points.
@@ -105,7 +115,13 @@ pub fn nine_points_reporting(
     };
     for (certificate, _) in &search.found {
         match certificate.real {
-            Some(true) => found.triples.push(task.triple(certificate)),
+            Some(true) => {
+                let triple = task.triple(certificate);
+                match triple.closes() {
+                    true => found.triples.push(triple),
+                    false => found.undecided += 1,
+                }
+            }
             Some(false) => found.complex += 1,
             None => found.undecided += 1,
         }

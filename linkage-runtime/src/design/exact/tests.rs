@@ -3,6 +3,7 @@ mod five_points;
 mod four_bar;
 mod function;
 mod numbers;
+mod verified;
 
 use super::Pose;
 use linkage_random::Random;

@@ -12,7 +12,7 @@ pub(super) struct Determined {
     /// Derivatives of the readings over their standard deviations, by the parameters over their ranges.
     pub(super) jacobian: DMatrix<f64>,
     /// Differences over standard deviations.
-    differences: DVector<f64>,
+    pub(super) differences: DVector<f64>,
     left: DMatrix<f64>,
     /// Directions of the parameters, one in each row, best determined first.
     pub(super) directions: DMatrix<f64>,

@@ -30,6 +30,9 @@ pub struct Identified<M, const N: usize> {
     /// The standard deviation of readings: 1 if they were given; otherwise that of all, from their scatter, NaN if
     /// there are no more readings than unknowns.
     pub deviation: f64,
+    /// Whether the sum of squares is least here: a step that would make it smaller is shorter than a thousandth of its standard error.
+    /// Otherwise, as where the mechanism falls apart beyond the estimate, there are no standard errors: they are NaN.
+    pub converged: bool,
     covariance: [[f64; N]; N],
 }
 
@@ -44,7 +47,7 @@ pub struct Unknown {
     pub start: f64,
     /// The estimate.
     pub value: f64,
-    /// Its standard error; infinite if it is not determined.
+    /// Its standard error; infinite if it is not determined, NaN if the fit has not converged.
     pub standard_error: f64,
     /// Its place in `PARAMETERS`.
     pub index: usize,
@@ -67,7 +70,7 @@ pub struct Residual {
     /// What the mechanism gives minus the reading.
     pub difference: f64,
     /// The difference over its own standard deviation, which is smaller than that of the reading, since the estimate
-    /// follows each reading a little; NaN if nothing but this reading determines something.
+    /// follows each reading a little; NaN if nothing but this reading determines something, or the fit has not converged.
     pub standardised: f64,
     /// Whether it is farther off than the farthest of as many good readings is in 95 of 100 cases.
     pub is_outlier: bool,
@@ -77,7 +80,7 @@ impl<M, const N: usize> Identified<M, N> {
     /// The covariances of all parameters, those that were not to be found with zeros. For
     /// [`Uncertainties::covariance`](crate::tolerance::Uncertainties::covariance), if everything is determined.
     ///
-    /// What is not determined is left out: its covariances are infinite.
+    /// What is not determined is left out: its covariances are infinite. They are NaN where [`converged`](Self::converged) is false.
     #[must_use]
     pub const fn covariance(&self) -> &[[f64; N]; N] {
         &self.covariance
@@ -106,6 +109,7 @@ pub(super) fn identified<M, const N: usize>(
     rows: &[Row],
     found: &Determined,
     undetermined: Vec<Undetermined>,
+    converged: bool,
 ) -> Identified<M, N>
 where
     M: Dimensions<N>,
@@ -116,6 +120,7 @@ where
     for (a, &i) in places.iter().enumerate() {
         for (b, &j) in places.iter().enumerate() {
             covariance[i][j] = match is_known[a] && is_known[b] {
+                true if !converged => f64::NAN,
                 true => named.ranges[a] * found.covariance(a, b) * named.ranges[b],
                 false => f64::INFINITY,
             };
@@ -137,7 +142,8 @@ where
         mechanism,
         parameters: (0..places.len()).map(unknown).collect(),
         undetermined,
-        residuals: residuals(rows, found),
+        residuals: residuals(rows, found, converged),
+        converged,
         sum_of_squares: found.sum,
         degrees_of_freedom: found.degrees_of_freedom(),
         deviation: found.deviation(),
@@ -145,7 +151,7 @@ where
     }
 }
 
-fn residuals(rows: &[Row], found: &Determined) -> Vec<Residual> {
+fn residuals(rows: &[Row], found: &Determined, converged: bool) -> Vec<Residual> {
     /// A reading that keeps less of its own error than this determines something alone.
     const ALONE: f64 = 1e-9;
     let deviation = found.deviation();
@@ -160,7 +166,7 @@ fn residuals(rows: &[Row], found: &Determined) -> Vec<Residual> {
     };
     let residual = |(i, row): (usize, &Row)| {
         let kept = 1.0 - found.leverage(i);
-        let standardised = match kept > ALONE {
+        let standardised = match converged && kept > ALONE {
             true => row.difference / (row.deviation * deviation * kept.sqrt()),
             false => f64::NAN,
         };

@@ -28,9 +28,10 @@ impl<M, const N: usize> fmt::Display for Identified<M, N> {
         )?;
         for own in &self.parameters {
             let [start, value] = [own.start, own.value].map(|x| format!("{}", rounded(x)));
-            let error = match own.standard_error.is_infinite() {
-                true => String::from("not determined"),
-                false => format!(
+            let error = match own.standard_error {
+                error if error.is_infinite() => String::from("not determined"),
+                _ if !self.converged => String::from("not converged"),
+                _ => format!(
                     "{:>14} {}",
                     rounded(own.standard_error).to_string(),
                     own.unit
@@ -55,6 +56,13 @@ impl<M, const N: usize> fmt::Display for Identified<M, N> {
             self.degrees_of_freedom,
             rounded(self.sum_of_squares)
         )?;
+        if !self.converged {
+            writeln!(
+                f,
+                "not converged: the sum of squares still falls where the fit ended, as where the mechanism falls apart beyond it; \
+                 begin elsewhere, or look for a reading that the mechanism cannot have"
+            )?;
+        }
         for own in &self.undetermined {
             writeln!(f, "not determined: {own}")?;
         }

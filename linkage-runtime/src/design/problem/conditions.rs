@@ -1,4 +1,4 @@
-//! Which conditions do not hold, and which are in the way.
+//! Which conditions do not hold, by how much, and which are in the way.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -7,43 +7,79 @@ use super::super::normal::Normal;
 use super::Problem;
 use crate::Dimensions;
 
-/// A condition that is violated by less than this part of what the bounds' widths do to it holds: the last step met it to second
-/// order.
+/// A condition that is violated by less than this part of its size holds: the last step met it to second order.
 const HOLDS: f64 = 1e-9;
 
 /// One that has less to spare than this part of it is in the way: descents end that near to it.
 const ACTIVE: f64 = 1e-6;
 
+/// What the bounds' widths do to a condition counts as its size up to this many times the size of its own numbers. So no condition
+/// holds that is violated by more than a millionth of these.
+const MOST: f64 = 1e3;
+
+/// A row of a condition in a mechanism.
+struct Row {
+    /// The number of its wish.
+    wish: usize,
+    value: f64,
+    /// What its value is compared with.
+    size: f64,
+}
+
+/// A condition that does not hold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Violation {
+    /// The number of its wish.
+    pub(crate) wish: usize,
+    /// By how much it is violated.
+    pub(crate) by: f64,
+    /// The same as a part of its size.
+    pub(crate) part: f64,
+}
+
 impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
     /// Whether all conditions hold.
     pub(crate) fn meets(&self, at: &Normal) -> bool {
-        self.broken(at).is_empty()
+        self.violations(at).is_empty()
     }
 
-    /// The numbers of the wishes whose conditions do not hold.
-    pub(crate) fn broken(&self, at: &Normal) -> Vec<usize> {
-        self.conditions(at, |value, size| value < -HOLDS * size)
+    /// The conditions that do not hold, each by its worst row.
+    pub(crate) fn violations(&self, at: &Normal) -> Vec<Violation> {
+        let rows = self.conditions(at);
+        // A value that is no number holds nothing.
+        let broken = rows.filter(|row| row.value.is_nan() || row.value < -HOLDS * row.size);
+        let mut found: Vec<Violation> = Vec::new();
+        for Row { wish, value, size } in broken {
+            let (by, part) = (-value, -value / size);
+            match found.last_mut().filter(|last| last.wish == wish) {
+                Some(last) if last.part >= part => {}
+                Some(last) => *last = Violation { wish, by, part },
+                None => found.push(Violation { wish, by, part }),
+            }
+        }
+        found
     }
 
     /// The titles of the conditions that are met with nothing to spare.
     pub(crate) fn active(&self, at: &Normal) -> Vec<String> {
-        let active = self.conditions(at, |value, size| value <= ACTIVE * size);
+        let rows = self.conditions(at);
+        let active = rows.filter(|row| row.value <= ACTIVE * row.size);
+        let mut active: Vec<usize> = active.map(|row| row.wish).collect();
+        active.dedup();
         active.into_iter().map(|k| self.wishes[k].title()).collect()
     }
 
-    /// The numbers of the wishes with a condition whose value, and what the bounds' widths do to it, are so.
-    fn conditions(&self, at: &Normal, so: impl Fn(f64, f64) -> bool) -> Vec<usize> {
+    /// The rows of all conditions.
+    fn conditions(&self, at: &Normal) -> impl Iterator<Item = Row> {
         let widths = self.widths();
         let wishes = self.wishes.iter().enumerate();
         let conditions = wishes.filter(|(_, wish)| wish.is_condition());
         let owners = conditions.flat_map(|(k, wish)| (0..wish.rows()).map(move |_| k));
-        let is_so = |(_, (value, slopes)): &(usize, &(f64, Vec<f64>))| {
-            let size: f64 = slopes.iter().zip(&widths).map(|(s, w)| (s * w).abs()).sum();
-            so(*value, size)
-        };
-        let rows = owners.zip(&at.conditions).filter(is_so);
-        let mut found: Vec<usize> = rows.map(|(owner, _)| owner).collect();
-        found.dedup();
-        found
+        let rows = owners.zip(&at.conditions).zip(&self.sizes);
+        rows.map(move |((wish, (value, slopes)), own)| {
+            let change: f64 = slopes.iter().zip(&widths).map(|(s, w)| (s * w).abs()).sum();
+            let (value, size) = (*value, change.min(MOST * own));
+            Row { wish, value, size }
+        })
     }
 }

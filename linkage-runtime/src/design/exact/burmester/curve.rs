@@ -8,6 +8,7 @@ use super::super::Pose;
 use super::super::complex::{Complex, ZERO};
 use super::super::error::{self, Unsolved};
 use super::super::polynomial::{add_product, roots};
+use super::super::verify;
 use super::{Moves, Pivots};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
@@ -15,6 +16,7 @@ use core::f64::consts::PI;
 /// The curve of all joints of the frame whose links lead a body through four poses.
 pub struct CentreCurve {
     moves: Moves<3>,
+    poses: [Pose; 4],
     /// The pole of the first pose and of another one.
     pole: Complex,
 }
@@ -50,7 +52,8 @@ impl CentreCurve {
             .ok_or(Unsolved::AtInfinity)?;
         let back = (Complex::new(1.0, 0.0) - moves.turns[most]).inverse();
         let pole = moves.shifts[most].narrow() * back;
-        Ok(Self { moves, pole })
+        let poses = *poses;
+        Ok(Self { moves, poses, pole })
     }
 
     /// The pole through which the lines of [`CentreCurve::at`] go: where the body turns about from the first pose to
@@ -138,7 +141,7 @@ impl CentreCurve {
         determinant
     }
 
-    /// The joint of the body belongs to it; nothing if that is at infinity.
+    /// The joint of the body belongs to it; nothing if that is at infinity, or keeps its distance in three of the four poses only.
     fn point(&self, fixed: Complex, angle: f64) -> Option<CentrePoint> {
         // The two equations of three whose lines cross best.
         let pairs = [[0, 1], [1, 2], [2, 0]];
@@ -152,6 +155,7 @@ impl CentreCurve {
             .max_by(|a, b| crossing(a).total_cmp(&crossing(b)))?;
         let moving = self.moves.moving(fixed, best)?;
         let pivots = self.moves.pivots(moving, fixed);
-        Some(CentrePoint { pivots, angle })
+        let keeps = verify::keeps_length(&pivots, &self.poses);
+        keeps.then_some(CentrePoint { pivots, angle })
     }
 }

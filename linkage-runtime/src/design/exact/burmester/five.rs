@@ -9,6 +9,7 @@ use super::super::dense;
 use super::super::dyad;
 use super::super::error::{self, Unsolved};
 use super::super::task::turn_discs;
+use super::super::verify;
 use super::conics::{Conic, Point, common};
 use super::{Dyad, Dyads, Link, Moves, Pivots, Pose};
 use alloc::vec::Vec;
@@ -44,7 +45,7 @@ impl Dyads {
                 Found::Slider { x, a, s } => sliders.push(moves.slider(x, a, s)),
             }
         }
-        Ok(moves.listing(links, sliders))
+        Ok(moves.listing(links, sliders).verified(poses))
     }
 }
 
@@ -103,6 +104,18 @@ fn plane(moves: &Moves<4>) -> Result<Plane, Unsolved> {
         a: complex(3),
         s: complex(5),
     })
+}
+
+impl Dyads {
+    /// Those that lead the body through all poses with the joints that are returned.
+    fn verified(mut self, poses: &[Pose; 5]) -> Self {
+        let count = self.real.len();
+        self.real.retain(|dyad| verify::leads(dyad, poses));
+        let left_out = count - self.real.len();
+        self.undecided += left_out;
+        self.certified &= left_out == 0;
+        self
+    }
 }
 
 impl Plane {

@@ -3,6 +3,7 @@
 use super::super::Pose;
 use super::super::complex::{Complex, ONE};
 use super::super::error::{self, Unsolved};
+use super::super::verify;
 use super::{Moves, Pivots};
 
 impl Pivots {
@@ -15,7 +16,7 @@ impl Pivots {
         let moves = checked(poses)?;
         let fixed = (Complex::from(fixed) - moves.first.point.into()).scaled(1.0 / moves.unit);
         let moving = moves.moving(fixed, [0, 1]).ok_or(Unsolved::AtInfinity)?;
-        Ok(moves.pivots(moving, fixed))
+        verified(moves.pivots(moving, fixed), poses)
     }
 
     /// The link with this joint of the body (in its frame) that leads it through three poses: the centre of the circle
@@ -29,8 +30,14 @@ impl Pivots {
         let turned = Complex::polar(moves.first.angle) * moving.into();
         let moving = turned.scaled(1.0 / moves.unit);
         let fixed = moves.fixed(moving).ok_or(Unsolved::AtInfinity)?;
-        Ok(moves.pivots(moving, fixed))
+        verified(moves.pivots(moving, fixed), poses)
     }
+}
+
+/// Joints that are so far away that rounding does not keep their distance are at infinity.
+fn verified(pivots: Pivots, poses: &[Pose]) -> Result<Pivots, Unsolved> {
+    let keeps = verify::keeps_length(&pivots, poses);
+    keeps.then_some(pivots).ok_or(Unsolved::AtInfinity)
 }
 
 fn checked(poses: &[Pose; 3]) -> Result<Moves<2>, Unsolved> {
