@@ -177,7 +177,10 @@ fn circuits_do_not_depend_on_the_beginning_of_a_turn() {
     let parallel = ["--set", "coupler=140mm", "--set", "rocker=50mm"];
     for range in ["0deg..360deg", "-90deg..270deg", "20deg..380deg"] {
         fs::write(&file, text.replace("0deg..360deg", range)).expect("written");
-        let all = printed(&folder, &[&["circuits", "four.mech"], &parallel[..]].concat());
+        let all = printed(
+            &folder,
+            &[&["circuits", "four.mech"], &parallel[..]].concat(),
+        );
         let said = all.lines().last().expect("a line");
         assert!(
             said.starts_with("circuits 1 and 2 meet at phi = ")

@@ -21,6 +21,8 @@ pub struct Findings {
     pub calls: usize,
     /// Divisions; a packed one counts for each of its lanes.
     pub divisions: usize,
+    /// Lanes of packed divisions that may repeat another one: one for each packed division.
+    pub spare_lanes: usize,
     /// Square roots; a packed one counts for each of its lanes.
     pub roots: usize,
     /// Fused multiply-adds.
@@ -53,7 +55,8 @@ pub fn inspect(entry: *const ()) -> Findings {
         findings.fused += usize::from(is_fused(&instruction));
         match Arithmetic::of(&instruction) {
             Some(found) if found.operation == Operation::Divide => {
-                findings.divisions += found.lanes
+                findings.divisions += found.lanes;
+                findings.spare_lanes += usize::from(found.lanes > 1);
             }
             Some(found) if found.operation == Operation::Root => findings.roots += found.lanes,
             _ => {}

@@ -142,6 +142,7 @@ pub(crate) fn one(
         library,
         calls,
         divisions: divided,
+        spare_lanes,
         roots,
         fused,
         strange,
@@ -149,7 +150,12 @@ pub(crate) fn one(
     assert!(branches.is_empty(), "branch in {judgement}");
     assert!(strange.is_empty(), "{judgement}");
     assert!(library.is_empty() && calls == 0, "call in {judgement}");
-    assert_eq!(divided, divisions(operations), "divisions in {judgement}");
+    // A packed division takes the time of a single one, even if a lane of it repeats another division.
+    let planned = divisions(operations);
+    assert!(
+        planned <= divided && divided <= planned + spare_lanes,
+        "divisions in {judgement}"
+    );
     assert_eq!(roots, operations.sqrt as usize, "roots in {judgement}");
     let may_fuse = may_fuse || cfg!(target_feature = "fma");
     assert!(fused == 0 || may_fuse, "{judgement}");
