@@ -29,10 +29,10 @@ pub(super) fn circuits(
         unite(one, other);
     }
     let mut closed = alloc::vec![false; leaves.len()];
-    for one in 0..leaves.len() {
+    for (one, closed) in closed.iter_mut().enumerate() {
         for other in continuing(leaves, seams, one, turn) {
             unite(one, other);
-            closed[one] |= one == other;
+            *closed |= one == other;
         }
     }
     let mut order: Vec<usize> = Vec::new();
