@@ -38,6 +38,7 @@ fn separated(
 }
 
 /// A position, 0 if it differs from it by less than its accuracy, a share of the width of its range.
+#[cfg(feature = "alloc")]
 pub(crate) fn settled(x: f64, accuracy: f64, width: f64) -> f64 {
     if x.abs() < accuracy * width.abs() {
         0.0
@@ -66,7 +67,7 @@ pub(crate) fn rounded(x: f64) -> impl fmt::Display {
     })
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "alloc"))]
 mod tests {
     use super::settled;
 
