@@ -1,8 +1,11 @@
 //! The criteria and the words of the check of a range: one place for the compiler, which checks the default dimensions, and for assembled
 //! mechanisms, which check others.
 
+mod checked;
 mod numbers;
 mod words;
+
+pub use checked::{Driven, Unchecked, checked};
 
 pub use numbers::{length_as_written, place, rounded_inwards, rounded_to, significant};
 pub use words::{

@@ -11,7 +11,8 @@ pub(crate) use stretches::touches;
 
 use crate::{Group, Input};
 use alloc::vec::Vec;
-use linkage_core::range_check::Slack;
+pub use linkage_core::range_check::Unchecked;
+use linkage_core::range_check::{Driven, Slack, checked};
 use search::Search;
 
 /// What `check_range()` of an assembly finds.
@@ -63,15 +64,6 @@ pub enum RangeFindingKind {
     Undefined,
 }
 
-/// Why nothing is checked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unchecked {
-    /// Several inputs have a range.
-    SeveralRanges,
-    /// No input has a range, and the mechanism is not driven by a single angle.
-    NoRange,
-}
-
 /// An assembled mechanism, as its check sees it.
 #[derive(Clone, Copy, Debug)]
 pub struct Ranged<'a> {
@@ -116,22 +108,19 @@ pub fn check_range(
         groups: ranged.groups,
         units: ranged.units.to_vec(),
     };
-    let declared = |&k: &usize| ranged.inputs[k].range.is_some();
-    let declared: Vec<usize> = (0..ranged.inputs.len()).filter(declared).collect();
-    let prepared = ranged.slacks.contains(&Slack::Prepared);
-    let input = match (&declared[..], ranged.inputs) {
-        (&[input], _) => input,
-        ([], [one]) if one.unit == "rad" && !prepared => 0,
-        ([], _) => {
-            report.unchecked = Some(Unchecked::NoRange);
-            return report;
-        }
-        _ => {
-            report.unchecked = Some(Unchecked::SeveralRanges);
+    let inputs = ranged.inputs.iter().map(|own| Driven {
+        angle: own.unit == "rad",
+        reference: own.reference,
+        range: own.range,
+    });
+    let (input, range) = match checked(inputs, ranged.slacks.contains(&Slack::Prepared)) {
+        Ok(found) => found,
+        Err(why) => {
+            report.unchecked = Some(why);
             return report;
         }
     };
-    let mut search = Search::new(ranged, input, survey, gaps);
+    let mut search = Search::new(ranged, input, range, survey, gaps);
     report.input = Some(ranged.inputs[input]);
     report.range = search.range;
     report.findings = search.findings();

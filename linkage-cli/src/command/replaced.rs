@@ -82,10 +82,8 @@ fn holds_mechanism(path: &Path) -> bool {
         return false;
     };
     // Of a file that is not Rust, all of it is taken for a call.
-    let calls = source.calls().iter();
-    calls
-        .into_iter()
-        .any(|found| !found.place.is_empty() || has_mechanism(&found.tokens))
+    let mut calls = source.calls().iter();
+    calls.any(|found| !found.place.is_empty() || has_mechanism(&found.tokens))
 }
 
 /// `struct NAME { unit mm; ... }`

@@ -57,34 +57,34 @@ impl Dimensions {
     /// All dimensions of the mechanism, in the order of its parameters.
     pub(super) fn of(&self, mechanism: &Mechanism) -> Result<Vec<f64>, Failure> {
         let mut values = mechanism.dimensions();
-        for given in &self.set {
-            let (name, text) = parts("--set", given)?;
-            let places = places(mechanism, name)?;
-            let units = places.iter().map(|&place| mechanism.parameters[place].unit);
-            let units: Vec<&str> = units.collect();
-            let numbers = quantity(mechanism, name, text, &units)?;
-            for (place, number) in places.into_iter().zip(numbers) {
-                values[place] = number.value;
-            }
+        for (place, number) in self.numbers(mechanism)? {
+            values[place] = number.value;
         }
         Ok(values)
     }
 
     /// Gives the mechanism the tolerances that stand with the dimensions, as `crank=40mm +- 0.1mm`.
     pub(super) fn tolerate(&self, mechanism: &mut Mechanism) -> Result<(), Failure> {
+        for (place, number) in self.numbers(mechanism)? {
+            if let Some(tolerance) = number.tolerance {
+                mechanism.set_tolerance(place, tolerance);
+            }
+        }
+        Ok(())
+    }
+
+    /// The numbers of all options in their order, with the places of their scalars.
+    fn numbers(&self, mechanism: &Mechanism) -> Result<Vec<(usize, Number)>, Failure> {
+        let mut all = Vec::new();
         for given in &self.set {
             let (name, text) = parts("--set", given)?;
             let places = places(mechanism, name)?;
             let units = places.iter().map(|&place| mechanism.parameters[place].unit);
             let units: Vec<&str> = units.collect();
             let numbers = quantity(mechanism, name, text, &units)?;
-            for (place, number) in places.into_iter().zip(numbers) {
-                if let Some(tolerance) = number.tolerance {
-                    mechanism.set_tolerance(place, tolerance);
-                }
-            }
+            all.extend(places.into_iter().zip(numbers));
         }
-        Ok(())
+        Ok(all)
     }
 }
 

@@ -14,8 +14,7 @@ mod signature;
 mod words;
 
 use linkage_core::Level;
-use std::f64::consts::PI;
-
+use linkage_core::range_check::{self, Driven};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
 pub use crate::model::{COMPONENTS, Shape};
@@ -139,17 +138,12 @@ impl Unit {
         if self.groups.is_empty() {
             return None;
         }
-        let declared = self.inputs.iter().enumerate();
-        let declared: Vec<_> = declared
-            .filter_map(|(k, own)| Some((k, own.range?)))
-            .collect();
-        match (&declared[..], &self.inputs[..]) {
-            (&[one], _) => Some(one),
-            ([], [one]) if one.angle && self.coupled.is_empty() => {
-                Some((0, (one.reference - PI, one.reference + PI)))
-            }
-            _ => None,
-        }
+        let inputs = self.inputs.iter().map(|own| Driven {
+            angle: own.angle,
+            reference: own.reference,
+            range: own.range,
+        });
+        range_check::checked(inputs, !self.coupled.is_empty()).ok()
     }
 
     /// How many slots `assemble()` prepares.

@@ -16,13 +16,12 @@ pub fn place(x: f64, angle: bool, unit: &str) -> String {
     }
 }
 
-/// Units of length, in metres.
-const UNITS: [(&str, f64); 6] = [
+/// Units of length that a mechanism may have, in metres.
+const UNITS: [(&str, f64); 5] = [
     ("m", 1.0),
     ("cm", 1e-2),
     ("mm", 1e-3),
     ("um", 1e-6),
-    ("nm", 1e-9),
     ("inch", 0.0254),
 ];
 

@@ -65,10 +65,7 @@ fn continuing(leaves: &[Leaf], seams: &[[Vec<f64>; 2]], one: usize, turn: bool) 
         })
     };
     let same: Vec<usize> = all.iter().copied().filter(alike).collect();
-    match same.is_empty() || all.len() == 1 {
-        true => all,
-        false => same,
-    }
+    if same.is_empty() { all } else { same }
 }
 
 /// Pairs of leaves that meet at a turning point: of those that end there, two in which the group that turns back is assembled

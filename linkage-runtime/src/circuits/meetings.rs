@@ -83,7 +83,7 @@ fn change_points(cycle: &Cycle, [low, high]: [f64; 2], slack: &dyn Fn(f64) -> f6
     let count = samples(high - low, cycle.angle);
     let at = |k: usize| low + (high - low) * (k as f64 / count as f64);
     let sizes = (0..=count).map(|k| slack(at(k)).abs());
-    let largest = sizes.fold(0.0, |most: f64, size| if size > most { size } else { most });
+    let largest = sizes.fold(0.0, f64::max);
     if largest == 0.0 {
         return Vec::new();
     }

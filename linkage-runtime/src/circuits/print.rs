@@ -39,15 +39,20 @@ impl<A> Circuits<A> {
         let mut in_order: Vec<_> = numbers.iter().zip(&self.branches).collect();
         in_order.sort_by_key(|(number, _)| **number);
         let mut circuits: Vec<usize> = Vec::new();
-        for (number, branch) in in_order {
+        for (_, branch) in &in_order {
             if !circuits.contains(&branch.circuit) {
                 circuits.push(branch.circuit);
             }
-            let circuit = circuits.iter().position(|own| *own == branch.circuit);
+        }
+        let circuit = |own: usize| {
+            let place = circuits.iter().position(|other| *other == own);
+            place.map_or(0, |place| place + 1)
+        };
+        for (number, branch) in in_order {
             let end = |end: BranchEnd| self.end(end, branch.closed);
             let mut row = vec![
                 number.to_string(),
-                circuit.map_or(0, |place| place + 1).to_string(),
+                circuit(branch.circuit).to_string(),
                 end(branch.ends[0]),
                 end(branch.ends[1]),
                 rounded(branch.margin).to_string(),
@@ -71,11 +76,8 @@ impl<A> Circuits<A> {
             text += line.trim_end();
             text.push('\n');
         }
-        let circuit = |own: usize| circuits.iter().position(|other| *other == own);
         for own in &self.meetings {
-            text += &self.meeting(own, numbers, &|own| {
-                circuit(own).map_or(0, |place| place + 1)
-            });
+            text += &self.meeting(own, numbers, &circuit);
             text.push('\n');
         }
         text

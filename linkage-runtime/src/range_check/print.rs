@@ -1,6 +1,6 @@
 //! Reports in the words of the compiler.
 
-use super::{RangeFinding, RangeFindingKind, RangeReport, Unchecked};
+use super::{RangeFinding, RangeFindingKind, RangeReport};
 use crate::{Group, Input};
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -118,18 +118,5 @@ impl fmt::Display for RangeReport {
             write!(f, "{between}{name}: {fact}\nhelp: {help}")?;
         }
         Ok(())
-    }
-}
-
-impl fmt::Display for Unchecked {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::SeveralRanges => {
-                "the ranges are not checked: several inputs have one, and only the range of a single input is searched"
-            }
-            Self::NoRange => {
-                "there is no range to check: no input has one, and the mechanism is not driven by a single angle"
-            }
-        })
     }
 }

@@ -4,7 +4,7 @@ use super::stretches::{Sample, Stretch, fails, lowest, stretches};
 use super::{RangeFinding, RangeFindingKind, Ranged};
 use crate::numeric::range::{first_failure, minimum};
 use alloc::vec::Vec;
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 use linkage_core::range_check::{AT_END, DEAD, END, ROUNDING, Slack, samples};
 
 /// Positions of a stretch at which the search looks for the largest miss of a group.
@@ -33,13 +33,11 @@ impl<'a> Search<'a> {
     pub(super) fn new(
         ranged: &'a Ranged<'a>,
         input: usize,
+        (low, high): (f64, f64),
         survey: OfInputs<'a>,
         gaps: OfInputs<'a>,
     ) -> Self {
         let own = &ranged.inputs[input];
-        let (low, high) = own
-            .range
-            .unwrap_or((own.reference - PI, own.reference + PI));
         let mut search = Self {
             ranged,
             input,
@@ -70,7 +68,7 @@ impl<'a> Search<'a> {
         let at_reference = self.raw(reference);
         for (group, slack) in self.ranged.slacks.iter().enumerate() {
             let sizes = self.samples.iter().map(|(_, slacks)| slacks[group].abs());
-            let largest = sizes.fold(0.0, |most: f64, size| if size > most { size } else { most });
+            let largest = sizes.fold(0.0, f64::max);
             let scale = if largest > 0.0 { largest } else { 1.0 };
             self.scales[group] = match slack {
                 Slack::Number | Slack::Prepared => 1.0,
