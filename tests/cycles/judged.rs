@@ -38,6 +38,22 @@ pub(crate) struct Tally {
 }
 
 macro_rules! problems {
+    // A drive of which one function gives all.
+    ($name:ident, $mechanism:ident, $assembly:ident) => {
+        problems!(
+            $name,
+            $mechanism,
+            $assembly,
+            |of, phi| {
+                let m = of.motion(phi);
+                [m.way, m.v, m.a, m.j]
+            },
+            {
+                let m = of.motion(phi);
+                [m.s, m.sv]
+            }
+        );
+    };
     ($name:ident, $mechanism:ident, $assembly:ident, |$of:ident, $phi:ident| $jet:expr, $slopes:expr) => {
         pub(crate) mod $name {
             use super::*;
@@ -231,32 +247,8 @@ macro_rules! problems {
     };
 }
 
-problems!(
-    needle,
-    Needle,
-    NeedleAssembly,
-    |of, phi| {
-        let m = of.motion(phi);
-        [m.way, m.v, m.a, m.j]
-    },
-    {
-        let m = of.motion(phi);
-        [m.s, m.sv]
-    }
-);
-problems!(
-    press,
-    Press,
-    PressAssembly,
-    |of, phi| {
-        let m = of.motion(phi);
-        [m.way, m.v, m.a, m.j]
-    },
-    {
-        let m = of.motion(phi);
-        [m.s, m.sv]
-    }
-);
+problems!(needle, Needle, NeedleAssembly);
+problems!(press, Press, PressAssembly);
 problems!(
     rocker,
     Rocker,

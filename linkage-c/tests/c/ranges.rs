@@ -1,12 +1,13 @@
 //! The check of the range in C, on random four-bars: what their lengths say. Rates at change points.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use linkage_c::{Real, sources};
 use linkage_corpus::given::Given;
+use linkage_random::four_bar::{Limit, lengths, limits};
 use linkage_random::{Random, one_in};
 
 use crate::machine::{self, Compiler, WARNINGS};
@@ -60,60 +61,17 @@ int main(void)
 }
 "#;
 
-const CHANGE_POINT: i32 = 1;
-const DEAD_POINT: i32 = 2;
-const GAP: i32 = 3;
-
 /// Kind, begin and end.
-type Finding = (i32, f64, f64);
+type Finding = (Limit, f64, f64);
 
-/// As `tests/ranges` has it for generated Rust.
-fn expected([crank, coupler, rocker, frame]: [f64; 4]) -> Option<Vec<Finding>> {
-    let (inner, outer) = ((frame - crank).abs(), frame + crank);
-    let (near, far) = ((coupler - rocker).abs(), coupler + rocker);
-    let same = |a: f64, b: f64| (a - b).abs() < 1e-13 * outer;
-    let angle = |distance: f64| {
-        let cosine = (crank * crank + frame * frame - distance * distance) / (2.0 * crank * frame);
-        cosine.clamp(-1.0, 1.0).acos()
-    };
-    if !same(inner, near) && inner.max(near) < 3e-3 * outer {
-        return None;
+/// The kind of a finding by its number in C.
+fn limit(kind: f64) -> Limit {
+    match kind as i32 {
+        1 => Limit::ChangePoint,
+        2 => Limit::DeadPoint,
+        3 => Limit::Gap,
+        other => panic!("no kind of finding here has the number {other}"),
     }
-    if inner > far || same(inner, far) || outer < near || same(outer, near) {
-        return None;
-    }
-    let mut found = Vec::new();
-    if same(inner, near) {
-        found.extend([(CHANGE_POINT, 0.0, 0.0), (CHANGE_POINT, TAU, TAU)]);
-    } else if inner < near {
-        found.push((DEAD_POINT, 0.0, angle(near)));
-        found.push((DEAD_POINT, TAU - angle(near), TAU));
-    }
-    if same(outer, far) {
-        found.push((CHANGE_POINT, PI, PI));
-    } else if outer > far {
-        found.push((GAP, angle(far), TAU - angle(far)));
-    }
-    found.sort_by(|a, b| a.1.total_cmp(&b.1));
-    Some(found)
-}
-
-fn lengths(random: &mut Random, round: usize) -> [f64; 4] {
-    let [a, b, c] = [0; 3].map(|_| random.between(20.0, 200.0));
-    let mut all = match random.below(6) {
-        0 => [a, b, a, b],
-        1 => [a, a, b, b],
-        2 => [a, b, b, a],
-        3 => [a, b, c, b + c - a],
-        4 => [a, b, c, a + b - c],
-        _ => [a, b, c, a + c - b],
-    };
-    match round % 3 {
-        1 => all[random.below(4)] *= 1.0 + random.pick(&[1e-6, -1e-6]),
-        2 => all = all.map(|own| own * random.between(0.5, 2.0)),
-        _ => {}
-    }
-    all
 }
 
 /// The program that was made of the C.
@@ -158,11 +116,11 @@ fn found(program: &Path, cases: &[[f64; 4]]) -> Vec<(i32, Vec<Finding>, String)>
         let mut all: Vec<Finding> = Vec::new();
         for own in words[2..].chunks(5) {
             assert!(
-                own[1] == 0.0 && (own[4] > 0.0) == (own[0] as i32 != CHANGE_POINT),
+                own[1] == 0.0 && (own[4] > 0.0) == (limit(own[0]) != Limit::ChangePoint),
                 "{}",
                 pair[0]
             );
-            all.push((own[0] as i32, own[2], own[3]));
+            all.push((limit(own[0]), own[2], own[3]));
         }
         all.sort_by(|a, b| a.1.total_cmp(&b.1));
         (words[0] as i32, all, pair[1].to_owned())
@@ -183,12 +141,14 @@ fn random_four_bars_have_what_their_lengths_say() {
     let count = cases.len();
     let mut kinds = [0; 4];
     for (own, (code, found, _)) in cases.iter().zip(found(&program, &cases)) {
-        let Some(expected) = expected(*own).filter(|_| code == 0 && own.iter().all(|x| *x > 5.0))
+        let Some(expected) = limits(*own).filter(|_| code == 0 && own.iter().all(|x| *x > 5.0))
         else {
             continue;
         };
         kinds[0] += usize::from(expected.is_empty());
-        expected.iter().for_each(|own| kinds[own.0 as usize] += 1);
+        expected
+            .iter()
+            .for_each(|own| kinds[1 + own.0 as usize] += 1);
         let near = |(a, b): (&Finding, &Finding)| {
             a.0 == b.0 && (a.1 - b.1).abs() < 2e-7 && (a.2 - b.2).abs() < 2e-7
         };
@@ -212,12 +172,12 @@ fn singles_find_change_points_to_their_digits() {
         [59.9, 120.0, 80.0, 140.0],
     ];
     let found = found(&program, &cases);
-    let kinds = |k: usize| -> Vec<i32> { found[k].1.iter().map(|own| own.0).collect() };
-    assert_eq!(kinds(0), [CHANGE_POINT; 3]);
-    assert_eq!(kinds(1), [CHANGE_POINT]);
+    let kinds = |k: usize| -> Vec<Limit> { found[k].1.iter().map(|own| own.0).collect() };
+    assert_eq!(kinds(0), [Limit::ChangePoint; 3]);
+    assert_eq!(kinds(1), [Limit::ChangePoint]);
     assert!((found[1].1[0].1 - PI).abs() < 1e-3);
     assert!(kinds(2).is_empty() && kinds(4).is_empty());
-    assert_eq!(kinds(3), [GAP]);
+    assert_eq!(kinds(3), [Limit::Gap]);
 }
 
 /// Rates are no numbers, and not infinite, where the position is: the limits from both sides are finite.

@@ -4,6 +4,7 @@
 //! generator at most, not the numbers made of them, so the few lines stand here.
 
 mod effort;
+pub mod four_bar;
 
 pub use effort::{is_long, one_in};
 
