@@ -15,7 +15,7 @@ const COUNT: usize = 60;
 /// Designs of one question to the page.
 const AT_ONCE: usize = 20;
 
-/// Roundoffs of results of coupled groups, as in `js.rs`: Rust makes one step from a table. Closed forms are equal to the last bit.
+/// Roundoffs of results of coupled groups, as in `js/assembled.rs`: Rust makes one step from a table. Closed forms are equal to the last bit.
 const COUPLED: f64 = 200.0;
 
 /// Sets the fields of each design after a reset, one change for each, and gives what the page says, and of each table the rows of CSV that are asked for

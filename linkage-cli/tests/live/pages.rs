@@ -112,7 +112,7 @@ fn written(file: &Path, kind: &str) -> PathBuf {
     folder
 }
 
-/// Roundoffs of what is computed, as in `js.rs`.
+/// Roundoffs of what is computed, as in `js/assembled.rs`.
 const ROUNDOFFS: f64 = 200.0;
 
 /// Of so many rows one is compared: the command's interpreter takes its time.

@@ -2,16 +2,15 @@
 //! to the last bit against generated Rust without fused multiply-adds.
 
 use std::f64::consts::TAU;
-use std::fs;
-use std::path::Path;
 
 use linkage_browser::Page;
 use linkage_cli::{Assembly, Mechanism};
-use linkage_compiler::Checked;
 use linkage_compiler::unit::Function;
 use linkage_corpus::given::{Given, exported, turning};
 use linkage_corpus::reference::Assembled;
 use linkage_random::Random;
+
+use crate::{load, object};
 
 /// Sets of dimensions of each mechanism, and positions for each: the declared ones and the reference first.
 const SETS: usize = 4;
@@ -37,23 +36,8 @@ struct Both<'p> {
 
 impl<'p> Both<'p> {
     fn new(given: Given, page: &'p mut Page) -> Self {
-        let Given { name, unit } = given;
-        let script = linkage_js::module(&name, &unit).script;
-        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.html"));
-        let html = format!(
-            "<!doctype html><meta charset=\"utf-8\"><script type=\"module\">\n{script}\nwindow.mechanism = mechanism;\n</script>"
-        );
-        fs::write(&file, html).expect("a file");
-        page.load(&file);
-        page.wait(&format!("mechanism.name === '{name}'"));
-        let checked = Checked {
-            name: Some(name),
-            unit: Some(unit),
-            messages: Vec::new(),
-            warnings: Vec::new(),
-        };
         Self {
-            mechanism: Mechanism::new(&checked).expect("it has no mistake"),
+            mechanism: load("assembled", given, page),
             page,
         }
     }
@@ -68,13 +52,9 @@ impl<'p> Both<'p> {
 
     /// Assembles both; `None` if neither closes.
     fn assembled(&mut self, dimensions: &[f64]) -> Option<Assembly<'_>> {
-        let names = self.mechanism.parameters.iter().map(|own| own.name);
-        let pairs = names
-            .zip(dimensions)
-            .map(|(name, x)| format!("{name:?}: {x:?}"));
-        let pairs = pairs.collect::<Vec<_>>().join(", ");
+        let given = object(&self.mechanism, dimensions);
         let said = self.page.words(&format!(
-            "(() => {{ try {{ window.own = mechanism.assemble({{ {pairs} }}); return ''; }} catch (error) {{ return error.message; }} }})()"
+            "(() => {{ try {{ window.own = mechanism.assemble({given}); return ''; }} catch (error) {{ return error.message; }} }})()"
         ));
         let expected = self.mechanism.assemble(dimensions);
         let name = self.mechanism.name;

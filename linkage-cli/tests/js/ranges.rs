@@ -1,14 +1,12 @@
 //! The check of ranges in JavaScript is that of the command: of all exported mechanisms at other dimensions, and of four-bars at change points.
 
-use std::fs;
-use std::path::Path;
-
 use linkage_browser::Page;
 use linkage_cli::{Assembly, Mechanism};
-use linkage_compiler::Checked;
 use linkage_corpus::given::{Given, exported};
 use linkage_random::{Random, one_in};
 use linkage_runtime::RangeFindingKind;
+
+use crate::{load, object};
 
 /// How far places are apart at most, relative to the range: a place where a slack touches zero is known to half of its digits.
 const APART: f64 = 1e-6;
@@ -29,35 +27,11 @@ const FOUR_BAR: &str = "
         pub fn motion(phi) -> Motion { psi, v: velocity(psi) }
     }";
 
-/// Loads the module of a mechanism.
-fn load(given: Given, page: &mut Page) -> Mechanism {
-    let Given { name, unit } = given;
-    let script = linkage_js::module(&name, &unit).script;
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}_range.html"));
-    let html = format!(
-        "<!doctype html><meta charset=\"utf-8\"><script type=\"module\">\n{script}\nwindow.mechanism = mechanism;\n</script>"
-    );
-    fs::write(&file, html).expect("a file");
-    page.load(&file);
-    page.wait(&format!("mechanism.name === '{name}'"));
-    let checked = Checked {
-        name: Some(name),
-        unit: Some(unit),
-        messages: Vec::new(),
-        warnings: Vec::new(),
-    };
-    Mechanism::new(&checked).expect("it has no mistake")
-}
-
 /// Compares the reports of an assembly with these dimensions; how many findings there are. Nothing if it does not close.
 fn compare(mechanism: &Mechanism, dimensions: &[f64], page: &mut Page) -> Option<usize> {
-    let names = mechanism.parameters.iter().map(|own| own.name);
-    let pairs = names
-        .zip(dimensions)
-        .map(|(name, x)| format!("{name:?}: {x:?}"));
-    let pairs = pairs.collect::<Vec<_>>().join(", ");
+    let given = object(mechanism, dimensions);
     let text = page.words(&format!(
-        "(() => {{ try {{ window.own = mechanism.assemble({{ {pairs} }}); }} catch {{ return 'open'; }} \
+        "(() => {{ try {{ window.own = mechanism.assemble({given}); }} catch {{ return 'open'; }} \
          const {{ findings, unchecked }} = mechanism.checkRange(own); \
          return [unchecked === null, ...findings.map((f) => [f.kind, f.group, f.from, f.to, f.miss].join(' '))].join(';'); }})()"
     ));
@@ -102,7 +76,7 @@ fn exported_mechanisms_have_the_findings_of_the_command() {
     let mut random = Random::new(3);
     let (mut closed, mut count) = (0, 0);
     for given in one_in(3, exported()) {
-        let mechanism = load(given, &mut page);
+        let mechanism = load("ranges", given, &mut page);
         for part in [0.0, 0.3, 0.4] {
             let own = mechanism.dimensions().into_iter();
             let dimensions: Vec<f64> = own
@@ -127,7 +101,7 @@ fn four_bars_at_change_points_have_the_findings_of_the_command() {
     let Some(mut page) = Page::empty() else {
         return;
     };
-    let mechanism = load(Given::text(FOUR_BAR), &mut page);
+    let mechanism = load("ranges", Given::text(FOUR_BAR), &mut page);
     let mut random = Random::new(5);
     let mut counts = [0; 3];
     for round in 0..90 {
