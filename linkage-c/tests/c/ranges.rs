@@ -6,27 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use linkage_c::{Real, sources};
-use linkage_corpus::given::Given;
+use linkage_corpus::given::{FOUR_BAR, Given};
 use linkage_random::four_bar::{Limit, lengths, limits};
 use linkage_random::{Random, one_in};
 
 use crate::machine::{self, Compiler, WARNINGS};
-
-const FOUR_BAR: &str = "
-    pub struct FourBar {
-        unit mm;
-        param crank = 50mm;
-        param coupler = 120mm;
-        param rocker = 100mm;
-        param frame = 140mm;
-        input phi = 30deg in 0deg..360deg;
-        unknown theta = 40deg;
-        unknown psi = 80deg;
-        loop polar(crank, phi) + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
-    }
-    impl FourBar {
-        pub fn motion(phi) -> Motion { psi, v: velocity(psi), a: acceleration(psi), m: margin() }
-    }";
 
 /// Reads four lengths from each line; prints what assembling returns, how many findings there are, and those that fit; then the motion at half a
 /// turn.

@@ -2,7 +2,7 @@
 
 use linkage_browser::Page;
 use linkage_cli::{Assembly, Mechanism};
-use linkage_corpus::given::{Given, exported};
+use linkage_corpus::given::{FOUR_BAR, Given, exported};
 use linkage_random::{Random, one_in};
 use linkage_runtime::RangeFindingKind;
 
@@ -10,22 +10,6 @@ use crate::{load, object};
 
 /// How far places are apart at most, relative to the range: a place where a slack touches zero is known to half of its digits.
 const APART: f64 = 1e-6;
-
-const FOUR_BAR: &str = "
-    pub struct FourBar {
-        unit mm;
-        param crank = 50mm;
-        param coupler = 120mm;
-        param rocker = 100mm;
-        param frame = 140mm;
-        input phi = 30deg in 0deg..360deg;
-        unknown theta = 40deg;
-        unknown psi = 80deg;
-        loop polar(crank, phi) + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
-    }
-    impl FourBar {
-        pub fn motion(phi) -> Motion { psi, v: velocity(psi) }
-    }";
 
 /// Compares the reports of an assembly with these dimensions; how many findings there are. Nothing if it does not close.
 fn compare(mechanism: &Mechanism, dimensions: &[f64], page: &mut Page) -> Option<usize> {

@@ -138,6 +138,23 @@ fn find(tokens: TokenStream, bodies: &mut Vec<TokenStream>) {
     }
 }
 
+/// A crank-rocker of four lengths, for other ones at run time.
+pub const FOUR_BAR: &str = "
+    pub struct FourBar {
+        unit mm;
+        param crank = 50mm;
+        param coupler = 120mm;
+        param rocker = 100mm;
+        param frame = 140mm;
+        input phi = 30deg in 0deg..360deg;
+        unknown theta = 40deg;
+        unknown psi = 80deg;
+        loop polar(crank, phi) + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
+    }
+    impl FourBar {
+        pub fn motion(phi) -> Motion { psi, v: velocity(psi), a: acceleration(psi), m: margin() }
+    }";
+
 /// The pin passes so near to the lever's pivot that the lever makes half a turn between two steps along the range.
 const FAST: &str = "
     pub struct Fast {
