@@ -41,7 +41,7 @@ fn all_modules_are_read() {
 #[test]
 fn a_circle_is_found_and_told() {
     let sources = [
-        ("unit/mod.rs", "use crate::model::Shape;"),
+        ("ir/mod.rs", "use crate::model::Shape;"),
         ("model/mod.rs", "mod types;"),
         (
             "model/types.rs",
@@ -71,7 +71,7 @@ fn a_circle_is_found_and_told() {
     assert_eq!(found, expected);
     assert_eq!(
         uses.in_words(&uses.circle().expect("there is one")),
-        "`algebra` uses `unit` (algebra.rs: crate::unit), `unit` uses `model` (unit/mod.rs: crate::model::Shape), \
+        "`algebra` uses `unit` (algebra.rs: crate::unit), `unit` uses `model` (ir/mod.rs: crate::model::Shape), \
          `model` uses `algebra` (model/types.rs: super::super::algebra::g)"
     );
 }
