@@ -3,6 +3,8 @@
 //! The estimates of a part belong to its own reference. Alone it has been closed there; from there it is led to what its inputs are here, and
 //! what it arrives at are the estimates of its unknowns here: the assembly is that of the part alone, and so are the turns of its angles.
 
+use crate::algebra::nominal;
+use crate::algebra::translate;
 use std::f64::consts::PI;
 use std::rc::Rc;
 
@@ -130,7 +132,7 @@ pub(crate) fn inner_parts<'m>(
         let inputs = part.inputs.iter();
         let inputs = inputs.map(|&own| match algebra.translate(&named(mechanism, own)) {
             Value::Vector(vector) => vector.iter().next().unwrap_or(algebra.zero()),
-            scalar => algebra.number(&scalar),
+            scalar => translate::number(algebra, &scalar),
         });
         let inputs = inputs.collect();
         let mut numbers = Vec::new();
@@ -144,9 +146,13 @@ pub(crate) fn inner_parts<'m>(
                 }
                 Name::Let(index) => {
                     let own = &mechanism.lets[index].value;
-                    let scale = algebra.internal_per_unit(&own.ty);
-                    let found =
-                        algebra.evaluated(&named(mechanism, index), &nominal.parameters, &[]);
+                    let scale = translate::internal_per_unit(algebra, &own.ty);
+                    let found = nominal::evaluated(
+                        algebra,
+                        &named(mechanism, index),
+                        &nominal.parameters,
+                        &[],
+                    );
                     numbers.extend(found.into_iter().map(|number| number / scale));
                 }
                 // Parameters are nothing else.

@@ -2,6 +2,7 @@
 //! with their reciprocals. Loops may be written in any way, so which they are is found by numbers, with other
 //! dimensions and in other assemblies, too.
 
+use crate::algebra::elimination;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
@@ -100,7 +101,7 @@ impl<'m> Mechanics<'_, 'm> {
         }
         let own = blocks
             .iter()
-            .map(|block| self.algebra.determinant(&system.matrix_of(block)));
+            .map(|block| elimination::determinant(self.algebra, &system.matrix_of(block)));
         let all: Vec<Ex> = own.chain(known.iter().copied()).collect();
         let numbers = positions.numbers_anyhow(self.algebra.mechanism, nominal, &all);
         for (index, block) in blocks.iter().enumerate() {

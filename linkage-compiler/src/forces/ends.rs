@@ -1,5 +1,6 @@
 //! Do the ends of springs and dampers stay apart?
 
+use crate::forces::geometry;
 use linkage_symbolic::Vn;
 
 use crate::diagnostic::Reporter;
@@ -49,7 +50,8 @@ impl<'m> Mechanics<'_, 'm> {
             if let Between::Points(ends) = &element.between
                 && needs_direction
             {
-                let [start, end] = [0, 1].map(|end| self.algebra.vector_of(&ends[end].1));
+                let [start, end] =
+                    [0, 1].map(|end| geometry::vector_of(self.algebra, &ends[end].1));
                 spans.push((element, start - end));
             }
         }

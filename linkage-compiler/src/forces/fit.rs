@@ -1,5 +1,6 @@
 //! Do bodies and joints fit the motion? Velocities compared on numbers.
 
+use crate::forces::geometry;
 use linkage_symbolic::Vn;
 
 use crate::diagnostic::{OriginId, Reporter};
@@ -72,7 +73,7 @@ impl<'m> Mechanics<'_, 'm> {
                 pairs.extend(self.pair_of_turns(joint, input));
             }
             for (what, at) in carried_points(mechanism) {
-                let point = self.algebra.vector_of(at);
+                let point = geometry::vector_of(self.algebra, at);
                 pairs.push(Pair {
                     input,
                     first: self.moved(point, by),

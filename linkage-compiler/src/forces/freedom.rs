@@ -3,6 +3,7 @@
 //! A joint is driven if its motion depends on inputs alone: the drive holds it, with a couple (or a force along the guide) that is no
 //! unknown here. Gears tie the turns of several bodies, by couples that are unknowns of their own.
 
+use crate::algebra::partial;
 use linkage_symbolic::{Ex, Vector, Vn};
 
 use crate::model::Variable;
@@ -173,7 +174,11 @@ impl<'m> Mechanics<'_, 'm> {
         let mut all = Vec::new();
         for (group, count) in counts.into_iter().enumerate() {
             for position in 0..count {
-                all.push(By::Alone(self.algebra.unknown_variable(group, position)));
+                all.push(By::Alone(partial::unknown_variable(
+                    self.algebra,
+                    group,
+                    position,
+                )));
             }
         }
         all

@@ -2,6 +2,7 @@
 //!
 //! A body with a frame is looked at in its own axes, where its inertia does not change and nothing is turned to and fro.
 
+use crate::forces::geometry;
 use linkage_symbolic::{Ex, Vector, Vn};
 
 use crate::algebra::Translate;
@@ -132,7 +133,7 @@ impl<'m> Mechanics<'_, 'm> {
         turned: &Turned<'m>,
         turn: Vn<'m>,
     ) -> Vn<'m> {
-        let about = self.algebra.vector_of(about);
+        let about = geometry::vector_of(self.algebra, about);
         let mut sum = self.zero_turn();
         for (mass, point) in self.masses(body) {
             let arm = point - about;

@@ -1,5 +1,7 @@
 //! What acts on each body: inertia forces and weight, applied loads, springs and dampers.
 
+use crate::algebra::scalar;
+use crate::forces::geometry;
 use std::rc::Rc;
 
 use linkage_symbolic::{Ex, Vector, Vn};
@@ -49,7 +51,10 @@ impl<'m> Mechanics<'_, 'm> {
         for load in &mechanism.loads {
             let value = self.load_vector(&load.value, load.at.is_some());
             let back = -value;
-            let point = load.at.as_ref().map(|at| self.algebra.vector_of(at));
+            let point = load
+                .at
+                .as_ref()
+                .map(|at| geometry::vector_of(self.algebra, at));
             loads.add(load.on, point, value);
             loads.add(load.from, point, back);
         }
@@ -62,7 +67,7 @@ impl<'m> Mechanics<'_, 'm> {
     /// A force as a vector; a torque as a turn.
     fn load_vector(&mut self, value: &Expr, is_force: bool) -> Vn<'m> {
         match is_force || !self.forces.geometry.is_plane() {
-            true => self.algebra.vector_of(value),
+            true => geometry::vector_of(self.algebra, value),
             false => Vector([self.algebra.translate_number(value)]).into(),
         }
     }
@@ -97,7 +102,7 @@ impl<'m> Mechanics<'_, 'm> {
     /// The field of gravity, if there is one.
     pub(super) fn gravity(&mut self) -> Option<Vn<'m>> {
         let gravity = self.algebra.mechanism.gravity.as_ref()?;
-        Some(self.algebra.vector_of(gravity))
+        Some(geometry::vector_of(self.algebra, gravity))
     }
 
     /// A body's masses and where they are.
@@ -106,7 +111,7 @@ impl<'m> Mechanics<'_, 'm> {
         masses
             .map(|(mass, at)| {
                 let mass = self.algebra.translate_number(mass);
-                (mass, self.algebra.vector_of(at))
+                (mass, geometry::vector_of(self.algebra, at))
             })
             .collect()
     }
@@ -119,7 +124,7 @@ impl<'m> Mechanics<'_, 'm> {
         }
         match &element.between {
             Between::Points([from, to]) => {
-                let [start, end] = [&from.1, &to.1].map(|at| self.algebra.vector_of(at));
+                let [start, end] = [&from.1, &to.1].map(|at| geometry::vector_of(self.algebra, at));
                 let pull = self.pull(element, [(from.0, start), (to.0, end)]);
                 let back = -pull;
                 loads.add(from.0, Some(start), pull);
@@ -129,7 +134,7 @@ impl<'m> Mechanics<'_, 'm> {
                 let wrench = self.joint_element(element, *joint);
                 let joint = &self.algebra.mechanism.joints[*joint];
                 let back = -wrench;
-                let point = self.algebra.vector_of(&joint.at);
+                let point = geometry::vector_of(self.algebra, &joint.at);
                 for (body, wrench) in [(Some(joint.body), wrench), (joint.on, back)] {
                     loads.add(body, Some(point), wrench.force);
                     loads.add(body, None, wrench.moment);
@@ -200,11 +205,11 @@ impl<'m> Mechanics<'_, 'm> {
             return guide.dot(on.map_or(point, |on| self.arm(on, point)));
         }
         if let Turning::About(angle, _) = &geometry.turning[body] {
-            return self.algebra.value_of(angle);
+            return scalar::value_of(self.algebra, angle);
         }
         let [own, other] =
             [Some(body), on].map(|body| geometry.angle(self.algebra, &self.forces.tree, body));
-        self.algebra.value_of(&own.combined(&other, -1.0))
+        scalar::value_of(self.algebra, &own.combined(&other, -1.0))
     }
 
     /// How fast that grows.

@@ -1,5 +1,8 @@
 //! How points and bodies move: by each input or unknown, and in time at given speeds.
 
+use crate::algebra::adjoint;
+use crate::algebra::partial;
+use crate::algebra::scalar;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
@@ -73,9 +76,9 @@ impl<'m> Mechanics<'_, 'm> {
         match by {
             By::Input(input) => {
                 let variable = self.algebra.variable(Variable::Input(input));
-                self.algebra.derivative(x, variable, Direction::Forward)
+                adjoint::derivative(self.algebra, x, variable, Direction::Forward)
             }
-            By::Alone(variable) => self.algebra.partial(x, variable),
+            By::Alone(variable) => partial::partial(self.algebra, x, variable),
         }
     }
 
@@ -96,11 +99,11 @@ impl<'m> Mechanics<'_, 'm> {
         let turn = match self.forces.geometry.turning[body].clone() {
             Turning::Along => self.turn(on, by),
             Turning::Angle(angle) => {
-                let angle = self.algebra.value_of(&angle);
+                let angle = scalar::value_of(self.algebra, &angle);
                 Vector([self.slope(angle, by)]).into()
             }
             Turning::About(angle, axis) => {
-                let angle = self.algebra.value_of(&angle);
+                let angle = scalar::value_of(self.algebra, &angle);
                 let own = self.slope(angle, by) * axis;
                 self.turn(on, by) + own
             }

@@ -1,5 +1,6 @@
 //! What functions ask for.
 
+use crate::forces::geometry;
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Translate, Value};
@@ -23,7 +24,7 @@ impl<'m> Mechanics<'_, 'm> {
             Quantity::ShakingForce => self.shaking_force().into(),
             Quantity::ShakingMoment(about) => {
                 let about = match about {
-                    Some(about) => self.algebra.vector_of(about),
+                    Some(about) => geometry::vector_of(self.algebra, about),
                     None => self.zero_vector(),
                 };
                 turn_value(self.shaking_moment(about))
@@ -152,7 +153,7 @@ impl<'m> Mechanics<'_, 'm> {
         let length = match &spring.between {
             Between::Joint(joint) => self.joint_coordinate(*joint),
             Between::Points([from, to]) => {
-                let [start, end] = [&from.1, &to.1].map(|at| self.algebra.vector_of(at));
+                let [start, end] = [&from.1, &to.1].map(|at| geometry::vector_of(self.algebra, at));
                 (end - start).length()
             }
         };

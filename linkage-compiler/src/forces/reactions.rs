@@ -1,5 +1,6 @@
 //! The reactions of cut joints, group by group.
 
+use crate::algebra::elimination;
 use linkage_symbolic::Ex;
 
 use super::Mechanics;
@@ -52,8 +53,8 @@ impl<'m> Mechanics<'_, 'm> {
             .collect();
         let matrix = system.matrix_of(block);
         let known = self.forces.closed.determinant(block);
-        let determinant = known.unwrap_or_else(|| self.algebra.determinant(&matrix));
-        let numerators = self.algebra.cofactor_products(&matrix, &right);
+        let determinant = known.unwrap_or_else(|| elimination::determinant(self.algebra, &matrix));
+        let numerators = elimination::cofactor_products(self.algebra, &matrix, &right);
         // The determinant is known long before the loads.
         let factor = 1.0 / determinant;
         for (&unknown, numerator) in own.iter().zip(numerators) {

@@ -6,6 +6,7 @@ mod forces;
 mod space;
 mod units;
 
+use crate::algebra::preaccumulation;
 use linkage_core::numeric::continuation::Terms;
 use linkage_random::Random;
 use linkage_symbolic::program::Source;
@@ -77,7 +78,7 @@ fn expect_agreement(items: &str, function: &str) {
         let requested = request(&mut state, function, way);
         assert!(!requested.sensed.is_empty());
         // Forward is the first.
-        algebra.find_narrow_places(&requested.sensed);
+        preaccumulation::find_narrow_places(algebra, &requested.sensed);
         requested.scalars
     });
     let results: Vec<Vec<Ex>> = results.collect();

@@ -1,5 +1,6 @@
 //! Sums of vectors as chains: from a point, each term is a step to the next.
 
+use crate::algebra::translate;
 use linkage_symbolic::unordered::Set;
 
 use linkage_symbolic::Vn;
@@ -200,7 +201,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
 
     pub(super) fn vector(&mut self, expr: &Expr) -> Vn<'m> {
         let value = self.algebra.translate(expr);
-        self.algebra.vector(&value).resized(self.dimension)
+        translate::vector(self.algebra, &value).resized(self.dimension)
     }
 
     /// The point with these coordinates.

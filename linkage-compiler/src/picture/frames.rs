@@ -1,5 +1,7 @@
 //! Parts of a machine that stand elsewhere: where the coordinates that they are written in are in the drawing.
 
+use crate::algebra::calls;
+use crate::algebra::translate;
 use linkage_symbolic::{Ex, NodeId, Vector, Vn};
 
 use crate::algebra::{Algebra, Translate, Value};
@@ -33,10 +35,10 @@ impl<'m> Pose<'m> {
         let moves = both.map(|own| roles.moves(own)).max();
         let place = placed.at.as_ref().map(|at| match algebra.translate(at) {
             Value::Array(parts) => {
-                let axes = [1, 2, 3].map(|axis| algebra.vector(&parts[axis]));
+                let axes = [1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis]));
                 Place::Frame(Value::Array(parts), axes)
             }
-            value => Place::Point(algebra.vector(&value)),
+            value => Place::Point(translate::vector(algebra, &value)),
         });
         Self {
             place,
@@ -50,8 +52,8 @@ impl<'m> Pose<'m> {
             None => self.way(own, algebra),
             Some(Place::Point(at)) => at.resized(own.len()) + self.way(own, algebra),
             Some(Place::Frame(frame, _)) => {
-                let seen = algebra.call(Function::PointIn, vec![frame.clone(), own.into()]);
-                algebra.vector(&seen)
+                let seen = calls::call(algebra, Function::PointIn, vec![frame.clone(), own.into()]);
+                translate::vector(algebra, &seen)
             }
         }
     }
@@ -60,8 +62,9 @@ impl<'m> Pose<'m> {
     fn way(&self, own: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
         match (&self.turned, &self.place) {
             (Some(angle), _) => {
-                let turned = algebra.call(Function::Rotate, vec![own.into(), angle.clone()]);
-                let turned = algebra.vector(&turned);
+                let turned =
+                    calls::call(algebra, Function::Rotate, vec![own.into(), angle.clone()]);
+                let turned = translate::vector(algebra, &turned);
                 // In a picture of space it turns about z.
                 let third = own.iter().skip(2);
                 let components: Vec<NodeId> = turned.iter().chain(third).map(Ex::id).collect();

@@ -1,5 +1,8 @@
 //! Lines along which points slide.
 
+use crate::algebra::calls;
+use crate::algebra::dependence;
+use crate::algebra::translate;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
 use crate::algebra::Translate;
@@ -193,9 +196,9 @@ impl<'m> Sketch<'_, 'm> {
         match &term.kind {
             ExprKind::Call(Function::Polar, arguments) => {
                 let angle = self.algebra.translate(&arguments[1]);
-                let unit = self.algebra.call(Function::Dir, vec![angle]);
+                let unit = calls::call(self.algebra, Function::Dir, vec![angle]);
                 // In a picture of space, the plane is that of x and y.
-                let along = self.algebra.vector(&unit).resized(self.dimension);
+                let along = translate::vector(self.algebra, &unit).resized(self.dimension);
                 Some(straight(along))
             }
             ExprKind::Binary(BinaryOp::Mul, a, b) => {
@@ -242,12 +245,12 @@ impl<'m> Sketch<'_, 'm> {
         let numbers: Vec<Ex> = numbers
             .map(|own| {
                 let value = self.algebra.translate(own);
-                self.algebra.number(&value)
+                translate::number(self.algebra, &value)
             })
             .collect();
         let changes = 0..numbers.len();
         let changes: Vec<usize> = changes
-            .filter(|&k| !self.algebra.inputs_below(&[numbers[k]]).is_empty())
+            .filter(|&k| !dependence::inputs_below(self.algebra, &[numbers[k]]).is_empty())
             .collect();
         let [varying] = changes[..] else { return None };
         let mut rest: Vec<NodeId> = numbers.into_iter().map(Ex::id).collect();

@@ -1,6 +1,7 @@
 //! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of what does not move, of a point, and of steps, each
 //! with a length of its own.
 
+use crate::algebra::translate;
 use std::collections::BTreeSet;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
@@ -222,7 +223,7 @@ impl<'m> Sketch<'_, 'm> {
         for (component, summand) in &group.summands {
             let mut number = |expr: &Expr| {
                 let value = self.algebra.translate(expr);
-                self.algebra.number(&value)
+                translate::number(self.algebra, &value)
             };
             let factors = summand.factors.iter();
             let factors = factors.filter(|own| without.is_none_or(|other| ***own != *other));

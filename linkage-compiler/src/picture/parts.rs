@@ -1,5 +1,7 @@
 //! Parts of what is written as one term: of literals, and of turned sums.
 
+use crate::algebra::calls;
+use crate::algebra::translate;
 use linkage_symbolic::Vn;
 
 use crate::algebra::{Translate, Value};
@@ -178,8 +180,8 @@ impl<'m> Sketch<'_, 'm> {
         for own in &arguments[1..] {
             values.push(self.algebra.translate(own));
         }
-        let value = self.algebra.call(function, values);
-        self.algebra.vector(&value)
+        let value = calls::call(self.algebra, function, values);
+        translate::vector(self.algebra, &value)
     }
 
     /// In space: what turns a term, from outside to inside.

@@ -1,5 +1,6 @@
 //! Lines and planes that are written as scalar products.
 
+use crate::algebra::translate;
 use linkage_symbolic::{Ex, Vector, Vn};
 
 use crate::algebra::Translate;
@@ -41,7 +42,7 @@ impl<'m> Sketch<'_, 'm> {
             if self.dimension == 3 {
                 if is_dot && self.moves(other) == Moves::Not {
                     let offset = self.algebra.translate(other);
-                    let offset = self.algebra.number(&offset);
+                    let offset = translate::number(self.algebra, &offset);
                     let plane = Plane {
                         difference: self.vector(&arguments[vector]),
                         frames: self.frames.clone(),
@@ -54,7 +55,7 @@ impl<'m> Sketch<'_, 'm> {
                 }
             } else if through {
                 let value = self.algebra.translate(&arguments[direction]);
-                let unit = self.algebra.vector(&value).unit();
+                let unit = translate::vector(self.algebra, &value).unit();
                 let unit = Vector([unit.at(0), unit.at(1)]);
                 // Across what the product is taken with, or along it.
                 let along = if is_dot { unit.perp() } else { unit }.into();

@@ -1,5 +1,6 @@
 //! Loops of the plane that earlier groups close: they lead to one point in several ways.
 
+use crate::algebra::dependence;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, Vector, collect, substitute};
@@ -151,7 +152,7 @@ impl<'m> Solver<'_, 'm> {
     /// A vector, in all ways that lead around the loops of earlier groups: the way in which it is written is none of them by itself. Of each loop
     /// one of its group's unknowns is got rid of, first of the last one. No way, where it hangs on a coupled group or on too many.
     pub(super) fn ways_to(&self, vector: V2<'m>) -> Vec<V2<'m>> {
-        let below = self.algebra.symbols_below(&vector.0);
+        let below = dependence::symbols_below(self.algebra, &vector.0);
         let contours: Vec<&Contour> = self.contours.iter().collect();
         let behind = contours
             .iter()

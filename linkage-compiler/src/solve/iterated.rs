@@ -14,6 +14,9 @@ mod state;
 mod system;
 mod turns;
 
+use crate::algebra::bodies;
+use crate::algebra::dependence;
+use crate::algebra::elimination;
 use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn, substitute};
 
@@ -194,7 +197,7 @@ impl<'m> Solver<'_, 'm> {
         let system = System::new(self.algebra, &equations);
 
         let rows: Vec<Ex> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
-        let inputs = self.algebra.inputs_below(&rows);
+        let inputs = dependence::inputs_below(self.algebra, &rows);
         let looked_up = self.prepared_state(&form.core);
         let size = looked_up.iter().flat_map(|part| part.numbers()).count();
         let floor = self.prepared_number(size);
@@ -217,12 +220,15 @@ impl<'m> Solver<'_, 'm> {
         let determinant = match &equations.large {
             Some(large) => {
                 let nothing = vec![self.algebra.zero(); equations.matrix.len()];
-                let solved =
-                    self.algebra
-                        .solve_by_scheme(&large.scheme, &equations.matrix, &nothing);
+                let solved = bodies::solve_by_scheme(
+                    self.algebra,
+                    &large.scheme,
+                    &equations.matrix,
+                    &nothing,
+                );
                 solved.determinant
             }
-            None => self.algebra.determinant(&equations.matrix),
+            None => elimination::determinant(self.algebra, &equations.matrix),
         };
         let determinant = self.alias("det", determinant, determinant);
         self.push_coupled(&equations, determinant);

@@ -1,5 +1,6 @@
 //! How long a vector of the plane can become when all that turns in it turns: what a margin is measured by.
 
+use crate::algebra::parts;
 use linkage_symbolic::{Ex, V2};
 
 use super::Solver;
@@ -36,7 +37,7 @@ impl<'m> Solver<'_, 'm> {
 
     /// The sum of the lengths of a vector's parts, if they can all point the same way: each turns, and keeps its length.
     fn longest(&self, vector: V2<'m>) -> Option<Ex<'m>> {
-        let parts = self.algebra.parts(vector);
+        let parts = parts::parts(self.algebra, vector);
         let mut turning = parts.turning.iter().map(|(_, part)| part);
         let rigid = turning.all(|part| part.is_rotor() && part.arm().is_fixed());
         let arms = parts.turning.iter().map(|(_, part)| part.arm().length());

@@ -22,6 +22,7 @@ mod space;
 mod three_slides;
 mod trigonometric;
 
+use crate::algebra::dependence;
 use std::borrow::Cow;
 
 use linkage_core::numeric::continuation::Terms;
@@ -142,7 +143,7 @@ impl<'m> Formulation<'m> {
 
     /// The groups that expressions are computed from, in order.
     pub(crate) fn groups_of(&self, algebra: &Algebra<'m>, all: &[Ex<'m>]) -> Vec<usize> {
-        let symbols = algebra.symbols_below(all);
+        let symbols = dependence::symbols_below(algebra, all);
         let mut groups: Vec<usize> = symbols
             .iter()
             .filter_map(|symbol| self.group_of.get(symbol).copied())

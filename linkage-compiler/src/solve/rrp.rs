@@ -1,5 +1,6 @@
 //! RRP and PRR: a link of given length between a known point and a slider on a known line.
 
+use crate::algebra::rotating_frame;
 use linkage_symbolic::{SymbolId, V2, Vector};
 
 use crate::algebra::{AngleReference, Term, ViaSlider};
@@ -23,11 +24,11 @@ impl<'m> Solver<'_, 'm> {
         let (stretch, g) = guide.length_and_unit();
         let w = self.mode_sign();
 
-        let carried = self.algebra.carried(guide, g, c);
+        let carried = rotating_frame::carried(self.algebra, guide, g, c);
         // What the guide carries has a size of its own.
         let (from_guide, size) = match &carried {
             Some(own) => (
-                own.arm + self.algebra.seen(own.carrier, own.rest),
+                own.arm + rotating_frame::seen(self.algebra, own.carrier, own.rest),
                 r + own.arm.length(),
             ),
             None => (Vector([g.dot(c), g.cross(c)]), r),

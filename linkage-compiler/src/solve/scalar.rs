@@ -1,5 +1,6 @@
 //! Scalar loops that need no root: linear equations and angle relations.
 
+use crate::algebra::scalar;
 use linkage_symbolic::{Ex, SymbolId};
 
 use crate::algebra::{Scalar, Term};
@@ -43,8 +44,8 @@ impl<'m> Solver<'_, 'm> {
 
     /// An angle given by others.
     pub(super) fn relation(&mut self, angle: usize, value: &Scalar<'m>) -> Closed<'m> {
-        let [cos, sin] = self.algebra.direction(value).0;
-        let number = self.algebra.value_of(value);
+        let [cos, sin] = scalar::direction(self.algebra, value).0;
+        let number = scalar::value_of(self.algebra, value);
         self.define_relation(angle, [cos, sin, number]);
         let one = self.algebra.one();
         self.push_single(Vec::new(), one);

@@ -1,5 +1,7 @@
 //! What the closed forms of all kinds of groups share: giving unknowns their definitions and rules.
 
+use crate::algebra::dependence;
+use crate::algebra::implicit;
 use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::unordered::Map;
@@ -221,7 +223,7 @@ impl<'m> Solver<'_, 'm> {
 
     /// `centre + sum of winding * input`: within half a turn of the angle's value over the whole range.
     fn guide(&mut self, angle: usize, unit: V2<'m>) -> Ex<'m> {
-        let inputs = self.algebra.inputs_below(&unit.0);
+        let inputs = dependence::inputs_below(self.algebra, &unit.0);
         let mut guide = self.algebra.source(Source::Centre(angle));
         for input in inputs {
             let winding = self.algebra.source(Source::Winding(angle, input));
@@ -234,7 +236,7 @@ impl<'m> Solver<'_, 'm> {
     pub(super) fn alias(&mut self, name: &str, definition: Ex<'m>, equal: Ex<'m>) -> Ex<'m> {
         let name = format!("{name} {}", self.index);
         let rule = Rule::Follow(equal);
-        self.algebra.symbol_for_value(name, definition, rule)
+        implicit::symbol_for_value(self.algebra, name, definition, rule)
     }
 
     /// The vector `z u` that turns with unknown `position`, computed as `value`.

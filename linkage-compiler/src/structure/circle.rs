@@ -1,5 +1,6 @@
 //! A point at given distances from two fixed points runs on a circle: three unknowns and two loops become one angle.
 
+use crate::algebra::nominal;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
 use super::Analysis;
@@ -150,7 +151,7 @@ impl<'m> Analysis<'_, 'm> {
     fn angle_at_estimate(&self, point: V3<'m>, circle: &Circle<'m>) -> f64 {
         let arm = point - circle.middle;
         let sides = circle.axes.map(|axis| arm.dot(axis));
-        let values = self.algebra.at_estimates(self.nominal, &sides);
+        let values = nominal::at_estimates(self.algebra, self.nominal, &sides);
         let angle = values[1].atan2(values[0]);
         if angle.is_finite() { angle } else { 0.0 }
     }

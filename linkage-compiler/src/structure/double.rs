@@ -1,5 +1,6 @@
 //! An angle of which only products of two of cosine and sine occur: vectors turn with its double, which is solved for.
 
+use crate::algebra::scalar;
 use linkage_symbolic::{Ex, V2, collect};
 
 use crate::algebra::{Atom, StandsFor};
@@ -83,7 +84,7 @@ impl<'m> Analysis<'_, 'm> {
                 unknown: None,
             };
             if self.classify(&changed, &coordinates).is_some() {
-                let value = self.algebra.atom(Atom::Angle(double)).scaled(0.5);
+                let value = scalar::atom(self.algebra, Atom::Angle(double)).scaled(0.5);
                 self.replace_angle(half, &value);
                 return Some((vec![changed], coordinates));
             }

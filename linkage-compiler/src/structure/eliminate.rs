@@ -1,5 +1,6 @@
 //! Bringing a coupled set of loops to known forms: unknowns that are explicit expressions of others go.
 
+use crate::algebra::scalar;
 use linkage_symbolic::{Ex, SymbolId, collect};
 
 use crate::algebra::{Atom, Scalar};
@@ -29,7 +30,7 @@ impl<'m> Analysis<'_, 'm> {
         for equation in &mut equations {
             match self.replaced_in_relation(equation, angle, &value) {
                 Some(relation) => {
-                    equation.rows = vec![self.algebra.value_of(&relation)];
+                    equation.rows = vec![scalar::value_of(self.algebra, &relation)];
                     equation.relation = Some(relation);
                     equation.absorb(&eliminated, &gone);
                 }
@@ -118,8 +119,8 @@ impl<'m> Analysis<'_, 'm> {
 
     /// Makes an angle an explicit expression of others.
     pub(super) fn replace_angle(&mut self, angle: usize, value: &Scalar<'m>) {
-        let [cos, sin] = self.algebra.direction(value).0;
-        let number = self.algebra.value_of(value);
+        let [cos, sin] = scalar::direction(self.algebra, value).0;
+        let number = scalar::value_of(self.algebra, value);
         let symbols = self.algebra.names.angles[angle].symbols();
         for (symbol, value) in symbols.into_iter().zip([cos, sin, number]) {
             self.make_explicit(symbol, value);

@@ -1,5 +1,7 @@
 //! Equations and coordinates: the two sides of the bipartite graph.
 
+use crate::algebra::scalar;
+use crate::algebra::translate;
 use linkage_symbolic::{Ex, NodeId, SymbolId, substitute};
 
 use crate::algebra::{Bound, Scalar, Translate, Value};
@@ -55,7 +57,7 @@ impl<'m> Analysis<'_, 'm> {
     /// Loops as equations, unknowns as coordinates.
     pub(super) fn equations(&mut self, scope: &Scope) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
         let mechanism = self.algebra.mechanism;
-        self.algebra.translate_these_lets(|index| scope.lets[index]);
+        translate::translate_these_lets(self.algebra, |index| scope.lets[index]);
         let loops = mechanism.loops.iter().enumerate();
         let equations = loops
             .filter(|(index, _)| scope.loops[*index])
@@ -86,10 +88,16 @@ impl<'m> Analysis<'_, 'm> {
         let (rows, relation) = match (&left, &right) {
             (Value::Scalar(a), Value::Scalar(b)) => {
                 let relation = a.combined(b, -1.0);
-                (vec![self.algebra.value_of(&relation)], Some(relation))
+                (
+                    vec![scalar::value_of(self.algebra, &relation)],
+                    Some(relation),
+                )
             }
             _ => {
-                let (a, b) = (self.algebra.vector(&left), self.algebra.vector(&right));
+                let (a, b) = (
+                    translate::vector(self.algebra, &left),
+                    translate::vector(self.algebra, &right),
+                );
                 ((a - b).iter().collect(), None)
             }
         };

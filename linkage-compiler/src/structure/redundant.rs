@@ -4,6 +4,7 @@
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::simultaneous::{Together, independent};
+use crate::algebra::constant_ratio;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal};
 use crate::model::Dimension;
 use crate::words::loop_list;
@@ -237,7 +238,7 @@ impl<'m> Analysis<'_, 'm> {
                     return None;
                 };
                 let (x, angle) = (places[0][0], found[0][k]);
-                let rates = self.algebra.candidate_rates(0).into_iter();
+                let rates = constant_ratio::candidate_rates(self.algebra, 0).into_iter();
                 let rate = rates.into_iter().find(|rate| {
                     let mut all = places.iter().zip(found);
                     all.all(|(place, own)| (own[k] - angle - rate * (place[0] - x)).abs() < ALIKE)

@@ -1,6 +1,7 @@
 //! Bringing a coupled set of loops to known forms: distances become links, components become vectors, a sum of angles
 //! becomes an angle.
 
+use crate::algebra::scalar;
 use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
 use crate::algebra::{Atom, StandsFor};
@@ -127,7 +128,7 @@ impl<'m> Analysis<'_, 'm> {
             for sign in [1.0, -1.0] {
                 let sum = self.algebra.names.add_angle("sum", None);
                 self.algebra.names.angles[sum].stands_for = self.sum_of(base, relative, sign);
-                let mut value = self.algebra.atom(Atom::Angle(sum));
+                let mut value = scalar::atom(self.algebra, Atom::Angle(sum));
                 value.terms.insert(0, (Atom::Angle(base), -sign));
                 value.terms.sort_by_key(|(atom, _)| *atom);
                 let saved = (self.substitutions.clone(), self.structure.explicit.len());

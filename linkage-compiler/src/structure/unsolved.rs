@@ -1,5 +1,6 @@
 //! What is said of a group that no method solves: what is too much of which term, and that the limit is ours.
 
+use crate::algebra::translate;
 use linkage_symbolic::{MAX_DEGREE, Obstacle, SymbolId, obstacle};
 
 use super::Analysis;
@@ -89,7 +90,7 @@ impl<'m> Analysis<'_, 'm> {
             let term = terms.into_iter().find(|term| {
                 let rows = match self.algebra.translate(term) {
                     Value::Vector(vector) => vector.iter().collect(),
-                    scalar => vec![self.algebra.number(&scalar)],
+                    scalar => vec![translate::number(self.algebra, &scalar)],
                 };
                 rows.into_iter()
                     .any(|row| obstacle(row, &symbols) == Some(found))

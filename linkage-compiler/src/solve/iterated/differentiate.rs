@@ -1,5 +1,6 @@
 //! What differentiation needs of a coupled group: private unknowns, terms, columns and how they are eliminated.
 
+use crate::algebra::partial;
 use linkage_symbolic::{Ex, V2};
 
 use crate::algebra::{Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, Written};
@@ -33,7 +34,7 @@ impl<'m> Solver<'_, 'm> {
             }
             for (column, &variable) in jacobian.iter_mut().zip(&equations.variables) {
                 for (entry, &x) in column[first..].iter_mut().zip(&block.rows) {
-                    *entry = self.algebra.partial(x, variable);
+                    *entry = partial::partial(self.algebra, x, variable);
                 }
             }
             terms.extend(self.terms_of(place, &nothing));

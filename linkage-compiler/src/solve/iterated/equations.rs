@@ -1,5 +1,6 @@
 //! The equations of a core: one across each private unknown, and the rows of loops without one.
 
+use crate::algebra::partial;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
 
 use crate::algebra::CoreRow;
@@ -113,7 +114,7 @@ impl<'m> Solver<'_, 'm> {
     /// The equations of the core and their derivatives.
     pub(super) fn core_equations<'f>(&mut self, form: &'f Coupled<'m>) -> Equations<'f, 'm> {
         let positions = 0..form.core.len();
-        let variables = positions.map(|k| self.algebra.unknown_variable(self.index, k));
+        let variables = positions.map(|k| partial::unknown_variable(self.algebra, self.index, k));
         let variables = variables.collect();
         let reach = self.reach(form);
         let scale = reach.inverse_scale();
@@ -186,8 +187,9 @@ impl<'m> Solver<'_, 'm> {
         let columns = equations.columns(block);
         for (row, &x) in block.rows.iter().enumerate() {
             equations.residuals.push(scale * x);
-            let slope =
-                |column: &Column<'m>| column.scale * self.algebra.partial(x, column.variable);
+            let slope = |column: &Column<'m>| {
+                column.scale * partial::partial(self.algebra, x, column.variable)
+            };
             equations.matrix.push(columns.iter().map(slope).collect());
             equations.rows.push(CoreRow {
                 first: first + row,
@@ -208,7 +210,7 @@ impl<'m> Solver<'_, 'm> {
         let columns = equations.columns(place.block);
         let slopes: Vec<V2> = columns
             .iter()
-            .map(|column| rest.map(|x| self.algebra.partial(x, column.variable)))
+            .map(|column| rest.map(|x| partial::partial(self.algebra, x, column.variable)))
             .collect();
         let columns = columns.into_iter().zip(slopes);
         let (residual, entries, multiplier): (_, Vec<Ex>, _) = match private {
@@ -223,7 +225,7 @@ impl<'m> Solver<'_, 'm> {
                 let residual = guide.cross(scale * rest);
                 let entries = columns.map(|(Column { variable, scale }, slope)| {
                     let slope = scale * slope;
-                    let turning = guide.map(|x| self.algebra.partial(x, variable));
+                    let turning = guide.map(|x| partial::partial(self.algebra, x, variable));
                     guide.cross(slope) + turning.cross(scale * rest)
                 });
                 (residual, entries.collect(), guide.perp())

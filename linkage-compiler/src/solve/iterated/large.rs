@@ -5,6 +5,8 @@
 //! derivatives by the nine components of its directions are not needed. What keeps the directions perpendicular and of length 1 is no equation of a
 //! step: they are made so where it begins, and turned.
 
+use crate::algebra::nominal;
+use crate::algebra::partial;
 use linkage_symbolic::{Ex, V3, Vector};
 
 use crate::algebra::{Bodies, Body, Order, Scheme};
@@ -118,7 +120,7 @@ impl<'m> Solver<'_, 'm> {
 
     /// The order in which a matrix is eliminated, from what it is where the unknowns are estimated.
     fn order(&self, matrix: &[Vec<Ex<'m>>]) -> Order {
-        let values = self.algebra.at_estimates(self.nominal, &matrix.concat());
+        let values = nominal::at_estimates(self.algebra, self.nominal, &matrix.concat());
         let values: Vec<Vec<f64>> = values.chunks(matrix.len()).map(<[_]>::to_vec).collect();
         let zero: Vec<Vec<bool>> = matrix
             .iter()
@@ -175,7 +177,7 @@ impl<'m> Solver<'_, 'm> {
             .map(|(&variable, &core)| {
                 let scale = equations.column_scale(block, core);
                 link.vector
-                    .map(|x| scale * self.algebra.partial(x, variable))
+                    .map(|x| scale * partial::partial(self.algebra, x, variable))
             })
             .collect();
         let by_unknowns: Vec<Ex> = slopes.iter().map(|slope| vector.dot(*slope)).collect();

@@ -6,6 +6,8 @@
 mod parts;
 mod plane;
 
+use crate::algebra::elimination;
+use crate::algebra::partial;
 use linkage_symbolic::{Ex, V3};
 
 use crate::solve::Solver;
@@ -45,7 +47,7 @@ impl<'m> Solver<'_, 'm> {
         };
         let of_rows: Vec<Ex> = matrix
             .iter()
-            .map(|row| self.algebra.product_sum(row, row))
+            .map(|row| elimination::product_sum(self.algebra, row, row))
             .collect();
         let columns = (0..matrix.len()).map(|column| {
             let entries = matrix.iter().zip(&of_rows);
@@ -87,7 +89,7 @@ impl<'m> Solver<'_, 'm> {
                 unknowns.clone().map(entry).collect()
             })
             .collect();
-        self.algebra.determinant(&gram).sqrt()
+        elimination::determinant(self.algebra, &gram).sqrt()
     }
 
     /// The derivatives of a link's vector, scaled as the columns of the core are.
@@ -99,7 +101,9 @@ impl<'m> Solver<'_, 'm> {
     ) -> Vec<V3<'m>> {
         let unknowns = equations.variables.iter().zip(&equations.form.core);
         let columns = unknowns.map(|(&variable, &core)| {
-            let slope = link.vector.map(|x| self.algebra.partial(x, variable));
+            let slope = link
+                .vector
+                .map(|x| partial::partial(self.algebra, x, variable));
             equations.column_scale(block, core) * slope
         });
         columns.collect()

@@ -1,5 +1,7 @@
 //! Newton steps of a core, from a state to the next, and what a solution must stand.
 
+use crate::algebra::elimination;
+use crate::algebra::pivots;
 use linkage_core::numeric::continuation::{
     ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE, Terms,
 };
@@ -113,9 +115,8 @@ impl<'m> Solver<'_, 'm> {
 
         let (freedoms, determinant): (Vec<Ex>, Ex) = match &equations.large {
             Some(large) => {
-                let solved = self
-                    .algebra
-                    .solve_once_in_order(&large.order, &matrix, residuals);
+                let solved =
+                    pivots::solve_once_in_order(self.algebra, &large.order, &matrix, residuals);
                 let InOrder {
                     solution,
                     determinant,
@@ -124,15 +125,16 @@ impl<'m> Solver<'_, 'm> {
                 (freedoms, large.share * determinant)
             }
             None => {
-                let (numerators, determinant) = self.algebra.cramer(&matrix, residuals);
+                let (numerators, determinant) =
+                    elimination::cramer(self.algebra, &matrix, residuals);
                 let corrections = numerators.into_iter().map(|own| -(own / determinant));
                 (corrections.collect(), determinant)
             }
         };
         let algebra = &self.algebra;
         Step {
-            size2: algebra.product_sum(&freedoms, &freedoms)
-                + algebra.product_sum(&missed, &missed),
+            size2: elimination::product_sum(algebra, &freedoms, &freedoms)
+                + elimination::product_sum(algebra, &missed, &missed),
             corrections: match &equations.large {
                 Some(large) => large.corrections(&start, &freedoms),
                 None => freedoms,

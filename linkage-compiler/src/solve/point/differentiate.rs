@@ -1,5 +1,6 @@
 //! What differentiation needs of a point on spheres and planes.
 
+use crate::algebra::elimination;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
 use crate::algebra::{CoreRow, Elimination, Solution, Term};
@@ -79,7 +80,7 @@ impl<'m> Solver<'_, 'm> {
             Some(1) => -volume,
             _ => volume,
         };
-        let product = self.algebra.determinant(&matrix);
+        let product = elimination::determinant(self.algebra, &matrix);
         let determinant = self.alias("det", value, product);
         self.push_solution(Solution {
             terms,

@@ -1,5 +1,6 @@
 //! The unknowns of loops of the plane as joints and bodies.
 
+use crate::algebra::partial;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, agree};
 
 use crate::solve::Solver;
@@ -97,7 +98,7 @@ impl<'m> Solver<'_, 'm> {
         let (core, variable) = (equations.form.core[own], equations.variables[own]);
         let column = equations.form.blocks.iter().map(|block| {
             let rows = Vector([block.rows[0], block.rows[1]]);
-            let slope = rows.map(|x| self.algebra.partial(x, variable));
+            let slope = rows.map(|x| partial::partial(self.algebra, x, variable));
             equations.column_scale(block, core) * slope
         });
         column.collect()
@@ -106,7 +107,7 @@ impl<'m> Solver<'_, 'm> {
     fn slope_of(&mut self, column: &Column<'m>, variable: SymbolId) -> Column<'m> {
         let slopes = column.iter();
         slopes
-            .map(|v| v.map(|x| self.algebra.partial(x, variable)))
+            .map(|v| v.map(|x| partial::partial(self.algebra, x, variable)))
             .collect()
     }
 
