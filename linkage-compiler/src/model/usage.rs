@@ -141,23 +141,21 @@ impl Quantity {
 impl Expr {
     fn asks_for_reactions(&self) -> bool {
         self.parts().any(|part| match &part.kind {
-            ExprKind::Mechanics(quantity) => quantity.is_of_joints(),
+            ExprKind::Mechanics(quantity) => is_of_joints(quantity),
             _ => false,
         })
     }
 }
 
-impl Mechanics {
-    /// Whether it is what a joint transmits.
-    fn is_of_joints(&self) -> bool {
-        match self {
-            Mechanics::Reaction(_) | Mechanics::Moment(_) => true,
-            Mechanics::Drive(_)
-            | Mechanics::Power
-            | Mechanics::KineticEnergy
-            | Mechanics::PotentialEnergy
-            | Mechanics::ShakingForce
-            | Mechanics::ShakingMoment(_) => false,
-        }
+/// Whether it is what a joint transmits.
+fn is_of_joints(mechanics: &Mechanics) -> bool {
+    match mechanics {
+        Mechanics::Reaction(_) | Mechanics::Moment(_) => true,
+        Mechanics::Drive(_)
+        | Mechanics::Power
+        | Mechanics::KineticEnergy
+        | Mechanics::PotentialEnergy
+        | Mechanics::ShakingForce
+        | Mechanics::ShakingMoment(_) => false,
     }
 }

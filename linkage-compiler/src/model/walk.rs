@@ -47,7 +47,7 @@ impl Expr {
             ExprKind::Derivative(a, _)
             | ExprKind::InputDerivative(a, _)
             | ExprKind::Sensitivity(a, _) => vec![a],
-            ExprKind::Mechanics(quantity) => quantity.operands(),
+            ExprKind::Mechanics(quantity) => operands(quantity),
             ExprKind::Picture(links) => links.iter().flatten().collect(),
             ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Margin | ExprKind::Error => {
                 Vec::new()
@@ -107,18 +107,16 @@ impl Expr {
     }
 }
 
-impl Mechanics {
-    fn operands(&self) -> Vec<&Expr> {
-        match self {
-            Mechanics::ShakingMoment(point) => point.iter().map(Box::as_ref).collect(),
-            Mechanics::Reaction(_)
-            | Mechanics::Moment(_)
-            | Mechanics::Drive(_)
-            | Mechanics::Power
-            | Mechanics::KineticEnergy
-            | Mechanics::PotentialEnergy
-            | Mechanics::ShakingForce => Vec::new(),
-        }
+fn operands(mechanics: &Mechanics) -> Vec<&Expr> {
+    match mechanics {
+        Mechanics::ShakingMoment(point) => point.iter().map(Box::as_ref).collect(),
+        Mechanics::Reaction(_)
+        | Mechanics::Moment(_)
+        | Mechanics::Drive(_)
+        | Mechanics::Power
+        | Mechanics::KineticEnergy
+        | Mechanics::PotentialEnergy
+        | Mechanics::ShakingForce => Vec::new(),
     }
 }
 

@@ -8,6 +8,7 @@ use crate::algebra::scalar;
 use crate::algebra::translate;
 use crate::algebra::turns;
 use crate::algebra::via_slider;
+use crate::forces::quantities;
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 
 use crate::algebra::{Algebra, Direction, Shortcuts, Translate, Value};
@@ -300,7 +301,7 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 let motion = listed.iter().filter(|&&input| !mechanism.is_load(input));
                 self.requested.variables.extend(motion);
                 let mut mechanics = self.forces.at(self.algebra, listed, self.with_reactions);
-                mechanics.quantity(quantity)
+                quantities::quantity(&mut mechanics, quantity)
             }
             ExprKind::Picture(_) => {
                 let vectors = self.drawn.iter().copied();
