@@ -1,6 +1,7 @@
 //! Do the ends of springs and dampers stay apart?
 
 use crate::forces::geometry;
+use crate::forces::positions;
 use linkage_symbolic::Vn;
 
 use crate::diagnostic::Reporter;
@@ -23,8 +24,8 @@ pub(super) fn check_lengths(
     let spans = spans(mechanics);
     for position in positions.iter() {
         for &(element, between) in &spans {
-            let length = size(&position.vector(between));
-            if length > NOTHING * position.longest() || length.is_nan() {
+            let length = size(&positions::vector(position, between));
+            if length > NOTHING * positions::longest(position) || length.is_nan() {
                 continue;
             }
             reporter.error(
@@ -33,7 +34,7 @@ pub(super) fn check_lengths(
                         "the ends of the {} meet: {}it has no direction\n\
                          help: check its points; what turns in a joint is written `{0} VALUE on JOINT`",
                         element_word(element.kind),
-                        position.words(mechanism)
+                        positions::words(position, mechanism)
                     ),
                 );
             return;

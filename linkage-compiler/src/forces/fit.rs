@@ -2,6 +2,7 @@
 
 use crate::forces::geometry;
 use crate::forces::motion;
+use crate::forces::positions;
 use linkage_symbolic::Vn;
 
 use crate::diagnostic::{OriginId, Reporter};
@@ -128,22 +129,22 @@ fn pair_of_turns<'m>(
 impl Pair<'_> {
     /// What is wrong with a pair at a position.
     fn difference(&self, mechanism: &Mechanism, position: Position) -> Option<String> {
-        let [first, second] = [self.first, self.second].map(|v| position.vector(v));
+        let [first, second] = [self.first, self.second].map(|v| positions::vector(position, v));
         let mut apart: Vec<f64> = first.iter().zip(&second).map(|(a, b)| a - b).collect();
         if let Some(except) = self.except {
-            let direction = position.vector(except);
+            let direction = positions::vector(position, except);
             let along: f64 = apart.iter().zip(&direction).map(|(x, d)| x * d).sum();
             let pairs = apart.iter_mut().zip(&direction);
             pairs.for_each(|(x, d)| *x -= along * d);
         }
         let unit = match self.what {
             What::Turns(_) => 1.0,
-            What::Joint(_) | What::Point(_) => position.longest(),
+            What::Joint(_) | What::Point(_) => positions::longest(position),
         };
         let scale = size(&first) + size(&second) + SLOW * unit;
         // Where the mechanism does not close there is nothing to compare.
         (size(&apart) > EQUAL * scale).then(|| {
-            let at = position.words(mechanism);
+            let at = positions::words(position, mechanism);
             self.message(mechanism, &at, [&first, &second].map(|v| vector_words(v)))
         })
     }

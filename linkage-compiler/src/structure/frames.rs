@@ -5,6 +5,7 @@ use super::equations::{Coordinate, Equation};
 use super::matching::{self, Matching};
 use super::report::counted;
 use crate::mobility::Position;
+use crate::mobility::overconstrained;
 use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
 use crate::structure::redundant;
 use crate::words::Words;
@@ -216,7 +217,7 @@ fn too_many<'m>(
 ) -> TooMany {
     let closed = redundant::all_closed(analysis, equations, coordinates);
     let at = closed.as_ref().unwrap_or(&analysis.nominal.estimates);
-    let Some(found) = position(analysis, at, |at| at.surplus()) else {
+    let Some(found) = position(analysis, at, |at| overconstrained::surplus(at)) else {
         return TooMany {
             fact: String::new(),
             help: "remove a loop, or make a dimension or an input of one an `unknown`".to_owned(),
