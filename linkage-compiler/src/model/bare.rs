@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::names::Resolver;
-use super::types::{Expr, ExprKind, Function, Mechanism, Name, Type};
-use crate::syntax::Word;
+use super::names::Names;
+use super::sink::Sink;
+use super::types::{Expr, ExprKind, Mechanism, Name, Type};
 
 impl Expr {
     /// The number, if it is written as one without a unit, perhaps with signs. Zero is the same in every unit.
@@ -20,46 +20,39 @@ impl Expr {
     }
 }
 
-impl Resolver<'_> {
-    /// Reports `sin(30)`.
-    pub(super) fn refuse_bare_argument(&mut self, function: Function, argument: &Expr) {
-        self.refuse_bare_angle(argument, &format!("the angle of `{}`", function.word()));
+/// Reports references, ranges and estimates of angles that lack a unit. Whether an input or unknown is an angle is
+/// known from how it is used: it may be a number as well.
+pub(super) fn refuse_bare_coordinates(names: &Names, sink: &mut Sink, mechanism: &Mechanism) {
+    let values = values_of_coordinates(mechanism);
+    if values.iter().all(|own| own.value.bare_number().is_none()) {
+        return;
     }
-
-    /// Reports references, ranges and estimates of angles that lack a unit. Whether an input or unknown is an angle is
-    /// known from how it is used: it may be a number as well.
-    pub(super) fn refuse_bare_coordinates(&mut self, mechanism: &Mechanism) {
-        let values = values_of_coordinates(mechanism);
-        if values.iter().all(|own| own.value.bare_number().is_none()) {
-            return;
-        }
-        let angles = mechanism.angles();
-        for CoordinateValue { name, role, value } in values {
-            if self.is_angle(name, &angles) {
-                let what = format!("the {role} of the angle `{}`", mechanism.name(name));
-                self.refuse_bare_angle(value, &what);
-            }
+    let angles = mechanism.angles();
+    for CoordinateValue { name, role, value } in values {
+        if is_angle_name(names, name, &angles) {
+            let what = format!("the {role} of the angle `{}`", mechanism.name(name));
+            refuse_bare_angle(sink, value, &what);
         }
     }
+}
 
-    /// Whether a scalar is given in a unit of angles or used as an angle.
-    fn is_angle(&self, name: Name, used: &BTreeSet<Name>) -> bool {
-        let symbol = self.symbols.iter().find(|symbol| symbol.name == name);
-        match symbol.map(|symbol| &symbol.ty) {
-            Some(Type::Scalar(dimension)) => {
-                dimension.is_number_or_angle() && (dimension.angle || used.contains(&name))
-            }
-            _ => false,
+/// Whether a scalar is given in a unit of angles or used as an angle.
+fn is_angle_name(names: &Names, name: Name, used: &BTreeSet<Name>) -> bool {
+    let symbol = names.symbol(name);
+    match symbol.map(|symbol| &symbol.ty) {
+        Some(Type::Scalar(dimension)) => {
+            dimension.is_number_or_angle() && (dimension.angle || used.contains(&name))
         }
+        _ => false,
     }
+}
 
-    pub(super) fn refuse_bare_angle(&mut self, value: &Expr, what: &str) {
-        if let Some(number) = value.bare_number() {
-            let fact = format!("{what} has no unit: `{number}` would be {number} rad");
-            let help = format!("write `{number}deg`, or `{number}rad`");
-            let span = self.origins.span(value.origin);
-            self.diagnostics.error_with_help(span, fact, help);
-        }
+pub(super) fn refuse_bare_angle(sink: &mut Sink, value: &Expr, what: &str) {
+    if let Some(number) = value.bare_number() {
+        let fact = format!("{what} has no unit: `{number}` would be {number} rad");
+        let help = format!("write `{number}deg`, or `{number}rad`");
+        let span = sink.span(value.origin);
+        sink.error_with_help(span, fact, help);
     }
 }
 

@@ -88,6 +88,14 @@ impl Dimension {
         self.combined(other, -1, self.angle && !other.angle)
     }
 
+    /// Of a speed (`order` 1) or an acceleration (2).
+    pub(super) fn rate(self, order: i32) -> Dimension {
+        Dimension {
+            half_times: self.half_times - 2 * order,
+            ..self
+        }
+    }
+
     /// As what comes of arithmetic is printed: in kilograms only what is a mass times lengths, as a moment of inertia; else in newtons.
     pub(super) fn of_arithmetic(self) -> Dimension {
         let mass = self.half_kilograms;

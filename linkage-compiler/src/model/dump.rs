@@ -173,13 +173,13 @@ impl Display for Show<'_> {
                     f,
                     "{}.{}",
                     self.inner(value),
-                    super::parameter::COMPONENTS[*index]
+                    super::components::COMPONENTS[*index]
                 )
             }
             ExprKind::Index(value, index) if value.ty.is_frame() => {
                 let parts = match value.ty {
-                    Type::PlaneFrame => super::frame::PLANE_PARTS,
-                    _ => super::frame::PARTS,
+                    Type::PlaneFrame => super::frame_parts::PLANE_PARTS,
+                    _ => super::frame_parts::PARTS,
                 };
                 write!(f, "{}.{}", self.inner(value), parts[*index])
             }

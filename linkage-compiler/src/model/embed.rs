@@ -19,7 +19,7 @@ pub(super) struct Embedding<'p> {
 
 /// What numbers of bodies and joints of a part are in the mechanism around it.
 #[derive(Clone, Copy)]
-pub(super) struct Members {
+pub(super) struct MemberNumbers {
     pub(super) first_body: usize,
     pub(super) bodies: usize,
     pub(super) first_closing: usize,
@@ -204,7 +204,7 @@ impl Embedding<'_> {
         own.map(|own| self.expr(own))
     }
 
-    pub(super) fn bodies(&self, members: Members) -> impl Iterator<Item = Body> {
+    pub(super) fn bodies(&self, members: MemberNumbers) -> impl Iterator<Item = Body> {
         let own = self.body.mechanism().bodies.iter();
         own.map(move |own| Body {
             name: self.text(&own.name),
@@ -244,7 +244,11 @@ impl Embedding<'_> {
     }
 
     /// Those that its bodies hang on, or those that close loops.
-    pub(super) fn joints(&self, members: Members, hanging: bool) -> impl Iterator<Item = Joint> {
+    pub(super) fn joints(
+        &self,
+        members: MemberNumbers,
+        hanging: bool,
+    ) -> impl Iterator<Item = Joint> {
         let all = self.body.mechanism().joints.iter().enumerate();
         let own = all.filter(move |(index, _)| (*index < members.bodies) == hanging);
         own.map(move |(_, own)| Joint {
@@ -258,7 +262,7 @@ impl Embedding<'_> {
         })
     }
 
-    pub(super) fn loads(&self, members: Members) -> impl Iterator<Item = Load> {
+    pub(super) fn loads(&self, members: MemberNumbers) -> impl Iterator<Item = Load> {
         let own = self.body.mechanism().loads.iter();
         own.map(move |own| Load {
             value: self.vector(&own.value),
@@ -268,7 +272,7 @@ impl Embedding<'_> {
         })
     }
 
-    pub(super) fn elements(&self, members: Members) -> impl Iterator<Item = Element> {
+    pub(super) fn elements(&self, members: MemberNumbers) -> impl Iterator<Item = Element> {
         let own = self.body.mechanism().elements.iter();
         own.map(move |own| Element {
             kind: own.kind,
@@ -286,7 +290,7 @@ impl Embedding<'_> {
     }
 }
 
-impl Members {
+impl MemberNumbers {
     fn body(self, own: Option<usize>) -> Option<usize> {
         own.map_or(self.on, |own| Some(self.first_body + own))
     }

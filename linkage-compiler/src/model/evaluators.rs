@@ -4,12 +4,18 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
+use super::expression::{operands, resolve_expression};
 use super::functions::MotionWord;
 use super::generated::{ASSEMBLY, COLUMNS, FOLLOWER, Sweep};
-use super::names::{Resolver, kind};
+use super::names::{Names, kind};
 use super::operators::settle_alone;
+use super::picture::{check_one_picture, resolve_picture};
 use super::place::{Context, Place};
+use super::refused::{check_new_type, check_reserved, check_type_parameter, report_duplicate};
+use super::scope::Scope;
+use super::sink::Sink;
 use super::types::{EvaluatorDef, Name, Quantity};
+use super::values::Values;
 use crate::diagnostic::text::{list, nearest};
 use crate::diagnostic::{OriginId, SourceSpan};
 use crate::syntax::{
@@ -19,204 +25,210 @@ use crate::syntax::{
 /// Names taken so far: where, and by what if not by the user's own word.
 type Taken = BTreeMap<String, (SourceSpan, Option<String>)>;
 
-impl Resolver<'_> {
-    pub(super) fn functions(&mut self, definition: &MechanismDef) -> Vec<EvaluatorDef> {
-        self.check_function_names(definition);
-        self.check_type_names(definition);
-        let functions = definition.functions.iter();
-        let functions: Vec<_> = functions.map(|function| self.function(function)).collect();
-        self.check_one_picture(&functions);
-        functions
-    }
+pub(super) fn resolve_functions(
+    scope: &Scope,
+    sink: &mut Sink,
+    definition: &MechanismDef,
+) -> Vec<EvaluatorDef> {
+    check_function_names(sink, definition);
+    check_type_names(sink, definition);
+    let functions = definition.functions.iter();
+    let functions: Vec<_> = functions
+        .map(|function| resolve_function(scope, sink, function))
+        .collect();
+    check_one_picture(sink, &functions);
+    functions
+}
 
-    /// Two functions of one name, or one with the name of a generated one.
-    fn check_function_names(&mut self, definition: &MechanismDef) {
-        let mut taken = Taken::new();
-        for function in &definition.functions {
-            self.check_reserved(&function.name);
-            self.take(&mut taken, &function.name, "function");
-        }
-        for function in &definition.functions {
-            for sweep in Sweep::all() {
-                let generated = format!("{}{}", function.name, sweep.word());
-                if let Some((span, _)) = taken.get(&generated).cloned() {
-                    let fact = format!(
-                        "the function `{generated}` is also generated for `{}`",
-                        function.name
-                    );
-                    self.diagnostics
-                        .error_with_help(span, fact, "choose another name");
-                }
-            }
-        }
+/// Two functions of one name, or one with the name of a generated one.
+fn check_function_names(sink: &mut Sink, definition: &MechanismDef) {
+    let mut taken = Taken::new();
+    for function in &definition.functions {
+        check_reserved(sink, &function.name);
+        take_name(sink, &mut taken, &function.name, "function");
     }
-
-    fn check_type_names(&mut self, definition: &MechanismDef) {
-        let name = &definition.name;
-        self.check_type_parameter(name);
-        let mut taken = Taken::new();
-        let span = SourceSpan::from(name);
-        taken.insert(name.to_string(), (span, Some("the mechanism".to_owned())));
-        let assembly = Some(format!("the assembly of `{name}`"));
-        taken.insert(format!("{name}{ASSEMBLY}"), (span, assembly));
-        let inputs = definition.items.iter();
-        let inputs = inputs.filter(|item| matches!(item, Item::Input(_)));
-        if inputs.count() > 1 {
-            let follower = Some(format!("the follower of `{name}`"));
-            taken.insert(format!("{name}{FOLLOWER}"), (span, follower));
-        }
-        for function in &definition.functions {
-            self.check_reserved(&function.result);
-            self.check_new_type(&function.result);
-            self.take(&mut taken, &function.result, "result type");
-        }
-        for function in &definition.functions {
-            let generated = format!("{}{COLUMNS}", function.result);
-            if let Some((span, owner)) = taken.get(&generated).cloned() {
+    for function in &definition.functions {
+        for sweep in Sweep::all() {
+            let generated = format!("{}{}", function.name, sweep.word());
+            if let Some((span, _)) = taken.get(&generated).cloned() {
                 let fact = format!(
-                    "the type `{generated}` is also generated for sweeps of `{}`",
+                    "the function `{generated}` is also generated for `{}`",
                     function.name
                 );
-                let span = if owner.is_some() {
-                    (&function.result).into()
-                } else {
-                    span
-                };
-                self.diagnostics
-                    .error_with_help(span, fact, "choose another name");
+                sink.error_with_help(span, fact, "choose another name");
             }
         }
     }
+}
 
-    fn take(&mut self, taken: &mut Taken, ident: &Ident, what: &str) {
-        let text = ident.to_string();
-        match taken.get(&text).cloned() {
-            None => {
-                taken.insert(text, (ident.into(), None));
-            }
-            Some((first, None)) => {
-                let fact = format!("the {what} `{text}` is named twice");
-                self.duplicate(&fact, &text, ident.into(), first);
-            }
-            Some((_, Some(owner))) => {
-                let fact = format!("the {what} `{text}` has the name of {owner}");
-                self.diagnostics
-                    .error_with_help(ident.into(), fact, "choose another name");
-            }
+fn check_type_names(sink: &mut Sink, definition: &MechanismDef) {
+    let name = &definition.name;
+    check_type_parameter(sink, name);
+    let mut taken = Taken::new();
+    let span = SourceSpan::from(name);
+    taken.insert(name.to_string(), (span, Some("the mechanism".to_owned())));
+    let assembly = Some(format!("the assembly of `{name}`"));
+    taken.insert(format!("{name}{ASSEMBLY}"), (span, assembly));
+    let inputs = definition.items.iter();
+    let inputs = inputs.filter(|item| matches!(item, Item::Input(_)));
+    if inputs.count() > 1 {
+        let follower = Some(format!("the follower of `{name}`"));
+        taken.insert(format!("{name}{FOLLOWER}"), (span, follower));
+    }
+    for function in &definition.functions {
+        check_reserved(sink, &function.result);
+        check_new_type(sink, &function.result);
+        take_name(sink, &mut taken, &function.result, "result type");
+    }
+    for function in &definition.functions {
+        let generated = format!("{}{COLUMNS}", function.result);
+        if let Some((span, owner)) = taken.get(&generated).cloned() {
+            let fact = format!(
+                "the type `{generated}` is also generated for sweeps of `{}`",
+                function.name
+            );
+            let span = if owner.is_some() {
+                (&function.result).into()
+            } else {
+                span
+            };
+            sink.error_with_help(span, fact, "choose another name");
         }
     }
+}
 
-    fn function(&mut self, function: &FunctionDef) -> EvaluatorDef {
-        let inputs: Vec<Option<usize>> = function
-            .inputs
-            .iter()
-            .map(|ident| self.argument(ident))
-            .collect();
-        let repeated = self.check_repeated(&function.inputs);
-        let sound: Option<Vec<usize>> = inputs.iter().copied().collect();
-        let sound = sound.filter(|_| !repeated);
-        let place = Place::Function(sound.as_deref());
-        let context = Context {
-            place,
-            item: usize::MAX,
-        };
-        let mut fields = BTreeMap::new();
-        let quantities = function
-            .quantities
-            .iter()
-            .map(|quantity| self.quantity(quantity, &mut fields, context))
-            .collect();
-        EvaluatorDef {
-            name: function.name.to_string(),
-            documentation: documentation(&function.attributes),
-            result: function.result.to_string(),
-            inputs: inputs.into_iter().flatten().collect(),
-            input_origins: self.argument_origins(function),
-            quantities,
-            origin: self.origins.add((&function.name).into()),
+fn take_name(sink: &mut Sink, taken: &mut Taken, ident: &Ident, what: &str) {
+    let text = ident.to_string();
+    match taken.get(&text).cloned() {
+        None => {
+            taken.insert(text, (ident.into(), None));
+        }
+        Some((first, None)) => {
+            let fact = format!("the {what} `{text}` is named twice");
+            report_duplicate(sink, &fact, &text, ident.into(), first);
+        }
+        Some((_, Some(owner))) => {
+            let fact = format!("the {what} `{text}` has the name of {owner}");
+            sink.error_with_help(ident.into(), fact, "choose another name");
         }
     }
+}
 
-    fn argument_origins(&mut self, function: &FunctionDef) -> Vec<OriginId> {
-        function
-            .inputs
-            .iter()
-            .map(|ident| self.origins.add(ident.into()))
-            .collect()
+fn resolve_function(scope: &Scope, sink: &mut Sink, function: &FunctionDef) -> EvaluatorDef {
+    let inputs: Vec<Option<usize>> = function
+        .inputs
+        .iter()
+        .map(|ident| resolve_listed_input(&scope.names, &scope.values, sink, ident))
+        .collect();
+    let repeated = check_repeated(sink, &function.inputs);
+    let sound: Option<Vec<usize>> = inputs.iter().copied().collect();
+    let sound = sound.filter(|_| !repeated);
+    let place = Place::Function(sound.as_deref());
+    let context = Context {
+        place,
+        item: usize::MAX,
+    };
+    let mut fields = BTreeMap::new();
+    let quantities = function
+        .quantities
+        .iter()
+        .map(|quantity| resolve_field(scope, sink, quantity, &mut fields, context))
+        .collect();
+    EvaluatorDef {
+        name: function.name.to_string(),
+        documentation: documentation(&function.attributes),
+        result: function.result.to_string(),
+        inputs: inputs.into_iter().flatten().collect(),
+        input_origins: argument_origins(sink, function),
+        quantities,
+        origin: sink.add_origin((&function.name).into()),
     }
+}
 
-    fn argument(&mut self, ident: &Ident) -> Option<usize> {
-        let text = ident.to_string();
-        let inputs = self.names_of(|name| matches!(name, Name::Input(_) | Name::Argument(_)));
-        let fact = match self.find(&text) {
-            Some(symbol) => match symbol.name {
-                Name::Input(input) => return Some(input),
-                Name::Argument(argument) => return Some(self.input_count + argument),
-                other => format!("`{text}` is {}, not an input", kind(other)),
-            },
-            None => format!("unknown input `{text}`"),
-        };
-        let others = inputs.iter().copied().filter(|input| *input != text);
-        let help = match nearest(&text, others) {
-            Some(input) => format!("did you mean `{input}`?"),
-            None if inputs.is_empty() => "the mechanism has no input: write `()`".to_owned(),
-            None => format!("inputs are {}", list(&inputs)),
-        };
-        self.diagnostics.error_with_help(ident.into(), fact, help);
-        None
-    }
+fn argument_origins(sink: &mut Sink, function: &FunctionDef) -> Vec<OriginId> {
+    function
+        .inputs
+        .iter()
+        .map(|ident| sink.add_origin(ident.into()))
+        .collect()
+}
 
-    fn check_repeated(&mut self, inputs: &[Ident]) -> bool {
-        let mut repeated = false;
-        for (index, ident) in inputs.iter().enumerate() {
-            if inputs[..index].contains(ident) {
-                let fact = format!("the input `{ident}` is listed twice");
-                self.diagnostics
-                    .error_with_help(ident.into(), fact, "leave one of them out");
-                repeated = true;
-            }
-        }
-        repeated
-    }
+fn resolve_listed_input(
+    names: &Names,
+    values: &Values,
+    sink: &mut Sink,
+    ident: &Ident,
+) -> Option<usize> {
+    let text = ident.to_string();
+    let inputs = names.names_of(|name| matches!(name, Name::Input(_) | Name::Argument(_)));
+    let fact = match names.find(&text) {
+        Some(symbol) => match symbol.name {
+            Name::Input(input) => return Some(input),
+            Name::Argument(argument) => return Some(values.input_count + argument),
+            other => format!("`{text}` is {}, not an input", kind(other)),
+        },
+        None => format!("unknown input `{text}`"),
+    };
+    let others = inputs.iter().copied().filter(|input| *input != text);
+    let help = match nearest(&text, others) {
+        Some(input) => format!("did you mean `{input}`?"),
+        None if inputs.is_empty() => "the mechanism has no input: write `()`".to_owned(),
+        None => format!("inputs are {}", list(&inputs)),
+    };
+    sink.error_with_help(ident.into(), fact, help);
+    None
+}
 
-    fn quantity(
-        &mut self,
-        quantity: &QuantityDef,
-        fields: &mut BTreeMap<String, SourceSpan>,
-        context: Context,
-    ) -> Quantity {
-        let field = quantity.field.to_string();
-        self.check_reserved_field(quantity);
-        let span = SourceSpan::from(&quantity.field);
-        match fields.get(&field) {
-            Some(first) => {
-                let fact = format!("the field `{field}` is listed twice");
-                self.duplicate(&fact, &field, span, *first);
-            }
-            None => {
-                fields.insert(field.clone(), span);
-            }
-        }
-        let mut value = match self.picture_call(&quantity.value, context) {
-            Some(picture) => picture,
-            None => self.expression(&quantity.value, context),
-        };
-        settle_alone(&mut value);
-        Quantity {
-            field,
-            documentation: documentation(&quantity.attributes),
-            value,
-            written: written(&quantity.value),
-            subject: written(subject(&quantity.value)),
-            origin: self.origins.add(span),
+fn check_repeated(sink: &mut Sink, inputs: &[Ident]) -> bool {
+    let mut repeated = false;
+    for (index, ident) in inputs.iter().enumerate() {
+        if inputs[..index].contains(ident) {
+            let fact = format!("the input `{ident}` is listed twice");
+            sink.error_with_help(ident.into(), fact, "leave one of them out");
+            repeated = true;
         }
     }
+    repeated
+}
 
-    /// The shorthand `__a` is reported where `__a` is declared.
-    fn check_reserved_field(&mut self, quantity: &QuantityDef) {
-        if self.find(&quantity.field.to_string()).is_none() {
-            self.check_reserved(&quantity.field);
+fn resolve_field(
+    scope: &Scope,
+    sink: &mut Sink,
+    quantity: &QuantityDef,
+    fields: &mut BTreeMap<String, SourceSpan>,
+    context: Context,
+) -> Quantity {
+    let field = quantity.field.to_string();
+    check_reserved_field(&scope.names, sink, quantity);
+    let span = SourceSpan::from(&quantity.field);
+    match fields.get(&field) {
+        Some(first) => {
+            let fact = format!("the field `{field}` is listed twice");
+            report_duplicate(sink, &fact, &field, span, *first);
         }
+        None => {
+            fields.insert(field.clone(), span);
+        }
+    }
+    let mut value = match resolve_picture(operands(scope, context), sink, &quantity.value) {
+        Some(picture) => picture,
+        None => resolve_expression(scope, sink, &quantity.value, context),
+    };
+    settle_alone(&mut value);
+    Quantity {
+        field,
+        documentation: documentation(&quantity.attributes),
+        value,
+        written: written(&quantity.value),
+        subject: written(subject(&quantity.value)),
+        origin: sink.add_origin(span),
+    }
+}
+
+/// The shorthand `__a` is reported where `__a` is declared.
+fn check_reserved_field(names: &Names, sink: &mut Sink, quantity: &QuantityDef) {
+    if names.find(&quantity.field.to_string()).is_none() {
+        check_reserved(sink, &quantity.field);
     }
 }
 

@@ -1,13 +1,11 @@
-//! Parts: what of a mechanism within another has a name there, and what is given to it.
+//! Parts: mechanisms within a mechanism, their names there and the expressions that are given to them.
 
 use std::rc::Rc;
 
-use super::library::{Found, Model};
-use super::names::{Counts, Resolver, Symbol, next};
-use super::rate::Unfollowed;
-use super::types::{Expr, Mechanism, Name, Type};
+use super::library::Model;
+use super::types::{Expr, Mechanism, Name, Placed};
 use crate::diagnostic::SourceSpan;
-use crate::syntax::{self, PartItem};
+use crate::syntax;
 
 /// One part: what its names are in the mechanism around it.
 pub(super) struct PartScope {
@@ -60,107 +58,16 @@ impl PartBody {
     }
 }
 
-impl Resolver<'_> {
-    /// A part's name, and room for what is given to it among the derived quantities.
-    pub(super) fn declare_part(
-        &mut self,
-        item: &PartItem,
-        position: usize,
-        found: &Found,
-        counts: &mut Counts,
-    ) {
-        self.check_reserved(&item.name);
-        let new = self.check_new(&item.name);
-        let name = item.name.to_string();
-        let body = match found {
-            // Its names would be those of another part.
-            _ if !new => None,
-            Found::Sound(model) => Some(self.part_body(item, model, counts)),
-            Found::Broken => None,
-            Found::Unknown(names) => {
-                self.unknown_mechanism(&item.mechanism, names);
-                None
-            }
-        };
-        self.parts.push(PartScope {
-            name,
-            span: (&item.name).into(),
-            item: position,
-            body,
-        });
-    }
+/// All parts of a mechanism.
+#[derive(Default)]
+pub(super) struct Parts {
+    pub(super) scopes: Vec<PartScope>,
+    /// Locations of parts, as far as they have been read.
+    pub(super) placed: Vec<Placed>,
+}
 
-    fn part_body(&mut self, item: &PartItem, model: &Rc<Model>, counts: &mut Counts) -> PartBody {
-        let mechanism = &model.mechanism;
-        let is_given = |name: &str| item.given.iter().any(|given| given.name == name);
-        let first_let = counts.lets;
-        counts.lets += mechanism.inputs.len();
-        let mut next_let = |is_given: bool| {
-            counts.lets += usize::from(is_given);
-            is_given.then(|| Name::Let(counts.lets - 1))
-        };
-        let arguments = mechanism.arguments.iter();
-        let arguments = arguments.map(|own| next_let(is_given(&own.name))).collect();
-        let parameters = mechanism.parameters.iter();
-        let parameters = parameters
-            .map(|own| next_let(is_given(&own.name)))
-            .collect();
-        let body = PartBody {
-            first_origin: self
-                .origins
-                .add_part(&item.name.to_string(), &model.origins),
-            first_constant: 0,
-            first_unknown: 0,
-            first_let,
-            parameters,
-            rates: vec![None; mechanism.arguments.len()],
-            arguments,
-            is_placed: item.at.is_some(),
-            is_turned: item.turned.is_some(),
-            model: model.clone(),
-        };
-        let placing = usize::from(body.is_placed) + usize::from(body.is_turned);
-        counts.lets += placing + mechanism.lets.len();
-        body
-    }
-
-    /// All names of parts, once it is known how many names there are beside them.
-    pub(super) fn declare_members_of_parts(&mut self, counts: &mut Counts) {
-        for part in 0..self.parts.len() {
-            let Some(mut body) = self.parts[part].body.take() else {
-                continue;
-            };
-            let mechanism = &body.model.mechanism;
-            body.first_constant = counts.constants;
-            counts.constants += mechanism.constants.len();
-            body.first_unknown = counts.unknowns;
-            counts.unknowns += mechanism.unknowns.len();
-            for own in &mut body.parameters {
-                own.get_or_insert_with(|| Name::Parameter(next(&mut counts.parameters)));
-            }
-            for (name, text, ty) in members(&body) {
-                let PartScope {
-                    name: part,
-                    span,
-                    item,
-                    ..
-                } = &self.parts[part];
-                let symbol = Symbol {
-                    name,
-                    text: format!("{part}.{text}"),
-                    ty,
-                    item: *item,
-                    bare_zero: false,
-                    is_unknown_frame: false,
-                    span: *span,
-                };
-                self.add_symbol(symbol);
-            }
-            self.parts[part].body = Some(body);
-        }
-    }
-
-    /// The name that an expression is, with the names of the parts in front: `phi`, `hook.tip`, `machine.hook.tip`.
+impl Parts {
+    /// Returns the name that an expression is, with the names of the parts in front: `phi`, `hook.tip`, `machine.hook.tip`.
     pub(super) fn dotted(&self, expr: &syntax::Expr) -> Option<String> {
         match &expr.kind {
             syntax::ExprKind::Name(ident) => Some(ident.to_string()),
@@ -172,16 +79,15 @@ impl Resolver<'_> {
         }
     }
 
-    /// The part that an expression is.
+    /// Returns the part that an expression is.
     pub(super) fn part_named(&self, expr: &syntax::Expr) -> Option<String> {
         self.dotted(expr).filter(|path| self.is_part(path))
     }
 
-    /// Whether a name is that of a part, or of a part of one.
+    /// Returns true for the name of a part, or of a part of one.
     pub(super) fn is_part(&self, path: &str) -> bool {
         let (first, rest) = path.split_once('.').unwrap_or((path, ""));
-        let mut parts = self.parts.iter();
-        let Some(part) = parts.find(|part| part.name == first) else {
+        let Some(part) = self.find(first) else {
             return false;
         };
         match &part.body {
@@ -194,53 +100,23 @@ impl Resolver<'_> {
         }
     }
 
-    /// Whether nothing is known about a part because of a mistake that has been reported.
+    /// Returns true if nothing is known about a part because of a mistake that has been reported.
     pub(super) fn is_broken_part(&self, path: &str) -> bool {
         let first = path.split('.').next().unwrap_or_default();
-        let part = self.parts.iter().find(|part| part.name == first);
-        part.is_some_and(|part| part.body.is_none())
+        self.find(first).is_some_and(|part| part.body.is_none())
+    }
+
+    /// Returns the part with this name.
+    pub(super) fn find(&self, name: &str) -> Option<&PartScope> {
+        self.scopes.iter().find(|part| part.name == name)
     }
 }
 
-/// The names of a part: what they are in the mechanism around it, as they are written in its own, and their types.
-fn members(body: &PartBody) -> Vec<(Name, String, Type)> {
-    let mechanism = body.mechanism();
-    let mut all = Vec::new();
-    let mut add = |name, text: &str, ty: &Type| all.push((name, text.to_owned(), ty.clone()));
-    for (index, own) in mechanism.constants.iter().enumerate() {
-        add(
-            Name::Const(body.first_constant + index),
-            &own.name,
-            &own.value.ty,
-        );
-    }
-    for (own, name) in mechanism.parameters.iter().zip(&body.parameters) {
-        if let Some(name) = name {
-            add(*name, &own.name, &own.ty);
-        }
-    }
-    for (index, own) in mechanism.inputs.iter().enumerate() {
-        add(
-            Name::Let(body.input(index)),
-            &own.name,
-            &Type::Scalar(own.dimension),
-        );
-    }
-    for (own, name) in mechanism.arguments.iter().zip(&body.arguments) {
-        if let Some(name) = name {
-            add(*name, &own.name, &Type::Scalar(own.dimension));
-        }
-    }
-    for (index, own) in mechanism.unknowns.iter().enumerate() {
-        add(
-            Name::Unknown(body.first_unknown + index),
-            &own.name,
-            &own.ty,
-        );
-    }
-    let first = body.own_lets();
-    for (index, own) in mechanism.lets.iter().enumerate() {
-        add(Name::Let(first + index), &own.name, &own.value.ty);
-    }
-    all
+/// Why a speed or an acceleration is not known.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Unfollowed {
+    /// This input has none.
+    OfInput(usize),
+    /// By an unknown, or a function that is not differentiated here. A limit of ours.
+    Other,
 }

@@ -28,6 +28,20 @@ pub(super) struct Context<'a> {
     pub(super) item: usize,
 }
 
+impl Context<'static> {
+    /// Clauses of bodies, joints and loads may use all names.
+    pub(super) const MECHANICS: Self = Context {
+        place: Place::Mechanics,
+        item: usize::MAX,
+    };
+
+    /// Functions may use all names.
+    pub(super) const FUNCTION: Self = Context {
+        place: Place::Function(None),
+        item: usize::MAX,
+    };
+}
+
 /// What may be used in a place where not all names may.
 pub(super) fn rule(place: Place) -> Option<&'static str> {
     match place {

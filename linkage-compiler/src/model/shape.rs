@@ -1,6 +1,6 @@
 //! How many numbers a value has, and how they are put together.
 
-use super::frame::{PARTS, VECTORS_OF_PLANE};
+use super::frame_parts::{PARTS, VECTORS_OF_PLANE};
 use super::types::Type;
 
 /// What a value of a function's result looks like, without dimensions.

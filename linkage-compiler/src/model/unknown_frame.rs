@@ -4,9 +4,11 @@
 //! is their product. So no orientation is singular, none is found twice, as by quaternions, and points and directions keep their closed forms.
 //! In the plane it is an unknown point and an angle.
 
-use super::frame::{PARTS, PLANE_PARTS, type_of_part};
-use super::names::Resolver;
+use super::expression::resolve_expression;
+use super::frame_parts::{PARTS, PLANE_PARTS, type_of_part};
 use super::place::{Context, Place};
+use super::scope::Scope;
+use super::sink::Sink;
 use super::types::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type, Unknown};
 use crate::diagnostic::OriginId;
 use crate::syntax::UnknownItem;
@@ -74,41 +76,41 @@ pub(super) struct FoundFrame {
     origin: OriginId,
 }
 
-impl Resolver<'_> {
-    /// The derived quantities that unknown frames are, in front of all others, and the unknowns behind them.
-    pub(super) fn unknown_frames(
-        &mut self,
-        items: &[(usize, &UnknownItem)],
-        mechanism: &mut Mechanism,
-    ) -> Vec<FoundFrame> {
-        let mut frames = Vec::new();
-        for (position, item) in items {
-            let context = Context {
-                place: Place::Estimate,
-                item: *position,
-            };
-            let estimate = item.estimate.as_ref();
-            let found = FoundFrame {
-                name: item.name.to_string(),
-                estimate: estimate.map(|estimate| self.expression(estimate, context)),
-                number: mechanism.lets.len(),
-                first_unknown: mechanism.unknowns.len(),
-                kind: Kind::of(item),
-                origin: self.origins.add((&item.name).into()),
-            };
-            self.set_type(Name::Let(found.number), found.kind.ty(), false);
-            self.arguments_of_lets.push(None);
-            self.courses_of_lets.push(None);
-            mechanism.unknowns.extend(found.unknowns());
-            mechanism.lets.push(Let {
-                name: found.name.clone(),
-                value: found.value(),
-                is_unknown_frame: true,
-            });
-            frames.push(found);
-        }
-        frames
+/// The derived quantities that unknown frames are, in front of all others, and the unknowns behind them.
+pub(super) fn resolve_unknown_frames(
+    scope: &mut Scope,
+    sink: &mut Sink,
+    items: &[(usize, &UnknownItem)],
+    mechanism: &mut Mechanism,
+) -> Vec<FoundFrame> {
+    let mut frames = Vec::new();
+    for (position, item) in items {
+        let context = Context {
+            place: Place::Estimate,
+            item: *position,
+        };
+        let estimate = item.estimate.as_ref();
+        let found = FoundFrame {
+            name: item.name.to_string(),
+            estimate: estimate.map(|estimate| resolve_expression(scope, sink, estimate, context)),
+            number: mechanism.lets.len(),
+            first_unknown: mechanism.unknowns.len(),
+            kind: Kind::of(item),
+            origin: sink.add_origin((&item.name).into()),
+        };
+        scope
+            .names
+            .set_type(Name::Let(found.number), found.kind.ty(), false);
+        scope.values.note_unknown_frame();
+        mechanism.unknowns.extend(found.unknowns());
+        mechanism.lets.push(Let {
+            name: found.name.clone(),
+            value: found.value(),
+            is_unknown_frame: true,
+        });
+        frames.push(found);
     }
+    frames
 }
 
 impl Mechanism {

@@ -1,6 +1,6 @@
 //! Courses: numbers that are given along another one, by laws of motion between knots or as splines through points.
 
-use super::{Expr, Type};
+use super::super::types::{Expr, Type};
 use crate::diagnostic::OriginId;
 use crate::syntax::vocabulary;
 

@@ -1,6 +1,6 @@
 //! Bodies, joints, loads, and what they give.
 
-use super::Expr;
+use super::super::types::Expr;
 use crate::diagnostic::OriginId;
 use crate::syntax::vocabulary;
 
