@@ -6,20 +6,6 @@ use super::names::Names;
 use super::sink::Sink;
 use super::types::{Expr, ExprKind, Mechanism, Name, Type};
 
-impl Expr {
-    /// The number, if it is written as one without a unit, perhaps with signs. Zero is the same in every unit.
-    pub(super) fn bare_number(&self) -> Option<f64> {
-        match &self.kind {
-            ExprKind::Number(number) => {
-                Some(*number).filter(|number| *number != 0.0 && self.ty == Type::NUMBER)
-            }
-            ExprKind::Negate(value) => value.bare_number().map(|number| -number),
-            // What is computed is a number on purpose.
-            _ => None,
-        }
-    }
-}
-
 /// Reports references, ranges and estimates of angles that lack a unit. Whether an input or unknown is an angle is
 /// known from how it is used: it may be a number as well.
 pub(super) fn refuse_bare_coordinates(names: &Names, sink: &mut Sink, mechanism: &Mechanism) {

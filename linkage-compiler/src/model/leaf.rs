@@ -3,14 +3,7 @@
 use std::ops::Range;
 
 use super::part::PartBody;
-
-/// A part, or a part of a part, that has none itself: where its own derived quantities, loops and unknowns stand.
-#[derive(Clone, Debug)]
-pub(crate) struct Leaf {
-    pub(crate) lets: Range<usize>,
-    pub(crate) loops: Range<usize>,
-    pub(crate) unknowns: Range<usize>,
-}
+use super::types::Leaf;
 
 impl PartBody {
     /// The part itself, or those within it; its loops stand behind so many others.

@@ -18,7 +18,6 @@ mod decimal;
 mod declare;
 mod declare_part;
 mod derivative;
-mod dimension;
 mod dump;
 mod embed;
 mod evaluators;

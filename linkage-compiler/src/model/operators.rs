@@ -10,61 +10,6 @@ use super::sink::Sink;
 use super::types::{BinaryOp, Dimension, Expr, ExprKind, Type};
 use crate::diagnostic::SourceSpan;
 
-impl Type {
-    /// The type of a sum of the two; `None` if they cannot be added.
-    pub(super) fn common(left: &Type, right: &Type) -> Option<Type> {
-        match (left, right) {
-            (Type::Array(_) | Type::Frame | Type::PlaneFrame | Type::Error, _)
-            | (_, Type::Array(_) | Type::Frame | Type::PlaneFrame | Type::Error) => None,
-            (Type::Zero(1), other) | (other, Type::Zero(1)) => Some(other.clone()),
-            _ if left.components() != right.components() => None,
-            (Type::Zero(_), other) | (other, Type::Zero(_)) => Some(other.clone()),
-            _ => {
-                let (left_dimension, right_dimension) = (left.dimension()?, right.dimension()?);
-                let fits = left_dimension.fits(right_dimension);
-                fits.then(|| left.with(left_dimension.or(right_dimension)))
-            }
-        }
-    }
-}
-
-impl Expr {
-    /// Gives zero the type that its surroundings ask for; a bare `0` beside a vector becomes a vector.
-    pub(super) fn settle(&mut self, wanted: &Type) {
-        let Type::Zero(count) = self.ty else { return };
-        let Some(wanted_count) = wanted.components() else {
-            return;
-        };
-        let component_type = match wanted {
-            Type::Vector(_, dimension) => Type::Scalar(*dimension),
-            Type::Zero(_) => Type::Zero(1),
-            other => other.clone(),
-        };
-        if count == 1 && wanted_count > 1 {
-            let mut component = self.clone();
-            component.settle(&component_type);
-            self.kind = ExprKind::Vector(vec![component; wanted_count]);
-        } else if count != wanted_count {
-            return;
-        }
-        match &mut self.kind {
-            ExprKind::Vector(components) => {
-                components
-                    .iter_mut()
-                    .for_each(|component| component.settle(&component_type));
-            }
-            ExprKind::Negate(value) => value.settle(wanted),
-            ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, left, right) => {
-                left.settle(wanted);
-                right.settle(wanted);
-            }
-            // Only what is put together of zeros hands its type on to them.
-            _ => {}
-        }
-        self.ty = wanted.clone();
-    }
-}
-
 pub(super) fn make_negation(names: &Names, sink: &mut Sink, value: Expr, span: SourceSpan) -> Expr {
     if refuse_compound(names, sink, &value) {
         return error_expr(sink, span);

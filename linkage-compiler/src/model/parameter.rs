@@ -163,23 +163,3 @@ fn check_tolerance(sink: &mut Sink, tolerance: &Expr, wanted: &Type) {
     let span = sink.span(tolerance.origin);
     sink.error_with_help(span, fact, help);
 }
-
-impl Expr {
-    /// One component of a vector.
-    pub(super) fn component(&self, component: usize) -> Expr {
-        if let ExprKind::Vector(components) = &self.kind {
-            return components[component].clone();
-        }
-        let ty = match &self.ty {
-            Type::Vector(_, dimension) => Type::Scalar(*dimension),
-            Type::Zero(_) => Type::Zero(1),
-            other => other.clone(),
-        };
-        let kind = ExprKind::Component(Box::new(self.clone()), component);
-        Expr {
-            kind,
-            ty,
-            origin: self.origin,
-        }
-    }
-}

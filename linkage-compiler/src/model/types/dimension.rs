@@ -1,9 +1,21 @@
-//! Arithmetic of dimensions and types.
-
-use super::types::{Dimension, Type};
+//! Dimensions: powers of length, force and time, and their arithmetic.
 
 /// Powers beyond this (in halves) are taken for a mistake; sums of two stay far from overflow.
 const LIMIT: i32 = 64;
+
+/// Powers of length, force and time of a quantity, in halves so that square roots stay exact (`2` is a length, `4` an
+/// area). A mass is force times time squared over length. Numbers and angles convert freely, so all powers of both are 0;
+/// `angle` only chooses words in messages, units in docs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Dimension {
+    pub(crate) half_lengths: i32,
+    pub(crate) half_forces: i32,
+    pub(crate) half_times: i32,
+    /// How many kilograms the unit has in which it is given and printed; the rest of the powers is newtons, seconds and the
+    /// length unit. It does not count for whether two dimensions fit. See [`Dimension::internal_per_unit`].
+    pub(crate) half_kilograms: i32,
+    pub(crate) angle: bool,
+}
 
 impl Dimension {
     /// A bare number.
@@ -41,7 +53,7 @@ impl Dimension {
     };
 
     /// Of whole powers of length, force and time.
-    pub(super) const fn of(lengths: i32, forces: i32, times: i32) -> Dimension {
+    pub(in crate::model) const fn of(lengths: i32, forces: i32, times: i32) -> Dimension {
         Dimension {
             half_lengths: 2 * lengths,
             half_forces: 2 * forces,
@@ -57,21 +69,21 @@ impl Dimension {
     }
 
     /// Halves of length, force and time.
-    pub(super) fn powers(self) -> (i32, i32, i32) {
+    pub(in crate::model) fn powers(self) -> (i32, i32, i32) {
         (self.half_lengths, self.half_forces, self.half_times)
     }
 
-    pub(super) fn is_number_or_angle(self) -> bool {
+    pub(in crate::model) fn is_number_or_angle(self) -> bool {
         self.fits(Dimension::NUMBER)
     }
 
     /// Whether it is about lengths and angles alone.
-    pub(super) fn is_geometric(self) -> bool {
+    pub(in crate::model) fn is_geometric(self) -> bool {
         self.half_forces == 0 && self.half_times == 0
     }
 
     /// Of a sum: an angle if one of the two is.
-    pub(super) fn or(self, other: Dimension) -> Dimension {
+    pub(in crate::model) fn or(self, other: Dimension) -> Dimension {
         Dimension {
             angle: self.angle || other.angle,
             ..self
@@ -79,17 +91,17 @@ impl Dimension {
     }
 
     /// Of a product; `None` for powers beyond all use.
-    pub(super) fn times(self, other: Dimension) -> Option<Dimension> {
+    pub(in crate::model) fn times(self, other: Dimension) -> Option<Dimension> {
         self.combined(other, 1, self.angle != other.angle)
     }
 
     /// Of a quotient, a derivative too.
-    pub(super) fn over(self, other: Dimension) -> Option<Dimension> {
+    pub(in crate::model) fn over(self, other: Dimension) -> Option<Dimension> {
         self.combined(other, -1, self.angle && !other.angle)
     }
 
     /// Of a speed (`order` 1) or an acceleration (2).
-    pub(super) fn rate(self, order: i32) -> Dimension {
+    pub(in crate::model) fn rate(self, order: i32) -> Dimension {
         Dimension {
             half_times: self.half_times - 2 * order,
             ..self
@@ -97,7 +109,7 @@ impl Dimension {
     }
 
     /// As what comes of arithmetic is printed: in kilograms only what is a mass times lengths, as a moment of inertia; else in newtons.
-    pub(super) fn of_arithmetic(self) -> Dimension {
+    pub(in crate::model) fn of_arithmetic(self) -> Dimension {
         let mass = self.half_kilograms;
         let is_mass = self.half_forces == mass && self.half_times == 2 * mass;
         Dimension {
@@ -107,13 +119,13 @@ impl Dimension {
     }
 
     /// Of a whole power.
-    pub(super) fn to_the(self, power: i32) -> Option<Dimension> {
+    pub(in crate::model) fn to_the(self, power: i32) -> Option<Dimension> {
         let factor = Some(power).filter(|power| power.abs() <= LIMIT)?;
         Dimension::NUMBER.combined(self, factor, self.angle && power == 1)
     }
 
     /// Of a square root; `None` if that is not a half power.
-    pub(super) fn root(self) -> Option<Dimension> {
+    pub(in crate::model) fn root(self) -> Option<Dimension> {
         let halved = |halves: i32| (halves % 2 == 0).then_some(halves / 2);
         Some(Dimension {
             half_lengths: halved(self.half_lengths)?,
@@ -142,80 +154,9 @@ impl Dimension {
     }
 }
 
-impl Type {
-    pub(super) const NUMBER: Type = Type::Scalar(Dimension::NUMBER);
-
-    /// Zero as a number: what it is where nothing says otherwise.
-    pub(super) fn settled(&self) -> Type {
-        match self {
-            Type::Zero(1) => Type::NUMBER,
-            Type::Zero(count) => Type::Vector(*count, Dimension::NUMBER),
-            Type::Array(entries) => Type::Array(entries.iter().map(Type::settled).collect()),
-            other => other.clone(),
-        }
-    }
-
-    /// Number of components; `None` for arrays, frames and errors.
-    pub(crate) fn components(&self) -> Option<usize> {
-        match self {
-            Type::Scalar(_) => Some(1),
-            Type::Vector(count, _) | Type::Zero(count) => Some(*count),
-            Type::Array(_) | Type::Frame | Type::PlaneFrame | Type::Error => None,
-        }
-    }
-
-    /// Dimension of a scalar or of each component; zero counts as a number.
-    pub(crate) fn dimension(&self) -> Option<Dimension> {
-        match self {
-            Type::Scalar(dimension) | Type::Vector(_, dimension) => Some(*dimension),
-            Type::Zero(_) => Some(Dimension::NUMBER),
-            Type::Array(_) | Type::Frame | Type::PlaneFrame | Type::Error => None,
-        }
-    }
-
-    /// The same shape with another dimension.
-    pub(super) fn with(&self, dimension: Dimension) -> Type {
-        match self.components() {
-            Some(1) => Type::Scalar(dimension),
-            Some(count) => Type::Vector(count, dimension),
-            None => Type::Error,
-        }
-    }
-
-    pub(super) fn is_error(&self) -> bool {
-        match self {
-            Type::Error => true,
-            Type::Array(entries) => entries.iter().any(Type::is_error),
-            Type::Scalar(_) | Type::Vector(..) | Type::Frame | Type::PlaneFrame | Type::Zero(_) => {
-                false
-            }
-        }
-    }
-
-    /// A frame of the plane or of space.
-    pub(crate) fn is_frame(&self) -> bool {
-        matches!(self, Type::Frame | Type::PlaneFrame)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn words() {
-        let area = Dimension::LENGTH
-            .times(Dimension::LENGTH)
-            .expect("in range");
-        let root = Dimension::LENGTH.root().expect("a half power");
-        assert_eq!(area.to_string(), "a length^2");
-        assert_eq!(root.to_string(), "a length^(1/2)");
-        assert!(root.root().is_none());
-        assert_eq!(
-            Type::Vector(2, Dimension::LENGTH).to_string(),
-            "a plane vector of lengths"
-        );
-    }
 
     #[test]
     fn angles_survive_numbers_only() {
