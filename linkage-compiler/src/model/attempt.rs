@@ -1,16 +1,16 @@
 //! Attempts to resolve a mechanism. Defaults and estimates written as `0` without a unit, and unknowns without an estimate: numbers, or lengths if the mechanism makes
 //! sense only so. What has no estimate may be a point or a direction, too.
 
-use super::assumed_units::Unitless;
-use super::bare::refuse_bare_coordinates;
-use super::declare::declare_names;
-use super::evaluators::resolve_functions;
-use super::items::resolve_items;
 use super::library::Source;
-use super::sink::Sink;
-use super::types::{Mechanism, Name};
-use super::zeros::Zeros;
 use crate::diagnostic::{Diagnostics, Origins};
+use crate::model::declare::names::declare_names;
+use crate::model::expression::bare_numbers::refuse_bare_coordinates;
+use crate::model::items::functions::resolve_functions;
+use crate::model::items::struct_block::resolve_items;
+use crate::model::symbols::assumed_units::Unitless;
+use crate::model::symbols::sink::Sink;
+use crate::model::symbols::zeros::Zeros;
+use crate::model::types::{Mechanism, Name};
 use crate::syntax::Item;
 
 /// Up to so many zeros every choice is tried; of more, the first so many.

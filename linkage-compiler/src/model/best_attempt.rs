@@ -3,21 +3,21 @@
 //! Where a number meets a length, the declarations without a unit that the number comes from are suspects. If the mechanism has fewer
 //! mistakes with suspects as lengths, their units are what is missing.
 
-use super::assumed_units::Unitless;
-use super::attempt::{self, Attempt, attempt};
+use super::attempt::{Attempt, attempt, fewest_mistakes};
 use super::library::Source;
-use super::types::Name;
-use super::zeros::Zeros;
 use crate::diagnostic::Diagnostics;
+use crate::model::symbols::assumed_units::Unitless;
+use crate::model::symbols::zeros::Zeros;
+use crate::model::types::Name;
 
 /// The attempt to resolve a mechanism whose mistakes say most.
 pub(super) fn best_attempt(source: &Source) -> Attempt {
-    let best = attempt::fewest_mistakes(source, &[]);
+    let best = fewest_mistakes(source, &[]);
     let lengths = suspected(source, &best);
     if lengths.is_empty() {
         return best;
     }
-    let with_units = attempt::fewest_mistakes(source, &lengths);
+    let with_units = fewest_mistakes(source, &lengths);
     if with_units.diagnostics.len() >= best.diagnostics.len() {
         return best;
     }
@@ -44,7 +44,7 @@ fn suspected(source: &Source, first: &Attempt) -> Vec<Name> {
 fn without_needless(source: &Source, mut lengths: Vec<Name>, mut best: Attempt) -> Attempt {
     for name in lengths.clone() {
         let fewer: Vec<Name> = lengths.iter().copied().filter(|own| *own != name).collect();
-        let other = attempt::fewest_mistakes(source, &fewer);
+        let other = fewest_mistakes(source, &fewer);
         if other.diagnostics.len() <= best.diagnostics.len() {
             (lengths, best) = (fewer, other);
         }

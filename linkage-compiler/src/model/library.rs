@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
-use super::types::{LengthUnit, Mechanism};
 use crate::diagnostic::Origins;
+use crate::model::types::{LengthUnit, Mechanism};
 use crate::syntax::MechanismDef;
 
 /// A mechanism without a mistake, and where its items are written.

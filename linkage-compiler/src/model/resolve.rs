@@ -6,8 +6,8 @@ use proc_macro2::Ident;
 
 use super::best_attempt::best_attempt;
 use super::library::{Book, Found, Library, Model, Source};
-use super::types::LengthUnit;
 use crate::diagnostic::Diagnostics;
+use crate::model::types::LengthUnit;
 use crate::syntax::{Item, MechanismDef, PartItem};
 
 /// Checks names, dimensions and argument counts. `None` if anything was wrong; as much as can be found is reported, consequences of what has

@@ -1,9 +1,9 @@
 //! Clauses: a word and what belongs to it, as in `on crank at p2`. Which an item has, in any order.
 
 use super::ast::{Expr, Member};
+use super::keyword::ClauseWord;
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
-use super::words::ClauseWord;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{list, nearest};
 

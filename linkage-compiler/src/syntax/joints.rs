@@ -2,13 +2,11 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::ast::{
-    BodyItem, Expr, InertiaPart, Item, JointItem, JointKind, JointPart, MassPart, Member,
-};
+use super::ast::{BodyItem, Expr, InertiaPart, Item, JointItem, JointPart, MassPart, Member};
 use super::clauses::{Clause, Clauses, Owner, Rule};
+use super::keyword::{ClauseWord, JointKind};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
-use super::words::ClauseWord;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 

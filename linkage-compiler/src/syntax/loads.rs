@@ -3,9 +3,9 @@
 use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem, Member};
 use super::clauses::{Clause, Clauses, Owner, Rule};
 use super::expression::PlusMinus;
+use super::keyword::{ClauseWord, LoadWord};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
-use super::words::{ClauseWord, LoadWord};
 use crate::diagnostic::SourceSpan;
 
 const BODY: &str = "the name of a body";

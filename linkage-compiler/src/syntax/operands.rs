@@ -5,9 +5,9 @@ use proc_macro2::Ident;
 use super::ast::{Expr, Member};
 use super::clauses::{Point, Rule};
 use super::expression::PlusMinus;
+use super::keyword::ClauseWord;
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
-use super::words::ClauseWord;
 use crate::diagnostic::SourceSpan;
 
 impl Parser<'_> {

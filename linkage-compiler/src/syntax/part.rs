@@ -4,8 +4,8 @@ use proc_macro2::Delimiter;
 
 use super::ast::{GivenPart, Item, PartItem};
 use super::clauses::{Owner, Rule};
+use super::keyword::ClauseWord;
 use super::parser::{Parsed, Parser};
-use super::words::ClauseWord;
 use crate::diagnostic::SourceSpan;
 
 const FORM: &str = "part NAME: MECHANISM { input = expression }";

@@ -1,20 +1,20 @@
 //! Bodies: what they hang on, how they turn, their masses.
 
-use super::super::argument::refuse_argument;
-use super::super::expression::resolve_expression;
-use super::super::place::Context;
-use super::super::scope::Scope;
-use super::super::sink::Sink;
-use super::super::types::{Body, Dimension, Expr, Joint, Mechanism, Type};
-use super::clause_values::refuse_clause;
 use super::clauses::{resolve_point, resolve_scalar};
 use super::inertia::resolve_inertia;
 use super::joints::resolve_joint;
 use crate::diagnostic::SourceSpan;
+use crate::model::expression::clause_values::refuse_clause;
+use crate::model::expression::resolve::resolve_expression;
+use crate::model::items::argument::refuse_argument;
+use crate::model::symbols::place::Context;
+use crate::model::symbols::scope::Scope;
+use crate::model::symbols::sink::Sink;
+use crate::model::types::{Body, Dimension, Expr, Joint, Mechanism, Type};
 use crate::syntax::{self, BodyItem, JointKind};
 
 /// A body and the joint that it hangs on, both of the same number.
-pub(super) fn resolve_body(
+pub(in crate::model) fn resolve_body(
     scope: &Scope,
     sink: &mut Sink,
     item: &BodyItem,
@@ -122,7 +122,7 @@ fn check_turns(sink: &mut Sink, item: &BodyItem) {
 }
 
 /// Each body must hang, over others, on the frame.
-pub(super) fn refuse_circles(sink: &mut Sink, mechanism: &Mechanism) {
+pub(in crate::model) fn refuse_circles(sink: &mut Sink, mechanism: &Mechanism) {
     let on = |body: usize| mechanism.joints[body].on;
     for (start, body) in mechanism.bodies.iter().enumerate() {
         let chain = std::iter::successors(on(start), |body| on(*body));

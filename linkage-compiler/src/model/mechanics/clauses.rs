@@ -1,16 +1,16 @@
 //! Values of clauses: scalars, points, vectors.
 
-use super::super::argument::refuse_argument;
-use super::super::expression::resolve_expression;
-use super::super::place::Context;
-use super::super::scope::Scope;
-use super::super::sink::Sink;
-use super::super::types::{Dimension, Expr};
-use super::clause_values::{check_scalar, check_vector};
+use crate::model::expression::clause_values::{check_scalar, check_vector};
+use crate::model::expression::resolve::resolve_expression;
+use crate::model::items::argument::refuse_argument;
+use crate::model::symbols::place::Context;
+use crate::model::symbols::scope::Scope;
+use crate::model::symbols::sink::Sink;
+use crate::model::types::{Dimension, Expr};
 use crate::syntax;
 
 /// A scalar of a dimension.
-pub(super) fn resolve_scalar(
+pub(in crate::model) fn resolve_scalar(
     scope: &Scope,
     sink: &mut Sink,
     expr: &syntax::Expr,
@@ -23,14 +23,14 @@ pub(super) fn resolve_scalar(
 }
 
 /// The point where something is; it moves with the mechanism alone.
-pub(super) fn resolve_point(scope: &Scope, sink: &mut Sink, expr: &syntax::Expr) -> Expr {
+pub(in crate::model) fn resolve_point(scope: &Scope, sink: &mut Sink, expr: &syntax::Expr) -> Expr {
     let mut value = resolve_vector(scope, sink, expr, Some(Dimension::LENGTH), "at", "(0, 0)");
     refuse_argument(&scope.names, &scope.values, sink, &mut value, "a point");
     value
 }
 
 /// The guide of a slide, an axis: of any length.
-pub(super) fn resolve_direction(
+pub(in crate::model) fn resolve_direction(
     scope: &Scope,
     sink: &mut Sink,
     expr: &syntax::Expr,
@@ -42,7 +42,7 @@ pub(super) fn resolve_direction(
 }
 
 /// A vector of a dimension, if one is given, and of as many components as all points have.
-pub(super) fn resolve_vector(
+pub(in crate::model) fn resolve_vector(
     scope: &Scope,
     sink: &mut Sink,
     expr: &syntax::Expr,

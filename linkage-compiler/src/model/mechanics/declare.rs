@@ -1,19 +1,21 @@
 //! Declaration of the names of bodies and joints.
 
-use super::super::embed::MemberNumbers;
-use super::super::member_names::{FRAME, Member, MemberNames};
-use super::super::part::{PartScope, Parts};
-use super::super::passes::Mechanical;
-use super::super::refused::{check_reserved, report_duplicate};
-use super::super::sink::Sink;
-use crate::diagnostic::SourceSpan;
-use crate::syntax::{BodyItem, JointPart};
-use proc_macro2::Ident;
 use std::ops::Range;
+
+use proc_macro2::Ident;
+
+use crate::diagnostic::SourceSpan;
+use crate::model::expression::names::{check_reserved, report_duplicate};
+use crate::model::items::passes::Mechanical;
+use crate::model::parts::embed_bodies::MemberNumbers;
+use crate::model::symbols::member_names::{FRAME, Member, MemberNames};
+use crate::model::symbols::parts::{PartScope, Parts};
+use crate::model::symbols::sink::Sink;
+use crate::syntax::{BodyItem, JointPart};
 
 /// Declares all bodies and joints: own bodies with the joints that they hang on, those of parts, own joints that close loops, those of
 /// parts. The answer is what the numbers of each part's are.
-pub(super) fn declare_members(
+pub(in crate::model) fn declare_members(
     parts: &Parts,
     members: &mut MemberNames,
     sink: &mut Sink,
@@ -55,7 +57,11 @@ pub(super) fn declare_members(
     all
 }
 
-pub(super) fn declare_joint(members: &mut MemberNames, sink: &mut Sink, joint: &JointPart) {
+pub(in crate::model) fn declare_joint(
+    members: &mut MemberNames,
+    sink: &mut Sink,
+    joint: &JointPart,
+) {
     if let Some(name) = &joint.name {
         let index = members.joints.len();
         declare_member(members, sink, name, Member::Joint(index));
@@ -64,7 +70,7 @@ pub(super) fn declare_joint(members: &mut MemberNames, sink: &mut Sink, joint: &
 }
 
 /// A part's bodies from this number on, with the joints that they hang on; how many there are.
-pub(super) fn declare_bodies_of_part(
+pub(in crate::model) fn declare_bodies_of_part(
     parts: &Parts,
     members: &mut MemberNames,
     part: usize,
@@ -88,7 +94,7 @@ pub(super) fn declare_bodies_of_part(
     count
 }
 
-pub(super) fn declare_joints_of_part(
+pub(in crate::model) fn declare_joints_of_part(
     parts: &Parts,
     members: &mut MemberNames,
     part: usize,
@@ -111,7 +117,7 @@ pub(super) fn declare_joints_of_part(
     }
 }
 
-pub(super) fn declare_member(
+pub(in crate::model) fn declare_member(
     members: &mut MemberNames,
     sink: &mut Sink,
     ident: &Ident,

@@ -1,22 +1,22 @@
 //! Moments of inertia: one number, three, or a symmetric matrix.
 
-use super::super::expression::resolve_expression;
-use super::super::names::Names;
-use super::super::nodes::{error_expr, make_expr};
-use super::super::place::Context;
-use super::super::scope::Scope;
-use super::super::sink::Sink;
-use super::super::types::{BinaryOp, Dimension, Expr, ExprKind, Inertia, Type};
-use super::clause_values::check_scalar;
 use super::clauses::{resolve_point, resolve_scalar};
 use crate::diagnostic::SourceSpan;
+use crate::model::expression::clause_values::check_scalar;
+use crate::model::expression::nodes::{error_expr, make_expr};
+use crate::model::expression::resolve::resolve_expression;
+use crate::model::symbols::names::Names;
+use crate::model::symbols::place::Context;
+use crate::model::symbols::scope::Scope;
+use crate::model::symbols::sink::Sink;
+use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Inertia, Type};
 use crate::syntax::{self, InertiaPart};
 
 const EXAMPLE: &str = "250g*mm^2";
 const MATRIX: &str = "((ixx, ixy, ixz), (ixy, iyy, iyz), (ixz, iyz, izz))";
 
 /// `turns` is how the body turns.
-pub(super) fn resolve_inertia(
+pub(in crate::model) fn resolve_inertia(
     scope: &Scope,
     sink: &mut Sink,
     part: &InertiaPart,

@@ -1,15 +1,15 @@
 //! Everything about masses and forces, in the order in which it is resolved.
 
-use super::super::passes::Mechanical;
-use super::super::scope::Scope;
-use super::super::sink::Sink;
-use super::super::types::{Dimension, Expr, Mechanism};
 use super::bodies::{refuse_circles, resolve_body};
 use super::clauses::resolve_vector;
 use super::declare::declare_members;
 use super::joints::resolve_joint_item;
 use super::loads::{resolve_damper, resolve_force, resolve_spring, resolve_torque};
 use super::parts::{embed_bodies, embed_mechanics};
+use crate::model::items::passes::Mechanical;
+use crate::model::symbols::scope::Scope;
+use crate::model::symbols::sink::Sink;
+use crate::model::types::{Dimension, Expr, Mechanism};
 use crate::syntax::{BodyItem, GravityItem, PartItem};
 
 /// Everything about masses and forces. Bodies come first: they tell whether the mechanism is one of the plane or of space.

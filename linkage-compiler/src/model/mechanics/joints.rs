@@ -1,14 +1,18 @@
 //! Joints: between which bodies, where, along which direction.
 
-use super::super::scope::Scope;
-use super::super::sink::Sink;
-use super::super::types::{Expr, Joint};
 use super::clauses::{resolve_direction, resolve_point};
-use super::find::find_body;
+use crate::model::expression::members::find_body;
+use crate::model::symbols::scope::Scope;
+use crate::model::symbols::sink::Sink;
+use crate::model::types::{Expr, Joint};
 use crate::syntax::{JointItem, JointKind, JointPart, Word};
 
 /// `pin NAME = BODY on BODY at point;`
-pub(super) fn resolve_joint_item(scope: &Scope, sink: &mut Sink, item: &JointItem) -> Joint {
+pub(in crate::model) fn resolve_joint_item(
+    scope: &Scope,
+    sink: &mut Sink,
+    item: &JointItem,
+) -> Joint {
     let body = find_body(&scope.parts, &scope.members, sink, &item.body);
     if body == Some(None) {
         let fact = "the body of a joint moves, `frame` does not";
@@ -25,7 +29,7 @@ pub(super) fn resolve_joint_item(scope: &Scope, sink: &mut Sink, item: &JointIte
 }
 
 /// What bodies and joint items have in common.
-pub(super) fn resolve_joint(
+pub(in crate::model) fn resolve_joint(
     scope: &Scope,
     sink: &mut Sink,
     part: &JointPart,

@@ -1,15 +1,15 @@
 //! Forces, torques, springs, dampers.
 
-use super::super::expression::resolve_expression;
-use super::super::member_names::MemberNames;
-use super::super::part::Parts;
-use super::super::place::Context;
-use super::super::scope::Scope;
-use super::super::sink::Sink;
-use super::super::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use super::clauses::{resolve_point, resolve_scalar, resolve_vector};
-use super::find::{find_body, find_joint};
 use crate::diagnostic::SourceSpan;
+use crate::model::expression::members::{find_body, find_joint};
+use crate::model::expression::resolve::resolve_expression;
+use crate::model::symbols::member_names::MemberNames;
+use crate::model::symbols::parts::Parts;
+use crate::model::symbols::place::Context;
+use crate::model::symbols::scope::Scope;
+use crate::model::symbols::sink::Sink;
+use crate::model::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use crate::syntax::{self, ElementItem, JointKind, LoadItem, Member, Word};
 
 /// What a value must be, and how one is written.
@@ -26,7 +26,7 @@ impl Measure {
 }
 
 /// `force vector on BODY [from BODY] at point;`
-pub(super) fn resolve_force(scope: &Scope, sink: &mut Sink, item: &LoadItem) -> Load {
+pub(in crate::model) fn resolve_force(scope: &Scope, sink: &mut Sink, item: &LoadItem) -> Load {
     let [on, from] = find_two_bodies(&scope.parts, &scope.members, sink, item);
     let at = item.at.as_ref().map(|at| resolve_point(scope, sink, at));
     if at.is_none() {
@@ -45,7 +45,7 @@ pub(super) fn resolve_force(scope: &Scope, sink: &mut Sink, item: &LoadItem) -> 
 }
 
 /// `torque moment on BODY [from BODY];`
-pub(super) fn resolve_torque(scope: &Scope, sink: &mut Sink, item: &LoadItem) -> Load {
+pub(in crate::model) fn resolve_torque(scope: &Scope, sink: &mut Sink, item: &LoadItem) -> Load {
     let bodies = find_two_bodies(&scope.parts, &scope.members, sink, item);
     if let Some(at) = &item.at {
         let fact = "a `torque` acts on a body, wherever";
@@ -116,7 +116,7 @@ fn refuse_same_body(
 }
 
 /// `spring stiffness BETWEEN [, free length];`
-pub(super) fn resolve_spring(
+pub(in crate::model) fn resolve_spring(
     scope: &Scope,
     sink: &mut Sink,
     item: &ElementItem,
@@ -167,7 +167,11 @@ fn refuse_without_angle(sink: &mut Sink, between: &Between, bodies: &[Body], spa
 }
 
 /// `damper damping BETWEEN;`
-pub(super) fn resolve_damper(scope: &Scope, sink: &mut Sink, item: &ElementItem) -> Element {
+pub(in crate::model) fn resolve_damper(
+    scope: &Scope,
+    sink: &mut Sink,
+    item: &ElementItem,
+) -> Element {
     let (between, turning) = resolve_between(scope, sink, item);
     let damping = match turning.unwrap_or_default() {
         true => Measure::new(Dimension::of(1, 1, 1), "5N*mm*s"),

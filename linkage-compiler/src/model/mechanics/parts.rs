@@ -1,16 +1,17 @@
 //! Bodies, joints and loads of parts.
 
-use super::super::embed::{Embedding, MemberNumbers};
-use super::super::member_names::MemberNames;
-use super::super::part::Parts;
-use super::super::sink::Sink;
-use super::super::types::Mechanism;
-use super::find::find_body;
 use crate::diagnostic::SourceSpan;
+use crate::model::expression::members::find_body;
+use crate::model::parts::embed::Embedding;
+use crate::model::parts::embed_bodies::MemberNumbers;
+use crate::model::symbols::member_names::MemberNames;
+use crate::model::symbols::parts::Parts;
+use crate::model::symbols::sink::Sink;
+use crate::model::types::Mechanism;
 use crate::syntax::PartItem;
 
 /// Bodies of parts, with the joints that they hang on.
-pub(super) fn embed_bodies(
+pub(in crate::model) fn embed_bodies(
     parts: &Parts,
     members: &MemberNames,
     sink: &mut Sink,
@@ -53,7 +54,7 @@ fn refuse_other_space(sink: &mut Sink, item: &PartItem, count: usize) {
 }
 
 /// Joints of parts that close loops, what acts on their bodies, and gravity if the mechanism itself says nothing of it.
-pub(super) fn embed_mechanics(
+pub(in crate::model) fn embed_mechanics(
     parts: &Parts,
     sink: &mut Sink,
     items: &[&PartItem],

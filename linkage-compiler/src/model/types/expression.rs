@@ -1,8 +1,7 @@
 //! Resolved expressions, with their types and origins.
 
-use super::super::functions::Function;
-use super::dimension::Dimension;
-use super::motion_law::{CourseKind, Law, Repeats};
+use super::functions::Function;
+use super::motion_law::{CourseKind, HIGHEST_SLOPE, Law, Repeats};
 use super::name::{Name, ScalarParameterId, Variable};
 use super::value_type::Type;
 use crate::diagnostic::OriginId;
@@ -233,5 +232,14 @@ impl Course {
         let knots = self.knots.iter();
         all.extend(knots.flat_map(|own| [&own.place, &own.value].into_iter().chain(&own.slope)));
         all
+    }
+
+    /// Its derivative by its argument; `None` for more of them than a course has.
+    pub(in crate::model) fn slope(&self) -> Option<Self> {
+        let order = self.order + 1;
+        (order <= HIGHEST_SLOPE).then(|| Self {
+            order,
+            ..self.clone()
+        })
     }
 }
