@@ -3,9 +3,9 @@
 
 use super::library::Source;
 use crate::diagnostic::{Diagnostics, Origins};
-use crate::model::declare::names::declare_names;
+use crate::model::declare::struct_names::declare_names;
 use crate::model::expression::bare_numbers::refuse_bare_coordinates;
-use crate::model::items::functions::resolve_functions;
+use crate::model::items::evaluators::resolve_functions;
 use crate::model::items::struct_block::resolve_items;
 use crate::model::symbols::assumed_units::Unitless;
 use crate::model::symbols::sink::Sink;

@@ -21,7 +21,7 @@ pub(super) fn best_attempt(source: &Source) -> Attempt {
     if with_units.diagnostics.len() >= best.diagnostics.len() {
         return best;
     }
-    without_needless(source, lengths, with_units).told()
+    without_needless(source, lengths, with_units).with_missing_units()
 }
 
 /// All names that may lack a unit of length, those too that are noticed only when others have one.
@@ -53,8 +53,8 @@ fn without_needless(source: &Source, mut lengths: Vec<Name>, mut best: Attempt) 
 }
 
 impl Attempt {
-    /// With messages at the numbers that it took for lengths.
-    fn told(mut self) -> Attempt {
+    /// Adds messages at the numbers that were taken for lengths, before all others.
+    fn with_missing_units(mut self) -> Attempt {
         let mut told = Diagnostics::default();
         for own in self
             .unitless

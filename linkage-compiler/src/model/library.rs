@@ -28,7 +28,7 @@ pub(super) struct Book<'a> {
 
 /// What a part is made of.
 #[derive(Clone, Debug)]
-pub(super) enum Found {
+pub(super) enum PartSource {
     Sound(Rc<Model>),
     /// Nothing can be said about what it consists of.
     Broken,
@@ -42,7 +42,7 @@ pub(super) struct Source<'a> {
     /// The length unit of the mechanism that it is a part of.
     pub(super) unit: Option<LengthUnit>,
     /// What its parts are made of, in the order of the items.
-    pub(super) parts: Vec<Found>,
+    pub(super) parts: Vec<PartSource>,
 }
 
 impl<'a> Library<'a> {

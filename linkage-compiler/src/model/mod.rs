@@ -19,7 +19,7 @@ mod tests;
 mod types;
 mod units;
 
-pub(crate) use dump::mechanism::dump;
+pub(crate) use dump::model::dump;
 pub(crate) use expression::frame_parts::{PARTS as FRAME_PARTS, PLANE_PARTS, VECTORS_OF_PLANE};
 pub(crate) use generated::{
     ASSEMBLY, COLUMNS, FOLLOWER, METHODS_OF_FOLLOWER, Sweep, TYPE_PARAMETER,

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use proc_macro2::Ident;
 
 use super::best_attempt::best_attempt;
-use super::library::{Book, Found, Library, Model, Source};
+use super::library::{Book, Library, Model, PartSource, Source};
 use crate::diagnostic::Diagnostics;
 use crate::model::types::LengthUnit;
 use crate::syntax::{Item, MechanismDef, PartItem};
@@ -25,7 +25,7 @@ pub(crate) fn resolve<'a>(
         origins: attempt.origins,
     };
     let mut parts = source.parts.iter();
-    let whole = parts.all(|found| matches!(found, Found::Sound(_)));
+    let whole = parts.all(|found| matches!(found, PartSource::Sound(_)));
     (whole && diagnostics.is_empty()).then_some(model)
 }
 
@@ -50,15 +50,15 @@ fn source<'a>(
 }
 
 /// Returns the mechanism that a part is, with lengths in a unit.
-fn find_part(library: &Library, item: &PartItem, unit: LengthUnit) -> Found {
+fn find_part(library: &Library, item: &PartItem, unit: LengthUnit) -> PartSource {
     let is_meant = |book: &&Book| book.definition.name == item.mechanism;
     let Some(book) = library.books.iter().find(is_meant) else {
         let names = library.books.iter().map(|book| &book.definition.name);
-        return Found::Unknown(names.map(Ident::to_string).collect());
+        return PartSource::Unknown(names.map(Ident::to_string).collect());
     };
     match &book.model {
-        None => Found::Broken,
-        Some(model) if model.mechanism.unit == unit => Found::Sound(model.clone()),
+        None => PartSource::Broken,
+        Some(model) if model.mechanism.unit == unit => PartSource::Sound(model.clone()),
         Some(_) => resolve_in_unit(library, book.definition, unit),
     }
 }
@@ -68,15 +68,15 @@ fn resolve_in_unit<'a>(
     library: &Library<'a>,
     definition: &'a MechanismDef,
     unit: LengthUnit,
-) -> Found {
+) -> PartSource {
     let attempt = best_attempt(&source(library, definition, Some(unit)));
     if attempt.diagnostics.is_empty() {
-        Found::Sound(Rc::new(Model {
+        PartSource::Sound(Rc::new(Model {
             mechanism: attempt.mechanism,
             origins: attempt.origins,
         }))
     } else {
-        Found::Broken
+        PartSource::Broken
     }
 }
 

@@ -1,5 +1,5 @@
 //! Declaration of all names of a struct block, before any item is resolved.
 
-pub(super) mod counts;
-pub(super) mod names;
-pub(super) mod parts;
+pub(super) mod name_counts;
+pub(super) mod part_names;
+pub(super) mod struct_names;

@@ -1,5 +1,5 @@
 //! The model as text, for golden files.
 
-pub(super) mod bodies;
-pub(super) mod expression;
-pub(super) mod mechanism;
+pub(super) mod expressions;
+pub(super) mod mechanics;
+pub(super) mod model;

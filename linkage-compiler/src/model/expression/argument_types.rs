@@ -6,7 +6,7 @@ use super::call_messages::refuse_argument_type;
 use super::operators::settle_alone;
 use super::plane_and_space::vector_help;
 use crate::model::symbols::assumed_units::AssumedUnits;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, Function, Type};
 use crate::syntax::Word;

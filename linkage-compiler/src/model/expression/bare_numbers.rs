@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Expr, Mechanism, Name, Type};
 

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{count, nearest};
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{CourseWord, Expr, Function, QuantityWord};
 use crate::syntax::Word;

@@ -5,7 +5,7 @@ use super::missing_units::suspect_unit;
 use super::nodes::error_expr;
 use super::plane_and_space::{lifting_help, vector_components};
 use crate::model::symbols::assumed_units::AssumedUnits;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, Type};
 

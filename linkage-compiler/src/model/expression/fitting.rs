@@ -5,7 +5,7 @@ use super::hidden_unit::hidden_unit_help;
 use super::missing_units::suspect_unit;
 use super::nodes::error_expr;
 use crate::model::symbols::assumed_units::AssumedUnits;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Expr, Type};
 

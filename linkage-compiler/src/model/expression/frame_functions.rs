@@ -8,7 +8,7 @@ use super::missing_units::suspect_unit;
 use super::operators::settle_alone;
 use crate::diagnostic::SourceSpan;
 use crate::model::symbols::assumed_units::AssumedUnits;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, Function, Type};
 use crate::syntax::Word;

@@ -3,7 +3,7 @@
 use super::frame_parts::frame_parts_help;
 use super::nodes::error_expr;
 use crate::diagnostic::SourceSpan;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Expr, Type};
 

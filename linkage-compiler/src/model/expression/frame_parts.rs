@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use super::nodes::{error_expr, make_expr};
 use crate::diagnostic::SourceSpan;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, ExprKind, Type};
 

@@ -9,7 +9,7 @@ use super::operators::check_power_range;
 use super::plane_and_space::check_one_space;
 use crate::diagnostic::SourceSpan;
 use crate::model::symbols::assumed_units::AssumedUnits;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, Function, Type};
 

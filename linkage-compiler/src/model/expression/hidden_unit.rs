@@ -1,6 +1,6 @@
 //! Names that hide a unit.
 
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::types;
 use crate::model::types::{BinaryOp, Dimension, Expr, Type};
 use crate::syntax::is_unit;

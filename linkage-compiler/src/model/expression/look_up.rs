@@ -2,11 +2,11 @@
 
 use proc_macro2::Ident;
 
-use super::names::refuse_unknown_name;
 use super::part_messages::refuse_lonely_part;
-use crate::model::symbols::place::{Context, refusal};
+use super::refused_names::refuse_unknown_name;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, refusal};
 use crate::model::types::{Name, Type};
 
 /// The symbol that a name may stand for here; reports it if there is none.

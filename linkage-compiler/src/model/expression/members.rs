@@ -2,7 +2,7 @@
 
 use crate::diagnostic::text::nearest;
 use crate::model::symbols::member_names::{FRAME, Member, MemberNames};
-use crate::model::symbols::parts::Parts;
+use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
 use crate::syntax::{Member as Named, Word};
 

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use crate::model::symbols::assumed_units::{AssumedUnits, Unitless};
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, ExprKind, Name, Type};
 

@@ -6,7 +6,7 @@ use super::nodes::{error_expr, make_expr};
 use super::plane_and_space::both_types;
 use crate::diagnostic::SourceSpan;
 use crate::model::symbols::assumed_units::AssumedUnits;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Type};
 

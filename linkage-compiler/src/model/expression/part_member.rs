@@ -5,10 +5,10 @@ use proc_macro2::Ident;
 use super::nodes::{error_expr, make_expr};
 use super::part_messages::{refuse_lonely_part, refuse_unknown_member};
 use crate::diagnostic::SourceSpan;
-use crate::model::symbols::names::{Names, Symbol};
-use crate::model::symbols::parts::Parts;
-use crate::model::symbols::place::{Context, Place, refusal};
+use crate::model::symbols::declared_names::{Names, Symbol};
+use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, Site, refusal};
 use crate::model::types::{Expr, ExprKind, Name, Placed};
 
 /// `hook.tip`: a name of a part, seen from where the part stands.
@@ -63,7 +63,7 @@ pub(in crate::model) fn order_refusal(
     let part = parts.scopes.iter().find(|part| part.name == first)?;
     let body = part.body.as_ref();
     let placed = body.is_some_and(|own| own.is_placed || own.is_turned);
-    let ordered = matches!(context.place, Place::LetOrLoop) && part.item > context.item;
+    let ordered = matches!(context.site, Site::LetOrLoop) && part.item > context.item;
     let fact = match symbol.name {
         _ if !ordered => return None,
         Name::Let(_) => format!("`{text}` is used before the part `{first}`"),

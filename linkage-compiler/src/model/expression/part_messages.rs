@@ -4,8 +4,8 @@ use proc_macro2::Ident;
 
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{list, nearest};
-use crate::model::symbols::names::Names;
-use crate::model::symbols::parts::Parts;
+use crate::model::symbols::declared_names::Names;
+use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::Name;
 

@@ -1,6 +1,6 @@
 //! Vectors of the plane where vectors of space are meant, and the other way round: what to say.
 
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{COMPONENTS, Expr, ExprKind, Function, Name, Type};
 use crate::syntax::Word;

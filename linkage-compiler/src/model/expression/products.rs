@@ -1,13 +1,13 @@
 //! Units as factors: `2.5N/mm`, `9.80665m/s^2`, `press / (3 * mm^2)`.
 
 use super::literal::make_literal;
-use super::names::refuse_unknown_name;
 use super::nodes::error_expr;
 use super::operators::{make_binary, make_negation};
+use super::refused_names::refuse_unknown_name;
 use crate::diagnostic::SourceSpan;
 use crate::model::symbols::assumed_units::AssumedUnits;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::member_names::MemberNames;
-use crate::model::symbols::names::Names;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{BinaryOp, Expr};

@@ -1,13 +1,13 @@
 //! Arguments: loads and speeds that functions take at run time.
 
 use super::passes::Taken;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::frame_items::refuse_frame_item;
 use crate::model::expression::nodes::error_expr;
-use crate::model::expression::resolve::resolve_expression;
-use crate::model::symbols::names::Names;
-use crate::model::symbols::place::{Context, Place};
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, Site};
 use crate::model::symbols::values::Values;
 use crate::model::types::{Argument, Dimension, Expr, Input, Name, Type};
 use crate::syntax::NamedItem;
@@ -56,7 +56,7 @@ fn resolve_argument(
     position: usize,
 ) -> Argument {
     let context = Context {
-        place: Place::Argument,
+        site: Site::Argument,
         item: position,
     };
     let mut reference = resolve_expression(scope, sink, &item.value, context);

@@ -1,12 +1,12 @@
 //! Inputs and unknowns.
 
 use crate::model::expression::agreement::common_type;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::frame_items::refuse_frame_item;
 use crate::model::expression::missing_units::note_unitless;
-use crate::model::expression::resolve::resolve_expression;
-use crate::model::symbols::place::{Context, Place};
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, Site};
 use crate::model::types::{Dimension, Expr, Input, Name, Type, Unknown};
 use crate::syntax::{InputItem, UnknownItem};
 
@@ -18,7 +18,7 @@ pub(in crate::model) fn resolve_input(
     position: usize,
 ) -> Input {
     let context = Context {
-        place: Place::Input,
+        site: Site::Input,
         item: position,
     };
     let mut reference = resolve_expression(scope, sink, &item.value, context);
@@ -86,7 +86,7 @@ pub(in crate::model) fn resolve_unknown(
     let (ty, bare_zero, estimate) = match &item.estimate {
         Some(value) => {
             let context = Context {
-                place: Place::Estimate,
+                site: Site::Estimate,
                 item: position,
             };
             let mut estimate = resolve_expression(scope, sink, value, context);

@@ -2,13 +2,13 @@
 
 use super::argument::refuse_argument;
 use crate::model::expression::agreement::mismatch_help;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::frame_items::refuse_frame_loop;
 use crate::model::expression::missing_units::{note_unitless, suspect_both_units};
 use crate::model::expression::plane_and_space::both_types;
-use crate::model::expression::resolve::resolve_expression;
-use crate::model::symbols::place::Context;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Context;
 use crate::model::types::{Expr, Loop, Name, Type};
 use crate::syntax::{LoopItem, NamedItem};
 

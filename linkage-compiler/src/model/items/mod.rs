@@ -3,7 +3,7 @@
 pub(super) mod argument;
 pub(super) mod coordinates;
 pub(super) mod definitions;
-pub(super) mod functions;
+pub(super) mod evaluators;
 pub(super) mod parameter;
 pub(super) mod passes;
 pub(super) mod scalars;

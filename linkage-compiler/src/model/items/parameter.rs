@@ -3,12 +3,12 @@
 use super::scalars::add_scalars;
 use crate::diagnostic::SourceSpan;
 use crate::model::expression::composite::make_vector;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::frame_items::refuse_frame_item;
 use crate::model::expression::missing_units::note_unitless;
-use crate::model::expression::resolve::resolve_expression;
-use crate::model::symbols::place::{Context, Place};
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, Site};
 use crate::model::types::{Dimension, Expr, Name, Parameter, Type};
 use crate::syntax::{self, Attribute, ParamItem, Toleranced, documentation};
 
@@ -20,7 +20,7 @@ pub(in crate::model) fn resolve_parameter(
     position: usize,
 ) -> Parameter {
     let context = Context {
-        place: Place::Parameter,
+        site: Site::Parameter,
         item: position,
     };
     let (mut nominal, mut tolerances) = match &item.value {

@@ -55,7 +55,7 @@ pub(in crate::model) enum Mechanical<'a> {
 }
 
 impl<'a> Passes<'a> {
-    pub(in crate::model) fn of(definition: &'a MechanismDef) -> Self {
+    pub(in crate::model) fn sort(definition: &'a MechanismDef) -> Self {
         let mut passes = Self::default();
         for (position, item) in definition.items.iter().enumerate() {
             match item {

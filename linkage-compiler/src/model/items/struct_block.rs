@@ -12,10 +12,10 @@ use crate::model::library::Source;
 use crate::model::mechanics::items::resolve_mechanics;
 use crate::model::parts::embed::Embedding;
 use crate::model::parts::item::{check_field, resolve_part};
-use crate::model::symbols::parts::Parts;
-use crate::model::symbols::place::{Context, Place};
+use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, Site};
 use crate::model::symbols::values::Values;
 use crate::model::types::{Constant, LengthUnit, Let, Mechanism, Name};
 use crate::syntax::{Attribute, UnitItem, Word, documentation};
@@ -27,7 +27,7 @@ pub(in crate::model) fn resolve_items(
     source: &Source,
 ) -> Mechanism {
     let definition = source.definition;
-    let passes = Passes::of(definition);
+    let passes = Passes::sort(definition);
     let unit = resolve_length_unit(sink, &passes.units);
     scope.units.length = source.unit.unwrap_or(unit);
     let mut mechanism = Mechanism {
@@ -56,7 +56,7 @@ pub(in crate::model) fn resolve_items(
     };
     for (position, item) in passes.constants {
         let context = Context {
-            place: Place::Constant,
+            site: Site::Constant,
             item: position,
         };
         let name = Name::Const(mechanism.constants.len());
@@ -90,7 +90,7 @@ pub(in crate::model) fn resolve_items(
     embed_coordinates(&scope.parts, &mut scope.values, sink, &mut mechanism);
     for (position, item) in passes.definitions {
         let context = Context {
-            place: Place::LetOrLoop,
+            site: Site::LetOrLoop,
             item: position,
         };
         match item {

@@ -5,12 +5,12 @@
 //! In the plane it is an unknown point and an angle.
 
 use crate::diagnostic::OriginId;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::frame_parts::type_of_part;
-use crate::model::expression::resolve::resolve_expression;
 use crate::model::symbols::frame_kind::FrameKind;
-use crate::model::symbols::place::{Context, Place};
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, Site};
 use crate::model::types::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type, Unknown};
 use crate::syntax::UnknownItem;
 
@@ -36,7 +36,7 @@ pub(in crate::model) fn resolve_unknown_frames(
     let mut frames = Vec::new();
     for (position, item) in items {
         let context = Context {
-            place: Place::Estimate,
+            site: Site::Estimate,
             item: *position,
         };
         let estimate = item.estimate.as_ref();

@@ -5,11 +5,11 @@ use super::inertia::resolve_inertia;
 use super::joints::resolve_joint;
 use crate::diagnostic::SourceSpan;
 use crate::model::expression::clause_values::refuse_clause;
-use crate::model::expression::resolve::resolve_expression;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::items::argument::refuse_argument;
-use crate::model::symbols::place::Context;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Context;
 use crate::model::types::{Body, Dimension, Expr, Joint, Mechanism, Type};
 use crate::syntax::{self, BodyItem, JointKind};
 

@@ -1,11 +1,11 @@
 //! Values of clauses: scalars, points, vectors.
 
 use crate::model::expression::clause_values::{check_scalar, check_vector};
-use crate::model::expression::resolve::resolve_expression;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::items::argument::refuse_argument;
-use crate::model::symbols::place::Context;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Context;
 use crate::model::types::{Dimension, Expr};
 use crate::syntax;
 

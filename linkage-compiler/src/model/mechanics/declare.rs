@@ -5,11 +5,11 @@ use std::ops::Range;
 use proc_macro2::Ident;
 
 use crate::diagnostic::SourceSpan;
-use crate::model::expression::names::{check_reserved, report_duplicate};
+use crate::model::expression::refused_names::{check_reserved, report_duplicate};
 use crate::model::items::passes::Mechanical;
 use crate::model::parts::embed_bodies::MemberNumbers;
 use crate::model::symbols::member_names::{FRAME, Member, MemberNames};
-use crate::model::symbols::parts::{PartScope, Parts};
+use crate::model::symbols::part_scopes::{PartScope, Parts};
 use crate::model::symbols::sink::Sink;
 use crate::syntax::{BodyItem, JointPart};
 

@@ -3,12 +3,12 @@
 use super::clauses::{resolve_point, resolve_scalar};
 use crate::diagnostic::SourceSpan;
 use crate::model::expression::clause_values::check_scalar;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::nodes::{error_expr, make_expr};
-use crate::model::expression::resolve::resolve_expression;
-use crate::model::symbols::names::Names;
-use crate::model::symbols::place::Context;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Context;
 use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Inertia, Type};
 use crate::syntax::{self, InertiaPart};
 

@@ -2,13 +2,13 @@
 
 use super::clauses::{resolve_point, resolve_scalar, resolve_vector};
 use crate::diagnostic::SourceSpan;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::members::{find_body, find_joint};
-use crate::model::expression::resolve::resolve_expression;
 use crate::model::symbols::member_names::MemberNames;
-use crate::model::symbols::parts::Parts;
-use crate::model::symbols::place::Context;
+use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Context;
 use crate::model::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use crate::syntax::{self, ElementItem, JointKind, LoadItem, Member, Word};
 
@@ -133,7 +133,7 @@ pub(in crate::model) fn resolve_spring(
             Measure::new(Dimension::ANGLE, "20deg"),
         ),
         false => (
-            Measure::new(Dimension::of(-1, 1, 0), "2.5N/mm"),
+            Measure::new(Dimension::from_powers(-1, 1, 0), "2.5N/mm"),
             Measure::new(Dimension::LENGTH, "40mm"),
         ),
     };
@@ -174,8 +174,8 @@ pub(in crate::model) fn resolve_damper(
 ) -> Element {
     let (between, turning) = resolve_between(scope, sink, item);
     let damping = match turning.unwrap_or_default() {
-        true => Measure::new(Dimension::of(1, 1, 1), "5N*mm*s"),
-        false => Measure::new(Dimension::of(-1, 1, 1), "0.2N*s/mm"),
+        true => Measure::new(Dimension::from_powers(1, 1, 1), "5N*mm*s"),
+        false => Measure::new(Dimension::from_powers(-1, 1, 1), "0.2N*s/mm"),
     };
     let value = resolve_element_value(
         scope,

@@ -7,4 +7,4 @@ mod inertia;
 pub(super) mod items;
 mod joints;
 mod loads;
-mod parts;
+mod part_bodies;

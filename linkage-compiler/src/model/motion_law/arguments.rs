@@ -8,7 +8,7 @@ use crate::diagnostic::text::count;
 use crate::model::expression::agreement::common_type;
 use crate::model::expression::bare_numbers::refuse_bare_angle;
 use crate::model::symbols::assumed_units::AssumedUnits;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{BinaryOp, CourseWord, Dimension, Expr, ExprKind, Knot, Type};

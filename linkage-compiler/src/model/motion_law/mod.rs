@@ -2,7 +2,7 @@
 
 pub(super) mod arguments;
 pub(super) mod knots;
+pub(super) mod motion_law_call;
 pub(super) mod pieces;
-pub(super) mod resolve;
 pub(super) mod slope;
 pub(super) mod spline;

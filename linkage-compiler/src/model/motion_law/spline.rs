@@ -5,7 +5,7 @@ use super::knots::read_spline_word;
 use crate::diagnostic::SourceSpan;
 use crate::model::expression::fitting::fit_to_type;
 use crate::model::symbols::assumed_units::AssumedUnits;
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::OriginId;
 use crate::model::symbols::part_frame::PartFrame;
-use crate::model::symbols::parts::{PartBody, PartScope};
+use crate::model::symbols::part_scopes::{PartBody, PartScope};
 use crate::model::types::{
     Constant, Expr, ExprKind, Let, Loop, Name, Parameter, Part, Placed, Unknown,
 };

@@ -6,15 +6,15 @@ use super::location::place_part;
 use super::rates::{speed_and_acceleration, unfollowed_help};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{list, nearest};
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::fitting::fit_to_type;
 use crate::model::expression::nodes::error_expr;
-use crate::model::expression::resolve::resolve_expression;
 use crate::model::items::argument::refuse_argument;
-use crate::model::symbols::names::Names;
-use crate::model::symbols::parts::{PartBody, Parts};
-use crate::model::symbols::place::{Context, Place};
+use crate::model::symbols::declared_names::Names;
+use crate::model::symbols::part_scopes::{PartBody, Parts};
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, Site};
 use crate::model::symbols::values::Values;
 use crate::model::types::{Expr, Let, Mechanism, Name, Parameter, Placed, Type};
 use crate::syntax::{self, GivenPart, PartItem};
@@ -28,7 +28,7 @@ pub(in crate::model) fn resolve_part(
     mechanism: &mut Mechanism,
 ) {
     let context = Context {
-        place: Place::LetOrLoop,
+        site: Site::LetOrLoop,
         item: position,
     };
     let mut parts = scope.parts.scopes.iter();
@@ -91,7 +91,7 @@ pub(in crate::model) fn resolve_part(
         }
     }
     let of_parameters = Context {
-        place: Place::PartParameter,
+        site: Site::PartParameter,
         ..context
     };
     for parameter in &body.mechanism().parameters {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::model::symbols::parts::PartBody;
+use crate::model::symbols::part_scopes::PartBody;
 use crate::model::types::Leaf;
 
 impl PartBody {

@@ -1,17 +1,17 @@
 //! Where parts stand, and what of them is read from outside.
 
 use super::lets::add_let;
+use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::fitting::fit_to_type;
 use crate::model::expression::missing_units::suspect_unit;
 use crate::model::expression::nodes::error_expr;
-use crate::model::expression::resolve::resolve_expression;
 use crate::model::items::argument::refuse_argument;
 use crate::model::symbols::assumed_units::AssumedUnits;
-use crate::model::symbols::names::Names;
-use crate::model::symbols::parts::PartBody;
-use crate::model::symbols::place::Context;
+use crate::model::symbols::declared_names::Names;
+use crate::model::symbols::part_scopes::PartBody;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Context;
 use crate::model::types::{Dimension, Expr, ExprKind, Mechanism, Name, Placed, Type};
 use crate::syntax::PartItem;
 

@@ -1,8 +1,8 @@
 //! How what is given to an input of a part changes in time, by the speeds of the inputs around it.
 
 use super::slopes::{of_both, slopes};
-use crate::model::symbols::names::Names;
-use crate::model::symbols::parts::Unfollowed;
+use crate::model::symbols::declared_names::Names;
+use crate::model::symbols::part_scopes::Unfollowed;
 use crate::model::symbols::values::Values;
 use crate::model::types::{BinaryOp, Course, Dimension, Expr, ExprKind, Let, Name, Type};
 

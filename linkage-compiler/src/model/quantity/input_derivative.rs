@@ -2,7 +2,7 @@
 
 use crate::diagnostic::SourceSpan;
 use crate::model::expression::nodes::{error_expr, make_expr};
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::values::Values;
 use crate::model::types::{Dimension, Expr, ExprKind, Name, Type, Variable};

@@ -7,7 +7,7 @@ use crate::diagnostic::SourceSpan;
 use crate::model::expression::call_messages::refuse_wrong_count;
 use crate::model::expression::frame_parts::{ANGLE_PART, type_of_part};
 use crate::model::expression::nodes::{error_expr, make_expr};
-use crate::model::symbols::names::Names;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::values::Values;

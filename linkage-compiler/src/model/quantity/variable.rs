@@ -4,11 +4,11 @@ use proc_macro2::Ident;
 
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::list;
-use crate::model::expression::names::refuse_unknown_name;
-use crate::model::symbols::names::Names;
+use crate::model::expression::refused_names::refuse_unknown_name;
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::operands::Operands;
-use crate::model::symbols::place::Context;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Context;
 use crate::model::symbols::values::Values;
 use crate::model::types::{COMPONENTS, Name, ScalarParameterId, Type, Variable};
 use crate::syntax;

@@ -1,8 +1,8 @@
 //! Operands of an expression: resolved with the scope of the expression, in the same place.
 
-use super::place::Context;
 use super::scope::Scope;
 use super::sink::Sink;
+use super::site::Context;
 use crate::model::types::Expr;
 use crate::syntax;
 

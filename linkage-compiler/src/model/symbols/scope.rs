@@ -1,9 +1,9 @@
 //! Everything that is read when an expression is resolved.
 
 use super::assumed_units::AssumedUnits;
+use super::declared_names::Names;
 use super::member_names::MemberNames;
-use super::names::Names;
-use super::parts::Parts;
+use super::part_scopes::Parts;
 use super::values::Values;
 
 /// Names and facts known so far. Expressions read it, items of the struct block change it.

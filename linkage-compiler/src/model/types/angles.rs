@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::expression::{BinaryOp, Expr, ExprKind};
-use super::functions::Function;
+use super::function_words::Function;
 use super::mechanism::Mechanism;
 use super::name::Name;
 use super::value_type::Type;

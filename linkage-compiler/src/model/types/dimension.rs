@@ -32,28 +32,28 @@ impl Dimension {
         ..Dimension::NUMBER
     };
     /// A length.
-    pub(crate) const LENGTH: Dimension = Dimension::of(1, 0, 0);
+    pub(crate) const LENGTH: Dimension = Dimension::from_powers(1, 0, 0);
     /// A force.
-    pub(crate) const FORCE: Dimension = Dimension::of(0, 1, 0);
+    pub(crate) const FORCE: Dimension = Dimension::from_powers(0, 1, 0);
     /// A moment; energy is of the same dimension.
-    pub(crate) const MOMENT: Dimension = Dimension::of(1, 1, 0);
+    pub(crate) const MOMENT: Dimension = Dimension::from_powers(1, 1, 0);
     /// Work in a time.
-    pub(crate) const POWER: Dimension = Dimension::of(1, 1, -1);
+    pub(crate) const POWER: Dimension = Dimension::from_powers(1, 1, -1);
     /// Length over time squared.
-    pub(crate) const ACCELERATION: Dimension = Dimension::of(1, 0, -2);
+    pub(crate) const ACCELERATION: Dimension = Dimension::from_powers(1, 0, -2);
     /// In kilograms.
     pub(crate) const MASS: Dimension = Dimension {
         half_kilograms: 2,
-        ..Dimension::of(-1, 1, 2)
+        ..Dimension::from_powers(-1, 1, 2)
     };
     /// In kilograms times the length unit squared.
     pub(crate) const INERTIA: Dimension = Dimension {
         half_kilograms: 2,
-        ..Dimension::of(1, 1, 2)
+        ..Dimension::from_powers(1, 1, 2)
     };
 
     /// Of whole powers of length, force and time.
-    pub(in crate::model) const fn of(lengths: i32, forces: i32, times: i32) -> Dimension {
+    pub(in crate::model) const fn from_powers(lengths: i32, forces: i32, times: i32) -> Dimension {
         Dimension {
             half_lengths: 2 * lengths,
             half_forces: 2 * forces,

@@ -1,6 +1,6 @@
 //! Resolved expressions, with their types and origins.
 
-use super::functions::Function;
+use super::function_words::Function;
 use super::motion_law::{CourseKind, HIGHEST_SLOPE, Law, Repeats};
 use super::name::{Name, ScalarParameterId, Variable};
 use super::value_type::Type;

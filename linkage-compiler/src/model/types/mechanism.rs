@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use super::bodies::{Body, Element, Joint, Load};
 use super::dimension::Dimension;
 use super::expression::Expr;
 use super::length_unit::LengthUnit;
+use super::mechanics::{Body, Element, Joint, Load};
 use super::name::{Name, ScalarParameterId};
 use super::value_type::Type;
 use crate::diagnostic::OriginId;

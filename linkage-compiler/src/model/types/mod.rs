@@ -3,29 +3,29 @@
 //! No spans here: an [`OriginId`](crate::diagnostic::OriginId) leads back to the source text.
 
 mod angles;
-mod bodies;
 mod components;
 mod dimension;
 mod expression;
-mod functions;
+mod function_words;
 mod length_unit;
+mod mechanics;
 mod mechanism;
 mod motion_law;
 mod name;
-mod shape;
+mod traversal;
 mod type_names;
 mod usage;
+mod value_shape;
 mod value_type;
-mod walk;
 
 pub(crate) use crate::syntax::JointKind;
-pub(crate) use bodies::{Between, Body, Element, ElementKind, Inertia, Joint, Load};
 pub use components::COMPONENTS;
 pub(crate) use dimension::Dimension;
 pub(crate) use expression::{BinaryOp, Course, Expr, ExprKind, Knot, Mechanics};
-pub(in crate::model) use functions::is_function;
-pub(crate) use functions::{CourseWord, Function, MechanicsWord, MotionWord, QuantityWord};
+pub(in crate::model) use function_words::is_function;
+pub(crate) use function_words::{CourseWord, Function, MechanicsWord, MotionWord, QuantityWord};
 pub(crate) use length_unit::LengthUnit;
+pub(crate) use mechanics::{Between, Body, Element, ElementKind, Inertia, Joint, Load};
 pub(crate) use mechanism::{
     Argument, Constant, EvaluatorDef, Input, Leaf, Let, Loop, Mechanism, Parameter, Part, Placed,
     Quantity, ScalarParameter, Unknown,
@@ -34,8 +34,8 @@ pub(crate) use motion_law::{
     CourseKind, Ends, HIGHEST_SLOPE, Law, Pieces, Repeating, Repeats, SplineWord,
 };
 pub(crate) use name::{Name, ScalarParameterId, Variable};
-pub use shape::Shape;
+pub(crate) use traversal::Derived;
 pub(in crate::model) use type_names::raised;
 pub(crate) use usage::AskedPicture;
+pub use value_shape::Shape;
 pub(crate) use value_type::Type;
-pub(crate) use walk::Derived;

@@ -1,7 +1,7 @@
 //! What loops, bodies and functions are written with.
 
-use super::bodies::{Between, Inertia};
 use super::expression::{Expr, ExprKind, Mechanics};
+use super::mechanics::{Between, Inertia};
 use super::mechanism::{EvaluatorDef, Mechanism, Quantity};
 use super::name::Name;
 use crate::diagnostic::OriginId;

@@ -49,7 +49,7 @@ pub(in crate::model) fn convert_product(
     if factors.iter().any(|(name, _)| !is_unit(name)) {
         return Literal::Malformed;
     }
-    let Some((factor, dimension)) = Factor::of(factors, length) else {
+    let Some((factor, dimension)) = Factor::from_units(factors, length) else {
         return Literal::Beyond;
     };
     let converted = factor.times(decimal);
@@ -67,7 +67,7 @@ fn dimension_of(unit: Unit) -> Dimension {
     Dimension {
         half_kilograms: 2 * unit.kilograms,
         angle: unit.angle,
-        ..Dimension::of(
+        ..Dimension::from_powers(
             unit.metres - unit.kilograms,
             unit.newtons + unit.kilograms,
             unit.seconds + 2 * unit.kilograms,
@@ -96,7 +96,7 @@ struct Factor {
 
 impl Factor {
     /// From a product of units to the unit of its dimension; `None` for powers beyond all use.
-    fn of(units: &[(&str, i32)], length: LengthUnit) -> Option<(Factor, Dimension)> {
+    fn from_units(units: &[(&str, i32)], length: LengthUnit) -> Option<(Factor, Dimension)> {
         let mut factor = Factor::default();
         let mut dimension = Dimension::NUMBER;
         let mut metres = 0;

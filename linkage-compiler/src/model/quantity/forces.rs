@@ -8,12 +8,12 @@ use crate::model::expression::call_messages::refuse_wrong_count;
 use crate::model::expression::clause_values::check_vector;
 use crate::model::expression::members::find_joint;
 use crate::model::expression::nodes::{error_expr, make_expr};
+use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::member_names::MemberNames;
-use crate::model::symbols::names::Names;
 use crate::model::symbols::operands::Operands;
-use crate::model::symbols::parts::Parts;
-use crate::model::symbols::place::Place;
+use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Site;
 use crate::model::symbols::values::Values;
 use crate::model::types::{Dimension, Expr, ExprKind, Mechanics, MechanicsWord, Name, Type};
 use crate::syntax::{self, JointKind, Member, Word};
@@ -89,7 +89,7 @@ pub(in crate::model) fn resolve_mechanics_quantity(
         &operands.scope.values,
         sink,
         word,
-        operands.context.place,
+        operands.context.site,
         span,
     );
     match asked {
@@ -255,10 +255,10 @@ fn check_moving(
     values: &Values,
     sink: &mut Sink,
     word: MechanicsWord,
-    place: Place,
+    site: Site,
     span: SourceSpan,
 ) -> bool {
-    let Place::Function(listed) = place else {
+    let Site::Function(listed) = site else {
         return true;
     };
     let name = word.word();

@@ -2,12 +2,12 @@
 
 use std::rc::Rc;
 
-use super::counts::{Counts, next};
-use crate::model::expression::names::{check_new_name, check_reserved};
+use super::name_counts::{Counts, next};
 use crate::model::expression::part_messages::refuse_unknown_mechanism;
-use crate::model::library::{Found, Model};
-use crate::model::symbols::names::{Names, Symbol};
-use crate::model::symbols::parts::{PartBody, PartScope, Parts};
+use crate::model::expression::refused_names::{check_new_name, check_reserved};
+use crate::model::library::{Model, PartSource};
+use crate::model::symbols::declared_names::{Names, Symbol};
+use crate::model::symbols::part_scopes::{PartBody, PartScope, Parts};
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Name, Type};
 use crate::syntax::PartItem;
@@ -19,7 +19,7 @@ pub(in crate::model) fn declare_part(
     sink: &mut Sink,
     item: &PartItem,
     position: usize,
-    found: &Found,
+    found: &PartSource,
     counts: &mut Counts,
 ) {
     check_reserved(sink, &item.name);
@@ -28,9 +28,9 @@ pub(in crate::model) fn declare_part(
     let body = match found {
         // Its names would be those of another part.
         _ if !new => None,
-        Found::Sound(model) => Some(make_part_body(sink, item, model, counts)),
-        Found::Broken => None,
-        Found::Unknown(names) => {
+        PartSource::Sound(model) => Some(make_part_body(sink, item, model, counts)),
+        PartSource::Broken => None,
+        PartSource::Unknown(names) => {
             refuse_unknown_mechanism(sink, &item.mechanism, names);
             None
         }

@@ -2,14 +2,14 @@
 
 use proc_macro2::Ident;
 
-use super::counts::{Counts, next};
-use super::parts::{declare_names_of_parts, declare_part};
-use crate::model::expression::names::{check_new_name, check_reserved};
+use super::name_counts::{Counts, next};
+use super::part_names::{declare_names_of_parts, declare_part};
+use crate::model::expression::refused_names::{check_new_name, check_reserved};
 use crate::model::library::Source;
 use crate::model::symbols::assumed_units::AssumedUnits;
+use crate::model::symbols::declared_names::{Names, Symbol};
 use crate::model::symbols::member_names::MemberNames;
-use crate::model::symbols::names::{Names, Symbol};
-use crate::model::symbols::parts::Parts;
+use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::values::Values;

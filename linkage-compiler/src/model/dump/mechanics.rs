@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use super::expression::{Show, joint_name};
+use super::expressions::{Show, joint_name};
 use crate::model::types::{Between, Body, Expr, Inertia, Joint, Load, Mechanism};
 use crate::syntax::Word;
 

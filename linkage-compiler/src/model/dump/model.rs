@@ -2,8 +2,8 @@
 
 use std::fmt::{self, Display, Formatter, Write};
 
-use super::bodies::write_mechanics;
-use super::expression::{Show, separated};
+use super::expressions::{Show, separated};
+use super::mechanics::write_mechanics;
 use crate::model::types::{Mechanism, Type};
 
 /// One line for each item and quantity; every operation in parentheses, numbers in the mechanism's unit and radians.

@@ -6,17 +6,17 @@ use proc_macro2::Ident;
 
 use crate::diagnostic::text::{list, nearest};
 use crate::diagnostic::{OriginId, SourceSpan};
-use crate::model::expression::names::{
+use crate::model::expression::dispatch::{operands, resolve_expression};
+use crate::model::expression::operators::settle_alone;
+use crate::model::expression::refused_names::{
     check_new_type, check_reserved, check_type_parameter, report_duplicate,
 };
-use crate::model::expression::operators::settle_alone;
-use crate::model::expression::resolve::{operands, resolve_expression};
 use crate::model::generated::{ASSEMBLY, COLUMNS, FOLLOWER, Sweep};
-use crate::model::quantity::picture::{check_one_picture, resolve_picture};
-use crate::model::symbols::names::{Names, kind};
-use crate::model::symbols::place::{Context, Place};
+use crate::model::quantity::picture_links::{check_one_picture, resolve_picture};
+use crate::model::symbols::declared_names::{Names, kind};
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, Site};
 use crate::model::symbols::values::Values;
 use crate::model::types::{EvaluatorDef, MotionWord, Name, Quantity};
 use crate::syntax::{
@@ -124,9 +124,9 @@ fn resolve_function(scope: &Scope, sink: &mut Sink, function: &FunctionDef) -> E
     let repeated = check_repeated(sink, &function.inputs);
     let sound: Option<Vec<usize>> = inputs.iter().copied().collect();
     let sound = sound.filter(|_| !repeated);
-    let place = Place::Function(sound.as_deref());
+    let site = Site::Function(sound.as_deref());
     let context = Context {
-        place,
+        site,
         item: usize::MAX,
     };
     let mut fields = BTreeMap::new();

@@ -1,7 +1,7 @@
 //! Expressions: everything but calls.
 
-use super::call::resolve_call;
 use super::composite::{make_component, make_entry, make_vector};
+use super::function_call::resolve_call;
 use super::literal::resolve_number;
 use super::look_up::look_up_name;
 use super::nodes::{error_expr, make_expr};
@@ -9,9 +9,9 @@ use super::operators::{make_binary, make_negation};
 use super::part_member::resolve_member;
 use super::products::{refuse_lonely_power, resolve_product};
 use crate::model::symbols::operands::Operands;
-use crate::model::symbols::place::Context;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Context;
 use crate::model::types::{BinaryOp, Expr, ExprKind};
 use crate::syntax;
 

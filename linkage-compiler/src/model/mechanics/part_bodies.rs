@@ -5,7 +5,7 @@ use crate::model::expression::members::find_body;
 use crate::model::parts::embed::Embedding;
 use crate::model::parts::embed_bodies::MemberNumbers;
 use crate::model::symbols::member_names::MemberNames;
-use crate::model::symbols::parts::Parts;
+use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::Mechanism;
 use crate::syntax::PartItem;

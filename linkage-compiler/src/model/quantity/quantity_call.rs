@@ -5,14 +5,14 @@ use proc_macro2::Ident;
 use super::derivative::{
     resolve_derivative, resolve_input_derivative, resolve_margin, resolve_sensitivity,
 };
-use super::mechanics::resolve_mechanics_quantity;
-use super::picture::refuse_inner_picture;
+use super::forces::resolve_mechanics_quantity;
+use super::picture_links::refuse_inner_picture;
 use super::screw::resolve_screw;
 use crate::diagnostic::SourceSpan;
 use crate::model::expression::nodes::error_expr;
 use crate::model::symbols::operands::Operands;
-use crate::model::symbols::place::Place;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Site;
 use crate::model::types::{Expr, MotionWord, QuantityWord};
 use crate::syntax::{self, Word};
 
@@ -24,7 +24,7 @@ pub(in crate::model) fn resolve_quantity(
     arguments: &[syntax::Expr],
     span: SourceSpan,
 ) -> Expr {
-    let Place::Function(inputs) = operands.context.place else {
+    let Site::Function(inputs) = operands.context.site else {
         let name = word.word();
         let fact = format!("`{name}` is only known in the functions of the `impl` block");
         let help = "move it there, as a quantity of a function";

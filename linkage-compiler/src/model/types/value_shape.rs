@@ -20,14 +20,14 @@ pub enum Shape {
 
 impl Shape {
     /// The shape of a checked type; a type spoilt by a mistake counts as a scalar.
-    pub(crate) fn of(ty: &Type) -> Self {
+    pub(crate) fn from_type(ty: &Type) -> Self {
         match ty {
             Type::Scalar(_) | Type::Zero(1) | Type::Error => Self::Scalar,
             Type::Vector(count, _) | Type::Zero(count) => Self::Vector(*count),
             Type::Frame => Self::Frame,
             Type::PlaneFrame => Self::PlaneFrame,
             Type::Array(entries) => {
-                let entry = entries.first().map_or(Self::Scalar, Self::of);
+                let entry = entries.first().map_or(Self::Scalar, Self::from_type);
                 Self::Array(entries.len(), Box::new(entry))
             }
         }

@@ -1,12 +1,12 @@
 //! Where expressions stand, and which names they may use there.
 
-use super::names::Symbol;
+use super::declared_names::Symbol;
 use crate::model::types::Name;
 use crate::syntax::is_unit;
 
 /// Where an expression stands: which names it may use.
 #[derive(Clone, Copy)]
-pub(in crate::model) enum Place<'a> {
+pub(in crate::model) enum Site<'a> {
     Constant,
     Parameter,
     Input,
@@ -23,7 +23,7 @@ pub(in crate::model) enum Place<'a> {
 
 #[derive(Clone, Copy)]
 pub(in crate::model) struct Context<'a> {
-    pub(in crate::model) place: Place<'a>,
+    pub(in crate::model) site: Site<'a>,
     /// Position of the item, to find uses before the definition.
     pub(in crate::model) item: usize,
 }
@@ -31,37 +31,37 @@ pub(in crate::model) struct Context<'a> {
 impl Context<'static> {
     /// Clauses of bodies, joints and loads may use all names.
     pub(in crate::model) const MECHANICS: Self = Context {
-        place: Place::Mechanics,
+        site: Site::Mechanics,
         item: usize::MAX,
     };
 
     /// Functions may use all names.
     pub(in crate::model) const FUNCTION: Self = Context {
-        place: Place::Function(None),
+        site: Site::Function(None),
         item: usize::MAX,
     };
 }
 
 /// What may be used in a place where not all names may.
-pub(in crate::model) fn rule(place: Place) -> Option<&'static str> {
-    match place {
-        Place::Constant => Some("a constant may use numbers, functions and constants only"),
-        Place::Parameter => {
+pub(in crate::model) fn rule(site: Site) -> Option<&'static str> {
+    match site {
+        Site::Constant => Some("a constant may use numbers, functions and constants only"),
+        Site::Parameter => {
             Some("a value or tolerance may use numbers, functions and constants only")
         }
-        Place::Input => Some(
+        Site::Input => Some(
             "the reference and range of an input may use numbers, functions and constants only",
         ),
-        Place::Argument => {
+        Site::Argument => {
             Some("the value of an argument may use numbers, functions and constants only")
         }
-        Place::Estimate => {
+        Site::Estimate => {
             Some("an estimate may use numbers, functions, constants and parameters only")
         }
-        Place::PartParameter => Some(
+        Site::PartParameter => Some(
             "a parameter of a part is given by numbers, functions, constants and parameters only",
         ),
-        Place::LetOrLoop | Place::Mechanics | Place::Function(_) => None,
+        Site::LetOrLoop | Site::Mechanics | Site::Function(_) => None,
     }
 }
 
@@ -70,11 +70,11 @@ pub(in crate::model) fn refusal(symbol: &Symbol, context: Context) -> Option<(St
     let text = &symbol.text;
     let constant = matches!(symbol.name, Name::Const(_));
     let parameter = matches!(symbol.name, Name::Parameter(_));
-    let rule = rule(context.place).unwrap_or_default();
-    let allowed = match context.place {
-        Place::Constant | Place::Parameter | Place::Input | Place::Argument => constant,
-        Place::Estimate | Place::PartParameter => constant || parameter,
-        Place::LetOrLoop | Place::Mechanics | Place::Function(_) => true,
+    let rule = rule(context.site).unwrap_or_default();
+    let allowed = match context.site {
+        Site::Constant | Site::Parameter | Site::Input | Site::Argument => constant,
+        Site::Estimate | Site::PartParameter => constant || parameter,
+        Site::LetOrLoop | Site::Mechanics | Site::Function(_) => true,
     };
     if !allowed {
         return Some((
@@ -85,19 +85,19 @@ pub(in crate::model) fn refusal(symbol: &Symbol, context: Context) -> Option<(St
             },
         ));
     }
-    let ordered = match context.place {
-        Place::Constant => constant,
+    let ordered = match context.site {
+        Site::Constant => constant,
         // It is no definition but a coordinate.
-        Place::LetOrLoop if symbol.is_unknown_frame => false,
-        Place::LetOrLoop => matches!(symbol.name, Name::Let(_)),
+        Site::LetOrLoop if symbol.is_unknown_frame => false,
+        Site::LetOrLoop => matches!(symbol.name, Name::Let(_)),
         // What they may use is resolved before them.
-        Place::Parameter
-        | Place::Input
-        | Place::Estimate
-        | Place::Argument
-        | Place::PartParameter
-        | Place::Mechanics
-        | Place::Function(_) => false,
+        Site::Parameter
+        | Site::Input
+        | Site::Estimate
+        | Site::Argument
+        | Site::PartParameter
+        | Site::Mechanics
+        | Site::Function(_) => false,
     };
     if ordered && symbol.item == context.item {
         let fact = format!("`{text}` is used in its own definition");

@@ -5,11 +5,11 @@ use proc_macro2::Ident;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 use crate::model::generated::TYPE_PARAMETER;
+use crate::model::symbols::declared_names::{Names, Symbol};
 use crate::model::symbols::member_names::MemberNames;
-use crate::model::symbols::names::{Names, Symbol};
-use crate::model::symbols::parts::Parts;
-use crate::model::symbols::place::{Context, refusal, rule};
+use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, refusal, rule};
 use crate::model::types::is_function;
 use crate::syntax::{is_unit, units_within};
 
@@ -22,7 +22,7 @@ pub(in crate::model) fn refuse_unknown_name(
     context: Option<Context>,
 ) {
     let text = ident.to_string();
-    let rule = context.and_then(|context| rule(context.place));
+    let rule = context.and_then(|context| rule(context.site));
     let may_stand =
         |symbol: &&Symbol| context.is_none_or(|context| refusal(symbol, context).is_none());
     let names = names
