@@ -3,7 +3,7 @@
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Translate, Value};
-use crate::model::{Between, Element, ElementKind, Mechanics as Quantity};
+use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity};
 
 use super::Mechanics;
 use super::geometry::{Turns, slides_along, turns_of};

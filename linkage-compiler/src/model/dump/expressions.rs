@@ -4,8 +4,8 @@ use std::fmt::{self, Display, Formatter};
 
 use crate::model::expression::frame_parts::{PARTS, PLANE_PARTS};
 use crate::model::types::{
-    BinaryOp, COMPONENTS, Course, CourseKind, Expr, ExprKind, Knot, Mechanics, Mechanism,
-    MotionWord, Pieces, Repeats, Type, Variable,
+    BinaryOp, COMPONENTS, Expr, ExprKind, Knot, MechanicalQuantity, Mechanism, MotionLaw,
+    MotionLawKind, MotionWord, Pieces, Repeats, Type, Variable,
 };
 use crate::syntax::Word;
 
@@ -29,7 +29,7 @@ impl<'a> Show<'a> {
         }
     }
 
-    fn course(&self, f: &mut Formatter, course: &'a Course) -> fmt::Result {
+    fn course(&self, f: &mut Formatter, course: &'a MotionLaw) -> fmt::Result {
         let knot = |own: &'a Knot| {
             let (place, value) = (self.inner(&own.place), self.inner(&own.value));
             let slope = own.slope.as_ref();
@@ -41,14 +41,14 @@ impl<'a> Show<'a> {
             format!("({place}, {value}{slope}{law}{jump})")
         };
         let name = match course.kind {
-            CourseKind::Rise | CourseKind::Laws => "piecewise",
-            CourseKind::Spline(ends, _) => ends.word(),
+            MotionLawKind::Rise | MotionLawKind::Laws => "piecewise",
+            MotionLawKind::Spline(ends, _) => ends.word(),
         };
         let quintic = match course.kind {
-            CourseKind::Spline(_, Pieces::Quintic) => " quintic",
-            CourseKind::Rise
-            | CourseKind::Laws
-            | CourseKind::Spline(_, Pieces::Cubic | Pieces::QuinticBySlopes) => "",
+            MotionLawKind::Spline(_, Pieces::Quintic) => " quintic",
+            MotionLawKind::Rise
+            | MotionLawKind::Laws
+            | MotionLawKind::Spline(_, Pieces::Cubic | Pieces::QuinticBySlopes) => "",
         };
         let slope = "slope of ".repeat(usize::from(course.order));
         let repeats = match course.repeats {
@@ -61,19 +61,23 @@ impl<'a> Show<'a> {
         write!(f, "{repeats}{quintic})")
     }
 
-    fn quantity(&self, f: &mut Formatter, quantity: &Mechanics) -> fmt::Result {
+    fn quantity(&self, f: &mut Formatter, quantity: &MechanicalQuantity) -> fmt::Result {
         let mechanism = self.mechanism;
         match quantity {
-            Mechanics::Reaction(joint) => {
+            MechanicalQuantity::Reaction(joint) => {
                 write!(f, "reaction({})", joint_name(mechanism, *joint))
             }
-            Mechanics::Moment(joint) => write!(f, "moment({})", joint_name(mechanism, *joint)),
-            Mechanics::Drive(input) => write!(f, "drive({})", mechanism.inputs[*input].name),
-            Mechanics::Power => f.write_str("power()"),
-            Mechanics::KineticEnergy => f.write_str("kinetic_energy()"),
-            Mechanics::PotentialEnergy => f.write_str("potential_energy()"),
-            Mechanics::ShakingForce => f.write_str("shaking_force()"),
-            Mechanics::ShakingMoment(point) => {
+            MechanicalQuantity::Moment(joint) => {
+                write!(f, "moment({})", joint_name(mechanism, *joint))
+            }
+            MechanicalQuantity::Drive(input) => {
+                write!(f, "drive({})", mechanism.inputs[*input].name)
+            }
+            MechanicalQuantity::Power => f.write_str("power()"),
+            MechanicalQuantity::KineticEnergy => f.write_str("kinetic_energy()"),
+            MechanicalQuantity::PotentialEnergy => f.write_str("potential_energy()"),
+            MechanicalQuantity::ShakingForce => f.write_str("shaking_force()"),
+            MechanicalQuantity::ShakingMoment(point) => {
                 f.write_str("shaking_moment")?;
                 let point = point.iter().map(|point| self.inner(point));
                 separated(f, "(", point, ")")
@@ -118,7 +122,7 @@ impl Display for Show<'_> {
                 f.write_str(function.word())?;
                 separated(f, "(", arguments.iter().map(|value| self.inner(value)), ")")
             }
-            ExprKind::Course(course) => self.course(f, course),
+            ExprKind::MotionLaw(course) => self.course(f, course),
             ExprKind::Derivative(value, variables) => {
                 write!(f, "d({}, ", self.inner(value))?;
                 separated(

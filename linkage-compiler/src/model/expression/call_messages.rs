@@ -6,12 +6,12 @@ use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{count, nearest};
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{CourseWord, Expr, Function, QuantityWord};
+use crate::model::types::{Expr, Function, MotionLawWord, QuantityWord};
 use crate::syntax::Word;
 
 pub(in crate::model) fn refuse_unknown_function(names: &Names, sink: &mut Sink, ident: &Ident) {
     let name = ident.to_string();
-    let courses = || CourseWord::all().map(CourseWord::word);
+    let courses = || MotionLawWord::all().map(MotionLawWord::word);
     let functions = || Function::all().map(Function::word).chain(courses());
     let known = functions().chain(QuantityWord::all().map(QuantityWord::word));
     let fact = match names.find(&name) {

@@ -7,11 +7,11 @@ use super::call_messages::{refuse_count_of_arguments, refuse_unknown_function};
 use super::function_types::result_type;
 use super::nodes::{error_expr, make_expr};
 use crate::diagnostic::SourceSpan;
-use crate::model::motion_law::motion_law_call::resolve_course;
+use crate::model::motion_law::motion_law_call::resolve_motion_law;
 use crate::model::quantity::quantity_call::resolve_quantity;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{CourseWord, Expr, ExprKind, Function, QuantityWord};
+use crate::model::types::{Expr, ExprKind, Function, MotionLawWord, QuantityWord};
 use crate::syntax::{self, Word};
 
 pub(in crate::model) fn resolve_call(
@@ -25,8 +25,8 @@ pub(in crate::model) fn resolve_call(
     if let Some(quantity) = QuantityWord::from_word(&name) {
         return resolve_quantity(operands, sink, quantity, ident, arguments, span);
     }
-    if let Some(course) = CourseWord::from_word(&name) {
-        return resolve_course(operands, sink, course, arguments, span);
+    if let Some(course) = MotionLawWord::from_word(&name) {
+        return resolve_motion_law(operands, sink, course, arguments, span);
     }
     let Some(function) = Function::from_word(&name) else {
         refuse_unknown_function(&operands.scope.names, sink, ident);

@@ -11,7 +11,7 @@ use crate::model::symbols::assumed_units::AssumedUnits;
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{BinaryOp, CourseWord, Dimension, Expr, ExprKind, Knot, Type};
+use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Knot, MotionLawWord, Type};
 use crate::syntax::{self, Word};
 
 /// How far knots may be from a turn apart to be meant so: angles are rounded once or twice.
@@ -20,7 +20,7 @@ pub(in crate::model) const TURN_ROUNDING: f64 = 4.0 * f64::EPSILON * TAU;
 /// The two arguments of a function.
 pub(in crate::model) fn expect_two_arguments<'e>(
     sink: &mut Sink,
-    word: CourseWord,
+    word: MotionLawWord,
     arguments: &'e [syntax::Expr],
     span: SourceSpan,
 ) -> Option<[&'e syntax::Expr; 2]> {
@@ -40,7 +40,7 @@ pub(in crate::model) fn expect_two_arguments<'e>(
 pub(in crate::model) fn resolve_argument_and_knots(
     operands: Operands,
     sink: &mut Sink,
-    word: CourseWord,
+    word: MotionLawWord,
     x: &syntax::Expr,
     list: &syntax::Expr,
 ) -> Option<(Expr, Vec<Knot>, Type)> {
@@ -89,7 +89,7 @@ pub(in crate::model) fn common_scalar(
     units: &AssumedUnits,
     sink: &mut Sink,
     all: &mut [&mut Expr],
-    word: CourseWord,
+    word: MotionLawWord,
     what: &str,
 ) -> Option<Type> {
     let ty = common_type(names, units, sink, all, what).settled();

@@ -3,7 +3,7 @@
 use crate::diagnostic::text::{count, nearest};
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{CourseWord, Knot, Law, Repeating, SplineWord};
+use crate::model::types::{Knot, Law, MotionLawWord, Repeating, SplineWord};
 use crate::syntax::{self, Word};
 
 /// What accepts a jump of speed or acceleration at a knot.
@@ -12,7 +12,7 @@ const JUMP: &str = "jump";
 pub(in crate::model) fn resolve_knots(
     operands: Operands,
     sink: &mut Sink,
-    word: CourseWord,
+    word: MotionLawWord,
     list: &syntax::Expr,
 ) -> Option<Vec<Knot>> {
     let syntax::ExprKind::List(entries) = &list.kind else {
@@ -40,7 +40,7 @@ pub(in crate::model) fn resolve_knots(
 fn resolve_knot(
     operands: Operands,
     sink: &mut Sink,
-    word: CourseWord,
+    word: MotionLawWord,
     entry: &syntax::Expr,
 ) -> Option<Knot> {
     let parts = match &entry.kind {
@@ -60,7 +60,7 @@ fn resolve_knot(
     let value = operands.resolve(sink, &parts[1]);
     let is_slope = |own: &syntax::Expr| {
         let law = named(own).and_then(|own| Law::from_word(&own));
-        matches!(word, CourseWord::Spline) && law.is_none()
+        matches!(word, MotionLawWord::Spline) && law.is_none()
     };
     let mut slope = None;
     let law = match words {

@@ -7,24 +7,24 @@ use crate::diagnostic::SourceSpan;
 use crate::model::expression::nodes::{error_expr, make_expr};
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{CourseWord, Expr, ExprKind};
+use crate::model::types::{Expr, ExprKind, MotionLawWord};
 use crate::syntax::{self};
 
-pub(in crate::model) fn resolve_course(
+pub(in crate::model) fn resolve_motion_law(
     operands: Operands,
     sink: &mut Sink,
-    word: CourseWord,
+    word: MotionLawWord,
     arguments: &[syntax::Expr],
     span: SourceSpan,
 ) -> Expr {
     let course = match word {
-        CourseWord::Rise => resolve_rise(operands, sink, arguments, span),
-        CourseWord::Piecewise => resolve_piecewise(operands, sink, arguments, span),
-        CourseWord::Spline => resolve_spline(operands, sink, arguments, span),
-        CourseWord::Slope => resolve_slope(operands, sink, arguments, span),
+        MotionLawWord::Rise => resolve_rise(operands, sink, arguments, span),
+        MotionLawWord::Piecewise => resolve_piecewise(operands, sink, arguments, span),
+        MotionLawWord::Spline => resolve_spline(operands, sink, arguments, span),
+        MotionLawWord::Slope => resolve_slope(operands, sink, arguments, span),
     };
     match course {
-        Some((course, ty)) => make_expr(sink, ExprKind::Course(course), ty, span),
+        Some((course, ty)) => make_expr(sink, ExprKind::MotionLaw(course), ty, span),
         None => error_expr(sink, span),
     }
 }

@@ -8,7 +8,7 @@ use crate::model::expression::operators::settle_alone;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{
-    Course, CourseKind, CourseWord, Dimension, ExprKind, Knot, Repeating, Repeats, Type,
+    Dimension, ExprKind, Knot, MotionLaw, MotionLawKind, MotionLawWord, Repeating, Repeats, Type,
 };
 use crate::syntax::{self};
 
@@ -17,8 +17,8 @@ pub(in crate::model) fn resolve_rise(
     sink: &mut Sink,
     arguments: &[syntax::Expr],
     span: SourceSpan,
-) -> Option<(Course, Type)> {
-    let [x, law] = expect_two_arguments(sink, CourseWord::Rise, arguments, span)?;
+) -> Option<(MotionLaw, Type)> {
+    let [x, law] = expect_two_arguments(sink, MotionLawWord::Rise, arguments, span)?;
     let mut argument = operands.resolve(sink, x);
     let law = read_law(sink, law);
     settle_alone(&mut argument);
@@ -52,10 +52,10 @@ pub(in crate::model) fn resolve_rise(
         }
     };
     let knots = vec![knot(0.0, None), knot(1.0, Some(law?))];
-    let course = Course {
+    let course = MotionLaw {
         argument: Box::new(argument),
         knots,
-        kind: CourseKind::Rise,
+        kind: MotionLawKind::Rise,
         repeats: Repeats::Never,
         order: 0,
     };
@@ -67,8 +67,8 @@ pub(in crate::model) fn resolve_piecewise(
     sink: &mut Sink,
     arguments: &[syntax::Expr],
     span: SourceSpan,
-) -> Option<(Course, Type)> {
-    let word = CourseWord::Piecewise;
+) -> Option<(MotionLaw, Type)> {
+    let word = MotionLawWord::Piecewise;
     let (arguments, repeating) = match arguments {
         [before @ .., last] if arguments.len() == 3 => (before, Some(read_repeating(sink, last)?)),
         all => (all, None),
@@ -89,10 +89,10 @@ pub(in crate::model) fn resolve_piecewise(
     };
     let argument = Box::new(argument);
     Some((
-        Course {
+        MotionLaw {
             argument,
             knots,
-            kind: CourseKind::Laws,
+            kind: MotionLawKind::Laws,
             repeats,
             order: 0,
         },

@@ -4,7 +4,7 @@ use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::count;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{Course, CourseWord, HIGHEST_SLOPE, Type};
+use crate::model::types::{HIGHEST_SLOPE, MotionLaw, MotionLawWord, Type};
 use crate::syntax;
 
 pub(in crate::model) fn resolve_slope(
@@ -12,11 +12,11 @@ pub(in crate::model) fn resolve_slope(
     sink: &mut Sink,
     arguments: &[syntax::Expr],
     span: SourceSpan,
-) -> Option<(Course, Type)> {
+) -> Option<(MotionLaw, Type)> {
     let [of] = arguments else {
         let found = count(arguments.len(), "argument");
         let fact = format!("`slope` is written with a course, found {found}");
-        let help = format!("write `{}`", CourseWord::Slope.form());
+        let help = format!("write `{}`", MotionLawWord::Slope.form());
         sink.error_with_help(span, fact, help);
         return None;
     };
@@ -24,7 +24,7 @@ pub(in crate::model) fn resolve_slope(
     if value.ty.is_error() {
         return None;
     }
-    let Some(course) = operands.scope.values.course_of(&value).cloned() else {
+    let Some(course) = operands.scope.values.motion_law_of(&value).cloned() else {
         let fact = "`slope` is taken of a course, found another expression";
         let help = "a course is `piecewise(...)`, `spline(...)`, `rise(...)`, the slope of one, or a name that \
              is one of these and nothing else; derivatives of others are asked for in functions, by `velocity` or `d`";

@@ -9,7 +9,7 @@ use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{
-    Course, CourseKind, CourseWord, Ends, Knot, Pieces, Repeats, SplineWord, Type,
+    Ends, Knot, MotionLaw, MotionLawKind, MotionLawWord, Pieces, Repeats, SplineWord, Type,
 };
 use crate::syntax;
 
@@ -25,15 +25,15 @@ pub(in crate::model) fn resolve_spline(
     sink: &mut Sink,
     arguments: &[syntax::Expr],
     span: SourceSpan,
-) -> Option<(Course, Type)> {
+) -> Option<(MotionLaw, Type)> {
     let (arguments, words) = match arguments.len() {
         3..=4 => arguments.split_at(2),
         _ => (arguments, &[][..]),
     };
     let words = read_spline_words(sink, words)?;
-    let [x, list] = expect_two_arguments(sink, CourseWord::Spline, arguments, span)?;
+    let [x, list] = expect_two_arguments(sink, MotionLawWord::Spline, arguments, span)?;
     let (argument, mut knots, ty) =
-        resolve_argument_and_knots(operands, sink, CourseWord::Spline, x, list)?;
+        resolve_argument_and_knots(operands, sink, MotionLawWord::Spline, x, list)?;
     let pieces = choose_pieces(sink, &knots, &words)?;
     fit_slopes(
         &operands.scope.names,
@@ -73,10 +73,10 @@ pub(in crate::model) fn resolve_spline(
         return None;
     }
     refuse_jumps(sink, &knots, ends, pieces)?;
-    let course = Course {
+    let course = MotionLaw {
         argument: Box::new(argument),
         knots,
-        kind: CourseKind::Spline(ends, pieces),
+        kind: MotionLawKind::Spline(ends, pieces),
         repeats,
         order: 0,
     };

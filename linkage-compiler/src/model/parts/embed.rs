@@ -4,7 +4,7 @@ use crate::diagnostic::OriginId;
 use crate::model::symbols::part_frame::PartFrame;
 use crate::model::symbols::part_scopes::{PartBody, PartScope};
 use crate::model::types::{
-    Constant, Expr, ExprKind, Let, Loop, Name, Parameter, Part, Placed, Unknown,
+    Constant, Expr, ExprKind, Let, Loop, MechanismPart, Name, Parameter, Placed, Unknown,
 };
 
 /// How a part's expressions are read in the mechanism around it.
@@ -78,7 +78,7 @@ impl<'p> Embedding<'p> {
             ExprKind::Negate(own) => ExprKind::Negate(boxed(own)),
             ExprKind::Binary(operator, a, b) => ExprKind::Binary(*operator, boxed(a), boxed(b)),
             ExprKind::Call(function, arguments) => ExprKind::Call(*function, all(arguments)),
-            ExprKind::Course(course) => ExprKind::Course(course.map(|own| self.expr(own), |own| self.origin(own))),
+            ExprKind::MotionLaw(course) => ExprKind::MotionLaw(course.map(|own| self.expr(own), |own| self.origin(own))),
             ExprKind::Number(_)
             | ExprKind::Error
             // Functions do not come along with a part.
@@ -155,9 +155,9 @@ impl<'p> Embedding<'p> {
     }
 
     /// What is known of it as a part.
-    pub(in crate::model) fn part(&self) -> Part {
+    pub(in crate::model) fn as_part(&self) -> MechanismPart {
         let mechanism = self.body.mechanism();
-        Part {
+        MechanismPart {
             name: self.name.to_owned(),
             mechanism: mechanism.name.clone(),
             inputs: (0..mechanism.inputs.len())

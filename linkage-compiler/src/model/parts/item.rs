@@ -126,7 +126,7 @@ pub(in crate::model) fn resolve_part(
     let inner: Vec<Placed> = embedding.placed(mechanism.loops.len()).collect();
     mechanism.leaves.extend(body.leaves(mechanism.loops.len()));
     mechanism.loops.extend(embedding.loops());
-    mechanism.parts.push(embedding.part());
+    mechanism.parts.push(embedding.as_part());
     scope.parts.placed.extend(inner);
     for own in lets {
         scope.values.note_let(&own.value);

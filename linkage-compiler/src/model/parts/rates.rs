@@ -4,7 +4,7 @@ use super::slopes::{of_both, slopes};
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::part_scopes::Unfollowed;
 use crate::model::symbols::values::Values;
-use crate::model::types::{BinaryOp, Course, Dimension, Expr, ExprKind, Let, Name, Type};
+use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Let, MotionLaw, Name, Type};
 
 /// The derivative in time; `None` for what stands still.
 type Rate = Result<Option<Expr>, Unfollowed>;
@@ -113,8 +113,8 @@ fn time_derivative(values: &Values, value: &Expr, lets: &[Let]) -> Rate {
         }
         // Of what is made of parameters alone, like `sqrt(2)`, nothing moves.
         _ if is_still(value, lets) => return Ok(None),
-        ExprKind::Course(course) => {
-            let slope = slope_of_course(course, value, lets).ok_or(Unfollowed::Other)?;
+        ExprKind::MotionLaw(course) => {
+            let slope = slope_of_motion_law(course, value, lets).ok_or(Unfollowed::Other)?;
             return by_chain_rule(values, slope, &course.argument, lets);
         }
         ExprKind::Call(function, arguments) => {
@@ -138,7 +138,7 @@ fn by_chain_rule(values: &Values, slope: Expr, argument: &Expr, lets: &[Let]) ->
 }
 
 /// The slope of a course whose knots stand still.
-fn slope_of_course(course: &Course, value: &Expr, lets: &[Let]) -> Option<Expr> {
+fn slope_of_motion_law(course: &MotionLaw, value: &Expr, lets: &[Let]) -> Option<Expr> {
     let mut knots = course.operands().into_iter().skip(1);
     let slope = course
         .slope()
@@ -146,7 +146,7 @@ fn slope_of_course(course: &Course, value: &Expr, lets: &[Let]) -> Option<Expr> 
     let by = course.argument_type().dimension()?;
     let dimension = value.ty.dimension()?.over(by)?;
     Some(Expr {
-        kind: ExprKind::Course(slope),
+        kind: ExprKind::MotionLaw(slope),
         ty: Type::Scalar(dimension),
         origin: value.origin,
     })

@@ -15,7 +15,9 @@ use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::Site;
 use crate::model::symbols::values::Values;
-use crate::model::types::{Dimension, Expr, ExprKind, Mechanics, MechanicsWord, Name, Type};
+use crate::model::types::{
+    Dimension, Expr, ExprKind, MechanicalQuantity, MechanicsWord, Name, Type,
+};
 use crate::syntax::{self, JointKind, Member, Word};
 
 /// A quantity of the mechanics, in a function of these inputs and arguments.
@@ -61,7 +63,12 @@ pub(in crate::model) fn resolve_mechanics_quantity(
             arguments,
             span,
         )
-        .map(|joint| (Mechanics::Reaction(joint), vector(Dimension::FORCE))),
+        .map(|joint| {
+            (
+                MechanicalQuantity::Reaction(joint),
+                vector(Dimension::FORCE),
+            )
+        }),
         MechanicsWord::Moment => expect_joint_with_moment(
             &operands.scope.parts,
             &operands.scope.members,
@@ -69,20 +76,20 @@ pub(in crate::model) fn resolve_mechanics_quantity(
             arguments,
             span,
         )
-        .map(|joint| (Mechanics::Moment(joint), moment)),
+        .map(|joint| (MechanicalQuantity::Moment(joint), moment)),
         MechanicsWord::Torque | MechanicsWord::Force => {
             expect_driven_input(&operands.scope.names, sink, word, arguments, span)
         }
         MechanicsWord::ShakingMoment => resolve_moment_point(operands, sink, arguments, span)
-            .map(|point| (Mechanics::ShakingMoment(point), moment)),
+            .map(|point| (MechanicalQuantity::ShakingMoment(point), moment)),
         MechanicsWord::Power => expect_no_argument(sink, word, arguments, span)
-            .map(|()| scalar(Mechanics::Power, Dimension::POWER)),
+            .map(|()| scalar(MechanicalQuantity::Power, Dimension::POWER)),
         MechanicsWord::KineticEnergy => expect_no_argument(sink, word, arguments, span)
-            .map(|()| scalar(Mechanics::KineticEnergy, Dimension::MOMENT)),
+            .map(|()| scalar(MechanicalQuantity::KineticEnergy, Dimension::MOMENT)),
         MechanicsWord::PotentialEnergy => expect_no_argument(sink, word, arguments, span)
-            .map(|()| scalar(Mechanics::PotentialEnergy, Dimension::MOMENT)),
+            .map(|()| scalar(MechanicalQuantity::PotentialEnergy, Dimension::MOMENT)),
         MechanicsWord::ShakingForce => expect_no_argument(sink, word, arguments, span)
-            .map(|()| (Mechanics::ShakingForce, vector(Dimension::FORCE))),
+            .map(|()| (MechanicalQuantity::ShakingForce, vector(Dimension::FORCE))),
     };
     let moving = check_moving(
         &operands.scope.names,
@@ -184,7 +191,7 @@ fn expect_driven_input(
     word: MechanicsWord,
     arguments: &[syntax::Expr],
     span: SourceSpan,
-) -> Option<(Mechanics, Type)> {
+) -> Option<(MechanicalQuantity, Type)> {
     let name = word.word();
     let ident = expect_name(sink, word, "input", arguments, span)?;
     let text = ident.to_string();
@@ -216,7 +223,7 @@ fn expect_driven_input(
         sink.error_with_help(span, fact, help);
         return None;
     }
-    Some((Mechanics::Drive(input), Type::Scalar(ty)))
+    Some((MechanicalQuantity::Drive(input), Type::Scalar(ty)))
 }
 
 /// `shaking_moment()`, `shaking_moment(point)`

@@ -1,6 +1,6 @@
 //! Facts about the values that names are declared with, as far as items have been resolved.
 
-use crate::model::types::{Course, Expr, ExprKind, Name, ScalarParameter};
+use crate::model::types::{Expr, ExprKind, MotionLaw, Name, ScalarParameter};
 
 /// Facts about parameters, inputs and derived quantities.
 #[derive(Default)]
@@ -11,7 +11,7 @@ pub(in crate::model) struct Values {
     /// For each derived quantity so far, an argument that it depends on.
     arguments_of_lets: Vec<Option<usize>>,
     /// For each derived quantity so far, the course that it is.
-    courses_of_lets: Vec<Option<Course>>,
+    motion_laws_of_lets: Vec<Option<MotionLaw>>,
     /// Speeds and accelerations of each input.
     pub(in crate::model) rates: Vec<[Option<usize>; 2]>,
 }
@@ -20,13 +20,14 @@ impl Values {
     /// Adds the facts about the next derived quantity.
     pub(in crate::model) fn note_let(&mut self, value: &Expr) {
         self.arguments_of_lets.push(self.argument_below(value));
-        self.courses_of_lets.push(self.course_of(value).cloned());
+        self.motion_laws_of_lets
+            .push(self.motion_law_of(value).cloned());
     }
 
     /// Adds the next derived quantity, an unknown frame, which depends on no argument.
     pub(in crate::model) fn note_unknown_frame(&mut self) {
         self.arguments_of_lets.push(None);
-        self.courses_of_lets.push(None);
+        self.motion_laws_of_lets.push(None);
     }
 
     /// Returns an argument that a value depends on, perhaps through derived quantities.
@@ -42,10 +43,10 @@ impl Values {
     }
 
     /// Returns the course that a value is, directly or as the value of a name.
-    pub(in crate::model) fn course_of<'v>(&'v self, value: &'v Expr) -> Option<&'v Course> {
+    pub(in crate::model) fn motion_law_of<'v>(&'v self, value: &'v Expr) -> Option<&'v MotionLaw> {
         match &value.kind {
-            ExprKind::Course(course) => Some(course),
-            ExprKind::Name(Name::Let(index)) => self.courses_of_lets.get(*index)?.as_ref(),
+            ExprKind::MotionLaw(course) => Some(course),
+            ExprKind::Name(Name::Let(index)) => self.motion_laws_of_lets.get(*index)?.as_ref(),
             _ => None,
         }
     }

@@ -96,7 +96,7 @@ impl<'m> Angles<'m> {
                     }
                 }
                 ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => self.together(&[a, b]),
-                ExprKind::Course(course) => {
+                ExprKind::MotionLaw(course) => {
                     let places = course.knots.iter().map(|own| &own.place);
                     let along: Vec<&Expr> =
                         std::iter::once(&*course.argument).chain(places).collect();

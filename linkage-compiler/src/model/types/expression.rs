@@ -1,7 +1,7 @@
 //! Resolved expressions, with their types and origins.
 
 use super::function_words::Function;
-use super::motion_law::{CourseKind, HIGHEST_SLOPE, Law, Repeats};
+use super::motion_law::{HIGHEST_SLOPE, Law, MotionLawKind, Repeats};
 use super::name::{Name, ScalarParameterId, Variable};
 use super::value_type::Type;
 use crate::diagnostic::OriginId;
@@ -33,7 +33,7 @@ pub(crate) enum ExprKind {
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     Call(Function, Vec<Expr>),
     /// `rise(x, law)`, `piecewise(x, [...])`, `spline(x, [...])`.
-    Course(Course),
+    MotionLaw(MotionLaw),
     /// `d(q, x)`, `d(q, x, y)`.
     Derivative(Box<Expr>, Vec<Variable>),
     /// `velocity` 1, `acceleration` 2, `jerk` 3: by the inputs of the function that asks.
@@ -44,7 +44,7 @@ pub(crate) enum ExprKind {
     /// `picture([p, q], ...)`: what the mechanism looks like, with these links beside those of the loops.
     Picture(Vec<Vec<Expr>>),
     /// A quantity of the mechanics, for the speeds that the function lists.
-    Mechanics(Mechanics),
+    Mechanics(MechanicalQuantity),
     Error,
 }
 
@@ -58,11 +58,11 @@ pub(crate) enum BinaryOp {
 
 /// A number along `argument`, or its slope.
 #[derive(Clone, Debug)]
-pub(crate) struct Course {
+pub(crate) struct MotionLaw {
     pub(crate) argument: Box<Expr>,
     /// At least two.
     pub(crate) knots: Vec<Knot>,
-    pub(crate) kind: CourseKind,
+    pub(crate) kind: MotionLawKind,
     /// How the argument repeats.
     pub(crate) repeats: Repeats,
     /// Which derivative by the argument it is.
@@ -93,7 +93,7 @@ impl PartialEq for Knot {
 }
 
 /// Equal if they say the same, wherever they stand.
-impl PartialEq for Course {
+impl PartialEq for MotionLaw {
     fn eq(&self, other: &Self) -> bool {
         let all = |own: &Self| (own.kind, own.repeats, own.order);
         self.argument == other.argument && self.knots == other.knots && all(self) == all(other)
@@ -102,7 +102,7 @@ impl PartialEq for Course {
 
 /// What bodies, joints and loads give.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Mechanics {
+pub(crate) enum MechanicalQuantity {
     /// `reaction(joint)`: the force on the joint's body from the one that it hangs on.
     Reaction(usize),
     /// `moment(joint)`: the moment on the body about the joint's point.
@@ -187,7 +187,7 @@ impl Expr {
     }
 }
 
-impl Course {
+impl MotionLaw {
     /// Of what its argument and the places of its knots are.
     pub(crate) fn argument_type(&self) -> Type {
         let angle = self

@@ -37,7 +37,7 @@ vocabulary! {
 
 vocabulary! {
     /// Functions that give a number along another one: their lists and words are read by themselves.
-    pub(crate) enum CourseWord {
+    pub(crate) enum MotionLawWord {
         Rise = "rise",
         Piecewise = "piecewise",
         Spline = "spline",
@@ -228,16 +228,16 @@ impl MotionWord {
     }
 }
 
-impl CourseWord {
+impl MotionLawWord {
     /// How it is written, in messages.
     pub(in crate::model) fn form(self) -> &'static str {
         match self {
-            CourseWord::Rise => "rise(x, law)",
-            CourseWord::Piecewise => {
+            MotionLawWord::Rise => "rise(x, law)",
+            MotionLawWord::Piecewise => {
                 "piecewise(x, [(place, value), (place, value, law)])` or `piecewise(x, [...], periodic)"
             }
-            CourseWord::Spline => "spline(x, [(place, value), (place, value)], ends)",
-            CourseWord::Slope => "slope(course)",
+            MotionLawWord::Spline => "spline(x, [(place, value), (place, value)], ends)",
+            MotionLawWord::Slope => "slope(course)",
         }
     }
 }
@@ -245,6 +245,6 @@ impl CourseWord {
 /// Whether it can be called.
 pub(in crate::model) fn is_function(name: &str) -> bool {
     Function::from_word(name).is_some()
-        || CourseWord::from_word(name).is_some()
+        || MotionLawWord::from_word(name).is_some()
         || QuantityWord::from_word(name).is_some()
 }

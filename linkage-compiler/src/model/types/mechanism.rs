@@ -27,7 +27,7 @@ pub(crate) struct Mechanism {
     /// Loops that follow from these.
     pub(crate) redundant: Vec<Loop>,
     pub(crate) arguments: Vec<Argument>,
-    pub(crate) parts: Vec<Part>,
+    pub(crate) parts: Vec<MechanismPart>,
     pub(crate) leaves: Vec<Leaf>,
     /// Parts, and parts of parts, with coordinates of their own.
     pub(crate) placed: Vec<Placed>,
@@ -167,7 +167,7 @@ pub(crate) struct Loop {
 
 /// A mechanism within this one: what is its own stands among what is of its kind, under names that begin with its own.
 #[derive(Clone, Debug)]
-pub(crate) struct Part {
+pub(crate) struct MechanismPart {
     pub(crate) name: String,
     /// The mechanism that it is, as it is called.
     pub(crate) mechanism: String,

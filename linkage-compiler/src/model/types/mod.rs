@@ -21,17 +21,17 @@ mod value_type;
 pub(crate) use crate::syntax::JointKind;
 pub use components::COMPONENTS;
 pub(crate) use dimension::Dimension;
-pub(crate) use expression::{BinaryOp, Course, Expr, ExprKind, Knot, Mechanics};
+pub(crate) use expression::{BinaryOp, Expr, ExprKind, Knot, MechanicalQuantity, MotionLaw};
 pub(in crate::model) use function_words::is_function;
-pub(crate) use function_words::{CourseWord, Function, MechanicsWord, MotionWord, QuantityWord};
+pub(crate) use function_words::{Function, MechanicsWord, MotionLawWord, MotionWord, QuantityWord};
 pub(crate) use length_unit::LengthUnit;
 pub(crate) use mechanics::{Between, Body, Element, ElementKind, Inertia, Joint, Load};
 pub(crate) use mechanism::{
-    Argument, Constant, EvaluatorDef, Input, Leaf, Let, Loop, Mechanism, Parameter, Part, Placed,
-    Quantity, ScalarParameter, Unknown,
+    Argument, Constant, EvaluatorDef, Input, Leaf, Let, Loop, Mechanism, MechanismPart, Parameter,
+    Placed, Quantity, ScalarParameter, Unknown,
 };
 pub(crate) use motion_law::{
-    CourseKind, Ends, HIGHEST_SLOPE, Law, Pieces, Repeating, Repeats, SplineWord,
+    Ends, HIGHEST_SLOPE, Law, MotionLawKind, Pieces, Repeating, Repeats, SplineWord,
 };
 pub(crate) use name::{Name, ScalarParameterId, Variable};
 pub(crate) use traversal::Derived;

@@ -76,7 +76,7 @@ pub(crate) const HIGHEST_SLOPE: u8 = 3;
 
 /// How it goes from knot to knot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum CourseKind {
+pub(crate) enum MotionLawKind {
     /// `rise(x, law)`: one law from 0 to 1, which nobody asks to be smooth at its ends.
     Rise,
     /// By the law of the later knot; beyond the ends it stays where it is.

@@ -1,6 +1,6 @@
 //! What expressions are made of: the one place that knows it.
 
-use super::expression::{BinaryOp, Expr, ExprKind, Mechanics};
+use super::expression::{BinaryOp, Expr, ExprKind, MechanicalQuantity};
 use super::mechanism::Mechanism;
 use super::name::{Name, ScalarParameterId, Variable};
 
@@ -29,7 +29,7 @@ impl Expr {
             | ExprKind::Negate(_)
             | ExprKind::Binary(..)
             | ExprKind::Call(..)
-            | ExprKind::Course(_)
+            | ExprKind::MotionLaw(_)
             | ExprKind::Margin
             | ExprKind::Picture(_)
             | ExprKind::Mechanics(_)
@@ -41,7 +41,7 @@ impl Expr {
     pub(crate) fn operands(&self) -> Vec<&Expr> {
         match &self.kind {
             ExprKind::Vector(all) | ExprKind::Call(_, all) => all.iter().collect(),
-            ExprKind::Course(course) => course.operands(),
+            ExprKind::MotionLaw(course) => course.operands(),
             ExprKind::Component(a, _) | ExprKind::Index(a, _) | ExprKind::Negate(a) => vec![a],
             ExprKind::Binary(_, a, b) => vec![a, b],
             ExprKind::Derivative(a, _)
@@ -93,7 +93,7 @@ impl Expr {
             | ExprKind::Negate(_)
             | ExprKind::Binary(..)
             | ExprKind::Call(..)
-            | ExprKind::Course(_)
+            | ExprKind::MotionLaw(_)
             | ExprKind::Error => false,
         }
     }
@@ -107,17 +107,17 @@ impl Expr {
     }
 }
 
-impl Mechanics {
+impl MechanicalQuantity {
     fn operands(&self) -> Vec<&Expr> {
         match self {
-            Mechanics::ShakingMoment(point) => point.iter().map(Box::as_ref).collect(),
-            Mechanics::Reaction(_)
-            | Mechanics::Moment(_)
-            | Mechanics::Drive(_)
-            | Mechanics::Power
-            | Mechanics::KineticEnergy
-            | Mechanics::PotentialEnergy
-            | Mechanics::ShakingForce => Vec::new(),
+            MechanicalQuantity::ShakingMoment(point) => point.iter().map(Box::as_ref).collect(),
+            MechanicalQuantity::Reaction(_)
+            | MechanicalQuantity::Moment(_)
+            | MechanicalQuantity::Drive(_)
+            | MechanicalQuantity::Power
+            | MechanicalQuantity::KineticEnergy
+            | MechanicalQuantity::PotentialEnergy
+            | MechanicalQuantity::ShakingForce => Vec::new(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What loops, bodies and functions are written with.
 
-use super::expression::{Expr, ExprKind, Mechanics};
+use super::expression::{Expr, ExprKind, MechanicalQuantity};
 use super::mechanics::{Between, Inertia};
 use super::mechanism::{EvaluatorDef, Mechanism, Quantity};
 use super::name::Name;
@@ -148,17 +148,17 @@ impl Expr {
     }
 }
 
-impl Mechanics {
+impl MechanicalQuantity {
     /// Whether it is what a joint transmits.
     fn is_of_joints(&self) -> bool {
         match self {
-            Mechanics::Reaction(_) | Mechanics::Moment(_) => true,
-            Mechanics::Drive(_)
-            | Mechanics::Power
-            | Mechanics::KineticEnergy
-            | Mechanics::PotentialEnergy
-            | Mechanics::ShakingForce
-            | Mechanics::ShakingMoment(_) => false,
+            MechanicalQuantity::Reaction(_) | MechanicalQuantity::Moment(_) => true,
+            MechanicalQuantity::Drive(_)
+            | MechanicalQuantity::Power
+            | MechanicalQuantity::KineticEnergy
+            | MechanicalQuantity::PotentialEnergy
+            | MechanicalQuantity::ShakingForce
+            | MechanicalQuantity::ShakingMoment(_) => false,
         }
     }
 }
