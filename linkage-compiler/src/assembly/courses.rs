@@ -8,7 +8,7 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::model::{Expr, ExprKind, Mechanism, MotionLaw, MotionLawKind, Name, Repeats, Type};
 
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Of the size of speeds or accelerations: a smaller difference is rounding.
 const ROUNDING: f64 = 1e-9;
@@ -65,7 +65,7 @@ pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: 
             .all(|own| own.place.is_finite() && own.value.is_finite());
         // What moves, or is told elsewhere as no number, is left to run time.
         if known {
-            let words = Words::new(mechanism);
+            let words = MessageFormat::new(mechanism);
             Check {
                 mechanism,
                 nominal,
@@ -90,7 +90,7 @@ struct Check<'c, 'm> {
     nominal: &'c Nominal,
     course: &'m MotionLaw,
     knots: Vec<At>,
-    words: Words<'m>,
+    words: MessageFormat<'m>,
 }
 
 impl Check<'_, '_> {

@@ -247,7 +247,7 @@ impl<'m> Assembly<'_, 'm> {
 }
 
 fn direction(v: &[f64]) -> String {
-    let numbers = crate::words::numbers(v);
+    let numbers = crate::message_format::numbers(v);
     format!("({})", numbers.join(", "))
 }
 

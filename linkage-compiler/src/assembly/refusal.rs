@@ -1,10 +1,10 @@
 //! What is said of a group that cannot be assembled at the reference inputs.
 
 use crate::diagnostic::OriginId;
+use crate::message_format::loop_list;
 use crate::model::Dimension;
 use crate::solve::Solved;
 use crate::structure::Form;
-use crate::words::loop_list;
 
 use super::reference::{Assembly, SINGULAR};
 use super::values::without_value;

@@ -4,8 +4,8 @@ use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::Nominal;
 use crate::assembly::{ALTERATIONS, Reference, altered, places};
+use crate::message_format::MessageFormat;
 use crate::model::Mechanism;
-use crate::words::Words;
 
 /// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is
 /// written wrongly is wrong by far more.
@@ -106,7 +106,10 @@ impl Position<'_> {
         let all: Vec<usize> = (0..self.inputs.len()).collect();
         match all.is_empty() {
             true => String::new(),
-            false => format!("at {} ", Words::new(mechanism).inputs(self.inputs, &all)),
+            false => format!(
+                "at {} ",
+                MessageFormat::new(mechanism).inputs(self.inputs, &all)
+            ),
         }
     }
 }

@@ -4,10 +4,10 @@ use super::Analysis;
 use super::equations::{Coordinate, Equation};
 use super::matching::{self, Matching};
 use super::report::counted;
+use crate::message_format::MessageFormat;
+use crate::message_format::loop_list;
 use crate::mobility::Position;
 use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
-use crate::words::Words;
-use crate::words::loop_list;
 
 /// An unknown frame of the model.
 struct Found {
@@ -262,7 +262,7 @@ impl<'m> Analysis<'_, 'm> {
         if unknowns.any(|unknown| unknown.estimate.is_none()) {
             return None;
         }
-        let words = Words::new(mechanism);
+        let words = MessageFormat::new(mechanism);
         question(&Position::new(
             &words,
             self.nominal,

@@ -4,7 +4,7 @@ use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
 use super::redundant::Repeated;
-use crate::words::loop_list;
+use crate::message_format::loop_list;
 
 impl<'m> Analysis<'_, 'm> {
     /// Reports unknowns without equations and equations without unknowns; true if there are none.

@@ -32,5 +32,5 @@ pub(crate) use blocks::parse;
 pub(crate) use dump::dump;
 pub(crate) use keyword::JointKind;
 pub(crate) use spelling::units_within;
-pub(crate) use units::{Scale, Unit, find_unit, first_spelling, is_unit};
+pub(crate) use units::{Scale, UnitOfMeasure, find_unit, first_spelling, is_unit};
 pub(crate) use vocabulary::{Word, vocabulary};

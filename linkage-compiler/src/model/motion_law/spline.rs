@@ -15,7 +15,7 @@ use crate::syntax;
 
 /// What is written behind the points.
 #[derive(Default)]
-struct Words {
+struct SplineWords {
     ends: Option<Ends>,
     is_quintic: bool,
 }
@@ -83,8 +83,8 @@ pub(in crate::model) fn resolve_spline(
     Some((course, ty))
 }
 
-fn read_spline_words(sink: &mut Sink, all: &[syntax::Expr]) -> Option<Words> {
-    let mut words = Words::default();
+fn read_spline_words(sink: &mut Sink, all: &[syntax::Expr]) -> Option<SplineWords> {
+    let mut words = SplineWords::default();
     for own in all {
         let is_new = match read_spline_word(sink, own)? {
             SplineWord::Ends(ends) => words.ends.replace(ends).is_none(),
@@ -102,7 +102,7 @@ fn read_spline_words(sink: &mut Sink, all: &[syntax::Expr]) -> Option<Words> {
 }
 
 /// What the pieces are; slopes are given at all points or at none.
-fn choose_pieces(sink: &mut Sink, knots: &[Knot], words: &Words) -> Option<Pieces> {
+fn choose_pieces(sink: &mut Sink, knots: &[Knot], words: &SplineWords) -> Option<Pieces> {
     let worded = knots.iter().find(|own| own.law.is_some());
     if let Some(knot) = worded {
         let span = sink.span(knot.origin);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::decimal::Decimal;
 use crate::model::types::{Dimension, LengthUnit};
-use crate::syntax::{Scale, Unit, Word, find_unit, is_unit};
+use crate::syntax::{Scale, UnitOfMeasure, Word, find_unit, is_unit};
 
 /// How many digits of pi are multiplied: far more than a double's literal can tell apart.
 const PI: &str = "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899\
@@ -63,7 +63,7 @@ pub(in crate::model) fn convert_product(
 }
 
 /// Returns the dimension of a unit.
-fn dimension_of(unit: Unit) -> Dimension {
+fn dimension_of(unit: UnitOfMeasure) -> Dimension {
     Dimension {
         half_kilograms: 2 * unit.kilograms,
         angle: unit.angle,

@@ -5,11 +5,11 @@ use linkage_core::range_check::{self, significant};
 use crate::model::{Dimension, Mechanism, Type};
 
 /// Prints quantities of one mechanism.
-pub(crate) struct Words<'m> {
+pub(crate) struct MessageFormat<'m> {
     mechanism: &'m Mechanism,
 }
 
-impl<'m> Words<'m> {
+impl<'m> MessageFormat<'m> {
     pub(crate) fn new(mechanism: &'m Mechanism) -> Self {
         Self { mechanism }
     }
@@ -105,7 +105,7 @@ impl<'m> Words<'m> {
     }
 
     /// As [`scalar`](Self::scalar), with as many digits more as it takes not to read as another number.
-    pub(crate) fn told_apart(&self, dimension: Dimension, x: f64, other: f64) -> String {
+    pub(crate) fn distinguished(&self, dimension: Dimension, x: f64, other: f64) -> String {
         let short = self.scalar(dimension, x);
         if x == other || short != self.scalar(dimension, other) {
             return short;
