@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{Expr, Mechanism, Name, Type};
+use crate::model::types::{Expr, Mechanism, Name, Type, angles};
 
 /// Reports references, ranges and estimates of angles that lack a unit. Whether an input or unknown is an angle is
 /// known from how it is used: it may be a number as well.
@@ -17,9 +17,9 @@ pub(in crate::model) fn refuse_bare_coordinates(
     if values.iter().all(|own| own.value.bare_number().is_none()) {
         return;
     }
-    let angles = mechanism.angles();
+    let used = angles(mechanism);
     for CoordinateValue { name, role, value } in values {
-        if is_angle_name(names, name, &angles) {
+        if is_angle_name(names, name, &used) {
             let what = format!("the {role} of the angle `{}`", mechanism.name(name));
             refuse_bare_angle(sink, value, &what);
         }

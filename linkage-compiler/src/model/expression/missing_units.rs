@@ -19,13 +19,13 @@ pub(in crate::model) fn note_unitless(
     value: &Expr,
     beside: Option<&'static str>,
 ) {
-    let lacking = match value.with_unit(units.length.name()) {
+    let lacking = match with_unit(value, units.length.name()) {
         Some(length) => {
             let text = names.symbol(name);
             units.unitless.push(Unitless {
                 name,
                 text: text.map_or_else(String::new, |symbol| symbol.text.clone()),
-                number: value.with_unit("").unwrap_or_default(),
+                number: with_unit(value, "").unwrap_or_default(),
                 length,
                 beside,
                 span: sink.span(value.origin),
@@ -66,32 +66,30 @@ pub(in crate::model) fn suspect_both_units(
     suspect_unit(units, sink, right, &left.ty);
 }
 
-impl Expr {
-    /// A number without a unit, or a vector of such and zeros that is no direction, written with one.
-    fn with_unit(&self, unit: &str) -> Option<String> {
-        if let Some(number) = self.bare_number() {
-            return Some(format!("{number}{unit}"));
-        }
-        let ExprKind::Vector(components) = &self.kind else {
-            return None;
-        };
-        let zero = |own: &Expr| matches!(own.kind, ExprKind::Number(0.0));
-        let numbers = components.iter().map(|own| match zero(own) {
-            true => Some(0.0),
-            false => own.bare_number(),
-        });
-        let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
-        let length = numbers
-            .iter()
-            .fold(0.0, |length: f64, own| length.hypot(*own));
-        if length == 0.0 || LENGTHS_OF_DIRECTIONS.contains(&length) {
-            return None;
-        }
-        let written = numbers.iter().map(|number| match number {
-            0.0 => "0".to_owned(),
-            number => format!("{number}{unit}"),
-        });
-        let written: Vec<String> = written.collect();
-        Some(format!("({})", written.join(", ")))
+/// A number without a unit, or a vector of such and zeros that is no direction, written with one.
+fn with_unit(value: &Expr, unit: &str) -> Option<String> {
+    if let Some(number) = value.bare_number() {
+        return Some(format!("{number}{unit}"));
     }
+    let ExprKind::Vector(components) = &value.kind else {
+        return None;
+    };
+    let zero = |own: &Expr| matches!(own.kind, ExprKind::Number(0.0));
+    let numbers = components.iter().map(|own| match zero(own) {
+        true => Some(0.0),
+        false => own.bare_number(),
+    });
+    let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
+    let length = numbers
+        .iter()
+        .fold(0.0, |length: f64, own| length.hypot(*own));
+    if length == 0.0 || LENGTHS_OF_DIRECTIONS.contains(&length) {
+        return None;
+    }
+    let written = numbers.iter().map(|number| match number {
+        0.0 => "0".to_owned(),
+        number => format!("{number}{unit}"),
+    });
+    let written: Vec<String> = written.collect();
+    Some(format!("({})", written.join(", ")))
 }

@@ -6,7 +6,7 @@ use super::definitions::{resolve_loop, resolve_named};
 use super::parameter::resolve_parameter;
 use super::passes::{Coordinate, Definition, Passes};
 use super::scalars::add_scalars;
-use super::unknown_frame::resolve_unknown_frames;
+use super::unknown_frame::{close_frames, resolve_unknown_frames};
 use crate::diagnostic::text::nearest;
 use crate::model::library::Source;
 use crate::model::mechanics::items::resolve_mechanics;
@@ -115,7 +115,7 @@ pub(in crate::model) fn resolve_items(
             Definition::Part(item) => resolve_part(scope, sink, item, position, &mut mechanism),
         }
     }
-    mechanism.close_frames(frames);
+    close_frames(&mut mechanism, frames);
     mechanism.placed.clone_from(&scope.parts.placed);
     resolve_mechanics(
         scope,

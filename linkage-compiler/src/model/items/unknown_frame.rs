@@ -63,23 +63,21 @@ pub(in crate::model) fn resolve_unknown_frames(
     frames
 }
 
-impl Mechanism {
-    /// The loops of the axes, behind those that are written. Of the axes that one is derived along which the fewest points have a
-    /// coordinate: loops without it are of a lower degree.
-    pub(in crate::model) fn close_frames(&mut self, frames: Vec<FoundFrame>) {
-        for mut found in frames {
-            if let FrameKind::Space { derived } = found.kind {
-                let uses = self.uses_of_axes(found.number);
-                let others = (0..uses.len()).filter(|axis| uses[*axis] < uses[derived]);
-                let derived = others.min_by_key(|axis| uses[*axis]).unwrap_or(derived);
-                found.kind = FrameKind::Space { derived };
-            }
-            let first = found.first_unknown;
-            let places = first..first + found.kind.unknowns();
-            self.unknowns.splice(places, found.unknowns());
-            self.lets[found.number].value = found.value();
-            self.loops.extend(found.loops());
+/// The loops of the axes, behind those that are written. Of the axes that one is derived along which the fewest points have a
+/// coordinate: loops without it are of a lower degree.
+pub(in crate::model) fn close_frames(mechanism: &mut Mechanism, frames: Vec<FoundFrame>) {
+    for mut found in frames {
+        if let FrameKind::Space { derived } = found.kind {
+            let uses = uses_of_axes(mechanism, found.number);
+            let others = (0..uses.len()).filter(|axis| uses[*axis] < uses[derived]);
+            let derived = others.min_by_key(|axis| uses[*axis]).unwrap_or(derived);
+            found.kind = FrameKind::Space { derived };
         }
+        let first = found.first_unknown;
+        let places = first..first + found.kind.unknowns();
+        mechanism.unknowns.splice(places, found.unknowns());
+        mechanism.lets[found.number].value = found.value();
+        mechanism.loops.extend(found.loops());
     }
 }
 
@@ -153,40 +151,38 @@ impl FoundFrame {
     }
 }
 
-impl Mechanism {
-    /// How many points of loops and derived quantities have a coordinate along each axis of a frame, and how often the axis is asked for.
-    fn uses_of_axes(&self, number: usize) -> [usize; 3] {
-        let is_frame = |own: &Expr| own.as_name() == Some(Name::Let(number));
-        let loops = self.loops.iter();
-        let loops = loops.flat_map(|own| [&own.left, &own.right]);
-        let lets = self.lets.iter().map(|own| &own.value);
-        let mut uses = [0; 3];
-        for part in loops.chain(lets).flat_map(Expr::parts) {
-            match &part.kind {
-                ExprKind::Call(Function::PointIn, arguments) if is_frame(&arguments[0]) => {
-                    for (axis, count) in uses.iter_mut().enumerate() {
-                        *count += usize::from(!self.is_zero(&arguments[1], axis));
-                    }
+/// How many points of loops and derived quantities have a coordinate along each axis of a frame, and how often the axis is asked for.
+fn uses_of_axes(mechanism: &Mechanism, number: usize) -> [usize; 3] {
+    let is_frame = |own: &Expr| own.as_name() == Some(Name::Let(number));
+    let loops = mechanism.loops.iter();
+    let loops = loops.flat_map(|own| [&own.left, &own.right]);
+    let lets = mechanism.lets.iter().map(|own| &own.value);
+    let mut uses = [0; 3];
+    for part in loops.chain(lets).flat_map(Expr::parts) {
+        match &part.kind {
+            ExprKind::Call(Function::PointIn, arguments) if is_frame(&arguments[0]) => {
+                for (axis, count) in uses.iter_mut().enumerate() {
+                    *count += usize::from(!is_zero(mechanism, &arguments[1], axis));
                 }
-                ExprKind::Index(frame, axis @ 1..) if is_frame(frame) => uses[axis - 1] += 1,
-                // Nothing else uses an axis alone.
-                _ => {}
             }
+            ExprKind::Index(frame, axis @ 1..) if is_frame(frame) => uses[axis - 1] += 1,
+            // Nothing else uses an axis alone.
+            _ => {}
         }
-        uses
     }
+    uses
+}
 
-    /// Whether a component of a vector is written as 0.
-    fn is_zero(&self, vector: &Expr, component: usize) -> bool {
-        match &vector.kind {
-            ExprKind::Vector(all) => matches!(all[component].kind, ExprKind::Number(0.0)),
-            ExprKind::Name(name @ (Name::Const(_) | Name::Let(_))) => {
-                let value = self.value_of(*name);
-                value.is_some_and(|value| self.is_zero(value, component))
-            }
-            ExprKind::Negate(own) => self.is_zero(own, component),
-            // It may be anything.
-            _ => false,
+/// Whether a component of a vector is written as 0.
+fn is_zero(mechanism: &Mechanism, vector: &Expr, component: usize) -> bool {
+    match &vector.kind {
+        ExprKind::Vector(all) => matches!(all[component].kind, ExprKind::Number(0.0)),
+        ExprKind::Name(name @ (Name::Const(_) | Name::Let(_))) => {
+            let value = mechanism.value_of(*name);
+            value.is_some_and(|value| is_zero(mechanism, value, component))
         }
+        ExprKind::Negate(own) => is_zero(mechanism, own, component),
+        // It may be anything.
+        _ => false,
     }
 }

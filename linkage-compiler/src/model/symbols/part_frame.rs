@@ -10,27 +10,6 @@ pub(in crate::model) struct PartFrame {
 }
 
 impl Placed {
-    /// The point of the part that is seen here; the inverse of [`PartFrame::seen_point`].
-    pub(crate) fn point_behind<'e>(&self, seen: &'e Expr) -> Option<&'e Expr> {
-        let turned_back = |turned: &'e Expr| match (&self.turned, &turned.kind) {
-            (None, _) => Some(turned),
-            (Some(angle), ExprKind::Call(Function::Rotate, arguments)) => {
-                (arguments[1] == *angle).then(|| &arguments[0])
-            }
-            (Some(_), _) => None,
-        };
-        match (&self.at, &seen.kind) {
-            (None, _) => self.turned.as_ref().and_then(|_| turned_back(seen)),
-            (Some(at), ExprKind::Call(Function::PointIn, arguments)) => {
-                (arguments[0] == *at).then(|| &arguments[1])
-            }
-            (Some(at), ExprKind::Binary(BinaryOp::Add, origin, turned)) if **origin == *at => {
-                turned_back(turned)
-            }
-            (Some(_), _) => None,
-        }
-    }
-
     pub(in crate::model) fn frame(&self) -> PartFrame {
         PartFrame {
             at: self.at.clone(),

@@ -8,23 +8,21 @@ use super::mechanism::Mechanism;
 use super::name::Name;
 use super::value_type::Type;
 
-impl Mechanism {
-    /// Inputs, unknowns and derived quantities that are turned by, or added to angles.
-    pub(in crate::model) fn angles(&self) -> BTreeSet<Name> {
-        let mut angles = Angles {
-            mechanism: self,
-            factors: BTreeSet::new(),
-            found: BTreeSet::new(),
-            open: Vec::new(),
-        };
-        angles.find_factors();
-        // An angle that is found late may stand beside names that were looked at before.
-        loop {
-            let before = angles.found.len();
-            angles.look_through();
-            if angles.found.len() == before {
-                return angles.found;
-            }
+/// Inputs, unknowns and derived quantities that are turned by, or added to angles.
+pub(in crate::model) fn angles(mechanism: &Mechanism) -> BTreeSet<Name> {
+    let mut angles = Angles {
+        mechanism,
+        factors: BTreeSet::new(),
+        found: BTreeSet::new(),
+        open: Vec::new(),
+    };
+    angles.find_factors();
+    // An angle that is found late may stand beside names that were looked at before.
+    loop {
+        let before = angles.found.len();
+        angles.look_through();
+        if angles.found.len() == before {
+            return angles.found;
         }
     }
 }

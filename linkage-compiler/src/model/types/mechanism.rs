@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use super::dimension::Dimension;
-use super::expression::Expr;
+use super::expression::{BinaryOp, Expr, ExprKind};
+use super::function_words::Function;
 use super::length_unit::LengthUnit;
 use super::mechanics::{Body, Element, Joint, Load};
 use super::name::{Name, ScalarParameterId};
@@ -78,6 +79,27 @@ impl Mechanism {
         match index.checked_sub(self.inputs.len()) {
             None => &self.inputs[index].name,
             Some(argument) => &self.arguments[argument].name,
+        }
+    }
+
+    /// Where a point of a part that stands elsewhere is seen: which of the [`Mechanism::placed`], and the point there.
+    pub(crate) fn standing<'e>(&self, expr: &'e Expr) -> Option<(usize, &'e Expr)> {
+        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
+        let all = self.placed.iter().enumerate().filter(|_| is_length);
+        let mut found = all.filter_map(|(index, own)| Some((index, own.point_behind(expr)?)));
+        found.next()
+    }
+
+    /// The expression that a name stands for, if it has one.
+    pub(crate) fn value_of(&self, name: Name) -> Option<&Expr> {
+        match name {
+            Name::Const(index) => Some(&self.constants[index].value),
+            Name::Let(index) => Some(&self.lets[index].value),
+            Name::Parameter(_)
+            | Name::Input(_)
+            | Name::Unknown(_)
+            | Name::Argument(_)
+            | Name::Pi => None,
         }
     }
 }
@@ -227,4 +249,27 @@ pub(crate) struct Quantity {
     /// What it is the derivative of, as text; the value itself if it is none.
     pub(crate) subject: String,
     pub(crate) origin: OriginId,
+}
+
+impl Placed {
+    /// The point of the part that is seen here; the inverse of [`PartFrame::seen_point`].
+    pub(crate) fn point_behind<'e>(&self, seen: &'e Expr) -> Option<&'e Expr> {
+        let turned_back = |turned: &'e Expr| match (&self.turned, &turned.kind) {
+            (None, _) => Some(turned),
+            (Some(angle), ExprKind::Call(Function::Rotate, arguments)) => {
+                (arguments[1] == *angle).then(|| &arguments[0])
+            }
+            (Some(_), _) => None,
+        };
+        match (&self.at, &seen.kind) {
+            (None, _) => self.turned.as_ref().and_then(|_| turned_back(seen)),
+            (Some(at), ExprKind::Call(Function::PointIn, arguments)) => {
+                (arguments[0] == *at).then(|| &arguments[1])
+            }
+            (Some(at), ExprKind::Binary(BinaryOp::Add, origin, turned)) if **origin == *at => {
+                turned_back(turned)
+            }
+            (Some(_), _) => None,
+        }
+    }
 }

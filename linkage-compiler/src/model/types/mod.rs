@@ -19,6 +19,7 @@ mod value_shape;
 mod value_type;
 
 pub(crate) use crate::syntax::JointKind;
+pub(in crate::model) use angles::angles;
 pub use components::COMPONENTS;
 pub(crate) use dimension::Dimension;
 pub(crate) use expression::{BinaryOp, Expr, ExprKind, Knot, MechanicalQuantity, MotionLaw};

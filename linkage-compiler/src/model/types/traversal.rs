@@ -1,7 +1,6 @@
 //! What expressions are made of: the one place that knows it.
 
 use super::expression::{BinaryOp, Expr, ExprKind, MechanicalQuantity};
-use super::mechanism::Mechanism;
 use super::name::{Name, ScalarParameterId, Variable};
 
 /// What a derivative is of, and by what.
@@ -118,29 +117,6 @@ impl MechanicalQuantity {
             | MechanicalQuantity::KineticEnergy
             | MechanicalQuantity::PotentialEnergy
             | MechanicalQuantity::ShakingForce => Vec::new(),
-        }
-    }
-}
-
-impl Mechanism {
-    /// Where a point of a part that stands elsewhere is seen: which of the [`Mechanism::placed`], and the point there.
-    pub(crate) fn standing<'e>(&self, expr: &'e Expr) -> Option<(usize, &'e Expr)> {
-        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
-        let all = self.placed.iter().enumerate().filter(|_| is_length);
-        let mut found = all.filter_map(|(index, own)| Some((index, own.point_behind(expr)?)));
-        found.next()
-    }
-
-    /// The expression that a name stands for, if it has one.
-    pub(crate) fn value_of(&self, name: Name) -> Option<&Expr> {
-        match name {
-            Name::Const(index) => Some(&self.constants[index].value),
-            Name::Let(index) => Some(&self.lets[index].value),
-            Name::Parameter(_)
-            | Name::Input(_)
-            | Name::Unknown(_)
-            | Name::Argument(_)
-            | Name::Pi => None,
         }
     }
 }

@@ -129,7 +129,7 @@ impl EvaluatorDef {
     pub(crate) fn asks_for_reactions(&self) -> bool {
         self.quantities
             .iter()
-            .any(|own| own.value.asks_for_reactions())
+            .any(|quantity| has_reactions(&quantity.value))
     }
 }
 
@@ -139,13 +139,11 @@ impl Quantity {
     }
 }
 
-impl Expr {
-    fn asks_for_reactions(&self) -> bool {
-        self.parts().any(|part| match &part.kind {
-            ExprKind::Mechanics(quantity) => quantity.is_of_joints(),
-            _ => false,
-        })
-    }
+fn has_reactions(value: &Expr) -> bool {
+    value.parts().any(|part| match &part.kind {
+        ExprKind::Mechanics(quantity) => quantity.is_of_joints(),
+        _ => false,
+    })
 }
 
 impl MechanicalQuantity {
