@@ -13,10 +13,10 @@ use linkage_core::numeric::least::STEP;
 use linkage_symbolic::Graph;
 
 use crate::algebra::Nominal;
+use crate::message_format::MessageFormat;
+use crate::message_format::loop_list;
 use crate::model::{Mechanism, Type};
 use crate::vector::{Vector, cross, dot, norm};
-use crate::words::Words;
-use crate::words::loop_list;
 
 use loops::Loops;
 pub(crate) use loops::difference;
@@ -43,7 +43,7 @@ type Column = (usize, usize);
 pub(crate) struct Position<'w, 'm> {
     mechanism: &'m Mechanism,
     nominal: &'w Nominal,
-    words: &'w Words<'m>,
+    words: &'w MessageFormat<'m>,
     /// The length that counts like a radian.
     length: f64,
     /// By unknown, with all components; NaN for what is not known.
@@ -64,7 +64,7 @@ struct Rows {
 impl<'w, 'm> Position<'w, 'm> {
     /// The unknowns of a mechanism at these values, with all components; NaN for what is not known. `length` counts like a radian.
     pub(crate) fn new(
-        words: &'w Words<'m>,
+        words: &'w MessageFormat<'m>,
         nominal: &'w Nominal,
         length: f64,
         mut values: Vec<Vec<f64>>,

@@ -64,7 +64,7 @@ pub(crate) trait Translate<'m> {
                 let arguments = arguments.iter().map(|a| self.translate(a)).collect();
                 calls::call(self.algebra(), *function, arguments)
             }
-            ExprKind::Course(course) => {
+            ExprKind::MotionLaw(course) => {
                 let argument = self.translate_number(&course.argument);
                 let knots = course.knots.iter().map(|own| {
                     let place = self.translate_number(&own.place);

@@ -6,8 +6,8 @@
 use crate::assembly::listing;
 use linkage_core::numeric::continuation::{self, Grid, LeftOut};
 
+use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
-use crate::words::loop_list;
 
 use super::check::range_of;
 use super::reference::Assembly;

@@ -11,7 +11,7 @@ use crate::structure::Form;
 use crate::vector::norm;
 
 use super::machine::Machine;
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Points nearer than this share of their distance from the origin and each other are one.
 const SAME: f64 = 1e-9;
@@ -23,7 +23,7 @@ const NOISE: f64 = 1e-6;
 pub(super) struct DeadPoint<'a, 'm> {
     pub(super) algebra: &'a mut Algebra<'m>,
     pub(super) machine: &'a Machine,
-    pub(super) words: &'a Words<'m>,
+    pub(super) words: &'a MessageFormat<'m>,
     pub(super) solved: &'a Solved<'m>,
     pub(super) inputs: &'a [f64],
     /// Another position, by which names are recognised.

@@ -250,7 +250,7 @@ pub(super) fn angle_name(assembly: &Assembly<'_, '_>, angle: usize) -> String {
 }
 
 fn direction(v: &[f64]) -> String {
-    let numbers = crate::words::numbers(v);
+    let numbers = crate::message_format::numbers(v);
     format!("({})", numbers.join(", "))
 }
 

@@ -6,9 +6,9 @@ use std::f64::consts::{FRAC_PI_3, PI, TAU};
 use linkage_symbolic::program::Ternary;
 
 use crate::algebra::Bound;
+use crate::message_format::loop_list;
 use crate::model::Dimension;
 use crate::solve::Solved;
-use crate::words::loop_list;
 
 use super::reference::Assembly;
 

@@ -8,10 +8,10 @@ use crate::mobility::nearest;
 use linkage_core::numeric::continuation::{Astray, from_estimate};
 use linkage_core::numeric::roots::Unlisted;
 
+use crate::message_format::loop_list;
 use crate::mobility::Nearest;
 use crate::solve::{Prepared, Solved};
 use crate::structure::unsolved::OURS;
-use crate::words::loop_list;
 
 use super::estimates::Choice;
 use super::listing::Candidate;

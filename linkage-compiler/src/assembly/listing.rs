@@ -13,8 +13,8 @@ use linkage_core::numeric::roots::{self, Term, Unlisted};
 
 use crate::algebra::Algebra;
 use crate::ir::{Coupled, Start};
+use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
-use crate::words::loop_list;
 
 use super::estimates::{Choice, LISTED, Position};
 use super::follow::followed_range;

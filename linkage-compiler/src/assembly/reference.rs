@@ -9,8 +9,8 @@ use linkage_core::numeric::nearest::{Ambiguity, nearest};
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::Reporter;
 use crate::ir::{Closing, Outputs};
+use crate::message_format::loop_list;
 use crate::solve::{Formulation, Prepared, Solved};
-use crate::words::loop_list;
 
 use super::check::report_unfollowed;
 use super::estimates::{Choice, Position};
@@ -19,7 +19,7 @@ use super::machine::Machine;
 use super::parts::InnerPart;
 use super::refusal::Verdict;
 use super::sizes::Sizes;
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Below this margin a position cannot be told from a dead point.
 pub(super) const SINGULAR: f64 = 1e-6;
@@ -52,7 +52,7 @@ pub(crate) fn assemble_reference<'m>(
     let machine = Machine::new(closing, formulation, nominal);
     let Sizes { longest, largest } = Sizes::of(algebra, formulation, nominal);
     let mut assembly = Assembly {
-        words: Words::new(algebra.mechanism),
+        words: MessageFormat::new(algebra.mechanism),
         algebra,
         nominal,
         reporter,
@@ -89,7 +89,7 @@ pub(crate) fn assemble_reference<'m>(
 
 pub(super) struct Assembly<'a, 'm> {
     pub(super) algebra: &'a Algebra<'m>,
-    pub(super) words: Words<'m>,
+    pub(super) words: MessageFormat<'m>,
     pub(super) nominal: &'a mut Nominal,
     pub(super) reporter: Reporter<'a>,
     pub(super) machine: Machine,

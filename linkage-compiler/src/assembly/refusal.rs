@@ -2,10 +2,10 @@
 
 use crate::assembly::degenerate;
 use crate::diagnostic::OriginId;
+use crate::message_format::loop_list;
 use crate::model::Dimension;
 use crate::solve::Solved;
 use crate::structure::Form;
-use crate::words::loop_list;
 
 use super::reference::{Assembly, SINGULAR};
 use super::values;

@@ -2,9 +2,9 @@
 
 use linkage_core::numeric::continuation::Refusal;
 
+use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
 use crate::structure::unsolved::OURS;
-use crate::words::loop_list;
 
 use super::check::range_of;
 use super::reference::Assembly;

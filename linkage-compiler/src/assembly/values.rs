@@ -11,7 +11,7 @@ use crate::diagnostic::{OriginId, Reporter};
 use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name};
 use crate::syntax::Word;
 
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Reports the innermost expressions of parameters and numbers that are not finite: as errors those that leave a loop without a
 /// solution, else as warnings, since other dimensions may be meant to be given, or an infinity to be compared with.
@@ -189,7 +189,7 @@ impl<'a, 'm> Check<'a, 'm> {
 
     /// `` `sqrt` of -50mm is not a finite number, for `crank = 50mm`, `rocker = 100mm` ``
     fn fact(&mut self, Found { expr, .. }: &Found<'m>) -> String {
-        let words = Words::new(self.mechanism);
+        let words = MessageFormat::new(self.mechanism);
         let operands = expr.operands().into_iter();
         let operands: Vec<String> = operands
             .map(|own| words.value(&own.ty, &self.value(own)))

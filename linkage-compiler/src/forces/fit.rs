@@ -6,8 +6,8 @@ use crate::forces::positions;
 use linkage_symbolic::Vn;
 
 use crate::diagnostic::{OriginId, Reporter};
+use crate::message_format::numbers;
 use crate::model::{Between, ElementKind, Expr, Mechanism};
-use crate::words::numbers;
 
 use super::Mechanics;
 use super::geometry::{Turns, slides_along, turns_of};

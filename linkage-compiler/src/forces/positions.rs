@@ -4,8 +4,8 @@ use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::Nominal;
 use crate::assembly::{ALTERATIONS, Reference, altered, places};
+use crate::message_format::MessageFormat;
 use crate::model::Mechanism;
-use crate::words::Words;
 
 /// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is
 /// written wrongly is wrong by far more.
@@ -107,7 +107,7 @@ pub(super) fn words(position: Position<'_>, mechanism: &Mechanism) -> String {
         true => String::new(),
         false => format!(
             "at {} ",
-            Words::new(mechanism).inputs(position.inputs, &all)
+            MessageFormat::new(mechanism).inputs(position.inputs, &all)
         ),
     }
 }

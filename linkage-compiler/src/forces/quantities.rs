@@ -11,7 +11,7 @@ use crate::forces::wrench;
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Translate, Value};
-use crate::model::{Between, Element, ElementKind, Mechanics as Quantity};
+use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity};
 
 use super::Mechanics;
 use super::geometry::{Turns, slides_along, turns_of};

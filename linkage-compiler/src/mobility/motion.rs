@@ -7,7 +7,7 @@ use crate::vector::{Vector, cross, dot, norm};
 
 use super::null_space::{LITTLE, largest, vectors};
 use super::{Mover, Position, Rows};
-use crate::words::numbers;
+use crate::message_format::numbers;
 
 /// So many motions are told.
 const TOLD: usize = 3;

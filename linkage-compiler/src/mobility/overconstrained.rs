@@ -7,7 +7,7 @@ use linkage_symbolic::Graph;
 use super::loops::Loops;
 use super::null_space::{ZERO, transposed, used, vectors};
 use super::{Position, Rows};
-use crate::words::loop_list;
+use crate::message_format::loop_list;
 
 /// So many dependences are told.
 const TOLD: usize = 3;

@@ -122,7 +122,7 @@ fn asked(part: &Expr) -> Option<Asked<'_>> {
     let before = of.parts().filter(|part| is_by_parameters(part));
     Some(Asked {
         order: 1 + before.count() as u32,
-        width: Shape::of(&of.ty).width(),
+        width: Shape::from_type(&of.ty).width(),
         of,
         parameters,
     })

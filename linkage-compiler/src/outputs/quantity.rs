@@ -320,7 +320,7 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
             | ExprKind::Negate(_)
             | ExprKind::Binary(..)
             | ExprKind::Call(..)
-            | ExprKind::Course(_)
+            | ExprKind::MotionLaw(_)
             | ExprKind::Error => unreachable!("no quantity: translated as it stands"),
         }
     }

@@ -28,7 +28,7 @@ pub(super) fn signature<'m>(
     } = at;
     let mechanism = algebra.mechanism;
     let parameters = mechanism.parameters.iter().map(|parameter| {
-        let shape = Shape::of(&parameter.ty);
+        let shape = Shape::from_type(&parameter.ty);
         let first = parameter.first_scalar.0;
         let scalars = (first..first + shape.width()).map(|index| {
             let scalar = &mechanism.scalar_parameters[index];

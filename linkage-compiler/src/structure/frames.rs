@@ -4,12 +4,12 @@ use super::Analysis;
 use super::equations::{Coordinate, Equation};
 use super::matching::{self, Matching};
 use super::report::counted;
+use crate::message_format::MessageFormat;
+use crate::message_format::loop_list;
 use crate::mobility::Position;
 use crate::mobility::overconstrained;
 use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
 use crate::structure::redundant;
-use crate::words::Words;
-use crate::words::loop_list;
 
 /// An unknown frame of the model.
 struct Found {
@@ -264,7 +264,7 @@ fn position<'m, R>(
     if unknowns.any(|unknown| unknown.estimate.is_none()) {
         return None;
     }
-    let words = Words::new(mechanism);
+    let words = MessageFormat::new(mechanism);
     question(&Position::new(
         &words,
         analysis.nominal,

@@ -6,9 +6,9 @@ use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::simultaneous::{Together, independent};
 use crate::algebra::constant_ratio;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal};
+use crate::message_format::loop_list;
 use crate::model::Dimension;
 use crate::structure::equations;
-use crate::words::loop_list;
 
 /// Positions besides the reference, as shares of a small motion to both sides.
 const POSITIONS: [f64; 5] = [0.0, 0.5, 1.0, -0.5, -1.0];

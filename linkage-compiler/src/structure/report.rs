@@ -4,10 +4,10 @@ use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
 use super::redundant::Repeated;
+use crate::message_format::loop_list;
 use crate::structure::closest_approach;
 use crate::structure::frames;
 use crate::structure::redundant;
-use crate::words::loop_list;
 
 /// Reports unknowns without equations and equations without unknowns; true if there are none.
 pub(super) fn report_mobility<'m>(

@@ -12,8 +12,8 @@ use super::coupled_core::MOST_CORE;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use crate::algebra::{Translate, Value};
 use crate::diagnostic::OriginId;
+use crate::message_format::loop_list;
 use crate::model::Expr;
-use crate::words::loop_list;
 
 /// How every limit is called what it is.
 pub(crate) const OURS: &str = "this is a limit of linkage, not a mistake of yours";
