@@ -1,8 +1,8 @@
 //! Slicing and ordering: from a plain graph to straight-line programs, split by when values are known.
 
 use crate::graph::{Binding, Graph, Node, NodeId};
+use crate::lookup::Map;
 use crate::program::{Binary, Instruction, Program, Source, Unary, Value};
-use crate::unordered::Map;
 
 /// The values that `assemble()` computes for all evaluators of a mechanism, in a graph of their own: equal values of different graphs
 /// are one slot.

@@ -1,73 +1,33 @@
-//! What is known of vectors: lengths and what they are the lengths of, scalar products and their factors, directions.
+//! Lengths and scalar products, which the graph remembers.
 
-use crate::unordered::{Map, Set};
-
-use crate::expression::Ex;
-use crate::graph::{Graph, NodeId, SymbolId};
-use crate::probe::{agree, agree_within};
-use crate::substitute::substitute;
-
-use super::{V3, Vector, Vn};
+use super::any_vector::Vn;
+use super::ex::Ex;
+use super::numeric_equality::{agree, agree_within};
+use super::vector::{V3, Vector};
 
 /// What rounding may add to the square of a direction.
 const UNIT: f64 = 8.0 * f64::EPSILON;
 
-/// What the graph remembers of vectors.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Vectors {
-    /// Vectors behind nodes that are their lengths: a loop `distance(a, b) = l` is solved by these.
-    norms: Map<NodeId, Vec<NodeId>>,
-    /// The same behind squares of lengths.
-    squares: Map<NodeId, Vec<NodeId>>,
-    /// The factors of scalar products in space, one behind the other.
-    products: Map<NodeId, Vec<NodeId>>,
-    /// Vectors of length 1.
-    units: Set<Vec<NodeId>>,
-}
-
-impl Graph {
-    /// The vector that a node is known to be the length of.
-    pub fn vector_of_length(&self, length: NodeId) -> Option<Vec<NodeId>> {
-        self.store().vectors.norms.get(&length).cloned()
+impl<'g> Vn<'g> {
+    /// The scalar product.
+    pub fn dot(self, other: Self) -> Ex<'g> {
+        if self == other {
+            return self.square();
+        }
+        let zero = Ex::new(self.graph, self.graph.zero());
+        let pairs = self.iter().zip(other.iter());
+        pairs.fold(zero, |sum, (x, y)| sum + x * y)
     }
 
-    /// The vector that a node is known to be the square of.
-    pub fn vector_of_square(&self, square: NodeId) -> Option<Vec<NodeId>> {
-        self.store().vectors.squares.get(&square).cloned()
-    }
-
-    /// The vectors in space that a node is known to be the scalar product of.
-    pub fn factors_of_product(&self, product: NodeId) -> Option<[V3<'_>; 2]> {
-        let factors = self.store().vectors.products.get(&product).cloned()?;
-        let factor = |first: usize| Vector([0, 1, 2].map(|k| self.ex(factors[first + k])));
-        Some([0, 3].map(factor))
-    }
-
-    /// Lengths and products in `roots` stay known as those of vectors when symbols are replaced.
-    pub fn substitute_lengths<'g>(&'g self, roots: &[Ex<'g>], map: &Map<SymbolId, Ex<'g>>) {
-        type Known = fn(&mut Vectors) -> &mut Map<NodeId, Vec<NodeId>>;
-        let roots: Vec<NodeId> = roots.iter().map(|root| root.id()).collect();
-        for node in self.reachable(&roots) {
-            let kinds: [Known; 3] = [
-                |known| &mut known.norms,
-                |known| &mut known.squares,
-                |known| &mut known.products,
-            ];
-            for kind in kinds {
-                let vector = kind(&mut self.store_mut().vectors).get(&node).cloned();
-                if let Some(vector) = vector {
-                    let all = [&[node], &vector[..]].concat();
-                    let all: Vec<Ex> = all.into_iter().map(|id| self.ex(id)).collect();
-                    let renewed = substitute(&all, map).into_iter().map(Ex::id);
-                    let renewed: Vec<NodeId> = renewed.collect();
-                    kind(&mut self.store_mut().vectors).insert(renewed[0], renewed[1..].to_vec());
-                }
-            }
+    /// The direction: see [`V3::unit`] and [`Vector::length_and_unit`].
+    #[must_use]
+    pub fn unit(self) -> Self {
+        match self.in_space() {
+            Some(vector) => vector.unit().into(),
+            None => Vector([self.at(0), self.at(1)]).length_and_unit().1.into(),
         }
     }
-}
 
-impl<'g> Vn<'g> {
     /// The length; of what it is the length stays known.
     pub fn length(self) -> Ex<'g> {
         let length = match self.len() {
@@ -119,6 +79,48 @@ impl<'g> Vn<'g> {
         let whole = (self + other).square();
         let parts = first + second;
         agree(first, second) && agree(whole, parts)
+    }
+}
+
+impl<'g, const N: usize> Vector<'g, N> {
+    /// The scalar product.
+    pub fn dot(self, other: Self) -> Ex<'g> {
+        self.either().dot(other.either())
+    }
+
+    /// The scalar product with itself; what it is the square of stays known.
+    pub fn square(self) -> Ex<'g> {
+        self.either().square()
+    }
+
+    /// The length; of what it is the length stays known.
+    pub fn length(self) -> Ex<'g> {
+        self.either().length()
+    }
+
+    /// True if the length is known to be 1.
+    pub fn is_unit(self) -> bool {
+        self.either().is_unit()
+    }
+
+    /// Remembers that the length is 1.
+    pub fn mark_unit(self) {
+        self.either().mark_unit();
+    }
+
+    /// The length, and the vector brought to length 1. What is known to be a unit vector is not divided.
+    pub fn length_and_unit(self) -> (Ex<'g>, Self) {
+        if self.is_unit() {
+            return (self.0[0].number(1.0), self);
+        }
+        let length = self.length();
+        let unit = self / length;
+        unit.mark_unit();
+        (length, unit)
+    }
+
+    fn either(self) -> Vn<'g> {
+        Vn::from(self)
     }
 }
 

@@ -3,15 +3,7 @@
 //! which doubles it with every derivative.
 
 use crate::expression::Ex;
-
-use super::{Graph, Node, NodeId};
-
-impl Graph {
-    /// What a node is a function of, and its slope by that, if it was said.
-    pub(crate) fn known_slope(&self, id: NodeId) -> Option<(NodeId, NodeId)> {
-        self.store().slopes.get(&id).copied()
-    }
-}
+use crate::graph::Node;
 
 impl<'g> Ex<'g> {
     /// Remembers the slope of this by `argument`, through which alone it depends on anything that one differentiates by:

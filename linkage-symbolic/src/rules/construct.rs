@@ -1,17 +1,11 @@
 //! Constructors: every operation is simplified where a rule of [`rules`] says how, then interned.
 
-use crate::graph::{Node, NodeId, Store};
+use super::rule::first;
+use super::table;
+use crate::graph::{Graph, Node, NodeId, Store};
 use crate::operation::{Binary, Ternary, Unary};
-use crate::rules;
 
 impl Store {
-    /// A number.
-    pub(crate) fn constant(&mut self, value: f64) -> NodeId {
-        // -0 and 0 are one constant: the sign of zero carries no meaning in a mechanism.
-        let value = if value == 0.0 { 0.0 } else { value };
-        self.intern(Node::Constant(value.to_bits()))
-    }
-
     /// The constant 0.
     pub(crate) fn zero(&mut self) -> NodeId {
         self.constant(0.0)
@@ -24,7 +18,7 @@ impl Store {
 
     /// Any unary operation.
     pub(crate) fn unary(&mut self, op: Unary, a: NodeId) -> NodeId {
-        match rules::first(rules::of_unary(op), self, op, [a]) {
+        match first(table::of_unary(op), self, op, [a]) {
             Some(simpler) => simpler,
             None => self.intern(Node::Unary(op, a)),
         }
@@ -37,7 +31,7 @@ impl Store {
             Binary::Mul if self.binding(b) < self.binding(a) => [b, a],
             _ => [a, b],
         };
-        match rules::first(rules::of_binary(op), self, op, operands) {
+        match first(table::of_binary(op), self, op, operands) {
             Some(simpler) => simpler,
             None => self.plain_binary(op, operands),
         }
@@ -45,7 +39,7 @@ impl Store {
 
     /// Any ternary operation.
     pub(crate) fn ternary(&mut self, op: Ternary, a: NodeId, b: NodeId, c: NodeId) -> NodeId {
-        match rules::first(rules::of_ternary(op), self, op, [a, b, c]) {
+        match first(table::of_ternary(op), self, op, [a, b, c]) {
             Some(simpler) => simpler,
             None => self.intern(Node::Ternary(op, a, b, c)),
         }
@@ -53,7 +47,7 @@ impl Store {
 
     /// A sum or product of rates.
     pub(crate) fn of_rates(&mut self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
-        match rules::first(rules::of_rates(op), self, op, [a, b]) {
+        match first(table::of_rates(op), self, op, [a, b]) {
             Some(simpler) => simpler,
             None => self.binary(op, a, b),
         }
@@ -61,7 +55,7 @@ impl Store {
 
     /// A choice between values whose definitions are known.
     pub(crate) fn inlined_ternary(&mut self, op: Ternary, [a, b, c]: [NodeId; 3]) -> NodeId {
-        match rules::first(rules::of_inlined(op), self, op, [a, b, c]) {
+        match first(table::of_inlined(op), self, op, [a, b, c]) {
             Some(simpler) => simpler,
             None => self.ternary(op, a, b, c),
         }
@@ -115,5 +109,96 @@ impl Store {
     /// `a / b`
     pub(crate) fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.binary(Binary::Div, a, b)
+    }
+
+    /// `x` of a term `-x`. The sign may be in a factor that is known early: in a sum or product it costs nothing, and
+    /// without it the term may be one that exists.
+    pub(crate) fn negative_term(&mut self, id: NodeId) -> Option<NodeId> {
+        if let Some(x) = self.negated(id) {
+            return Some(x);
+        }
+        let (factor, x) = self.product(id)?;
+        if self.binding(factor) == self.binding(x) {
+            return None;
+        }
+        let factor = self.negated(factor)?;
+        Some(self.mul(factor, x))
+    }
+}
+
+impl Graph {
+    /// A number.
+    pub fn constant(&self, value: f64) -> NodeId {
+        self.store_mut().constant(value)
+    }
+
+    /// The constant 0.
+    pub fn zero(&self) -> NodeId {
+        self.constant(0.0)
+    }
+
+    /// The constant 1.
+    pub fn one(&self) -> NodeId {
+        self.constant(1.0)
+    }
+
+    /// Any unary operation.
+    pub fn unary(&self, op: Unary, a: NodeId) -> NodeId {
+        self.store_mut().unary(op, a)
+    }
+
+    /// Any binary operation.
+    pub fn binary(&self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
+        self.store_mut().binary(op, a, b)
+    }
+
+    /// Any ternary operation.
+    pub fn ternary(&self, op: Ternary, a: NodeId, b: NodeId, c: NodeId) -> NodeId {
+        self.store_mut().ternary(op, a, b, c)
+    }
+
+    /// `-a`
+    pub fn neg(&self, a: NodeId) -> NodeId {
+        self.unary(Unary::Neg, a)
+    }
+
+    /// `|a|`
+    pub fn abs(&self, a: NodeId) -> NodeId {
+        self.unary(Unary::Abs, a)
+    }
+
+    /// `a + b`
+    pub fn add(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Add, a, b)
+    }
+
+    /// `a - b`
+    pub fn sub(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Sub, a, b)
+    }
+
+    /// `a * b`
+    pub fn mul(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Mul, a, b)
+    }
+
+    /// `a / b`
+    pub fn div(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Div, a, b)
+    }
+
+    /// `sqrt(a^2 + b^2)`
+    pub fn hypot(&self, a: NodeId, b: NodeId) -> NodeId {
+        self.binary(Binary::Hypot, a, b)
+    }
+
+    /// `sqrt(a)`
+    pub fn sqrt(&self, a: NodeId) -> NodeId {
+        self.unary(Unary::Sqrt, a)
+    }
+
+    /// `a^2`
+    pub fn square(&self, a: NodeId) -> NodeId {
+        self.mul(a, a)
     }
 }

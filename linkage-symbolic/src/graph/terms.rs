@@ -1,6 +1,8 @@
 //! What rules look for in operands: signs, factors, terms.
 
-use crate::graph::{Binding, Node, NodeId, Store};
+use super::node::{Node, NodeId};
+use super::source::Binding;
+use super::store::Store;
 use crate::operation::{Binary, Ternary, Unary};
 
 impl Store {
@@ -50,20 +52,6 @@ impl Store {
             }
             _ => None,
         }
-    }
-
-    /// `x` of a term `-x`. The sign may be in a factor that is known early: in a sum or product it costs nothing, and
-    /// without it the term may be one that exists.
-    pub(crate) fn negative_term(&mut self, id: NodeId) -> Option<NodeId> {
-        if let Some(x) = self.negated(id) {
-            return Some(x);
-        }
-        let (factor, x) = self.product(id)?;
-        if self.binding(factor) == self.binding(x) {
-            return None;
-        }
-        let factor = self.negated(factor)?;
-        Some(self.mul(factor, x))
     }
 
     /// Whether an operation's value is never negative, by its operands' own.

@@ -4,10 +4,9 @@
 use std::fmt;
 use std::ops::{Add, Div, Index, Mul, Neg, Sub};
 
-use crate::expression::Ex;
+use super::ex::Ex;
+use super::vector::{V3, Vector};
 use crate::graph::{Graph, NodeId};
-
-use super::{V3, Vector};
 
 /// A vector of at most three components.
 #[derive(Clone, Copy)]
@@ -21,29 +20,22 @@ pub struct Vn<'g> {
 /// The components of a vector of space.
 const SPACE: usize = 3;
 
-impl Graph {
-    /// Nodes as a vector to compute with.
+impl<'g> Vn<'g> {
+    /// A vector of these nodes.
     ///
     /// # Panics
     ///
     /// Panics if there are more than three.
-    pub fn components(&self, ids: &[NodeId]) -> Vn<'_> {
+    pub(crate) fn new(graph: &'g Graph, ids: &[NodeId]) -> Self {
         let mut components = [NodeId(0); SPACE];
         components[..ids.len()].copy_from_slice(ids);
-        Vn {
-            graph: self,
+        Self {
+            graph,
             components,
             count: ids.len(),
         }
     }
 
-    /// A vector of so many zeros.
-    pub fn zeros(&self, count: usize) -> Vn<'_> {
-        self.components(&vec![self.zero(); count])
-    }
-}
-
-impl<'g> Vn<'g> {
     /// The nodes alone, as they are stored.
     pub fn ids(&self) -> &[NodeId] {
         &self.components[..self.count]
@@ -66,7 +58,7 @@ impl<'g> Vn<'g> {
 
     /// One component.
     pub fn at(&self, component: usize) -> Ex<'g> {
-        self.graph.ex(self.ids()[component])
+        Ex::new(self.graph, self.ids()[component])
     }
 
     /// Another value for each component.
@@ -99,28 +91,9 @@ impl<'g> Vn<'g> {
         self
     }
 
-    /// The direction: see [`V3::unit`] and [`Vector::length_and_unit`].
-    #[must_use]
-    pub fn unit(self) -> Self {
-        match self.in_space() {
-            Some(vector) => vector.unit().into(),
-            None => Vector([self.at(0), self.at(1)]).length_and_unit().1.into(),
-        }
-    }
-
     /// The vector of space that it is, if it is one.
     pub fn in_space(self) -> Option<V3<'g>> {
-        (self.count == SPACE).then(|| self.graph.vector(self.components))
-    }
-
-    /// The scalar product.
-    pub fn dot(self, other: Self) -> Ex<'g> {
-        if self == other {
-            return self.square();
-        }
-        let zero = self.graph.number(0.0);
-        let pairs = self.iter().zip(other.iter());
-        pairs.fold(zero, |sum, (x, y)| sum + x * y)
+        (self.count == SPACE).then(|| Vector(self.components.map(|id| Ex::new(self.graph, id))))
     }
 
     /// `arm x force`, this being the arm: a moment.
@@ -178,7 +151,7 @@ impl Eq for Vn<'_> {}
 
 impl<'g, const N: usize> From<Vector<'g, N>> for Vn<'g> {
     fn from(vector: Vector<'g, N>) -> Self {
-        vector.0[0].graph().components(&vector.ids())
+        Self::new(vector.0[0].graph(), &vector.ids())
     }
 }
 

@@ -1,10 +1,9 @@
 //! Replacing symbols by expressions.
 
-use crate::unordered::Map;
-
-use crate::expression::Ex;
+use super::ex::Ex;
 use crate::graph::{Graph, Node, NodeId, SymbolId};
-use crate::program::Binary;
+use crate::lookup::Map;
+use crate::operation::Binary;
 
 /// The expressions `roots` with symbols replaced as `map` says, simplified anew.
 pub fn substitute<'g>(roots: &[Ex<'g>], map: &Map<SymbolId, Ex<'g>>) -> Vec<Ex<'g>> {

@@ -3,10 +3,10 @@
 //! With a factor that is known before a call this spares the cosine and sine themselves, and `q + p` is known before the call, too. Values are rounded as often as by
 //! [double angles](crate::passes).
 
+use crate::expression::rebuild_shared;
 use crate::graph::{Binding, Graph, Node, NodeId};
+use crate::lookup::Map;
 use crate::program::{Binary, Unary};
-use crate::substitute::rebuild_shared;
-use crate::unordered::Map;
 
 /// The values `outputs` by halves of angles; `None` where no angle is the double of another.
 pub fn by_half_angles(graph: &Graph, outputs: &[NodeId]) -> Option<Vec<NodeId>> {

@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::unordered::Map;
-
-use crate::expression::Ex;
+use super::ex::Ex;
 use crate::graph::{Node, NodeId, SymbolId};
+use crate::lookup::Map;
 use crate::operation::{Binary, Ternary, Unary};
 
 /// Exponents of the chosen symbols, in their order.

@@ -34,7 +34,7 @@ impl<'g> Ex<'g> {
 
     /// A number beside it.
     pub fn number(self, value: f64) -> Self {
-        self.graph.number(value)
+        Self::new(self.graph, self.graph.constant(value))
     }
 
     /// Its operation.

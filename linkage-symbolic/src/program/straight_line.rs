@@ -1,151 +1,8 @@
 //! Straight-line programs: what a sliced, scheduled graph becomes before it is printed as code.
 
+use super::instruction::{Instruction, Value};
 use crate::graph::Binding;
-use crate::operation::Class;
-pub use crate::operation::{Binary, Fused, Ternary, Unary};
-
-/// Where a program finds a number that it does not compute itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Source {
-    /// A scalar parameter of the mechanism, by index.
-    Parameter(usize),
-    /// A driving coordinate, by index in the mechanism.
-    Input(usize),
-    /// The assembly mode of a group with two modes, by mode index: `+1` or `-1`.
-    Mode(usize),
-    /// The centre of a continuous angle, by index among the continuous angles.
-    Centre(usize),
-    /// How many turns a continuous angle makes for each turn of an input.
-    Winding(usize, usize),
-    /// A value computed once in `assemble()`, by slot.
-    Prepared(usize),
-    /// A value from the stage before, by index.
-    Carried(usize),
-    /// What is prepared of the solution of a coupled group near a position, by group (among the coupled ones) and
-    /// component: an approximate state, then the least determinant that is certified.
-    State(usize, usize),
-    /// The largest correction of a prepared state that is certified.
-    Limit,
-}
-
-impl Source {
-    /// When a number is known.
-    pub fn binding(self) -> Binding {
-        match self {
-            Self::Input(_) | Self::State(..) | Self::Limit | Self::Carried(_) => Binding::Call,
-            Self::Parameter(_)
-            | Self::Mode(_)
-            | Self::Centre(_)
-            | Self::Winding(..)
-            | Self::Prepared(_) => Binding::Parameter,
-        }
-    }
-}
-
-/// The result of an earlier instruction, by its index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Value(pub usize);
-
-/// One operation. Operands are results of earlier instructions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Instruction {
-    /// A number.
-    Constant(f64),
-    /// A number from elsewhere.
-    Load(Source),
-    /// An operation of one operand.
-    Unary(Unary, Value),
-    /// An operation of two operands.
-    Binary(Binary, Value, Value),
-    /// An operation of three operands.
-    Ternary(Ternary, Value, Value, Value),
-    /// A product and a sum, rounded once or twice as the machine can.
-    Fused(Fused, Value, Value, Value),
-    /// Sine and cosine of an angle. Its value is the sine; the cosine is the [`Second`](Self::Second) result, right behind it.
-    SinCos(Value),
-    /// The second result of an instruction that has two.
-    Second(Value),
-}
-
-impl Instruction {
-    /// The values that it needs.
-    pub fn operands(&self) -> impl Iterator<Item = Value> + use<> {
-        let operands = match *self {
-            Self::Constant(_) | Self::Load(_) => [None; 3],
-            Self::Unary(_, a) | Self::SinCos(a) | Self::Second(a) => [Some(a), None, None],
-            Self::Binary(_, a, b) => [Some(a), Some(b), None],
-            Self::Ternary(_, a, b, c) | Self::Fused(_, a, b, c) => [Some(a), Some(b), Some(c)],
-        };
-        operands.into_iter().flatten()
-    }
-
-    /// In rough cycles: when its result is known after its operands.
-    pub fn latency(&self) -> u32 {
-        match self {
-            Self::Constant(_) | Self::Load(_) => 0,
-            Self::Unary(op, _) => op.row().latency,
-            Self::Binary(op, ..) => op.row().latency,
-            Self::Ternary(op, ..) => op.row().latency,
-            Self::Fused(op, ..) => op.row().latency,
-            Self::SinCos(_) => Unary::Sin.row().latency,
-            Self::Second(_) => 0,
-        }
-    }
-
-    /// In machine instructions, roughly; loads and constants come with what uses them.
-    pub fn size(&self) -> u32 {
-        match self {
-            Self::Constant(_) | Self::Load(_) => 0,
-            Self::Unary(op, _) => op.row().size,
-            Self::Binary(op, ..) => op.row().size,
-            Self::Ternary(op, ..) => op.row().size,
-            Self::Fused(op, ..) => op.row().size,
-            Self::SinCos(_) => Unary::Sin.row().size,
-            Self::Second(_) => Unary::Cos.row().size,
-        }
-    }
-
-    /// By throughput, an addition being 1; what is loaded was computed elsewhere.
-    pub fn time(&self) -> u32 {
-        match self {
-            Self::Constant(_) | Self::Load(_) => 0,
-            Self::Unary(op, _) => op.row().time,
-            Self::Binary(op, ..) => op.row().time,
-            Self::Ternary(op, ..) => op.row().time,
-            Self::Fused(op, ..) => op.row().time,
-            Self::SinCos(_) => Unary::Sin.row().time,
-            Self::Second(_) => 0,
-        }
-    }
-
-    /// As what it is counted; `None` for what costs nothing.
-    pub fn class(&self) -> Option<Class> {
-        Some(match self {
-            Self::Constant(_) | Self::Load(_) | Self::Second(_) => return None,
-            Self::Unary(op, _) => op.row().class,
-            Self::Binary(op, ..) => op.row().class,
-            Self::Ternary(op, ..) => op.row().class,
-            Self::Fused(op, ..) => op.row().class,
-            Self::SinCos(_) => Class::SineCosine,
-        })
-    }
-
-    /// The same operation of other values.
-    #[must_use]
-    pub fn with_operands(self, other: impl Fn(Value) -> Value) -> Self {
-        match self {
-            Self::Constant(_) | Self::Load(_) => self,
-            Self::Unary(operation, a) => Self::Unary(operation, other(a)),
-            Self::Binary(operation, a, b) => Self::Binary(operation, other(a), other(b)),
-            Self::Ternary(operation, a, b, c) => {
-                Self::Ternary(operation, other(a), other(b), other(c))
-            }
-            Self::Fused(operation, a, b, c) => Self::Fused(operation, other(a), other(b), other(c)),
-            Self::SinCos(a) => Self::SinCos(other(a)),
-            Self::Second(a) => Self::Second(other(a)),
-        }
-    }
-}
+use crate::operation::Binary;
 
 /// A straight-line program: instructions in order of execution, results by index.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -259,6 +116,8 @@ impl Program {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::graph::Source;
+    use crate::operation::Fused;
 
     /// A sum or difference of products of sine or cosine of each of two angles with the factor that is prepared.
     fn compares(operation: Binary, [first, second]: [usize; 2], fused: bool) -> bool {

@@ -1,16 +1,10 @@
-//! Vectors of expressions: of the plane and of space by type, or of either.
-
-mod either;
-mod lengths;
+//! Vectors of expressions, of the plane and of space by type.
 
 use std::array::from_fn;
 use std::ops::{Add, Div, Index, Mul, Neg, Sub};
 
-use crate::expression::Ex;
-use crate::graph::{Graph, NodeId};
-
-pub use either::Vn;
-pub(crate) use lengths::Vectors;
+use super::ex::Ex;
+use crate::graph::NodeId;
 
 /// A vector of `N` components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -21,13 +15,6 @@ pub type V2<'g> = Vector<'g, 2>;
 
 /// A vector of space.
 pub type V3<'g> = Vector<'g, 3>;
-
-impl Graph {
-    /// Nodes as a vector to compute with.
-    pub fn vector<const N: usize>(&self, ids: [NodeId; N]) -> Vector<'_, N> {
-        Vector(ids.map(|id| self.ex(id)))
-    }
-}
 
 impl<'g, const N: usize> Vector<'g, N> {
     /// The nodes alone, as they are stored.
@@ -50,42 +37,6 @@ impl<'g, const N: usize> Vector<'g, N> {
         Self(from_fn(|k| join(self.0[k], other.0[k])))
     }
 
-    /// The scalar product.
-    pub fn dot(self, other: Self) -> Ex<'g> {
-        self.either().dot(other.either())
-    }
-
-    /// The scalar product with itself; what it is the square of stays known.
-    pub fn square(self) -> Ex<'g> {
-        self.either().square()
-    }
-
-    /// The length; of what it is the length stays known.
-    pub fn length(self) -> Ex<'g> {
-        self.either().length()
-    }
-
-    /// True if the length is known to be 1.
-    pub fn is_unit(self) -> bool {
-        self.either().is_unit()
-    }
-
-    /// Remembers that the length is 1.
-    pub fn mark_unit(self) {
-        self.either().mark_unit();
-    }
-
-    /// The length, and the vector brought to length 1. What is known to be a unit vector is not divided.
-    pub fn length_and_unit(self) -> (Ex<'g>, Self) {
-        if self.is_unit() {
-            return (self.0[0].number(1.0), self);
-        }
-        let length = self.length();
-        let unit = self / length;
-        unit.mark_unit();
-        (length, unit)
-    }
-
     /// True if every component is the constant 0.
     pub fn is_zero(self) -> bool {
         self.0.iter().all(|x| x.is_zero())
@@ -94,10 +45,6 @@ impl<'g, const N: usize> Vector<'g, N> {
     /// True if every component is known at compile time or in `assemble()`.
     pub fn is_fixed(self) -> bool {
         self.0.iter().all(|x| x.is_fixed())
-    }
-
-    fn either(self) -> Vn<'g> {
-        Vn::from(self)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where finite numbers may lead to none.
 
-use crate::expression::Ex;
+use super::ex::Ex;
 use crate::graph::{Graph, Node, NodeId};
 use crate::operation::Binary;
 
@@ -31,8 +31,8 @@ fn may_fail(graph: &Graph, id: NodeId) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::graph::Source;
     use crate::operation::{Ternary, Unary};
-    use crate::program::Source;
 
     /// Every operation at a few finite numbers: what is said to have a value everywhere has one.
     #[test]

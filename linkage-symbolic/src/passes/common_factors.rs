@@ -9,11 +9,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::unordered::Map;
+use crate::lookup::Map;
 
+use crate::expression::rebuild;
 use crate::graph::{Binding, Graph, Node, NodeId};
 use crate::program::{Binary, Unary};
-use crate::substitute::rebuild;
 
 /// A product as a number and its other factors in order; the number is never 0.
 #[derive(Clone, Debug)]

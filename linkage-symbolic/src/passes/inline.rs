@@ -1,9 +1,7 @@
 //! Removing definitions: what was solved for becomes what it is computed from.
 
-use crate::unordered::Map;
-
-use crate::evaluate::dependencies;
-use crate::graph::{Graph, Node, NodeId};
+use crate::graph::{Graph, Node, NodeId, dependencies};
+use crate::lookup::Map;
 
 /// Copies nodes of one graph into another without definitions, simplifying anew: factors of a link's length that
 /// cancel against the solution for that link do so here.

@@ -1,10 +1,9 @@
 //! Are two expressions equal? By evaluating both at chosen places: sums and products may be written in more ways than
 //! constructors can bring to one form.
 
-use crate::unordered::Map;
-
-use crate::expression::Ex;
+use super::ex::Ex;
 use crate::graph::{Graph, Node, NodeId, SymbolId};
+use crate::lookup::Map;
 use crate::operation::{Binary, Ternary};
 
 /// Places at which both sides must be defined and agree.
@@ -136,7 +135,7 @@ fn number(symbol: SymbolId, place: Place) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::Source;
+    use crate::graph::Source;
 
     /// Numbers of some symbols, each at many places.
     fn numbers(place: fn(u64) -> Place) -> Vec<Vec<f64>> {

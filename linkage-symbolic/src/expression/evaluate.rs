@@ -1,10 +1,8 @@
 //! Graphs on plain numbers.
 
-use crate::unordered::Map;
-
-use crate::expression::Ex;
-use crate::graph::{Graph, Node, NodeId, SymbolId};
-use crate::program::Source;
+use super::ex::Ex;
+use crate::graph::{Node, NodeId, Source, SymbolId, meaning};
+use crate::lookup::Map;
 
 /// Evaluates expressions, following definitions. Symbols that have neither source nor definition are NaN.
 pub fn evaluate(roots: &[Ex], load: impl Fn(Source) -> f64) -> Vec<f64> {
@@ -59,20 +57,4 @@ pub fn evaluate_given(
         stack.pop();
     }
     roots.iter().map(|root| memo[&root.id()]).collect()
-}
-
-/// What a symbol stands for, and where it is loaded from; nothing for operations.
-fn meaning(graph: &Graph, node: Node) -> (Option<NodeId>, Option<Source>) {
-    let Node::Symbol(symbol) = node else {
-        return (None, None);
-    };
-    let store = graph.store();
-    let symbol = store.symbol(symbol);
-    (symbol.definition, symbol.source)
-}
-
-/// What must be known before `id`: its operands, or the definition of a symbol.
-pub(crate) fn dependencies(graph: &Graph, id: NodeId) -> impl Iterator<Item = NodeId> + use<> {
-    let node = graph.node(id);
-    node.operands().chain(meaning(graph, node).0)
 }

@@ -1,12 +1,6 @@
-//! What is made of a scheduled program, step by step. Each pass keeps what the program computes; its name stands in dumps.
+//! The list of passes.
 
-pub mod contract;
-pub mod double_angles;
-pub mod reciprocals;
-pub mod sine_pairs;
-pub mod singular;
-pub mod stages;
-
+use super::{contract, double_angles, reciprocals, sine_pairs, singular};
 use crate::program::Program;
 
 /// A step from program to program.

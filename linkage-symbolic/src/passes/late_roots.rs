@@ -3,10 +3,10 @@
 //! A vector that turns with a link is `Z (n D + h D_perp)` with a root `h`: `n (Z D) + h (Z D)_perp` has as many operations, and all but the last of them are done by the
 //! time the root is. The same holds for a sum, `x + (y + h z) = (x + y) + h z`. Both round as often as before.
 
+use crate::expression::rebuild_shared;
 use crate::graph::{Binding, Graph, Node, NodeId};
+use crate::lookup::Map;
 use crate::program::{Binary, Ternary, Unary};
-use crate::substitute::rebuild_shared;
-use crate::unordered::Map;
 
 /// The values `outputs` with less behind each root: turned before it, then summed before it, too.
 pub fn roots_last(graph: &Graph, outputs: &[NodeId]) -> [Vec<NodeId>; 2] {

@@ -1,0 +1,12 @@
+//! Straight-line programs: their instructions, how they are ordered, counted and shown.
+
+pub mod count;
+mod display;
+mod instruction;
+pub mod schedule;
+mod straight_line;
+
+pub use crate::graph::Source;
+pub use crate::operation::{Binary, Fused, Ternary, Unary};
+pub use instruction::{Instruction, Value};
+pub use straight_line::Program;
