@@ -6,6 +6,8 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use linkage_compiler::unit::{Coupled, Start, Unit};
+use linkage_core::Scalar;
+use linkage_core::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, Terms};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
@@ -16,17 +18,11 @@ use crate::source::Writer;
 use crate::surface::Surface;
 use crate::template::fill;
 
-/// Newton steps for other dimensions than those of the table, the largest first one, in radians or scaled lengths, and the square of a
-/// correction over that of the one before, at most: as in sweeps over dimensions of generated Rust.
-const STEPS: usize = 4;
-const FIRST: f64 = 0.05;
-const CONTRACTION: f64 = 1.0 / 16.0;
-
 /// The largest correction of a state from a table that is trusted.
 pub(crate) fn limit(real: Real) -> String {
     real.literal(match real {
-        Real::Double => 1e-7,
-        Real::Single => 1e-4,
+        Real::Double => f64::CORRECTION_LIMIT,
+        Real::Single => f32::CORRECTION_LIMIT,
     })
 }
 
@@ -157,10 +153,10 @@ fn of_group(surface: &Surface, coupled: &Coupled, word: &str) -> Option<String> 
         "SIZE" => coupled.size.to_string(),
         "STEPPED" => (coupled.size + 2).to_string(),
         "INPUTS" => surface.unit.inputs.len().to_string(),
-        "STEPS" => STEPS.to_string(),
+        "STEPS" => STEPS_BESIDE.to_string(),
         "LIMIT" => limit(real),
-        "FIRST" => real.literal(FIRST),
-        "CONTRACTION" => real.literal(CONTRACTION),
+        "FIRST" => real.literal(FIRST_CORRECTION),
+        "CONTRACTION" => real.literal(ALLOWED_CONTRACTION * ALLOWED_CONTRACTION),
         _ => return None,
     })
 }
