@@ -4,11 +4,10 @@ use std::fmt::Write;
 
 use linkage_compiler::unit::Unit;
 
-use crate::helper::Helper;
-use crate::refusal::Why;
-use crate::source::{Writer, used, written};
-use crate::surface::Surface;
+use crate::operations::Helper;
+use crate::surface::{Surface, Why};
 use crate::template::fill;
+use crate::writer::{Writer, used, written};
 
 /// The type of the turns of all angles; nothing if no angle counts them.
 pub(crate) fn turns_type(surface: &Surface) -> String {

@@ -1,13 +1,7 @@
 //! What the preprocessor refuses in files that include the header, and in the source.
 
 use crate::real::Real;
-use crate::surface::Surface;
-
-/// The end of the macro that lets a file with finite mathematics include the header.
-pub(crate) const FINITE_MATH: &str = "finite_math";
-
-/// The end of the name of a type that exists where constants have all their digits: compilers print it.
-pub(crate) const CONSTANTS: &str = "is_not_for_fsingle_precision_constant";
+use crate::surface::{FINITE_MATH, Surface};
 
 /// Finite mathematics, by the macros of GCC and clang, of its older versions, of Microsoft's compiler.
 const IS_FINITE: &str = "defined __FAST_MATH__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__) || defined _M_FP_FAST";
@@ -25,7 +19,8 @@ pub(crate) fn of_header(surface: &Surface) -> String {
     let finite = format!(
         "#if ({IS_FINITE}) && !defined {waiver}\n\
          #error \"-ffast-math and -ffinite-math-only drop tests for NaN, which says that a position does not exist. Compile without them, or test \
-         results by {ok}() alone and define {waiver} before this header.\"\n#endif\n"
+         results by {}() alone and define {waiver} before this header.\"\n#endif\n",
+        ok.name
     );
     let (type_digits, digits) = match real {
         Real::Double => ("DBL_MANT_DIG", 53),

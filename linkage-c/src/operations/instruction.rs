@@ -4,7 +4,7 @@ use linkage_symbolic::program::{
     Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
 };
 
-use crate::helper::{Helper, Helpers};
+use super::helper::{Helper, Helpers};
 use crate::real::Real;
 
 /// What prints the instructions of a mechanism.
