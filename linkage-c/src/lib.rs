@@ -49,7 +49,7 @@ mod template;
 mod winding;
 mod writer;
 
-use linkage_compiler::unit::{Coupled, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Coupled};
 
 pub use error::Refused;
 pub use real::Real;
@@ -76,7 +76,7 @@ pub struct Sources {
 /// # Errors
 ///
 /// For what exported C cannot do, which is a limit of ours: the message says what.
-pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> {
+pub fn sources(name: &str, unit: &CompiledMechanism, real: Real) -> Result<Sources, Refused> {
     exported(name, unit, real).map(|(sources, _)| sources)
 }
 
@@ -85,7 +85,10 @@ pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> 
 /// # Errors
 ///
 /// Those of [`sources`], and for two mechanisms that would have a name of C in common, as `SliderCrank` and `Slider_Crank`.
-pub fn all_sources(mechanisms: &[(&str, &Unit)], real: Real) -> Result<Vec<Sources>, Refused> {
+pub fn all_sources(
+    mechanisms: &[(&str, &CompiledMechanism)],
+    real: Real,
+) -> Result<Vec<Sources>, Refused> {
     let exported = mechanisms
         .iter()
         .map(|(name, unit)| exported(name, unit, real));
@@ -97,7 +100,11 @@ pub fn all_sources(mechanisms: &[(&str, &Unit)], real: Real) -> Result<Vec<Sourc
 }
 
 /// The files of a mechanism, and the names that they give to other files.
-fn exported(name: &str, unit: &Unit, real: Real) -> Result<(Sources, Vec<String>), Refused> {
+fn exported(
+    name: &str,
+    unit: &CompiledMechanism,
+    real: Real,
+) -> Result<(Sources, Vec<String>), Refused> {
     let mut coupled = unit.coupled.iter();
     let without = |own: &&Coupled| own.inputs.is_empty() || own.start.is_none();
     if let Some(own) = coupled.find(without) {

@@ -1,6 +1,6 @@
 //! Chooses all names of a mechanism in C.
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 
 use super::constant::constant;
 use super::data::{CONSTANTS, CONSTANTS_OF_ALL, Dimension, Evaluator, Surface};
@@ -15,7 +15,7 @@ use crate::names::{self, Names, Place, plain, snake_letters};
 use crate::real::Real;
 
 /// The surface of a mechanism that is called `title` in its declaration.
-pub(crate) fn surface<'a>(title: &str, unit: &'a Unit, real: Real) -> Surface<'a> {
+pub(crate) fn surface<'a>(title: &str, unit: &'a CompiledMechanism, real: Real) -> Surface<'a> {
     let prefix = names::prefix(title, |prefix| {
         let codes = codes(title, prefix, unit).into_iter().map(|own| own.name);
         let others = CONSTANTS_OF_ALL.map(|name| constant(prefix, name));

@@ -1,6 +1,6 @@
 //! What users of the C see: names, types, comments.
 
-use linkage_compiler::unit::{Function, Shape, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Function, Shape};
 
 use super::constant::constant;
 use super::declared::Declared;
@@ -13,7 +13,7 @@ use crate::real::Real;
 /// The names and types of a mechanism in C.
 #[derive(Debug)]
 pub(crate) struct Surface<'a> {
-    pub(crate) unit: &'a Unit,
+    pub(crate) unit: &'a CompiledMechanism,
     pub(crate) real: Real,
     /// As the user called it.
     pub(crate) title: String,

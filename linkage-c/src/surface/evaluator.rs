@@ -1,6 +1,6 @@
 //! Names of a function, of its arguments and of its results.
 
-use linkage_compiler::unit::{Function, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Function};
 
 use super::data::{Evaluator, Field};
 use super::declared::Declared;
@@ -11,7 +11,7 @@ use crate::real::Real;
 
 /// What the names of a function's arguments and results must differ from.
 pub(super) struct Scope<'a> {
-    pub(super) unit: &'a Unit,
+    pub(super) unit: &'a CompiledMechanism,
     pub(super) real: Real,
     pub(super) prefix: &'a str,
     pub(super) types: &'a [&'a str],

@@ -1,6 +1,6 @@
 //! Shapes of dimensions and results, and where their scalars are.
 
-use linkage_compiler::unit::{COMPONENTS, Shape};
+use linkage_compiler::ir::{COMPONENTS, Shape};
 
 /// Components of frames.
 const OF_FRAME: [&str; 4] = ["origin", "x", "y", "z"];
