@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::comment::comment;
-use crate::operations::{Helper, Helpers};
+use crate::operations::Helpers;
 use crate::real::Real;
 use crate::surface::{Surface, Why};
 use crate::template::fill;
@@ -27,7 +27,7 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
         })
     };
     let filled = |template: &str| fill(template, *real, own, word);
-    let sine = match helpers.has(Helper::SinCos) {
+    let sine = match helpers.has("sin_cos") {
         true => filled(include_str!("templates/arithmetic_sine.c")),
         false => String::new(),
     };
@@ -37,7 +37,7 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
 /// The function that tests a number.
 pub(crate) fn ok(writer: &mut Writer) {
     let Surface { own, ok, .. } = writer.surface;
-    writer.printer.helpers.need(Helper::Infinite);
+    writer.printer.helpers.need("infinite");
     writer.text += &comment("", "Whether a number exists and is finite.");
     let _ = writeln!(
         writer.text,

@@ -4,7 +4,6 @@ use std::fmt::Write;
 
 use crate::comment::comment;
 use crate::coupled::deciding;
-use crate::operations::Helper;
 use crate::real::Real;
 use crate::surface::{Surface, Why, reference};
 use crate::template::fill;
@@ -157,7 +156,7 @@ pub(crate) fn assemble(writer: &mut Writer) {
         false => (String::new(), String::new()),
     };
     // What the test of the arithmetic reads.
-    writer.printer.helpers.need(Helper::Bits);
+    writer.printer.helpers.need("bits");
     let finite = finite(writer);
     let zero = real.literal(0.0);
     let _ = writeln!(
@@ -196,7 +195,7 @@ fn finite(writer: &mut Writer) -> String {
     let mut checks = String::new();
     for (index, code) in codes.iter().enumerate() {
         if let Why::NotFinite(place) = code.why {
-            writer.printer.helpers.need(Helper::Infinite);
+            writer.printer.helpers.need("infinite");
             let scalar = &scalars[place];
             let _ = writeln!(
                 checks,

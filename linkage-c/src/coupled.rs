@@ -10,7 +10,6 @@ use linkage_core::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BES
 use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, Terms};
 use linkage_symbolic::program::Program;
 
-use crate::operations::Helper;
 use crate::real::Real;
 use crate::states::{limit, look_up};
 use crate::surface::{Surface, Why};
@@ -28,14 +27,7 @@ struct Templates {
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
     for (number, coupled) in surface.unit.coupled.iter().enumerate() {
-        for helper in [
-            Helper::Nan,
-            Helper::Select,
-            Helper::Whole,
-            Helper::Within,
-            Helper::Min,
-            Helper::Max,
-        ] {
+        for helper in ["nan", "select", "whole", "within", "min", "max"] {
             writer.printer.helpers.need(helper);
         }
         let (text, words, templates) = match &coupled.start {

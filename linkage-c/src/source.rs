@@ -7,7 +7,7 @@ use crate::assemble;
 use crate::comment::comment;
 use crate::coupled;
 use crate::evaluator::evaluator;
-use crate::operations::Printer;
+use crate::operations::{Helpers, Printer};
 use crate::preprocessor;
 use crate::range;
 use crate::surface::Surface;
@@ -21,7 +21,7 @@ pub(crate) fn source(surface: &Surface) -> String {
         printer: Printer {
             real: surface.real,
             own: &surface.own,
-            helpers: Default::default(),
+            helpers: Helpers::new(surface.real),
         },
         text: String::new(),
     };
@@ -34,7 +34,7 @@ pub(crate) fn source(surface: &Surface) -> String {
         evaluator(&mut writer, own);
     }
     let Writer { printer, text, .. } = writer;
-    let helpers = printer.helpers.text(surface.real, &surface.own);
+    let helpers = printer.helpers.text(&surface.own);
     let arithmetic = arithmetic(surface, &printer.helpers);
     head(surface) + &helpers + "\n" + &arithmetic + &text
 }

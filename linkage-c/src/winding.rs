@@ -4,7 +4,6 @@ use std::fmt::Write;
 
 use linkage_compiler::ir::CompiledMechanism;
 
-use crate::operations::Helper;
 use crate::surface::{Surface, Why};
 use crate::template::fill;
 use crate::writer::{Writer, used, written};
@@ -38,14 +37,7 @@ pub(crate) fn items(writer: &mut Writer) {
         "Cosine and sine, of some length, of each angle whose turns are counted.",
     );
     bearings(writer);
-    for helper in [
-        Helper::Nan,
-        Helper::Infinite,
-        Helper::Whole,
-        Helper::Hypot,
-        Helper::Atan2,
-        Helper::AngleNear,
-    ] {
+    for helper in ["nan", "infinite", "whole", "hypot", "atan2", "angle_near"] {
         writer.printer.helpers.need(helper);
     }
     let text = tables(surface);

@@ -1,139 +1,117 @@
-//! What generated C calls: operations that C's library does not have, or not with these results. Each mechanism has its own copy of
-//! those that it needs, and nothing else.
+//! Functions of C that programs call: operations that C's library does not have, or not with these results.
+//!
+//! Each mechanism has a copy of those that it needs, and nothing else. In `templates/helpers.c` the function of an operation has the name
+//! of its row in `linkage-symbolic`, a line `HELPER` begins each function, and functions stand after those that they call.
 
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 use crate::real::Real;
 use crate::template::fill;
 
-/// A function or a type beside the programs; each stands behind those that it needs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Helper {
-    Bits,
-    Nan,
-    Pair,
-    Select,
-    Min,
-    Max,
-    Sign,
-    Slack,
-    Quotient,
-    InverseScale,
-    Root,
-    Hypot,
-    SinCos,
-    Arc,
-    Atan2,
-    AngleNear,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Whole,
-    Within,
-    Infinite,
+/// A function or a type of `templates/helpers.c`.
+#[derive(Debug)]
+struct Helper {
+    /// All names that it defines, its own first.
+    names: Vec<&'static str>,
+    /// The type of numbers that it is for, if there is another one for the other type.
+    real: Option<Real>,
+    text: &'static str,
 }
 
-impl Helper {
-    /// In the order in which they are printed.
-    const ALL: [Self; 23] = [
-        Self::Bits,
-        Self::Nan,
-        Self::Pair,
-        Self::Select,
-        Self::Min,
-        Self::Max,
-        Self::Sign,
-        Self::Slack,
-        Self::Quotient,
-        Self::InverseScale,
-        Self::Root,
-        Self::Hypot,
-        Self::SinCos,
-        Self::Arc,
-        Self::Atan2,
-        Self::AngleNear,
-        Self::Tan,
-        Self::Asin,
-        Self::Acos,
-        Self::Atan,
-        Self::Whole,
-        Self::Within,
-        Self::Infinite,
-    ];
+/// Begins the line above each function.
+const MARK: &str = "/* HELPER ";
 
-    fn needs(self) -> &'static [Self] {
-        match self {
-            Self::Bits | Self::Pair | Self::Arc | Self::Whole | Self::Slack | Self::Quotient => &[],
-            Self::Nan
-            | Self::Select
-            | Self::Min
-            | Self::Max
-            | Self::InverseScale
-            | Self::Root
-            | Self::Within
-            | Self::Infinite => &[Self::Bits],
-            Self::Sign => &[Self::Select],
-            Self::Hypot => &[Self::InverseScale, Self::Max],
-            Self::SinCos => &[Self::Bits, Self::Pair],
-            Self::Atan2 => &[Self::Bits, Self::Arc],
-            Self::AngleNear | Self::Asin | Self::Acos | Self::Atan => &[Self::Atan2],
-            Self::Tan => &[Self::SinCos],
-        }
-    }
+/// All helpers, in the order in which they are printed.
+fn helpers() -> &'static [Helper] {
+    static HELPERS: OnceLock<Vec<Helper>> = OnceLock::new();
+    HELPERS.get_or_init(|| {
+        let parts = include_str!("../templates/helpers.c").split(MARK).skip(1);
+        parts.map(parsed).collect()
+    })
+}
 
-    fn template(self, real: Real) -> &'static str {
-        match (self, real) {
-            (Self::Bits, _) => include_str!("../templates/bits.c"),
-            (Self::Nan, _) => include_str!("../templates/nan.c"),
-            (Self::Pair, _) => include_str!("../templates/pair.c"),
-            (Self::Select, _) => include_str!("../templates/select.c"),
-            (Self::Min, _) => include_str!("../templates/min.c"),
-            (Self::Max, _) => include_str!("../templates/max.c"),
-            (Self::Sign, _) => include_str!("../templates/sign.c"),
-            (Self::Slack, _) => include_str!("../templates/slack.c"),
-            (Self::Quotient, _) => include_str!("../templates/quotient.c"),
-            (Self::InverseScale, _) => include_str!("../templates/inverse_scale.c"),
-            (Self::Root, _) => include_str!("../templates/root.c"),
-            (Self::Hypot, _) => include_str!("../templates/hypot.c"),
-            (Self::SinCos, Real::Double) => include_str!("../templates/sin_cos_double.c"),
-            (Self::SinCos, Real::Single) => include_str!("../templates/sin_cos_single.c"),
-            (Self::Arc, Real::Double) => include_str!("../templates/arc_double.c"),
-            (Self::Arc, Real::Single) => include_str!("../templates/arc_single.c"),
-            (Self::Atan2, _) => include_str!("../templates/atan2.c"),
-            (Self::AngleNear, _) => include_str!("../templates/angle_near.c"),
-            (Self::Tan, _) => include_str!("../templates/tan.c"),
-            (Self::Asin, _) => include_str!("../templates/asin.c"),
-            (Self::Acos, _) => include_str!("../templates/acos.c"),
-            (Self::Atan, _) => include_str!("../templates/atan.c"),
-            (Self::Whole, _) => include_str!("../templates/whole.c"),
-            (Self::Within, _) => include_str!("../templates/within.c"),
-            (Self::Infinite, _) => include_str!("../templates/infinite.c"),
-        }
+/// Parses a helper: `name (double): other, names */`, where the type and the other names may be left out, then its text.
+fn parsed(part: &'static str) -> Helper {
+    let (head, text) = part.split_once(" */\n").unwrap_or((part, ""));
+    let words = head.split([' ', ',', ':']).filter(|word| !word.is_empty());
+    let (kinds, names): (Vec<&str>, Vec<&str>) = words.partition(|word| word.starts_with('('));
+    Helper {
+        names,
+        real: kinds.first().map(|kind| match *kind {
+            "(single)" => Real::Single,
+            _ => Real::Double,
+        }),
+        text,
     }
 }
 
-/// The helpers that something needs.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Helpers(BTreeSet<Helper>);
+/// The helper that defines a name, by its index.
+fn find(name: &str, real: Real) -> Option<usize> {
+    helpers().iter().position(|helper| {
+        helper.names.contains(&name) && helper.real.is_none_or(|other| other == real)
+    })
+}
+
+/// The helpers that a mechanism needs.
+#[derive(Clone, Debug)]
+pub(crate) struct Helpers {
+    real: Real,
+    needed: BTreeSet<usize>,
+}
 
 impl Helpers {
-    /// Takes note of one, and of what it needs.
-    pub(crate) fn need(&mut self, helper: Helper) {
-        if self.0.insert(helper) {
-            helper.needs().iter().for_each(|&own| self.need(own));
+    /// Returns no helpers, for numbers of this type.
+    pub(crate) fn new(real: Real) -> Self {
+        Self {
+            real,
+            needed: BTreeSet::new(),
         }
     }
 
-    /// Whether one is needed.
-    pub(crate) fn has(&self, helper: Helper) -> bool {
-        self.0.contains(&helper)
+    /// Adds the helper of this name, and those that it calls.
+    pub(crate) fn need(&mut self, name: &str) {
+        let Some(index) = find(name, self.real) else {
+            unreachable!("`{name}` is not in templates/helpers.c");
+        };
+        if self.needed.insert(index) {
+            let calls = helpers()[index].text.split("own_").skip(1);
+            let names = calls.map(|rest| {
+                let end = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+                &rest[..end.unwrap_or(rest.len())]
+            });
+            names.for_each(|name| self.need(name));
+        }
     }
 
-    /// All of them as C.
-    pub(crate) fn text(&self, real: Real, own: &str) -> String {
-        let needed = Helper::ALL.iter().filter(|own| self.0.contains(own));
-        let texts = needed.map(|helper| fill(helper.template(real), real, own, |_| None));
+    /// Returns true if the helper of this name is needed.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        find(name, self.real).is_some_and(|index| self.needed.contains(&index))
+    }
+
+    /// Returns all needed helpers as C.
+    pub(crate) fn text(&self, own: &str) -> String {
+        let needed = self.needed.iter().map(|&index| helpers()[index].text);
+        let texts = needed.map(|text| fill(text, self.real, own, |_| None));
         texts.collect::<Vec<_>>().join("\n")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn helpers_stand_after_those_that_they_call() {
+        for real in [Real::Double, Real::Single] {
+            for (index, helper) in helpers().iter().enumerate() {
+                if helper.real.is_some_and(|other| other != real) {
+                    continue;
+                }
+                let mut needed = Helpers::new(real);
+                needed.need(helper.names[0]);
+                assert_eq!(needed.needed.last(), Some(&index), "{helper:?}");
+            }
+        }
     }
 }

@@ -1,13 +1,14 @@
-//! Instructions as C. What they are is matched without a wildcard: a new one does not compile before C knows it.
+//! Programs as C.
 
-use linkage_symbolic::program::{
-    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
-};
+use linkage_symbolic::program::{Language, Program, Source, print};
 
-use super::helper::{Helper, Helpers};
+use super::helper::Helpers;
 use crate::real::Real;
 
-/// What prints the instructions of a mechanism.
+/// Operations that are functions of C's library, by the names of their rows.
+const LIBRARY: [(&str, &str); 2] = [("abs", "fabs"), ("sqrt", "sqrt")];
+
+/// State of printing the programs of a mechanism.
 #[derive(Debug)]
 pub(crate) struct Printer<'a> {
     pub(crate) real: Real,
@@ -24,131 +25,107 @@ pub(crate) struct Printed {
 }
 
 impl Printer<'_> {
-    /// Prints a program; `load` says where numbers stand.
+    /// Prints a program; `load` returns the expressions of numbers that it loads.
     pub(crate) fn program(
         &mut self,
         program: &Program,
         load: &dyn Fn(Source) -> String,
     ) -> Printed {
-        let read = read(program);
-        let mut statements = String::new();
-        let mut places: Vec<String> = Vec::with_capacity(program.instructions.len());
-        for (index, instruction) in program.instructions.iter().enumerate() {
-            let of = |value: Value| &places[value.0][..];
-            let place = match *instruction {
-                Instruction::Constant(x) => self.real.literal(x),
-                Instruction::Load(source) => load(source),
-                Instruction::Second(pair) => places[pair.0].replace(".sine", ".cosine"),
-                _ if !read[index] => String::new(),
-                Instruction::SinCos(a) => {
-                    let pair = self.call(Helper::SinCos, "sin_cos", &[of(a)]);
-                    let own = self.own;
-                    statements += &format!("    const {own}pair v{index} = {pair};\n");
-                    format!("v{index}.sine")
-                }
-                Instruction::Unary(op, a) => {
-                    let value = self.unary(op, of(a));
-                    self.assign(&mut statements, index, &value)
-                }
-                Instruction::Binary(op, a, b) => {
-                    let value = self.binary(op, of(a), of(b));
-                    self.assign(&mut statements, index, &value)
-                }
-                Instruction::Ternary(op, a, b, c) => {
-                    let value = self.ternary(op, of(a), of(b), of(c));
-                    self.assign(&mut statements, index, &value)
-                }
-                Instruction::Fused(op, a, b, c) => {
-                    let value = fused(op, of(a), of(b), of(c));
-                    self.assign(&mut statements, index, &value)
-                }
-            };
-            places.push(place);
-        }
-        let results = program.outputs.iter();
+        let mut c = C {
+            printer: self,
+            load,
+            statements: String::new(),
+        };
+        let results = print(program, &mut c);
         Printed {
-            results: results.map(|value| places[value.0].clone()).collect(),
-            statements,
+            statements: c.statements,
+            results,
         }
     }
 
-    fn assign(&self, statements: &mut String, index: usize, value: &str) -> String {
-        *statements += &format!("    const {} v{index} = {value};\n", self.real.name());
+    /// A call of a helper.
+    fn call_helper(&mut self, helper: &str, operands: &[&str]) -> String {
+        self.helpers.need(helper);
+        format!("{}{helper}({})", self.own, operands.join(", "))
+    }
+}
+
+/// A program while it is printed.
+struct C<'p, 'a> {
+    printer: &'p mut Printer<'a>,
+    load: &'p dyn Fn(Source) -> String,
+    statements: String,
+}
+
+impl Language for C<'_, '_> {
+    fn number(&self, x: f64) -> String {
+        self.printer.real.literal(x)
+    }
+
+    fn load(&mut self, _index: usize, source: Source) -> String {
+        (self.load)(source)
+    }
+
+    fn define(&mut self, index: usize, value: &str) -> String {
+        let real = self.printer.real.name();
+        self.statements += &format!("    const {real} v{index} = {value};\n");
         format!("v{index}")
     }
 
-    pub(crate) fn unary(&mut self, op: Unary, a: &str) -> String {
-        match op {
-            Unary::Neg => format!("-{a}"),
-            Unary::Abs => self.library("fabs", a),
-            Unary::Sqrt => self.library("sqrt", a),
-            // Programs are paired before they are printed; alone they are right all the same.
-            Unary::Sin => self.call(Helper::SinCos, "sin_cos", &[a]) + ".sine",
-            Unary::Cos => self.call(Helper::SinCos, "sin_cos", &[a]) + ".cosine",
-            Unary::Tan => self.call(Helper::Tan, "tan", &[a]),
-            Unary::Asin => self.call(Helper::Asin, "asin", &[a]),
-            Unary::Acos => self.call(Helper::Acos, "acos", &[a]),
-            Unary::Atan => self.call(Helper::Atan, "atan", &[a]),
-            Unary::Sign => self.call(Helper::Sign, "sign", &[a]),
-            Unary::Whole => self.call(Helper::Whole, "whole", &[a]),
-            Unary::Slack => self.call(Helper::Slack, "slack", &[a]),
-            Unary::InverseScale => self.call(Helper::InverseScale, "inverse_scale", &[a]),
+    fn define_sine_pair(&mut self, index: usize, angle: &str) -> [String; 2] {
+        let pair = self.printer.call_helper("sin_cos", &[angle]);
+        let own = self.printer.own;
+        self.statements += &format!("    const {own}pair v{index} = {pair};\n");
+        [format!("v{index}.sine"), format!("v{index}.cosine")]
+    }
+
+    fn call(&mut self, name: &'static str, operands: &[&str]) -> String {
+        match LIBRARY.iter().find(|(operation, _)| *operation == name) {
+            Some((_, function)) => {
+                // Most processors have an instruction for it.
+                let suffix = match self.printer.real {
+                    Real::Double => "",
+                    Real::Single => "f",
+                };
+                format!("{function}{suffix}({})", operands.join(", "))
+            }
+            None => self.printer.call_helper(name, operands),
         }
     }
 
-    pub(crate) fn binary(&mut self, op: Binary, a: &str, b: &str) -> String {
-        match op {
-            Binary::Add => format!("{a} + {b}"),
-            Binary::Sub => format!("{a} - {b}"),
-            Binary::Mul => format!("{a} * {b}"),
-            Binary::Div => format!("{a} / {b}"),
-            Binary::Quotient => self.call(Helper::Quotient, "quotient", &[a, b]),
-            Binary::Atan2 => self.call(Helper::Atan2, "atan2", &[a, b]),
-            Binary::Hypot => self.call(Helper::Hypot, "hypot", &[a, b]),
-            Binary::Min => self.call(Helper::Min, "min", &[a, b]),
-            Binary::Max => self.call(Helper::Max, "max", &[a, b]),
-        }
-    }
-
-    pub(crate) fn ternary(&mut self, op: Ternary, a: &str, b: &str, c: &str) -> String {
-        match op {
-            Ternary::AngleNear => self.call(Helper::AngleNear, "angle_near", &[a, b, c]),
-            Ternary::Root => self.call(Helper::Root, "root", &[a, b, c]),
-            Ternary::Select => self.call(Helper::Select, "select", &[a, b, c]),
-        }
-    }
-
-    /// A call of what stands in the same file.
-    pub(crate) fn call(&mut self, helper: Helper, name: &str, operands: &[&str]) -> String {
-        self.helpers.need(helper);
-        format!("{}{name}({})", self.own, operands.join(", "))
-    }
-
-    /// A call of C's library, which most processors have as an instruction.
-    fn library(&self, name: &str, a: &str) -> String {
-        let suffix = match self.real {
-            Real::Double => "",
-            Real::Single => "f",
-        };
-        format!("{name}{suffix}({a})")
+    fn sine_or_cosine(&mut self, number: usize, angle: &str) -> String {
+        let member = [".sine", ".cosine"][number];
+        self.printer.call_helper("sin_cos", &[angle]) + member
     }
 }
 
-/// Rounded once or twice, as the compiler is told (`-ffp-contract`).
-pub(crate) fn fused(op: Fused, a: &str, b: &str, c: &str) -> String {
-    match op {
-        Fused::MulAdd => format!("{a} * {b} + {c}"),
-        Fused::MulSub => format!("{a} * {b} - {c}"),
-        Fused::SubMul => format!("{c} - {a} * {b}"),
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use linkage_symbolic::program::{Binary, Call, Ternary, Unary};
 
-/// Which values something is computed from, or are results: C's compilers warn of others.
-fn read(program: &Program) -> Vec<bool> {
-    let mut read = vec![false; program.instructions.len()];
-    let operands = program.instructions.iter().flat_map(Instruction::operands);
-    operands
-        .chain(program.outputs.iter().copied())
-        .for_each(|x| read[x.0] = true);
-    read
+    /// C has a function of its library or a helper for each operation.
+    #[test]
+    fn operations_have_functions() {
+        for real in [Real::Double, Real::Single] {
+            let mut printer = Printer {
+                real,
+                own: "own_",
+                helpers: Helpers::new(real),
+            };
+            let mut c = C {
+                printer: &mut printer,
+                load: &|_| String::new(),
+                statements: String::new(),
+            };
+            let unary = Unary::ALL.iter().map(|op| (op.row().name, op.row().call));
+            let binary = Binary::ALL.iter().map(|op| (op.row().name, op.row().call));
+            let ternary = Ternary::ALL.iter().map(|op| (op.row().name, op.row().call));
+            for (name, call) in unary.chain(binary).chain(ternary) {
+                if let Call::Method(_) | Call::FusedMethod(_) = call {
+                    assert!(c.call(name, &["a"]).ends_with("(a)"));
+                }
+            }
+        }
+    }
 }

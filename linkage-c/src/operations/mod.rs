@@ -3,5 +3,5 @@
 mod helper;
 mod instruction;
 
-pub(crate) use helper::{Helper, Helpers};
+pub(crate) use helper::Helpers;
 pub(crate) use instruction::{Printed, Printer};
