@@ -23,7 +23,7 @@ pub use expression::{
     Ex, MAX_DEGREE, Monomial, Obstacle, Polynomial, V2, V3, Vector, Vn, agree, agree_within,
     collect, evaluate, evaluate_given, obstacle, substitute,
 };
-pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
+pub use graph::{Binding, Graph, Node, NodeId, Snapshot, Symbol, SymbolId};
 pub use lookup as unordered;
 pub use passes::common_factors::share_multiples;
 pub use passes::half_angles::by_half_angles;

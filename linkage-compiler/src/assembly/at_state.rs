@@ -7,7 +7,7 @@ use crate::mobility::Position;
 use crate::solve::Prepared;
 use crate::structure::Core;
 
-use super::reference::Assembly;
+use super::assembler::Assembly;
 
 /// All unknowns where a group has this state; what later groups find is not known.
 pub(super) fn standing<'a, 'm>(

@@ -10,7 +10,7 @@ use crate::solve::Solved;
 use crate::structure::Form;
 use crate::vector::norm;
 
-use super::machine::Machine;
+use crate::machine::Machine;
 use crate::message_format::MessageFormat;
 
 /// Points nearer than this share of their distance from the origin and each other are one.

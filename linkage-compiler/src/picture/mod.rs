@@ -63,9 +63,9 @@ use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Set;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::assembly::Reference;
 use crate::diagnostic::Reporter;
 use crate::ir::Picture;
+use crate::machine::Reference;
 use crate::model::{AskedPicture, Expr, Type};
 
 use chains::Sketch;

@@ -14,7 +14,7 @@ mod vectors;
 
 pub(crate) use definitions::{dependencies, meaning};
 pub use node::{Node, NodeId, Symbol, SymbolId};
-pub use shared::Graph;
+pub use shared::{Graph, Snapshot};
 pub use source::{Binding, Source};
 pub(crate) use store::Store;
 pub(crate) use vectors::Vectors;

@@ -1,17 +1,21 @@
-//! A few positions at which things are looked at on numbers.
+//! Inputs besides the reference at which a property is tested on numbers.
 
 use crate::algebra::Nominal;
 use crate::model::{Dimension, Mechanism};
 
-/// Places in the declared ranges beside the reference, as shares.
-const PLACES: [f64; 4] = [0.137, 0.391, 0.642, 0.871];
+/// Other positions in the declared ranges, as shares.
+const SHARES: [f64; 4] = [0.137, 0.391, 0.642, 0.871];
 
-/// The reference and other positions.
-pub(crate) fn places(nominal: &Nominal, mechanism: &Mechanism, longest: f64) -> Vec<Vec<f64>> {
-    let mut places = vec![nominal.inputs.clone()];
-    for share in PLACES {
+/// Returns the reference inputs, then other ones.
+pub(crate) fn other_inputs(
+    nominal: &Nominal,
+    mechanism: &Mechanism,
+    longest: f64,
+) -> Vec<Vec<f64>> {
+    let mut positions = vec![nominal.inputs.clone()];
+    for share in SHARES {
         let inputs = nominal.inputs.iter().zip(&nominal.ranges).enumerate();
-        let place = inputs.map(|(k, (&at, range))| match range {
+        let position = inputs.map(|(k, (&at, range))| match range {
             // Near the reference, where it surely closes.
             None => {
                 let unit = match mechanism.inputs[k].dimension.fits(Dimension::LENGTH) {
@@ -23,7 +27,7 @@ pub(crate) fn places(nominal: &Nominal, mechanism: &Mechanism, longest: f64) -> 
             // Several inputs do not move in step.
             Some((low, high)) => low + (share * (k + 1) as f64).fract() * (high - low),
         });
-        places.push(place.collect());
+        positions.push(position.collect());
     }
-    places
+    positions
 }

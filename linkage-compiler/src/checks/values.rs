@@ -54,7 +54,7 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
 }
 
 /// The innermost expression of some loops that has no finite value at given inputs, in words: of dimensions and inputs, not of unknowns.
-pub(super) fn without_value(
+pub(crate) fn without_value(
     mechanism: &Mechanism,
     nominal: &Nominal,
     inputs: &[f64],

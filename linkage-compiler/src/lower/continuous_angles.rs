@@ -7,7 +7,7 @@ use crate::algebra::{Algebra, Nominal, Phasor};
 use crate::ir::{ContinuousAngle, Phase};
 
 /// The angles, and the coefficients of all their phases.
-pub(super) fn continuous<'m>(
+pub(super) fn continuous_angles<'m>(
     algebra: &mut Algebra<'m>,
     nominal: &Nominal,
     angles: &[usize],

@@ -6,10 +6,10 @@ use linkage_symbolic::program::Program;
 
 use crate::ir::Coupled;
 
-use super::machine::Machine;
+use super::interpreter::Machine;
 
 /// A coupled group on numbers.
-pub(super) struct Numbers<'a> {
+pub(crate) struct Numbers<'a> {
     machine: &'a Machine,
     number: usize,
     inputs: Vec<f64>,
@@ -17,7 +17,7 @@ pub(super) struct Numbers<'a> {
 
 impl<'a> Numbers<'a> {
     /// A coupled group at these inputs of the mechanism, and those of them that are its own.
-    pub(super) fn new(machine: &'a Machine, number: usize, inputs: &[f64]) -> (Self, Vec<f64>) {
+    pub(crate) fn new(machine: &'a Machine, number: usize, inputs: &[f64]) -> (Self, Vec<f64>) {
         let own = &machine.closing.coupled[number].inputs;
         let own = own.iter().map(|&input| inputs[input]).collect();
         let inputs = inputs.to_vec();
@@ -42,7 +42,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    pub(super) fn run(&self, program: &Program, state: &[f64]) -> Vec<f64> {
+    pub(crate) fn run(&self, program: &Program, state: &[f64]) -> Vec<f64> {
         self.machine
             .run_coupled(self.number, program, &self.inputs, state)
     }

@@ -9,13 +9,11 @@ use linkage_symbolic::Ex;
 use linkage_symbolic::program::Source;
 
 use crate::algebra::Algebra;
-use crate::assembly::{Reference, followed_range};
 use crate::ir::{Argument, CompiledMechanism, Group, Input, Parameter, Role, Scalar, Unknown};
+use crate::machine::{AtReference, Reference, followed_range};
 use crate::model::{Mechanism, Shape};
 use crate::solve::{Formulation, Prepared, Solved};
 use crate::structure::Most;
-
-use super::AtReference;
 
 /// A unit without programs.
 pub(super) fn signature<'m>(

@@ -16,7 +16,7 @@ use crate::message_format::MessageFormat;
 const ROUNDING: f64 = 1e-9;
 
 /// Reports knots out of order, pieces without a law and values that do not close a turn, and warns of jumps that nobody accepts.
-pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
+pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
     let lets = mechanism.lets.iter().map(|own| &own.value);
     let constants = mechanism.constants.iter().map(|own| &own.value);
     let loops = mechanism
