@@ -15,7 +15,7 @@ mod stretches;
 mod tests;
 mod trace;
 
-use crate::AssemblyError;
+use crate::error::AssemblyError;
 use alloc::vec::Vec;
 use linkage_core::Cycle;
 use margins::{least, up_to};
@@ -224,7 +224,9 @@ fn estimates<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> Vec<Es
             unit: unknown.unit,
             angle: unknown.angle,
             numbers: match own[..] {
-                [cosine, sine] if unknown.angle => Vec::from([crate::Scalar::atan2(sine, cosine)]),
+                [cosine, sine] if unknown.angle => {
+                    Vec::from([linkage_core::Scalar::atan2(sine, cosine)])
+                }
                 _ => own,
             },
         }

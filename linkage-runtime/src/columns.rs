@@ -1,8 +1,8 @@
 //! Columns for the results of a sweep.
 
-use crate::Scalar;
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::Scalar;
 
 /// Bytes of a cache line.
 const LINE: usize = 64;

@@ -1,6 +1,6 @@
 //! Mechanisms as lists of numbers.
 
-use crate::Parameter;
+use crate::data::Parameter;
 
 /// The dimensions of a mechanism as `N` numbers, in the order of `PARAMETERS`: every mechanism in
 /// `f64` implements it.

@@ -3,8 +3,8 @@
 use core::fmt::{self, Debug, Formatter};
 use nalgebra::{Isometry3, Matrix3, RealField, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-use crate::Scalar;
 use crate::generated::named;
+use linkage_core::Scalar;
 
 /// A frame in space: a point and three perpendicular directions of length 1, right-handed. What `frame(origin, x, z)`
 /// of the language gives as a quantity; the default is the fixed frame.

@@ -23,10 +23,6 @@ pub use crate::circuits::{
     Bounds, Chosen, Levels, NoPrograms, Searched, SurveyedUnknown, circuits,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use crate::numeric::continuation::{Correction, Range, Residuals, Step};
-#[cfg(feature = "alloc")]
-pub use crate::numeric::roots::{Term, Variable};
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::range_check::{Ranged, check_range};
 #[cfg(feature = "alloc")]
 pub use alloc::{boxed::Box, vec::Vec};
@@ -37,6 +33,10 @@ pub use close::{close, explained, finite};
 pub use follower::{Corrected, Standing, Stop, follow, put_corrected};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::numeric::continuation::Terms;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_core::numeric::continuation::{Correction, Range, Residuals, Step};
+#[cfg(feature = "alloc")]
+pub use linkage_core::numeric::roots::{Term, Variable};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::range_check::Slack;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -80,6 +80,8 @@ pub use linkage_core::Cycle;
 pub use linkage_core::Dual;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use linkage_core::Lanes;
+#[cfg(feature = "alloc")]
+pub use linkage_core::numeric::roots::Unlisted;
 pub use linkage_core::{
     Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Meaning, Picture,
     PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind, Scalar,
@@ -91,8 +93,6 @@ pub use linkage_core::{FUSED, numeric};
 pub use motion::{true_acceleration, true_jerk, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{self, Vector2, Vector3};
-#[cfg(feature = "alloc")]
-pub use numeric::roots::Unlisted;
 #[cfg(feature = "nalgebra")]
 pub use plane_frame::PlaneFrame;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -3,8 +3,8 @@
 use core::fmt::{self, Debug, Formatter};
 use nalgebra::{Isometry2, Matrix2, RealField, Rotation2, Translation2, UnitComplex, Vector2};
 
-use crate::Scalar;
 use crate::generated::named;
+use linkage_core::Scalar;
 
 /// A frame of the plane: a point and two perpendicular directions of length 1, the second one a quarter of a turn from the first. What
 /// `frame(origin, x)` of the language gives as a quantity; the default is the fixed frame.

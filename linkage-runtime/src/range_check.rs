@@ -9,7 +9,8 @@ mod tests;
 pub use print::RangeMessage;
 pub(crate) use stretches::touches;
 
-use crate::{Group, Input};
+use crate::data::Input;
+use crate::structure::Group;
 use alloc::vec::Vec;
 pub use linkage_core::range_check::Unchecked;
 use linkage_core::range_check::{Driven, Slack, checked};

@@ -4,8 +4,8 @@ use core::array::from_fn;
 use core::fmt::{self, Debug, Formatter};
 use nalgebra::Vector3;
 
-use crate::Scalar;
 use crate::generated::named;
+use linkage_core::Scalar;
 
 /// How a body moves at one moment: it turns about an axis and shifts along it, as a screw does (theorem of Mozzi and Chasles: G. Mozzi,
 /// "Discorso matematico sopra il rotamento momentaneo dei corpi", 1763; R. S. Ball, "A treatise on the theory of screws", 1900).

@@ -1,6 +1,6 @@
 //! What the columns of a sweep mean: for everything that prints, plots or writes them.
 
-use crate::{Meaning, Picture};
+use linkage_core::{Meaning, Picture};
 
 /// The results of a sweep with the names and units of their numbers: every generated type of columns
 /// implements it (in `f64`, for functions with arguments).

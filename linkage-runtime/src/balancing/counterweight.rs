@@ -1,8 +1,8 @@
 //! One counterweight in place of unit masses at several points.
 
 use super::BalanceError;
-use crate::Scalar;
 use crate::components::norm;
+use linkage_core::Scalar;
 
 /// A mass at a point of a link, in the axes of the link from its origin.
 #[derive(Clone, Copy, Debug, PartialEq)]

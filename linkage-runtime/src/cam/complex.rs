@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::Scalar;
+use linkage_core::Scalar;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Complex(pub(super) f64, pub(super) f64);

@@ -2,7 +2,7 @@
 
 use super::complex::{Complex, I};
 use super::{Cam, Follower};
-use crate::Scalar;
+use linkage_core::Scalar;
 
 /// How the follower touches the cam at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,7 @@ use linkage_core::math::double::sqrt;
 
 use super::CamError;
 use super::complex::{Complex, I};
-use crate::Scalar;
+use linkage_core::Scalar;
 
 /// What the cam moves. A roller of radius 0 is a point.
 #[derive(Clone, Copy, Debug, PartialEq)]

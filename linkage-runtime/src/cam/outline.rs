@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
 use super::{Cam, CamError};
-use crate::Scalar;
+use linkage_core::Scalar;
 
 /// Parts of the turn to begin with: a profile has no waves within them that all places which are looked at would miss.
 const PARTS: usize = 72;

@@ -3,7 +3,7 @@
 use super::curve::{Curve, Node, dot};
 use super::slab::Slab;
 use super::trace::Strand;
-use crate::AssemblyError;
+use crate::error::AssemblyError;
 use crate::generated::{CoupledGroup, CoupledPrograms, list};
 use alloc::vec::Vec;
 

@@ -1,11 +1,11 @@
 //! The curve of a coupled group's solutions over its input, followed along its own length: it turns back where the input does.
 
 use super::slab::Slab;
-use crate::numeric::continuation::Correction;
-use crate::numeric::roots::Variable;
 use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::math;
+use linkage_core::numeric::continuation::Correction;
+use linkage_core::numeric::roots::Variable;
 
 /// The derivative by the parameter is a difference over this. Its error is divided by the determinant, so it is short.
 const DIFFERENCE: f64 = 1e-8;

@@ -1,10 +1,11 @@
 //! A mechanism as the search for circuits sees it: group by group, in the order in which they are solved.
 
+use crate::data::AssemblyMode;
+use crate::error::AssemblyError;
 use crate::generated::{CoupledGroup, CoupledPrograms, Start};
-use crate::numeric::continuation::{Correction, Residuals, Step};
-use crate::{AssemblyError, AssemblyMode};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use linkage_core::numeric::continuation::{Correction, Residuals, Step};
 use linkage_core::{Enclosure, Level};
 
 /// An unknown whose numbers are surveyed.

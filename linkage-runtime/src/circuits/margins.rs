@@ -2,7 +2,7 @@
 
 use super::search::{End, Leaf};
 use super::{BranchEnd, Levels};
-use crate::numeric::range::minimum;
+use linkage_core::numeric::range::minimum;
 
 /// Margins that are looked at along an assembly.
 const MARGINS: usize = 120;

@@ -6,12 +6,13 @@ use super::slab::Slab;
 use super::stretches::{Border, Slack, stretches};
 use super::trace::CurveEnd;
 use super::{Cycle, MOST_MODES, sample};
+use crate::data::AssemblyMode;
+use crate::error::AssemblyError;
 use crate::generated::{CoupledGroup, CoupledPrograms, Start, prepared};
-use crate::numeric::continuation::Range;
-use crate::{AssemblyError, AssemblyMode};
 use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::Level;
+use linkage_core::numeric::continuation::Range;
 
 /// Places at which the slack of a group is sampled for every place at which coupled groups are listed, and at least: to begin with, and all
 /// that is known of it where it has no bounds.

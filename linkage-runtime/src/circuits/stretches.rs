@@ -2,9 +2,9 @@
 
 use super::parts::parts;
 use super::slab::Slab;
-use crate::numeric::minimum::{Point, descend};
 use alloc::vec::Vec;
 use linkage_core::Enclosure;
+use linkage_core::numeric::minimum::{Point, descend};
 
 /// A slack that is negative by less, compared with the largest, is rounding: two turning points that close are one place that the
 /// assembly passes.

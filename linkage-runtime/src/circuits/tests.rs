@@ -5,9 +5,9 @@ use super::parts::parts;
 use super::slab::Slab;
 use super::stretches::{Border, Slack, stretches};
 use super::trace::{CurveEnd, Strand};
-use crate::numeric::continuation::{Correction, Step};
-use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
+use linkage_core::numeric::continuation::{Correction, Step};
+use linkage_core::numeric::roots::Variable;
 use linkage_core::{Enclosure, Scalar};
 
 #[test]
@@ -253,11 +253,11 @@ impl super::Levels for Gaps {
         }
     }
 
-    fn assembled(&self, _: &super::Chosen, _: f64) -> Result<(), crate::AssemblyError> {
+    fn assembled(&self, _: &super::Chosen, _: f64) -> Result<(), crate::error::AssemblyError> {
         Ok(())
     }
 
-    fn check(&self, _: f64) -> Result<(), crate::AssemblyError> {
+    fn check(&self, _: f64) -> Result<(), crate::error::AssemblyError> {
         Ok(())
     }
 }

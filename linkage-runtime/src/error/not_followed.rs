@@ -1,7 +1,7 @@
 //! Why a follower stays where it is.
 
 use super::place;
-use crate::Group;
+use crate::structure::Group;
 use crate::words::rounded;
 use core::fmt;
 

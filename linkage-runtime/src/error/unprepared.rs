@@ -1,10 +1,10 @@
 //! Why a group without a closed form has no assembly.
 
 use super::{Reach, place};
-use crate::numeric::roots::Unlisted;
 use crate::words::rounded;
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::numeric::roots::Unlisted;
 
 /// Why a group that has no closed form (class III and higher) was not assembled.
 ///

@@ -1,11 +1,14 @@
 //! What `assemble()` and `assemblies()` of generated code do with the gaps of the groups.
 
 #[cfg(feature = "alloc")]
-use crate::AssemblyMode;
+use crate::data::AssemblyMode;
+use crate::data::Parameter;
+use crate::error::AssemblyError;
 use crate::error::LARGEST;
-use crate::{AssemblyError, Group, Parameter, Scalar};
+use crate::structure::Group;
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
+use linkage_core::Scalar;
 
 /// Fails at a dimension that is NaN or infinite: closed forms without a root carry it into the results, where nothing tells it
 /// apart. `needed` are the parameters that the groups need, in the order of the groups, by their places among `values`.

@@ -1,8 +1,8 @@
 //! A small step of a coupled group to other dimensions, certified.
 
-use crate::numeric::continuation::{ALLOWED_CONTRACTION, Correction, FIRST_CORRECTION};
-use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
+use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, Correction, FIRST_CORRECTION};
+use linkage_core::numeric::roots::Variable;
 
 /// Corrections of a step, at most, and one that leaves rounding only.
 pub(super) const CORRECTIONS: usize = 8;
@@ -67,7 +67,7 @@ fn settle(programs: &mut dyn Correction, x: &[f64], state: &mut [f64], before: f
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::continuation::Step;
+    use linkage_core::numeric::continuation::Step;
 
     /// From 1 to where the square is this; two solutions meet at 0.
     fn root(square: f64, sign: f64) -> Option<f64> {

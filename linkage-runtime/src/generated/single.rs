@@ -20,7 +20,7 @@ where
     T: Copy,
 {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
-    if !crate::FUSED {
+    if !linkage_core::FUSED {
         return match choice::found() {
             true => choice::avx2(assembly, x),
             false => choice::other(assembly, x),
@@ -38,7 +38,7 @@ where
     T: Copy,
 {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
-    if !crate::FUSED {
+    if !linkage_core::FUSED {
         return match choice::found() || choice::detect() {
             true => Some(choice::avx2(assembly, x)),
             false => None,
@@ -53,7 +53,7 @@ pub fn inlined<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> R
 where
     A: Single<T, R, I>,
 {
-    assembly.at::<{ crate::FUSED }>(x)
+    assembly.at::<{ linkage_core::FUSED }>(x)
 }
 
 /// Which code runs on this machine.

@@ -17,7 +17,8 @@ pub use followed::fill_followed_parallel;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use followed::{Followed, Moving, fill_followed};
 
-use crate::{Columns, Scalar};
+use crate::columns::Columns;
+use linkage_core::Scalar;
 
 /// A generated function as the sweeps see it: `I` arguments to `W` numbers, without a branch.
 pub trait Kernel<T, const I: usize, const W: usize> {

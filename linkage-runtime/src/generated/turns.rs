@@ -1,7 +1,7 @@
 //! Centres and windings of continuous angles: `angle = angle_near(.., centre + sum of winding * input)`.
 
-use crate::Scalar;
-use crate::numeric::winding::{Centre, follow, uniform};
+use linkage_core::Scalar;
+use linkage_core::numeric::winding::{Centre, follow, uniform};
 
 /// The centre of each of `A` angles, and the turns it makes for each turn of each of `I` inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,12 +2,13 @@
 
 use super::settle::moved;
 use super::{CoupledGroup, CoupledPrograms, Start};
-use crate::numeric::continuation::{Correction, Grid, Range, Table, Terms};
-use crate::numeric::range::first_failure;
-use crate::{AssemblyError, Group};
+use crate::error::AssemblyError;
+use crate::structure::Group;
 use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::Level;
+use linkage_core::numeric::continuation::{Correction, Grid, Range, Table, Terms};
+use linkage_core::numeric::range::first_failure;
 
 /// The longest step, and one that is too short to go on with, as parts of the way. What certifies a step is how little the states change,
 /// which sets the length of most steps; longer ones would only be tried in vain.

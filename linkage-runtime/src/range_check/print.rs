@@ -1,7 +1,8 @@
 //! Reports in the words of the compiler.
 
 use super::{RangeFinding, RangeFindingKind, RangeReport};
-use crate::{Group, Input};
+use crate::data::Input;
+use crate::structure::Group;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;

@@ -2,9 +2,9 @@
 
 use super::stretches::{Sample, Stretch, fails, lowest, stretches};
 use super::{RangeFinding, RangeFindingKind, Ranged};
-use crate::numeric::range::{first_failure, minimum};
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
+use linkage_core::numeric::range::{first_failure, minimum};
 use linkage_core::range_check::{AT_END, DEAD, END, ROUNDING, Slack, samples};
 
 /// Positions of a stretch at which the search looks for the largest miss of a group.

@@ -1,7 +1,7 @@
 //! Stretches of an input where a level is not positive: between samples, and at dips that no sample shows.
 
-use crate::numeric::minimum::{Point, descend};
 use alloc::vec::Vec;
+use linkage_core::numeric::minimum::{Point, descend};
 use linkage_core::range_check::{DEAD, END, ROUNDING};
 
 /// Halvings until the end of a stretch is known to the last digit.
@@ -102,7 +102,7 @@ pub(crate) fn lowest(
 ) -> (f64, f64) {
     let width = own.to - own.from;
     let [from, to] = [(own.from - width).max(low), (own.to + width).min(high)];
-    crate::numeric::range::minimum(from, to, 8, level)
+    linkage_core::numeric::range::minimum(from, to, 8, level)
 }
 
 /// Whether a level is not that of a position that works.

@@ -1,7 +1,8 @@
 //! The search on slacks that are formulas.
 
 use super::{RangeFindingKind, RangeReport, Ranged, Unchecked, check_range};
-use crate::{Group, Input};
+use crate::data::Input;
+use crate::structure::Group;
 use alloc::string::ToString;
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};

@@ -1,7 +1,7 @@
 //! Where a figure without derivatives is smallest.
 
 use super::SummaryError;
-use crate::numeric::summit::highest;
+use linkage_core::numeric::summit::highest;
 
 /// The smallest value of a figure over a range.
 #[derive(Clone, Copy, Debug, PartialEq)]

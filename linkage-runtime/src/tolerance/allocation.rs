@@ -5,7 +5,7 @@ use core::array;
 
 use super::cost::{self, Term};
 use super::{Addition, Grade, Requirement, Sizes, ToleranceError, Tolerances};
-use crate::Parameter;
+use crate::data::Parameter;
 
 /// The share by which tolerances stay below what the limit allows, so that rounding does not exceed it: a few roundoffs.
 const SPARE: f64 = 8.0 * f64::EPSILON;

@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::ToleranceError;
-use crate::numeric::summit::{self, Summit};
+use linkage_core::numeric::summit;
+use linkage_core::numeric::summit::Summit;
 
 /// The largest value of a figure over a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::{Effects, ToleranceError};
-use crate::Parameter;
 use crate::components::Components;
+use crate::data::Parameter;
 use crate::words::rounded;
 
 /// The tolerances of `N` parameters: each dimension lies within its nominal value, plus or minus its

@@ -19,7 +19,7 @@ pub use samples::{Estimate, Samples, Statistics};
 use draw::Draw;
 
 use super::{Distribution, ToleranceError, Tolerances, Uncertainties};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Mechanisms that are drawn and evaluated together.
 const BLOCK: usize = 1024;

@@ -4,7 +4,7 @@ use core::array;
 
 use super::given::exactly;
 use super::{Grade, ToleranceError, tolerance_factor};
-use crate::Parameter;
+use crate::data::Parameter;
 
 /// A size in mm for each parameter, and how a tolerance in mm becomes one of the parameter.
 ///

@@ -5,8 +5,8 @@ use core::array;
 use super::correlation::{self, Square};
 use super::given::exactly;
 use super::{Budget, Distribution, SecondOrder, ToleranceError, Tolerances};
-use crate::Parameter;
 use crate::components::Components;
+use crate::data::Parameter;
 
 /// Standard uncertainties of `N` parameters with their correlations, as in the Guide to the Expression of Uncertainty
 /// in Measurement (JCGM 100:2008), in the units of the parameters.

@@ -2,9 +2,9 @@
 
 use super::group::CoupledGroup;
 use super::solve::{CoupledPrograms, CoupledSolution};
-use crate::numeric::continuation::{Astray, from_estimate};
-use crate::numeric::roots::Unlisted;
-use crate::{AssemblyError, CoupledCause};
+use crate::error::{AssemblyError, CoupledCause};
+use linkage_core::numeric::continuation::{Astray, from_estimate};
+use linkage_core::numeric::roots::Unlisted;
 
 impl CoupledGroup {
     /// Whether its assembly is followed from the estimates, since its solutions cannot be listed.

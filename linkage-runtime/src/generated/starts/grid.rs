@@ -1,10 +1,10 @@
 //! Prepared states over several inputs, for every lane of a scalar.
 
 use super::lanes::{by_lane, constants, put};
-use crate::Scalar;
-use crate::numeric::continuation::GridLookup;
 use alloc::vec::Vec;
 use core::hint::black_box;
+use linkage_core::Scalar;
+use linkage_core::numeric::continuation::GridLookup;
 
 /// The grid of a group: one for every lane, since each lane has dimensions of its own.
 #[derive(Clone, Debug, PartialEq)]

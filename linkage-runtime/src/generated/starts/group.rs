@@ -1,7 +1,7 @@
 //! What generated code says of a group without a closed form.
 
-use crate::numeric::continuation::{Range, Terms};
-use crate::numeric::roots::{Term, Variable};
+use linkage_core::numeric::continuation::{Range, Terms};
+use linkage_core::numeric::roots::{Term, Variable};
 
 /// A group without a closed form.
 #[derive(Clone, Copy, Debug)]

@@ -1,8 +1,8 @@
 //! Prepared states for every lane of a scalar.
 
-use crate::Scalar;
-use crate::numeric::continuation::Lookup;
 use alloc::vec::Vec;
+use linkage_core::Scalar;
+use linkage_core::numeric::continuation::Lookup;
 
 /// Most lanes whose states are looked up side by side.
 const LANES: usize = 16;

@@ -4,10 +4,11 @@ use super::grid::CoupledGrid;
 use super::group::CoupledGroup;
 use super::lanes::Coupled;
 use super::solve::{CoupledPrograms, CoupledSolution, couple, list};
-use crate::numeric::continuation::{Grid, Range, Refusal, Step, Table};
-use crate::{AssemblyError, Scalar};
+use crate::error::AssemblyError;
 use alloc::vec;
 use alloc::vec::Vec;
+use linkage_core::Scalar;
+use linkage_core::numeric::continuation::{Grid, Range, Refusal, Step, Table};
 
 /// What is prepared of a coupled group.
 #[derive(Clone, Debug, PartialEq)]

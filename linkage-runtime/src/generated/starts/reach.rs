@@ -2,13 +2,13 @@
 
 use super::group::CoupledGroup;
 use super::solve::CoupledPrograms;
-use crate::numeric::cholesky;
-use crate::numeric::continuation::turned;
-use crate::numeric::least::{CLOSED, Equations, Rows, STEP, least};
-use crate::{Missed, Reach};
+use crate::error::{Missed, Reach};
 use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::math;
+use linkage_core::numeric::cholesky;
+use linkage_core::numeric::continuation::turned;
+use linkage_core::numeric::least::{CLOSED, Equations, Rows, STEP, least};
 
 /// Loops that miss by a smaller part of what the farthest misses by hold.
 const LITTLE: f64 = 1e-3;

@@ -2,15 +2,16 @@
 //! taken.
 
 use super::group::{CoupledGroup, CoupledInput, CoupledUnknown};
-use crate::numeric::continuation::{LeftOut, Refusal, Residuals, meeting_states, states};
-use crate::numeric::nearest::{Ambiguity, may_be_meant, nearest};
-use crate::numeric::roots::{Listing, System, Unlisted, solve};
-use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value};
+use crate::error::{AssemblyError, CoupledCause, CoupledError, Placed, Value};
 use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
+use linkage_core::Scalar;
 use linkage_core::math;
+use linkage_core::numeric::continuation::{LeftOut, Refusal, Residuals, meeting_states, states};
+use linkage_core::numeric::nearest::{Ambiguity, may_be_meant, nearest};
+use linkage_core::numeric::roots::{Listing, System, Unlisted, solve};
 
 /// The programs of a group.
 pub trait CoupledPrograms: Residuals {

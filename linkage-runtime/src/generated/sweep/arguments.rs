@@ -1,6 +1,6 @@
 //! Where the arguments of a sweep come from.
 
-use crate::Scalar;
+use linkage_core::Scalar;
 
 /// Rows of `I` arguments.
 pub trait Arguments<T, const I: usize> {

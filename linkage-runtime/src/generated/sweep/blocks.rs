@@ -1,6 +1,6 @@
 //! What the loops of a kernel over blocks of rows use.
 
-use crate::Scalar;
+use linkage_core::Scalar;
 
 /// `N` columns of `B` rows, where no vector crosses a cache line.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! Arguments with the states of coupled groups behind them.
 
 use super::Arguments;
-use crate::Scalar;
+use linkage_core::Scalar;
 
 /// Where the states of coupled groups come from: `S` numbers from `J` inputs.
 pub trait States<T, const J: usize, const S: usize> {

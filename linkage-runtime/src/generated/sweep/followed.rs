@@ -4,8 +4,9 @@ mod travel;
 
 use super::instruction_set::run;
 use super::{Arguments, Kernel, rows};
-use crate::{Columns, FUSED, Scalar};
+use crate::columns::Columns;
 use alloc::vec::Vec;
+use linkage_core::{FUSED, Scalar};
 use travel::{Groups, Place, Rows, travel};
 
 pub use travel::Moving;

@@ -1,8 +1,8 @@
 //! The best instruction set that the running machine has.
 
 use super::{Arguments, Kernel, blocks};
-use crate::FUSED;
-use crate::Scalar;
+use linkage_core::FUSED;
+use linkage_core::Scalar;
 
 /// How many rows stand side by side.
 pub(super) const fn lanes<T: Scalar>() -> usize {

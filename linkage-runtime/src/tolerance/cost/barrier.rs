@@ -9,7 +9,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::{Cheapest, Condition, Term, length, vector};
-use crate::numeric::cholesky;
+use linkage_core::numeric::cholesky;
 
 /// Newton steps for each `mu`, and values of `mu`.
 const STEPS: usize = 60;

@@ -6,7 +6,7 @@ use core::array;
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
 
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 use crate::tolerance::Distribution;
 use crate::tolerance::correlation::Square;
 

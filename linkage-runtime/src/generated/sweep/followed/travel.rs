@@ -6,9 +6,10 @@ mod slots;
 mod traveller;
 
 use super::super::Arguments;
+use crate::columns::Columns;
 use crate::generated::CoupledGroup;
-use crate::{Columns, Scalar};
 use alloc::vec::Vec;
+use linkage_core::Scalar;
 use slots::{SLOTS, Slots};
 use traveller::{Traveller, Verdict};
 

@@ -2,8 +2,8 @@
 
 use super::Groups;
 use super::slots::Lane;
-use crate::Scalar;
 use core::array::from_fn;
+use linkage_core::Scalar;
 
 /// Places that are known at most: states are extrapolated as parabolas.
 const KNOWN: usize = 3;

@@ -3,10 +3,10 @@
 use super::history::History;
 use super::slots::Lane;
 use super::{Groups, Place};
-use crate::Scalar;
 use crate::generated::CoupledGroup;
 use crate::generated::settle::{CORRECTIONS, scaled, scales};
-use crate::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
+use linkage_core::Scalar;
+use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
 
 /// Where the way is looked at to see how states change.
 const BESIDE: f64 = 1.0 / 1024.0;
