@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use super::{Follower, Undercut};
+use super::follower::Follower;
+use super::undercut::Undercut;
 use crate::words::rounded;
 
 /// Why a cam cannot be made.

@@ -4,7 +4,6 @@ use core::f64::consts::PI;
 
 use linkage_core::math::double::sqrt;
 
-use super::CamError;
 use super::complex::{Complex, I};
 use linkage_core::Scalar;
 
@@ -49,64 +48,6 @@ pub(super) struct Centre {
 }
 
 impl Follower {
-    pub(super) fn check(&self) -> Result<(), CamError> {
-        let positive = |what, value: f64| match value > 0.0 && value.is_finite() {
-            true => Ok(()),
-            false => Err(CamError::Invalid {
-                what,
-                value,
-                expected: "positive and finite",
-            }),
-        };
-        let roller = |radius: f64, base: f64| match radius >= 0.0 && radius < base {
-            true => Ok(()),
-            false => Err(CamError::Invalid {
-                what: "radius of the roller",
-                value: radius,
-                expected: "0 for a point, and less than that of the pitch circle",
-            }),
-        };
-        match *self {
-            Self::Roller {
-                base,
-                offset,
-                radius,
-            } => {
-                positive("radius of the pitch circle", base)?;
-                if offset.abs() < base {
-                    return roller(radius, base);
-                }
-                let expected = "less than the radius of the pitch circle, which the guide meets";
-                Err(CamError::Invalid {
-                    what: "offset",
-                    value: offset,
-                    expected,
-                })
-            }
-            Self::Swinging {
-                base,
-                pivot,
-                arm,
-                radius,
-            } => {
-                positive("radius of the pitch circle", base)?;
-                positive("distance of the pivot", pivot)?;
-                positive("length of the arm", arm)?;
-                if base + arm > pivot && (pivot - arm).abs() < base {
-                    return roller(radius, base);
-                }
-                let expected =
-                    "the third side of a triangle with the distance of the pivot and the arm";
-                Err(CamError::Invalid {
-                    what: "radius of the pitch circle",
-                    value: base,
-                    expected,
-                })
-            }
-            Self::Flat { base } => positive("distance of the face", base),
-        }
-    }
-
     /// The radius of its roller; 0 for a flat face.
     pub fn radius(&self) -> f64 {
         match *self {

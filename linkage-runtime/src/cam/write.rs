@@ -3,7 +3,7 @@
 use std::format;
 use std::string::String;
 
-use super::Outline;
+use super::outline::Outline;
 use crate::report::tags::{Layer, Tags};
 
 /// Around the profile, and the width of its line, in shares of its size.
