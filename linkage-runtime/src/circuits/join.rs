@@ -1,14 +1,17 @@
 //! Which assemblies continue each other: through a turning point, or from one turn to the next.
 
-use super::search::{End, Leaf, Way};
-use super::{SAME, near, size};
+use super::leaf::{End, Leaf, Way};
+use super::unknowns::{near, size};
 use alloc::vec::Vec;
+
+/// How close the places of one assembly are from one turn to the next, relative to their size.
+const SAME: f64 = 1e-6;
 
 /// The end of a leaf: its number, and 0 or 1.
 type Place = (usize, usize);
 
 /// The circuits that the assemblies belong to, numbered from 0 in the order of their first ones, and which of them are closed.
-pub(super) fn circuits(
+pub(super) fn join(
     leaves: &[Leaf],
     seams: &[[Vec<f64>; 2]],
     turn: bool,

@@ -1,7 +1,8 @@
 //! Where the margin of an assembly is smallest, and where it has none.
 
-use super::search::{End, Leaf};
-use super::{BranchEnd, Levels};
+use super::branch::BranchEnd;
+use super::leaf::{End, Leaf};
+use super::levels::Levels;
 use linkage_core::numeric::range::minimum;
 
 /// Margins that are looked at along an assembly.

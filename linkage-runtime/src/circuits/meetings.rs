@@ -1,7 +1,9 @@
 //! Where two assemblies meet and both go on: change points, at which a group has one solution instead of two.
 
-use super::search::{Leaf, Way};
-use super::{Levels, Meeting, near, numbers, size};
+use super::branch::Meeting;
+use super::leaf::{Leaf, Way};
+use super::levels::Levels;
+use super::unknowns::{near, numbers, size};
 use crate::range_check::touches;
 use alloc::vec::Vec;
 use linkage_core::range_check::{AT_END, samples};

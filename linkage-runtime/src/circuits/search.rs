@@ -1,18 +1,16 @@
 //! Group after group: where it can be assembled given the groups before it, and in which ways.
 
 use super::coupled::{self, Found};
+use super::leaf::{End, Leaf, Way};
 use super::levels::{Chosen, Levels, Searched};
-use super::slab::Slab;
 use super::stretches::{Border, Slack, stretches};
 use super::trace::CurveEnd;
-use super::{Cycle, MOST_MODES, sample};
 use crate::data::AssemblyMode;
 use crate::error::AssemblyError;
 use crate::generated::{CoupledGroup, CoupledPrograms, Start, prepared};
 use alloc::vec;
 use alloc::vec::Vec;
-use linkage_core::Level;
-use linkage_core::numeric::continuation::Range;
+use linkage_core::{Cycle, Level};
 
 /// Places at which the slack of a group is sampled for every place at which coupled groups are listed, and at least: to begin with, and all
 /// that is known of it where it has no bounds.
@@ -23,37 +21,8 @@ const LEAST_SAMPLES: usize = 48;
 /// there.
 const ALWAYS: [f64; 5] = [-1.0, 1.0, -0.6, 0.05, 0.7];
 
-/// An end of an assembly.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
-    Range,
-    /// Where a group turns back; turning points are numbered.
-    Turning {
-        number: usize,
-        group: usize,
-    },
-    Lost,
-}
-
-/// How a group is assembled.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Way {
-    Mode(AssemblyMode),
-    /// The states of a coupled group at both ends.
-    States([Vec<f64>; 2]),
-}
-
-/// An assembly of all groups between two ends.
-#[derive(Clone, Debug)]
-pub(super) struct Leaf {
-    pub(super) chosen: Chosen,
-    /// Group by group, those with one assembly excepted.
-    pub(super) ways: Vec<(usize, Way)>,
-    pub(super) inputs: [f64; 2],
-    pub(super) ends: [End; 2],
-    /// A place between the ends where it is known, if a coupled group has one.
-    pub(super) known: Option<f64>,
-}
+/// More modes than this are not searched.
+const MOST_MODES: usize = 16;
 
 /// The search through all groups.
 pub(super) struct Search<'a, M> {
@@ -261,24 +230,11 @@ impl<'a, M: Levels> Search<'a, M> {
     }
 }
 
-impl Leaf {
-    /// Where a table of it is to serve: over the whole range, or between its ends, however near they are to each other.
-    fn range(&self, whole: Range) -> Range {
-        let [low, high] = self.inputs;
-        match self.ends {
-            [End::Range, End::Range] => whole,
-            _ => Range { low, high, ..whole },
-        }
+/// The input of a sample.
+pub(super) fn sample(cycle: &Cycle, index: usize) -> f64 {
+    let last = cycle.samples.max(2) - 1;
+    if index == last {
+        return cycle.high;
     }
-
-    fn slab(&self) -> Slab {
-        let [low, high] = self.inputs;
-        Slab { low, high }
-    }
-
-    /// Whether a coupled group is among those that are assembled.
-    pub(super) fn is_coupled(&self) -> bool {
-        let of_states = |(_, way): &(usize, Way)| matches!(way, Way::States(_));
-        self.ways.iter().any(of_states)
-    }
+    cycle.low + (cycle.high - cycle.low) * (index as f64 / last as f64)
 }

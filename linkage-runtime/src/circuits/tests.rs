@@ -2,25 +2,26 @@
 
 use super::curve::{Curve, Node};
 use super::parts::parts;
+use super::search::sample;
 use super::slab::Slab;
 use super::stretches::{Border, Slack, stretches};
 use super::trace::{CurveEnd, Strand};
 use alloc::vec::Vec;
 use linkage_core::numeric::continuation::{Correction, Step};
 use linkage_core::numeric::roots::Variable;
-use linkage_core::{Enclosure, Scalar};
+use linkage_core::{Cycle, Enclosure, Scalar};
 
 #[test]
 fn samples_are_even_and_reach_both_ends() {
     let (low, high) = (-1.0, 3.0);
     let (angle, samples) = (false, 5);
-    let cycle = super::Cycle {
+    let cycle = Cycle {
         low,
         high,
         angle,
         samples,
     };
-    let all = [0, 1, 2, 3, 4].map(|index| super::sample(&cycle, index));
+    let all = [0, 1, 2, 3, 4].map(|index| sample(&cycle, index));
     assert_eq!(all, [-1.0, 0.0, 1.0, 2.0, 3.0]);
 }
 
@@ -265,10 +266,10 @@ impl super::Levels for Gaps {
 /// Where there is no margin an assembly ends, on the side of the place where it is known; of several such places the nearest one counts.
 #[test]
 fn an_assembly_ends_where_it_has_no_margin() {
-    use super::BranchEnd::{Lost, Range};
+    use super::branch::BranchEnd::{Lost, Range};
     let gaps = Gaps(&[[0.2, 0.4], [2.0, 2.5], [3.0, 3.7]]);
     let whole = [Range(0.0), Range(4.0)];
-    let ends = |known: f64, lost: f64| super::up_to(&gaps, &(), whole, [known, lost]);
+    let ends = |known: f64, lost: f64| super::margins::up_to(&gaps, &(), whole, [known, lost]);
     let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
     for lost in [0.3, 2.2, 3.2] {
         let (ends, at, least) = ends(1.0, lost);

@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 use linkage_core::math::double::sqrt;
 
-pub(super) struct Search<'s, 'a, const K: usize, const N: usize> {
+struct Search<'s, 'a, const K: usize, const N: usize> {
     set: &'s PhaseSet<'a, K, N>,
     ranges: [(f64, f64); N],
     /// Of each pair, what was seen at a difference of phases.
@@ -37,11 +37,39 @@ const CELLS: usize = 100_000;
 /// An end of the range that a step misses by rounding, as a share of a step, still has it.
 const BESIDE: f64 = 1e-9;
 
-impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
-    pub(super) fn new(
-        set: &'s PhaseSet<'a, K, N>,
+impl<const K: usize, const N: usize> PhaseSet<'_, K, N> {
+    /// The phases, each from the first to the second one of its range, a cycle at most, that make the least distance
+    /// of all pairs over the cycle largest.
+    ///
+    /// It is the best of all local optima, as [`Phases::best`] finds it for one phase: boxes of phases that might hold
+    /// more than [`bound`](BestPhases::bound) are divided until none is left. The optimum itself is located by
+    /// derivatives: there no change of the phases makes all contacts larger.
+    ///
+    /// # Errors
+    ///
+    /// `Phases` for a range that is empty, infinite or more than a cycle, `NoPairs` without any, `Course` as
+    /// [`Phases::at`].
+    pub fn best(&self, ranges: [(f64, f64); N]) -> Result<BestPhases<K, N>, PhaseError> {
+        Search::new(self, ranges)?.best()
+    }
+
+    /// The best of the phases that are whole multiples of these steps, as `TAU / 48.0` for a gear of 48 slots, and what
+    /// is lost against the [best](Self::best) phases of all. All of them are compared.
+    ///
+    /// # Errors
+    ///
+    /// As [`best`](Self::best), and `Step` for a step that is not positive, or of which there is none in its range.
+    pub fn best_step(
+        &self,
         ranges: [(f64, f64); N],
-    ) -> Result<Self, PhaseError> {
+        steps: [f64; N],
+    ) -> Result<BestSteps<K, N>, PhaseError> {
+        Search::new(self, ranges)?.best_step(steps)
+    }
+}
+
+impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
+    fn new(set: &'s PhaseSet<'a, K, N>, ranges: [(f64, f64); N]) -> Result<Self, PhaseError> {
         let cycles = set.pairs.iter().map(|pair| pair.cycle);
         let cycle = cycles.fold(f64::INFINITY, f64::min);
         if set.pairs.is_empty() {
@@ -60,7 +88,7 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
         })
     }
 
-    pub(super) fn best(&mut self) -> Result<BestPhases<K, N>, PhaseError> {
+    fn best(&mut self) -> Result<BestPhases<K, N>, PhaseError> {
         let mut open = self.coarse()?;
         let mut best = self.crest(open.peek().map(|cell| cell.centre))?;
         let speeds = self.set.pairs.iter().map(|pair| pair.limits.speed);
@@ -126,11 +154,7 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
     }
 
     /// What is between the organs of a pair at these phases.
-    pub(super) fn probe(
-        &mut self,
-        pair: usize,
-        phases: &[f64; N],
-    ) -> Result<Rc<Probe<K>>, PhaseError> {
+    fn probe(&mut self, pair: usize, phases: &[f64; N]) -> Result<Rc<Probe<K>>, PhaseError> {
         let own = &self.set.pairs[pair];
         let phase = |of: Option<usize>| of.map_or(0.0, |phase| phases[phase]);
         // No negative zero.
@@ -144,7 +168,7 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
     }
 
     /// All minima of all pairs, as parabolas of the phases.
-    pub(super) fn crest_at(&mut self, phases: [f64; N]) -> Result<Crest<N>, PhaseError> {
+    fn crest_at(&mut self, phases: [f64; N]) -> Result<Crest<N>, PhaseError> {
         let mut crest = Crest::new(phases);
         for pair in 0..self.set.pairs.len() {
             let probe = self.probe(pair, &phases)?;
@@ -197,7 +221,7 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
         Ok(found)
     }
 
-    pub(super) fn best_step(&mut self, steps: [f64; N]) -> Result<BestSteps<K, N>, PhaseError> {
+    fn best_step(&mut self, steps: [f64; N]) -> Result<BestSteps<K, N>, PhaseError> {
         let mut numbers: [(i64, i64); N] = [(0, 0); N];
         for ((own, step), range) in numbers.iter_mut().zip(steps).zip(self.ranges) {
             let ends = [range.0 / step - BESIDE, range.1 / step + BESIDE];

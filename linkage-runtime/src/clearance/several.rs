@@ -1,6 +1,5 @@
 //! Several organs on one shaft, whose phases are sought together.
 
-use super::PhaseError;
 use super::nearest::Nearest;
 use super::phases::Phases;
 use super::probe::{Limits, Probe};
@@ -137,34 +136,5 @@ impl<'a, const K: usize, const N: usize> PhaseSet<'a, K, N> {
             at: Box::new(|phase| phases.probe(phase)),
         });
         self
-    }
-
-    /// The phases, each from the first to the second one of its range, a cycle at most, that make the least distance
-    /// of all pairs over the cycle largest.
-    ///
-    /// It is the best of all local optima, as [`Phases::best`] finds it for one phase: boxes of phases that might hold
-    /// more than [`bound`](BestPhases::bound) are divided until none is left. The optimum itself is located by
-    /// derivatives: there no change of the phases makes all contacts larger.
-    ///
-    /// # Errors
-    ///
-    /// `Phases` for a range that is empty, infinite or more than a cycle, `NoPairs` without any, `Course` as
-    /// [`Phases::at`].
-    pub fn best(&self, ranges: [(f64, f64); N]) -> Result<BestPhases<K, N>, PhaseError> {
-        super::boxes::Search::new(self, ranges)?.best()
-    }
-
-    /// The best of the phases that are whole multiples of these steps, as `TAU / 48.0` for a gear of 48 slots, and what
-    /// is lost against the [best](Self::best) phases of all. All of them are compared.
-    ///
-    /// # Errors
-    ///
-    /// As [`best`](Self::best), and `Step` for a step that is not positive, or of which there is none in its range.
-    pub fn best_step(
-        &self,
-        ranges: [(f64, f64); N],
-        steps: [f64; N],
-    ) -> Result<BestSteps<K, N>, PhaseError> {
-        super::boxes::Search::new(self, ranges)?.best_step(steps)
     }
 }

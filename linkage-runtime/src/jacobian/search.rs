@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::Jacobian;
+use super::matrix::Jacobian;
 
 /// Halvings that leave neighbouring numbers of any range.
 const HALVINGS: usize = 1100;

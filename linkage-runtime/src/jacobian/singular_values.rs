@@ -3,14 +3,14 @@
 
 use linkage_core::Scalar;
 
-use super::dot;
+use super::vectors::dot;
 
 /// Each sweep over all pairs squares what is left; from any matrix of up to six columns nothing is left after eight, and the last two
 /// are for columns of very different lengths.
 const SWEEPS: usize = 10;
 
 /// Of a matrix by its columns, the largest first.
-pub(super) fn of<T: Scalar, const N: usize>(mut columns: [[T; N]; N]) -> [T; N] {
+pub(super) fn singular_values<T: Scalar, const N: usize>(mut columns: [[T; N]; N]) -> [T; N] {
     for _ in 0..SWEEPS {
         for second in 1..N {
             for first in 0..second {

@@ -1,9 +1,11 @@
 //! The stresses of a pin.
 
+use super::error::PinError;
 use super::formulas::formulas;
-use super::pin::positive;
+use super::pin::{Limit, Pin};
+use super::rule::Rule;
 use super::size::largest;
-use super::{Limit, Pin, PinError, Rule};
+use super::validate::{positive, validate};
 
 /// A stress that exceeds the allowable one by this share or less does so by rounding: the diameter that is required was computed.
 const ROUNDING: f64 = 1e-12;
@@ -66,7 +68,7 @@ impl Pin {
     ///
     /// `Invalid` for a number that is not positive and finite, `OutOfRange` if a stress overflows.
     pub fn check(&self, diameter: f64) -> Result<Check, PinError> {
-        self.validate()?;
+        validate(self)?;
         positive("the diameter", diameter)?;
         let rules = self.rules();
         let limits = self.limits();

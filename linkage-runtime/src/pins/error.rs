@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::Rule;
+use super::rule::Rule;
 use crate::words::rounded;
 
 /// Why a pin cannot be computed.

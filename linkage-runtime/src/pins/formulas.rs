@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use super::{Fit, Mounting, Pin, PinError, Width};
+use super::error::PinError;
+use super::pin::{Fit, Mounting, Pin, Width};
 use linkage_core::math::cube_root;
 use linkage_core::math::double::sqrt;
 

@@ -1,6 +1,6 @@
 //! The load of a pin from the reactions over a cycle.
 
-use super::PinError;
+use super::error::PinError;
 use crate::components::{Components, norm};
 
 /// The largest reaction of a cycle.

@@ -2,54 +2,12 @@
 
 use core::fmt;
 
+use super::error::PinError;
 use super::formulas::formulas;
-use super::{Mounting, Pin, PinError};
+use super::pin::{Limit, Mounting, Pin};
+use super::rule::{Part, Rule};
+use super::validate::validate;
 use crate::words::rounded;
-
-/// A part that a pin presses on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// The rod of a clevis.
-    Rod,
-    /// The fork of a clevis.
-    Fork,
-    /// The hub on an overhung pin.
-    Hub,
-    /// The seat of an overhung pin.
-    Seat,
-}
-
-impl fmt::Display for Part {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Rod => "rod",
-            Self::Fork => "fork",
-            Self::Hub => "hub",
-            Self::Seat => "seat",
-        })
-    }
-}
-
-/// What limits a pin.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Rule {
-    /// Its bending.
-    Bending,
-    /// Its shear.
-    Shear,
-    /// The bearing pressure in a part.
-    Bearing(Part),
-}
-
-impl fmt::Display for Rule {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Bending => f.write_str("bending"),
-            Self::Shear => f.write_str("shear"),
-            Self::Bearing(part) => write!(f, "bearing pressure in the {part}"),
-        }
-    }
-}
 
 /// The diameter that a pin needs, and what for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +33,7 @@ impl Pin {
     /// `Invalid` for a number that is not positive and finite, `SeatTooShort` if an overhung pin's seat has a fixed length
     /// that no diameter makes up for, `OutOfRange` if a result overflows.
     pub fn diameter(&self) -> Result<Size, PinError> {
-        self.validate()?;
+        validate(self)?;
         let mut required = [0.0; 4];
         let checks = formulas(self).into_iter().zip(self.limits());
         for (to, ((formula, limit), rule)) in required.iter_mut().zip(checks.zip(self.rules())) {
@@ -106,7 +64,7 @@ impl Pin {
     }
 
     /// Their limits.
-    pub(super) fn limits(&self) -> [super::Limit; 4] {
+    pub(super) fn limits(&self) -> [Limit; 4] {
         let members = match self.mounting {
             Mounting::Clevis { rod, fork, .. } => [rod, fork],
             Mounting::Overhung { hub, seat, .. } => [hub, seat],

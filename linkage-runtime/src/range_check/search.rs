@@ -1,7 +1,8 @@
 //! The search through the range of one input.
 
+use super::report::{RangeFinding, RangeFindingKind, Ranged};
 use super::stretches::{Sample, Stretch, fails, lowest, stretches};
-use super::{RangeFinding, RangeFindingKind, Ranged};
+
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 use linkage_core::numeric::range::{first_failure, minimum};

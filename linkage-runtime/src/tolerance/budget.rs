@@ -4,8 +4,10 @@ mod print;
 
 use core::array;
 
+use super::distribution::Distribution;
 use super::student;
-use super::{Distribution, Uncertainties};
+use super::uncertainties::Uncertainties;
+use crate::components::Components;
 
 /// The uncertainty of a quantity of `K` components by those of `N` parameters, to first order: the law of propagation
 /// of uncertainty (JCGM 100:2008, 5.2.2), for several components its matrix form (JCGM 102:2011, 6.2.1.3).
@@ -40,6 +42,17 @@ pub struct BudgetLine {
     /// Its part of the variance, that of its correlations included, half of each pair's. Parts sum up to 1; one may be
     /// negative, where a correlation makes the uncertainty smaller.
     pub share: f64,
+}
+
+impl<const N: usize> Uncertainties<N> {
+    /// The uncertainty of a quantity with these sensitivities, to first order, and what each parameter has to do with
+    /// it. The correlations are taken into account.
+    ///
+    /// All figures are NaN where a sensitivity is, because the mechanism cannot be assembled.
+    #[must_use]
+    pub fn budget<V: Components<K>, const K: usize>(&self, sensitivities: &[V; N]) -> Budget<N, K> {
+        Budget::new(*self, sensitivities.map(V::components))
+    }
 }
 
 impl<const N: usize, const K: usize> Budget<N, K> {

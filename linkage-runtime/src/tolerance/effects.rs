@@ -4,9 +4,9 @@ use alloc::vec::Vec;
 use core::array;
 use core::fmt;
 
-use super::Tolerances;
+use super::given::Tolerances;
 use super::modulus;
-use crate::components::{in_space, norm};
+use crate::components::{Components, in_space, norm};
 use crate::words::rounded;
 
 /// The error of a quantity of `K` components that each of `N` tolerances allows, to first order:
@@ -44,6 +44,20 @@ pub struct Contribution<const K: usize> {
     /// Its part of the variance: the square of `modulus` over the sum of squares. The parts sum up to
     /// 1.
     pub share_of_variance: f64,
+}
+
+impl<const N: usize> Tolerances<N> {
+    /// What each tolerance does to a quantity with these sensitivities.
+    ///
+    /// Where a sensitivity is NaN, because the mechanism cannot be assembled, all figures that it
+    /// enters are NaN.
+    #[must_use]
+    pub fn effects<V: Components<K>, const K: usize>(
+        &self,
+        sensitivities: &[V; N],
+    ) -> Effects<N, K> {
+        Effects::new(*self, &sensitivities.map(V::components))
+    }
 }
 
 impl<const N: usize, const K: usize> Effects<N, K> {

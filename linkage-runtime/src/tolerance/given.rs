@@ -3,8 +3,7 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::{Effects, ToleranceError};
-use crate::components::Components;
+use super::error::ToleranceError;
 use crate::data::Parameter;
 use crate::words::rounded;
 
@@ -129,18 +128,6 @@ impl<const N: usize> Tolerances<N> {
     #[must_use]
     pub const fn middles(&self) -> &[f64; N] {
         &self.middles
-    }
-
-    /// What each tolerance does to a quantity with these sensitivities.
-    ///
-    /// Where a sensitivity is NaN, because the mechanism cannot be assembled, all figures that it
-    /// enters are NaN.
-    #[must_use]
-    pub fn effects<V: Components<K>, const K: usize>(
-        &self,
-        sensitivities: &[V; N],
-    ) -> Effects<N, K> {
-        Effects::new(*self, &sensitivities.map(V::components))
     }
 
     fn checked(parameters: [Parameter; N]) -> Result<Self, ToleranceError> {

@@ -3,8 +3,9 @@
 use core::array;
 use core::fmt;
 
+use super::budget::Budget;
 use super::correlation::Square;
-use super::{Budget, Uncertainties};
+use super::uncertainties::Uncertainties;
 use crate::components::Components;
 use crate::words::rounded;
 
@@ -30,8 +31,22 @@ pub struct SecondOrder<const N: usize, const K: usize> {
     pub cubic: [[f64; K]; K],
 }
 
+impl<const N: usize> Uncertainties<N> {
+    /// The uncertainty of a quantity to second order: `first` are its sensitivities, `second` their sensitivities, which a
+    /// function gives as `sensitivity(q)` and `sensitivity(sensitivity(q))`.
+    #[must_use]
+    pub fn second_order<V: Components<K>, const K: usize>(
+        &self,
+        first: &[V; N],
+        second: &[[V; N]; N],
+    ) -> SecondOrder<N, K> {
+        let second = second.map(|row| row.map(V::components));
+        SecondOrder::new(*self, first.map(V::components), &second)
+    }
+}
+
 impl<const N: usize, const K: usize> SecondOrder<N, K> {
-    pub(super) fn new(
+    fn new(
         uncertainties: Uncertainties<N>,
         first: [[f64; K]; N],
         second: &[[[f64; K]; N]; N],

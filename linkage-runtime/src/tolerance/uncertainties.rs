@@ -3,9 +3,9 @@
 use core::array;
 
 use super::correlation::{self, Square};
-use super::given::exactly;
-use super::{Budget, Distribution, SecondOrder, ToleranceError, Tolerances};
-use crate::components::Components;
+use super::distribution::Distribution;
+use super::error::ToleranceError;
+use super::given::{Tolerances, exactly};
 use crate::data::Parameter;
 
 /// Standard uncertainties of `N` parameters with their correlations, as in the Guide to the Expression of Uncertainty
@@ -198,27 +198,6 @@ impl<const N: usize> Uncertainties<N> {
         let standard = self.standard_uncertainties();
         let covariance = |i: usize, j: usize| standard[i] * self.correlations[i][j] * standard[j];
         array::from_fn(|i| array::from_fn(|j| covariance(i, j)))
-    }
-
-    /// The uncertainty of a quantity with these sensitivities, to first order, and what each parameter has to do with
-    /// it. The correlations are taken into account.
-    ///
-    /// All figures are NaN where a sensitivity is, because the mechanism cannot be assembled.
-    #[must_use]
-    pub fn budget<V: Components<K>, const K: usize>(&self, sensitivities: &[V; N]) -> Budget<N, K> {
-        Budget::new(*self, sensitivities.map(V::components))
-    }
-
-    /// The uncertainty of a quantity to second order: `first` are its sensitivities, `second` their sensitivities, which a
-    /// function gives as `sensitivity(q)` and `sensitivity(sensitivity(q))`.
-    #[must_use]
-    pub fn second_order<V: Components<K>, const K: usize>(
-        &self,
-        first: &[V; N],
-        second: &[[V; N]; N],
-    ) -> SecondOrder<N, K> {
-        let second = second.map(|row| row.map(V::components));
-        SecondOrder::new(*self, first.map(V::components), &second)
     }
 
     pub(super) const fn root(&self) -> &Square<N> {

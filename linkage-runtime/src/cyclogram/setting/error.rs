@@ -1,6 +1,6 @@
 //! Why an event cannot be set to an angle.
 
-use super::VALUES;
+use super::value::VALUES;
 use crate::words::rounded;
 use alloc::string::String;
 use core::fmt;

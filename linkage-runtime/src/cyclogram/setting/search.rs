@@ -1,7 +1,9 @@
 //! The search for such values.
 
-use super::{Setting, SettingError, VALUES};
-use crate::cyclogram::{Event, Organ};
+use super::error::SettingError;
+use super::value::{Setting, VALUES};
+use crate::cyclogram::event::Event;
+use crate::cyclogram::organ::Organ;
 use alloc::string::String;
 use alloc::vec::Vec;
 

@@ -1,6 +1,6 @@
 //! Arguments with the states of coupled groups behind them.
 
-use super::Arguments;
+use super::arguments::Arguments;
 use linkage_core::Scalar;
 
 /// Where the states of coupled groups come from: `S` numbers from `J` inputs.

@@ -1,13 +1,17 @@
 //! Mechanisms too far from the one of the tables for the steps of a kernel: the states of their coupled groups are followed.
 
+mod rows;
 mod travel;
 
+use super::arguments::Arguments;
+use super::blocks::rows;
 use super::instruction_set::run;
-use super::{Arguments, Kernel, rows};
+use super::kernel::Kernel;
 use crate::columns::Columns;
 use alloc::vec::Vec;
 use linkage_core::{FUSED, Scalar};
-use travel::{Groups, Place, Rows, travel};
+use rows::Rows;
+use travel::{Groups, Place, travel};
 
 pub use travel::Moving;
 
@@ -193,7 +197,7 @@ pub fn fill_followed_parallel<
     F: Fn(usize) -> M + Sync,
 {
     columns.resize(arguments.check());
-    super::split(0, columns.all_mut(), &|start, mut columns| {
+    super::parallel::split(0, columns.all_mut(), &|start, mut columns| {
         run(
             kernel,
             arguments,

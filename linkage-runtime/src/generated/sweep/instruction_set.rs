@@ -1,6 +1,8 @@
 //! The best instruction set that the running machine has.
 
-use super::{Arguments, Kernel, blocks};
+use super::arguments::Arguments;
+use super::blocks;
+use super::kernel::Kernel;
 use linkage_core::FUSED;
 use linkage_core::Scalar;
 

@@ -1,6 +1,6 @@
 //! Places that a mechanism has reached on its way, and where they lead.
 
-use super::Groups;
+use super::groups::Groups;
 use super::slots::Lane;
 use core::array::from_fn;
 use linkage_core::Scalar;
@@ -130,7 +130,7 @@ impl<const R: usize> History<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Place;
+    use super::super::groups::Place;
     use super::super::slots::Slots;
     use super::*;
     use alloc::vec;

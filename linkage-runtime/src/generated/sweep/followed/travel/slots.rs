@@ -1,6 +1,6 @@
 //! The rows of all that are under way, column by column, as kernels read them.
 
-use crate::generated::sweep::Arguments;
+use crate::generated::sweep::arguments::Arguments;
 use alloc::boxed::Box;
 
 /// How many are under way at once: enough for vectors of rows, few enough for the processor's nearest cache.

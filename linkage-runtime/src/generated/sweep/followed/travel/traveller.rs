@@ -1,8 +1,8 @@
 //! One mechanism on its way.
 
+use super::groups::{Groups, Place};
 use super::history::History;
 use super::slots::Lane;
-use super::{Groups, Place};
 use crate::generated::CoupledGroup;
 use crate::generated::settle::{CORRECTIONS, scaled, scales};
 use linkage_core::Scalar;

@@ -1,0 +1,48 @@
+//! The coupled groups that are followed.
+
+use alloc::vec::Vec;
+
+/// A coupled group that is followed.
+#[derive(Clone, Copy)]
+pub(crate) struct Place {
+    pub(crate) number: usize,
+    /// Of its state in a row; the floor stands behind that.
+    pub(crate) first: usize,
+    pub(crate) size: usize,
+}
+
+impl Place {
+    pub(super) fn floor(self) -> usize {
+        self.first + self.size
+    }
+
+    pub(super) fn state(self) -> core::ops::Range<usize> {
+        self.first..self.floor()
+    }
+}
+
+/// The coupled groups that are followed, in order.
+pub(crate) struct Groups {
+    pub(super) places: Vec<Place>,
+    /// Where all numbers of their states stand, and these with the floors.
+    pub(super) states: Vec<usize>,
+    pub(super) numbers: Vec<usize>,
+}
+
+impl Groups {
+    pub(crate) fn new(places: Vec<Place>) -> Self {
+        let states = places.iter().flat_map(|place| place.state()).collect();
+        let numbers = places.iter().flat_map(|place| place.first..=place.floor());
+        let numbers = numbers.collect();
+        Self {
+            places,
+            states,
+            numbers,
+        }
+    }
+
+    /// Whether a row has all their states.
+    pub(crate) fn have<const R: usize>(&self, row: &[f64; R]) -> bool {
+        self.numbers.iter().all(|&number| row[number].is_finite())
+    }
+}

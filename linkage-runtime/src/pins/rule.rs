@@ -1,0 +1,48 @@
+//! What limits a pin.
+
+use core::fmt;
+
+/// A part that a pin presses on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The rod of a clevis.
+    Rod,
+    /// The fork of a clevis.
+    Fork,
+    /// The hub on an overhung pin.
+    Hub,
+    /// The seat of an overhung pin.
+    Seat,
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Rod => "rod",
+            Self::Fork => "fork",
+            Self::Hub => "hub",
+            Self::Seat => "seat",
+        })
+    }
+}
+
+/// What limits a pin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Rule {
+    /// Its bending.
+    Bending,
+    /// Its shear.
+    Shear,
+    /// The bearing pressure in a part.
+    Bearing(Part),
+}
+
+impl fmt::Display for Rule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Bending => f.write_str("bending"),
+            Self::Shear => f.write_str("shear"),
+            Self::Bearing(part) => write!(f, "bearing pressure in the {part}"),
+        }
+    }
+}
