@@ -11,6 +11,7 @@ mod course;
 mod dwell;
 mod error;
 mod extremes;
+mod figures;
 mod grashof;
 mod interval;
 mod least;

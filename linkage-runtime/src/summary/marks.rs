@@ -22,34 +22,34 @@ pub(crate) struct Mark<const N: usize> {
     pub(crate) sign: Sign,
 }
 
-impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
-    /// The marks of a cycle without gaps, in the order in which they follow each other, beginning anywhere.
-    pub(crate) fn marks(&self, levels: &[f64]) -> Vec<Mark<N>> {
-        let chain = stations(&self.solved[0]);
-        let mut marks = Vec::new();
-        let mut order: Vec<usize> = (0..levels.len()).collect();
-        order.sort_by(|&a, &b| levels[a].total_cmp(&levels[b]));
-        for pair in chain.windows(2) {
-            let [a, b] = [&pair[0].node, &pair[1].node];
-            let limit = pair[0].limit.map(Sign::Turn);
-            let passed =
-                |&&level: &&usize| (a.jet[0] < levels[level]) != (b.jet[0] < levels[level]);
-            let mark = |node: super::source::Node<N>, sign| {
-                let node = self.source.in_range(node);
-                let (at, jet) = (node.u, node.jet);
-                Mark { at, jet, sign }
-            };
-            marks.extend(limit.map(|sign| mark(*a, sign)));
-            let pass = |&level: &usize| {
-                let node = passage(&self.source, a, b, levels[level]);
-                mark(node, Sign::Level(level))
-            };
-            if a.jet[0] < b.jet[0] {
-                marks.extend(order.iter().filter(passed).map(pass));
-            } else {
-                marks.extend(order.iter().rev().filter(passed).map(pass));
-            }
+/// The marks of [`Course::marks`].
+pub(super) fn marks<const N: usize, F: Fn(f64) -> [f64; N]>(
+    course: &Course<N, F>,
+    levels: &[f64],
+) -> Vec<Mark<N>> {
+    let chain = stations(&course.solved[0]);
+    let mut marks = Vec::new();
+    let mut order: Vec<usize> = (0..levels.len()).collect();
+    order.sort_by(|&a, &b| levels[a].total_cmp(&levels[b]));
+    for pair in chain.windows(2) {
+        let [a, b] = [&pair[0].node, &pair[1].node];
+        let limit = pair[0].limit.map(Sign::Turn);
+        let passed = |&&level: &&usize| (a.jet[0] < levels[level]) != (b.jet[0] < levels[level]);
+        let mark = |node: super::source::Node<N>, sign| {
+            let node = course.source.in_range(node);
+            let (at, jet) = (node.u, node.jet);
+            Mark { at, jet, sign }
+        };
+        marks.extend(limit.map(|sign| mark(*a, sign)));
+        let pass = |&level: &usize| {
+            let node = passage(&course.source, a, b, levels[level]);
+            mark(node, Sign::Level(level))
+        };
+        if a.jet[0] < b.jet[0] {
+            marks.extend(order.iter().filter(passed).map(pass));
+        } else {
+            marks.extend(order.iter().rev().filter(passed).map(pass));
         }
-        marks
     }
+    marks
 }
