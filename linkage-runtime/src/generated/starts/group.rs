@@ -1,5 +1,6 @@
 //! What generated code says of a group without a closed form.
 
+use alloc::vec::Vec;
 use linkage_core::numeric::continuation::{Range, Terms};
 use linkage_core::numeric::roots::{Term, Variable};
 
@@ -29,6 +30,18 @@ pub struct CoupledGroup {
     pub inputs: &'static [CoupledInput],
     /// What a grid over two of them knows in its cells.
     pub in_cells: Terms,
+}
+
+impl CoupledGroup {
+    /// Whether its assembly is followed from the estimates, since its solutions cannot be listed.
+    pub(crate) fn is_followed(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The ranges of its inputs.
+    pub(super) fn ranges(&self) -> Vec<Range> {
+        self.inputs.iter().map(|input| input.range).collect()
+    }
 }
 
 /// An unknown with a start estimate.

@@ -1,89 +1,14 @@
 //! What is prepared of all coupled groups of a mechanism, one group after the other.
 
-use super::grid::CoupledGrid;
 use super::group::CoupledGroup;
-use super::lanes::Coupled;
-use super::solve::{CoupledPrograms, CoupledSolution, couple, list};
+use super::programs::CoupledPrograms;
+use super::solution::CoupledSolution;
+use super::solve::{couple, list};
+use super::start::Start;
 use crate::error::AssemblyError;
 use alloc::vec;
 use alloc::vec::Vec;
-use linkage_core::Scalar;
-use linkage_core::numeric::continuation::{Grid, Range, Refusal, Step, Table};
-
-/// What is prepared of a coupled group.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Start {
-    /// Nothing yet: every state is NaN.
-    Nothing,
-    /// Over one input.
-    Table(Table),
-    /// Over several inputs, or none.
-    Grid(Grid),
-}
-
-impl Start {
-    /// Writes the state at the group's inputs `x` as calls of generated code look it up, and returns the floor; NaN where there is none.
-    /// With `FUSED` only on machines with fused multiply-add.
-    ///
-    /// # Panics
-    ///
-    /// If `state` is not as long as the states that were prepared.
-    #[inline(always)]
-    pub fn look_up<const FUSED: bool>(&self, x: &[f64], state: &mut [f64]) -> f64 {
-        match self {
-            Self::Nothing => {
-                state.fill(f64::NAN);
-                f64::NAN
-            }
-            Self::Table(table) => table.look_up::<FUSED>(x[0], state),
-            Self::Grid(grid) => grid.look_up::<FUSED>(x, state),
-        }
-    }
-
-    /// The state near the group's inputs `x`, and the floor.
-    fn state(&self, x: &[f64]) -> Vec<f64> {
-        match self {
-            Self::Nothing => Vec::new(),
-            Self::Table(table) => {
-                let mut state = vec![0.0; table.width()];
-                table.state(x[0], &mut state);
-                state
-            }
-            Self::Grid(grid) => {
-                let mut state = vec![0.0; grid.width()];
-                grid.state(x, &mut state);
-                state
-            }
-        }
-    }
-}
-
-impl CoupledGroup {
-    /// The ranges of its inputs.
-    fn ranges(&self) -> Vec<Range> {
-        self.inputs.iter().map(|input| input.range).collect()
-    }
-}
-
-impl<const S: usize> Coupled<S> {
-    /// The tables of all lanes.
-    pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a Start) -> Self {
-        Self::new::<T>(|lane| match start(lane) {
-            Start::Table(table) => table.lookup(),
-            _ => None,
-        })
-    }
-}
-
-impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
-    /// The grids of all lanes.
-    pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a Start) -> Self {
-        Self::new::<T>(|lane| match start(lane) {
-            Start::Grid(grid) => grid.lookup(),
-            _ => None,
-        })
-    }
-}
+use linkage_core::numeric::continuation::{Grid, Range, Refusal, Table};
 
 /// Which assemblies are prepared.
 #[derive(Clone, Copy, Debug)]
@@ -289,37 +214,4 @@ pub fn prepared_over<const K: usize, P: CoupledPrograms>(
 /// Nothing prepared, in every lane.
 pub fn nothing<const K: usize>(lanes: usize) -> Vec<[Start; K]> {
     vec![[const { Start::Nothing }; K]; lanes]
-}
-
-/// Puts a state in its place among arguments.
-pub fn put_state<T: Copy>(arguments: &mut [T], first: usize, state: &[T]) {
-    arguments[first..first + state.len()].copy_from_slice(state);
-}
-
-/// The outputs of a correction: the state, the square of its change, the determinant.
-pub fn stepped(state: &mut [f64], outputs: &[f64]) -> Step {
-    let (next, rest) = outputs.split_at(state.len());
-    state.copy_from_slice(next);
-    Step {
-        size: Scalar::sqrt(rest[0]),
-        determinant: rest[1],
-    }
-}
-
-/// Complex numbers.
-pub fn pairs(outputs: &[f64]) -> Vec<[f64; 2]> {
-    outputs.chunks_exact(2).map(|c| [c[0], c[1]]).collect()
-}
-
-/// What [`CoupledPrograms::placed`] gives, from outputs in this order and the reach of the links; by default that is `reach`.
-pub fn placed(angles: &[bool], reach: f64, outputs: &[f64]) -> Vec<[f64; 2]> {
-    let now = outputs.last().copied().unwrap_or(f64::NAN);
-    let size = if now > 0.0 { reach / now } else { 1.0 };
-    let mut next = outputs.iter().copied();
-    let mut number = || next.next().unwrap_or(f64::NAN);
-    let one = |angle: &bool| match angle {
-        true => [number(), number()],
-        false => [number(), size],
-    };
-    angles.iter().map(one).collect()
 }

@@ -1,7 +1,7 @@
 //! Where the loops of a group come nearest to closing, and by how much each misses there.
 
 use super::group::CoupledGroup;
-use super::solve::CoupledPrograms;
+use super::programs::CoupledPrograms;
 use crate::error::{Missed, Reach};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -22,53 +22,51 @@ const CORRECTIONS: usize = 20;
 /// Axes may be estimated roughly, so what their loops say there is a rough guide for the first time.
 const TIMES: usize = 3;
 
-impl CoupledGroup {
-    /// How near to closing its loops come from where its unknowns are estimated: where a way ends, bodies may be far from rigid.
-    pub(super) fn reach(
-        &self,
-        programs: &mut dyn CoupledPrograms,
-        x: &[f64],
-        estimate: Vec<f64>,
-    ) -> Reach {
-        if self.missed.is_empty() {
-            return Reach::Unknown;
-        }
-        let mut loops = Loops {
-            group: self,
-            programs,
-            x,
-        };
-        let found = loops
-            .rigid(estimate)
-            .and_then(|from| least(&mut loops, from));
-        found.map_or(Reach::Unknown, |(_, rows)| self.told(&rows.missed))
+/// How near to closing its loops come from where its unknowns are estimated: where a way ends, bodies may be far from rigid.
+pub(super) fn reach(
+    group: &CoupledGroup,
+    programs: &mut dyn CoupledPrograms,
+    x: &[f64],
+    estimate: Vec<f64>,
+) -> Reach {
+    if group.missed.is_empty() {
+        return Reach::Unknown;
     }
+    let mut loops = Loops {
+        group: group,
+        programs,
+        x,
+    };
+    let found = loops
+        .rigid(estimate)
+        .and_then(|from| least(&mut loops, from));
+    found.map_or(Reach::Unknown, |(_, rows)| told(group, &rows.missed))
+}
 
-    /// The loops that miss, the farthest first; `shares` are those of their scales.
-    fn told(&self, shares: &[f64]) -> Reach {
-        let mut shares = shares.iter().copied();
-        let mut all: Vec<(f64, Missed)> = Vec::new();
-        for own in self.missed {
-            let sides: Vec<f64> = shares.by_ref().take(own.rows).collect();
-            let share = match sides[..] {
-                [one] => one,
-                ref several => math::double::sqrt(several.iter().map(|x| x * x).sum()),
-            };
-            let missed = Missed {
-                number: own.number,
-                by: share * own.scale,
-                unit: own.unit,
-            };
-            all.push((share.abs(), missed));
-        }
-        let most = all.iter().fold(0.0, |most: f64, (size, _)| most.max(*size));
-        if most <= CLOSED {
-            return Reach::Closes;
-        }
-        all.retain(|(size, _)| *size > LITTLE * most);
-        all.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-        Reach::Misses(all.into_iter().map(|(_, missed)| missed).collect())
+/// The loops that miss, the farthest first; `shares` are those of their scales.
+fn told(group: &CoupledGroup, shares: &[f64]) -> Reach {
+    let mut shares = shares.iter().copied();
+    let mut all: Vec<(f64, Missed)> = Vec::new();
+    for own in group.missed {
+        let sides: Vec<f64> = shares.by_ref().take(own.rows).collect();
+        let share = match sides[..] {
+            [one] => one,
+            ref several => math::double::sqrt(several.iter().map(|x| x * x).sum()),
+        };
+        let missed = Missed {
+            number: own.number,
+            by: share * own.scale,
+            unit: own.unit,
+        };
+        all.push((share.abs(), missed));
     }
+    let most = all.iter().fold(0.0, |most: f64, (size, _)| most.max(*size));
+    if most <= CLOSED {
+        return Reach::Closes;
+    }
+    all.retain(|(size, _)| *size > LITTLE * most);
+    all.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    Reach::Misses(all.into_iter().map(|(_, missed)| missed).collect())
 }
 
 /// The loops of a group by its state.
