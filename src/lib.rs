@@ -12,7 +12,7 @@ pub use linkage_runtime::Lanes;
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
-    Gear, Group, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, Meaning,
+    Gear, Group, GroupRef, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, Meaning,
     NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
     PicturePart, PicturePoint, PlaneFrame, PointKind, Programs, Scalar, Screw, Structure, Table,
     Vector2, Vector3, true_acceleration, true_jerk, true_velocity,

@@ -68,7 +68,7 @@ pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};
 pub use dimensions::Dimensions;
-pub use error::{AssemblyError, Halt, NotFollowed};
+pub use error::{AssemblyError, GroupRef, Halt, NotFollowed};
 #[cfg(feature = "alloc")]
 pub use error::{CoupledCause, CoupledError, Missed, Placed, Reach, Value};
 #[cfg(feature = "nalgebra")]

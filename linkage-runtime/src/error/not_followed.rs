@@ -1,6 +1,6 @@
 //! Why a follower stays where it is.
 
-use super::place;
+use super::group::GroupRef;
 use crate::structure::Group;
 use crate::words::rounded;
 use core::fmt;
@@ -8,14 +8,16 @@ use core::fmt;
 /// Why a follower of an assembly did not reach the inputs that it was to go to. It stays where it was.
 ///
 /// ```
-/// use linkage_runtime::{Halt, NotFollowed};
+/// use linkage_runtime::{GroupRef, Halt, NotFollowed};
 ///
 /// let error = NotFollowed {
-///     mechanism: "Hexapod",
-///     group: 0,
-///     kind: "9 loops in space",
-///     loops: &[1, 2, 3],
-///     unknowns: &["p", "x", "y"],
+///     group: GroupRef {
+///         mechanism: "Hexapod",
+///         index: 0,
+///         kind: "9 loops in space",
+///         loops: &[1, 2, 3],
+///         unknowns: &["p", "x", "y"],
+///     },
 ///     share: 0.25,
 ///     why: Halt::DeadPoint,
 /// };
@@ -27,16 +29,8 @@ use core::fmt;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotFollowed {
-    /// Name of the mechanism.
-    pub mechanism: &'static str,
-    /// Index of the group in `STRUCTURE` that cannot be followed any further.
-    pub group: usize,
-    /// Its kind, such as `RR-RR-RR`.
-    pub kind: &'static str,
-    /// Its loops, the first loop of the mechanism being 1.
-    pub loops: &'static [usize],
-    /// Its unknowns.
-    pub unknowns: &'static [&'static str],
+    /// The group that cannot be followed any further.
+    pub group: GroupRef,
     /// How far the way goes: 0 where the follower stands, 1 at the inputs that it was to go to.
     pub share: f64,
     /// What is known of its end.
@@ -62,17 +56,13 @@ impl NotFollowed {
     #[must_use]
     pub fn new(
         mechanism: &'static str,
-        group: usize,
-        own: &'static Group,
+        index: usize,
+        group: &'static Group,
         share: f64,
         why: Halt,
     ) -> Self {
         Self {
-            mechanism,
-            group,
-            kind: own.kind,
-            loops: own.loops,
-            unknowns: own.unknowns,
+            group: GroupRef::new(mechanism, index, group),
             share,
             why,
         }
@@ -81,21 +71,11 @@ impl NotFollowed {
 
 impl fmt::Display for NotFollowed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            mechanism,
-            group,
-            kind,
-            loops,
-            unknowns,
-            share,
-            why,
-        } = *self;
-        write!(f, "{mechanism}: ")?;
-        place(f, group, kind, loops, unknowns)?;
+        let Self { group, share, why } = *self;
         let share = rounded(100.0 * share);
         write!(
             f,
-            " cannot be followed beyond {share} % of the straight way to these inputs: {why}"
+            "{group} cannot be followed beyond {share} % of the straight way to these inputs: {why}"
         )
     }
 }

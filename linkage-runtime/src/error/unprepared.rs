@@ -1,6 +1,7 @@
 //! Why a group without a closed form has no assembly.
 
-use super::{Reach, place};
+use super::group::GroupRef;
+use super::reach::Reach;
 use crate::words::rounded;
 use alloc::vec::Vec;
 use core::fmt;
@@ -9,14 +10,16 @@ use linkage_core::numeric::roots::Unlisted;
 /// Why a group that has no closed form (class III and higher) was not assembled.
 ///
 /// ```
-/// use linkage_runtime::{CoupledCause, CoupledError};
+/// use linkage_runtime::{CoupledCause, CoupledError, GroupRef};
 ///
 /// let error = CoupledError {
-///     mechanism: "Platform",
-///     group: 0,
-///     kind: "RR-RR-RR",
-///     loops: &[1, 2],
-///     unknowns: &["alpha", "beta"],
+///     group: GroupRef {
+///         mechanism: "Platform",
+///         index: 0,
+///         kind: "RR-RR-RR",
+///         loops: &[1, 2],
+///         unknowns: &["alpha", "beta"],
+///     },
 ///     cause: CoupledCause::NoneReal { complex: 6 },
 /// };
 /// assert_eq!(
@@ -27,16 +30,8 @@ use linkage_core::numeric::roots::Unlisted;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct CoupledError {
-    /// Name of the mechanism.
-    pub mechanism: &'static str,
-    /// Index of the group in `STRUCTURE`.
-    pub group: usize,
-    /// Its kind, such as `RR-RR-RR`.
-    pub kind: &'static str,
-    /// Its loops, the first loop of the mechanism being 1.
-    pub loops: &'static [usize],
-    /// Its unknowns.
-    pub unknowns: &'static [&'static str],
+    /// The group.
+    pub group: GroupRef,
     /// What is wrong.
     pub cause: CoupledCause,
 }
@@ -116,17 +111,8 @@ pub struct Value {
 
 impl fmt::Display for CoupledError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            mechanism,
-            group,
-            kind,
-            loops,
-            unknowns,
-            cause,
-        } = self;
-        write!(f, "{mechanism}: ")?;
-        place(f, *group, kind, loops, unknowns)?;
-        write!(f, " {cause}")
+        let Self { group, cause } = self;
+        write!(f, "{group} {cause}")
     }
 }
 

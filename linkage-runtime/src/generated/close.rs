@@ -3,8 +3,7 @@
 #[cfg(feature = "alloc")]
 use crate::data::AssemblyMode;
 use crate::data::Parameter;
-use crate::error::AssemblyError;
-use crate::error::LARGEST;
+use crate::error::{AssemblyError, GroupRef, LARGEST};
 use crate::structure::Group;
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -40,36 +39,20 @@ pub fn close<T: Scalar>(
     gaps: &[T],
 ) -> Result<(), AssemblyError> {
     for (index, gap) in gaps.iter().enumerate() {
-        let Group {
-            kind,
-            loops,
-            unknowns,
-            ..
-        } = groups[index];
         let mut miss = 0.0;
         for lane in 0..T::LANES {
             let gap = gap.lane(lane);
             if gap.is_nan() {
-                return Err(AssemblyError::Undefined {
-                    mechanism,
-                    group: index,
-                    kind,
-                    loops,
-                    unknowns,
-                });
+                let group = GroupRef::new(mechanism, index, &groups[index]);
+                return Err(AssemblyError::Undefined { group });
             }
             miss = f64::max(miss, gap);
         }
         if miss > 0.0 {
-            let unit = units[index];
             return Err(AssemblyError::CannotClose {
-                mechanism,
-                group: index,
-                kind,
-                loops,
-                unknowns,
+                group: GroupRef::new(mechanism, index, &groups[index]),
                 miss,
-                unit,
+                unit: units[index],
             });
         }
     }
@@ -83,7 +66,7 @@ pub fn explained<A, T: Scalar, V: AsRef<[T]>>(
     parameters: &'static [Parameter],
     values: impl Fn() -> V,
 ) -> Result<A, AssemblyError> {
-    let Err(AssemblyError::Undefined { mechanism, .. }) = result else {
+    let Err(AssemblyError::Undefined { group }) = result else {
         return result;
     };
     let values = values();
@@ -93,7 +76,7 @@ pub fn explained<A, T: Scalar, V: AsRef<[T]>>(
         let (k, lane) = lanes.next()?;
         Some((&parameters[k], values[k].lane(lane)))
     });
-    match too_large(mechanism, &mut all) {
+    match too_large(group.mechanism, &mut all) {
         Some(error) => Err(error),
         None => result,
     }

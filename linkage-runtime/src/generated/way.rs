@@ -2,7 +2,7 @@
 
 use super::settle::moved;
 use super::{CoupledGroup, CoupledPrograms, Start};
-use crate::error::AssemblyError;
+use crate::error::{AssemblyError, GroupRef};
 use crate::structure::Group;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -78,22 +78,10 @@ impl From<AssemblyError> for Obstacle {
 pub fn follow_way<W: Way>(way: &W, states: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, AssemblyError> {
     let blocked = |share: f64, obstacle: Obstacle| match obstacle {
         Obstacle::Error(error) => error,
-        Obstacle::Group(group) => {
-            let Group {
-                kind,
-                loops,
-                unknowns,
-                ..
-            } = W::GROUPS[group];
-            AssemblyError::Blocked {
-                mechanism: W::NAME,
-                group,
-                kind,
-                loops,
-                unknowns,
-                share,
-            }
-        }
+        Obstacle::Group(group) => AssemblyError::Blocked {
+            group: GroupRef::new(W::NAME, group, &W::GROUPS[group]),
+            share,
+        },
     };
     if let Some((share, group)) = first_end(way) {
         return Err(blocked(share, Obstacle::Group(group)));

@@ -1,7 +1,7 @@
 //! The errors of a coupled group.
 
 use super::group::{CoupledGroup, CoupledInput};
-use crate::error::{AssemblyError, CoupledCause, CoupledError, Placed, Value};
+use crate::error::{AssemblyError, CoupledCause, CoupledError, GroupRef, Placed, Value};
 use alloc::boxed::Box;
 use linkage_core::numeric::continuation::{LeftOut, Refusal};
 use linkage_core::numeric::roots::Unlisted;
@@ -20,19 +20,21 @@ impl CoupledInput {
 impl CoupledGroup {
     pub(super) fn error(&self, cause: CoupledCause) -> AssemblyError {
         AssemblyError::Coupled(Box::new(CoupledError {
-            mechanism: self.mechanism,
-            group: self.group,
-            kind: self.kind,
-            loops: self.loops,
-            unknowns: self.names,
+            group: self.reference(),
             cause,
         }))
     }
 
     pub(super) fn undefined(&self) -> AssemblyError {
         AssemblyError::Undefined {
+            group: self.reference(),
+        }
+    }
+
+    fn reference(&self) -> GroupRef {
+        GroupRef {
             mechanism: self.mechanism,
-            group: self.group,
+            index: self.group,
             kind: self.kind,
             loops: self.loops,
             unknowns: self.names,
