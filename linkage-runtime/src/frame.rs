@@ -3,7 +3,7 @@
 use core::fmt::{self, Debug, Formatter};
 use nalgebra::{Isometry3, Matrix3, RealField, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-use crate::generated::named;
+use crate::support::named;
 use linkage_core::Scalar;
 
 /// A frame in space: a point and three perpendicular directions of length 1, right-handed. What `frame(origin, x, z)`

@@ -34,10 +34,9 @@ mod data;
 pub mod design;
 mod dimensions;
 mod error;
+mod format;
 #[cfg(feature = "nalgebra")]
 mod frame;
-#[doc(hidden)]
-pub mod generated;
 pub mod jacobian;
 #[doc(hidden)]
 pub mod javascript;
@@ -57,10 +56,11 @@ mod screw;
 mod structure;
 #[cfg(feature = "alloc")]
 pub mod summary;
+#[doc(hidden)]
+pub mod support;
 mod table;
 #[cfg(feature = "tolerance")]
 pub mod tolerance;
-mod words;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
@@ -70,7 +70,7 @@ pub use data::{AssemblyMode, Input, Operations, Parameter};
 pub use dimensions::Dimensions;
 pub use error::{AssemblyError, GroupRef, Halt, NotFollowed};
 #[cfg(feature = "alloc")]
-pub use error::{CoupledCause, CoupledError, Missed, Placed, Reach, Value};
+pub use error::{ClosestApproach, CoupledCause, CoupledError, Missed, Placed, Value};
 #[cfg(feature = "nalgebra")]
 pub use frame::Frame;
 pub use javascript::Programs;

@@ -3,7 +3,7 @@
 use core::fmt::{self, Debug, Formatter};
 use nalgebra::{Isometry2, Matrix2, RealField, Rotation2, Translation2, UnitComplex, Vector2};
 
-use crate::generated::named;
+use crate::support::named;
 use linkage_core::Scalar;
 
 /// A frame of the plane: a point and two perpendicular directions of length 1, the second one a quarter of a turn from the first. What

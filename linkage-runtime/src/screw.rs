@@ -4,7 +4,7 @@ use core::array::from_fn;
 use core::fmt::{self, Debug, Formatter};
 use nalgebra::Vector3;
 
-use crate::generated::named;
+use crate::support::named;
 use linkage_core::Scalar;
 
 /// How a body moves at one moment: it turns about an axis and shifts along it, as a screw does (theorem of Mozzi and Chasles: G. Mozzi,

@@ -1,7 +1,7 @@
 //! The structure that the compiler found in a mechanism.
 
 use crate::data::Operations;
-use crate::words::{join, numbers};
+use crate::format::{join, numbers};
 use core::fmt;
 
 /// The structure of a mechanism: its Assur groups in the order in which they are solved, and what

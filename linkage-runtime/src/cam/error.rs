@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::follower::Follower;
 use super::undercut::Undercut;
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// Why a cam cannot be made.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use super::curve::{Curve, Node, dot};
 use super::slab::Slab;
 use super::trace::Strand;
 use crate::error::AssemblyError;
-use crate::generated::{CoupledGroup, CoupledPrograms, list};
+use crate::support::{CoupledGroup, CoupledPrograms, list_solutions};
 use alloc::vec::Vec;
 
 /// Newton steps for all curves of a slab.
@@ -42,7 +42,7 @@ pub(super) fn follow(
     };
     let (mut error, mut listed) = (None, false);
     for &u in samples {
-        let all = match list(group, programs, &[slab.x(u)]) {
+        let all = match list_solutions(group, programs, &[slab.x(u)]) {
             Ok(all) => all,
             Err(new) => {
                 listed |= new.is_a_miss();

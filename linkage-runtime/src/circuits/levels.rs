@@ -2,7 +2,7 @@
 
 use crate::data::AssemblyMode;
 use crate::error::AssemblyError;
-use crate::generated::{CoupledGroup, CoupledPrograms, Start};
+use crate::support::{CoupledGroup, CoupledPrograms, InitialState};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use linkage_core::numeric::continuation::{Correction, Residuals, Step};
@@ -27,7 +27,7 @@ pub struct Chosen {
     /// The modes; those of later groups mean nothing.
     pub modes: Vec<AssemblyMode>,
     /// What is prepared of coupled groups; nothing of later ones.
-    pub starts: Vec<Start>,
+    pub starts: Vec<InitialState>,
 }
 
 /// What is known of a mechanism with one input before it is searched.

@@ -1,7 +1,7 @@
 //! Circuits as a table.
 
 use super::branch::{BranchEnd, Circuits, Estimate, Meeting};
-use crate::words::{rounded, settled};
+use crate::format::{rounded, settled};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;

@@ -7,7 +7,7 @@ use super::stretches::{Border, Slack, stretches};
 use super::trace::CurveEnd;
 use crate::data::AssemblyMode;
 use crate::error::AssemblyError;
-use crate::generated::{CoupledGroup, CoupledPrograms, Start, prepared};
+use crate::support::{CoupledGroup, CoupledPrograms, InitialState, prepared};
 use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::{Cycle, Level};
@@ -55,7 +55,7 @@ impl<'a, M: Levels> Search<'a, M> {
         let root = Leaf {
             chosen: Chosen {
                 modes: vec![AssemblyMode::Plus; modes],
-                starts: vec![Start::Nothing; searched.coupled],
+                starts: vec![InitialState::Nothing; searched.coupled],
             },
             ways: Vec::new(),
             inputs: [cycle.low, cycle.high],
@@ -163,7 +163,7 @@ impl<'a, M: Levels> Search<'a, M> {
         description: &CoupledGroup,
         programs: &mut M::Programs,
     ) -> Result<Vec<Leaf>, AssemblyError> {
-        let all = match crate::generated::list(description, programs, &[]) {
+        let all = match crate::support::list_solutions(description, programs, &[]) {
             Err(error) if error.is_a_miss() => Vec::new(),
             listed => listed?,
         };

@@ -1,7 +1,7 @@
 //! What keeps phases from being compared.
 
+use crate::format::rounded;
 use crate::summary::SummaryError;
-use crate::words::rounded;
 use core::fmt;
 
 /// Why there is no best phase.

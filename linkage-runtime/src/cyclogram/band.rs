@@ -1,6 +1,6 @@
 //! Bands of a quantity in which an organ is said to dwell.
 
-use crate::words::rounded;
+use crate::format::rounded;
 use core::fmt;
 
 /// A band of a quantity: within it an organ dwells. In the unit of the quantity.

@@ -1,7 +1,7 @@
 //! What keeps an organ from having a cyclogram.
 
 use super::Band;
-use crate::words::rounded;
+use crate::format::rounded;
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;

@@ -1,7 +1,7 @@
 //! A cyclogram as a table to be read.
 
 use super::{Cyclogram, Event, Moment, Motion};
-use crate::words::rounded;
+use crate::format::rounded;
 use alloc::format;
 use alloc::string::{String, ToString};
 use core::fmt;

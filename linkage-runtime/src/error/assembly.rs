@@ -3,7 +3,7 @@
 use super::group::GroupRef;
 #[cfg(feature = "alloc")]
 use super::unprepared::{CoupledCause, CoupledError};
-use crate::words::rounded;
+use crate::format::rounded;
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 use core::fmt;

@@ -1,7 +1,7 @@
 //! A group as errors name it.
 
+use crate::format::{join, numbers};
 use crate::structure::Group;
-use crate::words::{join, numbers};
 use core::fmt;
 
 /// A group of a mechanism, as errors name it.

@@ -1,8 +1,8 @@
 //! Why a follower stays where it is.
 
 use super::group::GroupRef;
+use crate::format::rounded;
 use crate::structure::Group;
-use crate::words::rounded;
 use core::fmt;
 
 /// Why a follower of an assembly did not reach the inputs that it was to go to. It stays where it was.

@@ -1,8 +1,8 @@
 //! Why a group without a closed form has no assembly.
 
+use super::closest_approach::ClosestApproach;
 use super::group::GroupRef;
-use super::reach::Reach;
-use crate::words::rounded;
+use crate::format::rounded;
 use alloc::vec::Vec;
 use core::fmt;
 use linkage_core::numeric::roots::Unlisted;
@@ -60,7 +60,7 @@ pub enum CoupledCause {
         /// The part of what the estimates miss by that is left there.
         left: f64,
         /// Whether the loops close all the same.
-        reach: Reach,
+        closest_approach: ClosestApproach,
     },
     /// The assembly is at a dead point at the reference input.
     Singular,
@@ -156,10 +156,10 @@ impl fmt::Display for CoupledCause {
                 "cannot be solved: the solutions at the reference input cannot all be listed: {why}; this is a limit of \
                  linkage, not of the mechanism: {ANOTHER_WAY}"
             ),
-            Self::NotReached { left, reach } => write!(
+            Self::NotReached { left, closest_approach } => write!(
                 f,
                 "cannot be reached from its estimates at the reference input: the way ends where {:.1} % of what they miss by is \
-                 taken back, at a dead point or where a pivot of the elimination becomes small; {reach}",
+                 taken back, at a dead point or where a pivot of the elimination becomes small; {closest_approach}",
                 100.0 * (1.0 - left)
             ),
             Self::Singular => {

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::rule::Rule;
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// Why a pin cannot be computed.
 #[derive(Clone, Copy, Debug, PartialEq)]

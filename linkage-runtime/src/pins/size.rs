@@ -7,7 +7,7 @@ use super::formulas::formulas;
 use super::pin::{Limit, Mounting, Pin};
 use super::rule::{Part, Rule};
 use super::validate::validate;
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// The diameter that a pin needs, and what for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Which links of a four-bar turn fully.
 
 use super::SummaryError;
-use crate::words::rounded;
+use crate::format::rounded;
 use core::fmt;
 
 /// Rounding of the two sums that are compared, relative to the sum of all lengths.

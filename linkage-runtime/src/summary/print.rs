@@ -3,7 +3,7 @@
 use super::course::Course;
 use super::extremes::{Extreme, Extremes};
 use super::interval::Interval;
-use crate::words::{printed, rounded, settled};
+use crate::format::{printed, rounded, settled};
 use core::fmt;
 
 /// Roundoff of a position, as a share of the range.

@@ -1,12 +1,12 @@
 //! Assemblies of groups without a closed form, at the reference input and over the range.
 
 use crate::triads::EyeNeedle;
-use linkage_runtime::generated::{
-    Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, Start, Wanted, couple,
-    list, starts,
-};
 use linkage_runtime::numeric::continuation::{Correction, Range, Residuals, Step, Terms};
 use linkage_runtime::numeric::roots::{Term, Variable};
+use linkage_runtime::support::{
+    Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, InitialState, Wanted,
+    list_solutions, nearest_solution, starts,
+};
 use linkage_runtime::{AssemblyError, CoupledCause, FUSED, Scalar};
 use std::f64::consts::TAU;
 
@@ -90,7 +90,7 @@ impl CoupledPrograms for Programs {
 }
 
 /// The assembly nearest to the estimates, over the range.
-fn nearest(triad: EyeNeedle) -> Result<Start, AssemblyError> {
+fn nearest(triad: EyeNeedle) -> Result<InitialState, AssemblyError> {
     let all = starts(&[GROUP], &[0.0], Wanted::Nearest, |_, _| {
         Ok(Programs(triad))
     })?;
@@ -101,9 +101,9 @@ fn nearest(triad: EyeNeedle) -> Result<Start, AssemblyError> {
 #[test]
 fn all_assemblies_are_listed_and_the_nearest_is_taken() {
     let mut programs = Programs(EyeNeedle::MACHINE);
-    let all = list(&GROUP, &mut programs, &[0.0]).unwrap();
+    let all = list_solutions(&GROUP, &mut programs, &[0.0]).unwrap();
     assert!(all.is_sorted_by_key(|one| one.distance));
-    let one = couple(&GROUP, &mut programs, &[0.0]).unwrap();
+    let one = nearest_solution(&GROUP, &mut programs, &[0.0]).unwrap();
     assert_eq!(one, all[0]);
     for (a, b) in one.state.iter().zip(EyeNeedle::start()) {
         assert!((a - b).abs() < 2e-15, "{a} {b}");
@@ -171,8 +171,11 @@ fn assemblies_that_meet_are_in_the_way_only_if_they_are_meant() {
             },
             ..GROUP
         };
-        assert_eq!(list(&group, &mut Meeting, &[0.0]).unwrap().len(), 2);
-        couple(&group, &mut Meeting, &[0.0]).map_err(cause)
+        assert_eq!(
+            list_solutions(&group, &mut Meeting, &[0.0]).unwrap().len(),
+            2
+        );
+        nearest_solution(&group, &mut Meeting, &[0.0]).map_err(cause)
     };
     let angle = 0.2_f64.acos();
     // Farther from where two meet than from another one, by more than what is known of where they do.
@@ -188,14 +191,14 @@ fn assemblies_that_meet_are_in_the_way_only_if_they_are_meant() {
 #[test]
 fn estimates_between_two_assemblies_are_ambiguous() {
     let mut programs = Programs(EyeNeedle::MACHINE);
-    let all = list(&GROUP, &mut programs, &[0.0]).unwrap();
+    let all = list_solutions(&GROUP, &mut programs, &[0.0]).unwrap();
     let middle = |i: usize| 0.5 * (all[0].values[i] + all[1].values[i]);
     let unknowns = [unknown("leg", middle(0)), unknown("link", middle(1))];
     let group = CoupledGroup {
         unknowns: Box::leak(Box::new(unknowns)),
         ..GROUP
     };
-    let error = couple(&group, &mut programs, &[0.0]).unwrap_err();
+    let error = nearest_solution(&group, &mut programs, &[0.0]).unwrap_err();
     let text = error.to_string();
     let CoupledCause::Ambiguous { assemblies } = cause(error) else {
         panic!("{text}");
@@ -218,7 +221,7 @@ fn what_cannot_be_assembled_says_why() {
         legs: [10.0, 20.0, 30.0],
         ..EyeNeedle::MACHINE
     });
-    let error = couple(&GROUP, &mut short, &[0.0]).unwrap_err();
+    let error = nearest_solution(&GROUP, &mut short, &[0.0]).unwrap_err();
     assert!(matches!(
         cause(error),
         CoupledCause::NoneReal { complex: 6 }
@@ -238,7 +241,7 @@ fn what_cannot_be_assembled_says_why() {
         crank: f64::INFINITY,
         ..EyeNeedle::MACHINE
     });
-    let error = couple(&GROUP, &mut infinite, &[0.0]).unwrap_err();
+    let error = nearest_solution(&GROUP, &mut infinite, &[0.0]).unwrap_err();
     assert!(matches!(error, AssemblyError::Undefined { .. }), "{error}");
 }
 
@@ -265,7 +268,7 @@ fn what_is_not_prepared_is_not_a_number() {
     let start = nearest(EyeNeedle::MACHINE).unwrap();
     for (coupled, number) in [
         (Coupled::<5>::of::<f64>(|_| &start), 0.0),
-        (Coupled::<5>::of::<f64>(|_| &Start::Nothing), 1.0),
+        (Coupled::<5>::of::<f64>(|_| &InitialState::Nothing), 1.0),
     ] {
         let (state, floor) = coupled.at::<f64, FUSED>(number);
         assert!(floor.is_nan() && state.iter().all(|number: &f64| number.is_nan()));

@@ -1,7 +1,7 @@
 //! Why an event cannot be set to an angle.
 
 use super::value::VALUES;
-use crate::words::rounded;
+use crate::format::rounded;
 use alloc::string::String;
 use core::fmt;
 

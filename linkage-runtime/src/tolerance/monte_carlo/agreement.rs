@@ -5,8 +5,8 @@ use core::fmt;
 use super::Samples;
 use super::samples::Estimate;
 use crate::components::norm;
+use crate::format::rounded;
 use crate::tolerance::Effects;
-use crate::words::rounded;
 
 /// One number of a study beside what the linear analysis says of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The same assembly for other dimensions, followed along the straight way to them.
 
 use super::settle::moved;
-use super::{CoupledGroup, CoupledPrograms, Start};
+use super::{CoupledGroup, CoupledPrograms, InitialState};
 use crate::error::{AssemblyError, GroupRef};
 use crate::structure::Group;
 use alloc::vec;
@@ -19,7 +19,7 @@ const SHORTEST: f64 = 1e-7;
 const SAMPLES: usize = 64;
 
 /// A mechanism on its way from some dimensions (0) to others (1), in the assembly that is followed.
-pub trait Way {
+pub trait DimensionPath {
     /// The least margin, the slack of every group, the numbers of the unknowns.
     type Survey: AsRef<[f64]>;
     /// The programs of a coupled group.
@@ -35,12 +35,12 @@ pub trait Way {
     /// The reference inputs.
     fn inputs(&self) -> &[f64];
     /// What the mechanism is there, with what is prepared of coupled groups.
-    fn survey(&self, share: f64, starts: &[Start]) -> Self::Survey;
+    fn survey(&self, share: f64, initial_states: &[InitialState]) -> Self::Survey;
     /// A coupled group, with what is prepared of those before it. A mechanism without any has none.
     fn coupled(
         &self,
         _share: f64,
-        _starts: &[Start],
+        _starts: &[InitialState],
         _number: usize,
     ) -> Option<Result<(&'static CoupledGroup, Self::Programs), AssemblyError>> {
         None
@@ -48,7 +48,7 @@ pub trait Way {
 }
 
 /// A place on the way.
-struct Place {
+struct PathPoint {
     share: f64,
     /// Of the coupled groups.
     states: Vec<Vec<f64>>,
@@ -58,13 +58,13 @@ struct Place {
 }
 
 /// What ends a way.
-enum Obstacle {
+enum PathEnd {
     /// The group with this number.
     Group(usize),
     Error(AssemblyError),
 }
 
-impl From<AssemblyError> for Obstacle {
+impl From<AssemblyError> for PathEnd {
     fn from(error: AssemblyError) -> Self {
         Self::Error(error)
     }
@@ -75,33 +75,36 @@ impl From<AssemblyError> for Obstacle {
 /// # Errors
 ///
 /// [`AssemblyError::Blocked`] where it cannot be followed any further.
-pub fn follow_way<W: Way>(way: &W, states: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, AssemblyError> {
-    let blocked = |share: f64, obstacle: Obstacle| match obstacle {
-        Obstacle::Error(error) => error,
-        Obstacle::Group(group) => AssemblyError::Blocked {
+pub fn follow_path<W: DimensionPath>(
+    path: &W,
+    states: Vec<Vec<f64>>,
+) -> Result<Vec<Vec<f64>>, AssemblyError> {
+    let blocked = |share: f64, obstacle: PathEnd| match obstacle {
+        PathEnd::Error(error) => error,
+        PathEnd::Group(group) => AssemblyError::Blocked {
             group: GroupRef::new(W::NAME, group, &W::GROUPS[group]),
             share,
         },
     };
-    if let Some((share, group)) = first_end(way) {
-        return Err(blocked(share, Obstacle::Group(group)));
+    if let Some((share, group)) = first_end(path) {
+        return Err(blocked(share, PathEnd::Group(group)));
     }
     let unknown = vec![0.0; states.len()];
-    let start = Place {
+    let start = PathPoint {
         share: 0.0,
         states,
         determinants: unknown,
         slacks: Vec::new(),
     };
-    let first = step(way, &start, 0.0).map_err(|obstacle| blocked(0.0, obstacle))?;
+    let first = step(path, &start, 0.0).map_err(|obstacle| blocked(0.0, obstacle))?;
     if first.states.is_empty() {
         return Ok(first.states);
     }
-    let (mut places, obstacle) = walk(way, first);
-    if let Some((share, group)) = first_dip(way, &places) {
-        return Err(blocked(share, Obstacle::Group(group)));
+    let (mut points, obstacle) = walk(path, first);
+    if let Some((share, group)) = first_dip(path, &points) {
+        return Err(blocked(share, PathEnd::Group(group)));
     }
-    let last = places.remove(places.len() - 1);
+    let last = points.remove(points.len() - 1);
     match obstacle {
         Some(obstacle) => Err(blocked(last.share, obstacle)),
         None => Ok(last.states),
@@ -109,37 +112,37 @@ pub fn follow_way<W: Way>(way: &W, states: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>
 }
 
 /// The places from the first one to the end of the way, or to an obstacle.
-fn walk<W: Way>(way: &W, first: Place) -> (Vec<Place>, Option<Obstacle>) {
-    let mut places = vec![first];
+fn walk<W: DimensionPath>(path: &W, first: PathPoint) -> (Vec<PathPoint>, Option<PathEnd>) {
+    let mut points = vec![first];
     let mut length = LONGEST;
-    while let last = &places[places.len() - 1]
+    while let last = &points[points.len() - 1]
         && last.share < 1.0
     {
-        match step(way, last, (last.share + length).min(1.0)) {
+        match step(path, last, (last.share + length).min(1.0)) {
             Ok(next) => {
-                places.push(next);
+                points.push(next);
                 length = (2.0 * length).min(LONGEST);
             }
-            Err(obstacle) if length < SHORTEST => return (places, Some(obstacle)),
+            Err(obstacle) if length < SHORTEST => return (points, Some(obstacle)),
             Err(_) => length *= 0.5,
         }
     }
-    (places, None)
+    (points, None)
 }
 
 /// The first place between others where a group behind a coupled one comes apart, and the group.
-fn first_dip<W: Way>(way: &W, places: &[Place]) -> Option<(f64, usize)> {
+fn first_dip<W: DimensionPath>(path: &W, points: &[PathPoint]) -> Option<(f64, usize)> {
     let coupled = |group: &usize| matches!(W::LEVELS[*group], Level::Coupled(_));
     let behind = (0..W::LEVELS.len()).skip_while(|group| !coupled(group));
     let behind: Vec<usize> = behind.filter(|group| !coupled(group)).collect();
-    let (first, last) = (places.first()?, places.last()?);
+    let (first, last) = (points.first()?, points.last()?);
     if behind.is_empty() {
         return None;
     }
     // The groups, by how much of its slack each has, the least first.
     let least = |share: f64| -> (f64, usize) {
-        let nearest = places.partition_point(|place| place.share <= share).max(1) - 1;
-        let there = reach(way, &places[nearest], share);
+        let nearest = points.partition_point(|point| point.share <= share).max(1) - 1;
+        let there = reach(path, &points[nearest], share);
         let part = |&group: &usize| match &there {
             Ok(there) => there.slacks[group] / first.slacks[group],
             Err(_) => f64::NAN,
@@ -159,15 +162,16 @@ fn first_dip<W: Way>(way: &W, places: &[Place]) -> Option<(f64, usize)> {
 }
 
 /// The first place where a group that no coupled one stands before comes apart, and the group.
-fn first_end<W: Way>(way: &W) -> Option<(f64, usize)> {
+fn first_end<W: DimensionPath>(path: &W) -> Option<(f64, usize)> {
     let coupled = |level: &Level| matches!(level, Level::Coupled(_));
     let count = W::LEVELS
         .iter()
         .position(coupled)
         .unwrap_or(W::LEVELS.len());
-    let nothing = vec![Start::Nothing; W::LEVELS.iter().filter(|level| coupled(level)).count()];
+    let nothing =
+        vec![InitialState::Nothing; W::LEVELS.iter().filter(|level| coupled(level)).count()];
     let ends = (0..count).filter_map(|group| {
-        let slack = |share: f64| way.survey(share, &nothing).as_ref()[1 + group];
+        let slack = |share: f64| path.survey(share, &nothing).as_ref()[1 + group];
         let first = slack(0.0);
         // A group with one solution goes through infinity where its slack changes the sign.
         let sign = match W::LEVELS[group] {
@@ -182,8 +186,8 @@ fn first_end<W: Way>(way: &W) -> Option<(f64, usize)> {
 }
 
 /// The place at another share of the way, if one step leads there and all groups are assembled.
-fn step<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
-    let next = reach(way, from, share)?;
+fn step<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<PathPoint, PathEnd> {
+    let next = reach(path, from, share)?;
     for (group, level) in W::LEVELS.iter().enumerate() {
         let slack = next.slacks[group];
         let works = match (level, from.slacks.get(group)) {
@@ -192,47 +196,49 @@ fn step<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
             (Level::Modes(_) | Level::Coupled(_), _) => slack > 0.0,
         };
         if !works {
-            return Err(Obstacle::Group(group));
+            return Err(PathEnd::Group(group));
         }
     }
     Ok(next)
 }
 
 /// The place at another share of the way, if one step of the coupled groups leads there. Other groups may have come apart.
-fn reach<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
-    let mut next = Place {
+fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<PathPoint, PathEnd> {
+    let mut next = PathPoint {
         share,
         states: from.states.clone(),
         determinants: from.determinants.clone(),
         slacks: Vec::new(),
     };
-    let mut starts = vec![Start::Nothing; from.states.len()];
+    let mut initial_states = vec![InitialState::Nothing; from.states.len()];
     for (group, level) in W::LEVELS.iter().enumerate() {
         let slack = match *level {
             Level::Coupled(number) => {
-                let Some(programs) = way.coupled(share, &starts, number) else {
-                    return Err(Obstacle::Group(group));
+                let Some(programs) = path.coupled(share, &initial_states, number) else {
+                    return Err(PathEnd::Group(group));
                 };
                 let (description, mut programs) = programs?;
                 let x: Vec<f64> = description
                     .inputs
                     .iter()
-                    .map(|input| way.inputs()[input.index])
+                    .map(|input| path.inputs()[input.index])
                     .collect();
                 let before = &from.states[number];
                 let sign = from.determinants[number];
                 let found = moved(&mut programs, description.variables, &x, before, sign);
-                let (state, determinant) = found.ok_or(Obstacle::Group(group))?;
+                let (state, determinant) = found.ok_or(PathEnd::Group(group))?;
                 next.determinants[number] = determinant;
                 // Only groups behind it would read that.
                 if group + 1 < W::LEVELS.len() {
-                    starts[number] =
-                        here(&mut programs, &x, &state).ok_or(Obstacle::Group(group))?;
+                    initial_states[number] =
+                        here(&mut programs, &x, &state).ok_or(PathEnd::Group(group))?;
                 }
                 next.states[number] = state;
                 1.0
             }
-            Level::Modes(_) | Level::Single => way.survey(share, &starts).as_ref()[1 + group],
+            Level::Modes(_) | Level::Single => {
+                path.survey(share, &initial_states).as_ref()[1 + group]
+            }
         };
         next.slacks.push(slack);
     }
@@ -240,7 +246,7 @@ fn reach<W: Way>(way: &W, from: &Place, share: f64) -> Result<Place, Obstacle> {
 }
 
 /// What later groups need of a solution: it is prepared at the reference inputs alone.
-fn here(programs: &mut dyn Correction, x: &[f64], state: &[f64]) -> Option<Start> {
+fn here(programs: &mut dyn Correction, x: &[f64], state: &[f64]) -> Option<InitialState> {
     let range = |&x: &f64| Range {
         low: x,
         high: x,
@@ -248,12 +254,12 @@ fn here(programs: &mut dyn Correction, x: &[f64], state: &[f64]) -> Option<Start
     };
     match *x {
         [only] => Table::build(programs, only, state, range(&only), true)
-            .map(Start::Table)
+            .map(InitialState::Table)
             .ok(),
         _ => {
             let ranges: Vec<Range> = x.iter().map(range).collect();
             Grid::build(programs, x, state, &ranges, Terms::Slopes)
-                .map(Start::Grid)
+                .map(InitialState::Grid)
                 .ok()
         }
     }

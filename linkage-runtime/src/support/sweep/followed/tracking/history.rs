@@ -68,7 +68,7 @@ impl<const R: usize> History<R> {
     pub(super) fn look(&mut self, share: f64, groups: &Groups, lane: &Lane<'_, R>) {
         self.known = 2;
         self.put(self.before(), share, groups, lane);
-        for group in &groups.places {
+        for group in &groups.spans {
             self.rows[self.latest][group.floor()] = lane.get(group.floor());
         }
     }
@@ -85,7 +85,7 @@ impl<const R: usize> History<R> {
     pub(super) fn end(&self, groups: &Groups) -> f64 {
         let [here, before] = [self.latest, self.before()];
         let way = self.shares[here] - self.shares[before];
-        let ends = groups.places.iter().map(|group| {
+        let ends = groups.spans.iter().map(|group| {
             let [now, then] = [here, before].map(|at| self.rows[at][group.floor()]);
             let (now, then) = (now * now, then * then);
             match self.known > 1 && then > now && way > 0.0 {
@@ -106,14 +106,14 @@ impl<const R: usize> History<R> {
             false => share,
         };
         let to = along(share);
-        let places = self.shares.map(along);
+        let points = self.shares.map(along);
         let mut weights = [0.0; KNOWN];
         for &i in known {
             let (mut over, mut under) = (1.0, 1.0);
             for &j in known {
                 if j != i {
-                    over *= to - places[j];
-                    under *= places[i] - places[j];
+                    over *= to - points[j];
+                    under *= points[i] - points[j];
                 }
             }
             weights[i] = over / under;
@@ -130,7 +130,7 @@ impl<const R: usize> History<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::groups::Place;
+    use super::super::groups::StateSpan;
     use super::super::slots::Slots;
     use super::*;
     use alloc::vec;
@@ -143,7 +143,7 @@ mod tests {
 
     /// Goes to shares of a way that ends.
     fn walked(shares: [f64; 3], end: f64) -> (History<2>, Groups) {
-        let groups = Groups::new(vec![Place {
+        let groups = Groups::new(vec![StateSpan {
             number: 0,
             first: 0,
             size: 1,

@@ -3,7 +3,7 @@
 /// The function of an assembly that returns `R`: `I` arguments to its result, without a branch.
 ///
 /// As a method of a trait it can be inlined always, into code for any instruction set; a closure would be called.
-pub trait Single<T, R, const I: usize> {
+pub trait Dispatch<T, R, const I: usize> {
     /// Its value at one position. With `FUSED` only on machines with fused multiply-add.
     fn at<const FUSED: bool>(&self, x: [T; I]) -> R;
 }
@@ -14,9 +14,9 @@ pub trait Single<T, R, const I: usize> {
 /// that was compiled for AVX2 with FMA; all that the flag leaves to be done stands behind a call, so that it takes no room and no
 /// registers here. Without the standard library nothing can be asked.
 #[inline(always)]
-pub fn single<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> R
+pub fn dispatch<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> R
 where
-    A: Single<T, R, I>,
+    A: Dispatch<T, R, I>,
     T: Copy,
 {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
@@ -29,12 +29,12 @@ where
     inlined(assembly, x)
 }
 
-/// The function's value as sweeps compute it but for the rounding of sines, by code that [`single`] has, too; none on machines without
+/// The function's value as sweeps compute it but for the rounding of sines, by code that [`dispatch`] has, too; none on machines without
 /// fused multiply-add, unless the build has code for them alone.
 #[inline(always)]
 pub fn as_in_sweeps<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> Option<R>
 where
-    A: Single<T, R, I>,
+    A: Dispatch<T, R, I>,
     T: Copy,
 {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
@@ -51,7 +51,7 @@ where
 #[inline(always)]
 pub fn inlined<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> R
 where
-    A: Single<T, R, I>,
+    A: Dispatch<T, R, I>,
 {
     assembly.at::<{ linkage_core::FUSED }>(x)
 }
@@ -61,7 +61,7 @@ where
 mod choice {
     use core::sync::atomic::{AtomicU8, Ordering};
 
-    use super::{Single, inlined};
+    use super::{Dispatch, inlined};
 
     /// What has been found of the machine: one load and one comparison for each call. (The standard library's own flags are tested one by one.)
     static FOUND: AtomicU8 = AtomicU8::new(UNKNOWN);
@@ -105,7 +105,7 @@ mod choice {
     /// The value by code for AVX2 with FMA, which have been found.
     #[allow(unsafe_code, reason = "the instruction set has been asked for")]
     #[inline(always)]
-    pub(super) fn avx2<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+    pub(super) fn avx2<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
         assembly: &A,
         x: [T; I],
     ) -> R {
@@ -115,7 +115,7 @@ mod choice {
 
     /// The value where they have not been found: for the first time, or on a machine without.
     #[inline(always)]
-    pub(super) fn other<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+    pub(super) fn other<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
         assembly: &A,
         x: [T; I],
     ) -> R {
@@ -124,7 +124,7 @@ mod choice {
 
     /// What [`other`] calls.
     #[inline(always)]
-    fn detected<A: Single<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, x: [T; I]) -> R {
+    fn detected<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, x: [T; I]) -> R {
         match detect() {
             true => avx2(assembly, x),
             false => inlined(assembly, x),
@@ -135,10 +135,10 @@ mod choice {
     macro_rules! calls {
         ($calls:ident, #[$how:meta], $value:expr) => {
             mod $calls {
-                use super::Single;
+                use super::Dispatch;
 
                 #[$how]
-                pub(super) fn one<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+                pub(super) fn one<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
                     assembly: &A,
                     a: T,
                 ) -> R {
@@ -146,7 +146,7 @@ mod choice {
                 }
 
                 #[$how]
-                pub(super) fn two<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+                pub(super) fn two<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
                     assembly: &A,
                     a: T,
                     b: T,
@@ -157,7 +157,7 @@ mod choice {
                 }
 
                 #[$how]
-                pub(super) fn three<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+                pub(super) fn three<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
                     assembly: &A,
                     a: T,
                     b: T,
@@ -169,7 +169,7 @@ mod choice {
                 }
 
                 #[$how]
-                pub(super) fn many<A: Single<T, R, I>, T: Copy, R, const I: usize>(
+                pub(super) fn many<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
                     assembly: &A,
                     x: &[T; I],
                 ) -> R {

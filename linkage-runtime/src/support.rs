@@ -1,22 +1,22 @@
 //! What only generated code calls.
 
+mod assembly_data;
 mod close;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod continuation;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod coupled;
+mod dispatch;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod follower;
 #[cfg(feature = "nalgebra")]
 mod named;
-mod sealed;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod revolutions;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod settle;
-mod single;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-mod starts;
 #[cfg(feature = "alloc")]
 mod sweep;
-#[cfg(any(feature = "std", feature = "libm"))]
-mod turns;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-mod way;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::circuits::{
@@ -26,9 +26,20 @@ pub use crate::circuits::{
 pub use crate::range_check::{Ranged, check_range};
 #[cfg(feature = "alloc")]
 pub use alloc::{boxed::Box, vec::Vec};
+pub use assembly_data::AssemblyData;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
 pub use close::{close, explained, finite};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use continuation::{DimensionPath, follow_path};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use coupled::{
+    Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
+    CoupledSolution, CoupledUnknown, InitialState, Wanted, Which, initial_states,
+    initial_states_of, list_solutions, nearest_solution, no_initial_states, pairs, placed,
+    prepared, prepared_over, put_state, stepped,
+};
+pub use dispatch::{Dispatch, as_in_sweeps, dispatch, inlined};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use follower::{Corrected, Standing, Stop, follow, put_corrected};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -43,14 +54,8 @@ pub use linkage_core::range_check::Slack;
 pub use linkage_core::{Enclosure, Level};
 #[cfg(feature = "nalgebra")]
 pub use named::{Named, named};
-pub use sealed::Sealed;
-pub use single::{Single, as_in_sweeps, inlined, single};
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use starts::{
-    Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
-    CoupledSolution, CoupledUnknown, Start, Wanted, Which, couple, list, nothing, pairs, placed,
-    prepared, prepared_over, put_state, starts, starts_of, stepped,
-};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use revolutions::{Along, Angle, Revolutions, revolutions, wind, wind_one};
 #[cfg(feature = "alloc")]
 pub use sweep::{
     Arguments, Block, Inputs, Kernel, Sets, fill, fill_or_call, fill_slices, in_row, next_vectors,
@@ -60,10 +65,6 @@ pub use sweep::{
 pub use sweep::{Extended, Followed, Moving, States, fill_followed};
 #[cfg(feature = "rayon")]
 pub use sweep::{fill_followed_parallel, fill_parallel};
-#[cfg(any(feature = "std", feature = "libm"))]
-pub use turns::{Along, Angle, Turns, turns, wind, wind_one};
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use way::{Way, follow_way};
 
 /// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
 #[cfg(feature = "alloc")]

@@ -1,7 +1,7 @@
 //! What is said where estimates lead to no assembly: whether the loops close all the same, and by how much they miss where they come nearest to
 //! it.
 
-use linkage::{AssemblyError, CoupledCause, Missed, Reach, mechanism};
+use linkage::{AssemblyError, ClosestApproach, CoupledCause, Missed, mechanism};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::body::Axle;
@@ -34,10 +34,12 @@ mechanism! {
 
 /// Of an assembly that its estimates do not lead to.
 #[track_caller]
-fn reach<A>(assembly: Result<A, AssemblyError>) -> Reach {
+fn closest_approach<A>(assembly: Result<A, AssemblyError>) -> ClosestApproach {
     match assembly.err() {
         Some(AssemblyError::Coupled(error)) => match error.cause {
-            CoupledCause::NotReached { reach, .. } => reach,
+            CoupledCause::NotReached {
+                closest_approach, ..
+            } => closest_approach,
             _ => panic!("{error}"),
         },
         other => panic!("{other:?}"),
@@ -46,8 +48,8 @@ fn reach<A>(assembly: Result<A, AssemblyError>) -> Reach {
 
 #[track_caller]
 fn missed<A>(assembly: Result<A, AssemblyError>) -> Vec<Missed> {
-    match reach(assembly) {
-        Reach::Misses(missed) => missed,
+    match closest_approach(assembly) {
+        ClosestApproach::Misses(missed) => missed,
         other => panic!("{other}"),
     }
 }
@@ -116,5 +118,5 @@ fn links_that_reach_each_other_elsewhere_are_told_from_those_that_do_not() {
         base: base.to_radians(),
     });
     here.assemble().expect("it assembles");
-    assert_eq!(reach(turned.assemble()), Reach::Closes);
+    assert_eq!(closest_approach(turned.assemble()), ClosestApproach::Closes);
 }

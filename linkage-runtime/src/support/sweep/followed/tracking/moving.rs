@@ -1,8 +1,8 @@
 //! A mechanism whose dimensions change, as a traveller sees it.
 
 use crate::columns::Columns;
-use crate::generated::CoupledGroup;
-use crate::generated::sweep::arguments::Arguments;
+use crate::support::CoupledGroup;
+use crate::support::sweep::arguments::Arguments;
 
 /// A mechanism whose inputs stay while its `P` dimensions change, on plain numbers. A row of `R` numbers is the dimensions, all inputs,
 /// then for each coupled group its state and floor.

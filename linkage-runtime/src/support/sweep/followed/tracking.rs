@@ -4,10 +4,10 @@
 mod groups;
 mod history;
 mod moving;
+mod run;
 mod slots;
-mod traveller;
-mod walk;
+mod tracker;
 
-pub(super) use groups::{Groups, Place};
+pub(super) use groups::{Groups, StateSpan};
 pub use moving::Moving;
-pub(super) use walk::travel;
+pub(super) use run::track_rows;

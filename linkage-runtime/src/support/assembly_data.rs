@@ -5,12 +5,12 @@
 /// A struct that a macro makes belongs to the module of the call, which so may write to all of its fields; to these it may not. Both parts are read by
 /// functions, not by methods, which rustc would suggest to users.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sealed<Core, Starts = ()> {
+pub struct AssemblyData<Core, Starts = ()> {
     core: Core,
     starts: Starts,
 }
 
-impl<Core, Starts> Sealed<Core, Starts> {
+impl<Core, Starts> AssemblyData<Core, Starts> {
     /// What sweeps copy into their loops, and the prepared starts of coupled groups.
     #[inline(always)]
     pub const fn new(core: Core, starts: Starts) -> Self {
@@ -19,13 +19,13 @@ impl<Core, Starts> Sealed<Core, Starts> {
 
     /// What sweeps copy into their loops.
     #[inline(always)]
-    pub const fn core(sealed: &Self) -> &Core {
-        &sealed.core
+    pub const fn core(data: &Self) -> &Core {
+        &data.core
     }
 
     /// The prepared starts of coupled groups.
     #[inline(always)]
-    pub const fn starts(sealed: &Self) -> &Starts {
-        &sealed.starts
+    pub const fn starts(data: &Self) -> &Starts {
+        &data.starts
     }
 }

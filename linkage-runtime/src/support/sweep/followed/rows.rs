@@ -1,6 +1,6 @@
 //! Rows that are at hand as arguments of a kernel.
 
-use crate::generated::sweep::arguments::Arguments;
+use crate::support::sweep::arguments::Arguments;
 use linkage_core::Scalar;
 
 /// Rows as they are.

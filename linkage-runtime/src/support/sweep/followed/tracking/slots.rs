@@ -1,6 +1,6 @@
 //! The rows of all that are under way, column by column, as kernels read them.
 
-use crate::generated::sweep::arguments::Arguments;
+use crate::support::sweep::arguments::Arguments;
 use alloc::boxed::Box;
 
 /// How many are under way at once: enough for vectors of rows, few enough for the processor's nearest cache.
@@ -110,11 +110,11 @@ impl<const R: usize> Lane<'_, R> {
         *self.left = 1.0 - share;
     }
 
-    pub(super) fn get(&self, place: usize) -> f64 {
-        self.columns[place][self.slot]
+    pub(super) fn get(&self, span: usize) -> f64 {
+        self.columns[span][self.slot]
     }
 
-    pub(super) fn set(&mut self, place: usize, value: f64) {
-        self.columns[place][self.slot] = value;
+    pub(super) fn set(&mut self, span: usize, value: f64) {
+        self.columns[span][self.slot] = value;
     }
 }

@@ -4,14 +4,14 @@ use alloc::vec::Vec;
 
 /// A coupled group that is followed.
 #[derive(Clone, Copy)]
-pub(crate) struct Place {
+pub(crate) struct StateSpan {
     pub(crate) number: usize,
     /// Of its state in a row; the floor stands behind that.
     pub(crate) first: usize,
     pub(crate) size: usize,
 }
 
-impl Place {
+impl StateSpan {
     pub(super) fn floor(self) -> usize {
         self.first + self.size
     }
@@ -23,19 +23,19 @@ impl Place {
 
 /// The coupled groups that are followed, in order.
 pub(crate) struct Groups {
-    pub(super) places: Vec<Place>,
+    pub(super) spans: Vec<StateSpan>,
     /// Where all numbers of their states stand, and these with the floors.
     pub(super) states: Vec<usize>,
     pub(super) numbers: Vec<usize>,
 }
 
 impl Groups {
-    pub(crate) fn new(places: Vec<Place>) -> Self {
-        let states = places.iter().flat_map(|place| place.state()).collect();
-        let numbers = places.iter().flat_map(|place| place.first..=place.floor());
+    pub(crate) fn new(spans: Vec<StateSpan>) -> Self {
+        let states = spans.iter().flat_map(|span| span.state()).collect();
+        let numbers = spans.iter().flat_map(|span| span.first..=span.floor());
         let numbers = numbers.collect();
         Self {
-            places,
+            spans,
             states,
             numbers,
         }

@@ -5,14 +5,14 @@ use linkage_core::numeric::winding::{Centre, follow, uniform};
 
 /// The centre of each of `A` angles, and the turns it makes for each turn of each of `I` inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turns<T, const A: usize, const I: usize> {
+pub struct Revolutions<T, const A: usize, const I: usize> {
     /// In radians.
     pub centres: [T; A],
     /// By angle and input.
     pub windings: [[T; I]; A],
 }
 
-impl<T: Scalar, const A: usize, const I: usize> Turns<T, A, I> {
+impl<T: Scalar, const A: usize, const I: usize> Revolutions<T, A, I> {
     /// Centres at the start estimates, no winding: right at the reference position.
     pub fn at_estimates(estimates: [f64; A]) -> Self {
         Self {
@@ -23,19 +23,19 @@ impl<T: Scalar, const A: usize, const I: usize> Turns<T, A, I> {
 
     /// Those of one lane.
     #[must_use]
-    pub fn lane(&self, lane: usize) -> Turns<f64, A, I> {
-        Turns {
+    pub fn lane(&self, lane: usize) -> Revolutions<f64, A, I> {
+        Revolutions {
             centres: self.centres.map(|centre| centre.lane(lane)),
             windings: self.windings.map(|own| own.map(|one| one.lane(lane))),
         }
     }
 }
 
-impl<const A: usize, const I: usize> Turns<f64, A, I> {
+impl<const A: usize, const I: usize> Revolutions<f64, A, I> {
     /// The same in another scalar.
     #[must_use]
-    pub fn cast<T: Scalar>(&self) -> Turns<T, A, I> {
-        Turns {
+    pub fn cast<T: Scalar>(&self) -> Revolutions<T, A, I> {
+        Revolutions {
             centres: self.centres.map(T::from_f64),
             windings: self.windings.map(|own| own.map(T::from_f64)),
         }
@@ -74,10 +74,10 @@ pub struct Along {
 /// # Errors
 ///
 /// The name of the angle that cannot be followed.
-pub fn turns<T: Scalar, const A: usize, const I: usize>(
-    mut search: impl FnMut(usize) -> Result<Turns<f64, A, I>, &'static str>,
-) -> Result<Turns<T, A, I>, &'static str> {
-    let mut all = Turns::at_estimates([0.0; A]);
+pub fn revolutions<T: Scalar, const A: usize, const I: usize>(
+    mut search: impl FnMut(usize) -> Result<Revolutions<f64, A, I>, &'static str>,
+) -> Result<Revolutions<T, A, I>, &'static str> {
+    let mut all = Revolutions::at_estimates([0.0; A]);
     for lane in 0..T::LANES {
         let one = search(lane)?;
         let set = |all: T, one: f64| T::from_lanes(|i| if i == lane { one } else { all.lane(i) });
@@ -106,8 +106,8 @@ pub fn wind<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
     count: usize,
     reference: [f64; I],
     at: [f64; I],
-    prepare: impl Fn(&Turns<f64, A, I>) -> D,
-) -> Result<Turns<f64, A, I>, &'static str> {
+    prepare: impl Fn(&Revolutions<f64, A, I>) -> D,
+) -> Result<Revolutions<f64, A, I>, &'static str> {
     match wind_from(angles, phases, count, reference, &prepare) {
         Err(_) if at != reference => wind_from(angles, phases, count, at, &prepare),
         result => result,
@@ -119,9 +119,9 @@ fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
     mut phases: &[[f64; 2]],
     count: usize,
     start: [f64; I],
-    prepare: impl Fn(&Turns<f64, A, I>) -> D,
-) -> Result<Turns<f64, A, I>, &'static str> {
-    let mut turns = Turns::at_estimates(core::array::from_fn(|angle| angles[angle].estimate));
+    prepare: impl Fn(&Revolutions<f64, A, I>) -> D,
+) -> Result<Revolutions<f64, A, I>, &'static str> {
+    let mut turns = Revolutions::at_estimates(core::array::from_fn(|angle| angles[angle].estimate));
     for (index, angle) in angles.iter().enumerate().take(count) {
         let (own, rest) = phases.split_at(angle.phases.len());
         phases = rest;

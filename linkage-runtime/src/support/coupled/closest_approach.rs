@@ -2,7 +2,7 @@
 
 use super::group::CoupledGroup;
 use super::programs::CoupledPrograms;
-use crate::error::{Missed, Reach};
+use crate::error::{ClosestApproach, Missed};
 use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::math;
@@ -23,14 +23,14 @@ const CORRECTIONS: usize = 20;
 const TIMES: usize = 3;
 
 /// How near to closing its loops come from where its unknowns are estimated: where a way ends, bodies may be far from rigid.
-pub(super) fn reach(
+pub(super) fn closest_approach(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,
     x: &[f64],
     estimate: Vec<f64>,
-) -> Reach {
+) -> ClosestApproach {
     if group.missed.is_empty() {
-        return Reach::Unknown;
+        return ClosestApproach::Unknown;
     }
     let mut loops = Loops {
         group: group,
@@ -40,11 +40,13 @@ pub(super) fn reach(
     let found = loops
         .rigid(estimate)
         .and_then(|from| least(&mut loops, from));
-    found.map_or(Reach::Unknown, |(_, rows)| told(group, &rows.missed))
+    found.map_or(ClosestApproach::Unknown, |(_, rows)| {
+        told(group, &rows.missed)
+    })
 }
 
 /// The loops that miss, the farthest first; `shares` are those of their scales.
-fn told(group: &CoupledGroup, shares: &[f64]) -> Reach {
+fn told(group: &CoupledGroup, shares: &[f64]) -> ClosestApproach {
     let mut shares = shares.iter().copied();
     let mut all: Vec<(f64, Missed)> = Vec::new();
     for own in group.missed {
@@ -62,11 +64,11 @@ fn told(group: &CoupledGroup, shares: &[f64]) -> Reach {
     }
     let most = all.iter().fold(0.0, |most: f64, (size, _)| most.max(*size));
     if most <= CLOSED {
-        return Reach::Closes;
+        return ClosestApproach::Closes;
     }
     all.retain(|(size, _)| *size > LITTLE * most);
     all.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    Reach::Misses(all.into_iter().map(|(_, missed)| missed).collect())
+    ClosestApproach::Misses(all.into_iter().map(|(_, missed)| missed).collect())
 }
 
 /// The loops of a group by its state.

@@ -1,7 +1,7 @@
 //! Mechanisms too far from the one of the tables for the steps of a kernel: the states of their coupled groups are followed.
 
 mod rows;
-mod travel;
+mod tracking;
 
 use super::arguments::Arguments;
 use super::blocks::rows;
@@ -11,9 +11,9 @@ use crate::columns::Columns;
 use alloc::vec::Vec;
 use linkage_core::{FUSED, Scalar};
 use rows::Rows;
-use travel::{Groups, Place, travel};
+use tracking::{Groups, StateSpan, track_rows};
 
-pub use travel::Moving;
+pub use tracking::Moving;
 
 /// Rows that are followed together: enough for vectors of rows, few enough for the processor's cache.
 const TOGETHER: usize = 512;
@@ -69,7 +69,7 @@ impl<F, const P: usize> Followed<F, P> {
         F: Fn(usize) -> M,
     {
         let groups = self.groups.iter();
-        let groups = groups.map(|&(number, first, size)| Place {
+        let groups = groups.map(|&(number, first, size)| StateSpan {
             number,
             first,
             size,
@@ -86,7 +86,7 @@ impl<F, const P: usize> Followed<F, P> {
             missing.extend(own.map(|(at, _)| at));
             ways.clear();
             ways.extend(missing.iter().map(|&at| self.whole(&all[at], lane)));
-            travel(&(self.mechanism)(lane), &groups, &mut ways);
+            track_rows(&(self.mechanism)(lane), &groups, &mut ways);
             for (&at, there) in missing.iter().zip(&ways) {
                 if groups.have(there) {
                     self.put(&mut all[at], lane, there);

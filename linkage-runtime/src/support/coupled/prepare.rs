@@ -1,10 +1,10 @@
 //! What is prepared of all coupled groups of a mechanism, one group after the other.
 
 use super::group::CoupledGroup;
+use super::initial_state::InitialState;
 use super::programs::CoupledPrograms;
 use super::solution::CoupledSolution;
-use super::solve::{couple, list};
-use super::start::Start;
+use super::solve::{list_solutions, nearest_solution};
 use crate::error::AssemblyError;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -18,7 +18,7 @@ pub enum Wanted<'a, const K: usize> {
     /// Every real one, the nearest to the estimates first.
     All,
     /// The one nearest to another.
-    Like(&'a [Start; K]),
+    Like(&'a [InitialState; K]),
 }
 
 /// Prepares the coupled groups in their order. `programs` gives group `k` with what is prepared of those before it; `at`
@@ -27,18 +27,24 @@ pub enum Wanted<'a, const K: usize> {
 /// # Errors
 ///
 /// Where a wanted assembly is not there, or cannot be prepared.
-pub fn starts<const K: usize, P: CoupledPrograms>(
+pub fn initial_states<const K: usize, P: CoupledPrograms>(
     groups: &[CoupledGroup; K],
     at: &[f64],
     wanted: Wanted<'_, K>,
-    programs: impl Fn(usize, &[Start; K]) -> Result<P, AssemblyError>,
-) -> Result<Vec<[Start; K]>, AssemblyError> {
+    programs: impl Fn(usize, &[InitialState; K]) -> Result<P, AssemblyError>,
+) -> Result<Vec<[InitialState; K]>, AssemblyError> {
     let which = match wanted {
         Wanted::Nearest => Which::Nearest,
         Wanted::All => Which::All,
         Wanted::Like(like) => Which::Like(like),
     };
-    starts_of(groups, [const { Start::Nothing }; K], at, which, programs)
+    initial_states_of(
+        groups,
+        [const { InitialState::Nothing }; K],
+        at,
+        which,
+        programs,
+    )
 }
 
 /// As [`Wanted`], where the number of groups is known at run time only.
@@ -49,15 +55,15 @@ pub enum Which<'a> {
     /// Every real one, the nearest to the estimates first.
     All,
     /// The one nearest to another.
-    Like(&'a [Start]),
+    Like(&'a [InitialState]),
 }
 
-/// As [`starts`], for any list `S` of as many starts as groups; `nothing` is the one with [`Start::Nothing`] alone.
+/// As [`initial_states`], for any list `S` of as many starts as groups; `nothing` is the one with [`InitialState::Nothing`] alone.
 ///
 /// # Errors
 ///
 /// Where a wanted assembly is not there, or cannot be prepared.
-pub fn starts_of<S: AsMut<[Start]> + Clone, P: CoupledPrograms>(
+pub fn initial_states_of<S: AsMut<[InitialState]> + Clone, P: CoupledPrograms>(
     groups: &[CoupledGroup],
     nothing: S,
     at: &[f64],
@@ -72,8 +78,8 @@ pub fn starts_of<S: AsMut<[Start]> + Clone, P: CoupledPrograms>(
         for before in found {
             let mut programs = programs(number, &before)?;
             let solutions = match wanted {
-                Which::Nearest => vec![couple(group, &mut programs, &x)?],
-                Which::All => match list(group, &mut programs, &x) {
+                Which::Nearest => vec![nearest_solution(group, &mut programs, &x)?],
+                Which::All => match list_solutions(group, &mut programs, &x) {
                     // Other assemblies of the groups before may let it close.
                     Err(error) if error.is_a_miss() => {
                         missed = Some(error);
@@ -83,17 +89,17 @@ pub fn starts_of<S: AsMut<[Start]> + Clone, P: CoupledPrograms>(
                 },
                 Which::Like(like) => {
                     let state = like[number].state(&x);
-                    let all = list(group, &mut programs, &x)?;
+                    let all = list_solutions(group, &mut programs, &x)?;
                     nearest(all, &state).into_iter().collect()
                 }
             };
             for solution in solutions {
                 let every = matches!(wanted, Which::All);
-                let mut starts = before.clone();
+                let mut initial_states = before.clone();
                 let ranges = group.ranges();
                 let own = start(group, &mut programs, &x, &solution.state, &ranges, every)?;
-                starts.as_mut()[number] = own;
-                next.push(starts);
+                initial_states.as_mut()[number] = own;
+                next.push(initial_states);
             }
         }
         if let (true, Some(error)) = (next.is_empty(), missed) {
@@ -123,11 +129,11 @@ fn start(
     state: &[f64],
     ranges: &[Range],
     every: bool,
-) -> Result<Start, AssemblyError> {
+) -> Result<InitialState, AssemblyError> {
     let mut made = over(group, programs, x, state, ranges, every);
-    let mut serves = |start: &Start| match start {
-        Start::Grid(grid) => grid.serves(programs, x),
-        Start::Nothing | Start::Table(_) => true,
+    let mut serves = |start: &InitialState| match start {
+        InitialState::Grid(grid) => grid.serves(programs, x),
+        InitialState::Nothing | InitialState::Table(_) => true,
     };
     let nothing = !made.as_ref().is_ok_and(&mut serves);
     if every && nothing {
@@ -147,7 +153,7 @@ fn start(
     }
     let start = made.map_err(|refusal| group.refused(refusal))?;
     match &start {
-        Start::Grid(grid) if !every => match grid.left_out() {
+        InitialState::Grid(grid) if !every => match grid.left_out() {
             Some(left_out) => Err(group.leaves_out(left_out)),
             None if nothing => Err(group.beside_dead_point(x)),
             None => Ok(start),
@@ -164,14 +170,16 @@ fn over(
     state: &[f64],
     ranges: &[Range],
     every: bool,
-) -> Result<Start, Refusal> {
+) -> Result<InitialState, Refusal> {
     match group.inputs {
         [input] => {
             let partial = every || !input.declared;
-            Table::build(programs, x[0], state, ranges[0], partial).map(Start::Table)
+            Table::build(programs, x[0], state, ranges[0], partial).map(InitialState::Table)
         }
-        _ if every => Grid::build(programs, x, state, ranges, group.in_cells).map(Start::Grid),
-        _ => Grid::build_all(programs, x, state, ranges, group.in_cells).map(Start::Grid),
+        _ if every => {
+            Grid::build(programs, x, state, ranges, group.in_cells).map(InitialState::Grid)
+        }
+        _ => Grid::build_all(programs, x, state, ranges, group.in_cells).map(InitialState::Grid),
     }
 }
 
@@ -186,7 +194,7 @@ pub fn prepared(
     x: &[f64],
     state: &[f64],
     ranges: &[Range],
-) -> Result<Start, AssemblyError> {
+) -> Result<InitialState, AssemblyError> {
     start(group, programs, x, state, ranges, true)
 }
 
@@ -199,19 +207,19 @@ pub fn prepared_over<const K: usize, P: CoupledPrograms>(
     groups: &[CoupledGroup; K],
     at: &[f64],
     states: &[Vec<f64>],
-    programs: impl Fn(usize, &[Start; K]) -> Result<P, AssemblyError>,
-) -> Result<[Start; K], AssemblyError> {
-    let mut starts = [const { Start::Nothing }; K];
+    programs: impl Fn(usize, &[InitialState; K]) -> Result<P, AssemblyError>,
+) -> Result<[InitialState; K], AssemblyError> {
+    let mut initial_states = [const { InitialState::Nothing }; K];
     for (number, group) in groups.iter().enumerate() {
         let x: Vec<f64> = group.inputs.iter().map(|input| at[input.index]).collect();
-        let mut programs = programs(number, &starts)?;
+        let mut programs = programs(number, &initial_states)?;
         let ranges = group.ranges();
-        starts[number] = start(group, &mut programs, &x, &states[number], &ranges, false)?;
+        initial_states[number] = start(group, &mut programs, &x, &states[number], &ranges, false)?;
     }
-    Ok(starts)
+    Ok(initial_states)
 }
 
 /// Nothing prepared, in every lane.
-pub fn nothing<const K: usize>(lanes: usize) -> Vec<[Start; K]> {
-    vec![[const { Start::Nothing }; K]; lanes]
+pub fn no_initial_states<const K: usize>(lanes: usize) -> Vec<[InitialState; K]> {
+    vec![[const { InitialState::Nothing }; K]; lanes]
 }

@@ -48,7 +48,7 @@ fn solutions(
 /// # Errors
 ///
 /// If the solutions cannot be listed, or none is real.
-pub fn list(
+pub fn list_solutions(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,
     x: &[f64],
@@ -65,7 +65,7 @@ pub fn list(
 /// # Errors
 ///
 /// If the solutions cannot be listed, none is real, two are equally near, or two meet at a turning point; if the estimates lead nowhere.
-pub fn couple(
+pub fn nearest_solution(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,
     x: &[f64],

@@ -3,15 +3,15 @@
 use super::groups::Groups;
 use super::moving::Moving;
 use super::slots::{SLOTS, Slots};
-use super::traveller::{Traveller, Verdict};
+use super::tracker::{Tracker, Verdict};
 use crate::columns::Columns;
-use crate::generated::CoupledGroup;
+use crate::support::CoupledGroup;
 use alloc::vec::Vec;
 use linkage_core::Scalar;
 
 /// Takes all as far as they come: each row has the dimensions that are wanted, the inputs, and the states at the dimensions of the mechanism.
 /// Who arrives gets the states there, who is blocked states that are not a number.
-pub(crate) fn travel<M, const P: usize, const R: usize>(
+pub(crate) fn track_rows<M, const P: usize, const R: usize>(
     mechanism: &M,
     groups: &Groups,
     rows: &mut [[f64; R]],
@@ -19,14 +19,14 @@ pub(crate) fn travel<M, const P: usize, const R: usize>(
     M: Moving<P, R>,
 {
     let columns = groups
-        .places
+        .spans
         .iter()
-        .map(|place| Columns::new(place.size + 2, 0));
+        .map(|span| Columns::new(span.size + 2, 0));
     let mut columns: Vec<Columns<f64>> = columns.collect();
     let mut slots = Slots::new(mechanism.dimensions());
     let mut waiting = 0..rows.len();
-    let begin = |_| Traveller::new();
-    let mut under_way: Vec<Traveller<R>> = waiting.by_ref().take(SLOTS).map(begin).collect();
+    let begin = |_| Tracker::new();
+    let mut under_way: Vec<Tracker<R>> = waiting.by_ref().take(SLOTS).map(begin).collect();
     for (number, own) in under_way.iter_mut().enumerate() {
         slots.put(number, &rows[number]);
         own.begin(number, &rows[number], groups, &mut slots.lane(number));
@@ -53,10 +53,10 @@ pub(crate) fn travel<M, const P: usize, const R: usize>(
             return;
         }
         slots.taken = under_way.len();
-        for (at, (place, found)) in groups.places.iter().zip(&mut columns).enumerate() {
+        for (at, (span, found)) in groups.spans.iter().zip(&mut columns).enumerate() {
             if under_way.iter().any(|own| own.wants(at)) {
-                mechanism.correct(place.number, &slots, found);
-                let group = &M::GROUPS[place.number];
+                mechanism.correct(span.number, &slots, found);
+                let group = &M::GROUPS[span.number];
                 take(&mut under_way, &mut slots, groups, at, group, found);
             }
         }
@@ -65,28 +65,28 @@ pub(crate) fn travel<M, const P: usize, const R: usize>(
 
 /// What has been found for a group, by its place among those that are followed, goes to all that want it.
 fn take<const P: usize, const R: usize>(
-    under_way: &mut [Traveller<R>],
+    under_way: &mut [Tracker<R>],
     slots: &mut Slots<P, R>,
     groups: &Groups,
     at: usize,
     group: &CoupledGroup,
     found: &Columns<f64>,
 ) {
-    let place = groups.places[at];
+    let span = groups.spans[at];
     let outputs = found
-        .column(place.size)
+        .column(span.size)
         .iter()
-        .zip(found.column(place.size + 1));
+        .zip(found.column(span.size + 1));
     let mut verdicts = [None; SLOTS];
     let mut sound = [false; SLOTS];
     for (slot, (own, (&square, &determinant))) in under_way.iter_mut().zip(outputs).enumerate() {
         if own.wants(at) {
-            let verdict = own.judge(place, Scalar::sqrt(square), determinant);
+            let verdict = own.judge(span, Scalar::sqrt(square), determinant);
             verdicts[slot] = Some(verdict);
             sound[slot] = matches!(verdict, Verdict::Closer | Verdict::Settled);
         }
     }
-    for (k, number) in place.state().enumerate() {
+    for (k, number) in span.state().enumerate() {
         slots.take(number, found.column(k), &sound);
     }
     for (slot, (own, verdict)) in under_way.iter_mut().zip(verdicts).enumerate() {

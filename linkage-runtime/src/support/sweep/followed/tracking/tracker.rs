@@ -1,10 +1,10 @@
 //! One mechanism on its way.
 
-use super::groups::{Groups, Place};
+use super::groups::{Groups, StateSpan};
 use super::history::History;
 use super::slots::Lane;
-use crate::generated::CoupledGroup;
-use crate::generated::settle::{CORRECTIONS, scaled, scales};
+use crate::support::CoupledGroup;
+use crate::support::settle::{CORRECTIONS, scaled, scales};
 use linkage_core::Scalar;
 use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
 
@@ -51,7 +51,7 @@ pub(super) enum Verdict {
 }
 
 /// A mechanism on its way; the place that it tries is in its slot.
-pub(super) struct Traveller<const R: usize> {
+pub(super) struct Tracker<const R: usize> {
     number: usize,
     history: History<R>,
     /// The place that is tried, and the step to it.
@@ -72,7 +72,7 @@ pub(super) struct Traveller<const R: usize> {
     determinant: f64,
 }
 
-impl<const R: usize> Traveller<R> {
+impl<const R: usize> Tracker<R> {
     /// Nobody yet.
     pub(super) fn new() -> Self {
         Self {
@@ -177,12 +177,12 @@ impl<const R: usize> Traveller<R> {
     }
 
     /// What a correction of this size, from where the determinant is that, is worth.
-    pub(super) fn judge(&mut self, place: Place, size: f64, determinant: f64) -> Verdict {
+    pub(super) fn judge(&mut self, span: StateSpan, size: f64, determinant: f64) -> Verdict {
         if self.corrections == 0 {
             self.first = self.first.max(size);
         }
         let sound = size <= self.allowed
-            && determinant * self.here()[place.floor()] > 0.0
+            && determinant * self.here()[span.floor()] > 0.0
             && self.corrections < CORRECTIONS;
         self.determinant = determinant;
         if !sound {
@@ -217,8 +217,8 @@ impl<const R: usize> Traveller<R> {
             Verdict::Impossible | Verdict::Unsound => self.refuse(groups, at, group, lane),
             Verdict::Settled => {
                 self.rescaled |= self.scale > 0;
-                lane.set(groups.places[at].floor(), 0.5 * self.determinant);
-                match at + 1 < groups.places.len() {
+                lane.set(groups.spans[at].floor(), 0.5 * self.determinant);
+                match at + 1 < groups.spans.len() {
                     true => self.try_group(at + 1),
                     false => self.arrive(groups, lane),
                 }
@@ -255,7 +255,7 @@ impl<const R: usize> Traveller<R> {
         if let Some(&factor) = scales(group.variables).get(scale) {
             self.try_group(at);
             self.scale = scale;
-            let state = groups.places[at].state();
+            let state = groups.spans[at].state();
             let other = scaled(group.variables, &self.here()[state.clone()], factor);
             for (k, value) in state.zip(other) {
                 lane.set(k, value);
@@ -276,15 +276,15 @@ impl<const R: usize> Traveller<R> {
 mod tests {
     use super::*;
 
-    const PLACE: Place = Place {
+    const PLACE: StateSpan = StateSpan {
         number: 0,
         first: 0,
         size: 1,
     };
 
     /// At a place with a positive determinant, where a step has been predicted.
-    fn predicted() -> Traveller<2> {
-        let mut own = Traveller::new();
+    fn predicted() -> Tracker<2> {
+        let mut own = Tracker::new();
         own.history.begin(&[0.3, 0.5]);
         own.try_group(0);
         own

@@ -1,13 +1,13 @@
 //! How near to closing loops come that are not reached from their estimates.
 
-use crate::words::{printed, rounded};
+use crate::format::{printed, rounded};
 use alloc::vec::Vec;
 use core::fmt;
 
 /// What is known of a group to which its estimates do not lead: whether its loops close all the same.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Reach {
+pub enum ClosestApproach {
     /// They do not: by how much they miss where they come nearest to it, by the sum of squares, the farthest first. A loop that is not listed
     /// closes there. That is sought from the estimates on; elsewhere there may be assemblies.
     Misses(
@@ -35,7 +35,7 @@ pub struct Missed {
 const TOLD: usize = 6;
 
 /// Continues a sentence about estimates that do not lead to an assembly.
-impl fmt::Display for Reach {
+impl fmt::Display for ClosestApproach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Misses(missed) => {
@@ -81,7 +81,7 @@ impl fmt::Display for Missed {
 
 #[cfg(test)]
 mod tests {
-    use super::{Missed, Reach};
+    use super::{ClosestApproach, Missed};
     use alloc::string::ToString;
     use alloc::vec;
     use alloc::vec::Vec;
@@ -92,8 +92,9 @@ mod tests {
 
     #[test]
     fn what_misses_is_told_with_its_unit() {
-        let reach = Reach::Misses(vec![missed(5, 60.1, "mm"), missed(2, -0.02, "")]);
-        let text = reach.to_string();
+        let closest_approach =
+            ClosestApproach::Misses(vec![missed(5, 60.1, "mm"), missed(2, -0.02, "")]);
+        let text = closest_approach.to_string();
         let told = "from there, loop 5 misses by 60.1 mm, loop 2 by -0.02: there the links do not reach each other";
         assert!(text.contains(told), "{text}");
     }
@@ -101,7 +102,7 @@ mod tests {
     #[test]
     fn of_many_loops_the_farthest_are_told() {
         let all: Vec<Missed> = (1..=9).map(|k| missed(k, 1.0, "m")).collect();
-        let text = Reach::Misses(all).to_string();
+        let text = ClosestApproach::Misses(all).to_string();
         let told = ", loop 6 by 1 m, and 3 more by less: ";
         assert!(text.contains(told), "{text}");
     }

@@ -9,7 +9,7 @@ use linkage_core::numeric::continuation::{Grid, Table};
 
 /// What is prepared of a coupled group.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Start {
+pub enum InitialState {
     /// Nothing yet: every state is NaN.
     Nothing,
     /// Over one input.
@@ -18,7 +18,7 @@ pub enum Start {
     Grid(Grid),
 }
 
-impl Start {
+impl InitialState {
     /// Writes the state at the group's inputs `x` as calls of generated code look it up, and returns the floor; NaN where there is none.
     /// With `FUSED` only on machines with fused multiply-add.
     ///
@@ -57,9 +57,9 @@ impl Start {
 
 impl<const S: usize> Coupled<S> {
     /// The tables of all lanes.
-    pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a Start) -> Self {
+    pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a InitialState) -> Self {
         Self::new::<T>(|lane| match start(lane) {
-            Start::Table(table) => table.lookup(),
+            InitialState::Table(table) => table.lookup(),
             _ => None,
         })
     }
@@ -67,9 +67,9 @@ impl<const S: usize> Coupled<S> {
 
 impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
     /// The grids of all lanes.
-    pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a Start) -> Self {
+    pub fn of<'a, T: Scalar>(start: impl Fn(usize) -> &'a InitialState) -> Self {
         Self::new::<T>(|lane| match start(lane) {
-            Start::Grid(grid) => grid.lookup(),
+            InitialState::Grid(grid) => grid.lookup(),
             _ => None,
         })
     }
